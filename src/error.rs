@@ -1,0 +1,63 @@
+//! What is told to whoever must act: faults of the input, each with its place.
+
+use std::fmt;
+
+/// Line and column (both from 1, columns in characters) in the model file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Place {
+    pub line: usize,
+    pub column: usize,
+}
+
+/// One fault of the input: where, what stands there, what is wrong, what would mend it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Complaint {
+    /// Path in the model, `joints.b.between[1]`; empty for the file as a whole.
+    pub path: String,
+    /// Where that is in the text, when it stands there (not, when it came from `--set`).
+    pub place: Option<Place>,
+    /// The offending text.
+    pub found: Option<String>,
+    /// What is wrong.
+    pub message: String,
+    /// What would mend it.
+    pub hint: Option<String>,
+}
+
+impl Complaint {
+    /// A fault at `path`; the place is looked up later.
+    pub fn new(path: impl Into<String>, message: impl Into<String>) -> Self {
+        Complaint { path: path.into(), place: None, found: None, message: message.into(), hint: None }
+    }
+
+    /// Adds what would mend it.
+    pub fn hint(mut self, hint: impl Into<String>) -> Self {
+        self.hint = Some(hint.into());
+        self
+    }
+
+    /// Adds the offending text.
+    pub fn found(mut self, found: impl Into<String>) -> Self {
+        self.found = Some(found.into());
+        self
+    }
+}
+
+impl fmt::Display for Complaint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(place) = self.place {
+            write!(f, "line {}, column {}: ", place.line, place.column)?;
+        }
+        if !self.path.is_empty() {
+            write!(f, "{}: ", self.path)?;
+        }
+        if let Some(found) = &self.found {
+            write!(f, "{found}: ")?;
+        }
+        f.write_str(&self.message)?;
+        if let Some(hint) = &self.hint {
+            write!(f, " ({hint})")?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,5 @@
+//! Planar multibody engine for linkages.
+
+pub mod error;
+pub mod model;
+pub mod output;

@@ -1,0 +1,101 @@
+//! Results: the trajectory (columns with name and unit) and the report (why it stopped, counters, events).
+
+/// One result column, written `name[unit]`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Column {
+    pub name: String,
+    pub unit: &'static str,
+}
+
+/// Output rows, row by row; NaN stands for "does not exist at this instant" and is written as an empty cell.
+#[derive(Debug, Clone, Default)]
+pub struct Trajectory {
+    pub columns: Vec<Column>,
+    /// (rows × columns), row-major.
+    pub data: Vec<f64>,
+}
+
+/// Why the run ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Status {
+    #[default]
+    Completed,
+    CompletedWithGaps,
+    DeadCentre,
+    AssemblyFailed,
+    StepTooSmall,
+    Singular,
+    TimeLimit,
+    Interrupted,
+}
+
+/// Something that happened at an instant or over an interval.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Event {
+    /// `change_point`, `dead_centre`, `no_solution`, `not_converged`, …
+    pub kind: &'static str,
+    /// Start [s].
+    pub time: f64,
+    /// End of an interval [s].
+    pub end_time: Option<f64>,
+    pub driver: Option<String>,
+    /// Driver value at `time` [rad or m].
+    pub value: Option<f64>,
+    /// Driver value at `end_time`.
+    pub end_value: Option<f64>,
+    /// What a reader should know.
+    pub note: Option<String>,
+}
+
+/// Degrees of freedom, counted and by rank.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Mobility {
+    pub grubler: i64,
+    pub rank: i64,
+    pub drivers: usize,
+    /// Joints with constraints that others already impose.
+    pub redundant: Vec<String>,
+    /// Joints whose reaction is a least-norm choice.
+    pub reactions_not_unique: Vec<String>,
+}
+
+/// Work done.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Statistics {
+    pub steps: u64,
+    pub rejected: u64,
+    pub newton_iterations: u64,
+    pub evaluations: u64,
+    pub factorisations: u64,
+}
+
+/// How good the result is.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Quality {
+    /// Largest constraint residual over all outputs, divided by the mechanism's size [–].
+    pub constraint_residual: f64,
+    /// Largest power imbalance over all outputs, divided by the largest power that flows [–]; none where no forces are computed.
+    pub power_imbalance: Option<f64>,
+}
+
+/// Wall and process CPU seconds of a stage.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Stage {
+    pub wall: f64,
+    pub cpu: f64,
+}
+
+/// Everything about a run but its columns.
+#[derive(Debug, Clone, Default)]
+pub struct Report {
+    pub status: Status,
+    /// Why a run that did not complete stopped, in a sentence or two; for standard error.
+    pub message: Option<String>,
+    pub mobility: Mobility,
+    pub statistics: Statistics,
+    pub quality: Quality,
+    pub warnings: Vec<String>,
+    pub events: Vec<Event>,
+    pub assemble: Stage,
+    pub solve: Stage,
+}
