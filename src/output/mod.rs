@@ -1,5 +1,16 @@
 //! Results: the trajectory (columns with name and unit) and the report (why it stopped, counters, events).
 
+pub mod csv;
+pub mod files;
+pub mod stopwatch;
+pub mod summary;
+pub mod trajectory;
+
+pub use files::{Directory, WriteError};
+pub use stopwatch::Stopwatch;
+pub use summary::Summary;
+pub use trajectory::{Extremes, Selection};
+
 /// One result column, written `name[unit]`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Column {

@@ -1,0 +1,202 @@
+//! `summary.json`: how a run went, and the extremes of every column.
+
+use serde_json::{Map, Value, json};
+
+use super::{Event, Report, Stage, Status, Trajectory};
+
+/// What a summary is made of.
+#[derive(Debug)]
+pub struct Summary<'a> {
+    pub model_name: &'a str,
+    /// Digest of the model file's bytes, hexadecimal.
+    pub model_sha256: &'a str,
+    /// Settings as resolved.
+    pub settings: &'a Value,
+    pub report: &'a Report,
+    pub trajectory: &'a Trajectory,
+    pub load: Stage,
+    /// Writing of all files but the summary itself.
+    pub write: Stage,
+}
+
+impl Status {
+    /// The word for it in `summary.json`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Status::Completed => "completed",
+            Status::CompletedWithGaps => "completed_with_gaps",
+            Status::DeadCentre => "dead_centre",
+            Status::AssemblyFailed => "assembly_failed",
+            Status::StepTooSmall => "step_too_small",
+            Status::Singular => "singular",
+            Status::TimeLimit => "time_limit",
+            Status::Interrupted => "interrupted",
+        }
+    }
+}
+
+/// The summary as JSON; a number that is not finite becomes null.
+pub fn to_json(summary: &Summary) -> Value {
+    let report = summary.report;
+    let mut json = Map::new();
+    json.insert("status".into(), report.status.word().into());
+    if let Some(message) = &report.message {
+        json.insert("message".into(), message.as_str().into());
+    }
+    json.insert("engine".into(), env!("CARGO_PKG_VERSION").into());
+    json.insert("model".into(), json!({ "name": summary.model_name, "sha256": summary.model_sha256 }));
+    json.insert("settings".into(), summary.settings.clone());
+    json.insert(
+        "mobility".into(),
+        json!({
+            "grubler": report.mobility.grubler,
+            "rank": report.mobility.rank,
+            "drivers": report.mobility.drivers,
+            "redundant": report.mobility.redundant,
+            "reactions_not_unique": report.mobility.reactions_not_unique,
+        }),
+    );
+    json.insert(
+        "statistics".into(),
+        json!({
+            "steps": report.statistics.steps,
+            "rejected": report.statistics.rejected,
+            "newton_iterations": report.statistics.newton_iterations,
+            "evaluations": report.statistics.evaluations,
+            "factorisations": report.statistics.factorisations,
+        }),
+    );
+    json.insert(
+        "timing".into(),
+        json!({
+            "load": stage(summary.load),
+            "assemble": stage(report.assemble),
+            "solve": stage(report.solve),
+            "write": stage(summary.write),
+        }),
+    );
+    json.insert(
+        "quality".into(),
+        json!({
+            "constraint_residual": report.quality.constraint_residual,
+            "power_imbalance": report.quality.power_imbalance,
+        }),
+    );
+    json.insert("warnings".into(), report.warnings.as_slice().into());
+    json.insert("events".into(), report.events.iter().map(event).collect());
+    json.insert("extremes".into(), extremes(summary.trajectory));
+    Value::Object(json)
+}
+
+/// The summary as the text of the file.
+pub fn to_text(summary: &Summary) -> String {
+    format!("{:#}\n", to_json(summary))
+}
+
+fn stage(stage: Stage) -> Value {
+    json!({ "wall": stage.wall, "cpu": stage.cpu })
+}
+
+/// An event; what it does not have is left out.
+fn event(event: &Event) -> Value {
+    let mut json = Map::new();
+    json.insert("type".into(), event.kind.into());
+    json.insert("time".into(), event.time.into());
+    let optional: [(&str, Option<Value>); 5] = [
+        ("end_time", event.end_time.map(Value::from)),
+        ("driver", event.driver.as_deref().map(Value::from)),
+        ("value", event.value.map(Value::from)),
+        ("end_value", event.end_value.map(Value::from)),
+        ("note", event.note.as_deref().map(Value::from)),
+    ];
+    json.extend(optional.into_iter().filter_map(|(key, value)| Some((key.to_string(), value?))));
+    Value::Object(json)
+}
+
+/// Extremes by column; nulls where a column has no value at all.
+fn extremes(trajectory: &Trajectory) -> Value {
+    let of_column = trajectory.extremes().into_iter().map(|extremes| match extremes {
+        Some(e) => json!({ "min": e.min, "min_time": e.min_time, "max": e.max, "max_time": e.max_time }),
+        None => json!({ "min": null, "min_time": null, "max": null, "max_time": null }),
+    });
+    Value::Object(trajectory.columns.iter().map(|column| column.label()).zip(of_column).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Column, Quality};
+    use super::*;
+
+    fn example() -> (Report, Trajectory) {
+        let change_point = Event {
+            kind: "change_point",
+            time: 1.7,
+            end_time: None,
+            driver: Some("motor \"M\" 🔒".into()),
+            value: Some(2.05),
+            end_value: None,
+            note: None,
+        };
+        let gap = Event { kind: "no_solution", end_time: Some(2.0), driver: None, value: None, ..change_point.clone() };
+        let report = Report {
+            events: vec![change_point, gap],
+            quality: Quality { constraint_residual: f64::NAN, power_imbalance: None },
+            ..Report::default()
+        };
+        let mut trajectory = Trajectory::new(vec![Column::new("time", "s"), Column::new("crank.omega", "rad/s")]);
+        trajectory.push_row(&[0.0, 10.0]);
+        trajectory.push_row(&[0.1, f64::NAN]);
+        (report, trajectory)
+    }
+
+    fn summary_text() -> String {
+        let (report, trajectory) = example();
+        let settings = json!({ "rtol": 1e-6 });
+        let stage = Stage::default();
+        to_text(&Summary {
+            model_name: "m",
+            model_sha256: "00",
+            settings: &settings,
+            report: &report,
+            trajectory: &trajectory,
+            load: stage,
+            write: stage,
+        })
+    }
+
+    #[test]
+    fn keys_stand_in_the_order_of_the_contract() {
+        let json: Value = serde_json::from_str(&summary_text()).expect("valid JSON");
+        let keys: Vec<&String> = json.as_object().expect("an object").keys().collect();
+        assert_eq!(
+            keys,
+            [
+                "status",
+                "engine",
+                "model",
+                "settings",
+                "mobility",
+                "statistics",
+                "timing",
+                "quality",
+                "warnings",
+                "events",
+                "extremes"
+            ]
+        );
+        assert_eq!(
+            json["extremes"]["crank.omega[rad/s]"],
+            json!({"min":10.0,"min_time":0.0,"max":10.0,"max_time":0.0})
+        );
+        assert_eq!(json["events"][0], json!({"type":"change_point","time":1.7,"driver":"motor \"M\" 🔒","value":2.05}));
+        assert_eq!(json["events"][1], json!({"type":"no_solution","time":1.7,"end_time":2.0}));
+    }
+
+    #[test]
+    fn numbers_that_do_not_exist_are_null() {
+        let text = summary_text();
+        assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
+        let json: Value = serde_json::from_str(&text).expect("valid JSON");
+        assert!(json["quality"]["constraint_residual"].is_null(), "{text}");
+    }
+}
