@@ -1,28 +1,90 @@
 //! Joints between two body points.
 
+use std::borrow::Cow;
+use std::fmt;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::Deserialize;
+
 use super::clearance::Clearance;
+use super::schema;
 
 /// `body.point`, split.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[serde(try_from = "String")]
 pub struct PointRef {
     pub body: String,
     pub point: String,
 }
 
+impl TryFrom<String> for PointRef {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<Self, String> {
+        match text.split_once('.') {
+            Some((body, point)) => Ok(PointRef { body: body.into(), point: point.into() }),
+            None => Err(format!("{text:?} is not body.point")),
+        }
+    }
+}
+
+impl fmt::Display for PointRef {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}.{}", self.body, self.point)
+    }
+}
+
+impl JsonSchema for PointRef {
+    fn schema_name() -> Cow<'static, str> {
+        "PointRef".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "type": "string",
+            "description": "A point of a body: `body.point`.",
+            "pattern": "^[^.]+\\.[^.]+$",
+            "x-reference": "point"
+        })
+    }
+}
+
 /// A joint from the first point to the second.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 pub struct Joint {
+    /// Two points `body.point`, first → second.
     pub between: [PointRef; 2],
+    #[serde(flatten)]
     pub kind: JointKind,
 }
 
 /// What the joint lets move.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(tag = "type", rename_all = "snake_case")]
 pub enum JointKind {
     /// The points coincide; with `clearance` the first body holds the bearing, the second the journal.
-    Revolute { clearance: Option<Box<Clearance>> },
+    Revolute {
+        #[serde(default)]
+        #[schemars(with = "Clearance")]
+        clearance: Option<Box<Clearance>>,
+    },
     /// The second point stays on the line through the first along `axis` (first body's frame, any length but zero); relative angle fixed [rad].
-    Prismatic { axis: [f64; 2], angle: f64 },
+    #[schemars(extend("x-refused" = {"clearance": "only a revolute joint can have clearance"}))]
+    Prismatic {
+        /// A direction fixed in the first body; its length does not matter.
+        #[schemars(extend("not" = {"const": [0, 0]}))]
+        axis: [f64; 2],
+        /// Angle of the second body relative to the first [rad].
+        #[serde(default)]
+        #[schemars(schema_with = "schema::angle")]
+        angle: f64,
+    },
     /// The points coincide, relative angle fixed [rad].
-    Fixed { angle: f64 },
+    #[schemars(extend("x-refused" = {"clearance": "only a revolute joint can have clearance"}))]
+    Fixed {
+        /// Angle of the second body relative to the first [rad].
+        #[serde(default)]
+        #[schemars(schema_with = "schema::angle")]
+        angle: f64,
+    },
 }

@@ -8,34 +8,77 @@ pub mod clearance;
 pub mod driver;
 pub mod force;
 pub mod joint;
+pub mod units;
+
+mod check;
+mod json;
+mod load;
+mod quantity;
+mod schema;
+mod set;
+mod source;
+mod suggest;
+mod validate;
 
 pub use analysis::{Analysis, AnalysisKind, Sample, Solver};
 pub use body::{Body, Initial, Pose};
-pub use clearance::{Clearance, ClearanceModel};
+pub use clearance::{
+    Clearance, ClearanceModel, Elastic, Friction, FrictionLaw, Impact, Material, Normal, NormalLaw, Surface,
+};
 pub use driver::{Driver, DriverKind, Motion};
 pub use force::{Force, ForceKind, Frame, Value};
 pub use joint::{Joint, JointKind, PointRef};
+pub use load::{Loaded, load, load_file};
+pub use schema::schema;
+pub use source::Source;
 
 use indexmap::IndexMap;
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 /// The reserved name of the fixed body.
 pub const GROUND: &str = "ground";
 
+/// The format of the files that this version reads.
+pub const FORMAT: &str = "linkdyn/1";
+
+/// What a name of a body, point, joint, driver or force must look like.
+const NAME_PATTERN: &str = r"^[^.\[\],=*?\u0000-\u001f\u007f-\u009f]+$";
+
 /// A whole model: order of the maps is the order in the file. All numbers are SI (m, kg, s, rad, N …).
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 pub struct Model {
+    #[serde(default)]
+    #[schemars(with = "String")]
     pub name: Option<String>,
+    /// What this is, and for whom.
+    #[serde(default)]
+    #[schemars(with = "String")]
     pub about: Option<String>,
+    /// Who measured or published it.
+    #[serde(default)]
+    #[schemars(with = "String")]
     pub source: Option<String>,
     /// Acceleration of gravity [m/s²], zero where left out.
+    #[serde(default)]
+    #[schemars(schema_with = "schema::acceleration_pair")]
     pub gravity: [f64; 2],
     /// All bodies, `ground` among them where the file has it.
+    #[schemars(schema_with = "schema::bodies")]
     pub bodies: IndexMap<String, Body>,
+    #[serde(default)]
     pub joints: IndexMap<String, Joint>,
+    #[serde(default)]
     pub drivers: IndexMap<String, Driver>,
+    #[serde(default)]
     pub forces: IndexMap<String, Force>,
+    /// Exact values at t = 0, per body.
+    #[serde(default)]
     pub initial: IndexMap<String, Initial>,
     /// Body points whose motion is wanted among the results.
+    #[serde(default)]
     pub points: Vec<PointRef>,
+    #[serde(default)]
+    #[schemars(with = "Analysis")]
     pub analysis: Option<Analysis>,
 }

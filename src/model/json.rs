@@ -1,0 +1,443 @@
+//! JSON (RFC 8259) that remembers where everything stands.
+//!
+//! Stricter than the RFC where it lets a reader choose: keys must not repeat, numbers must fit a double, and nesting
+//! and size have limits. The first fault of syntax ends the reading; repeated keys are collected.
+
+use indexmap::IndexMap;
+use indexmap::map::Entry as Slot;
+use serde_json::{Map, Number, Value};
+
+/// Deepest nesting of lists and objects. A model needs eight.
+pub const DEEPEST: usize = 128;
+/// Most values of one file; a table of a million points has three million.
+const MOST_VALUES: usize = 5_000_000;
+
+/// Where a value came from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Origin {
+    /// Bytes of the text, start and end.
+    Text(usize, usize),
+    /// Which `--set`.
+    Set(usize),
+}
+
+/// A value and where it came from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Node {
+    pub kind: Kind,
+    pub origin: Origin,
+}
+
+/// A JSON value.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Kind {
+    Null,
+    Bool(bool),
+    Number(Number),
+    String(String),
+    Array(Vec<Node>),
+    Object(Box<IndexMap<String, Member>>),
+}
+
+/// Value of a key, and where the key came from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Member {
+    pub key: Origin,
+    pub node: Node,
+}
+
+/// A fault of syntax at a byte.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Fault {
+    pub at: usize,
+    pub message: String,
+    pub hint: Option<&'static str>,
+}
+
+/// A repeated key.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Repeat {
+    /// Path of the object.
+    pub path: String,
+    pub key: String,
+    /// Where it stands for the first and the second time.
+    pub first: usize,
+    pub second: usize,
+}
+
+impl Node {
+    /// What kind of thing it is, in words.
+    pub fn kind_name(&self) -> &'static str {
+        match &self.kind {
+            Kind::Null => "null",
+            Kind::Bool(_) => "true or false",
+            Kind::Number(_) => "a number",
+            Kind::String(_) => "text",
+            Kind::Array(_) => "a list",
+            Kind::Object(_) => "an object",
+        }
+    }
+
+    /// The value of a key, where this is an object that has it.
+    pub fn get(&self, key: &str) -> Option<&Node> {
+        match &self.kind {
+            Kind::Object(members) => members.get(key).map(|member| &member.node),
+            Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) | Kind::Array(_) => None,
+        }
+    }
+
+    /// The text, where this is one.
+    pub fn as_str(&self) -> Option<&str> {
+        match &self.kind {
+            Kind::String(text) => Some(text),
+            Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::Array(_) | Kind::Object(_) => None,
+        }
+    }
+
+    /// The plain value, order preserved.
+    pub fn to_value(&self) -> Value {
+        match &self.kind {
+            Kind::Null => Value::Null,
+            Kind::Bool(value) => Value::Bool(*value),
+            Kind::Number(number) => Value::Number(number.clone()),
+            Kind::String(text) => Value::String(text.clone()),
+            Kind::Array(items) => Value::Array(items.iter().map(Node::to_value).collect()),
+            Kind::Object(members) => {
+                let members = members.iter().map(|(key, member)| (key.clone(), member.node.to_value()));
+                Value::Object(members.collect::<Map<_, _>>())
+            }
+        }
+    }
+
+    /// The same value, all of it from a `--set`.
+    pub fn set_by(mut self, index: usize) -> Node {
+        self.origin = Origin::Set(index);
+        match &mut self.kind {
+            Kind::Array(items) => {
+                *items = std::mem::take(items).into_iter().map(|item| item.set_by(index)).collect();
+            }
+            Kind::Object(members) => {
+                for member in members.values_mut() {
+                    member.key = Origin::Set(index);
+                    let node = std::mem::replace(&mut member.node, Node { kind: Kind::Null, origin: self.origin });
+                    member.node = node.set_by(index);
+                }
+            }
+            Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) => {}
+        }
+        self
+    }
+}
+
+/// Reads one JSON value that is the whole text, and the repeated keys in it.
+///
+/// # Errors
+/// The first fault of syntax.
+pub fn parse(text: &str) -> Result<(Node, Vec<Repeat>), Fault> {
+    let mut parser = Parser { text, at: 0, depth: 0, values: 0, path: Vec::new(), repeats: Vec::new() };
+    parser.skip_blanks();
+    if parser.at == text.len() {
+        return Err(parser.fault(0, "there is nothing in it"));
+    }
+    let node = parser.value()?;
+    parser.skip_blanks();
+    if parser.at < text.len() {
+        return Err(parser.unexpected("the end of the file"));
+    }
+    Ok((node, parser.repeats))
+}
+
+/// A step of the path to the value being read.
+enum Step {
+    Key(String),
+    Index(usize),
+}
+
+struct Parser<'a> {
+    text: &'a str,
+    at: usize,
+    depth: usize,
+    values: usize,
+    path: Vec<Step>,
+    repeats: Vec<Repeat>,
+}
+
+impl Parser<'_> {
+    fn fault(&self, at: usize, message: impl Into<String>) -> Fault {
+        Fault { at, message: message.into(), hint: None }
+    }
+
+    fn peek(&self) -> Option<u8> {
+        self.text.as_bytes().get(self.at).copied()
+    }
+
+    fn skip_blanks(&mut self) {
+        while matches!(self.peek(), Some(b' ' | b'\t' | b'\n' | b'\r')) {
+            self.at += 1;
+        }
+    }
+
+    /// Says what stands here instead of what is `wanted`.
+    fn unexpected(&self, wanted: &str) -> Fault {
+        let Some(found) = self.text[self.at..].chars().next() else {
+            return self.fault(self.at, format!("the file ends where {wanted} is expected; it seems cut short"));
+        };
+        let hint = match found {
+            '/' | '#' => Some("JSON has no comments; use \"note\""),
+            '\'' => Some("text stands in double quotes"),
+            'N' | 'I' => Some("JSON knows neither NaN nor Infinity"),
+            '"' | '{' | '[' if wanted.starts_with("\",\"") => Some("a comma may be missing before it"),
+            '}' | ']' if !wanted.starts_with("\",\"") => Some("there may be a comma too many before it"),
+            c if c.is_ascii_alphabetic() => Some("text stands in double quotes"),
+            _ => None,
+        };
+        Fault { at: self.at, message: format!("{found:?} where {wanted} is expected"), hint }
+    }
+
+    fn value(&mut self) -> Result<Node, Fault> {
+        let start = self.at;
+        self.values += 1;
+        if self.values > MOST_VALUES {
+            return Err(self.fault(start, format!("more than {MOST_VALUES} values")));
+        }
+        let kind = match self.peek() {
+            Some(b'{') => self.nested(Self::object)?,
+            Some(b'[') => self.nested(Self::array)?,
+            Some(b'"') => Kind::String(self.string()?),
+            Some(b'-' | b'0'..=b'9') => Kind::Number(self.number()?),
+            _ => self.word()?,
+        };
+        Ok(Node { kind, origin: Origin::Text(start, self.at) })
+    }
+
+    fn nested(&mut self, read: fn(&mut Self) -> Result<Kind, Fault>) -> Result<Kind, Fault> {
+        if self.depth == DEEPEST {
+            return Err(self.fault(self.at, format!("nested more than {DEEPEST} deep")));
+        }
+        self.depth += 1;
+        self.at += 1;
+        let kind = read(self);
+        self.depth -= 1;
+        kind
+    }
+
+    fn word(&mut self) -> Result<Kind, Fault> {
+        for (word, kind) in [("null", Kind::Null), ("true", Kind::Bool(true)), ("false", Kind::Bool(false))] {
+            let rest = &self.text[self.at..];
+            if rest.starts_with(word) && !rest[word.len()..].starts_with(|c: char| c.is_alphanumeric()) {
+                self.at += word.len();
+                return Ok(kind);
+            }
+        }
+        Err(self.unexpected("a value"))
+    }
+
+    fn array(&mut self) -> Result<Kind, Fault> {
+        let mut items = Vec::new();
+        self.skip_blanks();
+        if self.peek() == Some(b']') {
+            self.at += 1;
+            return Ok(Kind::Array(items));
+        }
+        loop {
+            self.skip_blanks();
+            self.path.push(Step::Index(items.len()));
+            items.push(self.value()?);
+            self.path.pop();
+            self.skip_blanks();
+            match self.peek() {
+                Some(b',') => self.at += 1,
+                Some(b']') => {
+                    self.at += 1;
+                    return Ok(Kind::Array(items));
+                }
+                _ => return Err(self.unexpected("\",\" or \"]\"")),
+            }
+        }
+    }
+
+    fn object(&mut self) -> Result<Kind, Fault> {
+        let mut members: Box<IndexMap<String, Member>> = Box::default();
+        self.skip_blanks();
+        if self.peek() == Some(b'}') {
+            self.at += 1;
+            return Ok(Kind::Object(members));
+        }
+        loop {
+            self.skip_blanks();
+            let start = self.at;
+            if self.peek() != Some(b'"') {
+                return Err(self.unexpected("a key in double quotes"));
+            }
+            let key = self.string()?;
+            let origin = Origin::Text(start, self.at);
+            self.skip_blanks();
+            if self.peek() != Some(b':') {
+                return Err(self.unexpected("\":\" after the key"));
+            }
+            self.at += 1;
+            self.skip_blanks();
+            self.path.push(Step::Key(key.clone()));
+            let node = self.value()?;
+            self.path.pop();
+            match members.entry(key) {
+                Slot::Vacant(slot) => {
+                    slot.insert(Member { key: origin, node });
+                }
+                Slot::Occupied(slot) => {
+                    let first = match slot.get().key {
+                        Origin::Text(first, _) => first,
+                        Origin::Set(_) => start,
+                    };
+                    let (path, key) = (render(&self.path), slot.key().clone());
+                    self.repeats.push(Repeat { path, key, first, second: start });
+                }
+            }
+            self.skip_blanks();
+            match self.peek() {
+                Some(b',') => self.at += 1,
+                Some(b'}') => {
+                    self.at += 1;
+                    return Ok(Kind::Object(members));
+                }
+                _ => return Err(self.unexpected("\",\" or \"}\"")),
+            }
+        }
+    }
+
+    fn digits(&mut self) -> usize {
+        let start = self.at;
+        while self.peek().is_some_and(|byte| byte.is_ascii_digit()) {
+            self.at += 1;
+        }
+        self.at - start
+    }
+
+    fn number(&mut self) -> Result<Number, Fault> {
+        let start = self.at;
+        if self.peek() == Some(b'-') {
+            self.at += 1;
+        }
+        let whole = self.at;
+        let count = self.digits();
+        if count == 0 {
+            return Err(self.unexpected("a digit"));
+        }
+        if count > 1 && self.text.as_bytes()[whole] == b'0' {
+            return Err(self.fault(start, "a number must not begin with a zero that counts nothing"));
+        }
+        let mut integer = true;
+        if self.peek() == Some(b'.') {
+            integer = false;
+            self.at += 1;
+            if self.digits() == 0 {
+                return Err(self.unexpected("a digit after the decimal point"));
+            }
+        }
+        if matches!(self.peek(), Some(b'e' | b'E')) {
+            integer = false;
+            self.at += 1;
+            if matches!(self.peek(), Some(b'+' | b'-')) {
+                self.at += 1;
+            }
+            if self.digits() == 0 {
+                return Err(self.unexpected("a digit of the exponent"));
+            }
+        }
+        let text = &self.text[start..self.at];
+        if integer
+            && text != "-0"
+            && let Ok(number) = text.parse::<i64>()
+        {
+            return Ok(number.into());
+        }
+        let number = text.parse().ok().and_then(Number::from_f64);
+        number.ok_or_else(|| self.fault(start, format!("{}: the number is too large for a double", excerpt(text))))
+    }
+
+    fn string(&mut self) -> Result<String, Fault> {
+        let start = self.at;
+        self.at += 1;
+        let mut out = String::new();
+        loop {
+            let rest = &self.text[self.at..];
+            let plain = rest.find(|c: char| c == '"' || c == '\\' || c < ' ').unwrap_or(rest.len());
+            out.push_str(&rest[..plain]);
+            self.at += plain;
+            match self.peek() {
+                Some(b'"') => {
+                    self.at += 1;
+                    return Ok(out);
+                }
+                Some(b'\\') => out.push(self.escape()?),
+                Some(b'\n' | b'\r') => return Err(self.fault(start, "the text has no closing quote on its line")),
+                Some(_) => return Err(self.fault(self.at, "a control character in a text; write it as \\u00XX")),
+                None => return Err(self.fault(start, "the text has no closing quote; the file seems cut short")),
+            }
+        }
+    }
+
+    fn escape(&mut self) -> Result<char, Fault> {
+        let start = self.at;
+        self.at += 2;
+        let byte = self.text.as_bytes().get(start + 1).copied();
+        match byte {
+            Some(b'"') => Ok('"'),
+            Some(b'\\') => Ok('\\'),
+            Some(b'/') => Ok('/'),
+            Some(b'b') => Ok('\u{8}'),
+            Some(b'f') => Ok('\u{c}'),
+            Some(b'n') => Ok('\n'),
+            Some(b'r') => Ok('\r'),
+            Some(b't') => Ok('\t'),
+            Some(b'u') => self.unicode(start),
+            _ => Err(self.fault(start, "an escape that JSON does not know; a backslash itself is written \\\\")),
+        }
+    }
+
+    /// `\uXXXX`, or two of them that are a surrogate pair.
+    fn unicode(&mut self, start: usize) -> Result<char, Fault> {
+        let broken =
+            || Fault { at: start, message: "a broken \\u escape".into(), hint: Some("\\u and four hex digits") };
+        let high = self.hex().ok_or_else(broken)?;
+        if !(0xD800..0xDC00).contains(&high) {
+            return char::from_u32(high).ok_or_else(broken);
+        }
+        if !self.text[self.at..].starts_with("\\u") {
+            return Err(broken());
+        }
+        self.at += 2;
+        let low = self.hex().filter(|low| (0xDC00..0xE000).contains(low)).ok_or_else(broken)?;
+        char::from_u32(0x10000 + ((high - 0xD800) << 10) + (low - 0xDC00)).ok_or_else(broken)
+    }
+
+    fn hex(&mut self) -> Option<u32> {
+        let digits = self.text.get(self.at..self.at + 4)?;
+        let code = digits.bytes().all(|byte| byte.is_ascii_hexdigit()).then(|| u32::from_str_radix(digits, 16).ok())?;
+        self.at += 4;
+        code
+    }
+}
+
+/// `joints.b.between[1]`.
+fn render(path: &[Step]) -> String {
+    path.iter().fold(String::new(), |text, step| match step {
+        Step::Key(key) => join(&text, key),
+        Step::Index(index) => format!("{text}[{index}]"),
+    })
+}
+
+/// Path of a key in the object at `path`.
+pub fn join(path: &str, key: &str) -> String {
+    if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") }
+}
+
+/// The beginning of a long text.
+pub fn excerpt(text: &str) -> String {
+    const LENGTH: usize = 60;
+    let mut short: String = text.chars().take(LENGTH).map(|c| if c.is_control() { ' ' } else { c }).collect();
+    if text.chars().nth(LENGTH).is_some() {
+        short.push('…');
+    }
+    short
+}

@@ -1,0 +1,108 @@
+//! `--set PATH=VALUE`: overrides any value of the model, before it is checked.
+
+use super::json::{self, Kind, Member, Node, Origin};
+use super::source::Source;
+use crate::error::Complaint;
+
+/// A step of a path.
+#[derive(Debug, PartialEq)]
+enum Step<'a> {
+    Key(&'a str),
+    Index(usize),
+}
+
+/// Puts every `--set` over the model, in order.
+pub(super) fn apply(source: &mut Source, complaints: &mut Vec<Complaint>) {
+    let sets = source.sets.clone();
+    for (index, set) in sets.iter().enumerate() {
+        if let Err((message, hint)) = apply_one(&mut source.root, set, index) {
+            complaints.push(Complaint::new("", message).found(format!("--set {}", json::excerpt(set))).hint(hint));
+        }
+    }
+}
+
+type Refusal = (String, String);
+
+const FORM: &str = "PATH=VALUE is expected, such as joints.b.clearance.radius=\"10 um\"";
+
+fn apply_one(root: &mut Node, set: &str, index: usize) -> Result<(), Refusal> {
+    let Some((path, text)) = set.split_once('=') else {
+        return Err(("there is no \"=\"".into(), FORM.into()));
+    };
+    let steps = steps(path.trim())?;
+    let value = value(text, index)?;
+    *reach(root, &steps, index)? = value;
+    Ok(())
+}
+
+/// JSON where it is JSON, else a string.
+fn value(text: &str, index: usize) -> Result<Node, Refusal> {
+    let Ok((node, repeats)) = json::parse(text) else {
+        return Ok(Node { kind: Kind::String(text.to_owned()), origin: Origin::Set(index) });
+    };
+    match repeats.first() {
+        Some(repeat) => Err((format!("the key {:?} is given twice", repeat.key), "keep one of them".into())),
+        None => Ok(node.set_by(index)),
+    }
+}
+
+/// Splits `joints.b.between[1]`.
+fn steps(path: &str) -> Result<Vec<Step<'_>>, Refusal> {
+    let malformed = || (format!("{:?} is not a path", json::excerpt(path)), FORM.to_owned());
+    let mut steps = Vec::new();
+    let mut rest = path;
+    loop {
+        let end = rest.find(['.', '[']).unwrap_or(rest.len());
+        let key = &rest[..end];
+        if key.is_empty() || key.contains(']') {
+            return Err(malformed());
+        }
+        steps.push(Step::Key(key));
+        rest = &rest[end..];
+        while let Some(text) = rest.strip_prefix('[') {
+            let (index, after) = text.split_once(']').ok_or_else(malformed)?;
+            steps.push(Step::Index(index.parse().map_err(|_| malformed())?));
+            rest = after;
+        }
+        if steps.len() > json::DEEPEST / 2 {
+            return Err(("the path is too deep".into(), FORM.into()));
+        }
+        if rest.is_empty() {
+            return Ok(steps);
+        }
+        rest = rest.strip_prefix('.').ok_or_else(malformed)?;
+    }
+}
+
+/// The value at a path; objects that are missing on the way are made.
+fn reach<'a>(root: &'a mut Node, steps: &[Step<'_>], index: usize) -> Result<&'a mut Node, Refusal> {
+    let mut node = root;
+    let mut way = String::new();
+    for step in steps {
+        let kind = node.kind_name();
+        let here = if way.is_empty() { "the model".to_owned() } else { way.clone() };
+        match (step, &mut node.kind) {
+            (Step::Key(key), Kind::Object(members)) => {
+                way = json::join(&way, key);
+                let made = || Node { kind: Kind::Object(Box::default()), origin: Origin::Set(index) };
+                node = &mut members
+                    .entry((*key).to_owned())
+                    .or_insert_with(|| Member { key: Origin::Set(index), node: made() })
+                    .node;
+            }
+            (Step::Index(at), Kind::Array(items)) => {
+                way = format!("{way}[{at}]");
+                let count = items.len();
+                let entries = format!("it has {count}, counted from 0");
+                node = items.get_mut(*at).ok_or_else(|| (format!("{here} has no entry [{at}]"), entries))?;
+            }
+            (Step::Key(key), _) => {
+                return Err((format!("{here} is {kind} and has no keys"), format!("the path goes on with {key:?}")));
+            }
+            (Step::Index(at), _) => {
+                return Err((format!("{here} is {kind} and no list"), format!("the path goes on with [{at}]")));
+            }
+        }
+    }
+    Ok(node)
+}

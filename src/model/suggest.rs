@@ -1,0 +1,36 @@
+//! The nearest known word to a misspelt one.
+
+use strsim::damerau_levenshtein;
+
+/// Words longer than this are nobody's slip of the pen.
+const LONGEST: usize = 64;
+
+/// The candidate that differs least from `word`, where it differs by a slip or two at most.
+pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    if word.len() > LONGEST {
+        return None;
+    }
+    let lower = word.to_lowercase();
+    let allowed = match lower.chars().count() {
+        0..=2 => 1,
+        3..=5 => 2,
+        count => 1 + count / 3,
+    };
+    candidates
+        .into_iter()
+        .map(|candidate| (damerau_levenshtein(&lower, &candidate.to_lowercase()), candidate))
+        // at least one letter must be right
+        .filter(|&(distance, candidate)| distance <= allowed && distance < candidate.chars().count().max(2))
+        .min_by_key(|&(distance, candidate)| (distance, !candidate.starts_with(word)))
+        .map(|(_, candidate)| candidate)
+}
+
+/// `"a", "b" or "c"`.
+pub fn any_of<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
+    let words: Vec<String> = words.into_iter().map(|word| format!("{word:?}")).collect();
+    match words.split_last() {
+        Some((last, [])) => last.clone(),
+        Some((last, before)) => format!("{} or {last}", before.join(", ")),
+        None => String::new(),
+    }
+}

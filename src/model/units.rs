@@ -1,0 +1,448 @@
+//! Units: dimensions of a model's numbers, and a small reader of unit texts such as `kg*mm^2` or `N*m/(rad/s)`.
+//!
+//! A unit is kept as num/den · 10^ten · π^pi, with num and den whole where the definition is exact, so that
+//! `"410 mm"` is the double nearest to 0.41 and not two roundings away from it.
+//! Definitions: SI brochure (2019); inch, pound, standard gravity: NIST SP 811 (2008), all exact.
+
+use std::f64::consts::PI;
+
+/// What a number of the model is a measure of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Dimension {
+    Length,
+    Angle,
+    Mass,
+    Inertia,
+    Force,
+    Torque,
+    Stiffness,
+    Damping,
+    AngularStiffness,
+    AngularDamping,
+    Velocity,
+    AngularVelocity,
+    Acceleration,
+    AngularAcceleration,
+    Time,
+    Stress,
+    Frequency,
+}
+
+/// Exponents of length, mass, time and angle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Powers {
+    pub length: i32,
+    pub mass: i32,
+    pub time: i32,
+    pub angle: i32,
+}
+
+const fn powers(length: i32, mass: i32, time: i32, angle: i32) -> Powers {
+    Powers { length, mass, time, angle }
+}
+
+impl Dimension {
+    /// All that `units` may name, in the order of the format's description; `frequency` is always Hz.
+    pub const NAMED: [Dimension; 16] = [
+        Dimension::Length,
+        Dimension::Angle,
+        Dimension::Mass,
+        Dimension::Inertia,
+        Dimension::Force,
+        Dimension::Torque,
+        Dimension::Stiffness,
+        Dimension::Damping,
+        Dimension::AngularStiffness,
+        Dimension::AngularDamping,
+        Dimension::Velocity,
+        Dimension::AngularVelocity,
+        Dimension::Acceleration,
+        Dimension::AngularAcceleration,
+        Dimension::Time,
+        Dimension::Stress,
+    ];
+
+    /// Name in `units`, SI unit, and exponents.
+    const fn row(self) -> (&'static str, &'static str, Powers) {
+        match self {
+            Dimension::Length => ("length", "m", powers(1, 0, 0, 0)),
+            Dimension::Angle => ("angle", "rad", powers(0, 0, 0, 1)),
+            Dimension::Mass => ("mass", "kg", powers(0, 1, 0, 0)),
+            Dimension::Inertia => ("inertia", "kg*m^2", powers(2, 1, 0, 0)),
+            Dimension::Force => ("force", "N", powers(1, 1, -2, 0)),
+            Dimension::Torque => ("torque", "N*m", powers(2, 1, -2, 0)),
+            Dimension::Stiffness => ("stiffness", "N/m", powers(0, 1, -2, 0)),
+            Dimension::Damping => ("damping", "N*s/m", powers(0, 1, -1, 0)),
+            Dimension::AngularStiffness => ("angular_stiffness", "N*m/rad", powers(2, 1, -2, -1)),
+            Dimension::AngularDamping => ("angular_damping", "N*m*s/rad", powers(2, 1, -1, -1)),
+            Dimension::Velocity => ("velocity", "m/s", powers(1, 0, -1, 0)),
+            Dimension::AngularVelocity => ("angular_velocity", "rad/s", powers(0, 0, -1, 1)),
+            Dimension::Acceleration => ("acceleration", "m/s^2", powers(1, 0, -2, 0)),
+            Dimension::AngularAcceleration => ("angular_acceleration", "rad/s^2", powers(0, 0, -2, 1)),
+            Dimension::Time => ("time", "s", powers(0, 0, 1, 0)),
+            Dimension::Stress => ("stress", "Pa", powers(-1, 1, -2, 0)),
+            Dimension::Frequency => ("frequency", "Hz", powers(0, 0, -1, 0)),
+        }
+    }
+
+    /// Its name, as in `units`.
+    pub const fn name(self) -> &'static str {
+        self.row().0
+    }
+
+    /// Its SI unit as text.
+    pub const fn si(self) -> &'static str {
+        self.row().1
+    }
+
+    /// Its exponents.
+    pub const fn powers(self) -> Powers {
+        self.row().2
+    }
+
+    /// The dimension of this name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Dimension::NAMED.into_iter().chain([Dimension::Frequency]).find(|dimension| dimension.name() == name)
+    }
+
+    /// Where it stands in `NAMED`.
+    pub fn index(self) -> Option<usize> {
+        Dimension::NAMED.iter().position(|&dimension| dimension == self)
+    }
+
+    /// The named dimension of its `order`-th derivative by time, where there is one.
+    pub const fn rate(self, order: usize) -> Option<Dimension> {
+        match (self, order) {
+            (dimension, 0) => Some(dimension),
+            (Dimension::Length, 1) => Some(Dimension::Velocity),
+            (Dimension::Length, 2) => Some(Dimension::Acceleration),
+            (Dimension::Angle, 1) => Some(Dimension::AngularVelocity),
+            (Dimension::Angle, 2) => Some(Dimension::AngularAcceleration),
+            (_, _) => None,
+        }
+    }
+}
+
+impl Powers {
+    /// The same, per second^order.
+    pub fn per_second(self, order: i32) -> Powers {
+        Powers { time: self.time - order, ..self }
+    }
+
+    /// Whether a unit of the `given` exponents will do: exactly these, or with the radian of "per radian" left out.
+    pub fn accepts(self, given: Powers) -> bool {
+        given == self || (self.angle < 0 && given == Powers { angle: 0, ..self })
+    }
+}
+
+/// A unit: num/den · 10^ten · π^pi in SI, and its exponents.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unit {
+    pub powers: Powers,
+    num: f64,
+    den: f64,
+    ten: i32,
+    pi: i32,
+}
+
+/// What is wrong with a unit text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum UnitFault {
+    /// There is none.
+    Missing,
+    /// No unit has this symbol; the nearest that one has.
+    Unknown { symbol: String, nearest: Option<&'static str> },
+    /// Neither a product, a quotient nor a power of units.
+    Malformed,
+    /// Too many factors or too high a power.
+    TooLarge,
+}
+
+/// Symbol, num, den, ten, pi, exponents.
+type Row = (&'static str, f64, f64, i32, i32, Powers);
+
+const LENGTH: Powers = powers(1, 0, 0, 0);
+const MASS: Powers = powers(0, 1, 0, 0);
+const TIME: Powers = powers(0, 0, 1, 0);
+const ANGLE: Powers = powers(0, 0, 0, 1);
+const FORCE: Powers = powers(1, 1, -2, 0);
+const TORQUE: Powers = powers(2, 1, -2, 0);
+const STRESS: Powers = powers(-1, 1, -2, 0);
+const RATE: Powers = powers(0, 0, -1, 0);
+
+/// Pound-force: 0.45359237 kg · 9.80665 m/s² = 4.4482216152605 N.
+const LBF: f64 = 44_482_216_152_605.0;
+
+/// Every symbol. `g` is the gram; standard gravity has none.
+const SYMBOLS: [Row; 58] = [
+    ("m", 1.0, 1.0, 0, 0, LENGTH),
+    ("km", 1.0, 1.0, 3, 0, LENGTH),
+    ("dm", 1.0, 1.0, -1, 0, LENGTH),
+    ("cm", 1.0, 1.0, -2, 0, LENGTH),
+    ("mm", 1.0, 1.0, -3, 0, LENGTH),
+    ("um", 1.0, 1.0, -6, 0, LENGTH),
+    ("µm", 1.0, 1.0, -6, 0, LENGTH),
+    ("μm", 1.0, 1.0, -6, 0, LENGTH),
+    ("nm", 1.0, 1.0, -9, 0, LENGTH),
+    ("in", 254.0, 1.0, -4, 0, LENGTH),
+    ("ft", 3048.0, 1.0, -4, 0, LENGTH),
+    ("rad", 1.0, 1.0, 0, 0, ANGLE),
+    ("mrad", 1.0, 1.0, -3, 0, ANGLE),
+    ("deg", 1.0, 180.0, 0, 1, ANGLE),
+    ("°", 1.0, 180.0, 0, 1, ANGLE),
+    ("rev", 2.0, 1.0, 0, 1, ANGLE),
+    ("turn", 2.0, 1.0, 0, 1, ANGLE),
+    ("kg", 1.0, 1.0, 0, 0, MASS),
+    ("g", 1.0, 1.0, -3, 0, MASS),
+    ("mg", 1.0, 1.0, -6, 0, MASS),
+    ("t", 1.0, 1.0, 3, 0, MASS),
+    ("lb", 45_359_237.0, 1.0, -8, 0, MASS),
+    ("lbm", 45_359_237.0, 1.0, -8, 0, MASS),
+    ("slug", LBF, 3048.0, -9, 0, MASS),
+    ("s", 1.0, 1.0, 0, 0, TIME),
+    ("ms", 1.0, 1.0, -3, 0, TIME),
+    ("us", 1.0, 1.0, -6, 0, TIME),
+    ("µs", 1.0, 1.0, -6, 0, TIME),
+    ("μs", 1.0, 1.0, -6, 0, TIME),
+    ("min", 60.0, 1.0, 0, 0, TIME),
+    ("h", 3600.0, 1.0, 0, 0, TIME),
+    ("N", 1.0, 1.0, 0, 0, FORCE),
+    ("mN", 1.0, 1.0, -3, 0, FORCE),
+    ("daN", 1.0, 1.0, 1, 0, FORCE),
+    ("kN", 1.0, 1.0, 3, 0, FORCE),
+    ("MN", 1.0, 1.0, 6, 0, FORCE),
+    ("lbf", LBF, 1.0, -13, 0, FORCE),
+    ("kgf", 980_665.0, 1.0, -5, 0, FORCE),
+    ("kp", 980_665.0, 1.0, -5, 0, FORCE),
+    ("Nm", 1.0, 1.0, 0, 0, TORQUE),
+    ("Nmm", 1.0, 1.0, -3, 0, TORQUE),
+    ("Ncm", 1.0, 1.0, -2, 0, TORQUE),
+    ("mNm", 1.0, 1.0, -3, 0, TORQUE),
+    ("kNm", 1.0, 1.0, 3, 0, TORQUE),
+    ("J", 1.0, 1.0, 0, 0, TORQUE),
+    ("mJ", 1.0, 1.0, -3, 0, TORQUE),
+    ("kJ", 1.0, 1.0, 3, 0, TORQUE),
+    ("Pa", 1.0, 1.0, 0, 0, STRESS),
+    ("hPa", 1.0, 1.0, 2, 0, STRESS),
+    ("kPa", 1.0, 1.0, 3, 0, STRESS),
+    ("MPa", 1.0, 1.0, 6, 0, STRESS),
+    ("GPa", 1.0, 1.0, 9, 0, STRESS),
+    ("bar", 1.0, 1.0, 5, 0, STRESS),
+    ("psi", LBF, 64_516.0, -5, 0, STRESS),
+    ("ksi", LBF, 64_516.0, -2, 0, STRESS),
+    ("Hz", 1.0, 1.0, 0, 0, RATE),
+    ("kHz", 1.0, 1.0, 3, 0, RATE),
+    ("rpm", 1.0, 30.0, 0, 1, powers(0, 0, -1, 1)),
+];
+
+/// Highest power, number of factors and depth of brackets that a unit text may have.
+const MOST: i32 = 12;
+
+impl Unit {
+    const ONE: Unit = Unit { powers: powers(0, 0, 0, 0), num: 1.0, den: 1.0, ten: 0, pi: 0 };
+
+    /// Reads a unit text.
+    ///
+    /// # Errors
+    /// A symbol is unknown, or the text is no product, quotient or power of symbols.
+    pub fn parse(text: &str) -> Result<Unit, UnitFault> {
+        let mut reader = Reader { rest: text.trim(), factors: 0 };
+        if reader.rest.is_empty() {
+            return Err(UnitFault::Missing);
+        }
+        let unit = reader.product(0)?;
+        if !reader.rest.is_empty() {
+            return Err(UnitFault::Malformed);
+        }
+        let factor = unit.factor();
+        if factor.is_finite() && factor > 0.0 { Ok(unit) } else { Err(UnitFault::TooLarge) }
+    }
+
+    /// The SI unit of a dimension.
+    pub fn si(powers: Powers) -> Unit {
+        Unit { powers, ..Unit::ONE }
+    }
+
+    /// The same unit, per second^order.
+    pub fn per_second(self, order: i32) -> Unit {
+        Unit { powers: self.powers.per_second(order), ..self }
+    }
+
+    /// A decimal number of this unit, in SI: rounded once where the factor is a power of ten.
+    pub fn to_si(self, number: &str) -> f64 {
+        let plain: f64 = number.parse().unwrap_or(f64::NAN);
+        if self.pi != 0 {
+            return plain * self.factor();
+        }
+        if self.num == 1.0 && self.den == 1.0 {
+            return shifted(number, self.ten).unwrap_or(plain * self.factor());
+        }
+        // whole numbers times whole factors are exact, and so are powers of ten up to 10²²
+        match self.ten {
+            -22..0 => plain * self.num / (self.den * 10f64.powi(-self.ten)),
+            0..=22 => plain * self.num * 10f64.powi(self.ten) / self.den,
+            _ => plain * self.factor(),
+        }
+    }
+
+    fn factor(self) -> f64 {
+        let scale: f64 = format!("1e{}", self.ten).parse().unwrap_or(f64::NAN);
+        match self.pi {
+            0 => self.num / self.den * scale,
+            1 => PI * self.num / self.den * scale,
+            -1 => self.num / (self.den * PI) * scale,
+            pi => self.num / self.den * PI.powi(pi) * scale,
+        }
+    }
+
+    fn times(self, other: Unit, power: i32) -> Unit {
+        let (num, den) = if power < 0 { (other.den, other.num) } else { (other.num, other.den) };
+        let count = power.abs();
+        let mut unit = Unit {
+            powers: Powers {
+                length: self.powers.length + power * other.powers.length,
+                mass: self.powers.mass + power * other.powers.mass,
+                time: self.powers.time + power * other.powers.time,
+                angle: self.powers.angle + power * other.powers.angle,
+            },
+            num: self.num * num.powi(count),
+            den: self.den * den.powi(count),
+            ten: self.ten + power * other.ten,
+            pi: self.pi + power * other.pi,
+        };
+        // mm/mm, ft/ft and the like are plain again
+        if unit.num == unit.den {
+            (unit.num, unit.den) = (1.0, 1.0);
+        }
+        unit
+    }
+}
+
+/// The decimal number with its point moved, rounded once.
+fn shifted(number: &str, ten: i32) -> Option<f64> {
+    let (mantissa, exponent) = match number.split_once(['e', 'E']) {
+        Some((mantissa, exponent)) => (mantissa, exponent.parse::<i32>().ok()?),
+        None => (number, 0),
+    };
+    format!("{mantissa}e{}", exponent.checked_add(ten)?).parse().ok()
+}
+
+/// Splits `"5 mm"` into number and unit text, where it begins with a decimal number.
+pub fn split_quantity(text: &str) -> Option<(&str, &str)> {
+    let text = text.trim();
+    let bytes = text.as_bytes();
+    let digits = |mut at: usize| {
+        while bytes.get(at).is_some_and(u8::is_ascii_digit) {
+            at += 1;
+        }
+        at
+    };
+    let start = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
+    let mut end = digits(start);
+    let mut count = end - start;
+    if bytes.get(end) == Some(&b'.') {
+        let fraction = digits(end + 1);
+        count += fraction - end - 1;
+        end = fraction;
+    }
+    if count == 0 {
+        return None;
+    }
+    // an exponent only where digits follow the `e`
+    if matches!(bytes.get(end), Some(b'e' | b'E')) {
+        let sign = end + 1 + usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
+        let exponent = digits(sign);
+        if exponent > sign {
+            end = exponent;
+        }
+    }
+    Some((&text[..end], text[end..].trim()))
+}
+
+/// Reads products, quotients, powers and brackets.
+struct Reader<'a> {
+    rest: &'a str,
+    factors: i32,
+}
+
+impl Reader<'_> {
+    fn skip(&mut self, signs: &[char]) -> Option<char> {
+        let sign = self.rest.chars().next().filter(|sign| signs.contains(sign))?;
+        self.rest = self.rest[sign.len_utf8()..].trim_start();
+        Some(sign)
+    }
+
+    fn product(&mut self, depth: i32) -> Result<Unit, UnitFault> {
+        let mut unit = Unit::ONE.times(self.power(depth)?, 1);
+        loop {
+            let sign = match self.skip(&['*', '·', '⋅', '×', '/']) {
+                Some('/') => -1,
+                Some(_) => 1,
+                // a blank is a product, as in "N m"
+                None if self.rest.is_empty() || self.rest.starts_with(')') => return Ok(unit),
+                None => 1,
+            };
+            unit = unit.times(self.power(depth)?, sign);
+        }
+    }
+
+    fn power(&mut self, depth: i32) -> Result<Unit, UnitFault> {
+        self.factors += 1;
+        if self.factors > MOST || depth > MOST {
+            return Err(UnitFault::TooLarge);
+        }
+        let base = if self.skip(&['(']).is_some() {
+            let inner = self.product(depth + 1)?;
+            self.skip(&[')']).ok_or(UnitFault::Malformed)?;
+            inner
+        } else {
+            self.symbol()?
+        };
+        let power = self.exponent()?;
+        if power.abs() > MOST {
+            return Err(UnitFault::TooLarge);
+        }
+        Ok(Unit::ONE.times(base, power))
+    }
+
+    fn symbol(&mut self) -> Result<Unit, UnitFault> {
+        if self.rest.starts_with('1') {
+            self.skip(&['1']);
+            return Ok(Unit::ONE);
+        }
+        let end = self.rest.find(|c: char| !(c.is_alphabetic() || "°%_'\"$".contains(c))).unwrap_or(self.rest.len());
+        let (symbol, rest) = self.rest.split_at(end);
+        if symbol.is_empty() {
+            return Err(UnitFault::Malformed);
+        }
+        let row = SYMBOLS.iter().find(|row| row.0 == symbol);
+        let &(_, num, den, ten, pi, powers) =
+            row.ok_or_else(|| UnitFault::Unknown { symbol: symbol.into(), nearest: nearest(symbol) })?;
+        self.rest = rest.trim_start();
+        Ok(Unit { powers, num, den, ten, pi })
+    }
+
+    fn exponent(&mut self) -> Result<i32, UnitFault> {
+        if self.skip(&['^']).is_none() {
+            return Ok(match self.skip(&['²', '³']) {
+                Some('²') => 2,
+                Some(_) => 3,
+                None => 1,
+            });
+        }
+        let sign = if self.skip(&['-']).is_some() { -1 } else { 1 };
+        let end = self.rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(self.rest.len());
+        let (digits, rest) = self.rest.split_at(end);
+        if digits.is_empty() {
+            return Err(UnitFault::Malformed);
+        }
+        let power: i32 = digits.parse().map_err(|_| UnitFault::TooLarge)?;
+        self.rest = rest.trim_start();
+        Ok(sign * power)
+    }
+}
+
+/// The symbol most like this one.
+fn nearest(symbol: &str) -> Option<&'static str> {
+    super::suggest::nearest(symbol, SYMBOLS.iter().map(|row| row.0))
+}
