@@ -1,1 +1,5 @@
-fn main() {}
+//! The command `linkdyn`.
+
+fn main() -> std::process::ExitCode {
+    linkdyn::cli::main()
+}

@@ -1,0 +1,22 @@
+//! Ctrl-C: the first one asks the run to stop and to write what it has, the second one ends the process.
+
+use std::io::{self, Write};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use super::Exit;
+
+/// A flag that Ctrl-C sets from now on.
+pub fn watch() -> Arc<AtomicBool> {
+    let interrupted = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&interrupted);
+    let handler = move || {
+        if flag.swap(true, Ordering::SeqCst) {
+            std::process::exit(Exit::Interrupted.code().into());
+        }
+        let _ = writeln!(io::stderr(), "interrupted: writing what there is; once more to stop at once");
+    };
+    // Where no handler can be set, Ctrl-C ends the process as it always does.
+    let _ = ctrlc::set_handler(handler);
+    interrupted
+}

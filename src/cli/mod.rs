@@ -1,0 +1,181 @@
+//! The command line: one file per command, exit statuses, and what goes to which stream.
+//!
+//! Standard output carries what was asked for, standard error complaints and failures.
+
+mod check;
+mod interrupt;
+mod models;
+mod open;
+mod page;
+mod run;
+mod schema;
+mod summary;
+mod validate;
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use crate::output::{Status, WriteError};
+use page::plain;
+
+/// Planar multibody dynamics of linkages: assembly, kinematics, inverse dynamics.
+#[derive(Debug, Parser)]
+#[command(name = "linkdyn", version, after_help = EXIT_HELP)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const EXIT_HELP: &str = "Exit status: 0 done, 1 a check or validation found a fault, 2 the input is bad, \
+3 numerics or geometry forbid to go on, 130 interrupted.";
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Run a model's analysis
+    Run(run::Options),
+    /// Read, assemble and diagnose a model
+    Check(check::Options),
+    /// Run the bundled validation cases: reference, ours, difference, verdict
+    Validate(validate::Options),
+    /// List the bundled models, or print one as JSON
+    Models(models::Options),
+    /// Print the JSON Schema of model files
+    Schema,
+}
+
+/// How a command ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Exit {
+    Done,
+    /// A check or validation found a fault.
+    Fault,
+    BadInput,
+    /// Numerics or geometry forbid to go on.
+    Stopped,
+    Interrupted,
+}
+
+impl Exit {
+    /// The exit status of the process.
+    fn code(self) -> u8 {
+        match self {
+            Exit::Done => 0,
+            Exit::Fault => 1,
+            Exit::BadInput => 2,
+            Exit::Stopped => 3,
+            Exit::Interrupted => 130,
+        }
+    }
+}
+
+impl From<Status> for Exit {
+    fn from(status: Status) -> Self {
+        match status {
+            Status::Completed | Status::CompletedWithGaps => Exit::Done,
+            Status::Interrupted => Exit::Interrupted,
+            Status::DeadCentre
+            | Status::AssemblyFailed
+            | Status::StepTooSmall
+            | Status::Singular
+            | Status::TimeLimit => Exit::Stopped,
+        }
+    }
+}
+
+/// Bad input: what to tell, a line each.
+#[derive(Debug, PartialEq, Eq)]
+struct BadInput(Vec<String>);
+
+impl From<WriteError> for BadInput {
+    fn from(error: WriteError) -> Self {
+        BadInput(vec![error.to_string()])
+    }
+}
+
+impl From<io::Error> for BadInput {
+    fn from(error: io::Error) -> Self {
+        BadInput(vec![format!("standard output can't be written: {error}")])
+    }
+}
+
+/// Runs the command that the process was started with.
+pub fn main() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            // Help and version come this way too; a closed stream is no reason to fail.
+            let _ = error.print();
+            return if error.use_stderr() { Exit::BadInput.code().into() } else { ExitCode::SUCCESS };
+        }
+    };
+    let exit = match arguments.command {
+        Command::Run(options) => run::execute(&options),
+        Command::Check(options) => check::execute(&options),
+        Command::Validate(options) => validate::execute(&options),
+        Command::Models(options) => models::execute(&options),
+        Command::Schema => schema::execute(),
+    };
+    let exit = exit.unwrap_or_else(|BadInput(lines)| {
+        lines.iter().for_each(|line| complain(line));
+        Exit::BadInput
+    });
+    exit.code().into()
+}
+
+/// Writes one line to standard error; there is nobody to tell if that fails.
+fn complain(line: &str) {
+    let _ = writeln!(io::stderr(), "error: {}", plain(line));
+}
+
+/// Writes to standard output; a reader that has gone away (`| head`) is no error.
+fn print(text: &str) -> io::Result<()> {
+    let mut stdout = io::stdout().lock();
+    match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        result => result,
+    }
+}
+
+/// The known name nearest to `name`, where one is near.
+fn nearest<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let similarity = |other: &str| strsim::jaro_winkler(&name.to_lowercase(), &other.to_lowercase());
+    let near = known.map(|other| (similarity(other), other)).filter(|(similarity, _)| *similarity >= 0.75);
+    near.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, other)| other)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn arguments_are_consistent() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn statuses_have_the_exit_codes_of_the_contract() {
+        for (status, code) in [
+            (Status::Completed, 0),
+            (Status::CompletedWithGaps, 0),
+            (Status::DeadCentre, 3),
+            (Status::AssemblyFailed, 3),
+            (Status::StepTooSmall, 3),
+            (Status::Singular, 3),
+            (Status::TimeLimit, 3),
+            (Status::Interrupted, 130),
+        ] {
+            assert_eq!(Exit::from(status).code(), code, "{status:?}");
+        }
+    }
+
+    #[test]
+    fn near_names_are_found_and_far_ones_not() {
+        let known = ["four-bar", "slider-crank", "watt-i-lock"];
+        assert_eq!(nearest("fourbar", known.into_iter()), Some("four-bar"));
+        assert_eq!(nearest("Slider-Cranck", known.into_iter()), Some("slider-crank"));
+        assert_eq!(nearest("zzz", known.into_iter()), None);
+    }
+}

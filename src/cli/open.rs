@@ -1,0 +1,91 @@
+//! MODEL: a path or a bundled model's name.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use sha2::{Digest, Sha256};
+
+use super::{BadInput, nearest};
+use crate::bundled;
+use crate::error::Complaint;
+use crate::model::{self, Loaded};
+use crate::output::{Stage, Stopwatch};
+
+/// The model and what is changed in it.
+#[derive(Debug, Args)]
+pub struct ModelOptions {
+    /// Path of a model file, or name of a bundled model
+    #[arg(value_name = "MODEL")]
+    model: PathBuf,
+    /// Override a value of the model; may be given more than once
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    sets: Vec<String>,
+}
+
+/// A model that could be read.
+#[derive(Debug)]
+pub struct Opened {
+    pub loaded: Loaded,
+    /// Path or bundled name, as given.
+    pub label: String,
+    /// The model's own name, or the file's.
+    pub name: String,
+    /// Of the file's bytes, hexadecimal.
+    pub sha256: String,
+    pub time: Stage,
+}
+
+impl ModelOptions {
+    /// Reads the model.
+    ///
+    /// # Errors
+    /// When there is no such model, or it has faults.
+    pub fn open(&self) -> Result<Opened, BadInput> {
+        let watch = Stopwatch::start();
+        let label = self.model.display().to_string();
+        let bytes = read(&self.model)?;
+        let loaded = model::load(&bytes, &self.sets).map_err(|complaints| bad_input(&label, complaints))?;
+        let stem = self.model.file_stem().map_or_else(|| label.clone(), |stem| stem.to_string_lossy().into_owned());
+        let name = loaded.model.name.clone().filter(|name| !name.is_empty()).unwrap_or(stem);
+        let sha256 = format!("{:x}", Sha256::digest(&bytes));
+        Ok(Opened { loaded, label, name, sha256, time: watch.read() })
+    }
+}
+
+impl Opened {
+    /// Complaints about the model that came up after it was read.
+    pub fn bad_input(&self, complaints: Vec<Complaint>) -> BadInput {
+        bad_input(&self.label, complaints.into_iter().map(|complaint| self.loaded.source.place(complaint)).collect())
+    }
+}
+
+/// A line per complaint, each with the model's name.
+fn bad_input(label: &str, complaints: Vec<Complaint>) -> BadInput {
+    BadInput(complaints.iter().map(|complaint| format!("{label}: {complaint}")).collect())
+}
+
+/// The bytes of a model: of a file where there is one, else of a bundled model.
+fn read(path: &Path) -> Result<Vec<u8>, BadInput> {
+    let bundled = path.to_str().and_then(bundled::find);
+    // A directory may well have the name of a bundled model: the one its results are in.
+    if let (Some(bundled), true) = (bundled, !path.exists() || path.is_dir()) {
+        return Ok(bundled.text.as_bytes().to_vec());
+    }
+    fs::read(path).map_err(|error| {
+        let label = path.display();
+        BadInput(vec![match error.kind() {
+            std::io::ErrorKind::NotFound => unknown(&label.to_string()),
+            _ if path.is_dir() => format!("{label}: a directory, not a model file"),
+            _ => format!("{label}: can't be read: {error}"),
+        }])
+    })
+}
+
+/// What to say about a model that is not there.
+fn unknown(label: &str) -> String {
+    match nearest(label, bundled::names()) {
+        Some(name) => format!("{label}: no such file, and no bundled model of that name (did you mean {name:?}?)"),
+        None => format!("{label}: no such file, and no bundled model of that name (`linkdyn models` lists them)"),
+    }
+}

@@ -1,0 +1,123 @@
+//! Text for people: labelled rows, numbers of a few digits, and names that can't play tricks on a terminal.
+
+use std::borrow::Cow;
+use std::fmt::Write;
+
+/// Width of the label column.
+const LABEL_WIDTH: usize = 14;
+
+/// Lines to be printed at once.
+#[derive(Debug, Default)]
+pub struct Page(String);
+
+impl Page {
+    /// Appends a line.
+    pub fn line(&mut self, text: impl AsRef<str>) {
+        self.0.push_str(&plain(text.as_ref()));
+        self.0.push('\n');
+    }
+
+    /// Appends a row with a label, or without, to go on with the row above.
+    pub fn row(&mut self, label: &str, text: impl AsRef<str>) {
+        self.line(format!("  {label:LABEL_WIDTH$}{}", text.as_ref()));
+    }
+
+    /// Appends a row per text, the label at the first one.
+    pub fn rows<S: AsRef<str>>(&mut self, label: &str, texts: impl IntoIterator<Item = S>) {
+        for (index, text) in texts.into_iter().enumerate() {
+            self.row(if index == 0 { label } else { "" }, text);
+        }
+    }
+
+    /// What there is so far.
+    pub fn text(&self) -> &str {
+        &self.0
+    }
+}
+
+/// `text` with control and direction-changing characters spelt out.
+pub fn plain(text: &str) -> Cow<'_, str> {
+    let is_trick = |c: char| c.is_control() || matches!(c, '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    if !text.contains(is_trick) {
+        return Cow::Borrowed(text);
+    }
+    let mut spelt = String::with_capacity(text.len() + 16);
+    for c in text.chars() {
+        if is_trick(c) {
+            // Writing to a String can't fail.
+            let _ = write!(spelt, "{}", c.escape_unicode());
+        } else {
+            spelt.push(c);
+        }
+    }
+    Cow::Owned(spelt)
+}
+
+/// A number with `digits` significant digits, trailing zeros dropped: `0.1235`, `12.3`, `1.5e-9`.
+pub fn number(value: f64, digits: usize) -> String {
+    if !value.is_finite() {
+        return "–".into();
+    }
+    if value == 0.0 {
+        return "0".into();
+    }
+    let scientific = format!("{value:.*e}", digits.saturating_sub(1));
+    let Some((mantissa, exponent)) = scientific.split_once('e') else { return scientific };
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    if !(-4..7).contains(&exponent) {
+        return format!("{}e{exponent}", trim(mantissa));
+    }
+    let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
+    trim(&format!("{value:.decimals$}")).to_string()
+}
+
+/// Without trailing zeros behind a decimal point.
+fn trim(number: &str) -> &str {
+    if number.contains('.') { number.trim_end_matches('0').trim_end_matches('.') } else { number }
+}
+
+/// A time of day-to-day size: `0.31 ms`, `12 ms`, `3.2 s`.
+pub fn seconds(value: f64) -> String {
+    if value < 1.0 { format!("{} ms", number(value * 1e3, 2)) } else { format!("{} s", number(value, 3)) }
+}
+
+/// `1 driver`, `2 drivers`.
+pub fn count(n: usize, what: &str) -> String {
+    if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_the_digits_asked_for() {
+        for (value, text) in [
+            (0.0, "0"),
+            (2.0, "2"),
+            (117.512_206_5, "117.5"),
+            (0.123_456, "0.1235"),
+            (-12_345.6, "-12346"),
+            (999.96, "1000"),
+            (1.5e-9, "1.5e-9"),
+            (1.0e7, "1e7"),
+            (f64::NAN, "–"),
+        ] {
+            assert_eq!(number(value, 4), text);
+        }
+    }
+
+    #[test]
+    fn tricks_are_spelt_out_and_the_rest_is_kept() {
+        assert_eq!(plain("\u{1b}[31mred\n\u{202e}🔒"), "\\u{1b}[31mred\\u{a}\\u{202e}🔒");
+        assert_eq!(plain("Körper \"6\" 🔒"), "Körper \"6\" 🔒");
+    }
+
+    #[test]
+    fn a_page_can_not_be_broken_by_a_name() {
+        let mut page = Page::default();
+        page.line("a\nb");
+        page.rows("forces", ["b: 1 N", "c: 2 N"]);
+        assert_eq!(page.text(), "a\\u{a}b\n  forces        b: 1 N\n                c: 2 N\n");
+    }
+}

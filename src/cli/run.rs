@@ -1,0 +1,81 @@
+//! `linkdyn run`: runs a model's analysis, writes the results, prints a short summary.
+
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use clap::Args;
+
+use super::open::{ModelOptions, Opened};
+use super::{BadInput, Exit, complain, interrupt, print, summary};
+use crate::analysis::{self, Control, Outcome};
+use crate::model::Model;
+use crate::output::{Directory, Stage, Stopwatch, Summary, WriteError, csv};
+
+const RESULTS: &str = "results.csv";
+const SUMMARY: &str = "summary.json";
+
+#[derive(Debug, Args)]
+pub struct Options {
+    #[command(flatten)]
+    model: ModelOptions,
+    /// Write results.csv and summary.json into this directory (made where missing)
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+}
+
+/// Runs, writes, tells.
+pub fn execute(options: &Options) -> Result<Exit, BadInput> {
+    let started = Instant::now();
+    let opened = options.model.open()?;
+    let directory = options.output.as_deref().map(open_directory).transpose()?;
+    let model = &opened.loaded.model;
+    let control = Control { deadline: deadline(model, started), interrupted: interrupt::watch() };
+    let mut outcome = analysis::run(model, &control).map_err(|complaints| opened.bad_input(complaints))?;
+    outcome.report.warnings.splice(0..0, opened.loaded.warnings.iter().cloned());
+    let written = directory.map(|directory| write(&directory, &opened, &outcome)).transpose()?.unwrap_or_default();
+    print(&summary::page(&opened, &outcome, &written))?;
+    let status = outcome.report.status;
+    let exit = Exit::from(status);
+    if exit != Exit::Done {
+        complain(outcome.report.message.as_deref().unwrap_or(status.word()));
+    }
+    Ok(exit)
+}
+
+/// Files that were written, and how long that took.
+#[derive(Debug, Default)]
+pub struct Written {
+    pub paths: Vec<PathBuf>,
+    pub time: Stage,
+}
+
+/// When `max_wall_time` is over; none where there is no such setting, or no clock can tell that instant.
+fn deadline(model: &Model, started: Instant) -> Option<Instant> {
+    let seconds = model.analysis.as_ref()?.solver.max_wall_time?;
+    started.checked_add(Duration::try_from_secs_f64(seconds).ok()?)
+}
+
+/// The directory, tried before the run, so that nothing is computed in vain.
+fn open_directory(path: &std::path::Path) -> Result<Directory, WriteError> {
+    let directory = Directory::open(path)?;
+    directory.expect_free(RESULTS)?;
+    directory.expect_free(SUMMARY)?;
+    Ok(directory)
+}
+
+/// Writes all result files; the summary comes last, since it tells how long the others took.
+fn write(directory: &Directory, opened: &Opened, outcome: &Outcome) -> Result<Written, WriteError> {
+    let watch = Stopwatch::start();
+    let results = directory.write(RESULTS, &csv::to_csv(&outcome.trajectory))?;
+    let summary = Summary {
+        model_name: &opened.name,
+        model_sha256: &opened.sha256,
+        settings: &outcome.settings,
+        report: &outcome.report,
+        trajectory: &outcome.trajectory,
+        load: opened.time,
+        write: watch.read(),
+    };
+    let summary = directory.write(SUMMARY, crate::output::summary::to_text(&summary).as_bytes())?;
+    Ok(Written { paths: vec![results, summary], time: watch.read() })
+}

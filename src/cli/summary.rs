@@ -1,0 +1,163 @@
+//! What `run` tells: how it went, and the numbers that are asked for first.
+
+use std::f64::consts::PI;
+
+use super::open::Opened;
+use super::page::{Page, count, number, seconds};
+use super::run::Written;
+use crate::analysis::Outcome;
+use crate::model::AnalysisKind;
+use crate::output::{Event, Mobility, Stage, Status, Trajectory};
+
+/// Digits of numbers.
+const DIGITS: usize = 4;
+/// Rows of a list before the rest is only counted.
+const MOST: usize = 8;
+/// Joints with the largest forces that are shown.
+const FORCES: usize = 3;
+
+/// The summary of a run as text.
+pub fn page(opened: &Opened, outcome: &Outcome, written: &Written) -> String {
+    let Outcome { trajectory, report, .. } = outcome;
+    let kind = opened.loaded.model.analysis.as_ref().map_or("", |analysis| analysis_words(analysis.kind));
+    let mut page = Page::default();
+    page.line(format!("{} ({}): {kind}, {}", opened.name, opened.label, status_words(report.status)));
+    page.row("mobility", mobility(&report.mobility));
+    page.row("outputs", outputs(trajectory));
+    page.row("quality", quality(report.quality.constraint_residual, report.quality.power_imbalance));
+    page.rows("events", shorten(report.events.iter().map(|event| event_words(event, trajectory)).collect()));
+    page.rows("effort", efforts(trajectory));
+    page.rows("largest force", forces(trajectory));
+    page.rows("warnings", shorten(report.warnings.clone()));
+    page.rows("written", written.paths.iter().map(|path| path.display().to_string()));
+    let mut stages = vec![("load", opened.time), ("assemble", report.assemble), ("solve", report.solve)];
+    if !written.paths.is_empty() {
+        stages.push(("write", written.time));
+    }
+    page.row("time", times(&stages));
+    page.text().to_string()
+}
+
+/// The analysis in words.
+pub fn analysis_words(kind: AnalysisKind) -> &'static str {
+    match kind {
+        AnalysisKind::Assembly => "assembly",
+        AnalysisKind::Kinematics => "kinematics",
+        AnalysisKind::InverseDynamics => "inverse dynamics",
+        AnalysisKind::Dynamics => "dynamics",
+        AnalysisKind::Statics => "statics",
+    }
+}
+
+/// The status in words.
+pub fn status_words(status: Status) -> String {
+    status.word().replace('_', " ")
+}
+
+/// Mobility and what is odd about it.
+pub fn mobility(mobility: &Mobility) -> String {
+    let Mobility { grubler, rank, drivers, redundant, reactions_not_unique } = mobility;
+    let mut text = format!("{grubler} by Grübler, {rank} by rank, {}", count(*drivers, "driver"));
+    if !redundant.is_empty() {
+        text += &format!("; redundant: {}", redundant.join(", "));
+    }
+    if !reactions_not_unique.is_empty() {
+        text += &format!("; reactions not unique: {}", reactions_not_unique.join(", "));
+    }
+    text
+}
+
+fn outputs(trajectory: &Trajectory) -> String {
+    let Some(time) = trajectory.column_index("time").filter(|_| !trajectory.is_empty()) else { return "none".into() };
+    let (first, last) = (trajectory.row(0)[time], trajectory.row(trajectory.len() - 1)[time]);
+    let instants = count(trajectory.len(), "instant");
+    format!("{instants}, t = {} … {} s, {}", number(first, 6), number(last, 6), count(trajectory.width(), "column"))
+}
+
+fn quality(residual: f64, imbalance: Option<f64>) -> String {
+    let residual = format!("constraint residual {}", number(residual, 2));
+    match imbalance {
+        Some(imbalance) => format!("{residual}, power imbalance {}", number(imbalance, 2)),
+        None => residual,
+    }
+}
+
+/// One event: `change point at 1.7 s, motor = 2.051 rad (117.5°)`.
+fn event_words(event: &Event, trajectory: &Trajectory) -> String {
+    let kind = event.kind.replace('_', " ");
+    let mut text = match event.end_time {
+        Some(end) => format!("{kind} from {} to {} s", number(event.time, 6), number(end, 6)),
+        None => format!("{kind} at {} s", number(event.time, 6)),
+    };
+    if let (Some(driver), Some(start)) = (&event.driver, event.value) {
+        let unit = trajectory.column_index(&format!("driver.{driver}.value")).map(|i| trajectory.columns[i].unit);
+        let with_unit = |value: f64| match unit {
+            Some("rad") => format!("{} rad ({}°)", number(value, 6), number(value * 180.0 / PI, 6)),
+            Some(unit) => format!("{} {unit}", number(value, 6)),
+            None => number(value, 6),
+        };
+        text += &format!(", {driver} = {}", with_unit(start));
+        if let Some(end) = event.end_value {
+            text += &format!(" … {}", with_unit(end));
+        }
+    }
+    if let Some(note) = &event.note {
+        text += &format!(": {note}");
+    }
+    text
+}
+
+/// A row per driver: smallest and largest effort, and when.
+fn efforts(trajectory: &Trajectory) -> Vec<String> {
+    let extremes = trajectory.extremes();
+    let rows = trajectory.columns.iter().zip(extremes).filter_map(|(column, extremes)| {
+        let driver = column.name.strip_prefix("driver.")?.strip_suffix(".effort")?;
+        let e = extremes?;
+        let unit = unit_words(column.unit);
+        let at = |value: f64, time: f64| format!("{} {unit} at {} s", number(value, DIGITS), number(time, DIGITS));
+        Some(format!("{driver}: {} … {}", at(e.min, e.min_time), at(e.max, e.max_time)))
+    });
+    shorten(rows.collect())
+}
+
+/// The joints with the largest forces: magnitude and when.
+fn forces(trajectory: &Trajectory) -> Vec<String> {
+    let time = trajectory.column_index("time");
+    let mut peaks: Vec<(f64, f64, &str)> = Vec::new();
+    for (fx, column) in trajectory.columns.iter().enumerate() {
+        let Some(joint) = column.name.strip_prefix("joint.").and_then(|name| name.strip_suffix(".fx")) else {
+            continue;
+        };
+        let Some(fy) = trajectory.column_index(&format!("joint.{joint}.fy")) else { continue };
+        let magnitudes = trajectory.rows().map(|row| (row[fx].hypot(row[fy]), time.map_or(f64::NAN, |time| row[time])));
+        let peak = magnitudes.filter(|(force, _)| force.is_finite()).max_by(|a, b| a.0.total_cmp(&b.0));
+        peaks.extend(peak.map(|(force, time)| (force, time, joint)));
+    }
+    peaks.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let words = |&(force, time, joint): &(f64, f64, &str)| {
+        format!("{joint}: {} N at {} s", number(force, DIGITS), number(time, DIGITS))
+    };
+    peaks.iter().take(FORCES).map(words).collect()
+}
+
+/// `load 0.3 ms, solve 12 ms (CPU 11 ms)`.
+fn times(stages: &[(&str, Stage)]) -> String {
+    let walls: Vec<String> = stages.iter().map(|(name, stage)| format!("{name} {}", seconds(stage.wall))).collect();
+    let cpu: f64 = stages.iter().map(|(_, stage)| stage.cpu).sum();
+    format!("{} (CPU {})", walls.join(", "), seconds(cpu))
+}
+
+/// A unit as people write it: `N·m`, `m/s²`.
+fn unit_words(unit: &str) -> String {
+    unit.replace('*', "·").replace("^2", "²")
+}
+
+/// The first rows, and how many there are more.
+fn shorten(mut rows: Vec<String>) -> Vec<String> {
+    if rows.len() > MOST + 1 {
+        let more = rows.len() - MOST;
+        rows.truncate(MOST);
+        rows.push(format!("… and {more} more"));
+    }
+    rows
+}

@@ -1,0 +1,156 @@
+//! `linkdyn validate`: the bundled cases, each claim as reference, ours, difference, verdict.
+
+use std::path::PathBuf;
+use std::sync::atomic::Ordering;
+
+use clap::Args;
+
+use super::page::{Page, count};
+use super::{BadInput, Exit, complain, interrupt, nearest, print};
+use crate::analysis::Control;
+use crate::output::Directory;
+use crate::validation::{CASES, Case, CaseError, Claim, Verdict};
+
+#[derive(Debug, Args)]
+pub struct Options {
+    /// Cases to run; all where none is named
+    #[arg(value_name = "CASE")]
+    cases: Vec<String>,
+    /// Write each case's files into a directory of its name below this one
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+}
+
+/// Runs the cases and tells.
+pub fn execute(options: &Options) -> Result<Exit, BadInput> {
+    let cases = choose(CASES, &options.cases)?;
+    if let Some(output) = &options.output {
+        Directory::open(output)?;
+    }
+    let control = Control { deadline: None, interrupted: interrupt::watch() };
+    let mut tally = Tally::default();
+    for case in cases {
+        if control.interrupted.load(Ordering::SeqCst) {
+            return Ok(Exit::Interrupted);
+        }
+        let mut page = Page::default();
+        page.line(format!("{}: {}", case.name, case.about()));
+        match case.run(options.output.as_deref(), &control) {
+            Ok(claims) => tell(&mut page, &claims, &mut tally),
+            Err(CaseError::Interrupted) => return Ok(Exit::Interrupted),
+            Err(CaseError::Write(error)) => return Err(error.into()),
+            Err(CaseError::Broken(said)) => {
+                tally.faults += 1;
+                complain(&format!("{}: the case can't be run: {said}", case.name));
+            }
+        }
+        print(page.text())?;
+    }
+    print(&tally.text())?;
+    Ok(tally.exit())
+}
+
+/// The cases of these names, or all.
+fn choose<'a>(cases: &'a [Case], names: &[String]) -> Result<Vec<&'a Case>, BadInput> {
+    if names.is_empty() {
+        return Ok(cases.iter().collect());
+    }
+    let find = |name: &String| cases.iter().find(|case| case.name == name).ok_or_else(|| unknown(cases, name));
+    let (found, missing): (Vec<_>, Vec<_>) = names.iter().map(find).partition(Result::is_ok);
+    let missing: Vec<String> = missing.into_iter().filter_map(Result::err).collect();
+    if missing.is_empty() { Ok(found.into_iter().flatten().collect()) } else { Err(BadInput(missing)) }
+}
+
+fn unknown(cases: &[Case], name: &str) -> String {
+    let known: Vec<&str> = cases.iter().map(|case| case.name).collect();
+    let hint = match nearest(name, known.iter().copied()) {
+        Some(near) => format!("did you mean {near:?}?"),
+        None if known.is_empty() => "none is bundled".into(),
+        None => format!("there are: {}", known.join(", ")),
+    };
+    format!("{name}: no validation case of that name ({hint})")
+}
+
+/// How many claims ended how.
+#[derive(Debug, Default, PartialEq, Eq)]
+struct Tally {
+    agreed: usize,
+    findings: usize,
+    faults: usize,
+}
+
+impl Tally {
+    fn text(&self) -> String {
+        let Tally { agreed, findings, faults } = self;
+        format!("{agreed} agreed, {}, {}\n", count(*findings, "finding"), count(*faults, "fault"))
+    }
+
+    fn exit(&self) -> Exit {
+        if self.faults > 0 { Exit::Fault } else { Exit::Done }
+    }
+}
+
+/// Four rows per claim: readable at any width of a terminal.
+fn tell(page: &mut Page, claims: &[Claim], tally: &mut Tally) {
+    for claim in claims {
+        match claim.verdict {
+            Verdict::Agrees => tally.agreed += 1,
+            Verdict::Finding => tally.findings += 1,
+            Verdict::Fault => tally.faults += 1,
+        }
+        page.line(format!("  {:8}{}", claim.verdict.word(), claim.what));
+        let Claim { reference, ours, difference, .. } = claim;
+        page.line(format!("          reference {reference}, ours {ours}, difference {difference}"));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::validation::{CaseKind, Setting};
+
+    fn none(_: &Setting) -> Result<Vec<Claim>, CaseError> {
+        Ok(Vec::new())
+    }
+
+    const DUMMIES: [Case; 2] = [
+        Case { name: "lock", kind: CaseKind::Coded { about: "", run: none } },
+        Case { name: "four-bar", kind: CaseKind::Coded { about: "", run: none } },
+    ];
+
+    fn names(names: &[&str]) -> Result<Vec<&'static str>, BadInput> {
+        let names: Vec<String> = names.iter().map(|name| name.to_string()).collect();
+        choose(&DUMMIES, &names).map(|cases| cases.iter().map(|case| case.name).collect())
+    }
+
+    #[test]
+    fn cases_are_chosen_by_name() {
+        assert_eq!(names(&[]), Ok(vec!["lock", "four-bar"]));
+        assert_eq!(names(&["four-bar"]), Ok(vec!["four-bar"]));
+    }
+
+    #[test]
+    fn unknown_cases_are_all_named() {
+        let Err(BadInput(said)) = names(&["lokc", "lock", "zzz"]) else { panic!("must be refused") };
+        assert_eq!(
+            said,
+            [
+                "lokc: no validation case of that name (did you mean \"lock\"?)",
+                "zzz: no validation case of that name (there are: lock, four-bar)"
+            ]
+        );
+    }
+
+    #[test]
+    fn a_fault_and_only_a_fault_is_exit_status_1() {
+        for (verdict, exit) in
+            [(Verdict::Agrees, Exit::Done), (Verdict::Finding, Exit::Done), (Verdict::Fault, Exit::Fault)]
+        {
+            let text = || "x".to_string();
+            let claim = Claim { what: text(), reference: text(), ours: text(), difference: text(), verdict };
+            let mut tally = Tally::default();
+            tell(&mut Page::default(), &[claim], &mut tally);
+            assert_eq!(tally.exit(), exit, "{verdict:?}");
+        }
+    }
+}

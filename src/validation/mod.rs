@@ -1,0 +1,175 @@
+//! Validation: answers that are not ours, each beside what the engine says.
+//!
+//! A *coded* case is a function that makes its claims; a *reference* case is a folder `validation/<case>/` with
+//! `case.json`, `reference.csv` and `SOURCE.md` (see [`reference`]). Both give claims with a verdict. A claim of a paper that is
+//! not reproduced is a finding; only what must hold and does not is a fault.
+
+pub mod reference;
+pub mod table;
+
+use std::path::{Path, PathBuf};
+
+use thiserror::Error;
+
+use crate::analysis::Control;
+use crate::output::{Directory, WriteError};
+use reference::ReferenceCase;
+
+/// One case.
+#[derive(Debug, Clone, Copy)]
+pub struct Case {
+    pub name: &'static str,
+    pub kind: CaseKind,
+}
+
+/// Where a case's claims come from.
+#[derive(Debug, Clone, Copy)]
+pub enum CaseKind {
+    /// A function, with a line about it.
+    Coded { about: &'static str, run: fn(&Setting) -> Result<Vec<Claim>, CaseError> },
+    /// A model and a table of what it must give.
+    Reference(ReferenceCase),
+}
+
+/// All bundled cases, in the order in which they are run; a test holds this against the folder `validation/`.
+///
+/// A folder is added as `Case { name: "x", kind: CaseKind::Reference(ReferenceCase { case: include_str!("../../validation/x/case.json"),
+/// reference: include_str!("../../validation/x/reference.csv") }) }`.
+pub const CASES: &[Case] = &[];
+
+/// What a case is run with.
+#[derive(Debug, Clone, Default)]
+pub struct Setting {
+    /// Directory of this case for the files it may write.
+    pub output: Option<PathBuf>,
+    pub control: Control,
+}
+
+/// One compared quantity, as text for people.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Claim {
+    /// What is compared, with its unit.
+    pub what: String,
+    pub reference: String,
+    pub ours: String,
+    pub difference: String,
+    pub verdict: Verdict,
+}
+
+/// What follows from a comparison.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    Agrees,
+    /// A claim that is not reproduced, without a fault of ours in it.
+    Finding,
+    /// What must hold and does not.
+    Fault,
+}
+
+impl Verdict {
+    /// The word for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Verdict::Agrees => "agrees",
+            Verdict::Finding => "finding",
+            Verdict::Fault => "FAULT",
+        }
+    }
+}
+
+/// Why a case has no claims.
+#[derive(Debug, Error)]
+pub enum CaseError {
+    /// The case itself can't be run: a fault of ours.
+    #[error("{0}")]
+    Broken(String),
+    #[error("interrupted")]
+    Interrupted,
+    #[error(transparent)]
+    Write(#[from] WriteError),
+}
+
+impl Case {
+    /// A line about the case.
+    pub fn about(&self) -> String {
+        match self.kind {
+            CaseKind::Coded { about, .. } => about.to_string(),
+            CaseKind::Reference(case) => case.read().map(|words| words.about).unwrap_or_default(),
+        }
+    }
+
+    /// Runs the case; with `output`, its files and its claims go into a directory of its name there.
+    ///
+    /// # Errors
+    /// When it can't be run or written.
+    pub fn run(&self, output: Option<&Path>, control: &Control) -> Result<Vec<Claim>, CaseError> {
+        let output = output.map(|output| output.join(self.name));
+        let setting = Setting { output, control: control.clone() };
+        let claims = match self.kind {
+            CaseKind::Coded { run, .. } => run(&setting)?,
+            CaseKind::Reference(case) => case.run(&setting)?,
+        };
+        if let Some(output) = &setting.output {
+            Directory::open(output)?.write("claims.json", claims_json(&claims).as_bytes())?;
+        }
+        Ok(claims)
+    }
+}
+
+/// Claims as the text of `claims.json`.
+fn claims_json(claims: &[Claim]) -> String {
+    let claim = |claim: &Claim| {
+        serde_json::json!({
+            "what": claim.what,
+            "reference": claim.reference,
+            "ours": claim.ours,
+            "difference": claim.difference,
+            "verdict": claim.verdict.word().to_lowercase(),
+        })
+    };
+    format!("{:#}\n", claims.iter().map(claim).collect::<serde_json::Value>())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    fn one_claim(_: &Setting) -> Result<Vec<Claim>, CaseError> {
+        let claim = Claim {
+            what: "π [–]".into(),
+            reference: "3.14".into(),
+            ours: "3.1416".into(),
+            difference: "1.6e-3".into(),
+            verdict: Verdict::Finding,
+        };
+        Ok(vec![claim])
+    }
+
+    #[test]
+    fn a_coded_case_writes_its_claims() {
+        let case = Case { name: "dummy", kind: CaseKind::Coded { about: "a number", run: one_claim } };
+        let output = std::env::temp_dir().join(format!("linkdyn-validation-{}", std::process::id()));
+        let claims = case.run(Some(&output), &Control::default()).expect("runs");
+        assert_eq!((claims.len(), case.about().as_str()), (1, "a number"));
+        let written = std::fs::read_to_string(output.join("dummy/claims.json")).expect("written");
+        let written: serde_json::Value = serde_json::from_str(&written).expect("valid JSON");
+        assert_eq!(written[0]["verdict"], "finding");
+        std::fs::remove_dir_all(output).expect("removed");
+    }
+
+    #[test]
+    fn every_case_folder_is_bundled_and_has_a_source() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("validation");
+        let entries = std::fs::read_dir(&folder).into_iter().flatten().filter_map(Result::ok);
+        let cases = entries.map(|entry| entry.path()).filter(|path| path.join("case.json").exists());
+        let mut folders = BTreeSet::new();
+        for case in cases {
+            assert!(case.join("SOURCE.md").exists(), "{case:?}");
+            folders.extend(case.file_name().and_then(|name| name.to_str()).map(String::from));
+        }
+        let is_reference = |case: &&Case| matches!(case.kind, CaseKind::Reference(_));
+        let bundled: BTreeSet<String> = CASES.iter().filter(is_reference).map(|case| case.name.to_string()).collect();
+        assert_eq!(folders, bundled);
+    }
+}
