@@ -336,10 +336,11 @@ Facts of the ideal mechanism, from the same computation:
 """
 
 
-NEAR = """- **Condition.** l1 + l2 = l3 + l4 makes loop 1 exactly a change-point linkage. If the ground link is off by half a unit in the last place (5.6e-17 m), the *exact* solution at
-  117.5 deg (0.0122 deg from the point) changes by 1.4e-13 m, 5e-9 rad/s, 8e-5 of alpha and 1.6e-5 of the hinge forces; at 117.6 deg by a thousandth of that. A computation in doubles that
-  solves the nearly singular equations there therefore can't do better; one that takes the smooth branch (through regular points on both sides) can. That, and the relative error 1e-8/0.0122
-  of a change point that is known to 1e-8 deg, is where the wider tolerances of this case come from.
+NEAR = """- **Condition.** l1 + l2 = l3 + l4 makes loop 1 exactly a change-point linkage. If the ground link is off by half a unit in the last
+  place (5.6e-17 m), the *exact* solution at 117.5 deg (0.0122 deg from the point) changes by 1.5e-13 m, 6e-9 rad/s, 1.3e-4 of alpha, 1.6e-5 of the
+  hinge forces and 9e-6 of the torque; at 117.6 deg by 3.5e-7 of alpha and 4e-8 of the hinge forces. A computation in doubles that solves the nearly
+  singular equations there can't do better; one that takes the smooth branch (through regular points on both sides) can. That, and the relative
+  error 1e-8/0.0122 of a change point that is known to 1e-8 deg, is where the wider tolerances of this case come from.
 """
 
 
