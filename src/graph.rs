@@ -13,7 +13,7 @@
 
 use std::collections::VecDeque;
 
-use petgraph::graph::{EdgeIndex, NodeIndex, UnGraph};
+use petgraph::graph::{NodeIndex, UnGraph};
 use petgraph::visit::EdgeRef;
 
 /// Index of ground among the bodies.
@@ -169,8 +169,8 @@ impl Topology {
 
     /// The two bodies of a joint, first and second.
     fn ends(&self, joint: usize) -> (usize, usize) {
-        let (first, second) = self.graph.edge_endpoints(EdgeIndex::new(joint)).expect("a joint of this graph");
-        (first.index(), second.index())
+        let edge = &self.graph.raw_edges()[joint];
+        (edge.source().index(), edge.target().index())
     }
 
     /// Joints at a body, each with the body at its other end, in file order.

@@ -4,7 +4,7 @@ use clap::Args;
 use serde_json::{Map, Value, json};
 
 use super::open::{ModelOptions, Opened};
-use super::page::{Page, count, number};
+use super::page::{Page, number};
 use super::summary::{analysis_words, mobility, status_words};
 use super::{BadInput, Exit, complain, print};
 use crate::analysis::{self, Check};
@@ -41,9 +41,9 @@ fn page(opened: &Opened, check: &Check) -> String {
     let model = &opened.loaded.model;
     let mut page = Page::default();
     page.line(format!("{} ({}): {}", opened.name, opened.label, verdict(check)));
-    let parts = [(check.bodies, "moving body"), (check.joints, "joint"), (model.drivers.len(), "driver")];
-    let parts = parts.map(|(n, what)| count(n, what).replace("bodys", "bodies"));
-    page.row("parts", format!("{}, {}", parts.join(", "), count(model.forces.len(), "force")));
+    let parts = [("moving bodies", check.bodies), ("joints", check.joints), ("drivers", model.drivers.len())];
+    let parts = parts.map(|(what, n)| format!("{what} {n}"));
+    page.row("parts", format!("{}, forces {}", parts.join(", "), model.forces.len()));
     page.rows("loops", if check.loops.is_empty() { vec!["none".to_string()] } else { check.loops.clone() });
     page.row("mobility", mobility(&check.mobility));
     page.row("assembly", format!("constraint residual {}", number(check.assembly_residual, 2)));

@@ -20,3 +20,22 @@ pub fn watch() -> Arc<AtomicBool> {
     let _ = ctrlc::set_handler(handler);
     interrupted
 }
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+    use std::process::Command;
+    use std::time::Duration;
+
+    #[test]
+    fn the_first_interrupt_sets_the_flag_and_ends_nothing() {
+        let interrupted = watch();
+        let killed = Command::new("kill").args(["-INT", &std::process::id().to_string()]).status();
+        assert!(killed.is_ok_and(|status| status.success()));
+        let is_set = (0..500).any(|_| {
+            std::thread::sleep(Duration::from_millis(10));
+            interrupted.load(Ordering::SeqCst)
+        });
+        assert!(is_set);
+    }
+}

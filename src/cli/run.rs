@@ -66,7 +66,7 @@ fn open_directory(path: &std::path::Path) -> Result<Directory, WriteError> {
 /// Writes all result files; the summary comes last, since it tells how long the others took.
 fn write(directory: &Directory, opened: &Opened, outcome: &Outcome) -> Result<Written, WriteError> {
     let watch = Stopwatch::start();
-    let results = directory.write(RESULTS, &csv::to_csv(&outcome.trajectory))?;
+    let results = directory.write_with(RESULTS, |file| csv::write(&outcome.trajectory, file))?;
     let summary = Summary {
         model_name: &opened.name,
         model_sha256: &opened.sha256,

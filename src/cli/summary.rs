@@ -161,3 +161,66 @@ fn shorten(mut rows: Vec<String>) -> Vec<String> {
     }
     rows
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::output::Column;
+
+    fn results() -> Trajectory {
+        let columns = [
+            ("time", "s"),
+            ("joint.a.fx", "N"),
+            ("joint.a.fy", "N"),
+            ("joint.🔒.fx", "N"),
+            ("joint.🔒.fy", "N"),
+            ("driver.motor.value", "rad"),
+            ("driver.motor.effort", "N*m"),
+            ("driver.slide.value", "m"),
+        ];
+        let mut table = Trajectory::new(columns.iter().map(|&(name, unit)| Column::new(name, unit)).collect());
+        table.push_row(&[0.0, 3.0, -4.0, 6.0, 8.0, 1.0, -2.0, 0.1]);
+        table.push_row(&[0.5, 0.0, 1.0, f64::NAN, f64::NAN, 2.0, 12.5, 0.2]);
+        table
+    }
+
+    fn event(driver: &str, end_time: Option<f64>) -> Event {
+        Event {
+            kind: "change_point",
+            time: 1.7,
+            end_time,
+            driver: Some(driver.into()),
+            value: Some(2.05),
+            end_value: end_time.map(|_| 2.1),
+            note: None,
+        }
+    }
+
+    #[test]
+    fn events_tell_angles_in_degrees_too() {
+        let words = |event: &Event| event_words(event, &results());
+        assert_eq!(words(&event("motor", None)), "change point at 1.7 s, motor = 2.05 rad (117.456°)");
+        assert_eq!(words(&event("slide", Some(2.0))), "change point from 1.7 to 2 s, slide = 2.05 m … 2.1 m");
+        let noted = Event { driver: None, note: Some("here".into()), ..event("", None) };
+        assert_eq!(words(&noted), "change point at 1.7 s: here");
+    }
+
+    #[test]
+    fn efforts_and_forces_are_found_in_the_columns() {
+        assert_eq!(efforts(&results()), ["motor: -2 N·m at 0 s … 12.5 N·m at 0.5 s"]);
+        assert_eq!(forces(&results()), ["🔒: 10 N at 0 s", "a: 5 N at 0 s"]);
+    }
+
+    #[test]
+    fn long_lists_are_shortened() {
+        let rows = |n: usize| (0..n).map(|i| i.to_string()).collect::<Vec<_>>();
+        assert_eq!(shorten(rows(9)).len(), 9);
+        assert_eq!(shorten(rows(20)).last().map(String::as_str), Some("… and 12 more"));
+    }
+
+    #[test]
+    fn an_empty_run_has_words_too() {
+        assert_eq!(outputs(&Trajectory::default()), "none");
+        assert_eq!(mobility(&Mobility::default()), "0 by Grübler, 0 by rank, 0 drivers");
+    }
+}

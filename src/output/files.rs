@@ -1,7 +1,7 @@
 //! Files of a run: written under another name first, then renamed, so that a reader never meets half a file.
 
-use std::fs;
-use std::io;
+use std::fs::{self, File};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use thiserror::Error;
@@ -62,11 +62,23 @@ impl Directory {
     /// # Errors
     /// When the system refuses; an older file of that name is then still whole.
     pub fn write(&self, name: &str, content: &[u8]) -> Result<PathBuf, WriteError> {
+        self.write_with(name, |file| file.write_all(content))
+    }
+
+    /// The same for content that is written piece by piece.
+    ///
+    /// # Errors
+    /// As [`Directory::write`].
+    pub fn write_with(
+        &self,
+        name: &str,
+        content: impl FnOnce(&mut File) -> io::Result<()>,
+    ) -> Result<PathBuf, WriteError> {
         self.expect_free(name)?;
         let path = self.path.join(name);
         let temporary = self.temporary(name);
-        let written = fs::write(&temporary, content).and_then(|()| fs::rename(&temporary, &path));
-        written.map_err(|source| {
+        let written = File::create(&temporary).and_then(|mut file| content(&mut file));
+        written.and_then(|()| fs::rename(&temporary, &path)).map_err(|source| {
             let _ = fs::remove_file(&temporary);
             WriteError::Write { path: path.clone(), source }
         })?;

@@ -122,7 +122,7 @@ impl ReferenceCase {
         let loaded = model::load(&model_bytes(&words.model)?, &words.set).map_err(broken)?;
         let outcome = analysis::run(&loaded.model, &setting.control).map_err(broken)?;
         if let Some(output) = &setting.output {
-            Directory::open(output)?.write("results.csv", &csv::to_csv(&outcome.trajectory))?;
+            Directory::open(output)?.write_with("results.csv", |file| csv::write(&outcome.trajectory, file))?;
         }
         match outcome.report.status {
             Status::Interrupted => Err(CaseError::Interrupted),
@@ -193,11 +193,8 @@ pub fn compare(reference: &Table, ours: &Trajectory, how: &[Compare]) -> Result<
             group.meet(label, row[time], row[index], our_value, tolerance);
         }
     }
-    groups.retain(|group| group.values > 0);
-    if groups.is_empty() {
-        return Err("reference.csv: nothing to compare".into());
-    }
-    Ok(groups.iter().map(Group::claim).collect())
+    let claims: Vec<Claim> = groups.iter().filter_map(Group::claim).collect();
+    if claims.is_empty() { Err("reference.csv: nothing to compare".into()) } else { Ok(claims) }
 }
 
 /// Row of the instant, where there is one.
@@ -235,11 +232,11 @@ impl Group {
         }
     }
 
-    fn claim(&self) -> Claim {
-        let Some(worst) = &self.worst else { unreachable!("a group with values has a worst one") };
-        let Worst { column, time, reference, ours, share } = worst;
+    /// What the worst value says; none where nothing was compared.
+    fn claim(&self) -> Option<Claim> {
+        let Worst { column, time, reference, ours, share } = self.worst.as_ref()?;
         let ours_exists = ours.is_finite();
-        Claim {
+        Some(Claim {
             what: format!("{column} at {time} s, worst of {} values in {} columns", self.values, self.columns),
             reference: format!("{reference}"),
             ours: if ours_exists { format!("{ours}") } else { "no value".into() },
@@ -249,7 +246,7 @@ impl Group {
                 "–".into()
             },
             verdict: if *share <= 1.0 { Verdict::Agrees } else { self.how.verdict.verdict() },
-        }
+        })
     }
 }
 
