@@ -1,0 +1,223 @@
+//! The shared check of every element: its derivatives against finite differences, its reaction against virtual work.
+
+use super::coordinate::Coordinate;
+use super::driven::{DriveId, Rotation, Translation};
+use super::fixed::Fixed;
+use super::load::{PointLoad, Torque};
+use super::prismatic::{Guide, Prismatic};
+use super::revolute::{OffsetId, Revolute};
+use super::spring::Spring;
+use super::torsion_spring::TorsionSpring;
+use super::*;
+use crate::motion::Law;
+
+fn marker(body: usize, x: f64, y: f64) -> Marker {
+    Marker { body: BodyId(body), s: Vec2::new(x, y) }
+}
+
+fn guide() -> Guide {
+    Guide { first: marker(1, 0.3, -0.2), second: marker(2, -0.4, 0.1), axis: Vec2::new(0.6, 0.8) }
+}
+
+/// One of each kind. A new constraint is added here.
+pub(crate) fn all_constraints() -> Vec<(&'static str, Box<dyn Constraint>)> {
+    let (first, second) = (marker(1, 0.3, -0.2), marker(2, -0.4, 0.1));
+    vec![
+        ("revolute", Box::new(Revolute { first, second, offset: None })),
+        ("revolute with offset", Box::new(Revolute { first, second, offset: Some(OffsetId(0)) })),
+        ("revolute on ground", Box::new(Revolute { first: marker(0, 1.0, 2.0), second, offset: None })),
+        ("prismatic", Box::new(Prismatic { guide: guide(), angle: 0.2 })),
+        ("fixed", Box::new(Fixed { first, second, angle: -0.3 })),
+        ("rotation", Box::new(Rotation { body: BodyId(2), relative_to: BodyId(1), drive: DriveId(0) })),
+        ("translation", Box::new(Translation { guide: guide(), drive: DriveId(0) })),
+        ("coordinate x", Box::new(Coordinate { origin: second, axis: Axis::X, value: 0.4 })),
+        ("coordinate y", Box::new(Coordinate { origin: second, axis: Axis::Y, value: 0.4 })),
+        ("coordinate angle", Box::new(Coordinate { origin: second, axis: Axis::Theta, value: 0.4 })),
+    ]
+}
+
+const Q0: [f64; 6] = [0.1, -0.3, 0.7, 1.2, 0.4, -1.1];
+const V0: [f64; 6] = [0.5, 1.1, -0.8, -0.6, 0.9, 1.7];
+const A0: [f64; 6] = [-0.2, 0.3, 0.9, 1.4, -0.5, -1.2];
+
+/// Calls `f` with the instant t along q(t) = q₀ + v₀ t + a₀ t²/2 and matching inputs.
+fn along<T>(t: f64, f: impl Fn(&Instant) -> T) -> T {
+    let q: Vec<f64> = (0..6).map(|i| Q0[i] + V0[i] * t + 0.5 * A0[i] * t * t).collect();
+    let v: Vec<f64> = (0..6).map(|i| V0[i] + A0[i] * t).collect();
+    at_state(t, &q, &v, f)
+}
+
+fn at_state<T>(t: f64, q: &[f64], v: &[f64], f: impl Fn(&Instant) -> T) -> T {
+    let poses = [Pose::GROUND, Pose::new(q[0], q[1], q[2]), Pose::new(q[3], q[4], q[5])];
+    let twist = |k: usize| Twist { v: Vec2::new(v[k], v[k + 1]), omega: v[k + 2] };
+    let twists = [Twist::default(), twist(0), twist(3)];
+    let drive = [Law::Polynomial(vec![0.2, -0.5, 0.8, 0.3]).jet(t)];
+    let (ex, ey) = (Law::Polynomial(vec![0.01, 0.2, -0.3]).jet(t), Law::Polynomial(vec![-0.02, 0.1, 0.5]).jet(t));
+    let offset = [[Vec2::new(ex[0], ey[0]), Vec2::new(ex[1], ey[1]), Vec2::new(ex[2], ey[2])]];
+    f(&Instant { poses: &poses, twists: &twists, drive: &drive, offset: &offset, time: t })
+}
+
+fn phi(c: &dyn Constraint, at: &Instant) -> Vec<f64> {
+    let mut phi = vec![0.0; c.rows().len()];
+    c.position(at, &mut phi);
+    phi
+}
+
+/// J x by the element's entries.
+fn product(c: &dyn Constraint, at: &Instant, x: &[f64]) -> Vec<f64> {
+    let entries = c.entries();
+    let mut values = vec![0.0; entries.len()];
+    c.jacobian(at, &mut values);
+    let mut out = vec![0.0; c.rows().len()];
+    for (&(row, body, axis), value) in entries.iter().zip(&values) {
+        if body != BodyId::GROUND {
+            out[row] += value * x[3 * (body.0 - 1) + axis as usize];
+        }
+    }
+    out
+}
+
+#[test]
+fn jacobian_is_the_derivative_of_phi() {
+    let h = 1e-6;
+    for (name, c) in all_constraints() {
+        for column in 0..6 {
+            let shifted = |by: f64| {
+                let mut q = Q0;
+                q[column] += by;
+                at_state(0.0, &q, &V0, |at| phi(c.as_ref(), at))
+            };
+            let (lo, hi) = (shifted(-h), shifted(h));
+            let mut unit = [0.0; 6];
+            unit[column] = 1.0;
+            let exact = along(0.0, |at| product(c.as_ref(), at, &unit));
+            for row in 0..exact.len() {
+                let difference = (hi[row] - lo[row]) / (2.0 * h);
+                assert!(
+                    (difference - exact[row]).abs() < 1e-8,
+                    "{name}: row {row}, column {column}: {difference} {exact:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn rate_and_gamma_are_the_time_derivatives_of_phi() {
+    let h = 1e-4;
+    for (name, c) in all_constraints() {
+        let (lo, mid, hi) = (
+            along(-h, |at| phi(c.as_ref(), at)),
+            along(0.0, |at| phi(c.as_ref(), at)),
+            along(h, |at| phi(c.as_ref(), at)),
+        );
+        let (velocity, acceleration) = along(0.0, |at| {
+            let (mut rate, mut gamma) = (vec![0.0; mid.len()], vec![0.0; mid.len()]);
+            c.rate(at, &mut rate);
+            c.gamma(at, &mut gamma);
+            let (jv, ja) = (product(c.as_ref(), at, &V0), product(c.as_ref(), at, &A0));
+            let velocity: Vec<f64> = jv.iter().zip(&rate).map(|(a, b)| a + b).collect();
+            let acceleration: Vec<f64> = ja.iter().zip(&gamma).map(|(a, b)| a - b).collect();
+            (velocity, acceleration)
+        });
+        for row in 0..mid.len() {
+            let first = (hi[row] - lo[row]) / (2.0 * h);
+            let second = (hi[row] - 2.0 * mid[row] + lo[row]) / (h * h);
+            assert!((first - velocity[row]).abs() < 1e-6, "{name}: φ̇ {first} {velocity:?}");
+            assert!((second - acceleration[row]).abs() < 1e-5, "{name}: φ̈ {second} {acceleration:?}");
+        }
+    }
+}
+
+#[test]
+fn reaction_does_the_work_of_the_multipliers() {
+    // Moving only the second body, −λᵀ J v is the power of the reaction on it.
+    let second_moves = [0.0, 0.0, 0.0, V0[3], V0[4], V0[5]];
+    for (name, c) in all_constraints().into_iter().filter(|(name, _)| !name.starts_with("coordinate")) {
+        let lambda: Vec<f64> = (0..c.rows().len()).map(|k| 1.5 - 0.7 * k as f64).collect();
+        let (by_lambda, by_reaction) = at_state(0.0, &Q0, &second_moves, |at| {
+            let power: f64 = product(c.as_ref(), at, &second_moves).iter().zip(&lambda).map(|(a, b)| -a * b).sum();
+            let (force, torque) = c.reaction(at, &lambda);
+            (power, force.dot(&marker(2, -0.4, 0.1).velocity(at)) + torque * at.twists[2].omega)
+        });
+        assert!((by_lambda - by_reaction).abs() < 1e-12, "{name}: {by_lambda} {by_reaction}");
+    }
+}
+
+#[test]
+fn conservative_forces_are_minus_the_gradient_of_their_potential() {
+    let constant = |value: f64| Law::Polynomial(vec![value]);
+    let forces: Vec<(&str, Box<dyn Force>)> = vec![
+        (
+            "spring",
+            Box::new(Spring {
+                first: marker(1, 0.3, -0.2),
+                second: marker(2, -0.4, 0.1),
+                stiffness: 12.0,
+                damping: 0.0,
+                free_length: constant(0.4),
+            }),
+        ),
+        (
+            "torsion spring",
+            Box::new(TorsionSpring {
+                first: BodyId(1),
+                second: BodyId(2),
+                stiffness: 3.0,
+                damping: 0.0,
+                free_angle: constant(0.1),
+            }),
+        ),
+    ];
+    let h = 1e-6;
+    for (name, force) in forces {
+        let mut q_force = [0.0; 6];
+        at_state(0.0, &Q0, &V0, |at| {
+            let mut q = [0.0; 6];
+            force.apply(at, &mut Applied { q: &mut q });
+            q
+        })
+        .iter()
+        .zip(&mut q_force)
+        .for_each(|(a, b)| *b = *a);
+        for k in 0..6 {
+            let energy = |by: f64| {
+                let mut q = Q0;
+                q[k] += by;
+                at_state(0.0, &q, &V0, |at| force.potential(at))
+            };
+            let slope = (energy(h) - energy(-h)) / (2.0 * h);
+            assert!((slope + q_force[k]).abs() < 1e-7, "{name}: coordinate {k}: {slope} {}", q_force[k]);
+        }
+    }
+}
+
+#[test]
+fn dampers_take_power_and_loads_act_where_they_say() {
+    let constant = |value: f64| Law::Polynomial(vec![value]);
+    let spring = Spring {
+        first: marker(1, 0.3, -0.2),
+        second: marker(2, -0.4, 0.1),
+        stiffness: 0.0,
+        damping: 2.0,
+        free_length: constant(0.0),
+    };
+    at_state(0.0, &Q0, &V0, |at| {
+        let mut q = [0.0; 6];
+        spring.apply(at, &mut Applied { q: &mut q });
+        let d = spring.second.place(at) - spring.first.place(at);
+        let rate = d.dot(&(spring.second.velocity(at) - spring.first.velocity(at))) / d.norm();
+        let power: f64 = q.iter().zip(&V0).map(|(a, b)| a * b).sum();
+        assert!((power + 2.0 * rate * rate).abs() < 1e-12);
+    });
+    // A unit force along the body's x axis at (0.3, −0.2): moment +0.2 whatever the pose.
+    let load = PointLoad { at: marker(1, 0.3, -0.2), vector: [constant(1.0), constant(0.0)], follows_body: true };
+    let torque = Torque { body: BodyId(2), relative_to: BodyId(1), value: constant(0.5) };
+    at_state(0.0, &Q0, &V0, |at| {
+        let mut q = [0.0; 6];
+        load.apply(at, &mut Applied { q: &mut q });
+        assert!((q[2] - 0.2).abs() < 1e-15 && (q[0] - Q0[2].cos()).abs() < 1e-15, "{q:?}");
+        torque.apply(at, &mut Applied { q: &mut q });
+        assert!((q[2] + 0.3).abs() < 1e-15 && (q[5] - 0.5).abs() < 1e-15, "{q:?}");
+    });
+}

@@ -1,0 +1,41 @@
+//! Torsion spring–damper between two bodies.
+//!
+//! ```text
+//! T = k (θ₂ − θ₁ − β₀) + c (ω₂ − ω₁)    [N·m] on the first body, −T on the second;   V = ½ k (θ₂ − θ₁ − β₀)²
+//! ```
+
+use super::{Applied, BodyId, Force, Instant};
+use crate::math::Vec2;
+use crate::motion::Law;
+
+#[derive(Debug, Clone)]
+pub struct TorsionSpring {
+    pub first: BodyId,
+    pub second: BodyId,
+    /// k [N·m/rad]
+    pub stiffness: f64,
+    /// c [N·m·s/rad]
+    pub damping: f64,
+    /// β₀ [rad]
+    pub free_angle: Law,
+}
+
+impl TorsionSpring {
+    fn twist(&self, at: &Instant) -> f64 {
+        at.poses[self.second.0].theta - at.poses[self.first.0].theta - self.free_angle.jet(at.time)[0]
+    }
+}
+
+impl Force for TorsionSpring {
+    fn apply(&self, at: &Instant, to: &mut Applied) {
+        let rate = at.twists[self.second.0].omega - at.twists[self.first.0].omega;
+        let torque = self.stiffness * self.twist(at) + self.damping * rate;
+        to.add(self.first, Vec2::zeros(), torque);
+        to.add(self.second, Vec2::zeros(), -torque);
+    }
+
+    fn potential(&self, at: &Instant) -> f64 {
+        let twist = self.twist(at);
+        0.5 * self.stiffness * twist * twist
+    }
+}
