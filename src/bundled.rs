@@ -12,8 +12,10 @@ pub struct Bundled {
 }
 
 /// All of them, in alphabetical order; a test holds this against the folder.
-pub const MODELS: &[Bundled] =
-    &[Bundled { name: "four-bar", aliases: &[], text: include_str!("../models/four-bar.json") }];
+pub const MODELS: &[Bundled] = &[
+    Bundled { name: "four-bar", aliases: &[], text: include_str!("../models/four-bar.json") },
+    Bundled { name: "watt-i-lock", aliases: &["lock"], text: include_str!("../models/watt-i-lock.json") },
+];
 
 /// The bundled model of that name or alias.
 pub fn find(name: &str) -> Option<&'static Bundled> {

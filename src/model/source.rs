@@ -21,7 +21,6 @@ impl Source {
         Source { text: text.to_owned(), lines, sets: sets.to_vec(), root }
     }
 
-
     /// Line and column of a byte.
     pub(super) fn place_of(&self, at: usize) -> Place {
         let line = self.lines.partition_point(|&start| start <= at).max(1);

@@ -1,0 +1,340 @@
+//! Assembly with its diagnosis: what does not close, what is over- or underdetermined, and by whose fault.
+
+use super::Stop;
+use crate::element::Measure;
+use crate::error::Complaint;
+use crate::graph::Topology;
+use crate::output::{Mobility, Status};
+use crate::solve::closing::{Closed, close, least_velocity};
+use crate::solve::redundancy::{Rank, rank};
+use crate::system::{Block, Evaluation, Inputs, Origin, System};
+
+/// An assembled mechanism.
+#[derive(Debug, Clone)]
+pub struct Assembled {
+    pub q: Vec<f64>,
+    /// Rank of the joints' rows, and of joints' and drivers' rows together.
+    pub joints: Rank,
+    pub all: Rank,
+    pub mobility: Mobility,
+    pub iterations: u64,
+    pub warnings: Vec<String>,
+}
+
+/// Change of the coordinates, in rad or mechanism sizes, by which a singular start is left to see its ranks from outside.
+const NUDGE: f64 = 1e-2;
+/// A null vector's component below this is round-off of the rank decision.
+const MOVES: f64 = 1e-6;
+
+/// Assembles at `inputs` from the model's guess; with `initial` values exact.
+///
+/// # Errors
+/// [`Stop::Failed`] with status `assembly_failed` and the loop or the values that do not fit.
+pub fn assemble(system: &System, inputs: &Inputs) -> Result<Assembled, Stop> {
+    let all: Vec<&Block> = system.blocks.iter().chain(&system.initial).collect();
+    let closed = close(system, &all, &system.guess, inputs);
+    let (q, iterations, warnings) =
+        if closed.converged { (closed.q, closed.iterations, Vec::new()) } else { diagnose(system, inputs, closed)? };
+    let (joints, all) = ranks(system, &q, inputs);
+    let mobility = mobility(system, &joints);
+    Ok(Assembled { q, joints, all, mobility, iterations, warnings })
+}
+
+/// Ranks of the joints' rows and of all rows at `q`.
+pub fn ranks(system: &System, q: &[f64], inputs: &Inputs) -> (Rank, Rank) {
+    let mut evaluation = Evaluation::new(system);
+    evaluation.set_position(q);
+    evaluation.eval_jacobian(system, inputs);
+    let rows = sparse_rows(system, &evaluation.jacobian);
+    let n = system.n();
+    (rank(&rows[..system.joint_rows()], n), rank(&rows, n))
+}
+
+/// The scaled Jacobian by rows: (column, value).
+fn sparse_rows(system: &System, values: &[f64]) -> Vec<Vec<(usize, f64)>> {
+    let mut rows = vec![Vec::new(); system.m()];
+    for (entry, value) in system.entries.iter().zip(values) {
+        if let Some(column) = entry.column {
+            let (row, column) = (entry.row as usize, column as usize);
+            rows[row].push((column, value * system.column_scale(column) / system.row_scale(row)));
+        }
+    }
+    rows
+}
+
+/// Grübler's count and the count by rank, with the joints that are redundant.
+fn mobility(system: &System, joints: &Rank) -> Mobility {
+    let n = system.n() as i64;
+    let mut redundant: Vec<usize> = joints.dependent.iter().filter_map(|d| joint_of(system, d.row)).collect();
+    redundant.dedup();
+    let mut shared: Vec<usize> = joints
+        .dependent
+        .iter()
+        .flat_map(|d| d.on.iter().copied().chain([d.row]))
+        .filter_map(|row| joint_of(system, row))
+        .collect();
+    shared.sort_unstable();
+    shared.dedup();
+    let names = |joints: Vec<usize>| joints.into_iter().map(|k| system.joints[k].name.clone()).collect();
+    Mobility {
+        grubler: n - system.joint_rows() as i64,
+        rank: n - joints.rank as i64,
+        drivers: system.drivers.len(),
+        redundant: names(redundant),
+        reactions_not_unique: names(shared),
+    }
+}
+
+fn joint_of(system: &System, row: usize) -> Option<usize> {
+    match system.block_of_row(row).origin {
+        Origin::Joint(id) => Some(id.0),
+        Origin::Driver(_) | Origin::Initial(_) => None,
+    }
+}
+
+/// Finds out why everything together does not assemble, or assembles by another way.
+fn diagnose(system: &System, inputs: &Inputs, closed: Closed) -> Result<(Vec<f64>, u64, Vec<String>), Stop> {
+    let joints: Vec<&Block> = system.blocks.iter().filter(|b| matches!(b.origin, Origin::Joint(_))).collect();
+    let undriven = close(system, &joints, &system.guess, inputs);
+    if !undriven.converged {
+        return Err(Stop::failed(Status::AssemblyFailed, open_loop(system, &undriven)));
+    }
+    // The joints alone close: then it is a driver or an initial value.
+    let (by_joints, _) = ranks(system, &undriven.q, inputs);
+    let freedom = system.n() - by_joints.rank;
+    if system.drivers.len() > freedom {
+        return Err(Stop::Input(vec![over_driven(system, freedom)]));
+    }
+    let driven: Vec<&Block> = system.blocks.iter().collect();
+    if !system.initial.is_empty() && close(system, &driven, &system.guess, inputs).converged {
+        return Err(Stop::failed(Status::AssemblyFailed, conflicting(system, inputs)));
+    }
+    // Drive from where the joints close to where the drivers want it, in small parts.
+    if let Some((q, iterations)) = drive_there(system, inputs, &undriven.q) {
+        let warning = "assembled by moving the drivers from where the drawing has them to their first values; \
+                       check that this is the assembly you want, or give poses closer to it"
+            .to_string();
+        return Ok((q, closed.iterations + iterations, vec![warning]));
+    }
+    let worst = worst_block(system, &driven, &closed);
+    Err(Stop::failed(
+        Status::AssemblyFailed,
+        format!(
+            "can't assemble: the joints close, but not with the drivers at their first values ({worst} is off by {}); \
+             change the driver's start, or the lengths that keep it from there",
+            off(system, &driven, &closed)
+        ),
+    ))
+}
+
+/// Homotopy of the drivers from their values in a joints-only assembly to those of `inputs`.
+fn drive_there(system: &System, inputs: &Inputs, q: &[f64]) -> Option<(Vec<f64>, u64)> {
+    let mut evaluation = Evaluation::new(system);
+    evaluation.set_position(q);
+    evaluation.eval_phi(system, inputs);
+    let gaps: Vec<f64> = (0..system.drivers.len()).map(|k| evaluation.phi[system.joint_rows() + k]).collect();
+    let all: Vec<&Block> = system.blocks.iter().chain(&system.initial).collect();
+    let (mut q, mut part, mut step, mut iterations) = (q.to_vec(), 0.0, 0.05_f64, 0);
+    while part < 1.0 {
+        let next = (part + step).min(1.0);
+        let mut between = inputs.clone();
+        for (jet, gap) in between.drive.iter_mut().zip(&gaps) {
+            jet[0] -= gap * (1.0 - next);
+        }
+        let closed = close(system, &all, &q, &between);
+        iterations += closed.iterations;
+        let moved: Vec<f64> = closed.q.iter().zip(&q).map(|(a, b)| a - b).collect();
+        if closed.converged && system.scaled_norm(&moved) < 0.3 {
+            q = closed.q;
+            part = next;
+            step *= 1.5;
+        } else {
+            step *= 0.5;
+            if step < 1e-4 {
+                return None;
+            }
+        }
+    }
+    Some((q, iterations))
+}
+
+/// The loop with the largest gap, and that gap.
+fn open_loop(system: &System, closed: &Closed) -> String {
+    let topology = topology(system);
+    let length = |joint: usize| closed.gaps[joint];
+    let widest = topology
+        .loops()
+        .iter()
+        .map(|cycle| (cycle, cycle.joints.iter().map(|&joint| length(joint)).sum::<f64>()))
+        .max_by(|a, b| a.1.total_cmp(&b.1));
+    match widest {
+        Some((cycle, gap)) => {
+            let names: Vec<&str> = cycle.joints.iter().map(|&joint| system.joints[joint].name.as_str()).collect();
+            format!(
+                "can't assemble: the loop {} does not close; it lacks {} at the best position found; \
+                 change a length in it, or draw the guess closer to the assembly",
+                names.join(" – "),
+                length_text(gap * system.size)
+            )
+        }
+        None => {
+            let joints: Vec<&Block> = system.blocks.iter().filter(|b| matches!(b.origin, Origin::Joint(_))).collect();
+            format!(
+                "can't assemble: {} is off by {}",
+                worst_block(system, &joints, closed),
+                off(system, &joints, closed)
+            )
+        }
+    }
+}
+
+fn worst_index(closed: &Closed) -> usize {
+    (0..closed.gaps.len()).max_by(|&a, &b| closed.gaps[a].total_cmp(&closed.gaps[b])).unwrap_or(0)
+}
+
+fn worst_block(system: &System, blocks: &[&Block], closed: &Closed) -> String {
+    blocks.get(worst_index(closed)).map_or_else(|| "nothing".into(), |block| system.origin_name(&block.origin))
+}
+
+fn off(system: &System, blocks: &[&Block], closed: &Closed) -> String {
+    let index = worst_index(closed);
+    match blocks.get(index).map(|block| block.constraint.rows()[0]) {
+        Some(Measure::Angle) => format!("{:.4} rad", closed.gaps[index]),
+        _ => length_text(closed.gaps[index] * system.size),
+    }
+}
+
+/// A length with four digits, in metres.
+pub fn length_text(length: f64) -> String {
+    if (1e-3..1e4).contains(&length) { format!("{length:.4} m") } else { format!("{length:.3e} m") }
+}
+
+/// The initial values that can't be met together: each that the others leave no room for.
+fn conflicting(system: &System, inputs: &Inputs) -> String {
+    let mut names = Vec::new();
+    for left_out in 0..system.initial.len() {
+        let others: Vec<&Block> = system
+            .blocks
+            .iter()
+            .chain(system.initial.iter().enumerate().filter(|(k, _)| *k != left_out).map(|(_, block)| block))
+            .collect();
+        if close(system, &others, &system.guess, inputs).converged {
+            names.push(system.origin_name(&system.initial[left_out].origin));
+        }
+    }
+    if names.is_empty() {
+        names = system.initial.iter().map(|block| system.origin_name(&block.origin)).collect();
+    }
+    let who = names.join(" and ");
+    format!("can't assemble: {who} can't be met together with the joints and drivers; leave out one, or change it")
+}
+
+fn over_driven(system: &System, freedom: usize) -> Complaint {
+    let names: Vec<String> = system.drivers.iter().map(|d| format!("\"{}\"", d.name)).collect();
+    Complaint::new(
+        "drivers",
+        format!(
+            "too many drivers: the joints leave {freedom} degree{} of freedom, and there are {} drivers ({})",
+            if freedom == 1 { "" } else { "s" },
+            names.len(),
+            names.join(", ")
+        ),
+    )
+    .hint("take drivers out until their number is that of the degrees of freedom")
+}
+
+/// The graph of bodies and joints.
+pub fn topology(system: &System) -> Topology {
+    let joints: Vec<(usize, usize, usize)> = system
+        .joints
+        .iter()
+        .zip(&system.blocks)
+        .map(|(joint, block)| (joint.bodies[0].0, joint.bodies[1].0, block.rows))
+        .collect();
+    Topology::new(system.bodies.len() + 1, &joints)
+}
+
+/// Checks that the drivers determine the motion.
+///
+/// # Errors
+/// Too few or too many drivers (input), or a start in a singular position.
+pub fn check_driven(system: &System, assembled: &Assembled, inputs: &Inputs) -> Result<(), Stop> {
+    let n = system.n();
+    if assembled.all.rank == n {
+        return Ok(());
+    }
+    // A loss of rank may be the position's alone: look from a little beside it.
+    let beside = nudged(system, assembled, inputs);
+    let (joints, all) = beside.map_or((assembled.joints.clone(), assembled.all.clone()), |q| ranks(system, &q, inputs));
+    let freedom = n - joints.rank;
+    if system.drivers.len() > freedom {
+        return Err(Stop::Input(vec![over_driven(system, freedom)]));
+    }
+    if all.rank < n {
+        return Err(Stop::Input(vec![under_driven(system, freedom, &all)]));
+    }
+    Err(Stop::failed(
+        Status::Singular,
+        "the start is a singular position (the constraints lose rank there), so that more than one motion leads away from \
+         it; start a little beside it"
+            .into(),
+    ))
+}
+
+/// A position a little beside, along a null direction of all rows, with the joints closed again.
+fn nudged(system: &System, assembled: &Assembled, inputs: &Inputs) -> Option<Vec<f64>> {
+    let direction = assembled.all.null_vectors.first()?;
+    let largest = crate::math::max_abs(direction);
+    let mut q = assembled.q.clone();
+    for (k, (q, d)) in q.iter_mut().zip(direction).enumerate() {
+        *q += NUDGE * d / largest * system.column_scale(k);
+    }
+    let joints: Vec<&Block> = system.blocks.iter().filter(|b| matches!(b.origin, Origin::Joint(_))).collect();
+    let closed = close(system, &joints, &q, inputs);
+    closed.converged.then_some(closed.q)
+}
+
+fn under_driven(system: &System, freedom: usize, all: &Rank) -> Complaint {
+    let moving: Vec<String> = system
+        .bodies
+        .iter()
+        .enumerate()
+        .filter(|(k, _)| all.null_vectors.iter().any(|z| z[3 * k..3 * k + 3].iter().any(|z| z.abs() > MOVES)))
+        .map(|(_, body)| format!("\"{}\"", body.name))
+        .collect();
+    let drivers = system.drivers.len();
+    Complaint::new(
+        "drivers",
+        format!(
+            "too few drivers: the joints leave {freedom} degree{} of freedom, {drivers} driven; {} can still move",
+            if freedom == 1 { "" } else { "s" },
+            moving.join(", ")
+        ),
+    )
+    .hint("drive what is free, or hold it by a joint")
+}
+
+/// Velocities at an assembled position: those of least kinetic energy that satisfy constraints, drivers and the given
+/// initial velocities; where masses are unknown, of least square (lengths by the mechanism's size).
+///
+/// # Errors
+/// Initial velocities that conflict.
+pub fn velocities(system: &System, q: &[f64], inputs: &Inputs) -> Result<Vec<f64>, Stop> {
+    let (v, residual) = least_velocity(system, q, inputs);
+    let speed = system.scaled_norm(&v);
+    let worst = residual.iter().enumerate().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+    if let Some((k, off)) = worst
+        && off.abs() > 1e-7 * (1.0 + speed)
+    {
+        let names: Vec<&str> = system.initial_rates.iter().map(|(name, _)| name.as_str()).collect();
+        let _ = k;
+        return Err(Stop::failed(
+            Status::AssemblyFailed,
+            format!(
+                "can't assemble: the initial velocities {} can't be met together with the joints and drivers",
+                names.join(", ")
+            ),
+        ));
+    }
+    Ok(v)
+}

@@ -1,0 +1,198 @@
+//! The analyses: from a model to a trajectory and a report.
+
+pub mod assembly;
+pub mod check;
+pub mod clearance_link;
+pub mod driven;
+mod instants;
+pub mod record;
+
+pub use check::{Check, check};
+
+use crate::error::Complaint;
+use crate::model::{AnalysisKind, Model};
+use crate::output::{Event, Report, Status, Stopwatch, Trajectory};
+use crate::system::{Evaluation, Inputs, System, compile::compile};
+use record::{Contents, Recorder, Sample};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+/// Outside influence on a run.
+#[derive(Debug, Clone, Default)]
+pub struct Control {
+    /// When to give up (`max_wall_time`).
+    pub deadline: Option<Instant>,
+    /// Set when the user wants the run to stop.
+    pub interrupted: Arc<AtomicBool>,
+}
+
+impl Control {
+    /// The reason to stop now, if there is one.
+    pub fn stop(&self) -> Option<Status> {
+        if self.interrupted.load(Ordering::Relaxed) {
+            return Some(Status::Interrupted);
+        }
+        self.deadline.is_some_and(|deadline| Instant::now() >= deadline).then_some(Status::TimeLimit)
+    }
+}
+
+/// What a run leaves.
+#[derive(Debug, Clone)]
+pub struct Outcome {
+    pub trajectory: Trajectory,
+    pub report: Report,
+    /// The analysis as resolved, for the summary.
+    pub settings: serde_json::Value,
+}
+
+/// Why a run can't go on.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Stop {
+    /// The input is bad.
+    Input(Vec<Complaint>),
+    /// Numerics or geometry forbid to go on.
+    Failed { status: Status, message: String },
+}
+
+impl Stop {
+    pub fn failed(status: Status, message: String) -> Self {
+        Stop::Failed { status, message }
+    }
+}
+
+/// Runs the model's analysis.
+///
+/// # Errors
+/// Faults of the input: no analysis, an analysis or clearance model that is not built yet, missing data, too few or too
+/// many drivers. Everything else ends in the report's status, with what was computed until then.
+pub fn run(model: &Model, control: &Control) -> Result<Outcome, Vec<Complaint>> {
+    let Some(analysis) = &model.analysis else {
+        return Err(vec![Complaint::new("analysis", "the model says no analysis to run").hint(
+            "add \"analysis\": { \"type\": \"kinematics\", \"end\": 1, \"outputs\": 101 }, or use `linkdyn check`",
+        )]);
+    };
+    let refused = match analysis.kind {
+        AnalysisKind::Assembly | AnalysisKind::Kinematics | AnalysisKind::InverseDynamics => None,
+        AnalysisKind::Dynamics => Some("dynamics"),
+        AnalysisKind::Statics => Some("statics"),
+    };
+    if let Some(name) = refused {
+        return Err(vec![
+            Complaint::new("analysis.type", format!("the analysis type `{name}` is not built yet in this version"))
+                .found(format!("\"{name}\""))
+                .hint("use \"assembly\", \"kinematics\" or \"inverse_dynamics\""),
+        ]);
+    }
+    let system = compile(model, analysis.kind)?;
+    let outcome = match analysis.kind {
+        AnalysisKind::Assembly => run_assembly(&system),
+        AnalysisKind::Kinematics | AnalysisKind::InverseDynamics | AnalysisKind::Dynamics | AnalysisKind::Statics => {
+            driven::run(&system, analysis, control)
+        }
+    };
+    let (mut trajectory, mut report) = match outcome {
+        Ok(found) => found,
+        Err(Stop::Input(complaints)) => return Err(complaints),
+        Err(Stop::Failed { status, message }) => {
+            let contents = Contents { accelerations: true, reactions: analysis.kind == AnalysisKind::InverseDynamics };
+            let trajectory = Recorder::new(&system, contents, 0).trajectory;
+            (trajectory, Report { status, message: Some(message), ..Report::default() })
+        }
+    };
+    report.warnings.extend(trajectory.select(&analysis.columns));
+    Ok(Outcome { trajectory, report, settings: settings(analysis) })
+}
+
+/// An analysis as the file calls it.
+fn kind_word(kind: AnalysisKind) -> &'static str {
+    match kind {
+        AnalysisKind::Assembly => "assembly",
+        AnalysisKind::Kinematics => "kinematics",
+        AnalysisKind::InverseDynamics => "inverse_dynamics",
+        AnalysisKind::Dynamics => "dynamics",
+        AnalysisKind::Statics => "statics",
+    }
+}
+
+/// The analysis as resolved.
+fn settings(analysis: &crate::model::Analysis) -> serde_json::Value {
+    let solver = &analysis.solver;
+    let mut json = serde_json::json!({
+        "type": kind_word(analysis.kind),
+        "end": analysis.end,
+        "outputs": analysis.outputs,
+        "sample": analysis.sample.as_ref().map(|sample| serde_json::json!({
+            "driver": sample.driver, "from": sample.from, "to": sample.to, "step": sample.step,
+        })),
+        "solver": {
+            "method": solver.method, "rtol": solver.rtol, "atol": solver.atol, "max_step": solver.max_step,
+            "initial_step": solver.initial_step, "max_wall_time": solver.max_wall_time,
+        },
+        "columns": analysis.columns,
+    });
+    // What is left out in the file is left out here.
+    if let Some(map) = json.as_object_mut() {
+        map.retain(|_, value| !value.is_null());
+        if let Some(solver) = map.get_mut("solver").and_then(|solver| solver.as_object_mut()) {
+            solver.retain(|_, value| !value.is_null());
+        }
+    }
+    json
+}
+
+/// The position at t = 0, with the velocities of least kinetic energy.
+fn run_assembly(system: &System) -> Result<(Trajectory, Report), Stop> {
+    let clock = Stopwatch::start();
+    let inputs = Inputs::at_time(system, 0.0);
+    let assembled = assembly::assemble(system, &inputs)?;
+    let mut sample = Sample::new(system);
+    sample.v = assembly::velocities(system, &assembled.q, &inputs)?;
+    sample.q = assembled.q;
+    let mut evaluation = Evaluation::new(system);
+    evaluation.set_position(&sample.q);
+    evaluation.set_velocity(&sample.v);
+    evaluation.eval_phi(system, &inputs);
+    let mut recorder = Recorder::new(system, Contents { accelerations: false, reactions: false }, 1);
+    recorder.push(system, &evaluation, &inputs, &sample);
+    let mut report = Report { mobility: assembled.mobility, warnings: assembled.warnings, ..Report::default() };
+    report.statistics.newton_iterations = assembled.iterations;
+    report.quality.constraint_residual = system.scaled_residual(&evaluation.phi);
+    report.assemble = clock.read();
+    Ok((recorder.trajectory, report))
+}
+
+/// Joins consecutive instants of one kind into an event over an interval.
+#[derive(Debug, Default)]
+struct Interval {
+    open: Option<Event>,
+}
+
+impl Interval {
+    /// The instant belongs to the interval.
+    fn extend(&mut self, kind: &'static str, time: f64, driver: Option<(String, f64)>, note: &str) {
+        let value = driver.as_ref().map(|(_, value)| *value);
+        match &mut self.open {
+            Some(event) => {
+                event.end_time = Some(time);
+                event.end_value = value;
+            }
+            None => {
+                self.open = Some(Event {
+                    kind,
+                    time,
+                    end_time: Some(time),
+                    driver: driver.map(|(name, _)| name),
+                    value,
+                    end_value: value,
+                    note: Some(note.to_string()),
+                });
+            }
+        }
+    }
+
+    /// The interval ends before this instant.
+    fn close(&mut self, events: &mut Vec<Event>) {
+        events.extend(self.open.take());
+    }
+}

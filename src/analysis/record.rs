@@ -1,0 +1,182 @@
+//! Result columns of a system, and the rows that fill them: the one place where a quantity becomes a column.
+
+use crate::element::{Instant, Measure};
+use crate::output::{Column, Trajectory};
+use crate::system::{BodyData, Evaluation, Inputs, System};
+
+/// What an analysis computes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Contents {
+    pub accelerations: bool,
+    pub reactions: bool,
+}
+
+/// Values at one output instant, SI; NaN where a value does not exist.
+#[derive(Debug, Clone)]
+pub struct Sample {
+    pub q: Vec<f64>,
+    pub v: Vec<f64>,
+    pub a: Vec<f64>,
+    pub lambda: Vec<f64>,
+    /// Q (n): gravity, springs, loads.
+    pub force: Vec<f64>,
+    /// Q − M a (n): what the constraints carry.
+    pub balance: Vec<f64>,
+}
+
+impl Sample {
+    pub fn new(system: &System) -> Self {
+        let zero = vec![0.0; system.n()];
+        Sample {
+            q: zero.clone(),
+            v: zero.clone(),
+            a: zero.clone(),
+            lambda: vec![0.0; system.m()],
+            force: zero.clone(),
+            balance: zero,
+        }
+    }
+}
+
+/// Columns in the order of the contract, and the trajectory they fill.
+pub struct Recorder {
+    contents: Contents,
+    pub trajectory: Trajectory,
+}
+
+impl Recorder {
+    pub fn new(system: &System, contents: Contents, rows: usize) -> Self {
+        let columns = columns(system, contents);
+        let data = Vec::with_capacity(rows * columns.len());
+        Recorder { contents, trajectory: Trajectory { columns, data } }
+    }
+
+    /// Appends a row; `evaluation` has the sample's position and velocity.
+    pub fn push(&mut self, system: &System, evaluation: &Evaluation, inputs: &Inputs, sample: &Sample) {
+        let at = evaluation.instant(inputs);
+        let row = &mut self.trajectory.data;
+        row.push(inputs.time);
+        for (k, body) in system.bodies.iter().enumerate() {
+            self.contents.body(&at, k, body, sample, row);
+        }
+        for point in &system.points {
+            let marker = &point.marker;
+            let (place, velocity) = (marker.place(&at), marker.velocity(&at));
+            row.extend([place.x, place.y, velocity.x, velocity.y]);
+            if self.contents.accelerations {
+                let mut acceleration = marker.centripetal(&at);
+                if marker.body.0 > 0 {
+                    let a = &sample.a[3 * (marker.body.0 - 1)..];
+                    let rho = marker.rho(&at);
+                    acceleration.x += a[0] - a[2] * rho.y;
+                    acceleration.y += a[1] + a[2] * rho.x;
+                }
+                row.extend([acceleration.x, acceleration.y]);
+            }
+        }
+        // Blocks stand in the order joints, drivers.
+        for (joint, block) in system.joints.iter().zip(&system.blocks) {
+            if self.contents.reactions {
+                let (force, torque) = block.constraint.reaction(&at, &sample.lambda[block.row..block.row + block.rows]);
+                row.extend([force.x, force.y]);
+                row.extend(joint.torque.then_some(torque));
+            }
+            if joint.has_clearance {
+                let offset = joint.clearance.map_or([0.0; 2], |link| inputs.offset[link.offset][0].into());
+                row.extend(offset);
+            }
+        }
+        for (k, jet) in inputs.drive.iter().enumerate() {
+            row.push(jet[0]);
+            if self.contents.reactions {
+                row.push(sample.lambda[system.joint_rows() + k]);
+            }
+        }
+        if system.masses_known {
+            row.extend([evaluation.kinetic_energy(system, &sample.v), evaluation.potential_energy(system, inputs)]);
+        }
+    }
+
+    /// Appends a row at an instant without solution: time and driver values only.
+    pub fn push_gap(&mut self, inputs: &Inputs) {
+        let start = self.trajectory.data.len();
+        let columns = &self.trajectory.columns;
+        self.trajectory.data.resize(start + columns.len(), f64::NAN);
+        self.trajectory.data[start] = inputs.time;
+        let values =
+            columns.iter().enumerate().filter(|(_, c)| c.name.starts_with("driver.") && c.name.ends_with(".value"));
+        for ((k, _), jet) in values.zip(&inputs.drive) {
+            self.trajectory.data[start + k] = jet[0];
+        }
+    }
+}
+
+impl Contents {
+    fn body(self, at: &Instant, k: usize, body: &BodyData, sample: &Sample, row: &mut Vec<f64>) {
+        let (pose, twist) = (&at.poses[k + 1], &at.twists[k + 1]);
+        // From the centre of mass to the frame's origin.
+        let rho = pose.turn(body.origin);
+        let omega = twist.omega;
+        row.extend([pose.r.x + rho.x, pose.r.y + rho.y, pose.theta]);
+        row.extend([twist.v.x - omega * rho.y, twist.v.y + omega * rho.x, omega]);
+        if self.accelerations {
+            let a = &sample.a[3 * k..3 * k + 3];
+            let square = omega * omega;
+            row.extend([a[0] - a[2] * rho.y - square * rho.x, a[1] + a[2] * rho.x - square * rho.y, a[2]]);
+        }
+    }
+}
+
+fn columns(system: &System, contents: Contents) -> Vec<Column> {
+    let mut columns = vec![Column { name: "time".into(), unit: "s" }];
+    let mut add = |owner: &str, quantities: &[(&str, &'static str)]| {
+        columns.extend(quantities.iter().map(|(quantity, unit)| Column { name: format!("{owner}.{quantity}"), unit }));
+    };
+    const PLACE: [(&str, &str); 2] = [("x", "m"), ("y", "m")];
+    const RATE: [(&str, &str); 2] = [("vx", "m/s"), ("vy", "m/s")];
+    const CHANGE: [(&str, &str); 2] = [("ax", "m/s^2"), ("ay", "m/s^2")];
+    for body in &system.bodies {
+        add(&body.name, &PLACE);
+        add(&body.name, &[("angle", "rad")]);
+        add(&body.name, &RATE);
+        add(&body.name, &[("omega", "rad/s")]);
+        if contents.accelerations {
+            add(&body.name, &CHANGE);
+            add(&body.name, &[("alpha", "rad/s^2")]);
+        }
+    }
+    for point in &system.points {
+        add(&point.name, &PLACE);
+        add(&point.name, &RATE);
+        if contents.accelerations {
+            add(&point.name, &CHANGE);
+        }
+    }
+    for joint in &system.joints {
+        let owner = format!("joint.{}", joint.name);
+        if contents.reactions {
+            add(&owner, &[("fx", "N"), ("fy", "N")]);
+            if joint.torque {
+                add(&owner, &[("torque", "N*m")]);
+            }
+        }
+        if joint.has_clearance {
+            add(&owner, &[("ex", "m"), ("ey", "m")]);
+        }
+    }
+    for driver in &system.drivers {
+        let owner = format!("driver.{}", driver.name);
+        let (value, effort) = match driver.measure {
+            Measure::Angle => ("rad", "N*m"),
+            Measure::Length => ("m", "N"),
+        };
+        add(&owner, &[("value", value)]);
+        if contents.reactions {
+            add(&owner, &[("effort", effort)]);
+        }
+    }
+    if system.masses_known {
+        add("energy", &[("kinetic", "J"), ("potential", "J")]);
+    }
+    columns
+}

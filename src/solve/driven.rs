@@ -1,0 +1,397 @@
+//! A fully driven mechanism at one instant: positions by Newton, velocities, accelerations and multipliers from the same
+//! factors.
+//!
+//! ```text
+//! position       J_A Δq = −φ_A                     (repeated)
+//! velocity       J_A v  = −φ_t
+//! acceleration   J_A a  = γ
+//! multipliers    J_Aᵀ g = Q − M a ;   λ of least norm when constraints are redundant
+//! ```
+//!
+//! A is a set of n independent rows. Without redundancy it is all rows; else J_R = C J_A for the others, every multiplier
+//! vector with λ_A + Cᵀ λ_R = g is in equilibrium, and the one of least Euclidean norm (SI units) has
+//! (I + C Cᵀ) λ_R = C g.
+//!
+//! All matrices are scaled, lengths by the mechanism's size, so that pivots mean the same for every model.
+
+use super::lu::{Singular, SparseLu};
+use super::order::ColumnOrder;
+use super::pattern::{Pattern, square};
+use super::redundancy::well_conditioned_rows;
+use crate::math::max_abs;
+use crate::system::{Evaluation, Inputs, System};
+
+/// Work done.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Work {
+    pub newton_iterations: u64,
+    pub evaluations: u64,
+    pub factorisations: u64,
+}
+
+/// How a position solve went.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Correction {
+    /// Largest step of the first iteration, scaled [–]: how far the guess was off.
+    pub first_step: f64,
+    /// Largest ratio of successive steps; 0 when one was enough.
+    pub contraction: f64,
+    /// Scaled residual over all rows [–].
+    pub residual: f64,
+}
+
+/// Why there is no solution from a guess.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Failure {
+    /// The Jacobian is singular.
+    Singular,
+    /// Newton does not converge; scaled residual.
+    Diverged { residual: f64 },
+    /// The independent constraints are met, the redundant ones are not.
+    Inconsistent { residual: f64 },
+}
+
+impl From<Singular> for Failure {
+    fn from(_: Singular) -> Self {
+        Failure::Singular
+    }
+}
+
+/// A residual of this size (lengths by the mechanism's size) is round-off of evaluating φ: a few ulps of coordinates of
+/// the order of the size.
+const RESIDUAL_FLOOR: f64 = 4e-15;
+/// After a Newton step of this size the next one, its square times the curvature, is below round-off.
+const LAST_STEP: f64 = 1e-10;
+/// Residual above which the redundant rows do not hold (they must, to round-off, when the independent ones do).
+const INCONSISTENT: f64 = 1e-9;
+const MAX_ITERATIONS: usize = 25;
+
+/// n independent rows, and where their entries go.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Selection {
+    active: Vec<usize>,
+    redundant: Vec<usize>,
+}
+
+/// Solver for one driven mechanism.
+pub struct Driven<'s> {
+    pub system: &'s System,
+    pub evaluation: Evaluation,
+    selection: Selection,
+    /// Slot of each system entry in `values`; the last cell takes what belongs to ground or to a redundant row.
+    slots: Vec<u32>,
+    /// Scale of each system entry.
+    scales: Vec<f64>,
+    values: Vec<f64>,
+    nnz: usize,
+    lu: SparseLu,
+    work: Vec<f64>,
+    rows: Vec<f64>,
+    pub done: Work,
+}
+
+impl<'s> Driven<'s> {
+    /// A solver whose independent rows are chosen at `q`.
+    ///
+    /// # Errors
+    /// When fewer than n rows are independent there.
+    pub fn new(system: &'s System, q: &[f64], inputs: &Inputs) -> Result<Self, Failure> {
+        let mut evaluation = Evaluation::new(system);
+        evaluation.set_position(q);
+        evaluation.eval_jacobian(system, inputs);
+        let selection = Driven::select(system, &evaluation)?;
+        let scales = system
+            .entries
+            .iter()
+            .map(|e| e.column.map_or(0.0, |c| system.column_scale(c as usize) / system.row_scale(e.row as usize)))
+            .collect();
+        let (n, m) = (system.n(), system.m());
+        let (pattern, slots) = Driven::layout(system, &selection);
+        let nnz = pattern.entries();
+        let values = vec![0.0; nnz + 1];
+        let mut driven = Driven {
+            system,
+            evaluation,
+            selection,
+            slots,
+            scales,
+            values,
+            nnz,
+            lu: SparseLu::new(pattern.clone(), ColumnOrder::natural(n)),
+            work: vec![0.0; n],
+            rows: vec![0.0; m],
+            done: Work::default(),
+        };
+        driven.scatter();
+        driven.order(&pattern)?;
+        Ok(driven)
+    }
+
+    fn select(system: &System, evaluation: &Evaluation) -> Result<Selection, Failure> {
+        let (n, m) = (system.n(), system.m());
+        if m == n {
+            return Ok(Selection { active: (0..n).collect(), redundant: Vec::new() });
+        }
+        // Drivers first: they are what moves the mechanism.
+        let dense = system.dense_scaled(&evaluation.jacobian);
+        let first: Vec<usize> = (system.joint_rows()..m).collect();
+        let mut active = well_conditioned_rows(&dense, m, n, &first);
+        if active.len() < n {
+            return Err(Failure::Singular);
+        }
+        active.sort_unstable();
+        let redundant = (0..m).filter(|row| active.binary_search(row).is_err()).collect();
+        Ok(Selection { active, redundant })
+    }
+
+    fn layout(system: &System, selection: &Selection) -> (Pattern, Vec<u32>) {
+        let mut entries = Vec::new();
+        let mut owners = Vec::new();
+        for (k, entry) in system.entries.iter().enumerate() {
+            if let (Some(column), Ok(row)) = (entry.column, selection.active.binary_search(&(entry.row as usize))) {
+                entries.push((row, column as usize));
+                owners.push(k);
+            }
+        }
+        let (pattern, inner) = square(system.n(), &entries);
+        let mut slots = vec![pattern.entries() as u32; system.entries.len()];
+        for (owner, slot) in owners.into_iter().zip(inner) {
+            slots[owner] = slot;
+        }
+        (pattern, slots)
+    }
+
+    fn order(&mut self, pattern: &Pattern) -> Result<(), Failure> {
+        let order = ColumnOrder::paired(pattern, &self.values[..self.nnz]).map_err(|_| Failure::Singular)?;
+        self.lu = SparseLu::new(pattern.clone(), order);
+        self.done.factorisations += 1;
+        Ok(self.lu.factor(&self.values[..self.nnz])?)
+    }
+
+    /// Chooses independent rows anew at the position of the last solve; needed along a path only with redundancy.
+    ///
+    /// # Errors
+    /// When fewer than n rows are independent there.
+    pub fn reselect(&mut self, inputs: &Inputs) -> Result<(), Failure> {
+        if self.selection.redundant.is_empty() {
+            return Ok(());
+        }
+        self.evaluation.eval_jacobian(self.system, inputs);
+        let selection = Driven::select(self.system, &self.evaluation)?;
+        if selection != self.selection {
+            let (pattern, slots) = Driven::layout(self.system, &selection);
+            self.nnz = pattern.entries();
+            self.values = vec![0.0; self.nnz + 1];
+            self.selection = selection;
+            self.slots = slots;
+            self.scatter();
+            self.order(&pattern)?;
+        }
+        Ok(())
+    }
+
+    /// Whether some constraints are redundant.
+    pub fn is_redundant(&self) -> bool {
+        !self.selection.redundant.is_empty()
+    }
+
+    /// The independent rows.
+    pub fn active_rows(&self) -> &[usize] {
+        &self.selection.active
+    }
+
+    fn scatter(&mut self) {
+        for ((&slot, &scale), &value) in self.slots.iter().zip(&self.scales).zip(&self.evaluation.jacobian) {
+            self.values[slot as usize] = value * scale;
+        }
+    }
+
+    /// J and its factors at the position last taken.
+    ///
+    /// # Errors
+    /// [`Failure::Singular`].
+    pub fn factor(&mut self, inputs: &Inputs) -> Result<(), Failure> {
+        self.evaluation.eval_jacobian(self.system, inputs);
+        self.scatter();
+        self.done.factorisations += 1;
+        Ok(self.lu.refactor(&self.values[..self.nnz])?)
+    }
+
+    /// x = S_q J̃_A⁻¹ S_φ⁻¹ rhs, where `rhs` is in `self.rows`; the result goes to `x`.
+    fn solve_rows(&mut self, x: &mut [f64]) {
+        for (w, &row) in x.iter_mut().zip(&self.selection.active) {
+            *w = self.rows[row] / self.system.row_scale(row);
+        }
+        self.lu.solve(x);
+        for (column, x) in x.iter_mut().enumerate() {
+            *x *= self.system.column_scale(column);
+        }
+    }
+
+    /// Moves `q` onto the constraints.
+    ///
+    /// # Errors
+    /// See [`Failure`]; `q` is then wherever the iteration was.
+    pub fn correct(&mut self, q: &mut [f64], inputs: &Inputs) -> Result<Correction, Failure> {
+        let mut step = std::mem::take(&mut self.work);
+        let result = self.iterate(q, inputs, &mut step);
+        self.work = step;
+        result
+    }
+
+    fn iterate(&mut self, q: &mut [f64], inputs: &Inputs, step: &mut [f64]) -> Result<Correction, Failure> {
+        let (mut first, mut last, mut contraction) = (0.0, f64::INFINITY, 0.0_f64);
+        for iteration in 0..MAX_ITERATIONS {
+            self.evaluation.set_position(q);
+            self.evaluation.eval_phi(self.system, inputs);
+            self.done.evaluations += 1;
+            let residual = self.active_residual();
+            if !residual.is_finite() {
+                break;
+            }
+            if iteration > 0 && (residual <= RESIDUAL_FLOOR || last <= LAST_STEP) {
+                let residual = self.system.scaled_residual(&self.evaluation.phi);
+                return if residual > INCONSISTENT {
+                    Err(Failure::Inconsistent { residual })
+                } else {
+                    Ok(Correction { first_step: first, contraction, residual })
+                };
+            }
+            self.factor(inputs)?;
+            for (r, phi) in self.rows.iter_mut().zip(&self.evaluation.phi) {
+                *r = -phi;
+            }
+            self.solve_rows(step);
+            self.done.newton_iterations += 1;
+            let size = self.system.scaled_norm(step);
+            if iteration == 0 {
+                first = size;
+            } else if size > LAST_STEP {
+                contraction = contraction.max(size / last);
+                // Newton that does not contract is lost, and would wander to another branch if it were let.
+                if size > 2.0 * last || size.is_nan() {
+                    break;
+                }
+            }
+            last = size;
+            q.iter_mut().zip(&*step).for_each(|(q, d)| *q += d);
+        }
+        Err(Failure::Diverged { residual: self.active_residual() })
+    }
+
+    fn active_residual(&self) -> f64 {
+        self.selection.active.iter().fold(0.0, |m: f64, &row| {
+            let r = self.evaluation.phi[row].abs() / self.system.row_scale(row);
+            if r > m || r.is_nan() { r } else { m }
+        })
+    }
+
+    /// Velocities at the position last taken; [`Driven::factor`] must have been called there.
+    pub fn velocity(&mut self, inputs: &Inputs, v: &mut [f64]) {
+        self.evaluation.eval_rate(self.system, inputs, &mut self.rows);
+        self.rows.iter_mut().for_each(|r| *r = -*r);
+        self.solve_rows(v);
+        self.evaluation.set_velocity(v);
+    }
+
+    /// Accelerations at the position and velocity last taken.
+    pub fn acceleration(&mut self, inputs: &Inputs, a: &mut [f64]) {
+        self.evaluation.eval_gamma(self.system, inputs, &mut self.rows);
+        self.solve_rows(a);
+    }
+
+    /// Multipliers λ (m) with Jᵀ λ = `b` (n), of least norm where not unique.
+    pub fn multipliers(&mut self, b: &[f64], lambda: &mut [f64]) {
+        let mut g = std::mem::take(&mut self.work);
+        self.solve_transposed(b, &mut g);
+        lambda.fill(0.0);
+        for (g, &row) in g.iter().zip(&self.selection.active) {
+            lambda[row] = *g;
+        }
+        self.work = g;
+        if self.is_redundant() {
+            let basis = self.self_stress();
+            project_out(&basis, lambda);
+        }
+    }
+
+    /// g (n) with J_Aᵀ g = b, unscaled.
+    fn solve_transposed(&mut self, b: &[f64], g: &mut [f64]) {
+        for (column, (g, b)) in g.iter_mut().zip(b).enumerate() {
+            *g = b * self.system.column_scale(column);
+        }
+        self.lu.solve_transposed(g);
+        for (g, &row) in g.iter_mut().zip(&self.selection.active) {
+            *g /= self.system.row_scale(row);
+        }
+    }
+
+    /// Basis of the self-stresses, {z (m): Jᵀ z = 0}, one vector per redundant row, at the last factors.
+    pub fn self_stress(&mut self) -> Vec<Vec<f64>> {
+        let (n, m) = (self.system.n(), self.system.m());
+        let mut basis = Vec::with_capacity(self.selection.redundant.len());
+        for k in 0..self.selection.redundant.len() {
+            let row = self.selection.redundant[k];
+            let mut z = vec![0.0; m];
+            z[row] = 1.0;
+            let mut pull = vec![0.0; n];
+            self.evaluation.transposed_product(self.system, &z, &mut pull);
+            let mut g = vec![0.0; n];
+            self.solve_transposed(&pull, &mut g);
+            for (g, &active) in g.iter().zip(&self.selection.active) {
+                z[active] = -g;
+            }
+            basis.push(z);
+        }
+        basis
+    }
+
+    /// Sign of det J̃_A, and an estimate of the smallest singular value with its right (n) and left (n, by active row)
+    /// vectors, at the last factors.
+    pub fn condition(&mut self, right: &mut [f64], left: &mut [f64]) -> (f64, f64) {
+        let sign = self.lu.determinant().0;
+        (sign, self.lu.smallest_singular(INVERSE_ITERATIONS, right, left))
+    }
+
+    /// 1 / (rightᵀ J̃_A⁻¹ left): a smooth function of the position that vanishes where J does (Griewank and Reddien 1984).
+    pub fn test_function(&mut self, right: &[f64], left: &[f64]) -> f64 {
+        self.work.copy_from_slice(left);
+        self.lu.solve(&mut self.work);
+        1.0 / crate::math::dot(right, &self.work)
+    }
+
+    /// The scaled Jacobian with all rows (m × n, row-major) at the position last taken.
+    pub fn dense_scaled(&mut self, inputs: &Inputs) -> Vec<f64> {
+        self.evaluation.eval_jacobian(self.system, inputs);
+        self.system.dense_scaled(&self.evaluation.jacobian)
+    }
+}
+
+/// Inverse iterations for the smallest singular value: it is wanted to a few percent.
+const INVERSE_ITERATIONS: usize = 3;
+
+/// λ minus its part in the span of `basis`: least norm among all λ that differ by self-stresses.
+fn project_out(basis: &[Vec<f64>], lambda: &mut [f64]) {
+    // Modified Gram–Schmidt, twice for orthogonality to round-off.
+    let mut done: Vec<Vec<f64>> = Vec::with_capacity(basis.len());
+    for z in basis {
+        let mut z = z.clone();
+        for _ in 0..2 {
+            for e in &done {
+                let along = crate::math::dot(e, &z);
+                z.iter_mut().zip(e).for_each(|(z, e)| *z -= along * e);
+            }
+        }
+        let norm = crate::math::dot(&z, &z).sqrt();
+        if norm > 0.0 && max_abs(&z).is_finite() {
+            z.iter_mut().for_each(|z| *z /= norm);
+            done.push(z);
+        }
+    }
+    for _ in 0..2 {
+        for e in &done {
+            let along = crate::math::dot(e, lambda);
+            lambda.iter_mut().zip(e).for_each(|(l, e)| *l -= along * e);
+        }
+    }
+}

@@ -1,0 +1,35 @@
+//! Linear algebra on fixed patterns, and the solves of a driven mechanism.
+//!
+//! ```text
+//! pattern       where the entries stand, compressed by columns
+//! matching      pairing of rows with columns, structural rank
+//! order         elimination order and preferred pivots of a square matrix
+//! lu            sparse LU with frozen pivots: A x = b, Aᵀ x = b, determinant, smallest singular value
+//! redundancy    independent rows, free directions
+//! closing       assembly from rough guesses (Levenberg–Marquardt)
+//! driven        positions, velocities, accelerations, multipliers at one instant
+//! hermite       osculating polynomials
+//! continuation  the path of a driven mechanism, branch-safe, with its singular positions
+//! ```
+//!
+//! A step loop holds one [`SparseLu`], factors once and then only refactors and solves, without allocating.
+
+pub mod closing;
+pub mod continuation;
+pub mod driven;
+pub mod hermite;
+pub mod lu;
+pub mod matching;
+pub mod order;
+pub mod pattern;
+pub mod redundancy;
+mod triangle;
+
+#[cfg(test)]
+#[path = "../../tests/common/linkage.rs"]
+mod linkage;
+
+pub use lu::{Singular, SparseLu};
+pub use matching::Unmatched;
+pub use order::ColumnOrder;
+pub use pattern::{Pattern, PatternFault};

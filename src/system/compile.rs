@@ -1,0 +1,341 @@
+//! Words → numbers: the only place where a [`Model`] and a [`System`] meet.
+
+use super::{
+    Block, BodyData, ClearanceLink, DriverData, DriverId, JacobianEntry, JointData, JointId, Origin, OutputPoint,
+    System,
+};
+use crate::element::coordinate::Coordinate;
+use crate::element::driven::{DriveId, Rotation, Translation};
+use crate::element::fixed::Fixed;
+use crate::element::load::{PointLoad, Torque};
+use crate::element::prismatic::{Guide, Prismatic};
+use crate::element::revolute::{OffsetId, Revolute};
+use crate::element::spring::Spring;
+use crate::element::torsion_spring::TorsionSpring;
+use crate::element::{Axis, BodyId, Constraint, Force as ForceElement, Marker, Measure, Pose};
+use crate::error::Complaint;
+use crate::math::Vec2;
+use crate::model::{
+    AnalysisKind, ClearanceModel, DriverKind, ForceKind, Frame, GROUND, JointKind, Model, Motion, PointRef, Value,
+};
+use crate::motion::{Law, Spline};
+use std::collections::HashMap;
+
+/// Compiles a model for an analysis.
+///
+/// # Errors
+/// Clearance models that this version does not run, and data that the analysis needs and the file lacks, all at once.
+pub fn compile(model: &Model, analysis: AnalysisKind) -> Result<System, Vec<Complaint>> {
+    let complaints = missing(model, analysis);
+    if complaints.is_empty() { Ok(Compiler::new(model).build()) } else { Err(complaints) }
+}
+
+/// A motion's law.
+pub fn law(motion: &Motion) -> Law {
+    match motion {
+        Motion::Polynomial { coefficients } => Law::Polynomial(coefficients.clone()),
+        Motion::Harmonic { offset, amplitude, frequency, phase } => {
+            Law::Harmonic { offset: *offset, amplitude: *amplitude, frequency: *frequency, phase: *phase }
+        }
+        Motion::Table { points } => Law::Spline(Spline::natural(points)),
+        Motion::ConstantVelocity { start, velocity } => Law::Polynomial(vec![*start, *velocity]),
+        Motion::ConstantAcceleration { start, velocity, acceleration } => {
+            Law::Polynomial(vec![*start, *velocity, 0.5 * acceleration])
+        }
+    }
+}
+
+fn value_law(value: &Value) -> Law {
+    match value {
+        Value::Constant(value) => Law::Polynomial(vec![*value]),
+        Value::Motion(motion) => law(motion),
+    }
+}
+
+/// The clearance of a joint, where it has one.
+fn clearance(kind: &JointKind) -> Option<&crate::model::Clearance> {
+    match kind {
+        JointKind::Revolute { clearance } => clearance.as_deref(),
+        JointKind::Prismatic { .. } | JointKind::Fixed { .. } => None,
+    }
+}
+
+/// What the analysis needs and the model lacks.
+fn missing(model: &Model, analysis: AnalysisKind) -> Vec<Complaint> {
+    let mut complaints = Vec::new();
+    let mut linked = None;
+    for (name, joint) in &model.joints {
+        let Some(clearance) = clearance(&joint.kind) else { continue };
+        let refused = match clearance.model {
+            ClearanceModel::Ideal => continue,
+            ClearanceModel::MasslessLink => {
+                linked = linked.or(Some(name));
+                continue;
+            }
+            ClearanceModel::TwoState => "two_state",
+            ClearanceModel::ThreeState => "three_state",
+            ClearanceModel::Contact => "contact",
+        };
+        complaints.push(
+            Complaint::new(
+                format!("joints.{name}.clearance.model"),
+                format!("the clearance model `{refused}` is not built yet in this version"),
+            )
+            .found(format!("\"{refused}\""))
+            .hint("use \"massless_link\" or \"ideal\""),
+        );
+    }
+    let why = match (analysis, linked) {
+        (AnalysisKind::InverseDynamics, _) => Some("inverse dynamics".to_string()),
+        (AnalysisKind::Dynamics, _) => Some("dynamics".to_string()),
+        (AnalysisKind::Statics, _) => Some("statics".to_string()),
+        (AnalysisKind::Kinematics, Some(joint)) => Some(format!(
+            "the massless clearance link of joint \"{joint}\", whose direction is that of the joint force,"
+        )),
+        (AnalysisKind::Kinematics, None) | (AnalysisKind::Assembly, _) => None,
+    };
+    if let Some(why) = why {
+        for (name, body) in model.bodies.iter().filter(|(name, _)| *name != GROUND) {
+            for (key, lacks) in [("mass", body.mass.is_none()), ("inertia", body.inertia.is_none())] {
+                if lacks {
+                    complaints.push(
+                        Complaint::new(format!("bodies.{name}"), format!("{why} needs the {key} of body \"{name}\""))
+                            .hint(format!("give \"{key}\"; 0 is allowed where the joints determine its motion")),
+                    );
+                }
+            }
+        }
+    }
+    complaints
+}
+
+struct Compiler<'a> {
+    model: &'a Model,
+    ids: HashMap<&'a str, BodyId>,
+    /// Centre of mass in the body's frame, by body id.
+    com: Vec<Vec2>,
+    system: System,
+}
+
+impl<'a> Compiler<'a> {
+    fn new(model: &'a Model) -> Self {
+        let mut ids = HashMap::from([(GROUND, BodyId::GROUND)]);
+        let mut com = vec![Vec2::zeros()];
+        for (name, body) in model.bodies.iter().filter(|(name, _)| *name != GROUND) {
+            ids.insert(name, BodyId(com.len()));
+            com.push(body.com.map_or(Vec2::zeros(), Vec2::from));
+        }
+        let system = System {
+            bodies: Vec::new(),
+            joints: Vec::new(),
+            drivers: Vec::new(),
+            points: Vec::new(),
+            blocks: Vec::new(),
+            initial: Vec::new(),
+            initial_rates: Vec::new(),
+            forces: Vec::new(),
+            gravity: Vec2::from(model.gravity),
+            mass: Vec::new(),
+            masses_known: true,
+            entries: Vec::new(),
+            measures: Vec::new(),
+            links: 0,
+            guess: Vec::new(),
+            size: 1.0,
+        };
+        Compiler { model, ids, com, system }
+    }
+
+    fn build(mut self) -> System {
+        self.add_bodies();
+        self.system.size = self.size();
+        self.add_joints();
+        self.add_drivers();
+        self.add_initial();
+        self.add_forces();
+        for point in &self.model.points {
+            let marker = self.marker(point);
+            self.system.points.push(OutputPoint { name: format!("{}.{}", point.body, point.point), marker });
+        }
+        self.system
+    }
+
+    fn body(&self, name: &str) -> BodyId {
+        self.ids[name]
+    }
+
+    fn marker(&self, point: &PointRef) -> Marker {
+        let body = self.body(&point.body);
+        let place = self.model.bodies[&point.body].points[&point.point];
+        Marker { body, s: Vec2::from(place) - self.com[body.0] }
+    }
+
+    fn add_bodies(&mut self) {
+        for (name, body) in self.model.bodies.iter().filter(|(name, _)| *name != GROUND) {
+            let com = self.com[self.body(name).0];
+            let pose = Pose::new(body.pose.position[0], body.pose.position[1], body.pose.angle);
+            let centre = pose.r + pose.turn(com);
+            self.system.guess.extend([centre.x, centre.y, body.pose.angle]);
+            let (mass, inertia) = (body.mass.unwrap_or(0.0), body.inertia.unwrap_or(0.0));
+            self.system.mass.extend([mass, mass, inertia]);
+            self.system.masses_known &= body.mass.is_some() && body.inertia.is_some();
+            self.system.bodies.push(BodyData {
+                name: name.clone(),
+                origin: -com,
+                mass: body.mass,
+                inertia: body.inertia,
+            });
+        }
+    }
+
+    /// Characteristic length: the largest distance between two points of one body, ground included; where there is none
+    /// (all points at their origins), the spread of the guesses, and 1 m at last.
+    fn size(&self) -> f64 {
+        let spread = |points: &[Vec2]| {
+            let low = points.iter().fold(Vec2::repeat(f64::INFINITY), |m, p| m.inf(p));
+            let high = points.iter().fold(Vec2::repeat(f64::NEG_INFINITY), |m, p| m.sup(p));
+            if points.is_empty() { 0.0 } else { (high - low).norm() }
+        };
+        let of_bodies = self.model.bodies.values().map(|body| {
+            let mut points: Vec<Vec2> = body.points.values().map(|&p| Vec2::from(p)).collect();
+            points.extend(body.com.map(Vec2::from));
+            spread(&points)
+        });
+        let of_guess: Vec<Vec2> = self.model.bodies.values().map(|body| Vec2::from(body.pose.position)).collect();
+        let largest = of_bodies.fold(0.0, f64::max);
+        [largest, spread(&of_guess), 1.0].into_iter().find(|&length| length > 0.0).unwrap_or(1.0)
+    }
+
+    fn push_block(&mut self, constraint: Box<dyn Constraint>, origin: Origin) {
+        let (row, entry) = (self.system.measures.len(), self.system.entries.len());
+        self.system.measures.extend_from_slice(constraint.rows());
+        for (block_row, body, axis) in constraint.entries() {
+            self.system.entries.push(JacobianEntry { row: (row + block_row) as u32, column: column(body, axis) });
+        }
+        let (rows, entries) = (self.system.measures.len() - row, self.system.entries.len() - entry);
+        self.system.blocks.push(Block { constraint, origin, row, rows, entry, entries });
+    }
+
+    fn add_joints(&mut self) {
+        for (k, (name, joint)) in self.model.joints.iter().enumerate() {
+            let (first, second) = (self.marker(&joint.between[0]), self.marker(&joint.between[1]));
+            let mut link = None;
+            let (constraint, torque): (Box<dyn Constraint>, bool) = match &joint.kind {
+                JointKind::Revolute { clearance } => {
+                    if let Some(c) = clearance.as_deref().filter(|c| c.model == ClearanceModel::MasslessLink) {
+                        link = Some(ClearanceLink { offset: self.system.links, radius: c.radius.unwrap_or(0.0) });
+                        self.system.links += 1;
+                    }
+                    (Box::new(Revolute { first, second, offset: link.map(|l| OffsetId(l.offset)) }), false)
+                }
+                JointKind::Prismatic { axis, angle } => {
+                    let guide = Guide { first, second, axis: Vec2::from(*axis).normalize() };
+                    (Box::new(Prismatic { guide, angle: *angle }), true)
+                }
+                JointKind::Fixed { angle } => (Box::new(Fixed { first, second, angle: *angle }), true),
+            };
+            self.system.joints.push(JointData {
+                name: name.clone(),
+                bodies: [first.body, second.body],
+                points: [first, second],
+                torque,
+                clearance: link,
+                has_clearance: clearance(&joint.kind).is_some(),
+            });
+            self.push_block(constraint, Origin::Joint(JointId(k)));
+        }
+    }
+
+    fn add_drivers(&mut self) {
+        for (k, (name, driver)) in self.model.drivers.iter().enumerate() {
+            let drive = DriveId(k);
+            let (constraint, measure): (Box<dyn Constraint>, Measure) = match &driver.kind {
+                DriverKind::Rotation { body, relative_to } => {
+                    let relative_to = relative_to.as_deref().map_or(BodyId::GROUND, |name| self.body(name));
+                    (Box::new(Rotation { body: self.body(body), relative_to, drive }), Measure::Angle)
+                }
+                DriverKind::Translation { joint } => {
+                    let joint = &self.model.joints[joint];
+                    let axis = match &joint.kind {
+                        JointKind::Prismatic { axis, .. } => Vec2::from(*axis).normalize(),
+                        // The loader lets translations drive prismatic joints only.
+                        JointKind::Revolute { .. } | JointKind::Fixed { .. } => Vec2::x(),
+                    };
+                    let (first, second) = (self.marker(&joint.between[0]), self.marker(&joint.between[1]));
+                    (Box::new(Translation { guide: Guide { first, second, axis }, drive }), Measure::Length)
+                }
+            };
+            self.system.drivers.push(DriverData { name: name.clone(), law: law(&driver.motion), measure });
+            self.push_block(constraint, Origin::Driver(DriverId(k)));
+        }
+    }
+
+    fn add_initial(&mut self) {
+        for (name, initial) in &self.model.initial {
+            let body = self.body(name);
+            let origin = Marker { body, s: -self.com[body.0] };
+            let values = [
+                (Axis::X, "x", "vx", initial.x, initial.vx),
+                (Axis::Y, "y", "vy", initial.y, initial.vy),
+                (Axis::Theta, "angle", "angular_velocity", initial.angle, initial.angular_velocity),
+            ];
+            for (axis, key, rate_key, value, rate) in values {
+                if let Some(value) = value {
+                    let constraint = Coordinate { origin, axis, value };
+                    self.system.initial.push(Block {
+                        rows: 1,
+                        entries: constraint.entries().len(),
+                        constraint: Box::new(constraint),
+                        origin: Origin::Initial(format!("{name}.{key}")),
+                        row: 0,
+                        entry: 0,
+                    });
+                }
+                if let Some(rate) = rate {
+                    let row = Coordinate { origin, axis, value: rate };
+                    self.system.initial_rates.push((format!("{name}.{rate_key}"), row));
+                }
+            }
+        }
+    }
+
+    fn add_forces(&mut self) {
+        for force in self.model.forces.values() {
+            let element: Box<dyn ForceElement> = match &force.kind {
+                ForceKind::Spring { between, stiffness, damping, free_length } => Box::new(Spring {
+                    first: self.marker(&between[0]),
+                    second: self.marker(&between[1]),
+                    stiffness: *stiffness,
+                    damping: *damping,
+                    free_length: value_law(free_length),
+                }),
+                ForceKind::TorsionSpring { between, stiffness, damping, free_angle } => Box::new(TorsionSpring {
+                    first: self.body(&between[0]),
+                    second: self.body(&between[1]),
+                    stiffness: *stiffness,
+                    damping: *damping,
+                    free_angle: value_law(free_angle),
+                }),
+                ForceKind::Load { at, vector, frame } => Box::new(PointLoad {
+                    at: self.marker(at),
+                    vector: [value_law(&vector[0]), value_law(&vector[1])],
+                    follows_body: match frame {
+                        Frame::Ground => false,
+                        Frame::Body => true,
+                    },
+                }),
+                ForceKind::Torque { body, value, relative_to } => Box::new(Torque {
+                    body: self.body(body),
+                    relative_to: relative_to.as_deref().map_or(BodyId::GROUND, |name| self.body(name)),
+                    value: value_law(value),
+                }),
+            };
+            self.system.forces.push(element);
+        }
+    }
+}
+
+/// Global column of a body's coordinate; none for ground.
+fn column(body: BodyId, axis: Axis) -> Option<u32> {
+    (body != BodyId::GROUND).then(|| (3 * (body.0 - 1) + axis as usize) as u32)
+}

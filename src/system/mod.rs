@@ -1,0 +1,220 @@
+//! The equations as numbers: an immutable [`System`], the state it is evaluated at, and the evaluation itself.
+//!
+//! ```text
+//! φ(q, t) = 0                     (m)    rows in the order joints, drivers
+//! J v = −φ_t,  J a = γ            J (m, n), n = 3 · moving bodies
+//! M a + Jᵀ λ = Q                  M diagonal
+//! ```
+//!
+//! J is kept as a list of entries in element order: each element writes its own stretch, whoever needs a matrix scatters
+//! that list by slots worked out once ([`Selection`](crate::solve::driven)).
+
+pub mod compile;
+mod eval;
+
+pub use eval::{Evaluation, Inputs};
+
+use crate::element::{BodyId, Constraint, Force, Marker, Measure};
+use crate::math::Vec2;
+use crate::motion::Law;
+
+/// Index of a joint in the model's order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct JointId(pub usize);
+
+/// Index of a driver in the model's order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct DriverId(pub usize);
+
+/// What a constraint came from, for naming it.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Origin {
+    Joint(JointId),
+    Driver(DriverId),
+    /// An `initial` value, `crank.angle`.
+    Initial(String),
+}
+
+/// Equations of one joint, driver or initial value, with their place in φ and in the entry list.
+pub struct Block {
+    pub constraint: Box<dyn Constraint>,
+    pub origin: Origin,
+    /// First row.
+    pub row: usize,
+    pub rows: usize,
+    /// First entry.
+    pub entry: usize,
+    pub entries: usize,
+}
+
+/// A moving body's numbers.
+#[derive(Debug, Clone)]
+pub struct BodyData {
+    pub name: String,
+    /// The frame's origin from the centre of mass, body frame [m].
+    pub origin: Vec2,
+    /// Mass [kg] and inertia [kg·m²]; none where the file has none.
+    pub mass: Option<f64>,
+    pub inertia: Option<f64>,
+}
+
+/// A joint's numbers beyond its constraint.
+#[derive(Debug, Clone)]
+pub struct JointData {
+    pub name: String,
+    pub bodies: [BodyId; 2],
+    pub points: [Marker; 2],
+    /// Carries a torque in the results.
+    pub torque: bool,
+    pub clearance: Option<ClearanceLink>,
+    /// Has a `clearance` in the file: eccentricity columns.
+    pub has_clearance: bool,
+}
+
+/// A massless equivalent clearance link.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ClearanceLink {
+    /// Index into [`Inputs::offset`].
+    pub offset: usize,
+    /// Its length: the radial clearance [m].
+    pub radius: f64,
+}
+
+/// A driver's numbers beyond its constraint.
+#[derive(Debug, Clone)]
+pub struct DriverData {
+    pub name: String,
+    pub law: Law,
+    pub measure: Measure,
+}
+
+/// A body point among the results.
+#[derive(Debug, Clone)]
+pub struct OutputPoint {
+    pub name: String,
+    pub marker: Marker,
+}
+
+/// One entry of J: row and column (global).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct JacobianEntry {
+    pub row: u32,
+    /// None for ground.
+    pub column: Option<u32>,
+}
+
+/// A compiled model. Immutable, shared by analyses and threads.
+pub struct System {
+    /// Moving bodies; coordinates 3k, 3k+1, 3k+2.
+    pub bodies: Vec<BodyData>,
+    pub joints: Vec<JointData>,
+    pub drivers: Vec<DriverData>,
+    pub points: Vec<OutputPoint>,
+    /// Blocks of joints, then of drivers.
+    pub blocks: Vec<Block>,
+    /// `initial` coordinates, as blocks of their own for the assembly.
+    pub initial: Vec<Block>,
+    /// `initial` velocities: name, row over the coordinates as (column, factor) at the assembled pose is in `eval`.
+    pub initial_rates: Vec<(String, crate::element::coordinate::Coordinate)>,
+    pub forces: Vec<Box<dyn Force>>,
+    /// [m/s²]
+    pub gravity: Vec2,
+    /// Mass of each coordinate (n); zero where unknown.
+    pub mass: Vec<f64>,
+    /// All masses (and inertias) are known.
+    pub masses_known: bool,
+    pub entries: Vec<JacobianEntry>,
+    /// What each row is measured in (m).
+    pub measures: Vec<Measure>,
+    /// Number of massless clearance links.
+    pub links: usize,
+    /// Guess of the coordinates (n).
+    pub guess: Vec<f64>,
+    /// Characteristic length of the mechanism [m].
+    pub size: f64,
+}
+
+impl System {
+    /// Number of coordinates n.
+    pub fn n(&self) -> usize {
+        3 * self.bodies.len()
+    }
+
+    /// Number of constraint rows m.
+    pub fn m(&self) -> usize {
+        self.measures.len()
+    }
+
+    /// Number of rows that joints make; the drivers' follow.
+    pub fn joint_rows(&self) -> usize {
+        self.blocks.iter().filter(|b| matches!(b.origin, Origin::Joint(_))).map(|b| b.rows).sum()
+    }
+
+    /// Rows of driver `id`.
+    pub fn driver_row(&self, id: DriverId) -> usize {
+        self.joint_rows() + id.0
+    }
+
+    /// The name a row's origin goes by in messages.
+    pub fn origin_name(&self, origin: &Origin) -> String {
+        match origin {
+            Origin::Joint(id) => format!("joint \"{}\"", self.joints[id.0].name),
+            Origin::Driver(id) => format!("driver \"{}\"", self.drivers[id.0].name),
+            Origin::Initial(name) => format!("initial value \"{name}\""),
+        }
+    }
+
+    /// The block that makes `row`.
+    pub fn block_of_row(&self, row: usize) -> &Block {
+        let k = self.blocks.partition_point(|b| b.row <= row);
+        &self.blocks[k - 1]
+    }
+
+    /// Length scale of a coordinate: size for x and y, 1 for angles; coordinates divided by it are comparable.
+    pub fn column_scale(&self, column: usize) -> f64 {
+        if column % 3 == 2 { 1.0 } else { self.size }
+    }
+
+    /// Scale of a row's residual [m or rad].
+    pub fn row_scale(&self, row: usize) -> f64 {
+        self.measure_scale(self.measures[row])
+    }
+
+    /// Scale of residuals of a measure [m or rad].
+    pub fn measure_scale(&self, measure: Measure) -> f64 {
+        match measure {
+            Measure::Length => self.size,
+            Measure::Angle => 1.0,
+        }
+    }
+
+    /// Largest coordinate, lengths divided by the mechanism's size [–].
+    pub fn scaled_norm(&self, dq: &[f64]) -> f64 {
+        dq.iter().enumerate().fold(0.0, |m: f64, (k, d)| {
+            let d = d.abs() / self.column_scale(k);
+            if d > m || d.is_nan() { d } else { m }
+        })
+    }
+
+    /// Largest residual, lengths divided by the mechanism's size [–].
+    pub fn scaled_residual(&self, phi: &[f64]) -> f64 {
+        phi.iter().enumerate().fold(0.0, |m: f64, (row, d)| {
+            let d = d.abs() / self.row_scale(row);
+            if d > m || d.is_nan() { d } else { m }
+        })
+    }
+
+    /// The Jacobian's joint and driver rows as a dense row-major matrix (m × n), columns and rows scaled to be comparable:
+    /// S_φ⁻¹ J S_q.
+    pub fn dense_scaled(&self, values: &[f64]) -> Vec<f64> {
+        let n = self.n();
+        let mut dense = vec![0.0; self.m() * n];
+        for (entry, value) in self.entries.iter().zip(values) {
+            if let Some(column) = entry.column {
+                let (row, column) = (entry.row as usize, column as usize);
+                dense[row * n + column] = value * self.column_scale(column) / self.row_scale(row);
+            }
+        }
+        dense
+    }
+}
