@@ -45,19 +45,26 @@ impl Complaint {
 
 impl fmt::Display for Complaint {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut text = String::new();
+        // a fault has a place in the file, or in a --set, which says its path itself
+        let set = self.found.as_deref().filter(|found| self.place.is_none() && found.starts_with("--set "));
+        let said = set.and_then(|set| set["--set ".len()..].split_once('=')).is_some_and(|(path, _)| path == self.path);
         if let Some(place) = self.place {
-            write!(f, "line {}, column {}: ", place.line, place.column)?;
+            text += &format!("line {}, column {}: ", place.line, place.column);
+        } else if let Some(set) = set {
+            text += &format!("{set}: ");
         }
-        if !self.path.is_empty() {
-            write!(f, "{}: ", self.path)?;
+        if !self.path.is_empty() && !said {
+            text += &format!("{}: ", self.path);
         }
-        if let Some(found) = &self.found {
-            write!(f, "{found}: ")?;
+        if let Some(found) = self.found.as_ref().filter(|_| set.is_none()) {
+            text += &format!("{found}: ");
         }
-        f.write_str(&self.message)?;
+        text += &self.message;
         if let Some(hint) = &self.hint {
-            write!(f, " ({hint})")?;
+            text += &format!(" ({hint})");
         }
-        Ok(())
+        // names may hold anything, a terminal should not obey them
+        f.write_str(&text.replace(char::is_control, " "))
     }
 }

@@ -1,12 +1,346 @@
-//! What no schema can say.
+//! What no schema can say: names that must exist, values that belong together, choices that exclude each other.
+//!
+//! Works on the value in SI units, where null stands for what is complained about already; such things are passed over.
+
+use serde_json::{Map, Value};
+
+use super::GROUND;
+use super::check_forces;
+use super::json::join;
 use super::source::Source;
+use super::suggest;
 use super::validate::Reference;
 use crate::error::Complaint;
-use serde_json::Value;
-pub(super) struct Checked {
+
+/// What the checks found; places are looked up later.
+pub(super) struct Checked<'a> {
+    pub model: &'a Value,
     pub complaints: Vec<Complaint>,
     pub warnings: Vec<Complaint>,
 }
-pub(super) fn check(_v: &Value, _r: &[Reference], _s: &Source) -> Checked {
-    Checked { complaints: vec![], warnings: vec![] }
+
+/// Checks everything that concerns more than one value.
+pub(super) fn check<'a>(model: &'a Value, references: &[Reference], source: &Source) -> Checked<'a> {
+    let mut checked = Checked { model, complaints: Vec::new(), warnings: Vec::new() };
+    for reference in references {
+        checked.reference(reference, source);
+    }
+    checked.bodies();
+    checked.joints();
+    checked.drivers();
+    check_forces::forces(&mut checked);
+    check_forces::motions(&mut checked);
+    checked.initial();
+    checked.wanted_points();
+    checked.analysis();
+    checked
+}
+
+/// The members of an object, none where it is not one.
+pub(super) fn members(value: &Value) -> impl Iterator<Item = (&String, &Value)> {
+    value.as_object().into_iter().flatten()
+}
+
+/// The body named by a text, as far as the dot.
+fn body_of(reference: &Value) -> Option<&str> {
+    Some(reference.as_str()?.split_once('.')?.0)
+}
+
+/// `A, B, C`, as many as anybody reads.
+fn list<'a>(names: impl Iterator<Item = &'a String>) -> String {
+    const MOST: usize = 12;
+    let names: Vec<&str> = names.map(String::as_str).collect();
+    match names.len() {
+        0 => "none".into(),
+        count if count > MOST => format!("{} and {} more", names[..MOST].join(", "), count - MOST),
+        _ => names.join(", "),
+    }
+}
+
+/// What was probably meant, else all there is.
+fn did_you_mean(word: &str, names: &Map<String, Value>, what: &str) -> String {
+    match suggest::nearest(word, names.keys().map(String::as_str)) {
+        Some(near) => format!("did you mean {near:?}?"),
+        None => format!("{what}: {}", list(names.keys())),
+    }
+}
+
+impl Checked<'_> {
+    pub(super) fn complain(&mut self, path: impl Into<String>, message: impl Into<String>) -> &mut Complaint {
+        self.complaints.push(Complaint::new(path, message));
+        let last = self.complaints.len() - 1;
+        &mut self.complaints[last]
+    }
+
+    /// Complains where a text names nothing.
+    fn reference(&mut self, reference: &Reference, source: &Source) {
+        let Reference { path, kind, text } = reference;
+        let complaint = match kind.as_str() {
+            "point" => self.point(path, text),
+            "body" => self.body(path, text),
+            "driver" => self.named(path, text, "drivers", "driver"),
+            _ => self.named(path, text, "joints", "joint"),
+        };
+        self.complaints.extend(complaint.map(|complaint| source.place(complaint)));
+    }
+
+    fn named(&self, path: &str, name: &str, map: &str, what: &str) -> Option<Complaint> {
+        let empty = Map::new();
+        let things = match &self.model[map] {
+            Value::Object(things) => things,
+            // left out where it may be, or faulty
+            _ if map != "bodies" && self.model.get(map).is_none() => &empty,
+            _ => return None,
+        };
+        if things.contains_key(name) {
+            return None;
+        }
+        let hint = did_you_mean(name, things, &format!("the {map}"));
+        Some(Complaint::new(path, format!("there is no {what} {name:?}")).hint(hint))
+    }
+
+    fn body(&self, path: &str, name: &str) -> Option<Complaint> {
+        if name == GROUND {
+            return None;
+        }
+        if let Some((body, _)) = name.split_once('.')
+            && self.model["bodies"].get(body).is_some()
+        {
+            let complaint = Complaint::new(path, "a body is expected, this is a point");
+            return Some(complaint.hint(format!("write {body:?}")));
+        }
+        self.named(path, name, "bodies", "body")
+    }
+
+    fn point(&self, path: &str, text: &str) -> Option<Complaint> {
+        let bodies = self.model["bodies"].as_object()?;
+        // a body whose name is refused for its dot is not missed again
+        if bodies.keys().any(|name| name.contains('.') && text.starts_with(name.as_str())) {
+            return None;
+        }
+        let Some((body, point)) = text.split_once('.') else {
+            let hint = match bodies.get(text).and_then(|body| body["points"].as_object()) {
+                Some(points) => format!("write it as body.point; the points of {text:?}: {}", list(points.keys())),
+                None => "write it as body.point, such as \"crank.A\"".into(),
+            };
+            return Some(Complaint::new(path, "this is no point of a body").hint(hint));
+        };
+        let empty = Map::new();
+        let points = match bodies.get(body) {
+            Some(Value::Object(body)) => match body.get("points") {
+                Some(Value::Object(points)) => points,
+                Some(_) => return None,
+                None => &empty,
+            },
+            Some(_) => return None,
+            None if body == GROUND => &empty,
+            None => {
+                let hint = did_you_mean(body, bodies, "the bodies");
+                return Some(Complaint::new(path, format!("there is no body {body:?}")).hint(hint));
+            }
+        };
+        if points.contains_key(point) || points.keys().any(|name| name.contains('.') && point.starts_with(name)) {
+            return None;
+        }
+        let mut hint = format!("its points: {}", list(points.keys()));
+        if let Some(near) = suggest::nearest(point, points.keys().map(String::as_str)).filter(|_| points.len() > 1) {
+            hint = format!("did you mean {:?}? {hint}", format!("{body}.{near}"));
+        }
+        Some(Complaint::new(path, format!("body {body:?} has no point {point:?}")).hint(hint))
+    }
+
+    fn bodies(&mut self) {
+        let model = self.model;
+        for (name, body) in members(&model["bodies"]) {
+            let mass = body["mass"].as_f64().unwrap_or(0.0);
+            if mass > 0.0 && body.get("com").is_none() {
+                let path = join("bodies", name);
+                self.complain(path, "\"com\" is missing, it has no default where there is mass").hint =
+                    Some("give the centre of mass in the body's frame, as in \"com\": [0, 0]".into());
+            }
+        }
+    }
+
+    fn joints(&mut self) {
+        let model = self.model;
+        for (name, joint) in members(&model["joints"]) {
+            let path = join("joints", name);
+            let [first, second] = [0, 1].map(|index| body_of(&joint["between"][index]));
+            if let (Some(first), Some(second)) = (first, second)
+                && first == second
+            {
+                self.complain(format!("{path}.between"), format!("both points are of {first:?}")).hint =
+                    Some("a joint connects two bodies".into());
+            }
+            self.clearance(&joint["clearance"], &format!("{path}.clearance"));
+        }
+    }
+
+    /// What each model of a clearance needs.
+    fn clearance(&mut self, clearance: &Value, path: &str) {
+        let Some(model) = clearance["model"].as_str().filter(|model| *model != "ideal") else { return };
+        match clearance.get("radius") {
+            None => {
+                let message = format!("\"radius\" is missing, the model {model:?} needs the radial clearance");
+                self.complain(path, message).hint = Some("bearing radius − journal radius, as in \"0.1 mm\"".into());
+            }
+            Some(radius) if radius.as_f64() == Some(0.0) && model != "massless_link" => {
+                self.complain(format!("{path}.radius"), format!("must be greater than 0 for the model {model:?}"));
+            }
+            Some(_) => {}
+        }
+        let missing = |key: &str, of: &str| (format!("{key:?} is missing"), of.to_owned());
+        let needs = match model {
+            "two_state" if clearance.get("surface").is_none() => {
+                Some(missing("surface", "the model \"two_state\" needs its stiffness and damping"))
+            }
+            "three_state" if lacks_restitution(clearance) => {
+                Some(missing("impact.restitution", "the model \"three_state\" needs it, or \"normal.restitution\""))
+            }
+            "contact" if clearance.get("normal").is_none() => {
+                Some(missing("normal", "the model \"contact\" needs a law of the normal force"))
+            }
+            "contact" => contact_needs(clearance),
+            _ => None,
+        };
+        if let Some((message, hint)) = needs {
+            self.complain(path, message).hint = Some(hint);
+        }
+    }
+
+    fn drivers(&mut self) {
+        let model = self.model;
+        let mut driven: Vec<(String, &String)> = Vec::new();
+        for (name, driver) in members(&model["drivers"]) {
+            let path = join("drivers", name);
+            let text = |key: &str| driver[key].as_str();
+            let coordinate = match text("type") {
+                Some("rotation") => {
+                    let Some(body) = text("body") else { continue };
+                    if driver.get("relative_to").is_some_and(Value::is_null) {
+                        continue;
+                    }
+                    let other = text("relative_to").unwrap_or(GROUND);
+                    if body == other {
+                        let message = format!("the angle of {body:?} relative to itself cannot be driven");
+                        self.complain(format!("{path}.body"), message);
+                        continue;
+                    }
+                    let (first, second) = if body < other { (body, other) } else { (other, body) };
+                    format!("the angle between {first:?} and {second:?}")
+                }
+                Some("translation") => {
+                    let Some(joint) = text("joint") else { continue };
+                    let kind = model["joints"][joint]["type"].as_str();
+                    if let Some(kind) = kind.filter(|kind| *kind != "prismatic") {
+                        self.complain(format!("{path}.joint"), format!("this joint is {kind}, not prismatic")).hint =
+                            Some("a translation drives the slide of a prismatic joint".into());
+                        continue;
+                    }
+                    format!("the slide of joint {joint:?}")
+                }
+                Some(_) | None => continue,
+            };
+            match driven.iter().find(|(known, _)| *known == coordinate) {
+                Some((_, first)) => {
+                    let message = format!("{coordinate} is driven by {first:?} already");
+                    self.complain(path, message).hint = Some("keep one of them".into());
+                }
+                None => driven.push((coordinate, name)),
+            }
+        }
+    }
+
+    fn initial(&mut self) {
+        let model = self.model;
+        let Some(bodies) = model["bodies"].as_object() else { return };
+        for (name, _) in members(&model["initial"]) {
+            let path = join("initial", name);
+            if name == GROUND {
+                self.complain(path, "ground is fixed, it has no initial values");
+            } else if !bodies.contains_key(name) {
+                let hint = did_you_mean(name, bodies, "the bodies");
+                self.complain(path, format!("there is no body {name:?}")).hint = Some(hint);
+            }
+        }
+    }
+
+    fn wanted_points(&mut self) {
+        let points = self.model["points"].as_array();
+        let mut seen = std::collections::HashMap::new();
+        for (index, point) in points.into_iter().flatten().enumerate() {
+            let Some(text) = point.as_str() else { continue };
+            if let Some(first) = seen.insert(text, index) {
+                self.complain(format!("points[{index}]"), "the point is listed twice").hint =
+                    Some(format!("first as points[{first}]"));
+            }
+        }
+    }
+
+    /// Exactly one way to say which instants are wanted.
+    fn analysis(&mut self) {
+        let analysis = &self.model["analysis"];
+        let Some(kind) = analysis["type"].as_str() else { return };
+        let [end, outputs, sample] = ["end", "outputs", "sample"].map(|key| analysis.get(key).is_some());
+        let needed = !matches!(kind, "assembly" | "statics");
+        let (path, message, hint) = match (end, outputs, sample) {
+            (true, _, true) => ("analysis.end", "\"end\" and \"sample\" exclude each other", "keep one of them"),
+            (false, true, true) => {
+                ("analysis.outputs", "\"outputs\" and \"sample\" exclude each other", "keep one of them")
+            }
+            (true, false, false) if needed => {
+                ("analysis", "\"outputs\" is missing", "the number of output instants, both ends included")
+            }
+            (false, true, false) if needed => ("analysis", "\"end\" is missing", "the end time, the start is 0"),
+            (false, false, false) if needed => {
+                let hint = "give \"end\" and \"outputs\", or \"sample\"";
+                ("analysis", "it is not said for which instants", hint)
+            }
+            _ => return,
+        };
+        self.complain(path, message).hint = Some(hint.into());
+    }
+}
+
+/// Whether neither `impact` nor, where that is left out, `normal` has a restitution.
+fn lacks_restitution(clearance: &Value) -> bool {
+    let lacks = |value: &Value| value.is_object() && value.get("restitution").is_none();
+    match (clearance.get("impact"), clearance.get("normal")) {
+        (Some(impact), _) => lacks(impact),
+        (None, Some(normal)) => lacks(normal),
+        (None, None) => true,
+    }
+}
+
+/// The first thing that the laws of a contact lack.
+fn contact_needs(clearance: &Value) -> Option<(String, String)> {
+    let normal = clearance["normal"].as_object()?;
+    let law = normal.get("law")?.as_str()?;
+    if !normal.contains_key("stiffness") && !normal.contains_key("elastic") {
+        let hint = "give it, or \"elastic\" and \"bearing_radius\"";
+        return Some(("\"normal.stiffness\" is missing".into(), hint.into()));
+    }
+    if !normal.contains_key("stiffness") && clearance.get("bearing_radius").is_none() {
+        let hint = "the stiffness follows from \"elastic\" and the radii";
+        return Some(("\"bearing_radius\" is missing".into(), hint.into()));
+    }
+    let parameter = match law {
+        "hertz" => None,
+        "kelvin_voigt" => Some("damping"),
+        _ => Some("restitution"),
+    };
+    if let Some(parameter) = parameter.filter(|parameter| !normal.contains_key(*parameter)) {
+        return Some((format!("\"normal.{parameter}\" is missing"), format!("the law {law:?} needs it")));
+    }
+    let friction = clearance.get("friction")?.as_object()?;
+    let law = friction.get("law")?.as_str()?;
+    let needed: &[&str] = match law {
+        "coulomb" | "threlfall" => &["coefficient", "threshold_velocity"],
+        "ambrosio" => &["coefficient", "lower_velocity", "upper_velocity"],
+        "stribeck" => &["coefficient", "static_coefficient", "stribeck_velocity", "threshold_velocity"],
+        "lugre" => &["coefficient", "static_coefficient", "stribeck_velocity", "bristle_stiffness"],
+        _ => &[],
+    };
+    let parameter = needed.iter().find(|parameter| !friction.contains_key(**parameter))?;
+    Some((format!("\"friction.{parameter}\" is missing"), format!("the law {law:?} needs it")))
 }

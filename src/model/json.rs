@@ -187,6 +187,9 @@ impl Parser<'_> {
             '\'' => Some("text stands in double quotes"),
             'N' | 'I' => Some("JSON knows neither NaN nor Infinity"),
             '"' | '{' | '[' if wanted.starts_with("\",\"") => Some("a comma may be missing before it"),
+            c if c.is_ascii_alphabetic() && wanted.starts_with("\",\"") => {
+                Some("a quote or a comma may be missing before it")
+            }
             '}' | ']' if !wanted.starts_with("\",\"") => Some("there may be a comma too many before it"),
             c if c.is_ascii_alphabetic() => Some("text stands in double quotes"),
             _ => None,

@@ -89,7 +89,8 @@ pub fn load(text: &[u8], sets: &[String]) -> Result<Loaded, Vec<Complaint>> {
     }
     for repeat in repeats {
         let first = source.place_of(repeat.first);
-        let mut complaint = Complaint::new(repeat.path, "the key is given twice").found(format!("{:?}", repeat.key));
+        let mut complaint = Complaint::new(json::join(&repeat.path, &repeat.key), "the key is given twice")
+            .found(format!("{:?}", repeat.key));
         complaint.place = Some(source.place_of(repeat.second));
         complaints.push(complaint.hint(format!("first on line {}, column {}", first.line, first.column)));
     }

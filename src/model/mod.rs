@@ -11,6 +11,7 @@ pub mod joint;
 pub mod units;
 
 mod check;
+mod check_forces;
 mod json;
 mod load;
 mod quantity;

@@ -20,7 +20,9 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .into_iter()
         .map(|candidate| (damerau_levenshtein(&lower, &candidate.to_lowercase()), candidate))
         // at least one letter must be right
-        .filter(|&(distance, candidate)| distance <= allowed && distance < candidate.chars().count().max(2))
+        .filter(|&(distance, candidate)| {
+            distance <= allowed && distance < candidate.chars().count().min(lower.chars().count())
+        })
         .min_by_key(|&(distance, candidate)| (distance, !candidate.starts_with(word)))
         .map(|(_, candidate)| candidate)
 }

@@ -222,7 +222,8 @@ impl Walk<'_> {
             self.complain(node, complaint);
         }
         if out.is_empty() && schema.get("minProperties").is_some() {
-            self.complain(node, Complaint::new(path, "there is not one in it"));
+            self.complain(node, Complaint::new(path, "it is empty, at least one is needed"));
+            return Value::Null;
         }
         Value::Object(out)
     }

@@ -1,0 +1,1164 @@
+//! Understands the user: bad models and the exact texts of what is said about them.
+//!
+//! Line and column in these texts were checked by eye against the base model below.
+
+use std::io::Write;
+
+use linkdyn::model::{self, Value};
+use proptest::prelude::*;
+
+/// A good model; each case spoils it.
+const BASE: &str = r#"{
+  "format": "linkdyn/1",
+  "name": "four-bar and slider",
+  "units": { "length": "mm", "angle": "deg" },
+  "gravity": [0, -9.81],
+  "bodies": {
+    "ground": { "points": { "O": [0, 0], "Q": [300, 0] } },
+    "crank": { "mass": 0.8, "inertia": 7e-4, "com": [50, 0],
+      "points": { "O": [0, 0], "A": [100, 0] }, "pose": { "angle": 60 } },
+    "coupler": { "points": { "A": [0, 0], "B": [250, 0] } },
+    "rocker": { "points": { "Q": [0, 0], "B": [200, 0] }, "note": "measured" },
+    "slider": { "points": { "C": [0, 0] } }
+  },
+  "joints": {
+    "a": { "type": "revolute", "between": ["ground.O", "crank.O"] },
+    "b": { "type": "revolute", "between": ["crank.A", "coupler.A"],
+      "clearance": { "model": "massless_link", "radius": 0.1 } },
+    "c": { "type": "revolute", "between": ["coupler.B", "rocker.B"] },
+    "d": { "type": "revolute", "between": ["ground.Q", "rocker.Q"] },
+    "e": { "type": "prismatic", "between": ["ground.Q", "slider.C"], "axis": [1, 0] }
+  },
+  "drivers": {
+    "motor": { "type": "rotation", "body": "crank", "motion": { "type": "polynomial", "coefficients": [60, "10 rad/s"] } },
+    "pusher": { "type": "translation", "joint": "e", "motion": { "type": "table", "points": [[0, 0], [1, 5]] } }
+  },
+  "forces": {
+    "return": { "type": "spring", "between": ["ground.Q", "coupler.B"], "stiffness": 200, "free_length": 150 },
+    "load": { "type": "force", "at": "coupler.B", "vector": [0, 5] }
+  },
+  "initial": { "crank": { "angle": 60 } },
+  "points": ["coupler.B"],
+  "analysis": { "type": "inverse_dynamics", "end": 2.0, "outputs": 401 }
+}
+"#;
+
+struct Case {
+    what: &'static str,
+    /// Texts and what each is replaced by, everywhere.
+    edits: &'static [(&'static str, &'static str)],
+    sets: &'static [&'static str],
+    complaints: &'static [&'static str],
+}
+
+const CASES: &[Case] = &[
+    Case {
+        what: "another format, nothing else said of it",
+        edits: &[("linkdyn/1", "linkdyn/2"), (r#""mass""#, r#""mas""#)],
+        sets: &[],
+        complaints: &[r#"line 2, column 13: format: "linkdyn/2": unknown format ("linkdyn/1" is expected)"#],
+    },
+    Case {
+        what: "format missing",
+        edits: &[("  \"format\": \"linkdyn/1\",\n", "")],
+        sets: &[],
+        complaints: &[r#"line 1, column 1: "format" is missing (write "format": "linkdyn/1")"#],
+    },
+    Case {
+        what: "units missing",
+        edits: &[("  \"units\": { \"length\": \"mm\", \"angle\": \"deg\" },\n", "")],
+        sets: &[],
+        complaints: &[
+            r#"line 1, column 1: "units" is missing (write "units": "SI", or name other units: {"length": "mm", "angle": "deg"})"#,
+        ],
+    },
+    Case {
+        what: "units in lower case",
+        edits: &[(r#"{ "length": "mm", "angle": "deg" }"#, r#""si""#)],
+        sets: &[],
+        complaints: &[r#"line 4, column 12: units: "si": unknown units ("SI" is expected)"#],
+    },
+    Case {
+        what: "unit of no dimension",
+        edits: &[(r#""angle": "deg""#, r#""angel": "deg""#)],
+        sets: &[],
+        complaints: &[r#"line 4, column 30: units.angel: "angel": unknown key (did you mean "angle"?)"#],
+    },
+    Case {
+        what: "unknown unit",
+        edits: &[(r#""length": "mm""#, r#""length": "millimetres""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 4, column 24: units.length: "millimetres": unknown unit "millimetres" (length is wanted, such as "m")"#,
+        ],
+    },
+    Case {
+        what: "unit misspelt",
+        edits: &[(r#""length": "mm""#, r#""length": "mmm""#)],
+        sets: &[],
+        complaints: &[r#"line 4, column 24: units.length: "mmm": unknown unit "mmm" (did you mean "mm"?)"#],
+    },
+    Case {
+        what: "unit of another dimension",
+        edits: &[(r#""length": "mm""#, r#""length": "kg*mm^2""#)],
+        sets: &[],
+        complaints: &[r#"line 4, column 24: units.length: "kg*mm^2": "kg*mm^2" is not a unit of length (such as "m")"#],
+    },
+    Case {
+        what: "unit that cannot be read",
+        edits: &[(r#""length": "mm""#, r#""length": "mm^""#)],
+        sets: &[],
+        complaints: &[r#"line 4, column 24: units.length: "mm^": "mm^" cannot be read as a unit (such as "m")"#],
+    },
+    Case {
+        what: "root misspelt, its contents not missed elsewhere",
+        edits: &[(r#""bodies""#, r#""bodys""#)],
+        sets: &[],
+        complaints: &[r#"line 6, column 3: bodys: "bodys": unknown key (did you mean "bodies"?)"#],
+    },
+    Case {
+        what: "reserved key",
+        edits: &[(r#""name": "four-bar and slider""#, r#""parameters": {}"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 3, column 3: parameters: "parameters": the key is reserved for expressions, which are not built yet"#,
+        ],
+    },
+    Case {
+        what: "top key unknown",
+        edits: &[(r#""name""#, r#""titel""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 3, column 3: titel: "titel": unknown key (known keys: format, units, name, about, source, gravity, bodies, joints, drivers, forces, initial, points, analysis, note)"#,
+        ],
+    },
+    Case {
+        what: "wrong type: text",
+        edits: &[(r#""name": "four-bar and slider""#, r#""name": 5"#)],
+        sets: &[],
+        complaints: &["line 3, column 11: name: 5: text is expected, not a number"],
+    },
+    Case {
+        what: "wrong type: object",
+        edits: &[(r#""initial": { "crank": { "angle": 60 } }"#, r#""initial": []"#)],
+        sets: &[],
+        complaints: &["line 30, column 14: initial: an object is expected, not a list"],
+    },
+    Case {
+        what: "wrong type: list",
+        edits: &[(r#""gravity": [0, -9.81]"#, r#""gravity": -9.81"#)],
+        sets: &[],
+        complaints: &["line 5, column 14: gravity: -9.81: a list is expected, not a number"],
+    },
+    Case {
+        what: "wrong length",
+        edits: &[(r#""gravity": [0, -9.81]"#, r#""gravity": [0, 0, -9.81]"#)],
+        sets: &[],
+        complaints: &["line 5, column 14: gravity: a list of 2 is expected, this one has 3"],
+    },
+    Case {
+        what: "quantity without a unit",
+        edits: &[(r#""gravity": [0, -9.81]"#, r#""gravity": [0, "-9.81"]"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 5, column 18: gravity[1]: "-9.81": the unit is missing, a unit of acceleration (such as "m/s^2")"#,
+        ],
+    },
+    Case {
+        what: "quantity of another dimension",
+        edits: &[(r#""gravity": [0, -9.81]"#, r#""gravity": [0, "-9.81 m/s"]"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 5, column 18: gravity[1]: "-9.81 m/s": "m/s" is not a unit of acceleration (such as "m/s^2")"#,
+        ],
+    },
+    Case {
+        what: "quantity that is none",
+        edits: &[(r#""gravity": [0, -9.81]"#, r#""gravity": [0, "down"]"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 5, column 18: gravity[1]: "down": this does not begin with a number (a number, or text such as "5 m/s^2")"#,
+        ],
+    },
+    Case {
+        what: "null",
+        edits: &[(r#""gravity": [0, -9.81]"#, r#""gravity": [0, null]"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 5, column 18: gravity[1]: null: a number is expected, not null (or text with a unit, such as "5 m/s^2")"#,
+        ],
+    },
+    Case {
+        what: "number too large",
+        edits: &[("-9.81", "-9.81e999")],
+        sets: &[],
+        complaints: &["line 5, column 18: not JSON: -9.81e999: the number is too large for a double"],
+    },
+    Case {
+        what: "quantity too large",
+        edits: &[("-9.81", r#""1e308 km/s^2""#)],
+        sets: &[],
+        complaints: &[r#"line 5, column 18: gravity[1]: "1e308 km/s^2": the number is too large for a double"#],
+    },
+    Case {
+        what: "NaN",
+        edits: &[("-9.81", "NaN")],
+        sets: &[],
+        complaints: &[
+            "line 5, column 18: not JSON: 'N' where a value is expected (JSON knows neither NaN nor Infinity)",
+        ],
+    },
+    Case {
+        what: "expression",
+        edits: &[("-9.81", r#""= -g""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 5, column 18: gravity[1]: "= -g": text that begins with "=" is reserved for expressions, which are not built yet (write a number, or text with a unit)"#,
+        ],
+    },
+    Case {
+        what: "expression for a plain number",
+        edits: &[(r#""outputs": 401"#, r#""outputs": "=n""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 32, column 68: analysis.outputs: "=n": text that begins with "=" is reserved for expressions, which are not built yet (write a number, or text with a unit)"#,
+        ],
+    },
+    Case {
+        what: "ground with mass and pose",
+        edits: &[(r#""ground": { "#, r#""ground": { "mass": 1, "pose": {}, "#)],
+        sets: &[],
+        complaints: &[
+            r#"line 7, column 17: bodies.ground.mass: "mass": ground is fixed, a mass of it would mean nothing"#,
+            r#"line 7, column 28: bodies.ground.pose: "pose": ground is fixed, its frame is the global one"#,
+        ],
+    },
+    Case {
+        what: "negative mass and inertia, both at once",
+        edits: &[(r#""mass": 0.8, "inertia": 7e-4"#, r#""mass": -0.8, "inertia": "-7 kg*mm^2""#)],
+        sets: &[],
+        complaints: &[
+            "line 8, column 24: bodies.crank.mass: -0.8: must not be negative",
+            r#"line 8, column 41: bodies.crank.inertia: "-7 kg*mm^2": must not be negative"#,
+        ],
+    },
+    Case {
+        what: "centre of mass missing",
+        edits: &[(r#", "com": [50, 0]"#, "")],
+        sets: &[],
+        complaints: &[
+            r#"line 8, column 14: bodies.crank: "com" is missing, it has no default where there is mass (give the centre of mass in the body's frame, as in "com": [0, 0])"#,
+        ],
+    },
+    Case {
+        what: "points misspelt, references to them not missed",
+        edits: &[(r#""points": { "O": [0, 0], "A""#, r#""pionts": { "O": [0, 0], "A""#)],
+        sets: &[],
+        complaints: &[r#"line 9, column 7: bodies.crank.pionts: "pionts": unknown key (did you mean "points"?)"#],
+    },
+    Case {
+        what: "key far from all",
+        edits: &[(r#""pose""#, r#""colour""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 9, column 49: bodies.crank.colour: "colour": unknown key (known keys: mass, inertia, com, points, pose, note)"#,
+        ],
+    },
+    Case {
+        what: "note of another type",
+        edits: &[(r#""measured""#, r#"["measured"]"#)],
+        sets: &[],
+        complaints: &["line 11, column 67: bodies.rocker.note: text is expected, not a list"],
+    },
+    Case {
+        what: "name with a dot, references to it not missed",
+        edits: &[(r#""rocker": {"#, r#""rock.er": {"#), ("rocker.B", "rock.er.B"), ("rocker.Q", "rock.er.Q")],
+        sets: &[],
+        complaints: &[
+            r#"line 11, column 5: bodies.rock.er: "rock.er": a name must not contain "." (nor any of . [ ] , = * ? and control characters)"#,
+        ],
+    },
+    Case {
+        what: "empty name",
+        edits: &[(r#""load": {"#, r#""": {"#)],
+        sets: &[],
+        complaints: &[r#"line 28, column 5: forces.: "": a name must not be empty"#],
+    },
+    Case {
+        what: "name with a control character",
+        edits: &[(r#""load": {"#, r#""lo\tad": {"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 28, column 5: forces.lo ad: "lo ad": a name must not contain "\t" (nor any of . [ ] , = * ? and control characters)"#,
+        ],
+    },
+    Case {
+        what: "bodies far from all",
+        edits: &[(r#""bodies": {"#, r#""parts": {"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 1, column 1: "bodies" is missing"#,
+            r#"line 6, column 3: parts: "parts": unknown key (known keys: format, units, name, about, source, gravity, bodies, joints, drivers, forces, initial, points, analysis, note)"#,
+        ],
+    },
+    Case {
+        what: "no bodies",
+        edits: &[(r#""bodies": {"#, r#""bodies": {}, "initials": {"#)],
+        sets: &[],
+        complaints: &[
+            "line 6, column 13: bodies: it is empty, at least one is needed",
+            r#"line 6, column 17: initials: "initials": unknown key (known keys: format, units, name, about, source, gravity, bodies, joints, drivers, forces, initial, points, analysis, note)"#,
+        ],
+    },
+    Case {
+        what: "type misspelt, and a point",
+        edits: &[(
+            r#""revolute", "between": ["ground.O", "crank.O"]"#,
+            r#""revolut", "between": ["ground.O", "crank.P"]"#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 15, column 20: joints.a.type: "revolut": unknown type (did you mean "revolute"?)"#,
+            r#"line 15, column 55: joints.a.between[1]: "crank.P": body "crank" has no point "P" (its points: O, A)"#,
+        ],
+    },
+    Case {
+        what: "type missing",
+        edits: &[(r#""type": "prismatic", "#, "")],
+        sets: &[],
+        complaints: &[r#"line 20, column 10: joints.e: "type" is missing (one of "revolute", "prismatic" or "fixed")"#],
+    },
+    Case {
+        what: "type key misspelt",
+        edits: &[(r#""type": "prismatic", "#, r#""typ": "prismatic", "#)],
+        sets: &[],
+        complaints: &[r#"line 20, column 12: joints.e.typ: "typ": unknown key (did you mean "type"?)"#],
+    },
+    Case {
+        what: "type far from all",
+        edits: &[(r#""prismatic""#, r#""gear""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 20, column 20: joints.e.type: "gear": unknown type (one of "revolute", "prismatic" or "fixed")"#,
+        ],
+    },
+    Case {
+        what: "type of another kind",
+        edits: &[(r#""prismatic""#, "7")],
+        sets: &[],
+        complaints: &[
+            r#"line 20, column 20: joints.e.type: 7: text is expected, not a number (one of "revolute", "prismatic" or "fixed")"#,
+        ],
+    },
+    Case {
+        what: "between missing",
+        edits: &[(r#""between": ["ground.O", "crank.O"]"#, r#""note": """#)],
+        sets: &[],
+        complaints: &[
+            r#"line 15, column 10: joints.a: "between" is missing (the two ends, as in "between": ["ground.A", "crank.A"])"#,
+        ],
+    },
+    Case {
+        what: "axis missing",
+        edits: &[(r#", "axis": [1, 0]"#, "")],
+        sets: &[],
+        complaints: &[
+            r#"line 20, column 10: joints.e: "axis" is missing (a direction in the first body, as in "axis": [1, 0])"#,
+        ],
+    },
+    Case {
+        what: "axis zero",
+        edits: &[(r#""axis": [1, 0]"#, r#""axis": [0, 0.0]"#)],
+        sets: &[],
+        complaints: &["line 20, column 78: joints.e.axis: both components are zero, which is no direction"],
+    },
+    Case {
+        what: "axis with a unit",
+        edits: &[(r#""axis": [1, 0]"#, r#""axis": ["1 mm", 0]"#)],
+        sets: &[],
+        complaints: &[r#"line 20, column 79: joints.e.axis[0]: "1 mm": a plain number is expected, not text"#],
+    },
+    Case {
+        what: "body misspelt",
+        edits: &[(r#""rocker.B""#, r#""rokcer.B""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 18, column 57: joints.c.between[1]: "rokcer.B": there is no body "rokcer" (did you mean "rocker"?)"#,
+        ],
+    },
+    Case {
+        what: "body far from all",
+        edits: &[(r#""rocker.B""#, r#""wheel.B""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 18, column 57: joints.c.between[1]: "wheel.B": there is no body "wheel" (the bodies: ground, crank, coupler, rocker, slider)"#,
+        ],
+    },
+    Case {
+        what: "point missing",
+        edits: &[(r#"["crank.A", "coupler.A"]"#, r#"["crank.Z", "coupler.A"]"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 16, column 44: joints.b.between[0]: "crank.Z": body "crank" has no point "Z" (its points: O, A)"#,
+        ],
+    },
+    Case {
+        what: "body instead of a point",
+        edits: &[(r#"["crank.A", "coupler.A"]"#, r#"["crank", "coupler.A"]"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 16, column 44: joints.b.between[0]: "crank": this is no point of a body (write it as body.point; the points of "crank": O, A)"#,
+        ],
+    },
+    Case {
+        what: "joint of a body with itself",
+        edits: &[(r#"["crank.A", "coupler.A"]"#, r#"["crank.A", "crank.O"]"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 16, column 43: joints.b.between: both points are of "crank" (a joint connects two bodies)"#,
+        ],
+    },
+    Case {
+        what: "clearance of a prismatic joint",
+        edits: &[(r#""axis": [1, 0]"#, r#""axis": [1, 0], "clearance": { "model": "ideal" }"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 20, column 86: joints.e.clearance: "clearance": only a revolute joint can have clearance"#,
+        ],
+    },
+    Case {
+        what: "clearance model unknown",
+        edits: &[(r#""massless_link""#, r#""massles_link""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 17, column 31: joints.b.clearance.model: "massles_link": unknown model (did you mean "massless_link"?)"#,
+        ],
+    },
+    Case {
+        what: "clearance radius missing",
+        edits: &[(r#", "radius": 0.1"#, "")],
+        sets: &[],
+        complaints: &[
+            r#"line 17, column 20: joints.b.clearance: "radius" is missing, the model "massless_link" needs the radial clearance (bearing radius − journal radius, as in "0.1 mm")"#,
+        ],
+    },
+    Case {
+        what: "clearance radius zero",
+        edits: &[(
+            r#""massless_link", "radius": 0.1"#,
+            r#""contact", "radius": 0, "normal": { "law": "hertz", "stiffness": 1e8 }"#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 17, column 52: joints.b.clearance.radius: 0: must be greater than 0 for the model "contact""#,
+        ],
+    },
+    Case {
+        what: "clearance radius negative",
+        edits: &[(r#""radius": 0.1"#, r#""radius": "-10 um""#)],
+        sets: &[],
+        complaints: &[r#"line 17, column 58: joints.b.clearance.radius: "-10 um": must not be negative"#],
+    },
+    Case {
+        what: "contact without a normal law",
+        edits: &[(r#""massless_link""#, r#""contact""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 17, column 20: joints.b.clearance: "normal" is missing (the model "contact" needs a law of the normal force)"#,
+        ],
+    },
+    Case {
+        what: "contact without stiffness",
+        edits: &[(r#""massless_link""#, r#""contact", "normal": { "law": "flores", "restitution": 0.9 }"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 17, column 20: joints.b.clearance: "normal.stiffness" is missing (give it, or "elastic" and "bearing_radius")"#,
+        ],
+    },
+    Case {
+        what: "contact with elastic and no bearing radius",
+        edits: &[(
+            r#""massless_link""#,
+            r#""contact", "normal": { "law": "hertz", "elastic": { "young_modulus": "207 GPa", "poisson_ratio": 0.3 } }"#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 17, column 20: joints.b.clearance: "bearing_radius" is missing (the stiffness follows from "elastic" and the radii)"#,
+        ],
+    },
+    Case {
+        what: "law without restitution",
+        edits: &[(r#""massless_link""#, r#""contact", "normal": { "law": "hu_guo", "stiffness": 1e8 }"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 17, column 20: joints.b.clearance: "normal.restitution" is missing (the law "hu_guo" needs it)"#,
+        ],
+    },
+    Case {
+        what: "friction without its velocity",
+        edits: &[(
+            r#""massless_link""#,
+            r#""contact", "normal": { "law": "hertz", "stiffness": 1e8 }, "friction": { "law": "coulomb", "coefficient": 0.1 }"#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 17, column 20: joints.b.clearance: "friction.threshold_velocity" is missing (the law "coulomb" needs it)"#,
+        ],
+    },
+    Case {
+        what: "restitution and Poisson out of range",
+        edits: &[(
+            r#""massless_link""#,
+            r#""ideal", "normal": { "law": "hertz", "restitution": 1.2, "elastic": { "young_modulus": 1, "poisson_ratio": 0.6 } }"#,
+        )],
+        sets: &[],
+        complaints: &[
+            "line 17, column 83: joints.b.clearance.normal.restitution: 1.2: must not be greater than 1",
+            "line 17, column 138: joints.b.clearance.normal.elastic.poisson_ratio: 0.6: must not be greater than 0.5",
+        ],
+    },
+    Case {
+        what: "material of one part only",
+        edits: &[(
+            r#""massless_link""#,
+            r#""ideal", "normal": { "law": "hertz", "elastic": { "bearing": { "young_modulus": 1, "poisson_ratio": 0.3 } } }"#,
+        )],
+        sets: &[],
+        complaints: &[r#"line 17, column 79: joints.b.clearance.normal.elastic: "journal" is missing"#],
+    },
+    Case {
+        what: "law unknown",
+        edits: &[(
+            r#""massless_link""#,
+            r#""ideal", "normal": { "law": "lankarani-nikravesh" }, "friction": { "law": "stick" }"#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 17, column 59: joints.b.clearance.normal.law: "lankarani-nikravesh": unknown law (did you mean "lankarani_nikravesh"?)"#,
+            r#"line 17, column 105: joints.b.clearance.friction.law: "stick": unknown law (one of "none", "coulomb", "ambrosio", "threlfall", "stribeck" or "lugre")"#,
+        ],
+    },
+    Case {
+        what: "two_state without a surface",
+        edits: &[(r#""massless_link""#, r#""two_state""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 17, column 20: joints.b.clearance: "surface" is missing (the model "two_state" needs its stiffness and damping)"#,
+        ],
+    },
+    Case {
+        what: "three_state without a restitution",
+        edits: &[(r#""massless_link""#, r#""three_state""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 17, column 20: joints.b.clearance: "impact.restitution" is missing (the model "three_state" needs it, or "normal.restitution")"#,
+        ],
+    },
+    Case {
+        what: "driver of no body",
+        edits: &[(r#""body": "crank""#, r#""body": "crnak""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 23, column 44: drivers.motor.body: "crnak": there is no body "crnak" (did you mean "crank"?)"#,
+        ],
+    },
+    Case {
+        what: "driver of a point",
+        edits: &[(r#""body": "crank""#, r#""body": "crank.A""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 23, column 44: drivers.motor.body: "crank.A": a body is expected, this is a point (write "crank")"#,
+        ],
+    },
+    Case {
+        what: "driver of a body relative to itself",
+        edits: &[(r#""body": "crank""#, r#""body": "crank", "relative_to": "crank""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 23, column 44: drivers.motor.body: "crank": the angle of "crank" relative to itself cannot be driven"#,
+        ],
+    },
+    Case {
+        what: "two drivers of one angle",
+        edits: &[(
+            r#""drivers": {"#,
+            "\"drivers\": {\n    \"first\": { \"type\": \"rotation\", \"body\": \"ground\", \"relative_to\": \"crank\", \"motion\": { \"type\": \"constant_velocity\", \"velocity\": 1 } },",
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 24, column 14: drivers.motor: the angle between "crank" and "ground" is driven by "first" already (keep one of them)"#,
+        ],
+    },
+    Case {
+        what: "translation of no joint",
+        edits: &[(r#""joint": "e""#, r#""joint": "f""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 24, column 49: drivers.pusher.joint: "f": there is no joint "f" (the joints: a, b, c, d, e)"#,
+        ],
+    },
+    Case {
+        what: "translation of a revolute joint",
+        edits: &[(r#""joint": "e""#, r#""joint": "a""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 24, column 49: drivers.pusher.joint: "a": this joint is revolute, not prismatic (a translation drives the slide of a prismatic joint)"#,
+        ],
+    },
+    Case {
+        what: "coefficient of another order",
+        edits: &[(r#"[60, "10 rad/s"]"#, r#"[60, 0, "10 rad/s"]"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 23, column 111: drivers.motor.motion.coefficients[2]: "10 rad/s": "rad/s" is not a unit of angular acceleration (such as "rad/s^2")"#,
+        ],
+    },
+    Case {
+        what: "coefficient of another dimension",
+        edits: &[(r#"[60, "10 rad/s"]"#, r#"["60 mm", 0, 0, "1 mm/s^3"]"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 23, column 104: drivers.motor.motion.coefficients[0]: "60 mm": "mm" is not a unit of angle (such as "rad")"#,
+            r#"line 23, column 119: drivers.motor.motion.coefficients[3]: "1 mm/s^3": "mm/s^3" is not a unit of angle per second^3 (such as "rad/s^3")"#,
+        ],
+    },
+    Case {
+        what: "polynomial without coefficients",
+        edits: &[(r#"[60, "10 rad/s"]"#, "[]")],
+        sets: &[],
+        complaints: &[
+            "line 23, column 103: drivers.motor.motion.coefficients: a list of at least 1 is expected, this one has 0",
+        ],
+    },
+    Case {
+        what: "motion unknown",
+        edits: &[(r#""polynomial""#, r#""sine""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 23, column 73: drivers.motor.motion.type: "sine": unknown type (one of "polynomial", "harmonic", "table", "constant_velocity" or "constant_acceleration")"#,
+        ],
+    },
+    Case {
+        what: "table of one point",
+        edits: &[("[[0, 0], [1, 5]]", "[[0, 0]]")],
+        sets: &[],
+        complaints: &[
+            "line 24, column 93: drivers.pusher.motion.points: a list of at least 2 is expected, this one has 1",
+        ],
+    },
+    Case {
+        what: "table that goes back in time",
+        edits: &[("[[0, 0], [1, 5]]", r#"[[0, 0], [1, 5], ["900 ms", 6]]"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 24, column 111: drivers.pusher.motion.points[2][0]: "900 ms": the time is not later than that of the point before (the times of a table increase)"#,
+        ],
+    },
+    Case {
+        what: "table with a short point",
+        edits: &[("[[0, 0], [1, 5]]", "[[0, 0], [1]]")],
+        sets: &[],
+        complaints: &["line 24, column 102: drivers.pusher.motion.points[1]: a list of 2 is expected, this one has 1"],
+    },
+    Case {
+        what: "spring with neither stiffness nor damping",
+        edits: &[(r#""stiffness": 200, "#, "")],
+        sets: &[],
+        complaints: &[
+            r#"line 27, column 15: forces.return: "stiffness" is missing (with "damping" alone it would be a damper)"#,
+        ],
+    },
+    Case {
+        what: "force at no point",
+        edits: &[(r#""at": "coupler.B""#, r#""at": "coupler.b""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 28, column 38: forces.load.at: "coupler.b": body "coupler" has no point "b" (did you mean "coupler.B"? its points: A, B)"#,
+        ],
+    },
+    Case {
+        what: "force varies as a torque",
+        edits: &[(
+            r#""vector": [0, 5]"#,
+            r#""vector": [0, { "type": "harmonic", "amplitude": "5 N*m", "frequency": 1 }]"#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 28, column 100: forces.load.vector[1].amplitude: "5 N*m": "N*m" is not a unit of force (such as "N")"#,
+        ],
+    },
+    Case {
+        what: "frame unknown",
+        edits: &[(r#""vector": [0, 5]"#, r#""vector": [0, 5], "frame": "world""#)],
+        sets: &[],
+        complaints: &[r#"line 28, column 78: forces.load.frame: "world": unknown frame (one of "ground" or "body")"#],
+    },
+    Case {
+        what: "initial of ground and of nobody",
+        edits: &[(r#""initial": { "crank""#, r#""initial": { "ground": {}, "krank""#)],
+        sets: &[],
+        complaints: &[
+            "line 30, column 26: initial.ground: ground is fixed, it has no initial values",
+            r#"line 30, column 39: initial.krank: there is no body "krank" (did you mean "crank"?)"#,
+        ],
+    },
+    Case {
+        what: "point twice",
+        edits: &[(r#"["coupler.B"]"#, r#"["coupler.B", "coupler.B"]"#)],
+        sets: &[],
+        complaints: &[r#"line 31, column 27: points[1]: "coupler.B": the point is listed twice (first as points[0])"#],
+    },
+    Case {
+        what: "analysis unknown",
+        edits: &[(r#""inverse_dynamics""#, r#""inverse dynamics""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 32, column 25: analysis.type: "inverse dynamics": unknown type (did you mean "inverse_dynamics"?)"#,
+        ],
+    },
+    Case {
+        what: "both ways to say when",
+        edits: &[(
+            r#""outputs": 401"#,
+            r#""outputs": 401, "sample": { "driver": "motor", "from": 0, "to": 360, "step": 1 }"#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 32, column 52: analysis.end: 2.0: "end" and "sample" exclude each other (keep one of them)"#,
+        ],
+    },
+    Case {
+        what: "neither way to say when",
+        edits: &[(r#", "end": 2.0, "outputs": 401"#, "")],
+        sets: &[],
+        complaints: &[
+            r#"line 32, column 15: analysis: it is not said for which instants (give "end" and "outputs", or "sample")"#,
+        ],
+    },
+    Case {
+        what: "outputs missing",
+        edits: &[(r#", "outputs": 401"#, "")],
+        sets: &[],
+        complaints: &[
+            r#"line 32, column 15: analysis: "outputs" is missing (the number of output instants, both ends included)"#,
+        ],
+    },
+    Case {
+        what: "end missing",
+        edits: &[(r#""end": 2.0, "#, "")],
+        sets: &[],
+        complaints: &[r#"line 32, column 15: analysis: "end" is missing (the end time, the start is 0)"#],
+    },
+    Case {
+        what: "end and outputs out of range",
+        edits: &[(r#""end": 2.0, "outputs": 401"#, r#""end": 0, "outputs": 1"#)],
+        sets: &[],
+        complaints: &[
+            "line 32, column 52: analysis.end: 0: must be greater than 0",
+            "line 32, column 66: analysis.outputs: 1: must not be less than 2",
+        ],
+    },
+    Case {
+        what: "outputs not whole",
+        edits: &[("401", "401.5")],
+        sets: &[],
+        complaints: &["line 32, column 68: analysis.outputs: 401.5: a whole number is expected"],
+    },
+    Case {
+        what: "sample of no driver, step zero",
+        edits: &[(
+            r#""end": 2.0, "outputs": 401"#,
+            r#""sample": { "driver": "engine", "from": 0, "to": 360, "step": 1 }"#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 32, column 67: analysis.sample.driver: "engine": there is no driver "engine" (the drivers: motor, pusher)"#,
+        ],
+    },
+    Case {
+        what: "sample step zero, limit of another dimension",
+        edits: &[(
+            r#""end": 2.0, "outputs": 401"#,
+            r#""sample": { "driver": "motor", "from": 0, "to": "1 m", "step": 0 }"#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 32, column 93: analysis.sample.to: "1 m": "m" is not a unit of angle (such as "rad")"#,
+            "line 32, column 108: analysis.sample.step: 0: must not be zero",
+        ],
+    },
+    Case {
+        what: "column that is no text",
+        edits: &[(r#""outputs": 401"#, r#""outputs": 401, "columns": ["crank.*", 5]"#)],
+        sets: &[],
+        complaints: &["line 32, column 96: analysis.columns[1]: 5: text is expected, not a number"],
+    },
+    Case {
+        what: "solver option unknown",
+        edits: &[(r#""outputs": 401"#, r#""outputs": 401, "solver": { "tol": 1e-9, "rtol": 0 }"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 32, column 85: analysis.solver.tol: "tol": unknown key (did you mean "atol"?)"#,
+            "line 32, column 106: analysis.solver.rtol: 0: must be greater than 0",
+        ],
+    },
+    Case {
+        what: "repeated key",
+        edits: &[(r#""mass": 0.8,"#, r#""mass": 0.8, "mass": 0.9,"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 8, column 29: bodies.crank.mass: "mass": the key is given twice (first on line 8, column 16)"#,
+        ],
+    },
+    Case {
+        what: "comment",
+        edits: &[(r#""gravity""#, "// down\n  \"gravity\"")],
+        sets: &[],
+        complaints: &[
+            r#"line 5, column 3: not JSON: '/' where a key in double quotes is expected (JSON has no comments; use "note")"#,
+        ],
+    },
+    Case {
+        what: "comma too many",
+        edits: &[(r#""outputs": 401 }"#, r#""outputs": 401, }"#)],
+        sets: &[],
+        complaints: &[
+            "line 32, column 73: not JSON: '}' where a key in double quotes is expected (there may be a comma too many before it)",
+        ],
+    },
+    Case {
+        what: "comma missing",
+        edits: &[(r#""name": "four-bar and slider","#, r#""name": "four-bar and slider""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 4, column 3: not JSON: '"' where "," or "}" is expected (a comma may be missing before it)"#,
+        ],
+    },
+    Case {
+        what: "single quotes",
+        edits: &[(r#""mm""#, "'mm'")],
+        sets: &[],
+        complaints: &[r#"line 4, column 24: not JSON: '\'' where a value is expected (text stands in double quotes)"#],
+    },
+    Case {
+        what: "quote not closed",
+        edits: &[(r#""mm""#, r#""mm"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 4, column 30: not JSON: 'a' where "," or "}" is expected (a quote or a comma may be missing before it)"#,
+        ],
+    },
+    Case {
+        what: "leading zero",
+        edits: &[("-9.81", "-09.81")],
+        sets: &[],
+        complaints: &["line 5, column 18: not JSON: a number must not begin with a zero that counts nothing"],
+    },
+    Case {
+        what: "unknown escape",
+        edits: &[(r#""measured""#, r#""C:\models""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 11, column 70: not JSON: an escape that JSON does not know; a backslash itself is written \\"#,
+        ],
+    },
+    Case {
+        what: "broken surrogate",
+        edits: &[(r#""measured""#, r#""\ud800""#)],
+        sets: &[],
+        complaints: &[r#"line 11, column 68: not JSON: a broken \u escape (\u and four hex digits)"#],
+    },
+    Case {
+        what: "set: unit",
+        edits: &[],
+        sets: &["joints.b.clearance.radius=10 parsec"],
+        complaints: &[
+            r#"--set joints.b.clearance.radius=10 parsec: unknown unit "parsec" (length is wanted, such as "m")"#,
+        ],
+    },
+    Case {
+        what: "set: unknown key",
+        edits: &[],
+        sets: &["analysis.solver.rtoll=1e-9"],
+        complaints: &[r#"--set analysis.solver.rtoll=1e-9: unknown key (did you mean "rtol"?)"#],
+    },
+    Case {
+        what: "set: point",
+        edits: &[],
+        sets: &["joints.b.between[1]=coupler.Z"],
+        complaints: &[r#"--set joints.b.between[1]=coupler.Z: body "coupler" has no point "Z" (its points: A, B)"#],
+    },
+    Case {
+        what: "set: makes a joint that lacks everything",
+        edits: &[],
+        sets: &["joints.f.clearance.radius=1"],
+        complaints: &[
+            r#"--set joints.f.clearance.radius=1: joints.f: "type" is missing (one of "revolute", "prismatic" or "fixed")"#,
+        ],
+    },
+    Case {
+        what: "set: no value, no path, no entry, no object",
+        edits: &[],
+        sets: &["gravity", "a..b=3", "gravity[2]=1", "gravity.y=1", "name.x=1"],
+        complaints: &[
+            r#"--set gravity: there is no "=" (PATH=VALUE is expected, such as joints.b.clearance.radius="10 um")"#,
+            r#"--set a..b=3: "a..b" is not a path (PATH=VALUE is expected, such as joints.b.clearance.radius="10 um")"#,
+            "--set gravity[2]=1: gravity has no entry [2] (it has 2, counted from 0)",
+            r#"--set gravity.y=1: gravity is a list and has no keys (the path goes on with "y")"#,
+            r#"--set name.x=1: name is text and has no keys (the path goes on with "x")"#,
+        ],
+    },
+    Case {
+        what: "set: what it makes wrong elsewhere",
+        edits: &[],
+        sets: &["bodies.crank.points={}"],
+        complaints: &[
+            r#"line 15, column 56: joints.a.between[1]: "crank.O": body "crank" has no point "O" (its points: none)"#,
+            r#"line 16, column 44: joints.b.between[0]: "crank.A": body "crank" has no point "A" (its points: none)"#,
+        ],
+    },
+    Case {
+        what: "everything at once, in the order of the lines",
+        edits: &[
+            (r#""mass": 0.8"#, r#""mass": "0.8 kgg""#),
+            (r#""rocker.B""#, r#""rocker.C""#),
+            (r#""outputs": 401"#, r#""outputs": "many""#),
+            (r#""measured""#, "1"),
+        ],
+        sets: &["analysis.solver.max_step=1 m"],
+        complaints: &[
+            r#"line 8, column 24: bodies.crank.mass: "0.8 kgg": unknown unit "kgg" (did you mean "kg"?)"#,
+            "line 11, column 67: bodies.rocker.note: 1: text is expected, not a number",
+            r#"line 18, column 57: joints.c.between[1]: "rocker.C": body "rocker" has no point "C" (its points: Q, B)"#,
+            r#"line 32, column 68: analysis.outputs: "many": a plain number is expected, not text"#,
+            r#"--set analysis.solver.max_step=1 m: "m" is not a unit of time (such as "s")"#,
+        ],
+    },
+];
+
+fn said(text: &[u8], sets: &[&str]) -> Vec<String> {
+    let sets: Vec<String> = sets.iter().map(ToString::to_string).collect();
+    match model::load(text, &sets) {
+        Ok(_) => Vec::new(),
+        Err(complaints) => complaints.iter().map(ToString::to_string).collect(),
+    }
+}
+
+#[test]
+fn every_bad_model_is_refused_in_these_words() {
+    assert_eq!(said(BASE.as_bytes(), &[]), Vec::<String>::new(), "the base model is good");
+    let mut wrong = String::new();
+    for case in CASES {
+        let mut text = BASE.to_owned();
+        for (from, to) in case.edits {
+            assert!(text.contains(from), "{}: {from}", case.what);
+            text = text.replace(from, to);
+        }
+        let said = said(text.as_bytes(), case.sets);
+        if said != case.complaints {
+            wrong += &format!("{}:\n  said {said:#?}\n  want {:#?}\n", case.what, case.complaints);
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong}");
+}
+
+#[test]
+fn what_is_no_model_at_all_gets_one_clear_complaint() {
+    let deep = "[".repeat(100_000);
+    let cases: [(&[u8], &str); 15] = [
+        (b"", "the file is empty (a model is a JSON object)"),
+        (b" \n\t", "the file is empty (a model is a JSON object)"),
+        (b"\xEF\xBB\xBF", "the file is empty (a model is a JSON object)"),
+        (b"[]", "line 1, column 1: a model is an object, { \u{2026} }, not a list"),
+        (b"\"four-bar\"", "line 1, column 1: a model is an object, { \u{2026} }, not text"),
+        (
+            b"{\n  \"a\": 1",
+            "line 2, column 9: not JSON: the file ends where \",\" or \"}\" is expected; it seems cut short",
+        ),
+        (b"{\n  \"a\":", "line 2, column 7: not JSON: the file ends where a value is expected; it seems cut short"),
+        (b"{ \"a\": \"b", "line 1, column 8: not JSON: the text has no closing quote; the file seems cut short"),
+        (b"{} {}", "line 1, column 4: not JSON: '{' where the end of the file is expected"),
+        (b"{ \"a\": 1e999 }", "line 1, column 8: not JSON: 1e999: the number is too large for a double"),
+        (
+            b"{ \"\xc3\xa9\": 'x' }",
+            "line 1, column 8: not JSON: '\\'' where a value is expected (text stands in double quotes)",
+        ),
+        (
+            b"{\n\"a\": \xff }",
+            "line 2, column 6: the file is not UTF-8 text (a model is a JSON file; save it as UTF-8)",
+        ),
+        (b"\xff\xfe{\0}\0", "line 1, column 1: the file is not UTF-8 text (a model is a JSON file; save it as UTF-8)"),
+        (b"\x7fELF\x02\x01\x01", "line 1, column 1: not JSON: '\\u{7f}' where a value is expected"),
+        (deep.as_bytes(), "line 1, column 129: not JSON: nested more than 128 deep"),
+    ];
+    for (text, words) in cases {
+        assert_eq!(said(text, &[]), [words]);
+    }
+}
+
+#[test]
+fn a_byte_order_mark_and_windows_line_ends_do_no_harm() {
+    let text = format!("\u{feff}{}", BASE.replace('\n', "\r\n"));
+    assert_eq!(said(text.as_bytes(), &[]), Vec::<String>::new());
+    let text = text.replace("0.8", "-0.8").replace("\"four-bar", "\"čtyřkloub");
+    assert_eq!(said(text.as_bytes(), &[]), ["line 8, column 24: bodies.crank.mass: -0.8: must not be negative"]);
+    // on the first line the mark is no column
+    assert_eq!(said("\u{feff}?".as_bytes(), &[]), ["line 1, column 1: not JSON: '?' where a value is expected"]);
+}
+
+#[test]
+fn files_that_cannot_be_models_are_refused_by_name() {
+    let folder = std::env::temp_dir().join(format!("linkdyn-complaints-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let large = folder.join("large.json");
+    let mut file = std::fs::File::create(&large).unwrap();
+    file.write_all(b"[[[[").unwrap();
+    file.set_len(100 * 1024 * 1024).unwrap();
+    let said = |path: &std::path::Path| model::load_file(path, &[]).unwrap_err()[0].to_string();
+    let (folder_name, large_name) = (folder.display().to_string(), large.display().to_string());
+    assert_eq!(said(&large), format!("{large_name}: 100 MB are too much for a model, at most 64 MB are read"));
+    assert_eq!(said(&folder), format!("{folder_name}: this is a directory, not a model file"));
+    assert_eq!(said(&folder.join("none.json")), format!("{folder_name}/none.json: there is no such file"));
+    std::fs::remove_dir_all(&folder).unwrap();
+    assert_eq!(
+        model::load(&vec![b' '; 65 * 1024 * 1024], &[]).unwrap_err()[0].to_string(),
+        "65 MB are too much for a model, at most 64 MB are read"
+    );
+}
+
+#[test]
+fn a_file_with_thousands_of_faults_is_not_repeated_whole() {
+    let names: Vec<String> = (0..5000).map(|index| format!("\"f{index}\": 1")).collect();
+    let said = said(BASE.replace("\"load\": {", &format!("{}, \"load\": {{", names.join(", "))).as_bytes(), &[]);
+    assert_eq!(said.len(), 101);
+    assert_eq!(said[100], "and 4900 more faults");
+}
+
+#[test]
+fn warnings_are_no_faults() {
+    let edited = |from: &str, to: &str| {
+        assert!(BASE.contains(from));
+        model::load(BASE.replace(from, to).as_bytes(), &[]).unwrap().warnings
+    };
+    assert_eq!(edited("0.8", "0.9"), Vec::<String>::new());
+    assert_eq!(
+        edited("\"crank\": { \"angle\": 60 }", "\"crank\": { \"angular_velocity\": 60 }"),
+        ["line 30, column 47: initial.crank.angular_velocity: 60: a plain angular_velocity is in rad/s, although \
+          \"angle\" has another unit (name a unit for \"angular_velocity\" in units, or write it with its unit)"]
+    );
+    assert_eq!(
+        edited(", \"free_length\": 150", ""),
+        ["line 27, column 15: forces.return: \"free_length\" is left out and taken as 0 (write it, even if it is 0)"]
+    );
+}
+
+#[test]
+fn numbers_arrive_in_si() {
+    let text = BASE.replace("7e-4", "\"700 kg*mm^2\"").replace(
+        "[0, 5] }",
+        "[\"1 lbf\", { \"type\": \"harmonic\", \"amplitude\": 2, \"frequency\": 3, \"phase\": 90 }] }",
+    );
+    let loaded = model::load(text.as_bytes(), &["joints.b.clearance.radius=10 um".into()]).unwrap();
+    let (model, degree) = (&loaded.model, std::f64::consts::PI / 180.0);
+    assert_eq!(model.bodies["crank"].inertia, Some(7e-4));
+    assert_eq!(model.bodies["crank"].pose.angle, 60.0 * degree);
+    assert_eq!(model.bodies["coupler"].points["B"], [0.25, 0.0]);
+    let model::JointKind::Revolute { clearance: Some(clearance) } = &model.joints["b"].kind else { panic!() };
+    assert_eq!(clearance.radius, Some(1e-5));
+    let model::Motion::Polynomial { coefficients } = &model.drivers["motor"].motion else { panic!() };
+    assert_eq!(coefficients, &[60.0 * degree, 10.0]);
+    let model::Motion::Table { points } = &model.drivers["pusher"].motion else { panic!() };
+    assert_eq!(points, &[[0.0, 0.0], [1.0, 0.005]]);
+    let model::ForceKind::Load { vector: [Value::Constant(x), Value::Motion(y)], .. } = &model.forces["load"].kind
+    else {
+        panic!()
+    };
+    assert_eq!(*x, 4.4482216152605);
+    let harmonic = model::Motion::Harmonic { offset: 0.0, amplitude: 2.0, frequency: 3.0, phase: 90.0 * degree };
+    assert_eq!(*y, harmonic);
+    assert_eq!(model.bodies.keys().collect::<Vec<_>>(), ["ground", "crank", "coupler", "rocker", "slider"]);
+}
+
+#[test]
+fn the_document_is_what_was_written_and_set() {
+    let sets =
+        ["analysis.solver.rtol=1e-9", "joints.b.between[1]=rocker.B", "about=x=y", "gravity=[0, 0]"].map(String::from);
+    let loaded = model::load(BASE.as_bytes(), &sets).unwrap();
+    let mut expected: serde_json::Value = serde_json::from_str(BASE).unwrap();
+    expected["analysis"]["solver"] = serde_json::json!({ "rtol": 1e-9 });
+    expected["joints"]["b"]["between"][1] = "rocker.B".into();
+    expected["about"] = "x=y".into();
+    expected["gravity"] = serde_json::json!([0, 0]);
+    assert_eq!(loaded.document.to_string(), expected.to_string());
+    let place = |path: &str| loaded.source.locate(path).map(|place| (place.line, place.column));
+    assert_eq!(place("joints.b.between[0]"), Some((16, 44)));
+    assert_eq!(place("joints.b.between[1]"), None, "it came from --set");
+    assert_eq!(place("joints.b.speed"), Some((16, 5)), "the key of the nearest ancestor");
+    assert_eq!(place(""), Some((1, 1)));
+}
+
+#[test]
+fn a_note_is_allowed_in_every_object() {
+    // a brace that opens an object gets a note at once
+    let text = BASE
+        .replace(", \"note\": \"measured\"", "")
+        .replace("{ ", "{ \"note\": \"why\", ")
+        .replace("{\n", "{ \"note\": \"why\",\n");
+    assert_eq!(said(text.as_bytes(), &["analysis.solver.note=why"]), Vec::<String>::new());
+}
+
+/// Whatever comes, every complaint has words.
+fn survives(text: &[u8]) {
+    if let Err(complaints) = model::load(text, &[]) {
+        assert!(!complaints.is_empty());
+        assert!(complaints.iter().all(|complaint| !complaint.message.is_empty()));
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn no_bytes_make_it_panic(bytes in proptest::collection::vec(any::<u8>(), 0..200)) {
+        survives(&bytes);
+    }
+
+    #[test]
+    fn no_mutation_of_a_model_makes_it_panic(
+        at in 0..BASE.len(), length in 0usize..40, insert in "[\\[\\]{}\":,=.0-9a-zé\\\\ -]{0,12}"
+    ) {
+        let mut bytes = BASE.as_bytes().to_vec();
+        let end = (at + length).min(bytes.len());
+        bytes.splice(at..end, insert.into_bytes());
+        survives(&bytes);
+    }
+
+    #[test]
+    fn no_value_in_place_of_another_makes_it_panic(which in 0usize..400, kind in 0usize..9) {
+        let values = ["null", "true", "-1", "1e308", "\"\"", "\"5 mm\"", "[]", "{}", "[{\"type\": 1}, 2]"];
+        let mut model: serde_json::Value = serde_json::from_str(BASE).unwrap();
+        let mut left = which;
+        replace(&mut model, &mut left, &serde_json::from_str(values[kind]).unwrap());
+        survives(model.to_string().as_bytes());
+    }
+
+    #[test]
+    fn no_set_makes_it_panic(set in "[a-z.\\[\\]=0-9{}\": ]{0,40}", path in "(joints|bodies|analysis|units)(\\.[a-e]|\\[[0-2]\\]){0,4}=") {
+        for set in [set.clone(), path + &set] {
+            let _ = model::load(BASE.as_bytes(), &[set]);
+        }
+    }
+}
+
+/// Replaces the value that `left` counts down to.
+fn replace(value: &mut serde_json::Value, left: &mut usize, by: &serde_json::Value) {
+    if *left == 0 {
+        *value = by.clone();
+    }
+    *left = left.wrapping_sub(1);
+    match value {
+        serde_json::Value::Array(items) => items.iter_mut().for_each(|item| replace(item, left, by)),
+        serde_json::Value::Object(members) => members.values_mut().for_each(|member| replace(member, left, by)),
+        _ => {}
+    }
+}

@@ -1,0 +1,197 @@
+//! The published schema agrees with the loader: what one accepts, so does the other.
+
+use linkdyn::model;
+use serde_json::{Value, json};
+
+/// The example of the format's description.
+const EXAMPLE: &str = r#"{
+  "format": "linkdyn/1",
+  "name": "Four-bar with a worn pin",
+  "about": "what this is, for whom", "source": "who measured or published it",
+  "units": { "length": "mm", "angle": "deg", "inertia": "kg*mm^2" },
+  "gravity": [0, -9.81],
+  "bodies": {
+    "ground":  { "points": { "O2": [0, 0], "O4": [300, 0] } },
+    "crank":   { "mass": 0.8, "inertia": 700, "com": [50, 0],
+                 "points": { "O2": [0, 0], "A": [100, 0] },
+                 "pose": { "position": [0, 0], "angle": 60 }, "note": "centre of mass assumed at mid-length" },
+    "coupler": { "mass": 1.9, "inertia": 9000, "com": [125, 20],
+                 "points": { "A": [0, 0], "B": [250, 0], "P": [125, 80] },
+                 "pose": { "position": [50, 87], "angle": 20 } },
+    "rocker":  { "mass": 1.5, "inertia": 5000, "com": [100, 0],
+                 "points": { "O4": [0, 0], "B": [200, 0] },
+                 "pose": { "position": [300, 0], "angle": 90 } }
+  },
+  "joints": {
+    "a": { "type": "revolute", "between": ["ground.O2", "crank.O2"] },
+    "b": { "type": "revolute", "between": ["crank.A", "coupler.A"],
+           "clearance": { "model": "massless_link", "radius": 0.1 } },
+    "c": { "type": "revolute", "between": ["coupler.B", "rocker.B"] },
+    "d": { "type": "revolute", "between": ["ground.O4", "rocker.O4"] }
+  },
+  "drivers": {
+    "motor": { "type": "rotation", "body": "crank",
+               "motion": { "type": "polynomial", "coefficients": [60, "10 rad/s"] } }
+  },
+  "forces": {
+    "return": { "type": "spring", "between": ["ground.O4", "coupler.P"],
+                "stiffness": 200, "damping": 1.0, "free_length": 150 }
+  },
+  "initial": { "crank": { "angle": 60 } },
+  "points": ["coupler.P"],
+  "analysis": { "type": "inverse_dynamics", "end": 2.0, "outputs": 401 }
+}
+"#;
+
+fn minimal(extra: &Value) -> Value {
+    let mut model = json!({
+        "format": "linkdyn/1", "units": "SI",
+        "bodies": {
+            "ground": { "points": { "O": [0, 0] } },
+            "bar": { "points": { "O": [0, 0], "A": ["10 cm", "-1e-2 ft"] } },
+            "block": { "mass": 0, "points": { "C": [0, 0] } }
+        },
+        "joints": {
+            "pin": { "type": "revolute", "between": ["ground.O", "bar.O"] },
+            "slide": { "type": "prismatic", "between": ["bar.O", "block.C"], "axis": [1, 0], "angle": "5 deg" },
+            "weld": { "type": "fixed", "between": ["bar.O", "block.C"] }
+        }
+    });
+    for (key, value) in extra.as_object().into_iter().flatten() {
+        model[key] = value.clone();
+    }
+    model
+}
+
+fn motion(motion: &Value) -> Value {
+    json!({ "drivers": {
+        "turn": { "type": "rotation", "body": "bar", "relative_to": "ground", "motion": motion },
+    }})
+}
+
+fn clearance(clearance: &Value) -> Value {
+    json!({ "joints": { "pin": { "type": "revolute", "between": ["ground.O", "bar.O"], "clearance": clearance } } })
+}
+
+fn good() -> Vec<Value> {
+    let mut models = vec![
+        serde_json::from_str(EXAMPLE).unwrap(),
+        minimal(&json!({})),
+        minimal(&json!({ "units": { "length": "mm", "angular_stiffness": "N*mm/deg", "note": "x" }, "note": "y" })),
+        minimal(&motion(
+            &json!({ "type": "polynomial", "coefficients": [0, "10 rad/s", "2 rad/s^2", 0, "1 deg/s^4"] }),
+        )),
+        minimal(&motion(&json!({ "type": "harmonic", "amplitude": "5 deg", "frequency": "2 Hz" }))),
+        minimal(&motion(&json!({ "type": "table", "points": [[0, 0], ["1 min", "1 rev"]] }))),
+        minimal(&motion(&json!({ "type": "constant_velocity", "start": 0, "velocity": "300 rpm" }))),
+        minimal(&motion(
+            &json!({ "type": "constant_acceleration", "start": 0, "velocity": 1, "acceleration": "1 deg/s²" }),
+        )),
+        minimal(&json!({ "drivers": { "push": { "type": "translation", "joint": "slide",
+            "motion": { "type": "constant_velocity", "velocity": "5 mm/s", "note": "slow" } } } })),
+        minimal(&json!({ "forces": {
+            "damper": { "type": "spring", "between": ["ground.O", "bar.A"], "damping": "3 N*s/m" },
+            "coil": { "type": "torsion_spring", "between": ["ground", "bar"], "stiffness": "3 N*m", "free_angle": 0.1 },
+            "push": { "type": "force", "at": "bar.A", "vector": ["1 kgf", 0], "frame": "body" },
+            "turn": { "type": "torque", "body": "bar", "relative_to": "ground",
+                      "value": { "type": "harmonic", "offset": "1 N*mm", "amplitude": 2, "frequency": 1 } }
+        } })),
+        minimal(
+            &json!({ "initial": { "bar": { "x": 0, "y": "1 mm", "angle": 1, "vx": 0, "vy": 0, "angular_velocity": 1 } } }),
+        ),
+        minimal(&json!({ "analysis": { "type": "assembly" } })),
+        minimal(&json!({ "analysis": { "type": "dynamics", "end": "500 ms", "outputs": 11, "columns": ["bar.*"],
+            "solver": { "method": "auto", "rtol": 1e-6, "atol": 1e-9, "max_step": "1 ms", "initial_step": 1e-6,
+                        "max_wall_time": "2 min" } } })),
+        minimal(&clearance(&json!({ "model": "ideal" }))),
+        minimal(&clearance(&json!({ "model": "massless_link", "radius": 0 }))),
+        minimal(&clearance(&json!({
+            "model": "contact", "radius": "0.5 mm", "bearing_radius": "10 mm",
+            "normal": { "law": "lankarani_nikravesh", "restitution": 0.9,
+                        "elastic": { "young_modulus": "207 GPa", "poisson_ratio": 0.3 } },
+            "friction": { "law": "coulomb", "coefficient": 0.03, "threshold_velocity": 0.01 },
+            "surface": { "stiffness": 1e8, "damping": 2e3 },
+            "impact": { "restitution": 0.9, "friction": 0.03 }
+        }))),
+        minimal(&clearance(&json!({
+            "model": "contact", "radius": "0.5 mm", "bearing_radius": "10 mm", "axial_length": "15 mm",
+            "normal": { "law": "pereira", "restitution": 0.9, "elastic": {
+                "bearing": { "young_modulus": "207 GPa", "poisson_ratio": 0.3 },
+                "journal": { "young_modulus": 7e10, "poisson_ratio": 0.33, "note": "aluminium" } } },
+            "friction": { "law": "lugre", "coefficient": 0.03, "static_coefficient": 0.05, "stribeck_velocity": "1 mm/s",
+                          "bristle_stiffness": 1e5, "bristle_damping": 300, "viscous": 0.4 }
+        }))),
+    ];
+    models[1]["bodies"]["note"] = json!("a remark, not a body");
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("models");
+    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+        if entry.path().extension().is_some_and(|extension| extension == "json") {
+            models.push(serde_json::from_str(&std::fs::read_to_string(entry.path()).unwrap()).unwrap());
+        }
+    }
+    models
+}
+
+#[test]
+fn good_models_satisfy_schema_and_loader() {
+    let schema = model::schema();
+    assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
+    let validator = jsonschema::validator_for(&schema).unwrap();
+    for model in good() {
+        if let Err(error) = validator.validate(&model) {
+            panic!("{}: {error}\n{model:#}", error.instance_path());
+        }
+        if let Err(complaints) = model::load(model.to_string().as_bytes(), &[]) {
+            panic!("{}\n{model:#}", complaints[0]);
+        }
+    }
+}
+
+#[test]
+fn bad_structure_satisfies_neither() {
+    let validator = jsonschema::validator_for(&model::schema()).unwrap();
+    let bad = [
+        json!({ "format": "linkdyn/2" }),
+        json!({ "units": { "lenght": "mm" } }),
+        json!({ "units": "si" }),
+        json!({ "parameters": {} }),
+        json!({ "gravity": [0] }),
+        json!({ "gravity": [0, "= -g"] }),
+        json!({ "gravity": [0, "9.81"] }),
+        json!({ "gravity": [0, null] }),
+        json!({ "bodies": {} }),
+        json!({ "bodies": { "ground": { "mass": 1 } } }),
+        json!({ "bodies": { "bar": { "mass": -1 } } }),
+        json!({ "bodies": { "b.r": {} } }),
+        json!({ "bodies": { "bar": { "note": 5 } } }),
+        json!({ "joints": { "pin": { "type": "revolut", "between": ["ground.O", "bar.O"] } } }),
+        json!({ "joints": { "pin": { "between": ["ground.O", "bar.O"] } } }),
+        json!({ "joints": { "pin": { "type": "revolute", "between": ["ground.O", "bar"] } } }),
+        json!({ "joints": { "pin": { "type": "fixed", "between": ["ground.O", "bar.O"], "clearance": { "model": "ideal" } } } }),
+        json!({ "joints": { "pin": { "type": "prismatic", "between": ["ground.O", "bar.O"], "axis": [0, 0] } } }),
+        json!({ "forces": { "s": { "type": "spring", "between": ["ground.O", "bar.A"], "free_length": 1 } } }),
+        motion(&json!({ "type": "polynomial", "coefficients": [] })),
+        motion(&json!({ "type": "table", "points": [[0, 0], [1, 2, 3]] })),
+        clearance(&json!({ "model": "sloppy" })),
+        clearance(&json!({ "model": "ideal", "normal": { "law": "hertz", "restitution": 2 } })),
+        json!({ "analysis": { "type": "statics", "outputs": 1.5 } }),
+        json!({ "analysis": { "type": "statics", "end": 0 } }),
+        json!({ "analysis": { "type": "statics", "columns": [1] } }),
+    ];
+    for extra in bad {
+        let model = minimal(&extra);
+        assert!(!validator.is_valid(&model), "the schema accepts {extra}");
+        assert!(model::load(model.to_string().as_bytes(), &[]).is_err(), "the loader accepts {extra}");
+    }
+}
+
+#[test]
+fn every_key_of_a_clearance_says_what_it_is() {
+    let schema = model::schema();
+    for name in ["Clearance", "Normal", "Friction", "Surface", "Impact", "Material"] {
+        for (key, property) in schema["$defs"][name]["properties"].as_object().unwrap() {
+            let said = property.get("description").is_some() || property.get("$ref").is_some();
+            assert!(said, "{name}.{key}");
+        }
+    }
+}
