@@ -1,8 +1,8 @@
 //! Pairing of the rows of a matrix with its columns, each through an entry: a maximum matching in the bipartite graph.
 //!
-//! Large entries are tried first, then augmenting paths through large entries, then through all entries of the pattern (Duff, ACM
-//! TOMS 7, 1981, with breadth first search instead of depth first). The number of pairs is the structural rank: no values in this pattern
-//! can reach a higher rank.
+//! Large entries are tried first, then augmenting paths through large entries, then through all entries of the pattern
+//! (Duff, ACM TOMS 7, 1981, with breadth first search instead of depth first). The number of pairs is the structural
+//! rank: no values in this pattern can reach a higher rank.
 
 use thiserror::Error;
 

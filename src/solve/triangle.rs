@@ -1,8 +1,8 @@
 //! Triangular factors under construction, and the search that finds which rows a new column reaches.
 //!
-//! Solving L x = a for a sparse a touches the rows that can be reached from the entries of a along the entries of L: row r, if it
-//! is the pivot of column k, leads to the rows of L(:, k). Visited depth first, the rows come out in an order in which the
-//! elimination can go through them (Gilbert & Peierls 1988), in time proportional to the arithmetic.
+//! Solving L x = a for a sparse a touches the rows that can be reached from the entries of a along the entries of L:
+//! row r, if it is the pivot of column k, leads to the rows of L(:, k). Visited depth first, the rows come out in an
+//! order in which the elimination can go through them (Gilbert & Peierls 1988), in time proportional to the arithmetic.
 
 /// Marks a row without pivot, or a column without partner.
 pub(super) const NONE: u32 = u32::MAX;
@@ -77,8 +77,8 @@ impl Search {
         &mut self.mark
     }
 
-    /// Finds all rows that eliminating a column with entries in `rows` can touch; `position` is the column of L a row is
-    /// the pivot of.
+    /// Finds all rows that eliminating a column with entries in `rows` can touch; `position` is the column of L a row
+    /// is the pivot of.
     pub(super) fn find(&mut self, step: u32, rows: &[u32], position: &[u32], lower: &Triangle) {
         self.reach.clear();
         let first_child = |row: u32| match position[row as usize] {

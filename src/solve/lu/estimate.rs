@@ -89,8 +89,9 @@ impl SparseLu {
     /// right ← A⁻¹ left / |A⁻¹ left|,   left ← A⁻ᵀ right / |A⁻ᵀ right|,   σ ≈ 1 / |A⁻ᵀ right|
     /// ```
     ///
-    /// Never below the true value but for rounding, and near it after two iterations when the next singular value is well apart.
-    /// At a dead point `right` is the motion that becomes free and `left` the combination of rows that vanishes.
+    /// Never below the true value but for rounding, and near it after two iterations when the next singular value is
+    /// well apart. At a dead point `right` is the motion that becomes free and `left` the combination of rows that
+    /// vanishes.
     ///
     /// # Panics
     /// Without factors, or when a vector is not as long as the matrix.

@@ -7,8 +7,8 @@ impl SparseLu {
     /// Factors with a new choice of pivots, which [`SparseLu::refactor`] then keeps.
     ///
     /// # Errors
-    /// [`Singular`] with the first column, in elimination order, that depends on those before it, or with the first entry
-    /// that is not finite. No factors are left then.
+    /// [`Singular`] with the first column, in elimination order, that depends on those before it, or with the first
+    /// entry that is not finite. No factors are left then.
     pub fn factor(&mut self, values: &[f64]) -> Result<(), Singular> {
         assert_eq!(values.len(), self.pattern.entries(), "one value per entry of the pattern");
         self.factored = false;
