@@ -5,7 +5,9 @@
 //! matching      pairing of rows with columns, structural rank
 //! order         elimination order and preferred pivots of a square matrix
 //! lu            sparse LU with frozen pivots: A x = b, Aᵀ x = b, determinant, smallest singular value
-//! redundancy    independent rows, free directions
+//! rank          which rows of a rectangular matrix depend on earlier ones, and how
+//! dense         singular values, null spaces and least norm solutions of small matrices
+//! redundancy    free directions, and independent rows chosen for good condition
 //! closing       assembly from rough guesses (Levenberg–Marquardt)
 //! driven        positions, velocities, accelerations, multipliers at one instant
 //! hermite       osculating polynomials
@@ -16,12 +18,14 @@
 
 pub mod closing;
 pub mod continuation;
+pub mod dense;
 pub mod driven;
 pub mod hermite;
 pub mod lu;
 pub mod matching;
 pub mod order;
 pub mod pattern;
+pub mod rank;
 pub mod redundancy;
 mod triangle;
 
