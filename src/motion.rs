@@ -178,7 +178,7 @@ impl Law {
 const SUBDIVISIONS: usize = 64;
 
 /// The place in [a, b] where `f` goes from positive to not positive.
-fn bisect(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
+pub(crate) fn bisect(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
     for _ in 0..200 {
         let middle = 0.5 * (a + b);
         if middle <= a || middle >= b {

@@ -6,7 +6,8 @@ use crate::error::Complaint;
 use crate::graph::Topology;
 use crate::output::{Mobility, Status};
 use crate::solve::closing::{Closed, close, least_velocity};
-use crate::solve::redundancy::{Rank, rank};
+use crate::solve::rank::{DEPENDENCE_TOLERANCE, RankReport, SparseRows, independent_rows};
+use crate::solve::redundancy::free_directions;
 use crate::system::{Block, Evaluation, Inputs, Origin, System};
 
 /// An assembled mechanism.
@@ -14,8 +15,8 @@ use crate::system::{Block, Evaluation, Inputs, Origin, System};
 pub struct Assembled {
     pub q: Vec<f64>,
     /// Rank of the joints' rows, and of joints' and drivers' rows together.
-    pub joints: Rank,
-    pub all: Rank,
+    pub joints: RankReport,
+    pub all: RankReport,
     pub mobility: Mobility,
     pub iterations: u64,
     pub warnings: Vec<String>,
@@ -41,36 +42,49 @@ pub fn assemble(system: &System, inputs: &Inputs) -> Result<Assembled, Stop> {
 }
 
 /// Ranks of the joints' rows and of all rows at `q`.
-pub fn ranks(system: &System, q: &[f64], inputs: &Inputs) -> (Rank, Rank) {
+pub fn ranks(system: &System, q: &[f64], inputs: &Inputs) -> (RankReport, RankReport) {
     let mut evaluation = Evaluation::new(system);
     evaluation.set_position(q);
     evaluation.eval_jacobian(system, inputs);
-    let rows = sparse_rows(system, &evaluation.jacobian);
-    let n = system.n();
-    (rank(&rows[..system.joint_rows()], n), rank(&rows, n))
+    let of = |rows| independent_rows(&scaled_rows(system, &evaluation.jacobian, rows), DEPENDENCE_TOLERANCE);
+    (of(system.joint_rows()), of(system.m()))
 }
 
-/// The scaled Jacobian by rows: (column, value).
-fn sparse_rows(system: &System, values: &[f64]) -> Vec<Vec<(usize, f64)>> {
-    let mut rows = vec![Vec::new(); system.m()];
-    for (entry, value) in system.entries.iter().zip(values) {
-        if let Some(column) = entry.column {
-            let (row, column) = (entry.row as usize, column as usize);
-            rows[row].push((column, value * system.column_scale(column) / system.row_scale(row)));
-        }
+/// The first `rows` rows of the scaled Jacobian.
+fn scaled_rows(system: &System, values: &[f64], rows: usize) -> SparseRows {
+    let entries: Vec<(usize, usize, f64)> = system
+        .entries
+        .iter()
+        .zip(values)
+        .filter_map(|(entry, value)| {
+            let (row, column) = (entry.row as usize, entry.column? as usize);
+            (row < rows).then(|| (row, column, value * system.column_scale(column) / system.row_scale(row)))
+        })
+        .collect();
+    match SparseRows::from_triplets(rows, system.n(), &entries) {
+        Ok(rows) => rows,
+        // The loader lets no other numbers in, and angles have sines.
+        Err(bad) => panic!("the Jacobian's entry at row {}, column {} is not finite", bad.row, bad.column),
     }
-    rows
+}
+
+/// Directions in which nothing holds the mechanism at `q`, scaled.
+fn free(system: &System, q: &[f64], inputs: &Inputs, independent: &[usize]) -> Vec<Vec<f64>> {
+    let mut evaluation = Evaluation::new(system);
+    evaluation.set_position(q);
+    evaluation.eval_jacobian(system, inputs);
+    free_directions(&scaled_rows(system, &evaluation.jacobian, system.m()), independent)
 }
 
 /// Grübler's count and the count by rank, with the joints that are redundant.
-fn mobility(system: &System, joints: &Rank) -> Mobility {
+fn mobility(system: &System, joints: &RankReport) -> Mobility {
     let n = system.n() as i64;
     let mut redundant: Vec<usize> = joints.dependent.iter().filter_map(|d| joint_of(system, d.row)).collect();
     redundant.dedup();
     let mut shared: Vec<usize> = joints
         .dependent
         .iter()
-        .flat_map(|d| d.on.iter().copied().chain([d.row]))
+        .flat_map(|d| d.combination.iter().map(|(row, _)| *row).chain([d.row]))
         .filter_map(|row| joint_of(system, row))
         .collect();
     shared.sort_unstable();
@@ -83,6 +97,12 @@ fn mobility(system: &System, joints: &Rank) -> Mobility {
         redundant: names(redundant),
         reactions_not_unique: names(shared),
     }
+}
+
+/// Mobility of a mechanism that does not assemble or can't start: by rank at its guess.
+pub fn counted(system: &System) -> Mobility {
+    let inputs = Inputs::at_time(system, 0.0);
+    mobility(system, &ranks(system, &system.guess, &inputs).0)
 }
 
 fn joint_of(system: &System, row: usize) -> Option<usize> {
@@ -264,14 +284,15 @@ pub fn check_driven(system: &System, assembled: &Assembled, inputs: &Inputs) -> 
         return Ok(());
     }
     // A loss of rank may be the position's alone: look from a little beside it.
-    let beside = nudged(system, assembled, inputs);
+    let directions = free(system, &assembled.q, inputs, &assembled.all.independent);
+    let beside = nudged(system, assembled, &directions, inputs);
     let (joints, all) = beside.map_or((assembled.joints.clone(), assembled.all.clone()), |q| ranks(system, &q, inputs));
     let freedom = n - joints.rank;
     if system.drivers.len() > freedom {
         return Err(Stop::Input(vec![over_driven(system, freedom)]));
     }
     if all.rank < n {
-        return Err(Stop::Input(vec![under_driven(system, freedom, &all)]));
+        return Err(Stop::Input(vec![under_driven(system, freedom, &directions)]));
     }
     Err(Stop::failed(
         Status::Singular,
@@ -282,8 +303,8 @@ pub fn check_driven(system: &System, assembled: &Assembled, inputs: &Inputs) -> 
 }
 
 /// A position a little beside, along a null direction of all rows, with the joints closed again.
-fn nudged(system: &System, assembled: &Assembled, inputs: &Inputs) -> Option<Vec<f64>> {
-    let direction = assembled.all.null_vectors.first()?;
+fn nudged(system: &System, assembled: &Assembled, directions: &[Vec<f64>], inputs: &Inputs) -> Option<Vec<f64>> {
+    let direction = directions.first()?;
     let largest = crate::math::max_abs(direction);
     let mut q = assembled.q.clone();
     for (k, (q, d)) in q.iter_mut().zip(direction).enumerate() {
@@ -294,12 +315,12 @@ fn nudged(system: &System, assembled: &Assembled, inputs: &Inputs) -> Option<Vec
     closed.converged.then_some(closed.q)
 }
 
-fn under_driven(system: &System, freedom: usize, all: &Rank) -> Complaint {
+fn under_driven(system: &System, freedom: usize, directions: &[Vec<f64>]) -> Complaint {
     let moving: Vec<String> = system
         .bodies
         .iter()
         .enumerate()
-        .filter(|(k, _)| all.null_vectors.iter().any(|z| z[3 * k..3 * k + 3].iter().any(|z| z.abs() > MOVES)))
+        .filter(|(k, _)| directions.iter().any(|z| z[3 * k..3 * k + 3].iter().any(|z| z.abs() > MOVES)))
         .map(|(_, body)| format!("\"{}\"", body.name))
         .collect();
     let drivers = system.drivers.len();

@@ -20,6 +20,8 @@ const NO_REACTION: f64 = 1e-8;
 const LIMIT: f64 = 1e-3;
 /// A joint belongs to a self-stress when its part is above this, relative to the largest.
 const STRESSED: f64 = 1e-6;
+/// The same for a change point's self-stress, which is read off at 1e-5 of the window's width beside it.
+const UNBOUNDED: f64 = 1e-3;
 
 /// Runs the analysis.
 ///
@@ -96,35 +98,48 @@ fn range(system: &System, instants: &[OutputInstant]) -> (f64, f64) {
     }
 }
 
-/// First time in [0, end] at which the path's parameter passes `s` (from inside), if it does.
-fn time_of(system: &System, s: f64, end: f64) -> Option<f64> {
+/// Times in [0, end] at which the path's parameter passes `s`, ascending.
+fn times_of(system: &System, s: f64, end: f64) -> Vec<f64> {
     match Parameter::of(system) {
-        Parameter::Time => (s <= end).then_some(s),
-        Parameter::DriverValue => first_passage(&system.drivers[0].law, s, end),
+        Parameter::Time => Vec::from_iter((s >= 0.0 && s <= end * (1.0 + ON_THE_EDGE)).then_some(s.min(end))),
+        Parameter::DriverValue => passages(&system.drivers[0].law, s, end),
     }
 }
 
-fn first_passage(law: &Law, s: f64, end: f64) -> Option<f64> {
+/// A singular position this close beyond the end of the range, relative to the range, still belongs to it: that is how
+/// well its place and the user's numbers agree.
+const ON_THE_EDGE: f64 = 1e-10;
+/// More passages of one position than anybody reads.
+const MOST_PASSAGES: usize = 1000;
+
+/// Times in [0, end] at which a law passes a value: at most one on each monotone stretch.
+fn passages(law: &Law, value: f64, end: f64) -> Vec<f64> {
+    let mut times: Vec<f64> = Vec::new();
     let mut left = 0.0;
     for right in law.turning_times(end).into_iter().chain([end]) {
-        let (a, b) = (law.jet(left)[0] - s, law.jet(right)[0] - s);
-        if a == 0.0 {
-            return Some(left);
+        let (from, to) = (law.jet(left)[0], law.jet(right)[0]);
+        let (a, b) = (from - value, to - value);
+        let edge = ON_THE_EDGE * (to - from).abs();
+        let time = if a.abs() <= edge {
+            Some(left)
+        } else if b.abs() <= edge {
+            Some(right)
+        } else if a * b < 0.0 {
+            Some(crate::motion::bisect(|t| (law.jet(t)[0] - value) * a, left, right))
+        } else {
+            None
+        };
+        if let Some(time) = time
+            && times.last() != Some(&time)
+        {
+            times.push(time);
         }
-        if a * b <= 0.0 {
-            let (mut low, mut high) = (left, right);
-            for _ in 0..200 {
-                let middle = 0.5 * (low + high);
-                if middle <= low || middle >= high {
-                    break;
-                }
-                if (law.jet(middle)[0] - s) * a > 0.0 { low = middle } else { high = middle }
-            }
-            return Some(high);
+        if times.len() >= MOST_PASSAGES {
+            break;
         }
         left = right;
     }
-    None
+    times
 }
 
 /// State of the loop over the outputs.
@@ -150,7 +165,7 @@ impl Outputs<'_, '_> {
     fn march(&mut self, driven: &mut Driven, path: &Path, instants: &[OutputInstant], control: &Control) {
         let end = instants.last().map_or(0.0, |last| last.time);
         let limit = self.limits(path, end);
-        self.events(path, end);
+        self.events(path, limit.as_ref().map_or(end, |(time, ..)| *time));
         for instant in instants {
             if let Some((time, status, message)) = &limit
                 && instant.time >= *time
@@ -182,7 +197,7 @@ impl Outputs<'_, '_> {
         let ends = [path.low, path.high].into_iter().filter_map(|side| match side {
             End::Reached => None,
             End::DeadCentre { s } => {
-                let time = time_of(self.system, s, end)?;
+                let time = times_of(self.system, s, end).first().copied()?;
                 let what = format!(
                     "dead centre: {} can't go on; the results until there are kept",
                     self.position_text(s, time)
@@ -190,7 +205,7 @@ impl Outputs<'_, '_> {
                 Some((time, Status::DeadCentre, what))
             }
             End::Stuck { s } => {
-                let time = time_of(self.system, s, end)?;
+                let time = times_of(self.system, s, end).first().copied()?;
                 let what = format!("the motion can't be followed beyond {}", self.position_text(s, time));
                 Some((time, Status::Singular, what))
             }
@@ -213,29 +228,24 @@ impl Outputs<'_, '_> {
         }
     }
 
-    /// Singular positions within the run, by time.
+    /// Passages of singular positions within the run, by time; a dead centre ends it.
     fn events(&mut self, path: &Path, end: f64) {
-        let (low, high) = match Parameter::of(self.system) {
-            Parameter::Time => (0.0, end),
-            Parameter::DriverValue => (f64::NEG_INFINITY, f64::INFINITY),
-        };
-        for position in path.singular.iter().filter(|p| p.s >= low && p.s <= high) {
-            let kind = match position.kind {
-                SingularKind::ChangePoint => "change_point",
-                SingularKind::DeadCentre => "dead_centre",
+        let by_value = path.parameter == Parameter::DriverValue;
+        for position in &path.singular {
+            let times = times_of(self.system, position.s, end);
+            let (kind, times) = match position.kind {
+                SingularKind::ChangePoint => ("change_point", &times[..]),
+                SingularKind::DeadCentre => ("dead_centre", &times[..times.len().min(1)]),
             };
-            let Some(time) = time_of(self.system, position.s, end) else { continue };
-            let driver = (Parameter::of(self.system) == Parameter::DriverValue)
-                .then(|| (self.system.drivers[0].name.clone(), position.s));
-            self.report.events.push(Event {
+            self.report.events.extend(times.iter().map(|&time| Event {
                 kind,
                 time,
                 end_time: None,
-                driver: driver.as_ref().map(|(name, _)| name.clone()),
-                value: driver.map(|(_, value)| value),
+                driver: by_value.then(|| self.system.drivers[0].name.clone()),
+                value: by_value.then_some(position.s),
                 end_value: None,
                 note: None,
-            });
+            }));
         }
         self.report.events.sort_by(|a, b| a.time.total_cmp(&b.time));
     }
@@ -383,7 +393,8 @@ impl Outputs<'_, '_> {
         let largest = crate::math::max_abs(stress);
         for block in &system.blocks {
             let rows = block.row..block.row + block.rows;
-            let stressed = stress.get(rows.clone()).is_some_and(|part| crate::math::max_abs(part) > STRESSED * largest);
+            let stressed =
+                stress.get(rows.clone()).is_some_and(|part| crate::math::max_abs(part) > UNBOUNDED * largest);
             if stressed {
                 limit[rows].fill(f64::NAN);
                 if let Origin::Joint(id) = block.origin {

@@ -97,7 +97,10 @@ pub fn run(model: &Model, control: &Control) -> Result<Outcome, Vec<Complaint>> 
         Err(Stop::Failed { status, message }) => {
             let contents = Contents { accelerations: true, reactions: analysis.kind == AnalysisKind::InverseDynamics };
             let trajectory = Recorder::new(&system, contents, 0).trajectory;
-            (trajectory, Report { status, message: Some(message), ..Report::default() })
+            (
+                trajectory,
+                Report { status, message: Some(message), mobility: assembly::counted(&system), ..Report::default() },
+            )
         }
     };
     report.warnings.extend(trajectory.select(&analysis.columns));

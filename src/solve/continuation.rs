@@ -59,7 +59,7 @@ pub enum SingularKind {
 pub struct SingularPosition {
     pub kind: SingularKind,
     pub s: f64,
-    /// Left null vector over all rows, scaled (m): the self-stress whose multipliers have no bound there.
+    /// Left null vector over all rows (m): the self-stress whose multipliers have no bound there.
     pub self_stress: Vec<f64>,
 }
 
@@ -98,6 +98,9 @@ const TEST_NODES: [f64; 4] = [0.4, 0.6, 0.8, 1.0];
 const WINDOW_ERROR: f64 = 1e-12;
 /// Smallest singular value (of the scaled Jacobian) at a located position, by that at the window's edge, to count.
 const VANISHES: f64 = 1e-6;
+
+/// Distance from a change point, in half widths, at which its self-stress is read off.
+const BESIDE: f64 = 1e-5;
 
 /// Near a change point: the smooth branch.
 #[derive(Debug, Clone)]
@@ -530,9 +533,17 @@ impl Path {
         if self.singular.iter().any(|p| (p.s - centre).abs() < 1e-9 * width) {
             return;
         }
-        let self_stress = vectors.self_stress;
-        self.singular.push(SingularPosition { kind: SingularKind::ChangePoint, s: centre, self_stress });
+        // Placed first: the window keeps its distance from the others.
+        let here = self.singular.len();
+        self.singular.push(SingularPosition {
+            kind: SingularKind::ChangePoint,
+            s: centre,
+            self_stress: vec![1.0; walker.driven.system.m()],
+        });
         if let Some(window) = self.window(walker, centre, width) {
+            if let Some(self_stress) = window.self_stress(walker) {
+                self.singular[here].self_stress = self_stress;
+            }
             self.windows.push(window);
         }
     }
@@ -548,12 +559,7 @@ impl Path {
     fn null_vectors(&self, walker: &mut Walker, s: f64) -> Option<NullVectors> {
         self.solve_at(walker, s)?;
         let condition = walker.condition();
-        let system = walker.driven.system;
-        let mut self_stress = vec![0.0; system.m()];
-        for (value, &row) in condition.left.iter().zip(walker.driven.active_rows()) {
-            self_stress[row] = value / system.row_scale(row);
-        }
-        Some(NullVectors { right: condition.right, left: condition.left, self_stress })
+        Some(NullVectors { right: condition.right, left: condition.left })
     }
 
     fn test_at(&self, walker: &mut Walker, s: f64, vectors: &NullVectors) -> Option<f64> {
@@ -621,7 +627,26 @@ impl Path {
 struct NullVectors {
     right: Vec<f64>,
     left: Vec<f64>,
-    self_stress: Vec<f64>,
+}
+
+impl Window {
+    /// The self-stress of the change point: the left null vector a hair beside it, where the Jacobian has factors still.
+    fn self_stress(&self, walker: &mut Walker) -> Option<Vec<f64>> {
+        let system = walker.driven.system;
+        let n = system.n();
+        let (mut q, mut d, mut dd) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
+        let s = self.s + BESIDE * self.width;
+        self.branch.eval(s, &mut q, &mut d, &mut dd);
+        walker.parameter.set(system, s, &mut walker.inputs);
+        walker.driven.evaluation.set_position(&q);
+        walker.driven.factor(&walker.inputs).ok()?;
+        let condition = walker.condition();
+        let mut self_stress = vec![0.0; system.m()];
+        for (value, &row) in condition.left.iter().zip(walker.driven.active_rows()) {
+            self_stress[row] = value / system.row_scale(row);
+        }
+        Some(self_stress)
+    }
 }
 
 /// Root of the polynomial through (x, f) nearest to `centre`, by the secant method within `width`.

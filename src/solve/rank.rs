@@ -139,6 +139,12 @@ impl SparseRows {
     pub fn columns(&self) -> usize {
         self.transposed.rows()
     }
+
+    /// Entries (column, value) of a row.
+    pub fn row(&self, row: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+        let span = self.transposed.span(row);
+        self.transposed.column(row).iter().map(|&column| column as usize).zip(self.values[span].iter().copied())
+    }
 }
 
 /// Keeps each row that is independent of the rows kept before it, and tells how the others depend on those.

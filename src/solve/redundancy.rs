@@ -1,68 +1,38 @@
-//! Which constraint rows are independent, which follow from others, and what motion is left free.
+//! Directions that no row forbids, and rows chosen for good condition: dense, for the few mechanisms that need them.
 //!
-//! Rows are taken one after the other; what is left of a row after its part in the span of the rows kept so far is taken
-//! out (Gram–Schmidt, twice: "twice is enough", Giraud et al. 2005) decides whether it is kept.
+//! Both are Gram–Schmidt with every projection done twice ("twice is enough", Giraud et al. 2005).
 
+use super::rank::SparseRows;
 use crate::math::dot;
 
-/// A row that follows from rows before it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Dependent {
-    pub row: usize,
-    /// The rows it is made of.
-    pub on: Vec<usize>,
-}
+/// A row whose remainder is below this is taken for dependent. Rows are scaled to the mechanism's size and positions are
+/// known to 1e-13, so that a true dependence leaves 1e-12 at most, and a mechanism this close to a singular position
+/// can't be told from one in it.
+pub const DEPENDENT: f64 = super::rank::DEPENDENCE_TOLERANCE;
 
-/// Rank of a set of scaled rows.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Rank {
-    pub rank: usize,
-    pub dependent: Vec<Dependent>,
-    /// Orthonormal basis of the directions that no row forbids, each (n).
-    pub null_vectors: Vec<Vec<f64>>,
-}
-
-/// A row whose remainder is below this part of its length is taken for dependent. Rows are scaled to the mechanism's
-/// size and positions are known to 1e-13, so that a true dependence leaves 1e-12 at most, and a mechanism this close to
-/// a singular position can't be told from one in it.
-pub const DEPENDENT: f64 = 1e-9;
-/// A part below this of a row's length does not take part in a dependence.
-const TAKES_PART: f64 = 1e-7;
-
-/// Rank of sparse rows (column, value) over n columns.
-pub fn rank(rows: &[Vec<(usize, f64)>], n: usize) -> Rank {
-    let mut kept: Vec<(usize, Vec<f64>)> = Vec::new();
-    // Each orthonormal vector as a combination of the original rows kept.
-    let mut recipes: Vec<Vec<f64>> = Vec::new();
-    let mut dependent = Vec::new();
-    for (row, entries) in rows.iter().enumerate() {
+/// Orthonormal basis of the directions that none of `rows` (those listed, independent) forbids, each (n).
+pub fn free_directions(rows: &SparseRows, independent: &[usize]) -> Vec<Vec<f64>> {
+    let n = rows.columns();
+    let mut basis: Vec<Vec<f64>> = Vec::with_capacity(n);
+    for &row in independent {
         let mut dense = vec![0.0; n];
-        entries.iter().for_each(|&(column, value)| dense[column] += value);
-        let length = dot(&dense, &dense).sqrt();
-        let mut recipe = vec![0.0; kept.len() + 1];
-        recipe[kept.len()] = 1.0;
-        for _ in 0..2 {
-            for ((_, e), made_of) in kept.iter().zip(&recipes) {
-                let along = dot(e, &dense);
-                dense.iter_mut().zip(e).for_each(|(d, e)| *d -= along * e);
-                recipe.iter_mut().zip(made_of).for_each(|(r, m)| *r -= along * m);
-            }
-        }
-        let rest = dot(&dense, &dense).sqrt();
-        if rest <= DEPENDENT * length || length == 0.0 {
-            let on =
-                kept.iter().zip(&recipe).filter(|(_, part)| part.abs() > TAKES_PART).map(|((k, _), _)| *k).collect();
-            dependent.push(Dependent { row, on });
-        } else {
-            dense.iter_mut().for_each(|d| *d /= rest);
-            recipe.iter_mut().for_each(|r| *r /= rest);
-            kept.push((row, dense));
-            recipes.push(recipe);
+        rows.row(row).for_each(|(column, value)| dense[column] = value);
+        orthonormalise(&basis, &mut dense);
+        basis.push(dense);
+    }
+    complement(basis, n)
+}
+
+/// Takes the part along an orthonormal `basis` out of `x` and scales the rest to length 1.
+fn orthonormalise(basis: &[Vec<f64>], x: &mut [f64]) {
+    for _ in 0..2 {
+        for e in basis {
+            let along = dot(e, x);
+            x.iter_mut().zip(e).for_each(|(x, e)| *x -= along * e);
         }
     }
-    let rank = kept.len();
-    let null_vectors = complement(kept.into_iter().map(|(_, e)| e).collect(), n);
-    Rank { rank, dependent, null_vectors }
+    let length = dot(x, x).sqrt();
+    x.iter_mut().for_each(|x| *x /= length);
 }
 
 /// Orthonormal basis of what is orthogonal to `basis` (orthonormal): unit vectors by largest remainder.
@@ -76,14 +46,7 @@ fn complement(mut basis: Vec<Vec<f64>>, n: usize) -> Vec<Vec<f64>> {
         let largest = (0..n).max_by(|&a, &b| remainder[a].total_cmp(&remainder[b])).unwrap_or(0);
         let mut z = vec![0.0; n];
         z[largest] = 1.0;
-        for _ in 0..2 {
-            for e in &basis {
-                let along = dot(e, &z);
-                z.iter_mut().zip(e).for_each(|(z, e)| *z -= along * e);
-            }
-        }
-        let length = dot(&z, &z).sqrt();
-        z.iter_mut().for_each(|z| *z /= length);
+        orthonormalise(&basis, &mut z);
         remainder.iter_mut().zip(&z).for_each(|(r, z)| *r -= z * z);
         basis.push(z);
     }
@@ -123,12 +86,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_what_a_row_depends_on() {
-        let rows = vec![vec![(0, 1.0)], vec![(1, 2.0)], vec![(2, 1.0), (3, 1.0)], vec![(0, 3.0), (1, 1.0)]];
-        let found = rank(&rows, 4);
-        assert_eq!(found.rank, 3);
-        assert_eq!(found.dependent, [Dependent { row: 3, on: vec![0, 1] }]);
-        let z = &found.null_vectors[0];
+    fn what_is_free_is_orthogonal_to_all_rows() {
+        let entries = [(0, 0, 1.0), (1, 1, 2.0), (2, 2, 1.0), (2, 3, 1.0)];
+        let rows = SparseRows::from_triplets(3, 4, &entries).expect("finite");
+        let free = free_directions(&rows, &[0, 1, 2]);
+        assert_eq!(free.len(), 1);
+        let z = &free[0];
         assert!((z[2] + z[3]).abs() < 1e-15 && (z[2].abs() - 0.5_f64.sqrt()).abs() < 1e-15, "{z:?}");
     }
 
