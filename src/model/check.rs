@@ -2,6 +2,8 @@
 //!
 //! Works on the value in SI units, where null stands for what is complained about already; such things are passed over.
 
+use std::collections::HashMap;
+
 use serde_json::{Map, Value};
 
 use super::GROUND;
@@ -9,19 +11,22 @@ use super::check_forces;
 use super::json::join;
 use super::source::Source;
 use super::suggest;
-use super::validate::Reference;
+use super::validate::{ENOUGH, Reference};
 use crate::error::Complaint;
 
 /// What the checks found; places are looked up later.
 pub(super) struct Checked<'a> {
     pub model: &'a Value,
+    /// Names of bodies that are refused for a dot in them.
+    dotted: Vec<&'a str>,
     pub complaints: Vec<Complaint>,
     pub warnings: Vec<Complaint>,
 }
 
 /// Checks everything that concerns more than one value.
 pub(super) fn check<'a>(model: &'a Value, references: &[Reference], source: &Source) -> Checked<'a> {
-    let mut checked = Checked { model, complaints: Vec::new(), warnings: Vec::new() };
+    let dotted = members(&model["bodies"]).map(|(name, _)| name.as_str()).filter(|name| name.contains('.')).collect();
+    let mut checked = Checked { model, dotted, complaints: Vec::new(), warnings: Vec::new() };
     for reference in references {
         checked.reference(reference, source);
     }
@@ -74,6 +79,9 @@ impl Checked<'_> {
 
     /// Complains where a text names nothing.
     fn reference(&mut self, reference: &Reference, source: &Source) {
+        if self.complaints.len() >= ENOUGH {
+            return;
+        }
         let Reference { path, kind, text } = reference;
         let complaint = match kind.as_str() {
             "point" => self.point(path, text),
@@ -115,7 +123,7 @@ impl Checked<'_> {
     fn point(&self, path: &str, text: &str) -> Option<Complaint> {
         let bodies = self.model["bodies"].as_object()?;
         // a body whose name is refused for its dot is not missed again
-        if bodies.keys().any(|name| name.contains('.') && text.starts_with(name.as_str())) {
+        if self.dotted.iter().any(|name| text.starts_with(name)) {
             return None;
         }
         let Some((body, point)) = text.split_once('.') else {
@@ -210,7 +218,7 @@ impl Checked<'_> {
 
     fn drivers(&mut self) {
         let model = self.model;
-        let mut driven: Vec<(String, &String)> = Vec::new();
+        let mut driven: HashMap<String, &String> = HashMap::new();
         for (name, driver) in members(&model["drivers"]) {
             let path = join("drivers", name);
             let text = |key: &str| driver[key].as_str();
@@ -241,12 +249,11 @@ impl Checked<'_> {
                 }
                 Some(_) | None => continue,
             };
-            match driven.iter().find(|(known, _)| *known == coordinate) {
-                Some((_, first)) => {
-                    let message = format!("{coordinate} is driven by {first:?} already");
-                    self.complain(path, message).hint = Some("keep one of them".into());
-                }
-                None => driven.push((coordinate, name)),
+            if let Some(first) = driven.get(&coordinate) {
+                let message = format!("{coordinate} is driven by {first:?} already");
+                self.complain(path, message).hint = Some("keep one of them".into());
+            } else {
+                driven.insert(coordinate, name);
             }
         }
     }
@@ -267,7 +274,7 @@ impl Checked<'_> {
 
     fn wanted_points(&mut self) {
         let points = self.model["points"].as_array();
-        let mut seen = std::collections::HashMap::new();
+        let mut seen = HashMap::new();
         for (index, point) in points.into_iter().flatten().enumerate() {
             let Some(text) = point.as_str() else { continue };
             if let Some(first) = seen.insert(text, index) {

@@ -104,12 +104,14 @@ pub fn load(text: &[u8], sets: &[String]) -> Result<Loaded, Vec<Complaint>> {
         return Err(findings.complaints.into_iter().filter(of_format).collect());
     }
     complaints.extend(findings.complaints);
+    let more = findings.more;
     let mut warnings = findings.warnings;
     let checked = check::check(&findings.value, &findings.references, &source);
     complaints.extend(checked.complaints.into_iter().map(|complaint| source.place(complaint)));
-    warnings.extend(checked.warnings.into_iter().map(|warning| source.place(warning).to_string()));
+    warnings
+        .extend(checked.warnings.into_iter().take(MOST_COMPLAINTS).map(|warning| source.place(warning).to_string()));
     if !complaints.is_empty() {
-        return Err(sorted(complaints));
+        return Err(sorted(complaints, more));
     }
 
     // words → types; the schema comes from these types, so nothing is left to go wrong
@@ -146,10 +148,10 @@ fn syntax(source: &Source, fault: &json::Fault) -> Complaint {
 }
 
 /// In the order of the lines, what has none last; not more than anybody reads.
-fn sorted(mut complaints: Vec<Complaint>) -> Vec<Complaint> {
+fn sorted(mut complaints: Vec<Complaint>, more: usize) -> Vec<Complaint> {
     complaints.sort_by_key(|complaint| (complaint.place.is_none(), complaint.place));
-    if complaints.len() > MOST_COMPLAINTS {
-        let more = complaints.len() - MOST_COMPLAINTS;
+    let more = more + complaints.len().saturating_sub(MOST_COMPLAINTS);
+    if more > 0 {
         complaints.truncate(MOST_COMPLAINTS);
         complaints.push(Complaint::new("", format!("and {more} more faults")));
     }

@@ -22,7 +22,7 @@ use super::units::Dimension;
 use super::{Model, NAME_PATTERN};
 
 /// A number, or text with a unit.
-const QUANTITY_PATTERN: &str = r"^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*[^\s0-9=]";
+const QUANTITY_PATTERN: &str = r"^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?(\s*[^\s0-9.=+\-eE]|\s+1\s*/)";
 
 /// The whole file: what the loader consumes, and the model.
 #[derive(JsonSchema)]

@@ -1,6 +1,8 @@
 //! The text of a model file, with its `--set`s: finds the place of everything.
 
-use super::json::{self, Kind, Node, Origin};
+use indexmap::IndexMap;
+
+use super::json::{self, Kind, Member, Node, Origin};
 use crate::error::{Complaint, Place};
 
 /// A model's text as read, and what `--set` put over it.
@@ -56,13 +58,8 @@ impl Source {
         while !rest.is_empty() {
             let step = match &node.kind {
                 Kind::Object(members) => {
-                    let text = rest.strip_prefix('.').unwrap_or(rest);
-                    let fits = |key: &str| {
-                        text.strip_prefix(key).filter(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
-                    };
-                    // a name may hold a dot where it should not: the longest key wins
-                    let found = members.iter().filter_map(|(key, member)| Some((key.len(), member, fits(key)?)));
-                    found.max_by_key(|(length, _, _)| *length).map(|(_, member, rest)| (&member.node, member.key, rest))
+                    let step = member_at(members, rest.strip_prefix('.').unwrap_or(rest));
+                    step.map(|(member, rest)| (&member.node, member.key, rest))
                 }
                 Kind::Array(items) => {
                     rest.strip_prefix('[').and_then(|text| text.split_once(']')).and_then(|(index, rest)| {
@@ -96,4 +93,16 @@ impl Source {
         let found = complaint.found.clone().or_else(|| exact.then(|| self.found(node)).flatten());
         self.complain(origin, found, complaint)
     }
+}
+
+/// The member that a path begins with, and the rest of the path.
+fn member_at<'a, 'p>(members: &'a IndexMap<String, Member>, path: &'p str) -> Option<(&'a Member, &'p str)> {
+    let end = path.find(['.', '[']).unwrap_or(path.len());
+    if let Some(member) = members.get(&path[..end]) {
+        return Some((member, &path[end..]));
+    }
+    // a name may hold a dot where it should not: then the longest key wins
+    let rest = |key: &str| path.strip_prefix(key).filter(|rest| rest.is_empty() || rest.starts_with(['.', '[']));
+    let fitting = members.iter().filter_map(|(key, member)| Some((member, rest(key)?)));
+    fitting.min_by_key(|(_, rest)| rest.len())
 }

@@ -2,6 +2,7 @@
 //!
 //! What is faulty becomes null in the result, so that later checks know not to blame anything else for it.
 
+use indexmap::IndexMap;
 use serde_json::{Map, Value, json};
 
 use super::json::{Kind, Member, Node, Origin, join};
@@ -11,6 +12,9 @@ use super::source::Source;
 use super::suggest;
 use super::units::Dimension;
 use crate::error::Complaint;
+
+/// Complaints after which the rest is only counted; placing them takes time.
+pub(super) const ENOUGH: usize = 200;
 
 /// A text that names something of the model.
 pub(super) struct Reference {
@@ -25,6 +29,8 @@ pub(super) struct Findings {
     /// The model in SI units; null where there is a complaint.
     pub value: Value,
     pub complaints: Vec<Complaint>,
+    /// How many more there would be.
+    pub more: usize,
     pub references: Vec<Reference>,
     pub warnings: Vec<String>,
 }
@@ -32,10 +38,10 @@ pub(super) struct Findings {
 /// Checks the whole file against the schema.
 pub(super) fn validate(source: &Source) -> Findings {
     let units = Units::read(source.root.get("units"));
-    let mut walk = Walk { source, units, complaints: Vec::new(), references: Vec::new() };
+    let mut walk = Walk { source, units, complaints: Vec::new(), more: 0, references: Vec::new() };
     let value = walk.value(&source.root, &SCHEMA, "", Driven::Nothing);
     let warnings = walk.units.warnings(source);
-    Findings { value, complaints: walk.complaints, references: walk.references, warnings }
+    Findings { value, complaints: walk.complaints, more: walk.more, references: walk.references, warnings }
 }
 
 /// The state of the walk.
@@ -43,6 +49,7 @@ pub(super) struct Walk<'a> {
     pub source: &'a Source,
     pub units: Units,
     complaints: Vec<Complaint>,
+    more: usize,
     references: Vec<Reference>,
 }
 
@@ -74,13 +81,21 @@ impl Walk<'_> {
     /// Complains about a value.
     pub(super) fn complain(&mut self, node: &Node, complaint: Complaint) {
         let found = self.source.found(node);
-        self.complaints.push(self.source.complain(node.origin, found, complaint));
+        self.add(node.origin, found, complaint);
     }
 
     /// Complains about a key.
     fn complain_key(&mut self, origin: Origin, key: &str, complaint: Complaint) {
         let key = format!("{:?}", super::json::excerpt(key));
-        self.complaints.push(self.source.complain(origin, Some(key), complaint));
+        self.add(origin, Some(key), complaint);
+    }
+
+    fn add(&mut self, origin: Origin, found: Option<String>, complaint: Complaint) {
+        if self.complaints.len() < ENOUGH {
+            self.complaints.push(self.source.complain(origin, found, complaint));
+        } else {
+            self.more += 1;
+        }
     }
 
     /// The value in SI units, or null and a complaint.
@@ -206,7 +221,7 @@ impl Walk<'_> {
                     out.insert(key.clone(), self.value(&member.node, additional, &here, driven));
                 }
                 (None, None) => {
-                    if let Some(meant) = self.unknown_key(key, member, schema, members.keys(), &here) {
+                    if let Some(meant) = self.unknown_key(key, schema, members, &here) {
                         out.insert(meant, Value::Null);
                     }
                 }
@@ -229,27 +244,26 @@ impl Walk<'_> {
     }
 
     /// Complains about a key that is not known; the known one that was probably meant.
-    fn unknown_key<'k>(
+    fn unknown_key(
         &mut self,
         key: &str,
-        member: &Member,
         schema: &Value,
-        present: impl Iterator<Item = &'k String>,
+        members: &IndexMap<String, Member>,
         path: &str,
     ) -> Option<String> {
+        let origin = members.get(key)?.key;
         if let Some(reason) = schema.get("x-refused").and_then(|refused| refused.get(key)?.as_str()) {
-            self.complain_key(member.key, key, Complaint::new(path, reason));
+            self.complain_key(origin, key, Complaint::new(path, reason));
             return None;
         }
         let known: Vec<&str> = schema["properties"].as_object()?.keys().map(String::as_str).collect();
-        let present: Vec<&String> = present.collect();
-        let free = known.iter().copied().filter(|known| !present.iter().any(|present| present == known));
+        let free = known.iter().copied().filter(|known| !members.contains_key(*known));
         let meant = suggest::nearest(key, free);
         let complaint = Complaint::new(path, "unknown key").hint(match meant {
             Some(meant) => format!("did you mean {meant:?}?"),
             None => format!("known keys: {}", known.join(", ")),
         });
-        self.complain_key(member.key, key, complaint);
+        self.complain_key(origin, key, complaint);
         meant.map(str::to_owned)
     }
 
