@@ -8,7 +8,7 @@ use serde_json::{Map, Value};
 
 use super::GROUND;
 use super::check_forces;
-use super::json::join;
+use super::node::join;
 use super::source::Source;
 use super::suggest;
 use super::validate::{ENOUGH, Reference};

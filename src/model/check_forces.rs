@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 use super::check::{Checked, members};
-use super::json::join;
+use super::node::join;
 use crate::error::Complaint;
 
 /// Springs have a stiffness or a damping; a free length of zero should be meant.

@@ -5,46 +5,14 @@
 
 use indexmap::IndexMap;
 use indexmap::map::Entry as Slot;
-use serde_json::{Map, Number, Value};
+use serde_json::Number;
+
+use super::node::{Kind, Member, Node, Origin, excerpt, join};
 
 /// Deepest nesting of lists and objects. A model needs eight.
 pub const DEEPEST: usize = 128;
 /// Most values of one file; a table of a million points has three million.
 const MOST_VALUES: usize = 5_000_000;
-
-/// Where a value came from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Origin {
-    /// Bytes of the text, start and end.
-    Text(usize, usize),
-    /// Which `--set`.
-    Set(usize),
-}
-
-/// A value and where it came from.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Node {
-    pub kind: Kind,
-    pub origin: Origin,
-}
-
-/// A JSON value.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Kind {
-    Null,
-    Bool(bool),
-    Number(Number),
-    String(String),
-    Array(Vec<Node>),
-    Object(Box<IndexMap<String, Member>>),
-}
-
-/// Value of a key, and where the key came from.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Member {
-    pub key: Origin,
-    pub node: Node,
-}
 
 /// A fault of syntax at a byte.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -63,70 +31,6 @@ pub struct Repeat {
     /// Where it stands for the first and the second time.
     pub first: usize,
     pub second: usize,
-}
-
-impl Node {
-    /// What kind of thing it is, in words.
-    pub fn kind_name(&self) -> &'static str {
-        match &self.kind {
-            Kind::Null => "null",
-            Kind::Bool(_) => "true or false",
-            Kind::Number(_) => "a number",
-            Kind::String(_) => "text",
-            Kind::Array(_) => "a list",
-            Kind::Object(_) => "an object",
-        }
-    }
-
-    /// The value of a key, where this is an object that has it.
-    pub fn get(&self, key: &str) -> Option<&Node> {
-        match &self.kind {
-            Kind::Object(members) => members.get(key).map(|member| &member.node),
-            Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) | Kind::Array(_) => None,
-        }
-    }
-
-    /// The text, where this is one.
-    pub fn as_str(&self) -> Option<&str> {
-        match &self.kind {
-            Kind::String(text) => Some(text),
-            Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::Array(_) | Kind::Object(_) => None,
-        }
-    }
-
-    /// The plain value, order preserved.
-    pub fn to_value(&self) -> Value {
-        match &self.kind {
-            Kind::Null => Value::Null,
-            Kind::Bool(value) => Value::Bool(*value),
-            Kind::Number(number) => Value::Number(number.clone()),
-            Kind::String(text) => Value::String(text.clone()),
-            Kind::Array(items) => Value::Array(items.iter().map(Node::to_value).collect()),
-            Kind::Object(members) => {
-                let members = members.iter().map(|(key, member)| (key.clone(), member.node.to_value()));
-                Value::Object(members.collect::<Map<_, _>>())
-            }
-        }
-    }
-
-    /// The same value, all of it from a `--set`.
-    pub fn set_by(mut self, index: usize) -> Node {
-        self.origin = Origin::Set(index);
-        match &mut self.kind {
-            Kind::Array(items) => {
-                *items = std::mem::take(items).into_iter().map(|item| item.set_by(index)).collect();
-            }
-            Kind::Object(members) => {
-                for member in members.values_mut() {
-                    member.key = Origin::Set(index);
-                    let node = std::mem::replace(&mut member.node, Node { kind: Kind::Null, origin: self.origin });
-                    member.node = node.set_by(index);
-                }
-            }
-            Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) => {}
-        }
-        self
-    }
 }
 
 /// Reads one JSON value that is the whole text, and the repeated keys in it.
@@ -428,19 +332,4 @@ fn render(path: &[Step]) -> String {
         Step::Key(key) => join(&text, key),
         Step::Index(index) => format!("{text}[{index}]"),
     })
-}
-
-/// Path of a key in the object at `path`.
-pub fn join(path: &str, key: &str) -> String {
-    if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") }
-}
-
-/// The beginning of a long text.
-pub fn excerpt(text: &str) -> String {
-    const LENGTH: usize = 60;
-    let mut short: String = text.chars().take(LENGTH).map(|c| if c.is_control() { ' ' } else { c }).collect();
-    if text.chars().nth(LENGTH).is_some() {
-        short.push('…');
-    }
-    short
 }

@@ -5,7 +5,8 @@ use std::io::Read;
 use std::path::Path;
 
 use super::check;
-use super::json::{self, Kind};
+use super::json;
+use super::node::{self, Kind};
 use super::set;
 use super::source::Source;
 use super::validate::validate;
@@ -87,9 +88,10 @@ pub fn load(text: &[u8], sets: &[String]) -> Result<Loaded, Vec<Complaint>> {
         let message = format!("a model is an object, {{ … }}, not {}", source.root.kind_name());
         return Err(vec![source.complain(source.root.origin, None, Complaint::new("", message))]);
     }
-    for repeat in repeats {
+    let uncounted = repeats.len().saturating_sub(MOST_COMPLAINTS);
+    for repeat in repeats.into_iter().take(MOST_COMPLAINTS) {
         let first = source.place_of(repeat.first);
-        let mut complaint = Complaint::new(json::join(&repeat.path, &repeat.key), "the key is given twice")
+        let mut complaint = Complaint::new(node::join(&repeat.path, &repeat.key), "the key is given twice")
             .found(format!("{:?}", repeat.key));
         complaint.place = Some(source.place_of(repeat.second));
         complaints.push(complaint.hint(format!("first on line {}, column {}", first.line, first.column)));
@@ -104,7 +106,7 @@ pub fn load(text: &[u8], sets: &[String]) -> Result<Loaded, Vec<Complaint>> {
         return Err(findings.complaints.into_iter().filter(of_format).collect());
     }
     complaints.extend(findings.complaints);
-    let more = findings.more;
+    let more = findings.more + uncounted;
     let mut warnings = findings.warnings;
     let checked = check::check(&findings.value, &findings.references, &source);
     complaints.extend(checked.complaints.into_iter().map(|complaint| source.place(complaint)));

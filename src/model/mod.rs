@@ -8,17 +8,19 @@ pub mod clearance;
 pub mod driver;
 pub mod force;
 pub mod joint;
-pub mod units;
 
 mod check;
 mod check_forces;
+mod dimension;
 mod json;
 mod load;
+mod node;
 mod quantity;
 mod schema;
 mod set;
 mod source;
 mod suggest;
+mod units;
 mod validate;
 
 pub use analysis::{Analysis, AnalysisKind, Sample, Solver};

@@ -1,8 +1,9 @@
 //! Numbers with units: a plain number in the unit that `units` names for its dimension, or text that brings its own.
 
-use super::json::{Kind, Node};
+use super::dimension::{Dimension, Powers};
+use super::node::{Kind, Node};
 use super::source::Source;
-use super::units::{Dimension, Powers, Unit, UnitFault, split_quantity};
+use super::units::{Unit, UnitFault, split_quantity};
 use super::validate::{Walk, wrong_kind};
 use crate::error::Complaint;
 
@@ -183,7 +184,7 @@ impl Walk<'_> {
     }
 
     fn checked_unit(&mut self, node: &Node, text: &str, wanted: &Wanted, path: &str) -> Option<Unit> {
-        let text = super::json::excerpt(text);
+        let text = super::node::excerpt(text);
         let such = format!("such as {:?}", wanted.si);
         let (message, hint) = match Unit::parse(&text) {
             Ok(unit) if wanted.powers.accepts(unit.powers) => return Some(unit),

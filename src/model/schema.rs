@@ -17,8 +17,8 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde_json::{Map, Value, json};
 
 use super::body::{Body, Ground};
+use super::dimension::Dimension;
 use super::driver::Motion;
-use super::units::Dimension;
 use super::{Model, NAME_PATTERN};
 
 /// A number, or text with a unit.

@@ -1,6 +1,7 @@
 //! `--set PATH=VALUE`: overrides any value of the model, before it is checked.
 
-use super::json::{self, Kind, Member, Node, Origin};
+use super::json;
+use super::node::{self, Kind, Member, Node, Origin};
 use super::source::Source;
 use crate::error::Complaint;
 
@@ -16,7 +17,7 @@ pub(super) fn apply(source: &mut Source, complaints: &mut Vec<Complaint>) {
     let sets = source.sets.clone();
     for (index, set) in sets.iter().enumerate() {
         if let Err((message, hint)) = apply_one(&mut source.root, set, index) {
-            complaints.push(Complaint::new("", message).found(format!("--set {}", json::excerpt(set))).hint(hint));
+            complaints.push(Complaint::new("", message).found(format!("--set {}", node::excerpt(set))).hint(hint));
         }
     }
 }
@@ -48,7 +49,7 @@ fn value(text: &str, index: usize) -> Result<Node, Refusal> {
 
 /// Splits `joints.b.between[1]`.
 fn steps(path: &str) -> Result<Vec<Step<'_>>, Refusal> {
-    let malformed = || (format!("{:?} is not a path", json::excerpt(path)), FORM.to_owned());
+    let malformed = || (format!("{:?} is not a path", node::excerpt(path)), FORM.to_owned());
     let mut steps = Vec::new();
     let mut rest = path;
     loop {
@@ -83,7 +84,7 @@ fn reach<'a>(root: &'a mut Node, steps: &[Step<'_>], index: usize) -> Result<&'a
         let here = if way.is_empty() { "the model".to_owned() } else { way.clone() };
         match (step, &mut node.kind) {
             (Step::Key(key), Kind::Object(members)) => {
-                way = json::join(&way, key);
+                way = node::join(&way, key);
                 let made = || Node { kind: Kind::Object(Box::default()), origin: Origin::Set(index) };
                 node = &mut members
                     .entry((*key).to_owned())

@@ -2,7 +2,7 @@
 
 use indexmap::IndexMap;
 
-use super::json::{self, Kind, Member, Node, Origin};
+use super::node::{self, Kind, Member, Node, Origin};
 use crate::error::{Complaint, Place};
 
 /// A model's text as read, and what `--set` put over it.
@@ -38,7 +38,7 @@ impl Source {
                 complaint.found = found;
             }
             Origin::Set(index) => {
-                complaint.found = Some(format!("--set {}", json::excerpt(&self.sets[index])));
+                complaint.found = Some(format!("--set {}", node::excerpt(&self.sets[index])));
             }
         }
         complaint
@@ -48,7 +48,7 @@ impl Source {
     pub(super) fn found(&self, node: &Node) -> Option<String> {
         match (&node.kind, node.origin) {
             (Kind::Array(_) | Kind::Object(_), _) | (_, Origin::Set(_)) => None,
-            (_, Origin::Text(start, end)) => self.text.get(start..end).map(json::excerpt),
+            (_, Origin::Text(start, end)) => self.text.get(start..end).map(node::excerpt),
         }
     }
 

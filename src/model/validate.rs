@@ -5,12 +5,12 @@
 use indexmap::IndexMap;
 use serde_json::{Map, Value, json};
 
-use super::json::{Kind, Member, Node, Origin, join};
+use super::dimension::Dimension;
+use super::node::{Kind, Member, Node, Origin, join};
 use super::quantity::{Driven, Units};
 use super::schema::SCHEMA;
 use super::source::Source;
 use super::suggest;
-use super::units::Dimension;
 use crate::error::Complaint;
 
 /// Complaints after which the rest is only counted; placing them takes time.
@@ -86,7 +86,7 @@ impl Walk<'_> {
 
     /// Complains about a key.
     fn complain_key(&mut self, origin: Origin, key: &str, complaint: Complaint) {
-        let key = format!("{:?}", super::json::excerpt(key));
+        let key = format!("{:?}", super::node::excerpt(key));
         self.add(origin, Some(key), complaint);
     }
 
