@@ -1,11 +1,10 @@
 //! Assembly with its diagnosis: what does not close, what is over- or underdetermined, and by whose fault.
 
 use super::Stop;
-use crate::element::Measure;
 use crate::error::Complaint;
 use crate::graph::Topology;
 use crate::output::{Mobility, Status};
-use crate::solve::closing::{Closed, close, least_velocity};
+use crate::solve::closing::{Closed, close, close_weighted, least_velocity};
 use crate::solve::rank::{DEPENDENCE_TOLERANCE, RankReport, SparseRows, independent_rows};
 use crate::solve::redundancy::free_directions;
 use crate::system::{Block, Evaluation, Inputs, Origin, System};
@@ -136,16 +135,19 @@ fn diagnose(system: &System, inputs: &Inputs, closed: Closed) -> Result<(Vec<f64
             .to_string();
         return Ok((q, closed.iterations + iterations, vec![warning]));
     }
-    let worst = worst_block(system, &driven, &closed);
+    let held = close_weighted(system, &driven, DRIVERS_FIRST, &system.guess, inputs);
     Err(Stop::failed(
         Status::AssemblyFailed,
         format!(
-            "can't assemble: the joints close, but not with the drivers at their first values ({worst} is off by {}); \
-             change the driver's start, or the lengths that keep it from there",
-            off(system, &driven, &closed)
+            "can't assemble: the joints alone close, but with the drivers at their first values {}; change the start of a \
+             driver, or the lengths that keep it from there",
+            gap_text(system, &held)
         ),
     ))
 }
+
+/// Weight of drivers when the gap that they leave is measured: they are met to a millionth of it.
+const DRIVERS_FIRST: f64 = 1e3;
 
 /// Homotopy of the drivers from their values in a joints-only assembly to those of `inputs`.
 fn drive_there(system: &System, inputs: &Inputs, q: &[f64]) -> Option<(Vec<f64>, u64)> {
@@ -178,49 +180,36 @@ fn drive_there(system: &System, inputs: &Inputs, q: &[f64]) -> Option<(Vec<f64>,
     Some((q, iterations))
 }
 
-/// The loop with the largest gap, and that gap.
+/// What to say of joints that do not close by themselves.
 fn open_loop(system: &System, closed: &Closed) -> String {
+    format!(
+        "can't assemble: {}; change a length in it, or draw the guess closer to the assembly",
+        gap_text(system, closed)
+    )
+}
+
+/// The loop with the largest gap, and that gap: in the least-squares compromise it is shared out evenly among the loop's
+/// joints, so their gaps add up to it.
+fn gap_text(system: &System, closed: &Closed) -> String {
+    let gap = |joint: usize| closed.gaps[joint];
     let topology = topology(system);
-    let length = |joint: usize| closed.gaps[joint];
     let widest = topology
         .loops()
         .iter()
-        .map(|cycle| (cycle, cycle.joints.iter().map(|&joint| length(joint)).sum::<f64>()))
+        .map(|cycle| (cycle, cycle.joints.iter().map(|&joint| gap(joint)).sum::<f64>()))
         .max_by(|a, b| a.1.total_cmp(&b.1));
     match widest {
         Some((cycle, gap)) => {
             let names: Vec<&str> = cycle.joints.iter().map(|&joint| system.joints[joint].name.as_str()).collect();
-            format!(
-                "can't assemble: the loop {} does not close; it lacks {} at the best position found; \
-                 change a length in it, or draw the guess closer to the assembly",
-                names.join(" – "),
-                length_text(gap * system.size)
-            )
+            let gap = length_text(gap * system.size);
+            format!("the loop {} does not close; it lacks {gap} at the best position found", names.join(" – "))
         }
         None => {
-            let joints: Vec<&Block> = system.blocks.iter().filter(|b| matches!(b.origin, Origin::Joint(_))).collect();
-            format!(
-                "can't assemble: {} is off by {}",
-                worst_block(system, &joints, closed),
-                off(system, &joints, closed)
-            )
+            let worst = (0..system.joints.len()).max_by(|&a, &b| gap(a).total_cmp(&gap(b)));
+            let name = worst.map_or("no joint", |joint| system.joints[joint].name.as_str());
+            let gap = length_text(worst.map_or(0.0, gap) * system.size);
+            format!("joint \"{name}\" is open by {gap} at the best position found")
         }
-    }
-}
-
-fn worst_index(closed: &Closed) -> usize {
-    (0..closed.gaps.len()).max_by(|&a, &b| closed.gaps[a].total_cmp(&closed.gaps[b])).unwrap_or(0)
-}
-
-fn worst_block(system: &System, blocks: &[&Block], closed: &Closed) -> String {
-    blocks.get(worst_index(closed)).map_or_else(|| "nothing".into(), |block| system.origin_name(&block.origin))
-}
-
-fn off(system: &System, blocks: &[&Block], closed: &Closed) -> String {
-    let index = worst_index(closed);
-    match blocks.get(index).map(|block| block.constraint.rows()[0]) {
-        Some(Measure::Angle) => format!("{:.4} rad", closed.gaps[index]),
-        _ => length_text(closed.gaps[index] * system.size),
     }
 }
 
@@ -335,6 +324,10 @@ fn under_driven(system: &System, freedom: usize, directions: &[Vec<f64>]) -> Com
     .hint("drive what is free, or hold it by a joint")
 }
 
+/// Initial velocities that miss the constraints by more than this [1/s] conflict with them: values written with eight
+/// digits pass.
+const CONFLICT: f64 = 1e-7;
+
 /// Velocities at an assembled position: those of least kinetic energy that satisfy constraints, drivers and the given
 /// initial velocities; where masses are unknown, of least square (lengths by the mechanism's size).
 ///
@@ -343,12 +336,9 @@ fn under_driven(system: &System, freedom: usize, directions: &[Vec<f64>]) -> Com
 pub fn velocities(system: &System, q: &[f64], inputs: &Inputs) -> Result<Vec<f64>, Stop> {
     let (v, residual) = least_velocity(system, q, inputs);
     let speed = system.scaled_norm(&v);
-    let worst = residual.iter().enumerate().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
-    if let Some((k, off)) = worst
-        && off.abs() > 1e-7 * (1.0 + speed)
-    {
+    let off = crate::math::max_abs(&residual);
+    if !system.initial_rates.is_empty() && (off.is_nan() || off > CONFLICT * (1.0 + speed)) {
         let names: Vec<&str> = system.initial_rates.iter().map(|(name, _)| name.as_str()).collect();
-        let _ = k;
         return Err(Stop::failed(
             Status::AssemblyFailed,
             format!(

@@ -56,6 +56,7 @@ pub fn check(model: &Model) -> Result<Check, Vec<Complaint>> {
         Err(Stop::Input(complaints)) => return Err(complaints),
         Err(Stop::Failed { status, message }) => {
             check.status = status;
+            check.mobility = super::assembly::counted(&system);
             check.message = Some(message);
             return Ok(check);
         }

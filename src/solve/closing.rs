@@ -15,7 +15,7 @@ use super::lu::SparseLu;
 use super::order::ColumnOrder;
 use super::pattern::{Pattern, square};
 use crate::element::Constraint;
-use crate::system::{Block, Evaluation, Inputs, System};
+use crate::system::{Block, Evaluation, Inputs, Origin, System};
 
 /// A position and how well it meets the constraints.
 #[derive(Debug, Clone)]
@@ -43,13 +43,21 @@ struct Rows<'a> {
     slots: Vec<[u32; 2]>,
     diagonal: Vec<u32>,
     starts: Vec<usize>,
+    /// Weight of each block's residual.
+    weights: Vec<f64>,
     m: usize,
 }
 
 /// Moves `guess` onto the constraints of `blocks`.
 pub fn close(system: &System, blocks: &[&Block], guess: &[f64], inputs: &Inputs) -> Closed {
+    close_weighted(system, blocks, 1.0, guess, inputs)
+}
+
+/// As [`close`], with residuals of drivers and initial values weighed: where not everything can be met, a large weight
+/// leaves the whole gap to the joints. The gaps returned are unweighed.
+pub fn close_weighted(system: &System, blocks: &[&Block], weight: f64, guess: &[f64], inputs: &Inputs) -> Closed {
     let n = system.n();
-    let (rows, pattern) = layout(system, blocks);
+    let (rows, pattern) = layout(system, blocks, weight);
     let mut evaluation = Evaluation::new(system);
     let mut q = guess.to_vec();
     let mut phi = vec![0.0; rows.m];
@@ -98,7 +106,8 @@ pub fn close(system: &System, blocks: &[&Block], guess: &[f64], inputs: &Inputs)
         .starts
         .iter()
         .zip(blocks)
-        .map(|(&start, block)| phi[start..start + block.rows].iter().map(|p| p * p).sum::<f64>().sqrt())
+        .zip(&rows.weights)
+        .map(|((&start, block), weight)| phi[start..start + block.rows].iter().map(|p| p * p).sum::<f64>().sqrt() / weight)
         .collect();
     let converged = crate::math::max_abs(&phi) <= 100.0 * CLOSED;
     Closed { q, gaps, converged, iterations }
@@ -181,7 +190,7 @@ fn weights(system: &System) -> Vec<f64> {
 /// Weight of a coordinate without mass, relative to the heaviest: enough to keep the matrix regular.
 const MASSLESS: f64 = 1e-6;
 
-fn layout<'a>(system: &System, blocks: &'a [&'a Block]) -> (Rows<'a>, Pattern) {
+fn layout<'a>(system: &System, blocks: &'a [&'a Block], weight: f64) -> (Rows<'a>, Pattern) {
     let n = system.n();
     let mut starts = Vec::with_capacity(blocks.len());
     let mut m = 0;
@@ -205,7 +214,14 @@ fn layout<'a>(system: &System, blocks: &'a [&'a Block]) -> (Rows<'a>, Pattern) {
     let (pattern, slots) = square(n + m, &entries);
     let spare = pattern.entries() as u32;
     let owned = owners.into_iter().map(|owner| owner.map_or([spare; 2], |k| [slots[k], slots[k + 1]])).collect();
-    (Rows { blocks, slots: owned, diagonal: slots[..n + m].to_vec(), starts, m }, pattern)
+    let weights = blocks
+        .iter()
+        .map(|block| match block.origin {
+            Origin::Joint(_) => 1.0,
+            Origin::Driver(_) | Origin::Initial(_) => weight,
+        })
+        .collect();
+    (Rows { blocks, slots: owned, diagonal: slots[..n + m].to_vec(), starts, weights, m }, pattern)
 }
 
 /// Scaled residual of every row, and its Euclidean norm.
@@ -219,11 +235,11 @@ fn residual(
 ) -> f64 {
     evaluation.set_position(q);
     let at = evaluation.instant(inputs);
-    for (block, &start) in rows.blocks.iter().zip(&rows.starts) {
+    for ((block, &start), weight) in rows.blocks.iter().zip(&rows.starts).zip(&rows.weights) {
         let phi = &mut phi[start..start + block.rows];
         block.constraint.position(&at, phi);
         for (p, measure) in phi.iter_mut().zip(block.constraint.rows()) {
-            *p /= system.measure_scale(*measure);
+            *p *= weight / system.measure_scale(*measure);
         }
     }
     phi.iter().map(|p| p * p).sum::<f64>().sqrt()
@@ -233,13 +249,13 @@ fn matrix(system: &System, rows: &Rows, evaluation: &Evaluation, inputs: &Inputs
     let at = evaluation.instant(inputs);
     let mut buffer = [0.0; 16];
     let mut slots = rows.slots.iter();
-    for block in rows.blocks {
+    for (block, weight) in rows.blocks.iter().zip(&rows.weights) {
         let entries = block.constraint.entries();
         let buffer = &mut buffer[..entries.len()];
         block.constraint.jacobian(&at, buffer);
         for ((value, (row, _, axis)), slot) in buffer.iter().zip(entries).zip(&mut slots) {
             let column_scale = system.column_scale(axis as usize);
-            let scaled = value * column_scale / system.measure_scale(block.constraint.rows()[row]);
+            let scaled = value * column_scale * weight / system.measure_scale(block.constraint.rows()[row]);
             values[slot[0] as usize] = scaled;
             values[slot[1] as usize] = scaled;
         }
