@@ -269,6 +269,10 @@ pub fn topology(system: &System) -> Topology {
 /// Too few or too many drivers (input), or a start in a singular position.
 pub fn check_driven(system: &System, assembled: &Assembled, inputs: &Inputs) -> Result<(), Stop> {
     let n = system.n();
+    // Consistent or not, drivers beyond the freedom fight each other; beside the position it is not larger.
+    if system.drivers.len() > n - assembled.joints.rank {
+        return Err(Stop::Input(vec![over_driven(system, n - assembled.joints.rank)]));
+    }
     if assembled.all.rank == n {
         return Ok(());
     }

@@ -107,7 +107,9 @@ pub fn close_weighted(system: &System, blocks: &[&Block], weight: f64, guess: &[
         .iter()
         .zip(blocks)
         .zip(&rows.weights)
-        .map(|((&start, block), weight)| phi[start..start + block.rows].iter().map(|p| p * p).sum::<f64>().sqrt() / weight)
+        .map(|((&start, block), weight)| {
+            phi[start..start + block.rows].iter().map(|p| p * p).sum::<f64>().sqrt() / weight
+        })
         .collect();
     let converged = crate::math::max_abs(&phi) <= 100.0 * CLOSED;
     Closed { q, gaps, converged, iterations }

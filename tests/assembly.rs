@@ -1,0 +1,179 @@
+//! Assembly: from rough guesses, with exact initial values, and what is said when it can't be.
+
+#[path = "common/models.rs"]
+mod models;
+
+use linkdyn::analysis::{Control, run};
+use linkdyn::output::Status;
+use models::*;
+use serde_json::{Value, json};
+
+fn still(value: f64) -> Value {
+    json!({ "type": "polynomial", "coefficients": [value, 1.0] })
+}
+
+fn failure(model: &Value) -> String {
+    let outcome = outcome(model);
+    assert_eq!(outcome.report.status, Status::AssemblyFailed, "{:?}", outcome.report.message);
+    outcome.report.message.expect("a message")
+}
+
+fn complaint(model: &Value) -> String {
+    let loaded = loaded(model);
+    let Err(complaints) = run(&loaded.model, &Control::default()) else { panic!("bad input was accepted") };
+    assert_eq!(complaints.len(), 1, "{complaints:?}");
+    loaded.source.place(complaints[0].clone()).to_string()
+}
+
+#[test]
+fn a_slider_crank_without_poses_assembles() {
+    let mut model = slider_crank(0.1, 0.3, 0.5, false, &still(0.5));
+    for body in ["crank", "rod", "slider"] {
+        model["bodies"][body].as_object_mut().expect("a map").remove("pose");
+    }
+    let x = column(&outcome(&model), "slider.x")[0];
+    assert!((x - slider_position(0.1, 0.3, 0.5)).abs() < 1e-15, "{x}");
+}
+
+#[test]
+fn rough_guesses_lead_to_the_branch_they_are_near() {
+    for off in [-0.3, -0.1, 0.2, 0.35] {
+        let mut model = slider_crank(0.1, 0.3, 0.5, false, &still(0.5));
+        model["bodies"]["rod"]["pose"] = json!({ "position": [0.1 + off * 0.2, 0.05 - 0.1 * off], "angle": off });
+        model["bodies"]["slider"]["pose"] = json!({ "position": [0.3 - 0.3 * off, off * 0.1], "angle": -off });
+        let x = column(&outcome(&model), "slider.x")[0];
+        assert!((x - slider_position(0.1, 0.3, 0.5)).abs() < 1e-15, "{off}: {x}");
+    }
+}
+
+#[test]
+fn initial_values_are_met_exactly() {
+    let mut model = slider_crank(0.1, 0.3, 0.5, false, &still(0.5));
+    model.as_object_mut().expect("a map").remove("drivers");
+    model["initial"] = json!({ "crank": { "angle": 2.0, "angular_velocity": 3.0 } });
+    model["analysis"] = json!({ "type": "assembly" });
+    let run = outcome(&model);
+    assert!((column(&run, "crank.angle")[0] - 2.0).abs() < 1e-14);
+    assert!((column(&run, "slider.x")[0] - slider_position(0.1, 0.3, 2.0)).abs() < 1e-14);
+    assert!((column(&run, "crank.omega")[0] - 3.0).abs() < 1e-12);
+    let h = 1e-6;
+    let speed = 3.0 * (slider_position(0.1, 0.3, 2.0 + h) - slider_position(0.1, 0.3, 2.0 - h)) / (2.0 * h);
+    assert!((column(&run, "slider.vx")[0] - speed).abs() < 1e-9);
+}
+
+#[test]
+fn free_velocities_are_those_of_least_kinetic_energy() {
+    // A free rod whose end A is given v_y = 1: least energy with v_c + ω L/2·(−1) = 1 is v_c = 1/4, ω = −3/(2L).
+    let bodies = json!({ "ground": {}, "rod": rod(0.4, [0.0, 0.0], 0.0) });
+    let mut model = model(bodies, json!({}), json!({}));
+    model["initial"] = json!({ "rod": { "vy": 1.0 } });
+    model["analysis"] = json!({ "type": "assembly" });
+    let run = outcome(&model);
+    assert!((column(&run, "rod.omega")[0] + 1.5 / 0.4).abs() < 1e-12, "{:?}", column(&run, "rod.omega"));
+    assert!((column(&run, "rod.vy")[0] - 1.0).abs() < 1e-12 && column(&run, "rod.vx")[0].abs() < 1e-12);
+}
+
+#[test]
+fn conflicting_initial_values_are_named() {
+    let mut model = slider_crank(0.1, 0.3, 0.5, false, &still(0.5));
+    model.as_object_mut().expect("a map").remove("drivers");
+    model["analysis"] = json!({ "type": "assembly" });
+    model["initial"] = json!({ "crank": { "angle": 2.0 }, "slider": { "x": 0.33 } });
+    assert_eq!(
+        failure(&model),
+        "can't assemble: initial value \"crank.angle\" and initial value \"slider.x\" can't be met together with the \
+         joints and drivers; leave out one, or change it"
+    );
+    model["initial"] = json!({ "crank": { "angle": 2.0, "angular_velocity": 3.0 }, "slider": { "vx": 1.0 } });
+    assert_eq!(
+        failure(&model),
+        "can't assemble: the initial velocities crank.angular_velocity, slider.vx can't be met together with the joints \
+         and drivers"
+    );
+}
+
+#[test]
+fn an_open_loop_is_named_with_its_gap() {
+    // Links of 0.1 + 0.1 m over a ground of 0.5 m: 0.2 m are missing (crank, coupler and rocker in a line: 0.3 m).
+    let bodies = json!({
+        "ground": { "points": { "O": [0.0, 0.0], "Q": [0.5, 0.0] } },
+        "crank": rod(0.1, [0.0, 0.0], 0.3), "coupler": rod(0.1, [0.1, 0.0], 0.0), "rocker": rod(0.1, [0.5, 0.0], 2.8),
+    });
+    let joints = json!({ "o": pin("ground.O", "crank.A"), "a": pin("crank.B", "coupler.A"),
+                         "b": pin("coupler.B", "rocker.B"), "q": pin("ground.Q", "rocker.A") });
+    let mut model = model(bodies, joints, json!({}));
+    model["analysis"] = json!({ "type": "assembly" });
+    assert_eq!(
+        failure(&model),
+        "can't assemble: the loop o – a – b – q does not close; it lacks 0.2000 m at the best position found; change a \
+         length in it, or draw the guess closer to the assembly"
+    );
+}
+
+#[test]
+fn a_driver_value_out_of_reach_names_the_loop_and_the_gap() {
+    assert_eq!(
+        failure(&slider_crank(0.1, 0.3, 0.5, true, &still(0.5))),
+        "can't assemble: the joints alone close, but with the drivers at their first values the loop o – a – b – g does \
+         not close; it lacks 0.1000 m at the best position found; change the start of a driver, or the lengths that keep \
+         it from there"
+    );
+}
+
+#[test]
+fn too_many_and_too_few_drivers_are_bad_input() {
+    let mut model = parallelogram(1, false, 1.0, &still(1.0));
+    model["drivers"]["extra"] = json!({ "type": "rotation", "body": "c1", "motion": still(1.0) });
+    let said = complaint(&model);
+    assert!(
+        said.contains("drivers: too many drivers: the joints leave 1 degree of freedom, and there are 2 drivers (\"motor\", \"extra\")"),
+        "{said}"
+    );
+    let mut model = parallelogram(1, false, 1.0, &still(1.0));
+    model["bodies"]["loose"] = rod(0.1, [0.0, 0.0], 0.0);
+    let said = complaint(&model);
+    assert!(
+        said.contains("too few drivers: the joints leave 4 degrees of freedom, 1 driven; \"loose\" can still move"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_statically_determinate_frame_has_reactions_without_drivers() {
+    // Two equal bars leaning on each other at 60°: each pivot carries its bar's weight, thrust W/2 · cot 60°.
+    let (l, h) = (1.0, 3.0_f64.sqrt() / 2.0);
+    let bodies = json!({
+        "ground": { "points": { "A": [0.0, 0.0], "B": [1.0, 0.0] } },
+        "left": rod(l, [0.0, 0.0], 1.0), "right": rod(l, [1.0, 0.0], 2.1),
+    });
+    let joints =
+        json!({ "p": pin("ground.A", "left.A"), "q": pin("ground.B", "right.A"), "r": pin("left.B", "right.B") });
+    let run = outcome(&model(bodies, joints, json!({})));
+    let thrust = 0.5 * 9.81 * 0.5 / h;
+    assert!((column(&run, "joint.p.fx")[0] - thrust).abs() < 1e-12);
+    assert!((column(&run, "joint.p.fy")[0] - 9.81).abs() < 1e-12);
+    assert!((column(&run, "joint.r.fx")[0] - thrust).abs() < 1e-12 && column(&run, "joint.r.fy")[0].abs() < 1e-12);
+}
+
+#[test]
+fn what_is_not_built_is_refused_by_name() {
+    for (analysis, word) in [("dynamics", "dynamics"), ("statics", "statics")] {
+        let mut model = slider_crank(0.1, 0.3, 0.5, false, &still(0.5));
+        model["analysis"]["type"] = json!(analysis);
+        assert!(complaint(&model).contains(&format!("the analysis type `{word}` is not built yet")), "{analysis}");
+    }
+    let mut model = slider_crank(0.1, 0.3, 0.5, false, &still(0.5));
+    model["joints"]["a"]["clearance"] =
+        json!({ "model": "three_state", "radius": 1e-4, "impact": { "restitution": 0.5 } });
+    let said = complaint(&model);
+    assert!(said.contains("joints.a.clearance.model") && said.contains("`three_state` is not built yet"), "{said}");
+}
+
+#[test]
+fn missing_masses_are_named_for_the_analysis_that_needs_them() {
+    let mut model = slider_crank(0.1, 0.3, 0.5, false, &still(0.5));
+    model["bodies"]["rod"].as_object_mut().expect("a map").remove("inertia");
+    assert!(complaint(&model).contains("bodies.rod: inverse dynamics needs the inertia of body \"rod\""));
+    model["analysis"]["type"] = json!("kinematics");
+    assert_eq!(outcome(&model).report.status, Status::Completed);
+}

@@ -1,0 +1,225 @@
+//! Singular positions: found, located, classed, passed on the smooth branch or refused; against closed forms.
+
+#[path = "common/models.rs"]
+mod models;
+
+use linkdyn::output::Status;
+use models::*;
+use serde_json::json;
+use std::f64::consts::PI;
+
+const LOCK: &str = include_str!("../models/watt-i-lock.json");
+
+fn lock(from: f64, to: f64, step: f64) -> linkdyn::analysis::Outcome {
+    let mut model: serde_json::Value = serde_json::from_str(LOCK).expect("JSON");
+    model["analysis"]["sample"] = json!({ "driver": "motor", "from": format!("{from} deg"), "to": format!("{to} deg"),
+                                          "step": format!("{step} deg") });
+    outcome(&model)
+}
+
+fn degrees(outcome: &linkdyn::analysis::Outcome, kind: &str) -> Vec<f64> {
+    outcome.report.events.iter().filter(|e| e.kind == kind).map(|e| e.value.expect("one driver").to_degrees()).collect()
+}
+
+/// Change point and dead centre of the lock from an independent calculation to 50 digits.
+const CHANGE_POINT: f64 = 117.512206516641;
+const DEAD_CENTRE: f64 = 132.743309602;
+
+#[test]
+fn the_lock_has_one_change_point_and_a_dead_centre() {
+    let whole = lock(-50.0, 125.0, 0.5);
+    let found = degrees(&whole, "change_point");
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!((found[0] - CHANGE_POINT).abs() < 1e-8, "{found:?}");
+    assert_eq!(whole.report.status, Status::Completed);
+    let too_far = lock(-50.0, 135.0, 0.5);
+    assert_eq!(too_far.report.status, Status::DeadCentre);
+    let found = degrees(&too_far, "dead_centre");
+    assert!((found[0] - DEAD_CENTRE).abs() < 1e-8, "{found:?}");
+    // Everything before it is kept: −50° to 132.5°.
+    assert_eq!(too_far.trajectory.len(), 366);
+}
+
+#[test]
+fn the_lock_is_smooth_at_its_change_point() {
+    let run = lock(117.51220651664, 118.51220651664, 0.5);
+    let first = |name: &str| column(&run, name)[0];
+    assert!((first("link2.omega") / 5.914528704 - 1.0).abs() < 1e-9);
+    assert!((first("link2.alpha") / 57.1197951 - 1.0).abs() < 1e-7);
+    assert!((first("driver.motor.effort") / 34.8767 - 1.0).abs() < 1e-5);
+    // Loop a–b–c–g carries a force without bound there; the other loop's forces exist.
+    for joint in ["a", "b", "c", "g"] {
+        assert!(first(&format!("joint.{joint}.fx")).is_nan(), "{joint}");
+    }
+    for joint in ["d", "e", "f"] {
+        assert!(first(&format!("joint.{joint}.fx")).is_finite(), "{joint}");
+    }
+    assert!(run.report.warnings.iter().any(|w| w.contains("a, b, c, g")), "{:?}", run.report.warnings);
+    let near = lock(117.5, 118.5, 0.5);
+    let first = |name: &str| column(&near, name)[0];
+    assert!((first("link2.omega") / 5.910973315 - 1.0).abs() < 1e-9);
+    assert!((first("link2.alpha") / 57.01870056 - 1.0).abs() < 1e-7);
+    assert!((first("driver.motor.effort") / 34.66967 - 1.0).abs() < 1e-6);
+    assert!((first("joint.a.fx").hypot(first("joint.a.fy")) / 76005.56 - 1.0).abs() < 1e-6);
+}
+
+#[test]
+fn the_lock_says_the_same_for_every_number_of_outputs() {
+    let runs: Vec<_> = [5.0, 2.5, 1.0, 0.1].map(|step| lock(-50.0, 125.0, step)).into();
+    let finest = &runs[3];
+    for run in &runs[..3] {
+        let stride = (finest.trajectory.len() - 1) / (run.trajectory.len() - 1);
+        for (k, name) in run.trajectory.columns.iter().enumerate().map(|(k, c)| (k, &c.name)) {
+            let (coarse, fine) = (column(run, name), column(finest, name));
+            for (i, value) in coarse.iter().enumerate() {
+                let same = fine[i * stride];
+                let scale = value.abs().max(1.0);
+                assert!((value - same).abs() <= 1e-9 * scale, "column {k} {name}, row {i}: {value} {same}");
+            }
+        }
+    }
+}
+
+#[test]
+fn parallelograms_stay_parallelograms_through_their_flat_positions() {
+    let motion = json!({ "type": "polynomial", "coefficients": [PI / 3.0, 2.0 * PI] });
+    for (cells, third) in [(1, false), (2, false), (5, false), (20, false), (1, true), (3, true)] {
+        let run = outcome(&parallelogram(cells, third, PI / 3.0, &motion));
+        assert_eq!(run.report.status, Status::Completed, "{cells} {third}");
+        let flat = degrees(&run, "change_point");
+        assert_eq!(flat.len(), 2, "{cells} {third}: {flat:?}");
+        assert!((flat[0] - 180.0).abs() < 1e-8 && (flat[1] - 360.0).abs() < 1e-8, "{flat:?}");
+        let crank = column(&run, "c0.angle");
+        for k in 0..=cells {
+            let angle = column(&run, &format!("c{k}.angle"));
+            let worst = crank.iter().zip(&angle).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
+            assert!(worst < 1e-11, "{cells} {third}: crank {k} is off by {worst}");
+        }
+        assert!(run.report.quality.constraint_residual < 1e-12 && run.report.quality.power_imbalance < Some(1e-9));
+    }
+}
+
+#[test]
+fn a_parallelogram_needs_the_torque_of_the_closed_form() {
+    // I = 2·mL²/3 + mL² (cranks and coupler), gravity at 2·½ + 1 crank lengths.
+    let motion = json!({ "type": "polynomial", "coefficients": [PI / 3.0, 1.0, 2.0] });
+    let run = outcome(&parallelogram(1, false, PI / 3.0, &motion));
+    let (angle, alpha) = (column(&run, "c0.angle"), column(&run, "c0.alpha"));
+    for (k, effort) in column(&run, "driver.motor.effort").into_iter().enumerate() {
+        let want = (2.0 / 3.0 + 1.0) * 0.01 * alpha[k] + 2.0 * 9.81 * 0.1 * angle[k].cos();
+        assert!((effort - want).abs() < 1e-9, "row {k}: {effort} {want}");
+    }
+}
+
+#[test]
+fn a_third_crank_shares_the_load_by_least_norm() {
+    let motion = json!({ "type": "polynomial", "coefficients": [PI / 3.0, 1.0] });
+    let run = outcome(&parallelogram(1, true, PI / 3.0, &motion));
+    assert_eq!(run.report.mobility.redundant, ["pm"]);
+    assert_eq!(run.report.mobility.rank, 1);
+    assert_eq!(run.report.mobility.grubler, 0);
+    assert!(run.trajectory.data.iter().all(|v| v.is_finite()));
+}
+
+#[test]
+fn an_isosceles_slider_crank_passes_over_its_pivot() {
+    let motion = json!({ "type": "polynomial", "coefficients": [PI / 6.0, 2.0 * PI] });
+    let run = outcome(&slider_crank(0.1, 0.1, PI / 6.0, false, &motion));
+    let found = degrees(&run, "change_point");
+    assert!((found[0] - 90.0).abs() < 1e-8 && (found[1] - 270.0).abs() < 1e-8, "{found:?}");
+    for (angle, x) in column(&run, "crank.angle").iter().zip(column(&run, "slider.x")) {
+        assert!((x - 0.2 * angle.cos()).abs() < 1e-13, "{angle}: {x}");
+    }
+}
+
+#[test]
+fn a_slider_driven_past_its_dead_centre_is_refused_there() {
+    let start = PI / 6.0;
+    let motion = json!({ "type": "polynomial", "coefficients": [slider_position(0.1, 0.3, start), 0.1] });
+    let run = outcome(&slider_crank(0.1, 0.3, start, true, &motion));
+    assert_eq!(run.report.status, Status::DeadCentre);
+    let event = run.report.events.iter().find(|e| e.kind == "dead_centre").expect("an event");
+    assert!((event.value.expect("one driver") - 0.4).abs() < 1e-12, "{event:?}");
+    let time = (0.4 - slider_position(0.1, 0.3, start)) / 0.1;
+    assert!((event.time - time).abs() < 1e-10, "{event:?} {time}");
+    assert!(column(&run, "time").iter().all(|t| *t < time));
+    assert!(run.trajectory.data.iter().all(|v| v.is_finite()));
+}
+
+#[test]
+fn a_slider_that_turns_just_before_its_dead_centre_goes_on() {
+    let start = PI / 6.0;
+    let phase = ((slider_position(0.1, 0.3, start) - 0.3) / 0.0999).asin();
+    let motion = json!({ "type": "harmonic", "offset": 0.3, "amplitude": 0.0999, "frequency": 1.0, "phase": phase });
+    let run = outcome(&slider_crank(0.1, 0.3, start, true, &motion));
+    assert_eq!(run.report.status, Status::Completed);
+    assert!(run.report.events.is_empty(), "{:?}", run.report.events);
+    for (x, angle) in column(&run, "slider.x").iter().zip(column(&run, "crank.angle")) {
+        assert!((slider_position(0.1, 0.3, angle) - x).abs() < 1e-13);
+    }
+}
+
+#[test]
+fn every_passage_of_a_change_point_is_an_event() {
+    let motion = json!({ "type": "harmonic", "offset": 1.0, "amplitude": 1.5, "frequency": 1.0, "phase": 0.0 });
+    let mut model = parallelogram(1, false, 1.0, &motion);
+    model["analysis"] = json!({ "type": "kinematics", "end": 2.0, "outputs": 2 });
+    let run = outcome(&model);
+    let times: Vec<f64> = run.report.events.iter().map(|e| e.time).collect();
+    // 1 + 1.5 sin 2πt = 0
+    let first = 0.5 + (1.0_f64 / 1.5).asin() / (2.0 * PI);
+    let want = [first, 1.5 - first, 1.0 + first, 2.5 - first];
+    assert_eq!(times.len(), 4, "{times:?}");
+    for (time, want) in times.iter().zip(want) {
+        assert!((time - want).abs() < 1e-9, "{times:?} {want}");
+    }
+}
+
+#[test]
+fn a_start_in_a_flat_position_is_refused_with_the_reason() {
+    let motion = json!({ "type": "polynomial", "coefficients": [0.0, 1.0] });
+    let run = outcome(&parallelogram(1, false, 0.0, &motion));
+    assert_eq!(run.report.status, Status::Singular);
+    assert!(run.report.message.as_deref().is_some_and(|m| m.contains("singular position")), "{:?}", run.report.message);
+}
+
+#[test]
+fn several_drivers_pass_change_points_in_time() {
+    let motion = json!({ "type": "constant_acceleration", "start": PI / 3.0, "velocity": 0.0, "acceleration": 12.0 });
+    let mut model = parallelogram(1, false, PI / 3.0, &motion);
+    let other = json!({ "type": "polynomial", "coefficients": [0.7, 3.0, 0.7] });
+    let second = parallelogram(1, true, 0.7, &other);
+    for (name, body) in second["bodies"].as_object().expect("a map") {
+        if name == "ground" {
+            for (point, place) in body["points"].as_object().expect("a map") {
+                model["bodies"]["ground"]["points"][format!("x{point}")] = place.clone();
+            }
+        } else {
+            model["bodies"][format!("x{name}")] = body.clone();
+        }
+    }
+    for (name, joint) in second["joints"].as_object().expect("a map") {
+        let moved = |k: usize| {
+            let text = joint["between"][k].as_str().expect("text");
+            text.strip_prefix("ground.").map_or_else(|| format!("x{text}"), |point| format!("ground.x{point}"))
+        };
+        model["joints"][format!("x{name}")] = pin(&moved(0), &moved(1));
+    }
+    model["drivers"]["second"] = json!({ "type": "rotation", "body": "xc0", "motion": other });
+    let run = outcome(&model);
+    let times: Vec<f64> = run.report.events.iter().map(|e| e.time).collect();
+    let first = ((PI - PI / 3.0) / 6.0).sqrt();
+    let third = ((2.0 * PI - PI / 3.0) / 6.0).sqrt();
+    let second = (-3.0 + (9.0 + 2.8 * (PI - 0.7)).sqrt()) / 1.4;
+    let mut want = [first, second, third];
+    want.sort_by(f64::total_cmp);
+    assert_eq!(times.len(), 3, "{times:?}");
+    for (time, want) in times.iter().zip(want) {
+        assert!((time - want).abs() < 1e-10, "{times:?} {want}");
+    }
+    for k in ["c1", "xc1", "xcm"] {
+        let crank = if k == "c1" { "c0" } else { "xc0" };
+        let pairs = column(&run, &format!("{k}.angle")).into_iter().zip(column(&run, &format!("{crank}.angle")));
+        assert!(pairs.fold(0.0_f64, |m, (a, b)| m.max((a - b).abs())) < 1e-11, "{k}");
+    }
+}
