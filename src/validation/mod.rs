@@ -32,10 +32,98 @@ pub enum CaseKind {
 }
 
 /// All bundled cases, in the order in which they are run; a test holds this against the folder `validation/`.
-///
-/// A folder is added as `Case { name: "x", kind: CaseKind::Reference(ReferenceCase { case: include_str!("../../validation/x/case.json"),
-/// reference: include_str!("../../validation/x/reference.csv") }) }`.
-pub const CASES: &[Case] = &[];
+pub const CASES: &[Case] = &[
+    reference(
+        "lock-ideal",
+        include_str!("../../validation/lock-ideal/case.json"),
+        include_str!("../../validation/lock-ideal/reference.csv"),
+    ),
+    reference(
+        "lock-near-change-point",
+        include_str!("../../validation/lock-near-change-point/case.json"),
+        include_str!("../../validation/lock-near-change-point/reference.csv"),
+    ),
+    reference(
+        "four-bar",
+        include_str!("../../validation/four-bar/case.json"),
+        include_str!("../../validation/four-bar/reference.csv"),
+    ),
+    reference(
+        "stephenson-iii",
+        include_str!("../../validation/stephenson-iii/case.json"),
+        include_str!("../../validation/stephenson-iii/reference.csv"),
+    ),
+    reference(
+        "assur-class-iii",
+        include_str!("../../validation/assur-class-iii/case.json"),
+        include_str!("../../validation/assur-class-iii/reference.csv"),
+    ),
+    reference(
+        "inclined-slider-crank",
+        include_str!("../../validation/inclined-slider-crank/case.json"),
+        include_str!("../../validation/inclined-slider-crank/reference.csv"),
+    ),
+    reference(
+        "inverted-slider-crank",
+        include_str!("../../validation/inverted-slider-crank/case.json"),
+        include_str!("../../validation/inverted-slider-crank/reference.csv"),
+    ),
+    reference(
+        "translation-driver",
+        include_str!("../../validation/translation-driver/case.json"),
+        include_str!("../../validation/translation-driver/reference.csv"),
+    ),
+    reference(
+        "floating-driver",
+        include_str!("../../validation/floating-driver/case.json"),
+        include_str!("../../validation/floating-driver/reference.csv"),
+    ),
+    reference(
+        "parallel-crank",
+        include_str!("../../validation/parallel-crank/case.json"),
+        include_str!("../../validation/parallel-crank/reference.csv"),
+    ),
+    reference(
+        "doubled-joint",
+        include_str!("../../validation/doubled-joint/case.json"),
+        include_str!("../../validation/doubled-joint/reference.csv"),
+    ),
+    reference(
+        "random-1",
+        include_str!("../../validation/random-1/case.json"),
+        include_str!("../../validation/random-1/reference.csv"),
+    ),
+    reference(
+        "random-2",
+        include_str!("../../validation/random-2/case.json"),
+        include_str!("../../validation/random-2/reference.csv"),
+    ),
+    reference(
+        "random-3",
+        include_str!("../../validation/random-3/case.json"),
+        include_str!("../../validation/random-3/reference.csv"),
+    ),
+    reference(
+        "random-4",
+        include_str!("../../validation/random-4/case.json"),
+        include_str!("../../validation/random-4/reference.csv"),
+    ),
+    reference(
+        "random-5",
+        include_str!("../../validation/random-5/case.json"),
+        include_str!("../../validation/random-5/reference.csv"),
+    ),
+    reference(
+        "random-6",
+        include_str!("../../validation/random-6/case.json"),
+        include_str!("../../validation/random-6/reference.csv"),
+    ),
+];
+
+/// The case of a folder: its name, `case.json` and `reference.csv`.
+const fn reference(name: &'static str, case: &'static str, reference: &'static str) -> Case {
+    Case { name, kind: CaseKind::Reference(ReferenceCase { case, reference }) }
+}
 
 /// What a case is run with.
 #[derive(Debug, Clone, Default)]

@@ -8,12 +8,17 @@
 //! model      name of a bundled model, or a model itself
 //! set        overrides of the model, ["analysis.outputs=11"]; may be left out
 //! compare    [{ column, tolerance_relative, tolerance_absolute, verdict }]; may be left out
+//! tolerance  { position, velocity, acceleration, force, effort }, one number for all columns of a kind; may be left out
 //! ```
 //!
 //! `reference.csv` has some of the columns of `results.csv`, under the same names, at some of its instants (equal to 1e-9 s); a
 //! cell left empty is not compared. `column` is a pattern for names with or without `[unit]`; a column belongs to the first entry that matches, one that
 //! none matches is held against [`default_tolerance`]. The tolerance of a value is absolute + relative·max |reference| over its
 //! column, since a relative error of a value that passes zero says nothing. `verdict` says what a larger difference is: `fault` (default) or `finding`.
+//!
+//! A number of `tolerance` is held against columns that no entry of `compare` matches, and means |ours − reference| ≤ tolerance · max(1, max |reference|)
+//! in SI units: `position` for m and rad (values of drivers too), `velocity`, `acceleration`, `force` for joint forces, joint
+//! torques and energies, `effort` for the efforts of drivers.
 
 use serde::Deserialize;
 use serde_json::Value;
@@ -49,6 +54,55 @@ pub struct CaseWords {
     pub set: Vec<String>,
     #[serde(default)]
     pub compare: Vec<Compare>,
+    #[serde(default)]
+    pub tolerance: Option<Tolerance>,
+}
+
+impl CaseWords {
+    /// How columns are compared: what `compare` says, then what `tolerance` says.
+    pub fn comparisons(&self) -> Vec<Compare> {
+        let mut entries = self.compare.clone();
+        entries.extend(self.tolerance.iter().flat_map(Tolerance::entries));
+        entries
+    }
+}
+
+/// Tolerances by kind of column, relative to the largest magnitude in the column or 1 SI unit, whichever is more.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Tolerance {
+    pub position: f64,
+    pub velocity: f64,
+    pub acceleration: f64,
+    pub force: f64,
+    pub effort: f64,
+}
+
+impl Tolerance {
+    /// One entry per unit, so that each unit's worst value is told.
+    fn entries(&self) -> Vec<Compare> {
+        let Tolerance { position, velocity, acceleration, force, effort } = *self;
+        let by_column = [
+            ("driver.*.effort", effort),
+            ("*[m]", position),
+            ("*[rad]", position),
+            ("*[m/s]", velocity),
+            ("*[rad/s]", velocity),
+            ("*[m/s^2]", acceleration),
+            ("*[rad/s^2]", acceleration),
+            ("*[N]", force),
+            ("*[N*m]", force),
+            ("*[J]", force),
+        ];
+        let entry = |(column, tolerance): (&str, f64)| Compare {
+            column: column.into(),
+            tolerance_relative: tolerance,
+            tolerance_absolute: 0.0,
+            scale_at_least: 1.0,
+            verdict: OnDifference::Fault,
+        };
+        by_column.into_iter().map(entry).collect()
+    }
 }
 
 /// How some columns are compared.
@@ -60,6 +114,9 @@ pub struct Compare {
     pub tolerance_relative: f64,
     #[serde(default)]
     pub tolerance_absolute: f64,
+    /// What the relative tolerance is relative to at least [SI].
+    #[serde(default)]
+    pub scale_at_least: f64,
     #[serde(default)]
     pub verdict: OnDifference,
 }
@@ -95,6 +152,7 @@ pub fn default_tolerance(unit: &str) -> Compare {
         column: format!("*[{unit}]"),
         tolerance_relative: 1e-6,
         tolerance_absolute: absolute,
+        scale_at_least: 0.0,
         verdict: OnDifference::Fault,
     }
 }
@@ -133,7 +191,9 @@ impl ReferenceCase {
             | Status::AssemblyFailed
             | Status::StepTooSmall
             | Status::Singular
-            | Status::TimeLimit => compare(&table, &outcome.trajectory, &words.compare).map_err(CaseError::Broken),
+            | Status::TimeLimit => {
+                compare(&table, &outcome.trajectory, &words.comparisons()).map_err(CaseError::Broken)
+            }
         }
     }
 }
@@ -186,7 +246,9 @@ pub fn compare(reference: &Table, ours: &Trajectory, how: &[Compare]) -> Result<
         let group = group_of(&mut groups, label);
         group.columns += 1;
         let values = reference.rows.iter().map(|row| row[index]);
-        let scale = values.filter(|value| !value.is_nan()).fold(0.0, |scale: f64, value| scale.max(value.abs()));
+        let scale = values
+            .filter(|value| !value.is_nan())
+            .fold(group.how.scale_at_least, |scale: f64, value| scale.max(value.abs()));
         let tolerance = group.how.tolerance_absolute + group.how.tolerance_relative * scale;
         for (row, &our_row) in reference.rows.iter().zip(&rows) {
             let our_value = our_row.map_or(f64::NAN, |our_row| ours.row(our_row)[our_column]);
@@ -269,7 +331,13 @@ mod tests {
     }
 
     fn entry(column: &str, relative: f64, verdict: OnDifference) -> Compare {
-        Compare { column: column.into(), tolerance_relative: relative, tolerance_absolute: 0.0, verdict }
+        Compare {
+            column: column.into(),
+            tolerance_relative: relative,
+            tolerance_absolute: 0.0,
+            scale_at_least: 0.0,
+            verdict,
+        }
     }
 
     #[test]
@@ -288,6 +356,19 @@ mod tests {
         let how = [entry("*.f?", 0.02, OnDifference::Fault), entry("a.x[m]", 0.01, OnDifference::Finding)];
         let claims = compare(&reference, &results(), &how).expect("compared");
         assert_eq!(claims.iter().map(|claim| claim.verdict).collect::<Vec<_>>(), [Verdict::Agrees, Verdict::Finding]);
+    }
+
+    #[test]
+    fn a_tolerance_by_kind_is_relative_to_the_column_but_never_below_one() {
+        let tolerance = Tolerance { position: 1e-3, velocity: 0.0, acceleration: 0.0, force: 1e-3, effort: 0.0 };
+        // 0.0009 off at a scale below 1, 0.099 off at a scale of 100: within; 0.101 off: not.
+        for (reference, verdicts) in [
+            ("time[s],a.y[m],joint.b.fx[N]\n0,0.0009,100.099\n", [Verdict::Agrees, Verdict::Agrees]),
+            ("time[s],a.y[m],joint.b.fx[N]\n0,0.0011,100.102\n", [Verdict::Fault, Verdict::Fault]),
+        ] {
+            let claims = compare(&table(reference), &results(), &tolerance.entries()).expect("compared");
+            assert_eq!(claims.iter().map(|claim| claim.verdict).collect::<Vec<_>>(), verdicts, "{claims:?}");
+        }
     }
 
     #[test]

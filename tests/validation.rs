@@ -1,0 +1,40 @@
+//! Every bundled validation case agrees with its reference.
+
+use linkdyn::analysis::Control;
+use linkdyn::validation::reference::Compare;
+use linkdyn::validation::{CASES, CaseKind, Verdict};
+
+#[test]
+fn every_reference_case_agrees() {
+    let mut faults = Vec::new();
+    let mut cases = 0;
+    for case in CASES {
+        let CaseKind::Reference(_) = case.kind else { continue };
+        cases += 1;
+        match case.run(None, &Control::default()) {
+            Ok(claims) => {
+                assert!(!claims.is_empty(), "{}: nothing was compared", case.name);
+                let differing = claims.iter().filter(|claim| claim.verdict != Verdict::Agrees);
+                faults.extend(differing.map(|claim| format!("{}: {claim:?}", case.name)));
+            }
+            Err(error) => faults.push(format!("{}: {error}", case.name)),
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    assert!(cases >= 17, "only {cases} reference cases are bundled");
+}
+
+/// A tolerance that anything meets would make agreement worthless.
+#[test]
+fn no_case_is_lax() {
+    for case in CASES {
+        let CaseKind::Reference(reference) = case.kind else { continue };
+        let words = reference.read().expect("valid words");
+        let entries = words.comparisons();
+        assert!(!entries.is_empty(), "{}", case.name);
+        for Compare { column, tolerance_relative, tolerance_absolute, .. } in &entries {
+            let sum = tolerance_relative + tolerance_absolute;
+            assert!(sum <= 1e-5, "{}: {column} is compared to {sum:e} only", case.name);
+        }
+    }
+}
