@@ -8,7 +8,7 @@
 //! ```
 //!
 //! 1. ψ from the ideal forces; 2. positions, velocities, accelerations, forces with these offsets; 3. ψ from these
-//! forces; repeat from 2 until no body coordinate changes by more than ε.
+//!    forces; repeat from 2 until no body coordinate changes by more than ε.
 //!
 //! Positions are reached from the ideal ones by letting the offsets grow from zero (homotopy), so the solution is the one
 //! connected to the ideal branch, and a fold on the way proves that it ends before the clearance is reached.

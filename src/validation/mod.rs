@@ -1,7 +1,7 @@
 //! Validation: answers that are not ours, each beside what the engine says.
 //!
 //! A *coded* case is a function that makes its claims; a *reference* case is a folder `validation/<case>/` with
-//! `case.json`, `reference.csv` and `SOURCE.md` (see [`reference`]). Both give claims with a verdict. A claim of a paper that is
+//! `case.json`, `reference.csv` and `SOURCE.md` (see [`mod@reference`]). Both give claims with a verdict. A claim of a paper that is
 //! not reproduced is a finding; only what must hold and does not is a fault.
 
 pub mod reference;
