@@ -1,0 +1,172 @@
+//! Who may know whom: every `crate::` in a layer of `src/` is held against a table. Dependencies point downwards only.
+//!
+//! A layer is a folder of `src/`, or a file there. Tests inside the layers count like the rest.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Layers from top to bottom, each with the layers it may use; a layer may only use what stands below it.
+const LAYERS: &[(&str, &[&str])] = &[
+    ("main", &[]),
+    ("cli", &["validation", "analysis", "bundled", "model", "output", "error"]),
+    ("validation", &["analysis", "bundled", "model", "output", "error", "math"]),
+    ("bundled", &[]),
+    // Besides numbers, the analyses know the words of the question: `model::Analysis`, and `Model` as what they compile.
+    ("analysis", &["solve", "system", "element", "graph", "motion", "math", "model", "output", "error"]),
+    ("output", &[]),
+    // Constraints as the contract of `element` shows them, no joint; see `solve_knows_no_joint`.
+    ("solve", &["system", "element", "math"]),
+    // `system::compile` also sees `model`; see `EXCEPTIONS`.
+    ("system", &["element", "motion", "math", "error"]),
+    ("graph", &[]),
+    ("element", &["motion", "math"]),
+    ("motion", &["math"]),
+    ("math", &[]),
+    ("model", &["error"]),
+    ("error", &[]),
+    ("lib", &[]),
+];
+
+/// Single files that may know one layer more.
+const EXCEPTIONS: &[(&str, &str)] = &[("src/system/compile.rs", "model")];
+
+/// Packages with one job: where they may be named.
+const PACKAGES: &[(&str, &[&str])] = &[
+    ("clap", &["cli"]),
+    ("ctrlc", &["cli"]),
+    ("sha2", &["cli"]),
+    ("cpu_time", &["output"]),
+    ("ryu", &["output"]),
+    ("petgraph", &["graph"]),
+    ("faer", &["solve"]),
+    ("sprs", &["solve"]),
+    ("nalgebra", &["math", "solve"]),
+    ("schemars", &["model"]),
+    ("indexmap", &["model"]),
+];
+
+/// A source file: path from the root, layer, lines of code without comments.
+struct Source {
+    path: String,
+    layer: String,
+    code: Vec<String>,
+}
+
+fn sources() -> Vec<Source> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut files = Vec::new();
+    collect(&root.join("src"), &mut files);
+    files.sort();
+    files.iter().map(|file| read(root, file)).collect()
+}
+
+fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).expect("a readable folder") {
+        let path = entry.expect("a readable entry").path();
+        if path.is_dir() {
+            collect(&path, files);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            files.push(path);
+        }
+    }
+}
+
+fn read(root: &Path, file: &Path) -> Source {
+    let path = file.strip_prefix(root).expect("below the root").to_string_lossy().replace('\\', "/");
+    let layer = path.trim_start_matches("src/").split('/').next().expect("a name").trim_end_matches(".rs").to_string();
+    let text = fs::read_to_string(file).expect("readable");
+    let code = text.lines().map(|line| line.split("//").next().unwrap_or_default().to_string()).collect();
+    Source { path, layer, code }
+}
+
+/// Layers that a line names by `crate::`.
+fn named(line: &str) -> impl Iterator<Item = &str> {
+    line.match_indices("crate::").filter_map(|(at, word)| {
+        let rest = &line[at + word.len()..];
+        let end = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
+        (end > 0).then(|| &rest[..end])
+    })
+}
+
+fn layer(name: &str) -> Option<usize> {
+    LAYERS.iter().position(|(layer, _)| *layer == name)
+}
+
+#[test]
+fn the_table_points_downwards() {
+    for (place, (name, below)) in LAYERS.iter().enumerate() {
+        for other in *below {
+            let below = layer(other).unwrap_or_else(|| panic!("{other} is no layer"));
+            assert!(place < below, "{name} may not use {other}, which stands above it");
+        }
+    }
+}
+
+#[test]
+fn every_layer_stands_in_the_table() {
+    let found: BTreeSet<String> = sources().into_iter().map(|source| source.layer).collect();
+    let table: BTreeSet<String> = LAYERS.iter().map(|(name, _)| name.to_string()).collect();
+    assert_eq!(found, table);
+}
+
+#[test]
+fn no_layer_looks_where_it_may_not() {
+    let mut faults = Vec::new();
+    let mut seen = 0;
+    for source in sources() {
+        let own = layer(&source.layer).expect("in the table");
+        for (number, line) in source.code.iter().enumerate() {
+            // A list of layers in braces would escape this test.
+            assert!(!line.contains("crate::{"), "{}:{}: name each layer on its own line", source.path, number + 1);
+            for other in named(line).filter(|other| layer(other).is_some() && *other != source.layer) {
+                seen += 1;
+                let excepted = EXCEPTIONS.contains(&(source.path.as_str(), other));
+                if !LAYERS[own].1.contains(&other) && !excepted {
+                    faults.push(format!("{}:{}: {} may not use {other}", source.path, number + 1, source.layer));
+                }
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    assert!(seen > 50, "only {seen} uses were found: this test is blind");
+}
+
+#[test]
+fn every_package_keeps_to_its_place() {
+    let mut faults = Vec::new();
+    for source in sources() {
+        for (number, line) in source.code.iter().enumerate() {
+            for (package, places) in PACKAGES {
+                let names_it = line.contains(&format!("{package}::")) || line.contains(&format!("use {package};"));
+                if names_it && !places.contains(&source.layer.as_str()) {
+                    faults.push(format!("{}:{}: {package} belongs to {places:?}", source.path, number + 1));
+                }
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// The solver sees rows and entries, never what kind of joint made them.
+#[test]
+fn solve_knows_no_joint() {
+    let words = ["revolute", "prismatic", "JointKind", "JointData", ".joints", "JointId"];
+    for source in sources().iter().filter(|source| source.layer == "solve") {
+        for (number, line) in source.code.iter().enumerate() {
+            let word = words.iter().find(|word| line.contains(**word));
+            assert!(word.is_none(), "{}:{}: {word:?}", source.path, number + 1);
+        }
+    }
+}
+
+/// An element writes small blocks; it allocates no matrix and solves nothing.
+#[test]
+fn element_knows_no_matrix() {
+    for source in sources().iter().filter(|source| source.layer == "element" && !source.path.ends_with("tests.rs")) {
+        for (number, line) in source.code.iter().enumerate() {
+            let word = ["Matrix", "Pattern", "Lu", "System"].iter().find(|word| line.contains(**word));
+            assert!(word.is_none(), "{}:{}: {word:?}", source.path, number + 1);
+        }
+    }
+}
