@@ -1,11 +1,11 @@
 //! Assembly: from rough guesses, with exact initial values, and what is said when it can't be.
 
-#[path = "common/models.rs"]
-mod models;
+#[path = "common/mechanisms.rs"]
+mod mechanisms;
 
 use linkdyn::analysis::{Control, run};
 use linkdyn::output::Status;
-use models::*;
+use mechanisms::*;
 use serde_json::{Value, json};
 
 fn still(value: f64) -> Value {

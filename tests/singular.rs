@@ -1,10 +1,10 @@
 //! Singular positions: found, located, classed, passed on the smooth branch or refused; against closed forms.
 
-#[path = "common/models.rs"]
-mod models;
+#[path = "common/mechanisms.rs"]
+mod mechanisms;
 
 use linkdyn::output::Status;
-use models::*;
+use mechanisms::*;
 use serde_json::json;
 use std::f64::consts::PI;
 
