@@ -1,0 +1,270 @@
+//! The same mechanism told otherwise: turned, moved, mirrored, renamed, in other units.
+//!
+//! Each function changes the words of a model so that its results must change in a known way.
+
+#![allow(dead_code)]
+
+use indexmap::IndexMap;
+use linkdyn::model::{
+    Driver, DriverKind, Force, ForceKind, Frame, GROUND, Joint, JointKind, Model, Motion, PointRef, Value,
+};
+
+/// A plane vector turned by an angle.
+pub fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
+    let (sin, cos) = angle.sin_cos();
+    [cos * x - sin * y, sin * x + cos * y]
+}
+
+/// f(t) ↦ factor·f(t) + offset.
+fn affine(motion: &Motion, factor: f64, offset: f64) -> Motion {
+    let all = |values: &[f64]| values.iter().map(|value| value * factor).collect::<Vec<f64>>();
+    match motion {
+        Motion::Polynomial { coefficients } => {
+            let mut coefficients = all(coefficients);
+            coefficients[0] += offset;
+            Motion::Polynomial { coefficients }
+        }
+        Motion::Harmonic { offset: mean, amplitude, frequency, phase } => Motion::Harmonic {
+            offset: mean * factor + offset,
+            amplitude: amplitude * factor,
+            frequency: *frequency,
+            phase: *phase,
+        },
+        Motion::Table { points } => {
+            Motion::Table { points: points.iter().map(|[t, value]| [*t, value * factor + offset]).collect() }
+        }
+        Motion::ConstantVelocity { start, velocity } => {
+            Motion::ConstantVelocity { start: start * factor + offset, velocity: velocity * factor }
+        }
+        Motion::ConstantAcceleration { start, velocity, acceleration } => Motion::ConstantAcceleration {
+            start: start * factor + offset,
+            velocity: velocity * factor,
+            acceleration: acceleration * factor,
+        },
+    }
+}
+
+fn affine_value(value: &Value, factor: f64, offset: f64) -> Value {
+    match value {
+        Value::Constant(value) => Value::Constant(value * factor + offset),
+        Value::Motion(motion) => Value::Motion(affine(motion, factor, offset)),
+    }
+}
+
+fn each_sampled_angle(model: &mut Model, change: impl Fn(f64) -> f64) {
+    let Some(sample) = model.analysis.as_mut().and_then(|analysis| analysis.sample.as_mut()) else { return };
+    let is_rotation = matches!(&model.drivers[&sample.driver].kind, DriverKind::Rotation { .. });
+    if is_rotation {
+        sample.from = change(sample.from);
+        sample.to = change(sample.to);
+    }
+}
+
+/// Whether a driver's value is an angle against the ground.
+pub fn is_absolute(driver: &Driver) -> bool {
+    match &driver.kind {
+        DriverKind::Rotation { relative_to, .. } => relative_to.as_deref().is_none_or(|body| body == GROUND),
+        DriverKind::Translation { .. } => false,
+    }
+}
+
+/// The whole mechanism turned about the ground's origin; the ground's frame stays.
+pub fn rotate(model: &Model, angle: f64) -> Model {
+    assert!(model.initial.is_empty(), "exact initial values can't be turned one by one");
+    let mut model = model.clone();
+    model.gravity = turned(model.gravity, angle);
+    for (name, body) in &mut model.bodies {
+        if name == GROUND {
+            body.points.values_mut().for_each(|point| *point = turned(*point, angle));
+        } else {
+            body.pose.position = turned(body.pose.position, angle);
+            body.pose.angle += angle;
+        }
+    }
+    for joint in model.joints.values_mut() {
+        let [first, second] = [0, 1].map(|end: usize| joint.between[end].body == GROUND);
+        // Relative angles against the ground, which has not turned.
+        let relative = angle * (f64::from(u8::from(first)) - f64::from(u8::from(second)));
+        match &mut joint.kind {
+            JointKind::Revolute { .. } => {}
+            JointKind::Prismatic { axis, angle: relative_angle } => {
+                if first {
+                    *axis = turned(*axis, angle);
+                }
+                *relative_angle += relative;
+            }
+            JointKind::Fixed { angle: relative_angle } => *relative_angle += relative,
+        }
+    }
+    for driver in model.drivers.values_mut().filter(|driver| is_absolute(driver)) {
+        driver.motion = affine(&driver.motion, 1.0, angle);
+    }
+    if let Some(sample) = model.analysis.as_ref().and_then(|analysis| analysis.sample.as_ref())
+        && is_absolute(&model.drivers[&sample.driver])
+    {
+        each_sampled_angle(&mut model, |value| value + angle);
+    }
+    let mut forces = IndexMap::new();
+    for (name, force) in &model.forces {
+        for (suffix, kind) in rotate_force(&force.kind, angle) {
+            forces.insert(format!("{name}{suffix}"), Force { kind });
+        }
+    }
+    model.forces = forces;
+    model
+}
+
+/// A force turned; one with a direction in space becomes two, one per component, since each may have its own law of time.
+fn rotate_force(kind: &ForceKind, angle: f64) -> Vec<(&'static str, ForceKind)> {
+    let mut kind = kind.clone();
+    match &mut kind {
+        ForceKind::Spring { .. } | ForceKind::Torque { .. } => {}
+        ForceKind::TorsionSpring { between, free_angle, .. } => {
+            let [first, second] = [0, 1].map(|end: usize| f64::from(u8::from(between[end] == GROUND)));
+            *free_angle = affine_value(free_angle, 1.0, angle * (first - second));
+        }
+        ForceKind::Load { at, vector, frame } => match frame {
+            Frame::Body => {}
+            Frame::Ground => {
+                let (sin, cos) = angle.sin_cos();
+                let part = |k: usize, by: [f64; 2]| ForceKind::Load {
+                    at: at.clone(),
+                    vector: by.map(|factor| affine_value(&vector[k], factor, 0.0)),
+                    frame: Frame::Ground,
+                };
+                return vec![(" x", part(0, [cos, sin])), (" y", part(1, [-sin, cos]))];
+            }
+        },
+    }
+    vec![("", kind)]
+}
+
+/// The whole mechanism moved.
+pub fn translate(model: &Model, by: [f64; 2]) -> Model {
+    assert!(model.initial.is_empty(), "exact initial values are not moved");
+    let mut model = model.clone();
+    let moved = |[x, y]: [f64; 2]| [x + by[0], y + by[1]];
+    for (name, body) in &mut model.bodies {
+        if name == GROUND {
+            body.points.values_mut().for_each(|point| *point = moved(*point));
+        } else {
+            body.pose.position = moved(body.pose.position);
+        }
+    }
+    model
+}
+
+/// The mechanism behind a mirror, x ↦ −x, body frames mirrored too: angles and torques change their sign.
+pub fn mirror(model: &Model) -> Model {
+    assert!(model.initial.is_empty(), "exact initial values are not mirrored");
+    let mut model = model.clone();
+    let mirrored = |[x, y]: [f64; 2]| [-x, y];
+    model.gravity = mirrored(model.gravity);
+    for body in model.bodies.values_mut() {
+        body.points.values_mut().for_each(|point| *point = mirrored(*point));
+        body.com = body.com.map(mirrored);
+        body.pose.position = mirrored(body.pose.position);
+        body.pose.angle = -body.pose.angle;
+    }
+    for joint in model.joints.values_mut() {
+        match &mut joint.kind {
+            JointKind::Revolute { .. } => {}
+            JointKind::Prismatic { axis, angle } => {
+                *axis = mirrored(*axis);
+                *angle = -*angle;
+            }
+            JointKind::Fixed { angle } => *angle = -*angle,
+        }
+    }
+    for driver in model.drivers.values_mut() {
+        if matches!(driver.kind, DriverKind::Rotation { .. }) {
+            driver.motion = affine(&driver.motion, -1.0, 0.0);
+        }
+    }
+    each_sampled_angle(&mut model, |value| -value);
+    for force in model.forces.values_mut() {
+        match &mut force.kind {
+            ForceKind::Spring { .. } => {}
+            ForceKind::TorsionSpring { free_angle: value, .. } | ForceKind::Torque { value, .. } => {
+                *value = affine_value(value, -1.0, 0.0);
+            }
+            ForceKind::Load { vector, .. } => vector[0] = affine_value(&vector[0], -1.0, 0.0),
+        }
+    }
+    model
+}
+
+/// A name no model has.
+pub fn renamed(name: &str) -> String {
+    if name == GROUND { name.to_string() } else { format!("{name} ♣") }
+}
+
+/// Every name changed, everything in the opposite order.
+pub fn rename_and_reverse(model: &Model) -> Model {
+    let mut model = model.clone();
+    let reference = |point: &mut PointRef| {
+        point.body = renamed(&point.body);
+        point.point = renamed(&point.point);
+    };
+    model.bodies = reversed(model.bodies);
+    for body in model.bodies.values_mut() {
+        body.points = reversed(std::mem::take(&mut body.points));
+    }
+    model.joints = reversed(model.joints);
+    model.joints.values_mut().for_each(|joint| joint.between.iter_mut().for_each(reference));
+    model.drivers = reversed(model.drivers);
+    for driver in model.drivers.values_mut() {
+        match &mut driver.kind {
+            DriverKind::Rotation { body, relative_to } => {
+                *body = renamed(body);
+                *relative_to = relative_to.as_deref().map(renamed);
+            }
+            DriverKind::Translation { joint } => *joint = renamed(joint),
+        }
+    }
+    model.forces = reversed(model.forces);
+    for force in model.forces.values_mut() {
+        match &mut force.kind {
+            ForceKind::Spring { between, .. } => between.iter_mut().for_each(reference),
+            ForceKind::TorsionSpring { between, .. } => {
+                between.iter_mut().for_each(|body| *body = renamed(body));
+            }
+            ForceKind::Load { at, .. } => reference(at),
+            ForceKind::Torque { body, relative_to, .. } => {
+                *body = renamed(body);
+                *relative_to = relative_to.as_deref().map(renamed);
+            }
+        }
+    }
+    model.points.reverse();
+    model.points.iter_mut().for_each(reference);
+    if let Some(sample) = model.analysis.as_mut().and_then(|analysis| analysis.sample.as_mut()) {
+        sample.driver = renamed(&sample.driver);
+    }
+    model
+}
+
+fn reversed<T>(map: IndexMap<String, T>) -> IndexMap<String, T> {
+    map.into_iter().rev().map(|(name, value)| (renamed(&name), value)).collect()
+}
+
+/// First and second body of every revolute and fixed joint exchanged.
+pub fn swap(model: &Model) -> Model {
+    let mut model = model.clone();
+    for joint in model.joints.values_mut() {
+        match &mut joint.kind {
+            JointKind::Revolute { .. } => joint.between.reverse(),
+            JointKind::Fixed { angle } => {
+                *angle = -*angle;
+                joint.between.reverse();
+            }
+            JointKind::Prismatic { .. } => {}
+        }
+    }
+    model
+}
+
+/// Whether [`swap`] changes this joint.
+pub fn is_swapped(joint: &Joint) -> bool {
+    matches!(joint.kind, JointKind::Revolute { .. } | JointKind::Fixed { .. })
+}

@@ -1,0 +1,184 @@
+//! A model as the text of a file, in units of choice.
+
+use linkdyn::model::{
+    AnalysisKind, Driver, DriverKind, Force, ForceKind, Frame, GROUND, JointKind, Model, Motion, PointRef, Value as Law,
+};
+use serde_json::{Map, Value, json};
+
+/// SI units in one of ours.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scale {
+    /// Names in `units`.
+    pub names: &'static [(&'static str, &'static str)],
+    pub length: f64,
+    pub angle: f64,
+    pub mass: f64,
+}
+
+pub const SI: Scale = Scale { names: &[], length: 1.0, angle: 1.0, mass: 1.0 };
+
+/// Millimetres, degrees, tonnes: forces in N, torques in N·mm.
+pub const WORKSHOP: Scale = Scale {
+    names: &[
+        ("length", "mm"),
+        ("angle", "deg"),
+        ("mass", "t"),
+        ("inertia", "t*mm^2"),
+        ("torque", "N*mm"),
+        ("stiffness", "N/mm"),
+        ("damping", "N*s/mm"),
+        ("angular_stiffness", "N*mm/deg"),
+        ("angular_damping", "N*mm*s/deg"),
+        ("velocity", "mm/s"),
+        ("angular_velocity", "deg/s"),
+        ("acceleration", "mm/s^2"),
+        ("angular_acceleration", "deg/s^2"),
+    ],
+    length: 1e3,
+    angle: 180.0 / std::f64::consts::PI,
+    mass: 1e-3,
+};
+
+impl Scale {
+    /// The model as JSON; its clearances are left out.
+    pub fn write(&self, model: &Model) -> Value {
+        let units = self.names.iter().map(|(name, unit)| (name.to_string(), json!(unit))).collect::<Map<_, _>>();
+        let analysis = model.analysis.as_ref().expect("an analysis");
+        assert_eq!(analysis.kind, AnalysisKind::InverseDynamics);
+        let mut words = json!({ "type": "inverse_dynamics" });
+        if let Some(sample) = &analysis.sample {
+            let unit = self.driven(&model.drivers[&sample.driver]);
+            words["sample"] = json!({ "driver": sample.driver, "from": sample.from * unit, "to": sample.to * unit,
+                "step": sample.step * unit });
+        } else {
+            words["end"] = json!(analysis.end);
+            words["outputs"] = json!(analysis.outputs);
+        }
+        json!({
+            "format": "linkdyn/1",
+            "units": if units.is_empty() { json!("SI") } else { Value::Object(units) },
+            "gravity": self.pair(model.gravity),
+            "bodies": self.bodies(model),
+            "joints": self.joints(model),
+            "drivers": model.drivers.iter().map(|(name, driver)| (name.clone(), self.driver(driver))).collect::<Map<_, _>>(),
+            "forces": model.forces.iter().map(|(name, force)| (name.clone(), self.force(force))).collect::<Map<_, _>>(),
+            "points": model.points.iter().map(PointRef::to_string).collect::<Vec<_>>(),
+            "analysis": words,
+        })
+    }
+
+    fn pair(&self, [x, y]: [f64; 2]) -> Value {
+        json!([x * self.length, y * self.length])
+    }
+
+    fn bodies(&self, model: &Model) -> Value {
+        let mut bodies = Map::new();
+        for (name, body) in &model.bodies {
+            let points = body.points.iter().map(|(name, point)| (name.clone(), self.pair(*point)));
+            let mut words = json!({ "points": points.collect::<Map<_, _>>() });
+            if name != GROUND {
+                words["pose"] =
+                    json!({ "position": self.pair(body.pose.position), "angle": body.pose.angle * self.angle });
+                let inertia = self.mass * self.length * self.length;
+                for (key, value) in
+                    [("mass", body.mass.map(|m| m * self.mass)), ("inertia", body.inertia.map(|i| i * inertia))]
+                {
+                    if let Some(value) = value {
+                        words[key] = json!(value);
+                    }
+                }
+                if let Some(com) = body.com {
+                    words["com"] = self.pair(com);
+                }
+            }
+            bodies.insert(name.clone(), words);
+        }
+        Value::Object(bodies)
+    }
+
+    fn joints(&self, model: &Model) -> Value {
+        let mut joints = Map::new();
+        for (name, joint) in &model.joints {
+            let between = joint.between.each_ref().map(PointRef::to_string);
+            let words = match &joint.kind {
+                JointKind::Revolute { .. } => json!({ "type": "revolute", "between": between }),
+                JointKind::Prismatic { axis, angle } => {
+                    json!({ "type": "prismatic", "between": between, "axis": axis, "angle": angle * self.angle })
+                }
+                JointKind::Fixed { angle } => {
+                    json!({ "type": "fixed", "between": between, "angle": angle * self.angle })
+                }
+            };
+            joints.insert(name.clone(), words);
+        }
+        Value::Object(joints)
+    }
+
+    /// Scale of what a driver drives.
+    fn driven(&self, driver: &Driver) -> f64 {
+        match driver.kind {
+            DriverKind::Rotation { .. } => self.angle,
+            DriverKind::Translation { .. } => self.length,
+        }
+    }
+
+    fn driver(&self, driver: &Driver) -> Value {
+        let motion = self.motion(&driver.motion, self.driven(driver));
+        match &driver.kind {
+            DriverKind::Rotation { body, relative_to: None } => {
+                json!({ "type": "rotation", "body": body, "motion": motion })
+            }
+            DriverKind::Rotation { body, relative_to: Some(other) } => {
+                json!({ "type": "rotation", "body": body, "relative_to": other, "motion": motion })
+            }
+            DriverKind::Translation { joint } => json!({ "type": "translation", "joint": joint, "motion": motion }),
+        }
+    }
+
+    fn motion(&self, motion: &Motion, unit: f64) -> Value {
+        match motion {
+            Motion::Polynomial { coefficients } => {
+                json!({ "type": "polynomial", "coefficients": coefficients.iter().map(|c| c * unit).collect::<Vec<_>>() })
+            }
+            Motion::Harmonic { offset, amplitude, frequency, phase } => json!({ "type": "harmonic",
+                "offset": offset * unit, "amplitude": amplitude * unit, "frequency": frequency, "phase": phase * self.angle }),
+            Motion::Table { points } => {
+                json!({ "type": "table", "points": points.iter().map(|[t, f]| [*t, f * unit]).collect::<Vec<_>>() })
+            }
+            Motion::ConstantVelocity { start, velocity } => {
+                json!({ "type": "constant_velocity", "start": start * unit, "velocity": velocity * unit })
+            }
+            Motion::ConstantAcceleration { start, velocity, acceleration } => json!({ "type": "constant_acceleration",
+                "start": start * unit, "velocity": velocity * unit, "acceleration": acceleration * unit }),
+        }
+    }
+
+    fn law(&self, law: &Law, unit: f64) -> Value {
+        match law {
+            Law::Constant(value) => json!(value * unit),
+            Law::Motion(motion) => self.motion(motion, unit),
+        }
+    }
+
+    /// Forces in N, torques in N·m times the length's scale (N·mm).
+    fn force(&self, force: &Force) -> Value {
+        match &force.kind {
+            ForceKind::Spring { between, stiffness, damping, free_length } => json!({ "type": "spring",
+                "between": between.each_ref().map(PointRef::to_string), "stiffness": stiffness / self.length,
+                "damping": damping / self.length, "free_length": self.law(free_length, self.length) }),
+            ForceKind::TorsionSpring { between, stiffness, damping, free_angle } => json!({ "type": "torsion_spring",
+                "between": between, "stiffness": stiffness * self.length / self.angle,
+                "damping": damping * self.length / self.angle, "free_angle": self.law(free_angle, self.angle) }),
+            ForceKind::Load { at, vector, frame } => json!({ "type": "force", "at": at.to_string(),
+                "vector": vector.each_ref().map(|law| self.law(law, 1.0)),
+                "frame": match frame { Frame::Ground => "ground", Frame::Body => "body" } }),
+            ForceKind::Torque { body, value, relative_to } => {
+                let mut words = json!({ "type": "torque", "body": body, "value": self.law(value, self.length) });
+                if let Some(other) = relative_to {
+                    words["relative_to"] = json!(other);
+                }
+                words
+            }
+        }
+    }
+}
