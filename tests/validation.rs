@@ -12,9 +12,9 @@ fn every_reference_case_agrees() {
         let CaseKind::Reference(_) = case.kind else { continue };
         cases += 1;
         match case.run(None, &Control::default()) {
-            Ok(claims) => {
-                assert!(!claims.is_empty(), "{}: nothing was compared", case.name);
-                let differing = claims.iter().filter(|claim| claim.verdict != Verdict::Agrees);
+            Ok(report) => {
+                assert!(!report.claims.is_empty(), "{}: nothing was compared", case.name);
+                let differing = report.claims.iter().filter(|claim| claim.verdict != Verdict::Agrees);
                 faults.extend(differing.map(|claim| format!("{}: {claim:?}", case.name)));
             }
             Err(error) => faults.push(format!("{}: {error}", case.name)),

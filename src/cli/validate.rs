@@ -36,7 +36,13 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         let mut page = Page::default();
         page.line(format!("{}: {}", case.name, case.about()));
         match case.run(options.output.as_deref(), &control) {
-            Ok(claims) => tell(&mut page, &claims, &mut tally),
+            Ok(report) => {
+                report.text.lines().for_each(|line| page.line(line));
+                if !report.text.is_empty() {
+                    page.line("");
+                }
+                tell(&mut page, &report.claims, &mut tally);
+            }
             Err(CaseError::Interrupted) => return Ok(Exit::Interrupted),
             Err(CaseError::Write(error)) => return Err(error.into()),
             Err(CaseError::Broken(said)) => {
@@ -90,7 +96,7 @@ impl Tally {
     }
 }
 
-/// Four rows per claim: readable at any width of a terminal.
+/// The claims, counted.
 fn tell(page: &mut Page, claims: &[Claim], tally: &mut Tally) {
     for claim in claims {
         match claim.verdict {
@@ -98,19 +104,17 @@ fn tell(page: &mut Page, claims: &[Claim], tally: &mut Tally) {
             Verdict::Finding => tally.findings += 1,
             Verdict::Fault => tally.faults += 1,
         }
-        page.line(format!("  {:8}{}", claim.verdict.word(), claim.what));
-        let Claim { reference, ours, difference, .. } = claim;
-        page.line(format!("          reference {reference}, ours {ours}, difference {difference}"));
+        claim.lines().iter().for_each(|line| page.line(line));
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::validation::{CaseKind, Setting};
+    use crate::validation::{CaseKind, CaseReport, Setting};
 
-    fn none(_: &Setting) -> Result<Vec<Claim>, CaseError> {
-        Ok(Vec::new())
+    fn none(_: &Setting) -> Result<CaseReport, CaseError> {
+        Ok(CaseReport::default())
     }
 
     const DUMMIES: [Case; 2] = [

@@ -4,6 +4,7 @@
 //! `case.json`, `reference.csv` and `SOURCE.md` (see [`mod@reference`]). Both give claims with a verdict. A claim of a paper that is
 //! not reproduced is a finding; only what must hold and does not is a fault.
 
+pub mod lock;
 pub mod reference;
 pub mod table;
 
@@ -26,13 +27,14 @@ pub struct Case {
 #[derive(Debug, Clone, Copy)]
 pub enum CaseKind {
     /// A function, with a line about it.
-    Coded { about: &'static str, run: fn(&Setting) -> Result<Vec<Claim>, CaseError> },
+    Coded { about: &'static str, run: fn(&Setting) -> Result<CaseReport, CaseError> },
     /// A model and a table of what it must give.
     Reference(ReferenceCase),
 }
 
 /// All bundled cases, in the order in which they are run; a test holds this against the folder `validation/`.
 pub const CASES: &[Case] = &[
+    Case { name: "lock", kind: CaseKind::Coded { about: lock::ABOUT, run: lock::run } },
     reference(
         "lock-ideal",
         include_str!("../../validation/lock-ideal/case.json"),
@@ -133,6 +135,14 @@ pub struct Setting {
     pub control: Control,
 }
 
+/// What a case tells.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct CaseReport {
+    /// Tables and words for people, above the claims; may be empty.
+    pub text: String,
+    pub claims: Vec<Claim>,
+}
+
 /// One compared quantity, as text for people.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Claim {
@@ -165,6 +175,41 @@ impl Verdict {
     }
 }
 
+/// Width of a claim that goes on in one line.
+const LINE_WIDTH: usize = 120;
+
+impl Claim {
+    /// The claim in lines: what it is about with the verdict, then reference, ours and difference, in one line where they fit.
+    pub fn lines(&self) -> Vec<String> {
+        let Claim { what, reference, ours, difference, verdict } = self;
+        let mut lines = vec![format!("  {:8}{what}", verdict.word())];
+        let short = format!("          reference {reference}, ours {ours}, difference {difference}");
+        if short.chars().count() <= LINE_WIDTH {
+            lines.push(short);
+        } else {
+            for (name, text) in [("reference", reference), ("ours", ours), ("difference", difference)] {
+                lines.extend(wrap(name, text));
+            }
+        }
+        lines
+    }
+}
+
+/// `text` behind a name, broken between words.
+fn wrap(name: &str, text: &str) -> Vec<String> {
+    let mut lines = vec![format!("          {name:10}")];
+    for (index, word) in text.split(' ').enumerate() {
+        let Some(line) = lines.last_mut() else { break };
+        if index > 0 && line.chars().count() + 1 + word.chars().count() > LINE_WIDTH {
+            lines.push(format!("{:20} {word}", ""));
+        } else {
+            line.push(' ');
+            line.push_str(word);
+        }
+    }
+    lines
+}
+
 /// Why a case has no claims.
 #[derive(Debug, Error)]
 pub enum CaseError {
@@ -190,17 +235,31 @@ impl Case {
     ///
     /// # Errors
     /// When it can't be run or written.
-    pub fn run(&self, output: Option<&Path>, control: &Control) -> Result<Vec<Claim>, CaseError> {
+    pub fn run(&self, output: Option<&Path>, control: &Control) -> Result<CaseReport, CaseError> {
         let output = output.map(|output| output.join(self.name));
         let setting = Setting { output, control: control.clone() };
-        let claims = match self.kind {
+        let report = match self.kind {
             CaseKind::Coded { run, .. } => run(&setting)?,
-            CaseKind::Reference(case) => case.run(&setting)?,
+            CaseKind::Reference(case) => CaseReport { text: String::new(), claims: case.run(&setting)? },
         };
         if let Some(output) = &setting.output {
-            Directory::open(output)?.write("claims.json", claims_json(&claims).as_bytes())?;
+            let directory = Directory::open(output)?;
+            directory.write("claims.json", claims_json(&report.claims).as_bytes())?;
+            if !report.text.is_empty() {
+                directory.write("report.md", self.page(&report).as_bytes())?;
+            }
         }
-        Ok(claims)
+        Ok(report)
+    }
+
+    /// The report as text.
+    fn page(&self, report: &CaseReport) -> String {
+        let mut page = format!("# {}: {}\n\n```text\n{}\n## Claims\n\n", self.name, self.about(), report.text);
+        for line in report.claims.iter().flat_map(Claim::lines) {
+            page.push_str(line.trim_end());
+            page.push('\n');
+        }
+        page + "```\n"
     }
 }
 
@@ -223,7 +282,7 @@ mod tests {
     use super::*;
     use std::collections::BTreeSet;
 
-    fn one_claim(_: &Setting) -> Result<Vec<Claim>, CaseError> {
+    fn one_claim(_: &Setting) -> Result<CaseReport, CaseError> {
         let claim = Claim {
             what: "π [–]".into(),
             reference: "3.14".into(),
@@ -231,15 +290,15 @@ mod tests {
             difference: "1.6e-3".into(),
             verdict: Verdict::Finding,
         };
-        Ok(vec![claim])
+        Ok(CaseReport { text: String::new(), claims: vec![claim] })
     }
 
     #[test]
     fn a_coded_case_writes_its_claims() {
         let case = Case { name: "dummy", kind: CaseKind::Coded { about: "a number", run: one_claim } };
         let output = std::env::temp_dir().join(format!("linkdyn-validation-{}", std::process::id()));
-        let claims = case.run(Some(&output), &Control::default()).expect("runs");
-        assert_eq!((claims.len(), case.about().as_str()), (1, "a number"));
+        let report = case.run(Some(&output), &Control::default()).expect("runs");
+        assert_eq!((report.claims.len(), case.about().as_str()), (1, "a number"));
         let written = std::fs::read_to_string(output.join("dummy/claims.json")).expect("written");
         let written: serde_json::Value = serde_json::from_str(&written).expect("valid JSON");
         assert_eq!(written[0]["verdict"], "finding");

@@ -1,0 +1,328 @@
+//! What the paper says in words, C1 to C6, each judged by a rule on numbers.
+//!
+//! "Near" is within [`NEAR`] of the position that the paper names. C3 to C6 are about deviations, which depend on the output
+//! step, and the paper names none: each statement is tried at every step, and is reproduced when it holds at all of them,
+//! partly when at some.
+
+use super::models::{Centres, Quantity, RADII, STEPS, Stroke, broken};
+use super::table::{DISTURBED, Deviation, NEAR_CHANGE_POINT, Runs};
+use crate::math::Vec2;
+use crate::validation::{CaseError, Claim, Verdict};
+
+/// What counts as "near" a position [deg].
+pub const NEAR: f64 = 2.5;
+/// The paper's other singular configuration [deg].
+pub const NEAR_OTHER: f64 = -40.0;
+/// A change between neighbouring outputs this many times its median counts as abrupt.
+const ABRUPT: f64 = 10.0;
+/// Largest change between neighbouring outputs at 0.1° by that at 1° up to which a curve counts as smooth (0.1 when it is
+/// differentiable, 1 when it jumps).
+const SMOOTH: f64 = 0.2;
+/// Mean deviation by the ideal curve's range up to which a clearance "matters little".
+const LITTLE: f64 = 0.01;
+/// Ratio of mean deviations at 100 and 10 µm from which 100 µm matters "clearly more".
+const CLEARLY_MORE: f64 = 3.0;
+/// The part of the stroke that is clear of the change point, for F12 [deg].
+pub const CLEAR: f64 = 90.0;
+
+/// How far a claim is reproduced.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reproduced {
+    Yes,
+    Partly,
+    No,
+}
+
+impl Reproduced {
+    /// All, some or none of `tried` statements hold.
+    pub fn of(held: usize, tried: usize) -> Self {
+        match held {
+            0 => Reproduced::No,
+            _ if held == tried => Reproduced::Yes,
+            _ => Reproduced::Partly,
+        }
+    }
+
+    /// The word for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Reproduced::Yes => "reproduced",
+            Reproduced::Partly => "partly",
+            Reproduced::No => "not",
+        }
+    }
+
+    fn claim(self, what: &str, reference: &str, rule: String, figures: String) -> Claim {
+        Claim {
+            what: what.into(),
+            reference: reference.into(),
+            ours: format!("{}: {figures}", self.word()),
+            difference: format!("rule: {rule}"),
+            verdict: match self {
+                Reproduced::Yes => Verdict::Agrees,
+                Reproduced::Partly | Reproduced::No => Verdict::Finding,
+            },
+        }
+    }
+}
+
+/// The ideal F12 clear of the change point, for one choice of centres of mass.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ForceNear {
+    pub centres: Centres,
+    /// Smallest |F12| [N] and where [deg].
+    pub least: [f64; 2],
+    /// Fastest turn of its direction [deg/deg] and where [deg].
+    pub turn: [f64; 2],
+    /// Largest change of the vector near −40° by its median over the stroke [–].
+    pub change: f64,
+    /// Largest turn of the direction near −40° by its median [–].
+    pub turn_near: f64,
+    /// |F12| at −40° [N].
+    pub there: f64,
+}
+
+impl ForceNear {
+    /// From an ideal run.
+    ///
+    /// # Errors
+    /// When it has no forces.
+    pub fn of(stroke: &Stroke) -> Result<Self, CaseError> {
+        let column = |name: &str| stroke.trajectory.values(name).ok_or_else(|| broken(format!("no column {name}")));
+        let forces: Vec<Vec2> =
+            column("joint.a.fx")?.into_iter().zip(column("joint.a.fy")?).map(|(x, y)| Vec2::new(x, y)).collect();
+        let clear: Vec<usize> = (0..forces.len()).filter(|&row| stroke.theta6[row] <= CLEAR).collect();
+        let mut near = ForceNear {
+            centres: stroke.request.centres,
+            least: [f64::INFINITY, f64::NAN],
+            turn: [0.0, f64::NAN],
+            change: 0.0,
+            turn_near: 0.0,
+            there: f64::NAN,
+        };
+        let (mut changes, mut turns) = (Vec::new(), Vec::new());
+        for &row in &clear {
+            let (theta6, size) = (stroke.theta6[row], forces[row].norm());
+            if size < near.least[0] {
+                near.least = [size, theta6];
+            }
+            if (theta6 - NEAR_OTHER).abs() < 1e-6 {
+                near.there = size;
+            }
+            if row == 0 {
+                continue;
+            }
+            let (before, now) = (forces[row - 1], forces[row]);
+            let step = theta6 - stroke.theta6[row - 1];
+            let turn = before.perp(&now).atan2(before.dot(&now)).to_degrees().abs() / step;
+            let change = (now - before).norm() / step;
+            if turn > near.turn[0] {
+                near.turn = [turn, theta6];
+            }
+            if (theta6 - NEAR_OTHER).abs() <= NEAR {
+                near.change = near.change.max(change);
+                near.turn_near = near.turn_near.max(turn);
+            }
+            changes.push(change);
+            turns.push(turn);
+        }
+        near.change /= median(changes);
+        near.turn_near /= median(turns);
+        Ok(near)
+    }
+
+    fn abrupt(&self) -> bool {
+        self.change >= ABRUPT || self.turn_near >= ABRUPT
+    }
+}
+
+/// Middle value; the greater of the two in an even number.
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+/// C1 to C6: `runs` of the bundled model, `forces` of all choices of centres of mass.
+pub fn claims(runs: &Runs, forces: &[ForceNear]) -> Vec<Claim> {
+    vec![smooth(runs), abrupt(forces), largest(runs), sensitive(runs), wider(runs), little(runs)]
+}
+
+fn smooth(runs: &Runs) -> Claim {
+    let ratio = |quantity: Quantity| jump(&runs.ideal[3], quantity) / jump(&runs.ideal[1], quantity);
+    let ratios = Quantity::ALL[..4].iter().map(|&quantity| (quantity, ratio(quantity)));
+    let held = ratios.clone().filter(|(_, ratio)| *ratio <= SMOOTH).count();
+    let figures: Vec<String> = ratios.map(|(quantity, ratio)| format!("{} {ratio:.3}", quantity.symbol())).collect();
+    Reproduced::of(held, 4).claim(
+        "C1: at e = 0 theta2, omega2, alpha2, M_d are smooth over the stroke",
+        "smooth curves",
+        format!("largest change between outputs at {}° by that at {}° is at most {SMOOTH}", STEPS[3], STEPS[1]),
+        figures.join(", "),
+    )
+}
+
+/// Largest change between neighbouring outputs.
+fn jump(stroke: &Stroke, quantity: Quantity) -> f64 {
+    stroke.curve(quantity).windows(2).fold(0.0, |largest: f64, pair| {
+        let change = (pair[1] - pair[0]).abs();
+        if change.is_nan() { f64::INFINITY } else { largest.max(change) }
+    })
+}
+
+fn abrupt(forces: &[ForceNear]) -> Claim {
+    let held = forces.iter().filter(|near| near.abrupt()).count();
+    let figures = forces.iter().map(|near| {
+        format!("[{}] change {:.1}, turn {:.1} of the median", near.centres.words(), near.change, near.turn_near)
+    });
+    let figures: Vec<String> = figures.collect();
+    Reproduced::of(held, forces.len()).claim(
+        "C2: at e = 0 F12 changes abruptly near theta6 = -40 deg",
+        "abrupt change",
+        format!(
+            "change of F12 per degree, or turn of its direction, within {NEAR}° of -40° is at least {ABRUPT} times \
+             the median over -50…{CLEAR}°, for every choice of centres of mass"
+        ),
+        figures.join("; "),
+    )
+}
+
+fn largest(runs: &Runs) -> Claim {
+    let count = |quantities: &[Quantity], position: f64| {
+        let rows = quantities.iter().flat_map(|&q| (0..RADII.len()).flat_map(move |radius| runs.row(radius, q)));
+        let places: Vec<f64> = rows.map(|deviation| deviation.at).collect();
+        let held = places.iter().filter(|at| (*at - position).abs() <= NEAR).count();
+        let (low, high) = places.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), at| (l.min(*at), h.max(*at)));
+        (held, places.len(), low, high)
+    };
+    let first = count(&Quantity::ALL[..4], NEAR_CHANGE_POINT);
+    let second = count(&[Quantity::Force], NEAR_OTHER);
+    Reproduced::of(first.0 + second.0, first.1 + second.1).claim(
+        "C3: the largest deviations of theta2, omega2, alpha2, M_d are near 117.5 deg, that of F12 near -40 deg",
+        "117.5 deg; -40 deg",
+        format!("position within {NEAR}°, at both clearances and all four steps"),
+        format!(
+            "first half at {} of {} rows (they lie at {:.1}…{:.1}°), second half at {} of {} (at {:.1}…{:.1}°)",
+            first.0, first.1, first.2, first.3, second.0, second.1, second.2, second.3
+        ),
+    )
+}
+
+/// Tries a statement at every step.
+fn at_steps(mut holds: impl FnMut(usize) -> bool) -> (Reproduced, String) {
+    let held: Vec<bool> = (0..STEPS.len()).map(&mut holds).collect();
+    let names = |wanted: bool| {
+        let steps = STEPS.iter().zip(&held).filter(|(_, held)| **held == wanted);
+        steps.map(|(step, _)| format!("{step}°")).collect::<Vec<_>>().join(", ")
+    };
+    let count = held.iter().filter(|held| **held).count();
+    let reproduced = Reproduced::of(count, STEPS.len());
+    let text = match reproduced {
+        Reproduced::Yes => "holds at all steps".to_string(),
+        Reproduced::No => "holds at no step".to_string(),
+        Reproduced::Partly => format!("holds at {}, not at {}", names(true), names(false)),
+    };
+    (reproduced, text)
+}
+
+/// A figure per step.
+fn by_step(figure: impl Fn(usize) -> String) -> String {
+    (0..STEPS.len()).map(figure).collect::<Vec<_>>().join(" / ")
+}
+
+fn deviation(runs: &Runs, radius: usize, step: usize, quantity: Quantity) -> Deviation {
+    runs.deviations[radius][step][quantity.index()]
+}
+
+fn sensitive(runs: &Runs) -> Claim {
+    let share = |radius: usize, step: usize, q: Quantity| deviation(runs, radius, step, q).max / runs.ranges[q.index()];
+    let others = |step: usize| {
+        let shares = Quantity::ALL[1..].iter().flat_map(|&q| (0..RADII.len()).map(move |radius| (radius, q)));
+        shares.fold(f64::INFINITY, |least, (radius, q)| least.min(share(radius, step, q)))
+    };
+    let angle = |step: usize| share(0, step, Quantity::Theta2).max(share(1, step, Quantity::Theta2));
+    let (reproduced, text) = at_steps(|step| angle(step) <= DISTURBED && others(step) > DISTURBED);
+    reproduced.claim(
+        "C4: theta2 is hardly affected by the clearance, omega2, alpha2, M_d, F12 strongly",
+        "in words",
+        format!(
+            "largest deviation of theta2 at most {} % of the ideal curve's range, of each other quantity more",
+            100.0 * DISTURBED
+        ),
+        format!(
+            "{text}; theta2 {} %, least of the others {} % (steps 2.5 / 1 / 0.5 / 0.1°)",
+            by_step(|step| format!("{:.2}", 100.0 * angle(step))),
+            by_step(|step| format!("{:.1}", 100.0 * others(step)))
+        ),
+    )
+}
+
+fn wider(runs: &Runs) -> Claim {
+    let mean = |radius, step, q| deviation(runs, radius, step, q).mean;
+    let width = |radius, step, q| deviation(runs, radius, step, q).disturbed;
+    let (reproduced, text) = at_steps(|step| {
+        Quantity::ALL.iter().all(|&q| mean(1, step, q) > mean(0, step, q))
+            && Quantity::ALL[1..].iter().all(|&q| width(1, step, q) > width(0, step, q))
+    });
+    let widths = |radius| by_step(|step| format!("{:.0}", 100.0 * width(radius, step, Quantity::Alpha2)));
+    reproduced.claim(
+        "C5: the larger e, the larger the mean deviations and the wider the disturbed range",
+        "in words",
+        format!(
+            "mean deviation of all five, and the part of the stroke with a deviation above {} % of the ideal curve's \
+             range of the four after theta2, larger at 100 than at 10 um",
+            100.0 * DISTURBED
+        ),
+        format!(
+            "{text}; disturbed part of alpha2 {} % of the stroke at 10 um, {} % at 100 um (steps 2.5 / 1 / 0.5 / 0.1°)",
+            widths(0),
+            widths(1)
+        ),
+    )
+}
+
+fn little(runs: &Runs) -> Claim {
+    let share = |step: usize| {
+        let shares = Quantity::ALL.iter().map(|&q| deviation(runs, 0, step, q).mean / runs.ranges[q.index()]);
+        shares.fold(0.0, f64::max)
+    };
+    let more = |step: usize| {
+        let ratio = |q: Quantity| deviation(runs, 1, step, q).mean / deviation(runs, 0, step, q).mean;
+        Quantity::ALL[1..].iter().fold(f64::INFINITY, |least, &q| least.min(ratio(q)))
+    };
+    let (reproduced, text) = at_steps(|step| share(step) <= LITTLE && more(step) >= CLEARLY_MORE);
+    reproduced.claim(
+        "C6: e = 10 um matters little, e = 100 um clearly more",
+        "in words",
+        format!(
+            "at 10 um no mean deviation above {} % of the ideal curve's range; at 100 um at least {CLEARLY_MORE} times \
+             as much in each of the four after theta2",
+            100.0 * LITTLE
+        ),
+        format!(
+            "{text}; largest mean at 10 um {} %, least ratio {} (steps 2.5 / 1 / 0.5 / 0.1°)",
+            by_step(|step| format!("{:.2}", 100.0 * share(step))),
+            by_step(|step| format!("{:.1}", more(step)))
+        ),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_some_and_none() {
+        let words: Vec<&str> = [4, 1, 0].map(|held| Reproduced::of(held, 4).word()).to_vec();
+        assert_eq!(words, ["reproduced", "partly", "not"]);
+    }
+
+    #[test]
+    fn steps_that_hold_are_named() {
+        assert_eq!(at_steps(|step| step < 2), (Reproduced::Partly, "holds at 2.5°, 1°, not at 0.5°, 0.1°".into()));
+        assert_eq!(at_steps(|_| true).0, Reproduced::Yes);
+    }
+
+    #[test]
+    fn the_median_is_the_middle() {
+        assert_eq!(median(vec![3.0, 1.0, 2.0]), 2.0);
+    }
+}
