@@ -38,9 +38,6 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         match case.run(options.output.as_deref(), &control) {
             Ok(report) => {
                 report.text.lines().for_each(|line| page.line(line));
-                if !report.text.is_empty() {
-                    page.line("");
-                }
                 tell(&mut page, &report.claims, &mut tally);
             }
             Err(CaseError::Interrupted) => return Ok(Exit::Interrupted),

@@ -254,7 +254,7 @@ impl Case {
 
     /// The report as text.
     fn page(&self, report: &CaseReport) -> String {
-        let mut page = format!("# {}: {}\n\n```text\n{}\n## Claims\n\n", self.name, self.about(), report.text);
+        let mut page = format!("# {}: {}\n\n```text\n{}", self.name, self.about(), report.text);
         for line in report.claims.iter().flat_map(Claim::lines) {
             page.push_str(line.trim_end());
             page.push('\n');

@@ -15,7 +15,7 @@
 //! left out: the equations belong to a solution.
 
 use super::equations::{Accelerations, Angles, Lock, Offsets};
-use super::models::{Found, JOINTS, LINKS, Stroke, broken};
+use super::models::{Found, JOINTS, LINKS, Order, Stroke, broken};
 use crate::math::{Vec2, perp};
 use crate::model::{Model, PointRef};
 use crate::output::Trajectory;
@@ -27,7 +27,10 @@ pub const TOLERANCE: f64 = 1e-9;
 /// Largest violations over a run, relative.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Violations {
+    /// Instants at which eqs 7 and 8 were tried.
     pub instants: usize,
+    /// Instants at which the others were tried, too.
+    pub by_work: usize,
     pub closure: f64,
     pub torque: f64,
     pub forces: f64,
@@ -39,15 +42,31 @@ pub struct Violations {
 }
 
 impl Violations {
-    /// The six figures with their equations.
-    pub fn named(&self) -> [(&'static str, f64); 6] {
+    /// The larger of both, figure by figure; instants are counted together.
+    pub fn join(self, other: Violations) -> Violations {
+        Violations {
+            instants: self.instants + other.instants,
+            by_work: self.by_work + other.by_work,
+            closure: self.closure.max(other.closure),
+            torque: self.torque.max(other.torque),
+            forces: self.forces.max(other.forces),
+            links: self.links.max(other.links),
+            misalignment: self.misalignment.max(other.misalignment),
+            wrench: self.wrench.max(other.wrench),
+            reciprocity: self.reciprocity.max(other.reciprocity),
+        }
+    }
+
+    /// The six figures with their equations and numbers of instants.
+    pub fn named(&self) -> [(&'static str, f64, usize); 6] {
+        let (work, all) = (self.by_work, self.instants);
         [
-            ("vector loops close (eqs 5, 6, 11, 12)", self.closure),
-            ("M_d by Lagrange's equation = M_d by the multipliers (eqs 4, 10)", self.torque),
-            ("seven hinge forces by virtual work = by the multipliers (eq. 10)", self.forces),
-            ("generalized forces of the seven clearance links vanish (eq. 10)", self.links),
-            ("wrench balance of every link (eq. 7)", self.wrench),
-            ("reciprocity of wrench and twist at every hinge (eq. 8)", self.reciprocity),
+            ("vector loops close (eqs 5, 6, 11, 12)", self.closure, work),
+            ("M_d by Lagrange's equation = M_d by the multipliers (eqs 4, 10)", self.torque, work),
+            ("seven hinge forces by virtual work = by the multipliers (eq. 10)", self.forces, work),
+            ("generalized forces of the seven clearance links vanish (eq. 10)", self.links, work),
+            ("wrench balance of every link (eq. 7)", self.wrench, all),
+            ("reciprocity of wrench and twist at every hinge (eq. 8)", self.reciprocity, all),
         ]
     }
 }
@@ -164,12 +183,16 @@ pub fn angles_and_forces(trajectory: &Trajectory, row: usize) -> Result<(Angles,
     Ok((instant.angles(), instant.forces))
 }
 
-/// Holds all equations against a run of the bundled hinge order.
+/// Holds the equations against a run: all of them in the bundled hinge order, eqs 7 and 8 in the other.
 ///
 /// # Errors
 /// When the run lacks what the equations need.
 pub fn check(stroke: &Stroke) -> Result<Violations, CaseError> {
-    let lock = Lock::new(&stroke.model)?;
+    // The second writing of the loops is that of the bundled hinge order.
+    let lock = match stroke.request.order {
+        Order::SixOnThree => Some(Lock::new(&stroke.model)?),
+        Order::FiveOnThree => None,
+    };
     let mut worst = Violations::default();
     let longest = longest_side(&stroke.model)?;
     let mut before: Option<Instant> = None;
@@ -180,7 +203,10 @@ pub fn check(stroke: &Stroke) -> Result<Violations, CaseError> {
         if *found == Found::Solution && instant.forces.iter().all(|force| force.norm().is_finite()) {
             worst.instants += 1;
             let scale = Scale { force, moment: (force * longest).max(instant.torque.abs()), length: longest };
-            lagrange(&lock, &stroke.model, &instant, scale, &mut worst)?;
+            if let Some(lock) = &lock {
+                worst.by_work += 1;
+                lagrange(lock, &stroke.model, &instant, scale, &mut worst)?;
+            }
             newton_euler(&stroke.model, &instant, &rates, scale, &mut worst)?;
         }
         before = (*found != Found::Nothing).then_some(instant);

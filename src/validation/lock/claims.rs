@@ -4,9 +4,9 @@
 //! step, and the paper names none: each statement is tried at every step, and is reproduced when it holds at all of them,
 //! partly when at some.
 
-use super::models::{Centres, Quantity, RADII, STEPS, Stroke, broken};
+use super::models::{Centres, Quantity, RADII, STEPS, Stroke};
+use super::reversals::turn;
 use super::table::{DISTURBED, Deviation, NEAR_CHANGE_POINT, Runs};
-use crate::math::Vec2;
 use crate::validation::{CaseError, Claim, Verdict};
 
 /// What counts as "near" a position [deg].
@@ -88,9 +88,7 @@ impl ForceNear {
     /// # Errors
     /// When it has no forces.
     pub fn of(stroke: &Stroke) -> Result<Self, CaseError> {
-        let column = |name: &str| stroke.trajectory.values(name).ok_or_else(|| broken(format!("no column {name}")));
-        let forces: Vec<Vec2> =
-            column("joint.a.fx")?.into_iter().zip(column("joint.a.fy")?).map(|(x, y)| Vec2::new(x, y)).collect();
+        let forces = stroke.joint_force("a")?;
         let clear: Vec<usize> = (0..forces.len()).filter(|&row| stroke.theta6[row] <= CLEAR).collect();
         let mut near = ForceNear {
             centres: stroke.request.centres,
@@ -113,9 +111,8 @@ impl ForceNear {
                 continue;
             }
             let (before, now) = (forces[row - 1], forces[row]);
-            let step = theta6 - stroke.theta6[row - 1];
-            let turn = before.perp(&now).atan2(before.dot(&now)).to_degrees().abs() / step;
-            let change = (now - before).norm() / step;
+            let turn = turn(&stroke.theta6, &forces, row);
+            let change = (now - before).norm() / (theta6 - stroke.theta6[row - 1]);
             if turn > near.turn[0] {
                 near.turn = [turn, theta6];
             }

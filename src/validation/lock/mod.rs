@@ -13,6 +13,7 @@ pub mod files;
 pub mod first_pass;
 pub mod models;
 pub mod page;
+pub mod reversals;
 pub mod table;
 
 use super::{CaseError, CaseReport, Claim, Setting, Verdict};
@@ -56,11 +57,13 @@ pub fn run(setting: &Setting) -> Result<CaseReport, CaseError> {
     }
     let angles = angle_difference(finest, variant)?;
 
+    let tables: Vec<&Runs> = all.iter().chain([&other_order]).collect();
+
     let mut page = Page::default();
     page.opening();
     page.facts(&facts);
     page.table(base, &paper);
-    page.why();
+    page.turns(&reversals::turns(finest)?);
     page.places(base);
     page.leftovers(base);
     page.first_passes(&passes, &paper);
@@ -72,7 +75,7 @@ pub fn run(setting: &Setting) -> Result<CaseReport, CaseError> {
     page.table(&other_order, &paper);
 
     let mut claims: Vec<Claim> = facts.iter().map(facts::Fact::claim).collect();
-    claims.extend(equations(base)?);
+    claims.extend(equations(&tables)?);
     claims.push(same_angles(angles));
     claims.extend(figures(base, &paper));
     claims.push(first_pass_claim(&passes, &paper));
@@ -81,7 +84,6 @@ pub fn run(setting: &Setting) -> Result<CaseReport, CaseError> {
     if let Some(output) = &setting.output {
         let directory = Directory::open(output)?;
         files::curves(&directory, base)?;
-        let tables: Vec<&Runs> = all.iter().chain([&other_order]).collect();
         files::table(&directory, &tables, &paper)?;
         files::singular(&directory, &facts)?;
         files::intervals(&directory, base)?;
@@ -89,27 +91,20 @@ pub fn run(setting: &Setting) -> Result<CaseReport, CaseError> {
     Ok(CaseReport { text: page.text(), claims })
 }
 
-/// The paper's equations on all runs of the bundled model: the worst figure of each.
-fn equations(runs: &Runs) -> Result<Vec<Claim>, CaseError> {
-    let mut worst: Option<[(&'static str, f64); 6]> = None;
-    let mut instants = 0;
-    for stroke in runs.ideal.iter().chain(runs.clearance.iter().flatten()) {
-        let violations: Violations = checks::check(stroke)?;
-        instants += violations.instants;
-        let named = violations.named();
-        match &mut worst {
-            None => worst = Some(named),
-            Some(worst) => worst.iter_mut().zip(named).for_each(|(worst, new)| worst.1 = worst.1.max(new.1)),
-        }
+/// The paper's equations on all runs: the worst figure of each.
+fn equations(all: &[&Runs]) -> Result<Vec<Claim>, CaseError> {
+    let mut worst = Violations::default();
+    for stroke in all.iter().flat_map(|runs| runs.ideal.iter().chain(runs.clearance.iter().flatten())) {
+        worst = worst.join(checks::check(stroke)?);
     }
-    let claim = |(what, value): (&str, f64)| Claim {
+    let claim = |(what, value, instants): (&str, f64, usize)| Claim {
         what: format!("{what}, worst of {instants} instants"),
         reference: "0".into(),
         ours: format!("{value:.1e}"),
         difference: format!("relative, allowed {TOLERANCE:.0e}"),
-        verdict: if value <= TOLERANCE { Verdict::Agrees } else { Verdict::Fault },
+        verdict: if value <= TOLERANCE && instants > 0 { Verdict::Agrees } else { Verdict::Fault },
     };
-    Ok(worst.into_iter().flatten().map(claim).collect())
+    Ok(worst.named().into_iter().map(claim).collect())
 }
 
 /// Largest difference of any link's angle between two runs [rad].

@@ -253,15 +253,17 @@ pub struct Stroke {
 impl Stroke {
     fn new(request: Request, model: Model, trajectory: Trajectory, report: Report) -> Result<Self, CaseError> {
         let column = |name: &str| trajectory.values(name).ok_or_else(|| broken(format!("no column {name}")));
-        let forces = column("joint.a.fx")?.into_iter().zip(column("joint.a.fy")?);
+        let forces = column("joint.a.fx")?.into_iter().zip(column("joint.a.fy")?).map(|(x, y)| x.hypot(y));
         let curves = [
             column("link2.angle")?,
             column("link2.omega")?,
             column("link2.alpha")?,
             column("driver.motor.effort")?,
-            forces.map(|(fx, fy)| fx.hypot(fy)).collect(),
+            forces.collect(),
         ];
-        let theta6 = column("driver.motor.value")?.into_iter().map(f64::to_degrees).collect();
+        // Outputs are multiples of a hundredth of a degree: without the round-off of the conversion.
+        let degrees = |value: f64| (value.to_degrees() * 1e9).round() / 1e9;
+        let theta6 = column("driver.motor.value")?.into_iter().map(degrees).collect();
         let found = column("time")?.into_iter().map(|time| found(&report.events, time)).collect();
         Ok(Stroke { request, model, trajectory, report, theta6, curves, found })
     }

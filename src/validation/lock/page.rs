@@ -5,7 +5,8 @@ use std::fmt::Write;
 use super::claims::{CLEAR, ForceNear};
 use super::facts::Fact;
 use super::first_pass::{self, FirstPass, Sign};
-use super::models::{Found, Order, Quantity, RADII, STEPS, Stroke};
+use super::models::{Found, JOINTS, Order, Quantity, RADII, STEPS, Stroke};
+use super::reversals::{FAST, Turn};
 use super::table::{Paper, Runs, SETTLED, settles};
 
 /// Intervals printed per run; the rest is counted (all of them are in `intervals.csv`).
@@ -19,9 +20,7 @@ pub fn short(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 {
         "0".into()
-    } else if (1e-4..1.0).contains(&size) {
-        format!("{value:.4}")
-    } else if (1.0..1e6).contains(&size) {
+    } else if (1e-4..1e6).contains(&size) {
         let decimals = 3 - size.log10().floor() as i32;
         format!("{value:.*}", decimals.max(0) as usize)
     } else {
@@ -52,7 +51,9 @@ fn list(intervals: &[[f64; 2]]) -> String {
 pub struct Page(String);
 
 impl Page {
-    pub fn text(self) -> String {
+    /// All of it, with the heading of the claims that follow.
+    pub fn text(mut self) -> String {
+        self.heading("Claims");
         self.0
     }
 
@@ -80,7 +81,7 @@ impl Page {
         for fact in facts {
             let Fact { what, reference, ours, tolerance } = fact;
             let difference = ours - reference;
-            self.line(format!("{what:34} {reference:>20} {ours:>20.12} {difference:>11.1e} {tolerance:>9.0e}"));
+            self.line(format!("{what:34} {reference:>20} {ours:>20} {difference:>11.1e} {tolerance:>9.0e}"));
         }
         self.line("F12 has no bound at the change point: 117.5° lies 0.0122° beside it.");
     }
@@ -89,7 +90,7 @@ impl Page {
     pub fn table(&mut self, runs: &Runs, paper: &Paper) {
         let order = match runs.request.order {
             Order::SixOnThree => "",
-            Order::FiveOnThree => "; VARIANT: link 5 on link 3, link 6 on link 4",
+            Order::FiveOnThree => "; variant hinge order",
         };
         self.heading(&format!(
             "|deviation from e = 0| over the stroke; centres of mass: {}{order}",
@@ -97,25 +98,23 @@ impl Page {
         ));
         let steps: String = STEPS.iter().map(|step| format!(" {:>9}", format!("{step}°"))).collect();
         let half = |name: &str| format!("{name:>9}{steps}   ");
-        self.line(format!("{:20}{}{}", "", half("paper max"), half("mean")));
-        let mut unsettled = Vec::new();
+        self.line(format!("{:17}{}{}", "", half("paper max"), half("mean")));
+        let (mut settled, mut unsettled) = (Vec::new(), Vec::new());
         for quantity in Quantity::ALL {
             for (index, radius) in RADII.iter().enumerate() {
                 let row = runs.row(index, quantity);
                 let name = format!("{} e={radius} um", quantity.symbol());
                 let [max, mean] = paper.deviation(index, quantity);
-                let mut text = format!("{name:20}");
+                let mut text = format!("{name:17}");
                 let halves = [
                     ("max", max, row.iter().map(|d| d.max).collect::<Vec<f64>>()),
                     ("mean", mean, row.iter().map(|d| d.mean).collect()),
                 ];
                 for (statistic, printed, ours) in halves {
                     let cells: String = ours.iter().map(|&value| format!(" {:>9}", short(value))).collect();
-                    let mark = if settles(&ours) { " " } else { "*" };
+                    let (mark, names) = if settles(&ours) { (" ", &mut settled) } else { ("*", &mut unsettled) };
                     let _ = write!(text, "{printed:>9}{cells}{mark}  ");
-                    if mark == "*" {
-                        unsettled.push(format!("{name} {statistic}"));
-                    }
+                    names.push(format!("{name} {statistic}"));
                 }
                 self.line(text);
             }
@@ -125,20 +124,27 @@ impl Page {
             100.0 * SETTLED,
             unsettled.len()
         ));
-        if !unsettled.is_empty() {
-            for names in unsettled.chunks(5) {
-                self.line(format!("  {}", names.join("; ")));
-            }
+        let (names, what) =
+            if unsettled.len() > settled.len() { (settled, "All but: ") } else { (unsettled, "These: ") };
+        if !names.is_empty() {
+            self.line(format!("  {what}{}.", names.join("; ")));
         }
     }
 
     /// Why rows do not converge.
-    pub fn why(&mut self) {
+    pub fn turns(&mut self, turns: &[Vec<Turn>; 7]) {
+        self.heading(&format!(
+            "Why: where the ideal hinge forces turn by more than {FAST}° per degree of theta6 (outputs 0.1° apart)"
+        ));
+        for (joint, turns) in JOINTS.iter().zip(turns) {
+            let turns = turns.iter().map(|t| format!("{:.1}° ({}°/°, {} N)", t.theta6, short(t.rate), short(t.force)));
+            self.line(format!("{joint}: {}", turns.collect::<Vec<_>>().join(", ")));
+        }
         self.line(
-            "\nWhy: a hinge force reverses near 98°, near 115° and at the change point; a clearance link along it then turns\n\
-             by up to 180° within one output step, so its angular velocity grows as 1/step and the inertia forces as\n\
-             1/step². Large forces turn the next links: at fine steps the disturbance spreads over the stroke. The model has\n\
-             no limit there. At coarse steps no output may fall on a reversal, and the numbers look moderate.",
+            "A clearance link turns with its force. Where the force reverses between two outputs, the link turns by up to 180°\n\
+             in one step: its angular velocity grows as 1/step, its centripetal acceleration as 1/step², and the model has no\n\
+             limit. The forces that follow turn other links, so that at fine steps the disturbance spreads over the stroke.\n\
+             Coarse outputs may pass by a reversal, and give moderate numbers.",
         );
     }
 
@@ -201,8 +207,9 @@ impl Page {
             }
         }
         self.line(
-            "At 117.5° the first pass moves the lock across its collinear position, where the forces of loop 1 have the\n\
-             other sign; with the links turned round there is no assembly: the fixed point does not exist there.",
+            "At 117.5° the branch with clearance bends sharply: its accelerations turn the forces of loop 1, and with them all\n\
+             links, round. With the links there, the lock has no assembly (opposite sign, above): the procedure ends\n\
+             there without a solution.",
         );
     }
 
@@ -246,7 +253,7 @@ mod tests {
     #[test]
     fn numbers_have_four_digits() {
         for (value, text) in [
-            (0.0184, "0.0184"),
+            (0.0184, "0.01840"),
             (61080.4, "61080"),
             (2.5e-7, "2.50e-7"),
             (1.5, "1.500"),
