@@ -267,8 +267,8 @@ impl Outputs<'_, '_> {
         let mut residual;
         match source {
             Source::Regular => {
+                driven.prepare(q, &self.inputs)?;
                 residual = driven.correct(q, &self.inputs)?.residual;
-                driven.reselect(&self.inputs)?;
                 driven.factor(&self.inputs)?;
                 driven.velocity(&self.inputs, v);
                 driven.acceleration(&self.inputs, a);
@@ -336,7 +336,10 @@ impl Outputs<'_, '_> {
             return residual;
         }
         let window = &path.windows()[index];
-        if distance.abs() > NO_REACTION * window.width && driven.factor(&self.inputs).is_ok() {
+        let regular = distance.abs() > NO_REACTION * window.width
+            && driven.prepare(&self.sample.q, &self.inputs).is_ok()
+            && driven.factor(&self.inputs).is_ok();
+        if regular {
             driven.multipliers(&self.sample.balance, &mut self.sample.lambda);
             self.note_not_unique(driven);
         } else {
@@ -376,7 +379,8 @@ impl Outputs<'_, '_> {
             driven.evaluation.set_position(q);
             driven.evaluation.set_velocity(v);
             balance(system, &driven.evaluation, &self.inputs, &mut self.scratch);
-            if driven.factor(&self.inputs).is_ok() {
+            let q = &self.scratch.q;
+            if driven.prepare(q, &self.inputs).is_ok() && driven.factor(&self.inputs).is_ok() {
                 driven.multipliers(&self.scratch.balance, &mut self.scratch.lambda);
                 limit.iter_mut().zip(&self.scratch.lambda).for_each(|(sum, l)| *sum += weight * l);
             } else {

@@ -495,7 +495,12 @@ impl Path {
         let step = (b - a).max(around(gap + 2) - b).max(a - around(gap.saturating_sub(1)));
         let width = WINDOW * step;
         let mut centre = 0.5 * (a + b);
-        // Vectors of the test function: the null vectors seen from the nearer side.
+        // One choice of rows for the whole window, so that the test function is one function.
+        walker.parameter.set(walker.driven.system, b, &mut walker.inputs);
+        if walker.driven.prepare(&self.nodes[gap + 1].q, &walker.inputs).is_err() {
+            return;
+        }
+        // Vectors of the test function: the null vectors seen from one side.
         let Some(vectors) = self.null_vectors(walker, b) else { return };
         let mut edge = 0.0_f64;
         for (pass, width) in [width, 0.25 * width, 0.0625 * width].into_iter().enumerate() {

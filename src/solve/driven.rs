@@ -13,6 +13,9 @@
 //! (I + C Cᵀ) λ_R = C g.
 //!
 //! All matrices are scaled, lengths by the mechanism's size, so that pivots mean the same for every model.
+//!
+//! A mechanism with freedom left is driven by **pins**: chosen coordinates that are given values, velocities and
+//! accelerations. Pin k adds the row m + k, φ = u_k − q_c, so its multiplier is the effort that holds the coordinate.
 
 use super::lu::{Singular, SparseLu};
 use super::order::ColumnOrder;
@@ -38,6 +41,8 @@ pub struct Correction {
     pub contraction: f64,
     /// Scaled residual over all rows [–].
     pub residual: f64,
+    /// Largest step of the last iteration, scaled [–]: how far the factors' position is from the solution.
+    pub last_step: f64,
 }
 
 /// Why there is no solution from a guess.
@@ -61,10 +66,17 @@ impl From<Singular> for Failure {
 /// the order of the size.
 const RESIDUAL_FLOOR: f64 = 4e-15;
 /// After a Newton step of this size the next one, its square times the curvature, is below round-off.
-const LAST_STEP: f64 = 1e-10;
+pub const LAST_STEP: f64 = 1e-10;
 /// Residual above which the redundant rows do not hold (they must, to round-off, when the independent ones do).
 const INCONSISTENT: f64 = 1e-9;
 const MAX_ITERATIONS: usize = 25;
+
+/// A coordinate that is prescribed: value, velocity, acceleration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pin {
+    pub column: usize,
+    pub jet: crate::motion::Jet,
+}
 
 /// n independent rows, and where their entries go.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -77,6 +89,7 @@ struct Selection {
 pub struct Driven<'s> {
     pub system: &'s System,
     pub evaluation: Evaluation,
+    pub pins: Vec<Pin>,
     selection: Selection,
     /// Slot of each system entry in `values`; the last cell takes what belongs to ground or to a redundant row.
     slots: Vec<u32>,
@@ -87,6 +100,8 @@ pub struct Driven<'s> {
     lu: SparseLu,
     work: Vec<f64>,
     rows: Vec<f64>,
+    /// Newton step after which no further one is made, scaled [–]; by default what leaves nothing above round-off.
+    pub last_step: f64,
     pub done: Work,
 }
 
@@ -96,22 +111,32 @@ impl<'s> Driven<'s> {
     /// # Errors
     /// When fewer than n rows are independent there.
     pub fn new(system: &'s System, q: &[f64], inputs: &Inputs) -> Result<Self, Failure> {
+        Driven::pinned(system, &[], q, inputs)
+    }
+
+    /// A solver for a mechanism with the coordinates `columns` prescribed besides its drivers.
+    ///
+    /// # Errors
+    /// When fewer than n rows are independent there.
+    pub fn pinned(system: &'s System, columns: &[usize], q: &[f64], inputs: &Inputs) -> Result<Self, Failure> {
         let mut evaluation = Evaluation::new(system);
         evaluation.set_position(q);
         evaluation.eval_jacobian(system, inputs);
-        let selection = Driven::select(system, &evaluation)?;
+        let pins: Vec<Pin> = columns.iter().map(|&column| Pin { column, jet: [q[column], 0.0, 0.0] }).collect();
+        let selection = Driven::select(system, &pins, &evaluation)?;
         let scales = system
             .entries
             .iter()
             .map(|e| e.column.map_or(0.0, |c| system.column_scale(c as usize) / system.row_scale(e.row as usize)))
             .collect();
         let (n, m) = (system.n(), system.m());
-        let (pattern, slots) = Driven::layout(system, &selection);
+        let (pattern, slots, values) = Driven::layout(system, &pins, &selection);
         let nnz = pattern.entries();
-        let values = vec![0.0; nnz + 1];
+        let rows = m + pins.len();
         let mut driven = Driven {
             system,
             evaluation,
+            pins,
             selection,
             slots,
             scales,
@@ -119,7 +144,8 @@ impl<'s> Driven<'s> {
             nnz,
             lu: SparseLu::new(pattern.clone(), ColumnOrder::natural(n)),
             work: vec![0.0; n],
-            rows: vec![0.0; m],
+            rows: vec![0.0; rows],
+            last_step: LAST_STEP,
             done: Work::default(),
         };
         driven.scatter();
@@ -127,13 +153,18 @@ impl<'s> Driven<'s> {
         Ok(driven)
     }
 
-    fn select(system: &System, evaluation: &Evaluation) -> Result<Selection, Failure> {
-        let (n, m) = (system.n(), system.m());
+    fn select(system: &System, pins: &[Pin], evaluation: &Evaluation) -> Result<Selection, Failure> {
+        let n = system.n();
+        let m = system.m() + pins.len();
         if m == n {
             return Ok(Selection { active: (0..n).collect(), redundant: Vec::new() });
         }
-        // Drivers first: they are what moves the mechanism.
-        let dense = system.dense_scaled(&evaluation.jacobian);
+        // Drivers and pins first: they are what moves the mechanism.
+        let mut dense = system.dense_scaled(&evaluation.jacobian);
+        dense.resize(m * n, 0.0);
+        for (k, pin) in pins.iter().enumerate() {
+            dense[(system.m() + k) * n + pin.column] = -1.0;
+        }
         let first: Vec<usize> = (system.joint_rows()..m).collect();
         let mut active = well_conditioned_rows(&dense, m, n, &first);
         if active.len() < n {
@@ -144,7 +175,9 @@ impl<'s> Driven<'s> {
         Ok(Selection { active, redundant })
     }
 
-    fn layout(system: &System, selection: &Selection) -> (Pattern, Vec<u32>) {
+    /// Pattern of the active rows, slot of each system entry (the last cell for what has none), and the values with the
+    /// pins' constant entries in place.
+    fn layout(system: &System, pins: &[Pin], selection: &Selection) -> (Pattern, Vec<u32>, Vec<f64>) {
         let mut entries = Vec::new();
         let mut owners = Vec::new();
         for (k, entry) in system.entries.iter().enumerate() {
@@ -153,12 +186,19 @@ impl<'s> Driven<'s> {
                 owners.push(k);
             }
         }
+        for (k, pin) in pins.iter().enumerate() {
+            if let Ok(row) = selection.active.binary_search(&(system.m() + k)) {
+                entries.push((row, pin.column));
+            }
+        }
         let (pattern, inner) = square(system.n(), &entries);
         let mut slots = vec![pattern.entries() as u32; system.entries.len()];
-        for (owner, slot) in owners.into_iter().zip(inner) {
+        for (&owner, &slot) in owners.iter().zip(&inner) {
             slots[owner] = slot;
         }
-        (pattern, slots)
+        let mut values = vec![0.0; pattern.entries() + 1];
+        inner[owners.len()..].iter().for_each(|&slot| values[slot as usize] = -1.0);
+        (pattern, slots, values)
     }
 
     fn order(&mut self, pattern: &Pattern) -> Result<(), Failure> {
@@ -177,17 +217,51 @@ impl<'s> Driven<'s> {
             return Ok(());
         }
         self.evaluation.eval_jacobian(self.system, inputs);
-        let selection = Driven::select(self.system, &self.evaluation)?;
-        if selection != self.selection {
-            let (pattern, slots) = Driven::layout(self.system, &selection);
-            self.nnz = pattern.entries();
-            self.values = vec![0.0; self.nnz + 1];
-            self.selection = selection;
-            self.slots = slots;
-            self.scatter();
-            self.order(&pattern)?;
+        let selection = Driven::select(self.system, &self.pins, &self.evaluation)?;
+        if selection != self.selection { self.adopt(selection) } else { Ok(()) }
+    }
+
+    /// With redundancy: chooses the rows for `q`, which may be anywhere on the path; so they depend on the position alone.
+    ///
+    /// # Errors
+    /// When fewer than n rows are independent there.
+    pub fn prepare(&mut self, q: &[f64], inputs: &Inputs) -> Result<(), Failure> {
+        if !self.is_redundant() {
+            return Ok(());
         }
-        Ok(())
+        self.evaluation.set_position(q);
+        self.reselect(inputs)
+    }
+
+    fn adopt(&mut self, selection: Selection) -> Result<(), Failure> {
+        let (pattern, slots, values) = Driven::layout(self.system, &self.pins, &selection);
+        self.nnz = pattern.entries();
+        self.values = values;
+        self.selection = selection;
+        self.slots = slots;
+        self.scatter();
+        self.order(&pattern)
+    }
+
+    /// Prescribes other coordinates from now on, as many as before; rows are chosen anew at the position last taken.
+    ///
+    /// # Errors
+    /// When fewer than n rows are independent there.
+    pub fn pin(&mut self, columns: &[usize], inputs: &Inputs) -> Result<(), Failure> {
+        for (pin, &column) in self.pins.iter_mut().zip(columns) {
+            pin.column = column;
+        }
+        self.evaluation.eval_jacobian(self.system, inputs);
+        let selection = Driven::select(self.system, &self.pins, &self.evaluation)?;
+        self.adopt(selection)
+    }
+
+    /// Scale of a row, pins included.
+    fn row_scale(&self, row: usize) -> f64 {
+        match row.checked_sub(self.system.m()) {
+            Some(pin) => self.system.column_scale(self.pins[pin].column),
+            None => self.system.row_scale(row),
+        }
     }
 
     /// Whether some constraints are redundant.
@@ -206,6 +280,11 @@ impl<'s> Driven<'s> {
         }
     }
 
+    /// How far the factors are from singular: smallest pivot ratio [–].
+    pub fn pivot_ratio(&self) -> f64 {
+        self.lu.smallest_pivot_ratio()
+    }
+
     /// J and its factors at the position last taken.
     ///
     /// # Errors
@@ -220,7 +299,7 @@ impl<'s> Driven<'s> {
     /// x = S_q J̃_A⁻¹ S_φ⁻¹ rhs, where `rhs` is in `self.rows`; the result goes to `x`.
     fn solve_rows(&mut self, x: &mut [f64]) {
         for (w, &row) in x.iter_mut().zip(&self.selection.active) {
-            *w = self.rows[row] / self.system.row_scale(row);
+            *w = self.rows[row] / self.row_scale(row);
         }
         self.lu.solve(x);
         for (column, x) in x.iter_mut().enumerate() {
@@ -245,28 +324,29 @@ impl<'s> Driven<'s> {
             self.evaluation.set_position(q);
             self.evaluation.eval_phi(self.system, inputs);
             self.done.evaluations += 1;
-            let residual = self.active_residual();
+            let residual = self.active_residual(q);
             if !residual.is_finite() {
                 break;
             }
-            if iteration > 0 && (residual <= RESIDUAL_FLOOR || last <= LAST_STEP) {
+            if iteration > 0 && (residual <= RESIDUAL_FLOOR || last <= self.last_step) {
                 let residual = self.system.scaled_residual(&self.evaluation.phi);
                 return if residual > INCONSISTENT {
                     Err(Failure::Inconsistent { residual })
                 } else {
-                    Ok(Correction { first_step: first, contraction, residual })
+                    Ok(Correction { first_step: first, contraction, residual, last_step: last })
                 };
             }
             self.factor(inputs)?;
             for (r, phi) in self.rows.iter_mut().zip(&self.evaluation.phi) {
                 *r = -phi;
             }
+            self.pin_rows(|pin| q[pin.column] - pin.jet[0]);
             self.solve_rows(step);
             self.done.newton_iterations += 1;
             let size = self.system.scaled_norm(step);
             if iteration == 0 {
                 first = size;
-            } else if size > LAST_STEP {
+            } else if size > self.last_step {
                 contraction = contraction.max(size / last);
                 // Newton that does not contract is lost, and would wander to another branch if it were let.
                 if size > 2.0 * last || size.is_nan() {
@@ -276,37 +356,63 @@ impl<'s> Driven<'s> {
             last = size;
             q.iter_mut().zip(&*step).for_each(|(q, d)| *q += d);
         }
-        Err(Failure::Diverged { residual: self.active_residual() })
+        Err(Failure::Diverged { residual: self.active_residual(q) })
     }
 
-    fn active_residual(&self) -> f64 {
-        self.selection.active.iter().fold(0.0, |m: f64, &row| {
-            let r = self.evaluation.phi[row].abs() / self.system.row_scale(row);
-            if r > m || r.is_nan() { r } else { m }
+    /// Right-hand sides of the pins' rows.
+    fn pin_rows(&mut self, value: impl Fn(&Pin) -> f64) {
+        for (row, pin) in self.rows[self.system.m()..].iter_mut().zip(&self.pins) {
+            *row = value(pin);
+        }
+    }
+
+    fn active_residual(&self, q: &[f64]) -> f64 {
+        let m = self.system.m();
+        self.selection.active.iter().fold(0.0, |largest: f64, &row| {
+            let phi = match row.checked_sub(m) {
+                Some(pin) => self.pins[pin].jet[0] - q[self.pins[pin].column],
+                None => self.evaluation.phi[row],
+            };
+            let r = phi.abs() / self.row_scale(row);
+            if r > largest || r.is_nan() { r } else { largest }
         })
     }
 
     /// Velocities at the position last taken; [`Driven::factor`] must have been called there.
     pub fn velocity(&mut self, inputs: &Inputs, v: &mut [f64]) {
-        self.evaluation.eval_rate(self.system, inputs, &mut self.rows);
+        let m = self.system.m();
+        self.evaluation.eval_rate(self.system, inputs, &mut self.rows[..m]);
         self.rows.iter_mut().for_each(|r| *r = -*r);
+        self.pin_rows(|pin| -pin.jet[1]);
         self.solve_rows(v);
         self.evaluation.set_velocity(v);
     }
 
     /// Accelerations at the position and velocity last taken.
     pub fn acceleration(&mut self, inputs: &Inputs, a: &mut [f64]) {
-        self.evaluation.eval_gamma(self.system, inputs, &mut self.rows);
+        let m = self.system.m();
+        self.evaluation.eval_gamma(self.system, inputs, &mut self.rows[..m]);
+        self.pin_rows(|pin| -pin.jet[2]);
         self.solve_rows(a);
     }
 
-    /// Multipliers λ (m) with Jᵀ λ = `b` (n), of least norm where not unique.
+    /// ∂q/∂u_k (n): the motion that pin k alone makes, at the last factors.
+    pub fn pin_motion(&mut self, k: usize, s: &mut [f64]) {
+        self.rows.fill(0.0);
+        self.rows[self.system.m() + k] = -1.0;
+        self.solve_rows(s);
+    }
+
+    /// Multipliers λ (m) with Jᵀ λ = `b` (n), of least norm where not unique; those of pins are left out (they vanish in
+    /// free motion).
     pub fn multipliers(&mut self, b: &[f64], lambda: &mut [f64]) {
         let mut g = std::mem::take(&mut self.work);
         self.solve_transposed(b, &mut g);
         lambda.fill(0.0);
         for (g, &row) in g.iter().zip(&self.selection.active) {
-            lambda[row] = *g;
+            if let Some(l) = lambda.get_mut(row) {
+                *l = *g;
+            }
         }
         self.work = g;
         if self.is_redundant() {
@@ -322,7 +428,7 @@ impl<'s> Driven<'s> {
         }
         self.lu.solve_transposed(g);
         for (g, &row) in g.iter_mut().zip(&self.selection.active) {
-            *g /= self.system.row_scale(row);
+            *g /= self.row_scale(row);
         }
     }
 
@@ -339,7 +445,9 @@ impl<'s> Driven<'s> {
             let mut g = vec![0.0; n];
             self.solve_transposed(&pull, &mut g);
             for (g, &active) in g.iter().zip(&self.selection.active) {
-                z[active] = -g;
+                if let Some(z) = z.get_mut(active) {
+                    *z = -g;
+                }
             }
             basis.push(z);
         }

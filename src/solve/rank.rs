@@ -64,6 +64,8 @@ pub struct RankReport {
     pub rank: usize,
     /// Rows kept, rising.
     pub independent: Vec<usize>,
+    /// Columns that no row kept has its pivot in: with these given, the rows kept determine the others.
+    pub free_columns: Vec<usize>,
     /// Rows dropped, rising.
     pub dependent: Vec<Dependent>,
     /// Smallest ratio among rows kept: near the tolerance the verdict is doubtful. Infinite when none was kept.
@@ -163,6 +165,7 @@ pub fn independent_rows(rows: &SparseRows, tolerance: f64) -> RankReport {
     let mut report = RankReport {
         rank: 0,
         independent: Vec::new(),
+        free_columns: Vec::new(),
         dependent: Vec::new(),
         smallest_kept: f64::INFINITY,
         largest_dropped: 0.0,
@@ -181,6 +184,7 @@ pub fn independent_rows(rows: &SparseRows, tolerance: f64) -> RankReport {
         }
     }
     report.rank = report.independent.len();
+    report.free_columns = (0..rows.columns()).filter(|&column| elimination.position[column] == NONE).collect();
     report
 }
 
