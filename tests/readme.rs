@@ -1,0 +1,101 @@
+//! README.md: its models run, its commands run as written, its tables name what there is.
+
+use linkdyn::analysis::{Control, run};
+use linkdyn::model;
+use linkdyn::output::Status;
+use linkdyn::validation::{CASES, CaseKind};
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+fn readme() -> String {
+    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md")).expect("README.md")
+}
+
+/// Contents of the fenced blocks of a language.
+fn blocks(text: &str, language: &str) -> Vec<String> {
+    let open = format!("```{language}\n");
+    let blocks = text.split(open.as_str()).skip(1);
+    blocks.map(|rest| rest.split("```").next().unwrap_or_default().to_string()).collect()
+}
+
+#[test]
+fn its_model_runs() {
+    let models = blocks(&readme(), "json");
+    assert_eq!(models.len(), 1);
+    let loaded = model::load(models[0].as_bytes(), &[]).expect("a sound model");
+    assert!(loaded.warnings.is_empty(), "{:?}", loaded.warnings);
+    let outcome = run(&loaded.model, &Control::default()).expect("runs");
+    assert_eq!((outcome.report.status, outcome.report.warnings.len()), (Status::Completed, 0));
+}
+
+/// The words of a command line, as a shell splits it.
+fn words(line: &str) -> Vec<String> {
+    let mut words = vec![String::new()];
+    let mut quoted = false;
+    for c in line.chars() {
+        match c {
+            '"' => quoted = !quoted,
+            ' ' if !quoted => words.push(String::new()),
+            _ => words.last_mut().expect("one").push(c),
+        }
+    }
+    words
+}
+
+#[test]
+fn its_commands_run_as_written() {
+    let scratch = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("readme-{}", std::process::id()));
+    fs::create_dir_all(&scratch).expect("a scratch directory");
+    let text = readme();
+    let blocks = blocks(&text, "sh");
+    // The two commands for a fresh machine, one block each, first of all.
+    assert_eq!(blocks[0], "cargo run --release -- run lock -o out\n");
+    assert_eq!(blocks[1], "cargo test --release\n");
+    let mut ran = 0;
+    for line in blocks.iter().flat_map(|block| block.lines()) {
+        let Some(arguments) = line.strip_prefix("cargo run --release -- ") else {
+            assert!(["cargo test --release", "cargo bench --bench six_bar"].contains(&line), "{line}");
+            continue;
+        };
+        let mut command = Command::new(env!("CARGO_BIN_EXE_linkdyn"));
+        command.args(words(arguments)).current_dir(&scratch).stdin(Stdio::null());
+        let output = command.output().expect("the binary runs");
+        assert!(output.status.success(), "{line}: {}", String::from_utf8_lossy(&output.stderr));
+        if arguments.ends_with("-o out") {
+            for file in ["results.csv", "summary.json"] {
+                assert!(scratch.join("out").join(file).exists(), "{line} leaves no {file}");
+            }
+            fs::remove_dir_all(scratch.join("out")).expect("removed");
+        }
+        ran += 1;
+    }
+    fs::remove_dir_all(&scratch).expect("removed");
+    assert!(ran >= 6, "only {ran} commands were found");
+}
+
+#[test]
+fn its_validation_table_names_every_reference_case() {
+    let text = readme();
+    let references = CASES.iter().filter(|case| matches!(case.kind, CaseKind::Reference(_)));
+    for case in references.filter(|case| !case.name.starts_with("random-")) {
+        assert!(text.contains(&format!("`{}`", case.name)), "{} is missing", case.name);
+    }
+}
+
+#[test]
+fn its_status_and_event_words_are_ours() {
+    let text = readme();
+    for status in [
+        Status::Completed,
+        Status::CompletedWithGaps,
+        Status::DeadCentre,
+        Status::AssemblyFailed,
+        Status::StepTooSmall,
+        Status::Singular,
+        Status::TimeLimit,
+        Status::Interrupted,
+    ] {
+        assert!(text.contains(&format!("| `{}` |", status.word())), "{status:?} is missing");
+    }
+}
