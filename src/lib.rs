@@ -39,6 +39,7 @@ pub mod cli;
 pub mod element;
 pub mod error;
 pub mod graph;
+pub mod integrate;
 pub mod math;
 pub mod model;
 pub mod motion;

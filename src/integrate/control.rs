@@ -1,0 +1,111 @@
+//! What the steppers share: the norm of errors, the first step, and how steps are fitted to the end.
+
+use super::{Limits, Ode, Refused, StepFailure, Tolerance};
+
+/// Attempts at one step before it fails; halving comes from 1 to 1e-30 in as many.
+pub(super) const ATTEMPTS: usize = 100;
+
+/// A step that misses the end by less than this part of itself is stretched.
+const STRETCH: f64 = 1.01;
+
+/// √(Σ (eᵢ wᵢ)² / n) for errors e and weights w.
+pub(super) fn rms(errors: &[f64], weights: &[f64]) -> f64 {
+    let sum: f64 = errors.iter().zip(weights).map(|(e, w)| (e * w) * (e * w)).sum();
+    (sum / errors.len() as f64).sqrt()
+}
+
+/// w = 1 / (atol + rtol |y|).
+pub(super) fn weigh(tolerance: &Tolerance, y: &[f64], weights: &mut [f64]) {
+    for ((w, y), atol) in weights.iter_mut().zip(y).zip(&tolerance.atol) {
+        *w = 1.0 / (atol + tolerance.rtol * y.abs());
+    }
+}
+
+/// Whether all values are finite.
+pub(super) fn finite(values: &[f64]) -> Result<(), Refused> {
+    if values.iter().all(|v| v.is_finite()) { Ok(()) } else { Err(Refused) }
+}
+
+/// The next step with its sign: `h` bounded by the longest step, and fitted to `end`.
+///
+/// What reaches the end nearly is stretched to it; what leaves less than another step is halved instead, so that no
+/// crumb remains. The flag says that the step ends at `end`.
+pub(super) fn fit(t: f64, h: f64, end: f64, limits: &Limits) -> (f64, bool) {
+    let left = end - t;
+    let longest = limits.max_step.unwrap_or(f64::INFINITY);
+    let h = h.abs().min(longest);
+    if left.abs() <= (STRETCH * h).min(longest) {
+        (left, true)
+    } else if left.abs() < 2.0 * h {
+        (0.5 * left, false)
+    } else {
+        (h.copysign(left), false)
+    }
+}
+
+/// The shortest step from t.
+pub(super) fn shortest(t: f64, limits: &Limits) -> f64 {
+    (10.0 * f64::EPSILON * t.abs()).max(limits.min_step.unwrap_or(0.0)).max(f64::MIN_POSITIVE)
+}
+
+/// Why a step was rejected.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Rejection {
+    /// Its error was too large, or Newton's iteration did not converge.
+    Error,
+    /// A point was refused.
+    Refused,
+}
+
+/// What becomes of integration where no step from t is left, the last one of length h.
+pub(super) fn failure(rejection: Rejection, t: f64, h: f64) -> StepFailure {
+    match rejection {
+        Rejection::Error => StepFailure::TooSmall { t, h: h.abs() },
+        Rejection::Refused => StepFailure::Refused { t },
+    }
+}
+
+/// Room for choosing a first step, each (n).
+pub(super) struct Probe<'a> {
+    pub weights: &'a [f64],
+    pub y: &'a mut [f64],
+    pub dy: &'a mut [f64],
+}
+
+/// Length of a first step for an estimate of order 7 (Hairer, Nørsett and Wanner, 1993, §II.4).
+///
+/// An Euler step that changes y by a hundredth gives |y″|; then h⁸ · max(|y′|, |y″|) = 0.01. `dy` is f(t, y); the
+/// second result counts evaluations.
+pub(super) fn first_step(
+    ode: &mut dyn Ode,
+    t: f64,
+    y: &[f64],
+    dy: &[f64],
+    end: f64,
+    limits: &Limits,
+    probe: Probe,
+) -> (f64, u64) {
+    let longest = (end - t).abs().min(limits.max_step.unwrap_or(f64::INFINITY));
+    if let Some(h) = limits.initial_step {
+        return (h.abs().min(longest), 0);
+    }
+    let (size, slope) = (rms(y, probe.weights), rms(dy, probe.weights));
+    let mut h = if size < 1e-5 || slope < 1e-5 { 1e-6 } else { 0.01 * size / slope };
+    h = h.min(longest);
+    for evaluations in 1..=20 {
+        let signed = h.copysign(end - t);
+        for ((to, y), dy) in probe.y.iter_mut().zip(y).zip(dy) {
+            *to = y + signed * dy;
+        }
+        if ode.eval(t + signed, probe.y, probe.dy).and_then(|()| finite(probe.dy)).is_ok() {
+            for (next, dy) in probe.dy.iter_mut().zip(dy) {
+                *next -= dy;
+            }
+            let steepest = slope.max(rms(probe.dy, probe.weights) / h);
+            let second = if steepest <= 1e-15 { (1e-3 * h).max(1e-6) } else { (0.01 / steepest).sqrt().sqrt().sqrt() };
+            return (second.min(100.0 * h).min(longest), evaluations);
+        }
+        h *= 0.1;
+    }
+    (h, 20)
+}

@@ -1,0 +1,351 @@
+//! DOP853: the explicit Runge–Kutta method of order 8 by Dormand and Prince.
+//!
+//! ```text
+//! kₛ = f(t + cₛ h, y + h Σ aₛⱼ kⱼ)          12 stages, k₁ = f(t, y) from the step before
+//! y₁ = y + h Σ bₛ kₛ
+//! e  = |h| E₅² / √(E₅² + 0.01 E₃²)          E₅, E₃: weighted norms of the embedded estimates
+//! h′ = h · 0.9 e^(−1/8)                     within h/3 … 6 h; not above h after a rejection
+//! ```
+//!
+//! f(t + h, y₁) is evaluated once the error is accepted, so that a rejected step costs 11 evaluations. The continuous
+//! extension of order 7 takes three more evaluations, made when it is first asked for.
+//!
+//! Stiffness: the difference of the two slopes at t + h (stage 12 and the end) over that of their arguments estimates
+//! |λ|. When h |λ| lies beyond 6.1, about where stability ends, in 15 steps without 6 others in a row, the problem is
+//! taken to be stiff (Hairer and Wanner, 1996, §IV.2).
+//!
+//! Source: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd ed., Springer 1993,
+//! §II.4 (control), §II.5 (method), §II.6 (continuous extension), §II.10 (estimate).
+
+use super::control::{self, ATTEMPTS, Probe, Rejection, failure, finite, first_step, fit, shortest};
+use super::dop853_tableau::*;
+use super::{Counters, Limits, Ode, Refused, StepFailure, Stepper, Tolerance};
+
+/// Safety factor of the step-size control [-].
+const SAFETY: f64 = 0.9;
+/// A step changes by factors within these [-].
+const SHRINK: f64 = 1.0 / 3.0;
+const GROW: f64 = 6.0;
+
+/// h |λ| beyond which a step speaks for stiffness [-].
+const STABLE: f64 = 6.1;
+/// As many such steps decide, unless they are interrupted by `CALM` others.
+const HITS: u32 = 15;
+const CALM: u32 = 6;
+
+/// Coefficients of the continuous extension.
+const DENSE: usize = 7;
+
+/// Explicit method of order 8 with continuous extension of order 7.
+#[derive(Debug, Clone)]
+pub struct Dop853 {
+    tolerance: Tolerance,
+    limits: Limits,
+    counters: Counters,
+    n: usize,
+    t: f64,
+    previous: f64,
+    /// Length proposed for the next step.
+    h: f64,
+    /// The last accepted step, with its sign.
+    taken: f64,
+    y: Vec<f64>,
+    /// y at the start of the last step.
+    y_previous: Vec<f64>,
+    /// Argument of the last stage.
+    stage: Vec<f64>,
+    /// y at the end of the attempt.
+    next: Vec<f64>,
+    /// Weights of the errors.
+    weights: Vec<f64>,
+    /// Slopes (`SLOPES` × n).
+    k: Vec<f64>,
+    /// Coefficients of the continuous extension (`DENSE` × n).
+    dense: Vec<f64>,
+    dense_known: bool,
+    stiffness: Stiffness,
+}
+
+/// Steps that speak for stiffness.
+#[derive(Debug, Clone, Copy, Default)]
+struct Stiffness {
+    hits: u32,
+    calm: u32,
+    found: bool,
+}
+
+impl Stiffness {
+    /// Counts a step with this (h λ)².
+    fn count(&mut self, square: f64) {
+        if square > STABLE * STABLE {
+            self.calm = 0;
+            self.hits += 1;
+            self.found |= self.hits >= HITS;
+        } else if self.hits > 0 {
+            self.calm += 1;
+            if self.calm >= CALM {
+                self.hits = 0;
+            }
+        }
+    }
+}
+
+/// Slices of n slopes for the entries of a row.
+#[inline(always)]
+fn slopes<'a, const N: usize>(row: &Row<N>, k: &'a [f64], n: usize) -> [&'a [f64]; N] {
+    row.map(|(s, _)| &k[s * n..][..n])
+}
+
+/// Σ aⱼ kⱼᵢ.
+#[inline(always)]
+fn sum<const N: usize>(row: &Row<N>, slopes: &[&[f64]; N], i: usize) -> f64 {
+    row.iter().zip(slopes).fold(0.0, |sum, ((_, a), k)| sum + a * k[i])
+}
+
+/// y + h Σ aⱼ kⱼ.
+#[inline(always)]
+fn combine<const N: usize>(row: &Row<N>, k: &[f64], h: f64, y: &[f64], into: &mut [f64]) {
+    let n = into.len();
+    let slopes = slopes(row, k, n);
+    for (i, (into, y)) in into.iter_mut().zip(y).enumerate() {
+        *into = y + h * sum(row, &slopes, i);
+    }
+}
+
+impl Dop853 {
+    pub fn new(tolerance: Tolerance, limits: Limits) -> Self {
+        Dop853 {
+            tolerance,
+            limits,
+            counters: Counters::default(),
+            n: 0,
+            t: 0.0,
+            previous: 0.0,
+            h: 0.0,
+            taken: 0.0,
+            y: Vec::new(),
+            y_previous: Vec::new(),
+            stage: Vec::new(),
+            next: Vec::new(),
+            weights: Vec::new(),
+            k: Vec::new(),
+            dense: Vec::new(),
+            dense_known: false,
+            stiffness: Stiffness::default(),
+        }
+    }
+
+    /// Length proposed for the next step.
+    pub(super) fn proposal(&self) -> f64 {
+        self.h
+    }
+
+    /// Slope `s` of an attempt by h from `self.t`, by the row of its argument.
+    #[inline(always)]
+    fn slope<const N: usize>(&mut self, ode: &mut dyn Ode, h: f64, s: usize, row: &Row<N>) -> Result<(), Refused> {
+        combine(row, &self.k, h, &self.y, &mut self.stage);
+        self.counters.evaluations += 1;
+        ode.eval(self.t + C[s] * h, &self.stage, &mut self.k[s * self.n..][..self.n])
+    }
+
+    /// Stages of a step by h: leaves its end in `next`, and returns its error over the tolerance.
+    fn attempt(&mut self, ode: &mut dyn Ode, h: f64) -> Result<f64, Refused> {
+        self.slope(ode, h, 1, &A1)?;
+        self.slope(ode, h, 2, &A2)?;
+        self.slope(ode, h, 3, &A3)?;
+        self.slope(ode, h, 4, &A4)?;
+        self.slope(ode, h, 5, &A5)?;
+        self.slope(ode, h, 6, &A6)?;
+        self.slope(ode, h, 7, &A7)?;
+        self.slope(ode, h, 8, &A8)?;
+        self.slope(ode, h, 9, &A9)?;
+        self.slope(ode, h, 10, &A10)?;
+        self.slope(ode, h, 11, &A11)?;
+        combine(&B, &self.k, h, &self.y, &mut self.next);
+        let (fifth, third) = (slopes(&E5, &self.k, self.n), slopes(&E3, &self.k, self.n));
+        let (mut fifth_squared, mut third_squared) = (0.0, 0.0);
+        for (i, (y, next)) in self.y.iter().zip(&self.next).enumerate() {
+            let weight = 1.0 / (self.tolerance.atol[i] + self.tolerance.rtol * y.abs().max(next.abs()));
+            self.weights[i] = weight;
+            let (fifth, third) = (weight * sum(&E5, &fifth, i), weight * sum(&E3, &third, i));
+            fifth_squared += fifth * fifth;
+            third_squared += third * third;
+        }
+        let both = fifth_squared + 0.01 * third_squared;
+        match both.is_finite() {
+            true if both > 0.0 => Ok(h.abs() * fifth_squared / (both * self.n as f64).sqrt()),
+            true => Ok(0.0),
+            false => Err(Refused),
+        }
+    }
+
+    /// An attempt by h that ends at t: its error, once f accepts its end, too.
+    fn try_step(&mut self, ode: &mut dyn Ode, h: f64, t: f64) -> Result<f64, Refused> {
+        let error = self.attempt(ode, h)?;
+        if error <= 1.0 {
+            let end = &mut self.k[LAST * self.n..][..self.n];
+            self.counters.evaluations += 1;
+            ode.eval(t, &self.next, end)?;
+            finite(end)?;
+        }
+        Ok(error)
+    }
+
+    /// Compares the two slopes and arguments at the end of the attempt.
+    fn watch_stiffness(&mut self, h: f64) {
+        let (mut slopes, mut arguments) = (0.0, 0.0);
+        let (stage, end) = (&self.k[(STAGES - 1) * self.n..][..self.n], &self.k[LAST * self.n..][..self.n]);
+        for i in 0..self.n {
+            let slope = (end[i] - stage[i]) * self.weights[i];
+            let argument = (self.next[i] - self.stage[i]) * self.weights[i];
+            slopes += slope * slope;
+            arguments += argument * argument;
+        }
+        if arguments > 0.0 {
+            self.stiffness.count(h * h * slopes / arguments);
+        }
+    }
+
+    /// The coefficients of the continuous extension.
+    fn extend(&mut self, ode: &mut dyn Ode) -> Result<(), Refused> {
+        let (n, h) = (self.n, self.taken);
+        self.extra_slope(ode, 13, &A13)?;
+        self.extra_slope(ode, 14, &A14)?;
+        self.extra_slope(ode, 15, &A15)?;
+        let (d3, d4) = (slopes(&D3, &self.k, n), slopes(&D4, &self.k, n));
+        let (d5, d6) = (slopes(&D5, &self.k, n), slopes(&D6, &self.k, n));
+        for i in 0..n {
+            let (start, end) = (h * self.k[i], h * self.k[LAST * n + i]);
+            let rise = self.y[i] - self.y_previous[i];
+            let higher = [sum(&D3, &d3, i), sum(&D4, &d4, i), sum(&D5, &d5, i), sum(&D6, &d6, i)].map(|d| h * d);
+            self.dense[DENSE * i..][..3].copy_from_slice(&[rise, start - rise, 2.0 * rise - (start + end)]);
+            self.dense[DENSE * i + 3..][..4].copy_from_slice(&higher);
+        }
+        self.dense_known = true;
+        Ok(())
+    }
+
+    /// Slope `s` within the last accepted step.
+    fn extra_slope<const N: usize>(&mut self, ode: &mut dyn Ode, s: usize, row: &Row<N>) -> Result<(), Refused> {
+        combine(row, &self.k, self.taken, &self.y_previous, &mut self.stage);
+        self.counters.evaluations += 1;
+        let slope = &mut self.k[s * self.n..][..self.n];
+        ode.eval(self.previous + C[s] * self.taken, &self.stage, slope)?;
+        finite(slope)
+    }
+}
+
+impl Stepper for Dop853 {
+    fn start(&mut self, ode: &mut dyn Ode, t: f64, y: &[f64], end: f64) -> Result<(), StepFailure> {
+        let n = ode.dimension();
+        assert!(y.len() == n && self.tolerance.atol.len() == n, "y and atol have the dimension of the equations");
+        self.n = n;
+        for vector in [&mut self.y, &mut self.y_previous, &mut self.stage, &mut self.next, &mut self.weights] {
+            vector.resize(n, 0.0);
+        }
+        self.k.resize(SLOPES * n, 0.0);
+        self.dense.resize(DENSE * n, 0.0);
+        (self.t, self.previous, self.taken, self.dense_known) = (t, t, 0.0, false);
+        (self.stiffness.hits, self.stiffness.calm) = (0, 0);
+        self.y.copy_from_slice(y);
+        let slope = &mut self.k[LAST * n..][..n];
+        self.counters.evaluations += 1;
+        ode.eval(t, y, slope).and_then(|()| finite(slope)).map_err(|Refused| StepFailure::Refused { t })?;
+        ode.accept(t, y);
+        control::weigh(&self.tolerance, y, &mut self.weights);
+        let probe = Probe { weights: &self.weights, y: &mut self.stage, dy: &mut self.next };
+        let (h, evaluations) = first_step(ode, t, y, slope, end, &self.limits, probe);
+        self.h = h;
+        self.counters.evaluations += evaluations;
+        Ok(())
+    }
+
+    fn step(&mut self, ode: &mut dyn Ode, end: f64) -> Result<(), StepFailure> {
+        if self.t == end {
+            return Ok(());
+        }
+        let n = self.n;
+        self.k.copy_within(LAST * n..(LAST + 1) * n, 0);
+        let proposed = self.h.min(self.limits.max_step.unwrap_or(f64::INFINITY));
+        let shortest = shortest(self.t, &self.limits);
+        let mut h = proposed.max(shortest);
+        let mut rejection = Rejection::Error;
+        for attempt in 0..ATTEMPTS {
+            let (signed, last) = fit(self.t, h, end, &self.limits);
+            let t = if last { end } else { self.t + signed };
+            let factor = match self.try_step(ode, signed, t) {
+                Ok(error) => {
+                    let root = error.sqrt().sqrt().sqrt();
+                    if error <= 1.0 {
+                        let grow = if attempt == 0 { GROW } else { 1.0 };
+                        let factor = (SAFETY / root).clamp(SHRINK, grow);
+                        self.watch_stiffness(signed);
+                        // a step cut for the end says nothing against the one proposed
+                        let cut = if attempt == 0 && signed.abs() < proposed { proposed } else { 0.0 };
+                        self.h = (factor * signed.abs()).max(cut);
+                        self.counters.steps += 1;
+                        std::mem::swap(&mut self.y_previous, &mut self.y);
+                        std::mem::swap(&mut self.y, &mut self.next);
+                        (self.previous, self.t, self.taken, self.dense_known) = (self.t, t, signed, false);
+                        ode.accept(self.t, &self.y);
+                        return Ok(());
+                    }
+                    rejection = Rejection::Error;
+                    (SAFETY / root).max(SHRINK)
+                }
+                Err(Refused) => {
+                    rejection = Rejection::Refused;
+                    0.5
+                }
+            };
+            self.counters.rejected += 1;
+            h = factor * signed.abs();
+            if h < shortest {
+                break;
+            }
+        }
+        // the slope at t again, for whoever goes on
+        self.k.copy_within(0..n, LAST * n);
+        (self.h, self.previous, self.taken, self.dense_known) = (h, self.t, 0.0, false);
+        Err(failure(rejection, self.t, h))
+    }
+
+    fn t(&self) -> f64 {
+        self.t
+    }
+
+    fn y(&self) -> &[f64] {
+        &self.y
+    }
+
+    fn previous(&self) -> f64 {
+        self.previous
+    }
+
+    fn interpolate(&mut self, ode: &mut dyn Ode, t: f64, y: &mut [f64]) -> Result<(), Refused> {
+        if t == self.t || self.taken == 0.0 {
+            y.copy_from_slice(&self.y);
+            return Ok(());
+        }
+        if !self.dense_known {
+            self.extend(ode)?;
+        }
+        let x = (t - self.previous) / self.taken;
+        for ((y, start), dense) in y.iter_mut().zip(&self.y_previous).zip(self.dense.chunks_exact(DENSE)) {
+            let polynomial =
+                dense.iter().enumerate().rev().fold(0.0, |sum, (power, coefficient)| {
+                    (sum + coefficient) * if power % 2 == 0 { x } else { 1.0 - x }
+                });
+            *y = start + polynomial;
+        }
+        Ok(())
+    }
+
+    fn counters(&self) -> Counters {
+        self.counters
+    }
+
+    fn stiff(&self) -> bool {
+        self.stiffness.found
+    }
+}

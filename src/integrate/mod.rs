@@ -1,0 +1,116 @@
+//! Integration of y′ = f(t, y) in time, for few y and a costly f that can refuse a point.
+//!
+//! ```text
+//! method    kind                        order   dense   costs per step            use
+//! dop853    explicit Runge–Kutta           8       7    12 f (15 with output)      smooth motion: the first choice
+//! radau5    implicit Runge–Kutta           5       3    3 f per Newton iteration,  stiff springs and dampers: where
+//!                                                       n f per Jacobian           dop853 takes far too short steps
+//! auto      dop853, then radau5          8 | 5   7 | 3  as above                   changes over once, when stiff
+//! ```
+//!
+//! A step from t₀ to t₁ is accepted when the estimated local error e satisfies
+//! √(Σ (eᵢ / (atolᵢ + rtol · max(|yᵢ(t₀)|, |yᵢ(t₁)|)))² / n) ≤ 1. All roots in the step-size control are square roots
+//! (rounded correctly everywhere), so that a run depends on nothing but its input. `step` and `interpolate` allocate
+//! nothing.
+//!
+//! Sources: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd ed. 1993 (dop853);
+//! E. Hairer, G. Wanner, *Solving Ordinary Differential Equations II*, 2nd ed. 1996 (radau5).
+
+use thiserror::Error;
+
+mod control;
+mod dop853;
+mod dop853_tableau;
+
+pub use dop853::Dop853;
+
+/// A point where the right-hand side can't be evaluated: the step was too bold.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Refused;
+
+/// The ordinary differential equations y′ = f(t, y).
+pub trait Ode {
+    /// Number n of components of y.
+    fn dimension(&self) -> usize;
+
+    /// dy = f(t, y). Values that are not finite count as refused.
+    fn eval(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Refused>;
+
+    /// (t, y) is now the end of an accepted step (or the start): whatever helps to predict may be kept.
+    ///
+    /// The last evaluation before was at exactly this point.
+    fn accept(&mut self, t: f64, y: &[f64]);
+}
+
+/// Bound of the estimated local error per step, atolᵢ + rtol · |yᵢ|.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tolerance {
+    /// Relative [-], above zero.
+    pub rtol: f64,
+    /// Absolute, in units of the component (n), above zero where it can vanish.
+    pub atol: Vec<f64>,
+}
+
+/// Bounds of the step, all magnitudes in units of t.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Limits {
+    /// Length of the first step; chosen from f where not given.
+    pub initial_step: Option<f64>,
+    pub max_step: Option<f64>,
+    /// Where the error asks for less, integration fails; ten rounding units of t where not given.
+    pub min_step: Option<f64>,
+}
+
+/// Why integration can't go on from `t`.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum StepFailure {
+    /// The error estimate (or Newton's iteration) rejects even the step h.
+    #[error("at t = {t}: the tolerances ask for steps shorter than {h:e}")]
+    TooSmall { t: f64, h: f64 },
+    /// The right-hand side refuses points however close.
+    #[error("at t = {t}: the equations can't be evaluated any further")]
+    Refused { t: f64 },
+}
+
+/// Work since the stepper was made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Counters {
+    /// Accepted steps.
+    pub steps: u64,
+    /// Rejected attempts, for their error, for refused points or for want of convergence.
+    pub rejected: u64,
+    /// Evaluations of f, with those for Jacobians and dense output.
+    pub evaluations: u64,
+    pub jacobians: u64,
+    pub factorisations: u64,
+}
+
+/// An integrator that goes step by step; forwards where end > t, backwards where end < t.
+pub trait Stepper {
+    /// Starts (again) at (t, y); chooses an initial step where none is given.
+    ///
+    /// Panics where y or the absolute tolerances don't have the dimension of `ode`.
+    fn start(&mut self, ode: &mut dyn Ode, t: f64, y: &[f64], end: f64) -> Result<(), StepFailure>;
+
+    /// One accepted step, never beyond `end`, which the last step hits exactly; at `end` nothing happens.
+    ///
+    /// `end` may differ from step to step. After a failure t and y are still those of the last accepted step.
+    fn step(&mut self, ode: &mut dyn Ode, end: f64) -> Result<(), StepFailure>;
+
+    fn t(&self) -> f64;
+
+    fn y(&self) -> &[f64];
+
+    /// Start of the last accepted step; t after `start` and after a failure.
+    fn previous(&self) -> f64;
+
+    /// y at a `t` within the last accepted step, by the method's continuous extension.
+    ///
+    /// Whatever evaluations it needs are made once per step, at the first call.
+    fn interpolate(&mut self, ode: &mut dyn Ode, t: f64, y: &mut [f64]) -> Result<(), Refused>;
+
+    fn counters(&self) -> Counters;
+
+    /// True once the explicit method has found the problem stiff.
+    fn stiff(&self) -> bool;
+}
