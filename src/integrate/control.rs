@@ -65,16 +65,27 @@ pub(super) fn failure(rejection: Rejection, t: f64, h: f64) -> StepFailure {
     }
 }
 
-/// Room for choosing a first step, each (n).
+/// ⁴√x, the same everywhere.
+pub(super) fn fourth_root(x: f64) -> f64 {
+    x.sqrt().sqrt()
+}
+
+/// ⁸√x, the same everywhere.
+pub(super) fn eighth_root(x: f64) -> f64 {
+    x.sqrt().sqrt().sqrt()
+}
+
+/// Room for choosing a first step, each (n), and the root that the method's estimate asks for.
 pub(super) struct Probe<'a> {
+    pub root: fn(f64) -> f64,
     pub weights: &'a [f64],
     pub y: &'a mut [f64],
     pub dy: &'a mut [f64],
 }
 
-/// Length of a first step for an estimate of order 7 (Hairer, Nørsett and Wanner, 1993, §II.4).
+/// Length of a first step (Hairer, Nørsett and Wanner, 1993, §II.4).
 ///
-/// An Euler step that changes y by a hundredth gives |y″|; then h⁸ · max(|y′|, |y″|) = 0.01. `dy` is f(t, y); the
+/// An Euler step that changes y by a hundredth gives |y″|; then hᵖ · max(|y′|, |y″|) = 0.01. `dy` is f(t, y); the
 /// second result counts evaluations.
 pub(super) fn first_step(
     ode: &mut dyn Ode,
@@ -102,7 +113,7 @@ pub(super) fn first_step(
                 *next -= dy;
             }
             let steepest = slope.max(rms(probe.dy, probe.weights) / h);
-            let second = if steepest <= 1e-15 { (1e-3 * h).max(1e-6) } else { (0.01 / steepest).sqrt().sqrt().sqrt() };
+            let second = if steepest <= 1e-15 { (1e-3 * h).max(1e-6) } else { (probe.root)(0.01 / steepest) };
             return (second.min(100.0 * h).min(longest), evaluations);
         }
         h *= 0.1;

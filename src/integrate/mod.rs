@@ -18,11 +18,19 @@
 
 use thiserror::Error;
 
+mod auto;
 mod control;
 mod dop853;
 mod dop853_tableau;
+mod lu;
+mod method;
+mod radau5;
+mod radau5_tableau;
 
+pub use auto::Auto;
 pub use dop853::Dop853;
+pub use method::{Method, UnknownMethod};
+pub use radau5::Radau5;
 
 /// A point where the right-hand side can't be evaluated: the step was too bold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
