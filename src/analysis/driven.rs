@@ -6,7 +6,7 @@ use super::instants::{OutputInstant, instants};
 use super::record::{Contents, Recorder, Sample};
 use super::{Control, Interval, Stop};
 use crate::math::dot;
-use crate::model::{Analysis, AnalysisKind};
+use crate::model::Analysis;
 use crate::motion::Law;
 use crate::output::{Event, Report, Status, Stopwatch, Trajectory};
 use crate::solve::continuation::{End, Parameter, Path, SingularKind, Source, follow};
@@ -29,7 +29,7 @@ const UNBOUNDED: f64 = 1e-3;
 /// Faults of the input, and failures before the first output.
 pub fn run(system: &System, analysis: &Analysis, control: &Control) -> Result<(Trajectory, Report), Stop> {
     let clock = Stopwatch::start();
-    let reactions = analysis.kind == AnalysisKind::InverseDynamics;
+    let reactions = super::has_reactions(analysis.kind);
     let instants = instants(system, analysis).map_err(Stop::Input)?;
     let start = Inputs::at_time(system, 0.0);
     let assembled = assemble(system, &start)?;

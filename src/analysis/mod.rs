@@ -4,6 +4,7 @@ pub mod assembly;
 pub mod check;
 pub mod clearance_link;
 pub mod driven;
+pub mod dynamics;
 mod instants;
 pub mod record;
 
@@ -73,29 +74,31 @@ pub fn run(model: &Model, control: &Control) -> Result<Outcome, Vec<Complaint>> 
         )]);
     };
     let refused = match analysis.kind {
-        AnalysisKind::Assembly | AnalysisKind::Kinematics | AnalysisKind::InverseDynamics => None,
-        AnalysisKind::Dynamics => Some("dynamics"),
+        AnalysisKind::Assembly | AnalysisKind::Kinematics | AnalysisKind::InverseDynamics | AnalysisKind::Dynamics => {
+            None
+        }
         AnalysisKind::Statics => Some("statics"),
     };
     if let Some(name) = refused {
         return Err(vec![
             Complaint::new("analysis.type", format!("the analysis type `{name}` is not built yet in this version"))
                 .found(format!("\"{name}\""))
-                .hint("use \"assembly\", \"kinematics\" or \"inverse_dynamics\""),
+                .hint("use \"assembly\", \"kinematics\", \"inverse_dynamics\" or \"dynamics\""),
         ]);
     }
     let system = compile(model, analysis.kind)?;
     let outcome = match analysis.kind {
         AnalysisKind::Assembly => run_assembly(&system),
-        AnalysisKind::Kinematics | AnalysisKind::InverseDynamics | AnalysisKind::Dynamics | AnalysisKind::Statics => {
+        AnalysisKind::Kinematics | AnalysisKind::InverseDynamics | AnalysisKind::Statics => {
             driven::run(&system, analysis, control)
         }
+        AnalysisKind::Dynamics => dynamics::run(&system, analysis, control),
     };
     let (mut trajectory, mut report) = match outcome {
         Ok(found) => found,
         Err(Stop::Input(complaints)) => return Err(complaints),
         Err(Stop::Failed { status, message }) => {
-            let contents = Contents { accelerations: true, reactions: analysis.kind == AnalysisKind::InverseDynamics };
+            let contents = Contents { accelerations: true, reactions: has_reactions(analysis.kind) };
             let trajectory = Recorder::new(&system, contents, 0).trajectory;
             (
                 trajectory,
@@ -105,6 +108,14 @@ pub fn run(model: &Model, control: &Control) -> Result<Outcome, Vec<Complaint>> 
     };
     report.warnings.extend(trajectory.select(&analysis.columns));
     Ok(Outcome { trajectory, report, settings: settings(analysis) })
+}
+
+/// Whether joint forces are among the results.
+fn has_reactions(kind: AnalysisKind) -> bool {
+    match kind {
+        AnalysisKind::Assembly | AnalysisKind::Kinematics => false,
+        AnalysisKind::InverseDynamics | AnalysisKind::Dynamics | AnalysisKind::Statics => true,
+    }
 }
 
 /// An analysis as the file calls it.

@@ -10,6 +10,7 @@
 //! redundancy    free directions, and independent rows chosen for good condition
 //! closing       assembly from rough guesses (Levenberg–Marquardt)
 //! driven        positions, velocities, accelerations, multipliers at one instant
+//! reduced       equations of motion in minimal coordinates
 //! hermite       osculating polynomials
 //! continuation  the path of a driven mechanism, branch-safe, with its singular positions
 //! ```
@@ -26,6 +27,7 @@ pub mod matching;
 pub mod order;
 pub mod pattern;
 pub mod rank;
+pub mod reduced;
 pub mod redundancy;
 mod triangle;
 

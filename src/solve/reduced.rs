@@ -1,0 +1,304 @@
+//! Equations of motion in minimal coordinates, by partitioning (Wehage and Haug 1982).
+//!
+//! f coordinates u of the mechanism are chosen as independent (its pins); at every point they determine the others through
+//! the constraints, so that positions and velocities never drift:
+//!
+//! ```text
+//! q = q(u, t)                   by Newton, branch-safe from the path so far
+//! v = S u̇ + v_t                 S = ∂q/∂u (n, f)
+//! a = S ü + a₀                  a₀: accelerations with ü = 0
+//! SᵀM S ü = Sᵀ (Q − M a₀)       the pins' efforts vanish
+//! ```
+//!
+//! Multipliers are worked out only where they are wanted. Bodies may lack mass as long as SᵀMS is regular. The choice of u
+//! is kept while it is good and changed between steps when another coordinate moves more.
+
+use super::driven::{Driven, Failure};
+use super::hermite::{Node, quintic};
+use crate::system::{Inputs, System};
+
+/// A coordinate that moves this much more than the one pinned takes its place.
+const EXCHANGE: f64 = 2.0;
+/// Contraction of Newton above which a point is refused: its branch is not certain.
+const CONTRACTION: f64 = 0.35;
+/// Largest distance from the prediction, in rad or sizes, for the same reason.
+const FARTHEST: f64 = 0.3;
+
+/// A mechanism with freedom left.
+pub struct Reduced<'s> {
+    pub driven: Driven<'s>,
+    pub inputs: Inputs,
+    pub q: Vec<f64>,
+    pub v: Vec<f64>,
+    pub a: Vec<f64>,
+    /// Q (n) and Q − M a (n).
+    pub force: Vec<f64>,
+    pub balance: Vec<f64>,
+    /// Factors whose position is this far from the solution are taken for those of the solution [rad or sizes].
+    pub lag: f64,
+    /// S, one motion after the other (f × n).
+    motions: Vec<f64>,
+    /// SᵀMS (f × f) and its factor; Sᵀ(Q − M a₀) and ü (f).
+    mass: Vec<f64>,
+    rhs: Vec<f64>,
+    /// The last accepted points, and S at the later one.
+    here: Node,
+    before: Option<Node>,
+    here_motions: Vec<f64>,
+    /// Where q, v, a are.
+    at: Option<f64>,
+}
+
+impl<'s> Reduced<'s> {
+    /// At an assembled state; `columns` are coordinates that determine the rest there.
+    ///
+    /// # Errors
+    /// When they do not.
+    pub fn new(system: &'s System, columns: &[usize], q: &[f64], v: &[f64], time: f64) -> Result<Self, Failure> {
+        let inputs = Inputs::at_time(system, time);
+        let driven = Driven::pinned(system, columns, q, &inputs)?;
+        let (n, f) = (system.n(), columns.len());
+        let zero = vec![0.0; n];
+        let here = Node { s: time, q: q.to_vec(), d: v.to_vec(), dd: zero.clone() };
+        let mut reduced = Reduced {
+            driven,
+            inputs,
+            q: q.to_vec(),
+            v: v.to_vec(),
+            a: zero.clone(),
+            force: zero.clone(),
+            balance: zero,
+            lag: 0.0,
+            motions: vec![0.0; f * n],
+            mass: vec![0.0; f * f],
+            rhs: vec![0.0; f],
+            here,
+            before: None,
+            here_motions: vec![0.0; f * n],
+            at: None,
+        };
+        reduced.choose(time)?;
+        Ok(reduced)
+    }
+
+    /// Degrees of freedom f.
+    pub fn freedom(&self) -> usize {
+        self.driven.pins.len()
+    }
+
+    /// Exchanges pins until none moves less than half as much as another coordinate that it determines.
+    fn choose(&mut self, time: f64) -> Result<(), Failure> {
+        let system = self.driven.system;
+        self.inputs.set_time(system, time);
+        self.driven.evaluation.set_position(&self.q);
+        self.driven.factor(&self.inputs)?;
+        self.eval_motions();
+        for _ in 0..10 * (self.freedom() + 1) {
+            let Some((k, column)) = self.better_pin() else { break };
+            let mut columns: Vec<usize> = self.driven.pins.iter().map(|pin| pin.column).collect();
+            columns[k] = column;
+            self.driven.pin(&columns, &self.inputs)?;
+            self.eval_motions();
+        }
+        let mut state = vec![0.0; 2 * self.freedom()];
+        self.state(&mut state);
+        self.evaluate(time, &state)?;
+        self.keep(time);
+        Ok(())
+    }
+
+    /// A pin and the coordinate that moves more than it, where there is one.
+    fn better_pin(&self) -> Option<(usize, usize)> {
+        let system = self.driven.system;
+        let n = system.n();
+        let mut best: Option<(f64, usize, usize)> = None;
+        for (k, motion) in self.motions.chunks_exact(n.max(1)).enumerate() {
+            let own = system.column_scale(self.driven.pins[k].column);
+            for (column, s) in motion.iter().enumerate() {
+                let moves = s.abs() * own / system.column_scale(column);
+                if moves > EXCHANGE && best.is_none_or(|(most, ..)| moves > most) {
+                    best = Some((moves, k, column));
+                }
+            }
+        }
+        best.map(|(_, k, column)| (k, column))
+    }
+
+    /// Chooses other pins at the last accepted point where that is better; true if it was done, and the state vector is
+    /// another one then.
+    ///
+    /// # Errors
+    /// When the coordinates do not determine the rest any more.
+    pub fn repin(&mut self) -> Result<bool, Failure> {
+        std::mem::swap(&mut self.motions, &mut self.here_motions);
+        let wanted = self.better_pin().is_some();
+        std::mem::swap(&mut self.motions, &mut self.here_motions);
+        if !wanted {
+            return Ok(false);
+        }
+        self.q.copy_from_slice(&self.here.q);
+        self.v.copy_from_slice(&self.here.d);
+        let before = self.before.take();
+        self.choose(self.here.s)?;
+        self.before = before;
+        Ok(true)
+    }
+
+    /// (u, u̇) of the position and velocity at hand.
+    pub fn state(&self, y: &mut [f64]) {
+        let f = self.freedom();
+        for (k, pin) in self.driven.pins.iter().enumerate() {
+            y[k] = self.q[pin.column];
+            y[f + k] = self.v[pin.column];
+        }
+    }
+
+    fn eval_motions(&mut self) {
+        let n = self.driven.system.n();
+        for k in 0..self.freedom() {
+            self.driven.pin_motion(k, &mut self.motions[k * n..(k + 1) * n]);
+        }
+    }
+
+    /// Predicts the position at `time` with the pins at their values.
+    fn predict(&mut self, time: f64) {
+        match &self.before {
+            Some(before) if before.s < self.here.s => quintic(before, &self.here, time, &mut self.q, None),
+            _ => {
+                let h = time - self.here.s;
+                for (q, ((q0, d), dd)) in self.q.iter_mut().zip(self.here.q.iter().zip(&self.here.d).zip(&self.here.dd))
+                {
+                    *q = q0 + h * (d + 0.5 * h * dd);
+                }
+            }
+        }
+        let n = self.q.len();
+        for (k, pin) in self.driven.pins.iter().enumerate() {
+            let off = pin.jet[0] - self.q[pin.column];
+            for (q, s) in self.q.iter_mut().zip(&self.here_motions[k * n..(k + 1) * n]) {
+                *q += off * s;
+            }
+        }
+    }
+
+    /// q, v, a at (t, (u, u̇)).
+    ///
+    /// # Errors
+    /// Where the position can't be solved on its branch, or the mass matrix is singular.
+    pub fn evaluate(&mut self, time: f64, y: &[f64]) -> Result<(), Failure> {
+        let system = self.driven.system;
+        let f = self.freedom();
+        self.at = None;
+        self.inputs.set_time(system, time);
+        for (k, pin) in self.driven.pins.iter_mut().enumerate() {
+            pin.jet = [y[k], y[f + k], 0.0];
+        }
+        self.predict(time);
+        let correction = self.driven.correct(&mut self.q, &self.inputs)?;
+        if correction.contraction > CONTRACTION || correction.first_step > FARTHEST {
+            return Err(Failure::Diverged { residual: correction.residual });
+        }
+        if correction.last_step > self.lag {
+            self.driven.factor(&self.inputs)?;
+        }
+        self.driven.velocity(&self.inputs, &mut self.v);
+        self.driven.acceleration(&self.inputs, &mut self.a);
+        self.driven.evaluation.eval_force(system, &self.inputs, &mut self.force);
+        for (((b, q), a), m) in self.balance.iter_mut().zip(&self.force).zip(&self.a).zip(&system.mass) {
+            *b = q - m * a;
+        }
+        self.eval_motions();
+        self.solve_freedom()?;
+        let n = system.n();
+        for (k, s) in self.motions.chunks_exact(n.max(1)).enumerate() {
+            self.driven.pins[k].jet[2] = self.rhs[k];
+            for (a, s) in self.a.iter_mut().zip(s) {
+                *a += self.rhs[k] * s;
+            }
+        }
+        self.at = Some(time);
+        Ok(())
+    }
+
+    /// ü in `rhs`, from SᵀMS ü = Sᵀ b by Cholesky.
+    fn solve_freedom(&mut self) -> Result<(), Failure> {
+        let mass = &self.driven.system.mass;
+        let (n, f) = (mass.len(), self.freedom());
+        for i in 0..f {
+            let si = &self.motions[i * n..(i + 1) * n];
+            self.rhs[i] = crate::math::dot(si, &self.balance);
+            for j in 0..=i {
+                let sj = &self.motions[j * n..(j + 1) * n];
+                self.mass[i * f + j] = si.iter().zip(sj).zip(mass).map(|((a, b), m)| a * b * m).sum();
+            }
+        }
+        for i in 0..f {
+            for j in 0..=i {
+                let sum: f64 = (0..j).map(|k| self.mass[i * f + k] * self.mass[j * f + k]).sum();
+                let rest = self.mass[i * f + j] - sum;
+                if i == j {
+                    if rest.is_nan() || rest <= MASSLESS * self.mass[i * f + i].abs() {
+                        return Err(Failure::Singular);
+                    }
+                    self.mass[i * f + i] = rest.sqrt();
+                } else {
+                    self.mass[i * f + j] = rest / self.mass[j * f + j];
+                }
+            }
+        }
+        for i in 0..f {
+            let sum: f64 = (0..i).map(|k| self.mass[i * f + k] * self.rhs[k]).sum();
+            self.rhs[i] = (self.rhs[i] - sum) / self.mass[i * f + i];
+        }
+        for i in (0..f).rev() {
+            let sum: f64 = (i + 1..f).map(|k| self.mass[k * f + i] * self.rhs[k]).sum();
+            self.rhs[i] = (self.rhs[i] - sum) / self.mass[i * f + i];
+        }
+        Ok(())
+    }
+
+    /// The reduced mass matrix's Cholesky factor and S of the last evaluation: (f × f) lower, (f × n).
+    pub fn factors(&self) -> (&[f64], &[f64]) {
+        (&self.mass, &self.motions)
+    }
+
+    /// ü of the last evaluation.
+    pub fn accelerations(&self) -> &[f64] {
+        &self.rhs
+    }
+
+    /// Multipliers λ (m) of the last evaluation; Q − M a is left in `balance`.
+    pub fn multipliers(&mut self, lambda: &mut [f64]) {
+        let mass = &self.driven.system.mass;
+        for (((b, q), a), m) in self.balance.iter_mut().zip(&self.force).zip(&self.a).zip(mass) {
+            *b = q - m * a;
+        }
+        self.driven.multipliers(&self.balance, lambda);
+    }
+
+    /// (t, (u, u̇)) is the end of an accepted step: it serves for predictions from now on.
+    pub fn accept(&mut self, time: f64, y: &[f64]) {
+        // First-same-as-last methods have just been there.
+        let f = self.freedom();
+        let there = self.at == Some(time)
+            && self.driven.pins.iter().enumerate().all(|(k, pin)| pin.jet[0] == y[k] && pin.jet[1] == y[f + k]);
+        if there || self.evaluate(time, y).is_ok() {
+            self.keep(time);
+        }
+    }
+
+    fn keep(&mut self, time: f64) {
+        if self.here.s != time {
+            let before = self.before.get_or_insert_with(|| self.here.clone());
+            std::mem::swap(before, &mut self.here);
+        }
+        self.here.s = time;
+        self.here.q.copy_from_slice(&self.q);
+        self.here.d.copy_from_slice(&self.v);
+        self.here.dd.copy_from_slice(&self.a);
+        self.here_motions.copy_from_slice(&self.motions);
+    }
+}
+
+/// A pivot of SᵀMS that loses more than this of its size means freedom without mass.
+const MASSLESS: f64 = 1e-13;
