@@ -51,6 +51,10 @@ struct Case {
     complaints: &'static [&'static str],
 }
 
+/// The end of the last joint, and a gear after it.
+const GEAR: &str = r#""axis": [1, 0] },
+    "g": { "type": "gear", "between": ["crank.O", "rocker.Q"], "ratio": -2 }"#;
+
 const CASES: &[Case] = &[
     Case {
         what: "another format, nothing else said of it",
@@ -326,7 +330,9 @@ const CASES: &[Case] = &[
         what: "type missing",
         edits: &[(r#""type": "prismatic", "#, "")],
         sets: &[],
-        complaints: &[r#"line 20, column 10: joints.e: "type" is missing (one of "revolute", "prismatic" or "fixed")"#],
+        complaints: &[
+            r#"line 20, column 10: joints.e: "type" is missing (one of "revolute", "prismatic", "slot", "gear" or "fixed")"#,
+        ],
     },
     Case {
         what: "type key misspelt",
@@ -336,10 +342,10 @@ const CASES: &[Case] = &[
     },
     Case {
         what: "type far from all",
-        edits: &[(r#""prismatic""#, r#""gear""#)],
+        edits: &[(r#""prismatic""#, r#""worm""#)],
         sets: &[],
         complaints: &[
-            r#"line 20, column 20: joints.e.type: "gear": unknown type (one of "revolute", "prismatic" or "fixed")"#,
+            r#"line 20, column 20: joints.e.type: "worm": unknown type (one of "revolute", "prismatic", "slot", "gear" or "fixed")"#,
         ],
     },
     Case {
@@ -347,7 +353,7 @@ const CASES: &[Case] = &[
         edits: &[(r#""prismatic""#, "7")],
         sets: &[],
         complaints: &[
-            r#"line 20, column 20: joints.e.type: 7: text is expected, not a number (one of "revolute", "prismatic" or "fixed")"#,
+            r#"line 20, column 20: joints.e.type: 7: text is expected, not a number (one of "revolute", "prismatic", "slot", "gear" or "fixed")"#,
         ],
     },
     Case {
@@ -424,6 +430,88 @@ const CASES: &[Case] = &[
         sets: &[],
         complaints: &[
             r#"line 20, column 86: joints.e.clearance: "clearance": only a revolute joint can have clearance"#,
+        ],
+    },
+    Case {
+        what: "slot without direction, with a clearance and an angle",
+        edits: &[
+            (r#""prismatic""#, r#""slot""#),
+            (r#""axis": [1, 0]"#, r#""axis": [0, 0], "angle": 3, "clearance": {}"#),
+        ],
+        sets: &[],
+        complaints: &[
+            r#"line 20, column 73: joints.e.axis: both components are zero, which is no direction"#,
+            r#"line 20, column 81: joints.e.angle: "angle": the angle in a slot is free; a prismatic joint fixes it"#,
+            r#"line 20, column 93: joints.e.clearance: "clearance": only a revolute joint can have clearance"#,
+        ],
+    },
+    Case {
+        what: "translation of a slot is no fault, its axis missing is",
+        edits: &[(r#""type": "prismatic""#, r#""type": "slot""#), (r#", "axis": [1, 0]"#, "")],
+        sets: &[],
+        complaints: &[
+            r#"line 20, column 10: joints.e: "axis" is missing (a direction in the first body, as in "axis": [1, 0])"#,
+        ],
+    },
+    Case {
+        what: "gear without ratio",
+        edits: &[],
+        sets: &[r#"joints.g={ "type": "gear", "between": ["crank.O", "rocker.Q"] }"#],
+        complaints: &[
+            r#"--set joints.g={ "type": "gear", "between": ["crank.O", "rocker.Q"…: "ratio" is missing (turns of the second wheel per turn of the first, as in "ratio": -2; negative for an external mesh)"#,
+        ],
+    },
+    Case {
+        what: "gear of ratio zero, with clearance, on an unknown carrier",
+        edits: &[
+            (r#""axis": [1, 0] }"#, GEAR),
+            (r#""ratio": -2"#, r#""ratio": 0, "clearance": {}, "carrier": "rack""#),
+        ],
+        sets: &[],
+        complaints: &[
+            r#"line 21, column 73: joints.g.ratio: 0: must not be zero"#,
+            r#"line 21, column 76: joints.g.clearance: "clearance": only a revolute joint can have clearance"#,
+            r#"line 21, column 104: joints.g.carrier: "rack": there is no body "rack" (did you mean "crank"?)"#,
+        ],
+    },
+    Case {
+        what: "gear whose carrier is one of its wheels",
+        edits: &[(r#""axis": [1, 0] }"#, GEAR), (r#""ratio": -2"#, r#""ratio": -2, "carrier": "rocker""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 21, column 88: joints.g.carrier: "rocker": this is one of the two wheels (the carrier is the third body, on which both wheels turn)"#,
+        ],
+    },
+    Case {
+        what: "gear on a body that does not hold its wheels",
+        edits: &[(r#""axis": [1, 0] }"#, GEAR), (r#""ratio": -2"#, r#""ratio": -2, "carrier": "coupler""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 21, column 88: joints.g.carrier: "coupler": no revolute joints hold both crank.O and rocker.Q to body "coupler" (name the body on which both wheels turn, or leave "carrier" out)"#,
+        ],
+    },
+    Case {
+        what: "gear between points that no body carries",
+        edits: &[(r#""axis": [1, 0] }"#, GEAR), (r#"["crank.O", "rocker.Q"]"#, r#"["crank.A", "rocker.Q"]"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 21, column 39: joints.g.between: no third body carries both crank.A and rocker.Q (the wheels turn about these points on a body of their own: pin both to it by revolute joints)"#,
+        ],
+    },
+    Case {
+        what: "gear that locks a wheel to its own carrier",
+        edits: &[(r#""axis": [1, 0] }"#, GEAR), (r#"["crank.O", "rocker.Q"]"#, r#"["ground.O", "rocker.Q"]"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 21, column 39: joints.g.between: no third body carries both ground.O and rocker.Q (the wheels turn about these points on a body of their own: pin both to it by revolute joints)"#,
+        ],
+    },
+    Case {
+        what: "gear of wheels on one axis",
+        edits: &[(r#""axis": [1, 0] }"#, GEAR), (r#"["ground.Q", "rocker.Q"]"#, r#"["ground.O", "rocker.Q"]"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 21, column 39: joints.g.between: both wheels turn about one axis, as meshing wheels do not (write a gear for each mesh, with the wheels that lie between)"#,
         ],
     },
     Case {
@@ -602,7 +690,7 @@ const CASES: &[Case] = &[
         edits: &[(r#""joint": "e""#, r#""joint": "a""#)],
         sets: &[],
         complaints: &[
-            r#"line 24, column 49: drivers.pusher.joint: "a": this joint is revolute, not prismatic (a translation drives the slide of a prismatic joint)"#,
+            r#"line 24, column 49: drivers.pusher.joint: "a": this joint is revolute, neither prismatic nor slot (a translation drives the slide of a prismatic joint or a slot)"#,
         ],
     },
     Case {
@@ -893,7 +981,7 @@ const CASES: &[Case] = &[
         edits: &[],
         sets: &["joints.f.clearance.radius=1"],
         complaints: &[
-            r#"--set joints.f.clearance.radius=1: joints.f: "type" is missing (one of "revolute", "prismatic" or "fixed")"#,
+            r#"--set joints.f.clearance.radius=1: joints.f: "type" is missing (one of "revolute", "prismatic", "slot", "gear" or "fixed")"#,
         ],
     },
     Case {

@@ -54,7 +54,8 @@ fn minimal(extra: &Value) -> Value {
         "joints": {
             "pin": { "type": "revolute", "between": ["ground.O", "bar.O"] },
             "slide": { "type": "prismatic", "between": ["bar.O", "block.C"], "axis": [1, 0], "angle": "5 deg" },
-            "weld": { "type": "fixed", "between": ["bar.O", "block.C"] }
+            "weld": { "type": "fixed", "between": ["bar.O", "block.C"] },
+            "slot": { "type": "slot", "between": ["bar.O", "block.C"], "axis": [0, -2] }
         }
     });
     for (key, value) in extra.as_object().into_iter().flatten() {
@@ -169,6 +170,11 @@ fn bad_structure_satisfies_neither() {
         json!({ "joints": { "pin": { "type": "revolute", "between": ["ground.O", "bar"] } } }),
         json!({ "joints": { "pin": { "type": "fixed", "between": ["ground.O", "bar.O"], "clearance": { "model": "ideal" } } } }),
         json!({ "joints": { "pin": { "type": "prismatic", "between": ["ground.O", "bar.O"], "axis": [0, 0] } } }),
+        json!({ "joints": { "pin": { "type": "slot", "between": ["ground.O", "bar.O"], "axis": [0, 0] } } }),
+        json!({ "joints": { "pin": { "type": "slot", "between": ["ground.O", "bar.O"], "axis": [1, 0], "angle": 0 } } }),
+        json!({ "joints": { "mesh": { "type": "gear", "between": ["ground.O", "bar.O"] } } }),
+        json!({ "joints": { "mesh": { "type": "gear", "between": ["ground.O", "bar.O"], "ratio": 0 } } }),
+        json!({ "joints": { "mesh": { "type": "gear", "between": ["ground.O", "bar.O"], "ratio": "1 deg" } } }),
         json!({ "forces": { "s": { "type": "spring", "between": ["ground.O", "bar.A"], "free_length": 1 } } }),
         motion(&json!({ "type": "polynomial", "coefficients": [] })),
         motion(&json!({ "type": "table", "points": [[0, 0], [1, 2, 3]] })),

@@ -82,7 +82,8 @@ fn undemanding(model: &Model) -> Model {
     for joint in model.joints.values_mut() {
         match &mut joint.kind {
             JointKind::Revolute { clearance } => *clearance = None,
-            JointKind::Prismatic { .. } | JointKind::Fixed { .. } => {}
+            JointKind::Prismatic { .. } | JointKind::Slot { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => {
+            }
         }
     }
     model

@@ -21,9 +21,11 @@
 pub mod coordinate;
 pub mod driven;
 pub mod fixed;
+pub mod gear;
 pub mod load;
 pub mod prismatic;
 pub mod revolute;
+pub mod slot;
 pub mod spring;
 pub mod torsion_spring;
 

@@ -44,6 +44,27 @@ impl Guide {
         s.u.dot(&s.d)
     }
 
+    /// φ₁ = −n·d, how far the second point is off the line [m].
+    pub(super) fn across(&self, at: &Instant) -> f64 {
+        let s = self.at(at);
+        -s.n.dot(&s.d)
+    }
+
+    /// Values of [`Guide::entries`] for φ₁.
+    pub(super) fn across_jacobian(&self, at: &Instant) -> [f64; 6] {
+        let Slide { u, n, d, rho1, rho2 } = self.at(at);
+        [n.x, n.y, u.dot(&(d + rho1)), -n.x, -n.y, -u.dot(&rho2)]
+    }
+
+    /// γ₁ [m/s²].
+    pub(super) fn across_gamma(&self, at: &Instant) -> f64 {
+        let Slide { u, n, d, .. } = self.at(at);
+        let d_rate = self.second.velocity(at) - self.first.velocity(at);
+        let omega = self.first.omega(at);
+        let turn = self.second.centripetal(at) - self.first.centripetal(at);
+        n.dot(&turn) - omega * omega * n.dot(&d) - 2.0 * omega * u.dot(&d_rate)
+    }
+
     pub(super) fn entries(&self, row: usize) -> [Entry; 6] {
         let (a, b) = (self.first.body, self.second.body);
         [
@@ -76,14 +97,14 @@ impl Constraint for Prismatic {
     }
 
     fn position(&self, at: &Instant, phi: &mut [f64]) {
-        let s = self.guide.at(at);
         let theta = |marker: &Marker| at.poses[marker.body.0].theta;
-        phi.copy_from_slice(&[-s.n.dot(&s.d), theta(&self.guide.first) + self.angle - theta(&self.guide.second)]);
+        let turned = theta(&self.guide.first) + self.angle - theta(&self.guide.second);
+        phi.copy_from_slice(&[self.guide.across(at), turned]);
     }
 
     fn jacobian(&self, at: &Instant, values: &mut [f64]) {
-        let Slide { u, n, d, rho1, rho2 } = self.guide.at(at);
-        values.copy_from_slice(&[n.x, n.y, u.dot(&(d + rho1)), -n.x, -n.y, -u.dot(&rho2), 1.0, -1.0]);
+        values[..6].copy_from_slice(&self.guide.across_jacobian(at));
+        values[6..].copy_from_slice(&[1.0, -1.0]);
     }
 
     fn rate(&self, _at: &Instant, phi_t: &mut [f64]) {
@@ -91,11 +112,7 @@ impl Constraint for Prismatic {
     }
 
     fn gamma(&self, at: &Instant, gamma: &mut [f64]) {
-        let Slide { u, n, d, .. } = self.guide.at(at);
-        let d_rate = self.guide.second.velocity(at) - self.guide.first.velocity(at);
-        let omega = self.guide.first.omega(at);
-        let turn = self.guide.second.centripetal(at) - self.guide.first.centripetal(at);
-        gamma.copy_from_slice(&[n.dot(&turn) - omega * omega * n.dot(&d) - 2.0 * omega * u.dot(&d_rate), 0.0]);
+        gamma.copy_from_slice(&[self.guide.across_gamma(at), 0.0]);
     }
 
     fn reaction(&self, at: &Instant, lambda: &[f64]) -> (Vec2, f64) {

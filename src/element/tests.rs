@@ -3,9 +3,11 @@
 use super::coordinate::Coordinate;
 use super::driven::{DriveId, Rotation, Translation};
 use super::fixed::Fixed;
+use super::gear::Gear;
 use super::load::{PointLoad, Torque};
 use super::prismatic::{Guide, Prismatic};
 use super::revolute::{OffsetId, Revolute};
+use super::slot::Slot;
 use super::spring::Spring;
 use super::torsion_spring::TorsionSpring;
 use super::*;
@@ -19,6 +21,18 @@ fn guide() -> Guide {
     Guide { first: marker(1, 0.3, -0.2), second: marker(2, -0.4, 0.1), axis: Vec2::new(0.6, 0.8) }
 }
 
+fn gear(carrier: usize, ratio: f64) -> Gear {
+    Gear {
+        first: marker(1, 0.3, -0.2),
+        second: marker(2, -0.4, 0.1),
+        carrier: BodyId(carrier),
+        axis: Vec2::new(-0.8, 0.6),
+        distance: 0.7,
+        ratio,
+        angle: 0.3,
+    }
+}
+
 /// One of each kind. A new constraint is added here.
 pub(crate) fn all_constraints() -> Vec<(&'static str, Box<dyn Constraint>)> {
     let (first, second) = (marker(1, 0.3, -0.2), marker(2, -0.4, 0.1));
@@ -27,6 +41,9 @@ pub(crate) fn all_constraints() -> Vec<(&'static str, Box<dyn Constraint>)> {
         ("revolute with offset", Box::new(Revolute { first, second, offset: Some(OffsetId(0)) })),
         ("revolute on ground", Box::new(Revolute { first: marker(0, 1.0, 2.0), second, offset: None })),
         ("prismatic", Box::new(Prismatic { guide: guide(), angle: 0.2 })),
+        ("slot", Box::new(Slot { guide: guide() })),
+        ("gear", Box::new(gear(3, -1.7))),
+        ("internal gear on ground", Box::new(gear(0, 2.5))),
         ("fixed", Box::new(Fixed { first, second, angle: -0.3 })),
         ("rotation", Box::new(Rotation { body: BodyId(2), relative_to: BodyId(1), drive: DriveId(0) })),
         ("translation", Box::new(Translation { guide: guide(), drive: DriveId(0) })),
@@ -36,21 +53,22 @@ pub(crate) fn all_constraints() -> Vec<(&'static str, Box<dyn Constraint>)> {
     ]
 }
 
-const Q0: [f64; 6] = [0.1, -0.3, 0.7, 1.2, 0.4, -1.1];
-const V0: [f64; 6] = [0.5, 1.1, -0.8, -0.6, 0.9, 1.7];
-const A0: [f64; 6] = [-0.2, 0.3, 0.9, 1.4, -0.5, -1.2];
+const Q0: [f64; 9] = [0.1, -0.3, 0.7, 1.2, 0.4, -1.1, -0.6, 0.2, 0.5];
+const V0: [f64; 9] = [0.5, 1.1, -0.8, -0.6, 0.9, 1.7, 0.3, -1.2, 1.3];
+const A0: [f64; 9] = [-0.2, 0.3, 0.9, 1.4, -0.5, -1.2, 0.8, 0.1, -0.7];
 
 /// Calls `f` with the instant t along q(t) = q₀ + v₀ t + a₀ t²/2 and matching inputs.
 fn along<T>(t: f64, f: impl Fn(&Instant) -> T) -> T {
-    let q: Vec<f64> = (0..6).map(|i| Q0[i] + V0[i] * t + 0.5 * A0[i] * t * t).collect();
-    let v: Vec<f64> = (0..6).map(|i| V0[i] + A0[i] * t).collect();
+    let q: Vec<f64> = (0..9).map(|i| Q0[i] + V0[i] * t + 0.5 * A0[i] * t * t).collect();
+    let v: Vec<f64> = (0..9).map(|i| V0[i] + A0[i] * t).collect();
     at_state(t, &q, &v, f)
 }
 
 fn at_state<T>(t: f64, q: &[f64], v: &[f64], f: impl Fn(&Instant) -> T) -> T {
-    let poses = [Pose::GROUND, Pose::new(q[0], q[1], q[2]), Pose::new(q[3], q[4], q[5])];
+    let pose = |k: usize| Pose::new(q[k], q[k + 1], q[k + 2]);
+    let poses = [Pose::GROUND, pose(0), pose(3), pose(6)];
     let twist = |k: usize| Twist { v: Vec2::new(v[k], v[k + 1]), omega: v[k + 2] };
-    let twists = [Twist::default(), twist(0), twist(3)];
+    let twists = [Twist::default(), twist(0), twist(3), twist(6)];
     let drive = [Law::Polynomial(vec![0.2, -0.5, 0.8, 0.3]).jet(t)];
     let (ex, ey) = (Law::Polynomial(vec![0.01, 0.2, -0.3]).jet(t), Law::Polynomial(vec![-0.02, 0.1, 0.5]).jet(t));
     let offset = [[Vec2::new(ex[0], ey[0]), Vec2::new(ex[1], ey[1]), Vec2::new(ex[2], ey[2])]];
@@ -81,14 +99,14 @@ fn product(c: &dyn Constraint, at: &Instant, x: &[f64]) -> Vec<f64> {
 fn jacobian_is_the_derivative_of_phi() {
     let h = 1e-6;
     for (name, c) in all_constraints() {
-        for column in 0..6 {
+        for column in 0..9 {
             let shifted = |by: f64| {
                 let mut q = Q0;
                 q[column] += by;
                 at_state(0.0, &q, &V0, |at| phi(c.as_ref(), at))
             };
             let (lo, hi) = (shifted(-h), shifted(h));
-            let mut unit = [0.0; 6];
+            let mut unit = [0.0; 9];
             unit[column] = 1.0;
             let exact = along(0.0, |at| product(c.as_ref(), at, &unit));
             for row in 0..exact.len() {
@@ -132,7 +150,8 @@ fn rate_and_gamma_are_the_time_derivatives_of_phi() {
 #[test]
 fn reaction_does_the_work_of_the_multipliers() {
     // Moving only the second body, −λᵀ J v is the power of the reaction on it.
-    let second_moves = [0.0, 0.0, 0.0, V0[3], V0[4], V0[5]];
+    let mut second_moves = [0.0; 9];
+    second_moves[3..6].copy_from_slice(&V0[3..6]);
     for (name, c) in all_constraints().into_iter().filter(|(name, _)| !name.starts_with("coordinate")) {
         let lambda: Vec<f64> = (0..c.rows().len()).map(|k| 1.5 - 0.7 * k as f64).collect();
         let (by_lambda, by_reaction) = at_state(0.0, &Q0, &second_moves, |at| {
@@ -171,16 +190,16 @@ fn conservative_forces_are_minus_the_gradient_of_their_potential() {
     ];
     let h = 1e-6;
     for (name, force) in forces {
-        let mut q_force = [0.0; 6];
+        let mut q_force = [0.0; 9];
         at_state(0.0, &Q0, &V0, |at| {
-            let mut q = [0.0; 6];
+            let mut q = [0.0; 9];
             force.apply(at, &mut Applied { q: &mut q });
             q
         })
         .iter()
         .zip(&mut q_force)
         .for_each(|(a, b)| *b = *a);
-        for k in 0..6 {
+        for k in 0..9 {
             let energy = |by: f64| {
                 let mut q = Q0;
                 q[k] += by;
@@ -203,7 +222,7 @@ fn dampers_take_power_and_loads_act_where_they_say() {
         free_length: constant(0.0),
     };
     at_state(0.0, &Q0, &V0, |at| {
-        let mut q = [0.0; 6];
+        let mut q = [0.0; 9];
         spring.apply(at, &mut Applied { q: &mut q });
         let d = spring.second.place(at) - spring.first.place(at);
         let rate = d.dot(&(spring.second.velocity(at) - spring.first.velocity(at))) / d.norm();
@@ -214,7 +233,7 @@ fn dampers_take_power_and_loads_act_where_they_say() {
     let load = PointLoad { at: marker(1, 0.3, -0.2), vector: [constant(1.0), constant(0.0)], follows_body: true };
     let torque = Torque { body: BodyId(2), relative_to: BodyId(1), value: constant(0.5) };
     at_state(0.0, &Q0, &V0, |at| {
-        let mut q = [0.0; 6];
+        let mut q = [0.0; 9];
         load.apply(at, &mut Applied { q: &mut q });
         assert!((q[2] - 0.2).abs() < 1e-15 && (q[0] - Q0[2].cos()).abs() < 1e-15, "{q:?}");
         torque.apply(at, &mut Applied { q: &mut q });

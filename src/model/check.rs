@@ -240,9 +240,12 @@ impl Checked<'_> {
                 Some("translation") => {
                     let Some(joint) = text("joint") else { continue };
                     let kind = model["joints"][joint]["type"].as_str();
-                    if let Some(kind) = kind.filter(|kind| *kind != "prismatic") {
-                        self.complain(format!("{path}.joint"), format!("this joint is {kind}, not prismatic")).hint =
-                            Some("a translation drives the slide of a prismatic joint".into());
+                    if let Some(kind) = kind.filter(|kind| !["prismatic", "slot"].contains(kind)) {
+                        self.complain(
+                            format!("{path}.joint"),
+                            format!("this joint is {kind}, neither prismatic nor slot"),
+                        )
+                        .hint = Some("a translation drives the slide of a prismatic joint or a slot".into());
                         continue;
                     }
                     format!("the slide of joint {joint:?}")

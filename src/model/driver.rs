@@ -29,10 +29,10 @@ pub enum DriverKind {
         #[schemars(with = "String", extend("x-reference" = "body"))]
         relative_to: Option<String>,
     },
-    /// Slide of a prismatic joint, along its axis, first point to second.
+    /// Slide of a prismatic joint or a slot, along its axis, first point to second.
     #[schemars(extend("x-driven" = "length"))]
     Translation {
-        /// Name of the prismatic joint.
+        /// Name of the prismatic joint or slot.
         #[schemars(extend("x-reference" = "joint"))]
         joint: String,
     },

@@ -79,6 +79,28 @@ pub enum JointKind {
         #[schemars(schema_with = "schema::angle")]
         angle: f64,
     },
+    /// The second point stays on the line through the first along `axis` (first body's frame, any length but zero); the bodies may turn against each other.
+    #[schemars(extend("x-refused" = {"clearance": "only a revolute joint can have clearance", "angle": "the angle in a slot is free; a prismatic joint fixes it"}))]
+    Slot {
+        /// A direction fixed in the first body; its length does not matter.
+        #[schemars(extend("not" = {"const": [0, 0]}))]
+        axis: [f64; 2],
+    },
+    /// Two wheels, each held at its point by a revolute joint to a common carrier, mesh: θ₂ − θ_c = ratio·(θ₁ − θ_c) + angle.
+    #[schemars(extend("x-refused" = {"clearance": "only a revolute joint can have clearance"}))]
+    Gear {
+        /// Turns of the second wheel per turn of the first, seen from the carrier: −z₁/z₂ for an external mesh, z₁/z₂ for an internal one.
+        #[schemars(extend("not" = {"const": 0}))]
+        ratio: f64,
+        /// The body on which both wheels turn; left out: found from the joints.
+        #[serde(default)]
+        #[schemars(with = "String", extend("x-reference" = "body"))]
+        carrier: Option<String>,
+        /// θ₂ − θ_c − ratio·(θ₁ − θ_c) [rad]; left out: as drawn, that of the angles in `pose`.
+        #[serde(default)]
+        #[schemars(schema_with = "schema::angle")]
+        angle: Option<f64>,
+    },
     /// The points coincide, relative angle fixed [rad].
     #[schemars(extend("x-refused" = {"clearance": "only a revolute joint can have clearance"}))]
     Fixed {

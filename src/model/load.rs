@@ -118,9 +118,22 @@ pub fn load(text: &[u8], sets: &[String]) -> Result<Loaded, Vec<Complaint>> {
 
     // words → types; the schema comes from these types, so nothing is left to go wrong
     match serde_json::from_value(findings.value) {
-        Ok(model) => Ok(Loaded { model, document: source.root.to_value(), source, warnings }),
+        Ok(model) => {
+            let complaints = gears(&model, &source);
+            if complaints.is_empty() {
+                Ok(Loaded { model, document: source.root.to_value(), source, warnings })
+            } else {
+                Err(sorted(complaints, 0))
+            }
+        }
         Err(error) => Err(vec![Complaint::new("", format!("the schema allows what the model does not: {error}"))]),
     }
+}
+
+/// Gears whose wheels have no common carrier.
+fn gears(model: &Model, source: &Source) -> Vec<Complaint> {
+    let carriers = model.joints.iter().filter_map(|(name, joint)| model.carrier(name, joint));
+    carriers.filter_map(Result::err).map(|complaint| source.place(complaint)).collect()
 }
 
 /// UTF-8 with or without its mark, neither empty nor too large.

@@ -9,6 +9,7 @@ pub mod driver;
 pub mod force;
 pub mod joint;
 
+mod carrier;
 mod check;
 mod check_forces;
 mod dimension;
@@ -25,6 +26,7 @@ mod validate;
 
 pub use analysis::{Analysis, AnalysisKind, Sample, Solver};
 pub use body::{Body, Initial, Pose};
+pub use carrier::Carrier;
 pub use clearance::{
     Clearance, ClearanceModel, Elastic, Friction, FrictionLaw, Impact, Material, Normal, NormalLaw, Surface,
 };

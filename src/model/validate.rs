@@ -391,6 +391,9 @@ fn missing_hint(key: &str) -> Option<&'static str> {
         "units" => Some("write \"units\": \"SI\", or name other units: {\"length\": \"mm\", \"angle\": \"deg\"}"),
         "between" => Some("the two ends, as in \"between\": [\"ground.A\", \"crank.A\"]"),
         "axis" => Some("a direction in the first body, as in \"axis\": [1, 0]"),
+        "ratio" => {
+            Some("turns of the second wheel per turn of the first, as in \"ratio\": -2; negative for an external mesh")
+        }
         _ => None,
     }
 }

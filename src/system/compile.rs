@@ -7,16 +7,19 @@ use super::{
 use crate::element::coordinate::Coordinate;
 use crate::element::driven::{DriveId, Rotation, Translation};
 use crate::element::fixed::Fixed;
+use crate::element::gear::Gear;
 use crate::element::load::{PointLoad, Torque};
 use crate::element::prismatic::{Guide, Prismatic};
 use crate::element::revolute::{OffsetId, Revolute};
+use crate::element::slot::Slot;
 use crate::element::spring::Spring;
 use crate::element::torsion_spring::TorsionSpring;
 use crate::element::{Axis, BodyId, Constraint, Force as ForceElement, Marker, Measure, Pose};
 use crate::error::Complaint;
 use crate::math::Vec2;
 use crate::model::{
-    AnalysisKind, ClearanceModel, DriverKind, ForceKind, Frame, GROUND, JointKind, Model, Motion, PointRef, Value,
+    AnalysisKind, Carrier, ClearanceModel, DriverKind, ForceKind, Frame, GROUND, JointKind, Model, Motion, PointRef,
+    Value,
 };
 use crate::motion::{Law, Spline};
 use std::collections::HashMap;
@@ -26,8 +29,9 @@ use std::collections::HashMap;
 /// # Errors
 /// Clearance models that this version does not run, and data that the analysis needs and the file lacks, all at once.
 pub fn compile(model: &Model, analysis: AnalysisKind) -> Result<System, Vec<Complaint>> {
-    let complaints = missing(model, analysis);
-    if complaints.is_empty() { Ok(Compiler::new(model).build()) } else { Err(complaints) }
+    let mut complaints = missing(model, analysis);
+    let carriers = carriers(model, &mut complaints);
+    if complaints.is_empty() { Ok(Compiler::new(model, carriers).build()) } else { Err(complaints) }
 }
 
 /// A motion's law.
@@ -56,7 +60,7 @@ fn value_law(value: &Value) -> Law {
 fn clearance(kind: &JointKind) -> Option<&crate::model::Clearance> {
     match kind {
         JointKind::Revolute { clearance } => clearance.as_deref(),
-        JointKind::Prismatic { .. } | JointKind::Fixed { .. } => None,
+        JointKind::Prismatic { .. } | JointKind::Slot { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => None,
     }
 }
 
@@ -109,8 +113,25 @@ fn missing(model: &Model, analysis: AnalysisKind) -> Vec<Complaint> {
     complaints
 }
 
+/// The carrier of each gear.
+fn carriers<'a>(model: &'a Model, complaints: &mut Vec<Complaint>) -> HashMap<&'a str, Carrier<'a>> {
+    let mut carriers = HashMap::new();
+    for (name, joint) in &model.joints {
+        match model.carrier(name, joint) {
+            Some(Ok(carrier)) => {
+                carriers.insert(name.as_str(), carrier);
+            }
+            Some(Err(complaint)) => complaints.push(complaint),
+            None => {}
+        }
+    }
+    carriers
+}
+
 struct Compiler<'a> {
     model: &'a Model,
+    /// By the gear's name.
+    carriers: HashMap<&'a str, Carrier<'a>>,
     ids: HashMap<&'a str, BodyId>,
     /// Centre of mass in the body's frame, by body id.
     com: Vec<Vec2>,
@@ -118,7 +139,7 @@ struct Compiler<'a> {
 }
 
 impl<'a> Compiler<'a> {
-    fn new(model: &'a Model) -> Self {
+    fn new(model: &'a Model, carriers: HashMap<&'a str, Carrier<'a>>) -> Self {
         let mut ids = HashMap::from([(GROUND, BodyId::GROUND)]);
         let mut com = vec![Vec2::zeros()];
         for (name, body) in model.bodies.iter().filter(|(name, _)| *name != GROUND) {
@@ -143,7 +164,7 @@ impl<'a> Compiler<'a> {
             guess: Vec::new(),
             size: 1.0,
         };
-        Compiler { model, ids, com, system }
+        Compiler { model, carriers, ids, com, system }
     }
 
     fn build(mut self) -> System {
@@ -232,6 +253,13 @@ impl<'a> Compiler<'a> {
                     let guide = Guide { first, second, axis: Vec2::from(*axis).normalize() };
                     (Box::new(Prismatic { guide, angle: *angle }), true)
                 }
+                JointKind::Slot { axis } => {
+                    let guide = Guide { first, second, axis: Vec2::from(*axis).normalize() };
+                    (Box::new(Slot { guide }), false)
+                }
+                JointKind::Gear { ratio, angle, .. } => {
+                    (Box::new(self.gear([first, second], *ratio, *angle, &self.carriers[name.as_str()])), true)
+                }
                 JointKind::Fixed { angle } => (Box::new(Fixed { first, second, angle: *angle }), true),
             };
             self.system.joints.push(JointData {
@@ -246,6 +274,17 @@ impl<'a> Compiler<'a> {
         }
     }
 
+    /// A gear pair; without an angle it meshes as drawn.
+    fn gear(&self, wheels: [Marker; 2], ratio: f64, angle: Option<f64>, carrier: &Carrier) -> Gear {
+        let [first, second] = wheels;
+        let span = Vec2::from(carrier.centres[1]) - Vec2::from(carrier.centres[0]);
+        let carrier = self.body(carrier.body);
+        let drawn = |body: BodyId| if body == BodyId::GROUND { 0.0 } else { self.system.guess[3 * (body.0 - 1) + 2] };
+        let from_carrier = |wheel: Marker| drawn(wheel.body) - drawn(carrier);
+        let angle = angle.unwrap_or_else(|| from_carrier(second) - ratio * from_carrier(first));
+        Gear { first, second, carrier, axis: span.normalize(), distance: span.norm(), ratio, angle }
+    }
+
     fn add_drivers(&mut self) {
         for (k, (name, driver)) in self.model.drivers.iter().enumerate() {
             let drive = DriveId(k);
@@ -257,9 +296,9 @@ impl<'a> Compiler<'a> {
                 DriverKind::Translation { joint } => {
                     let joint = &self.model.joints[joint];
                     let axis = match &joint.kind {
-                        JointKind::Prismatic { axis, .. } => Vec2::from(*axis).normalize(),
-                        // The loader lets translations drive prismatic joints only.
-                        JointKind::Revolute { .. } | JointKind::Fixed { .. } => Vec2::x(),
+                        JointKind::Prismatic { axis, .. } | JointKind::Slot { axis } => Vec2::from(*axis).normalize(),
+                        // The loader lets translations drive prismatic joints and slots only.
+                        JointKind::Revolute { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => Vec2::x(),
                     };
                     let (first, second) = (self.marker(&joint.between[0]), self.marker(&joint.between[1]));
                     (Box::new(Translation { guide: Guide { first, second, axis }, drive }), Measure::Length)
