@@ -14,8 +14,10 @@ pub struct Bundled {
 /// All of them, in alphabetical order; a test holds this against the folder.
 pub const MODELS: &[Bundled] = &[
     Bundled { name: "four-bar", aliases: &[], text: include_str!("../models/four-bar.json") },
+    Bundled { name: "geared-five-bar", aliases: &[], text: include_str!("../models/geared-five-bar.json") },
     Bundled { name: "parallel-crank", aliases: &[], text: include_str!("../models/parallel-crank.json") },
     Bundled { name: "quick-return", aliases: &[], text: include_str!("../models/quick-return.json") },
+    Bundled { name: "scotch-yoke", aliases: &[], text: include_str!("../models/scotch-yoke.json") },
     Bundled { name: "slider-crank", aliases: &[], text: include_str!("../models/slider-crank.json") },
     Bundled { name: "stephenson-iii", aliases: &[], text: include_str!("../models/stephenson-iii.json") },
     Bundled { name: "watt-i-lock", aliases: &["lock"], text: include_str!("../models/watt-i-lock.json") },
