@@ -368,7 +368,136 @@ def compare_with_single_pin(machine, model):
                 assert abs(twice[column.replace("c1", c)] - share * value) < mpf(10) ** -25 * (1 + abs(value)), column
 
 
-ALL = [four_bar, stephenson_iii, inclined_slider_crank, inverted_slider_crank, assur_class_iii, floating_driver, translation_driver,
+def slot(first, second, axis):
+    return {"type": "slot", "between": [first, second], "axis": axis}
+
+
+def slotted_lever():
+    model = {
+        "format": "linkdyn/1", "name": "Slotted lever and ram",
+        "about": "Shaper: the crank pin runs in a lever's slot, a pin of the ram in another slot of the lever.", "source": OWN,
+        "units": {"length": "mm", "angle": "deg", "inertia": "kg*mm^2"}, "gravity": [0, -9.81],
+        "bodies": {
+            "ground": {"points": {"O2": [20, 250], "O4": [0, 0], "R": [0, 520]}},
+            "crank": link(1.4, 3100, [25, 5], O2=(0, 0), A=(95, 0)),
+            "lever": link(3.1, 91000, [260, -12], O4=(0, 0), S=(40, 15), T=(0, -25)),
+            "ram": link(6.5, 42000, [60, 30], B=(0, 0), tool=(-220, 10)),
+        },
+        "joints": {"O2": pin("ground.O2", "crank.O2"), "O4": pin("lever.O4", "ground.O4"), "A": slot("lever.S", "crank.A", [3, 0]),
+                   "B": slot("lever.T", "ram.B", [0.98, 0.05]),
+                   "guide": {"type": "prismatic", "between": ["ground.R", "ram.B"], "axis": [1, 0]}},
+        "drivers": {"motor": {"type": "rotation", "body": "crank",
+                              "motion": {"type": "polynomial", "coefficients": [35, 300, 40]}}},
+        "forces": {"cutting": {"type": "force", "at": "ram.tool", "vector": [{"type": "harmonic", "offset": -150, "amplitude": 100,
+                                                                              "frequency": 1.5, "phase": "20 deg"}, 40]},
+                   "drag": {"type": "spring", "between": ["ground.O2", "ram.tool"], "stiffness": 90, "damping": 25, "free_length": 300}},
+        "points": ["ram.tool", "crank.A"],
+        "analysis": inverse(1.0, 101),
+    }
+    a = (0.02 + 0.095 * cos(radians(35)), 0.25 + 0.095 * sin(radians(35)))
+    th = atan2(a[1], a[0]) - 0.05
+    poses = {"crank": (0.02, 0.25, radians(35)), "lever": (0, 0, th), "ram": (0.52 / sin(th) * cos(th), 0.52, 0)}
+    return dict(model=model, every=10, poses=poses, digits=(0, 0),
+                how="Shaper mechanism with two slots in a turning body, both beside its pivot, one of them not along its x axis. Own dimensions.")
+
+
+def driven_slot():
+    model = {
+        "format": "linkdyn/1", "name": "Driven slot",
+        "about": "A cylinder in a slot: the slide of a pin along a swinging arm is driven, the pin's link may turn.", "source": OWN,
+        "units": "SI", "gravity": [0, -9.81],
+        "bodies": {
+            "ground": {"points": {"O": [0, 0], "Q": [0.5, 0.1]}},
+            "arm": link(1.7, 2.4e-2, [0.2, 0.03], O=(0, 0), S=(0.05, 0.02)),
+            "rocker": link(1.2, 1.1e-2, [0.13, -0.02], Q=(0, 0), P=(0.3, 0.04), K=(0.36, 0)),
+        },
+        "joints": {"O": pin("ground.O", "arm.O"), "Q": pin("ground.Q", "rocker.Q"), "pin": slot("arm.S", "rocker.P", [1, 0.1])},
+        "drivers": {"cylinder": {"type": "translation", "joint": "pin",
+                                 "motion": {"type": "harmonic", "offset": 0.38, "amplitude": 0.1, "frequency": 0.8, "phase": 0.4}}},
+        "forces": {"load": {"type": "force", "at": "rocker.K", "vector": [15, -30], "frame": "body"}},
+        "points": ["rocker.K"],
+        "analysis": inverse(1.5, 151),
+    }
+    s = 0.38 + 0.1 * sin(0.4)
+    reach = hypot(0.05 + s * 0.995, 0.02 + s * 0.0995)
+    p = meet((0, 0), reach, (0.5, 0.1), hypot(0.3, 0.04), 1)
+    poses = {"arm": (0, 0, atan2(p[1], p[0]) - 0.13), "rocker": (0.5, 0.1, atan2(p[1] - 0.1, p[0] - 0.5) - 0.13)}
+    return dict(model=model, every=10, poses=poses, digits=(2, 1),
+                how="The slide of a slot is driven by a harmonic motion; the slot turns with its arm and misses the pivot. Own dimensions.")
+
+
+def geared_five_bar():
+    model = {
+        "format": "linkdyn/1", "name": "Geared five-bar, unequal wheels",
+        "about": "Five-bar whose cranks mesh at −3/2, drawn at rough poses, with the mesh told in degrees.", "source": OWN,
+        "units": {"length": "mm", "angle": "deg"}, "gravity": [0, -9.81],
+        "bodies": {
+            "ground": {"points": {"A": [10, -20], "B": [190, 40], "W": [100, 400]}},
+            "one": link(1.6, 4.2e-3, [6, -9], A=(0, 0), C=(45, 0)),
+            "two": link(1.1, 1.9e-3, [-4, 3], B=(0, 0), D=(38, 0)),
+            "first": link(0.7, 4.4e-3, [120, 6], C=(0, 0), P=(250, 0)),
+            "second": link(0.8, 4.9e-3, [115, -5], D=(0, 0), P=(240, 0), E=(300, 50)),
+        },
+        "joints": {"A": pin("ground.A", "one.A"), "B": pin("two.B", "ground.B"), "C": pin("one.C", "first.C"), "D": pin("two.D", "second.D"),
+                   "P": pin("first.P", "second.P"),
+                   "mesh": {"type": "gear", "between": ["one.A", "two.B"], "carrier": "ground", "ratio": -1.5, "angle": 160}},
+        "drivers": {"motor": {"type": "rotation", "body": "one", "motion": {"type": "polynomial", "coefficients": [20, "5 rad/s", "2 rad/s^2"]}}},
+        "forces": {"spring": {"type": "spring", "between": ["second.E", "ground.W"], "stiffness": 400, "damping": 12, "free_length": 150}},
+        "points": ["second.E"],
+        "analysis": inverse(1.2, 121),
+    }
+    th1, th2 = radians(20), radians(130)
+    c = (0.01 + 0.045 * cos(th1), -0.02 + 0.045 * sin(th1))
+    d = (0.19 + 0.038 * cos(th2), 0.04 + 0.038 * sin(th2))
+    p = meet(c, 0.25, d, 0.24, 1)
+    poses = {"one": (0.01, -0.02, th1), "two": (0.19, 0.04, th2), "first": along(c, p), "second": along(d, p)}
+    return dict(model=model, every=10, poses=poses, digits=(-1, -1),
+                how="Five-bar closed by a gear pair on the ground, line of centres inclined, masses off the wheels' centres. Own dimensions.")
+
+
+def planetary_crank():
+    model = {
+        "format": "linkdyn/1", "name": "Planet on a swinging arm",
+        "about": "A sun wheel turns a planet on a moving carrier; the planet, also inside a fixed ring, carries a rod to a slider.",
+        "source": OWN, "units": "SI", "gravity": [0.5, -9.81],
+        "bodies": {
+            "ground": {"points": {"O": [0.03, 0.02], "G": [0.02, -0.11]}},
+            "sun": link(2.1, 5.2e-3, [0.004, 0.002], O=(0, 0)),
+            "arm": link(0.9, 2.8e-3, [0.04, -0.01], O=(0, 0), C=(0.08, 0.06)),
+            "planet": link(0.8, 6.1e-4, [0.003, -0.005], C=(0, 0), K=(0.02, 0.015)),
+            "rod": link(0.6, 3.9e-3, [0.14, 0.01], K=(0, 0), B=(0.34, 0)),
+            "slider": link(1.3, 1e-3, [0.01, 0.01], B=(0, 0)),
+        },
+        "joints": {"sun": pin("ground.O", "sun.O"), "arm": pin("arm.O", "sun.O"), "C": pin("planet.C", "arm.C"),
+                   "inner": {"type": "gear", "between": ["sun.O", "planet.C"], "carrier": "arm", "ratio": -2.5, "angle": 0.4},
+                   "outer": {"type": "gear", "between": ["planet.C", "ground.O"], "carrier": "arm", "ratio": 0.222},
+                   "K": pin("planet.K", "rod.K"), "B": pin("rod.B", "slider.B"),
+                   "guide": {"type": "prismatic", "between": ["ground.G", "slider.B"], "axis": [1, 0.2], "angle": 0.1}},
+        "drivers": {"motor": {"type": "rotation", "body": "sun", "motion": {"type": "polynomial", "coefficients": [0.3, 6, 2.5]}}},
+        "forces": {"load": {"type": "force", "at": "slider.B", "vector": [-35, 0]},
+                   "brake": {"type": "torque", "body": "arm", "relative_to": "planet", "value": 0.6}},
+        "points": ["planet.K"],
+        "analysis": inverse(2.5, 251),
+    }
+    arm, sun = 0.2, 0.3
+    planet = arm - 2.5 * (sun - arm) + 0.4
+    c = (0.03 + 0.1 * cos(arm + atan2(3, 4)), 0.02 + 0.1 * sin(arm + atan2(3, 4)))
+    k = (c[0] + 0.025 * cos(planet + atan2(3, 4)), c[1] + 0.025 * sin(planet + atan2(3, 4)))
+    e = (1 / hypot(1, 0.2), 0.2 / hypot(1, 0.2))
+    d = (k[0] - 0.02, k[1] + 0.11)
+    off, base = d[1] * e[0] - d[0] * e[1], d[0] * e[0] + d[1] * e[1]
+    s = base + sqrt(0.34**2 - off**2)
+    b = (0.02 + s * e[0], -0.11 + s * e[1])
+    # the ring meshes as drawn, at these very poses
+    model["joints"]["outer"]["angle"] = -arm - 0.222 * (planet - arm)
+    poses = {"sun": (0.03, 0.02, sun), "arm": (0.03, 0.02, arm), "planet": (*c, planet), "rod": along(k, b), "slider": (*b, 0.1)}
+    return dict(model=model, every=10, poses=poses, digits=(2, 1),
+                how="Planetary train with one external and one internal mesh on a carrier that turns more than once; every mass off its centre, a rod at "
+                    "the planet. The free bodies get the tooth forces at the pitch points, unlike the engine's multipliers. Own dimensions.")
+
+
+ALL = [four_bar, stephenson_iii, inclined_slider_crank, inverted_slider_crank, assur_class_iii, floating_driver, translation_driver, slotted_lever,
+       driven_slot, geared_five_bar, planetary_crank,
        doubled_joint, parallel_crank]
 
 

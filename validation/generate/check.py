@@ -55,11 +55,13 @@ def check(folder):
         # joints: what must vanish, with its two derivatives
         for j in m.joints.values():
             (p1, v1, a1), (p2, v2, a2) = (m.point(MP, state, e) for e in j.ends)
-            if j.kind == "prismatic":
+            if j.kind == "gear":
+                triples = [m.mesh(MP, state, j)]
+            elif j.kind in ("prismatic", "slot"):
                 triples = [m.along(MP, state, j, perp(m.axis(MP, state, j)))]
             else:
                 triples = [(p2[i] - p1[i], v2[i] - v1[i], a2[i] - a1[i]) for i in (0, 1)]
-            if j.kind != "revolute":
+            if j.kind not in ("revolute", "slot", "gear"):
                 s1, s2 = (state[e[0]] for e in j.ends)
                 triples.append((s2[3] - s1[3] - j.angle, s2[4] - s1[4], s2[5] - s1[5]))
             for x, v, a in triples:
@@ -81,8 +83,12 @@ def check(folder):
             q = row.get(f"joint.{j.name}.torque[N*m]", zero)
             at = m.point(MP, state, j.ends[1])[0]
             everything += [(j.ends[1][0], at, f, q), (j.ends[0][0], at, times(-1, f), -q)]
-            if j.kind == "prismatic":
+            if j.kind in ("prismatic", "slot"):
                 worst.add("prismatic force across its axis", [dot(f, m.axis(MP, state, j))], abs(f[0]) + abs(f[1]))
+            if j.kind == "gear":  # a single force, at the pitch point and along the tangent there
+                touch, e = m.pitch(MP, state, j)
+                worst.add("tooth force along the tangent", [dot(f, perp(e))], abs(f[0]) + abs(f[1]))
+                worst.add("tooth force at the pitch point", [q, -cross(minus(touch, at), f)], abs(q))
         power, parts = [], []
         for d in m.drivers.values():
             unit, effort = ("rad", "N*m") if d.kind == "rotation" else ("m", "N")

@@ -4,7 +4,7 @@ Formulation (deliberately not the one of the engine, which works with absolute c
 a constraint Jacobian and multipliers):
 
   motion     A spanning tree of the joints is rooted in the ground. The unknowns are the joints' own coordinates (relative
-             angle of a revolute, slide of a prismatic joint). Joints outside the tree close the loops and drivers
+             angle of a revolute, slide of a prismatic joint). Joints outside the tree (slots and gears always) close the loops and drivers
              prescribe a coordinate; these scalar equations are solved by Newton's method. Velocities and accelerations
              follow by implicit differentiation: the tree recursion carries the time derivatives of the vectors along.
   reactions  Newton and Euler for each body cut free: sum of forces = m a, sum of moments about the centre of mass = J alpha,
@@ -204,9 +204,14 @@ class Mechanism:
             joint.name, joint.kind = name, spec["type"]
             joint.ends = [tuple(e.split(".")) for e in spec["between"]]
             joint.angle = q(spec.get("angle", mpf(0)), "angle")
-            if joint.kind == "prismatic":
+            if joint.kind in ("prismatic", "slot"):
                 ax = [mpf(v) for v in spec["axis"]]
                 joint.axis = times(1 / mp.hypot(*ax), ax)
+            if joint.kind == "gear":  # meshes as drawn where no angle is given
+                joint.carrier, joint.ratio = spec["carrier"], mpf(spec["ratio"])
+                drawn = [self.bodies[b].guess[2] for b in (joint.ends[0][0], joint.ends[1][0], joint.carrier)]
+                if "angle" not in spec:
+                    joint.angle = drawn[1] - drawn[2] - joint.ratio * (drawn[0] - drawn[2])
             self.joints[name] = joint
         self.drivers = {}
         for name, spec in model.get("drivers", {}).items():
@@ -267,6 +272,8 @@ class Mechanism:
         while queue:
             here = queue.pop(0)
             for joint in self.joints.values():
+                if joint.kind in ("slot", "gear"):  # these only close loops
+                    continue
                 for k in (0, 1):
                     if joint.ends[k][0] == here and joint.ends[1 - k][0] not in reached:
                         child = joint.ends[1 - k][0]
@@ -296,7 +303,7 @@ class Mechanism:
         return plus(p, r), plus(v, times(w, q)), plus(a, times(al, q), times(-w * w, r))
 
     def axis(self, n, state, joint):
-        """Unit axis of a prismatic joint in global axes."""
+        """Unit axis of a prismatic joint or a slot in global axes."""
         e = self.local(n, (joint.name, "axis"), joint.axis)
         c, s = state[joint.ends[0][0]][6]
         return (c * e[0] - s * e[1], s * e[0] + c * e[1])
@@ -354,12 +361,28 @@ class Mechanism:
             if j.kind in ("revolute", "fixed"):
                 first, second = self.point(n, state, j.ends[0]), self.point(n, state, j.ends[1])
                 out += [tuple(second[k][i] - first[k][i] for k in range(3)) for i in (0, 1)]
-            else:
+            elif j.kind in ("prismatic", "slot"):
                 out.append(self.along(n, state, j, perp(self.axis(n, state, j))))
+            if j.kind == "gear":
+                out.append(self.mesh(n, state, j))
             if j.kind in ("prismatic", "fixed"):
                 s1, s2 = state[j.ends[0][0]], state[j.ends[1][0]]
                 out.append((s2[3] - s1[3] - self.local(n, (j.name, "angle"), j.angle), s2[4] - s1[4], s2[5] - s1[5]))
         return out + [self.driven(n, state, d) for d in self.drivers.values()]
+
+    def mesh(self, n, state, joint):
+        """How far the second wheel's turn is ahead of the first's, both seen from the carrier."""
+        one, two, arm = (state[b][3:6] for b in (joint.ends[0][0], joint.ends[1][0], joint.carrier))
+        ratio, angle = self.local(n, (joint.name, "ratio"), joint.ratio), self.local(n, (joint.name, "angle"), joint.angle)
+        ahead = [(b - c) - ratio * (a - c) for a, b, c in zip(one, two, arm)]
+        return ahead[0] - angle, ahead[1], ahead[2]
+
+    def pitch(self, n, state, joint):
+        """Pitch point of a gear and the tangent there: where wheels with these pitch radii touch."""
+        first, second = (self.point(n, state, e)[0] for e in joint.ends)
+        d = minus(second, first)
+        r1, r2 = 1, -1 / joint.ratio  # signed radii in any measure: external where both have one sign
+        return plus(first, times(r1 / (r1 + r2), d)), perp(times(1 / mp.hypot(*d), d))
 
     def driven(self, n, state, d):
         if d.kind == "rotation":
@@ -368,7 +391,7 @@ class Mechanism:
         return self.along(n, state, d.joint, self.axis(n, state, d.joint))
 
     def wanted(self, n, t):
-        loops = sum({"revolute": 2, "prismatic": 2, "fixed": 3}[j.kind] for j in self.closing)
+        loops = sum({"revolute": 2, "prismatic": 2, "fixed": 3, "slot": 1, "gear": 1}[j.kind] for j in self.closing)
         return [(n.num(0),) * 3] * loops + [d.motion(n, t) for d in self.drivers.values()]
 
     def jacobian(self, n, q):
@@ -536,6 +559,9 @@ class Mechanism:
             if j.kind in ("revolute", "fixed"):
                 unknowns.append((j.name, (one, zero, zero), act(first, second, at, (one, zero), zero)))
                 unknowns.append((j.name, (zero, one, zero), act(first, second, at, (zero, one), zero)))
+            elif j.kind == "gear":  # a tangential force at the pitch point, told at the second wheel's centre
+                touch, e = self.pitch(n, state, j)
+                unknowns.append((j.name, e + (cross(minus(touch, at), e),), act(first, second, touch, e, zero)))
             else:
                 e = perp(self.axis(n, state, j))
                 unknowns.append((j.name, e + (zero,), act(first, second, at, e, zero)))
@@ -620,7 +646,7 @@ class Mechanism:
             names += [f"{'.'.join(p)}.{c}" for c in ("x[m]", "y[m]", "vx[m/s]", "vy[m/s]", "ax[m/s^2]", "ay[m/s^2]")]
         for j in self.joints.values():
             names += [f"joint.{j.name}.fx[N]", f"joint.{j.name}.fy[N]"]
-            names += [f"joint.{j.name}.torque[N*m]"] if j.kind != "revolute" else []
+            names += [f"joint.{j.name}.torque[N*m]"] if j.kind not in ("revolute", "slot") else []
         for d in self.drivers.values():
             unit, effort = ("rad", "N*m") if d.kind == "rotation" else ("m", "N")
             names += [f"driver.{d.name}.value[{unit}]", f"driver.{d.name}.effort[{effort}]"]
@@ -643,7 +669,7 @@ class Mechanism:
             for vector in self.point(n, state, end):
                 out += list(vector)
         for j in self.joints.values():
-            out += list(joints[j.name][: 2 if j.kind == "revolute" else 3])
+            out += list(joints[j.name][: 2 if j.kind in ("revolute", "slot") else 3])
         for d in self.drivers.values():
             out += [self.driven(n, state, d)[0], efforts[d.name]]
         kinetic = potential = mpf(0)
@@ -728,11 +754,14 @@ def absolute_assembly(machine, t=0.0):
         out = []
         for j in machine.joints.values():
             p1, p2 = (machine.point(n, state, e)[0] for e in j.ends)
-            if j.kind == "prismatic":
+            if j.kind == "gear":
+                out.append(machine.mesh(n, state, j)[0])
+                continue
+            if j.kind in ("prismatic", "slot"):
                 out.append(cross(machine.axis(n, state, j), minus(p2, p1)))
             else:
                 out += list(minus(p2, p1))
-            if j.kind != "revolute":
+            if j.kind not in ("revolute", "slot"):
                 out.append(state[j.ends[1][0]][3] - state[j.ends[0][0]][3] - float(j.angle))
         for d in machine.drivers.values():
             out.append(machine.driven(n, state, d)[0] - d.motion(n, t)[0])
