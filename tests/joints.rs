@@ -1,11 +1,11 @@
 //! Slots and gears against closed forms.
 
-#[path = "common/models.rs"]
-mod models;
+#[path = "common/mechanisms.rs"]
+mod mechanisms;
 
 use linkdyn::bundled;
 use linkdyn::output::Status;
-use models::*;
+use mechanisms::*;
 use serde_json::{Value, json};
 use std::f64::consts::PI;
 

@@ -91,6 +91,26 @@ pub const CASES: &[Case] = &[
         include_str!("../../validation/doubled-joint/reference.csv"),
     ),
     reference(
+        "slotted-lever",
+        include_str!("../../validation/slotted-lever/case.json"),
+        include_str!("../../validation/slotted-lever/reference.csv"),
+    ),
+    reference(
+        "driven-slot",
+        include_str!("../../validation/driven-slot/case.json"),
+        include_str!("../../validation/driven-slot/reference.csv"),
+    ),
+    reference(
+        "geared-five-bar",
+        include_str!("../../validation/geared-five-bar/case.json"),
+        include_str!("../../validation/geared-five-bar/reference.csv"),
+    ),
+    reference(
+        "planetary-crank",
+        include_str!("../../validation/planetary-crank/case.json"),
+        include_str!("../../validation/planetary-crank/reference.csv"),
+    ),
+    reference(
         "random-1",
         include_str!("../../validation/random-1/case.json"),
         include_str!("../../validation/random-1/reference.csv"),
