@@ -13,10 +13,12 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("validation", &["analysis", "bundled", "model", "output", "error", "math"]),
     ("bundled", &[]),
     // Besides numbers, the analyses know the words of the question: `model::Analysis`, and `Model` as what they compile.
-    ("analysis", &["solve", "system", "element", "graph", "motion", "math", "model", "output", "error"]),
+    ("analysis", &["integrate", "solve", "system", "element", "graph", "motion", "math", "model", "output", "error"]),
     ("output", &[]),
-    // Constraints as the contract of `element` shows them, no joint; see `solve_knows_no_joint`.
-    ("solve", &["system", "element", "math"]),
+    // Steps of y′ = f(t, y), of whatever that is.
+    ("integrate", &["solve", "math"]),
+    // Constraints as the contract of `element` shows them, no joint; see `solve_knows_no_joint`; of `motion` a value with its derivatives.
+    ("solve", &["system", "element", "motion", "math"]),
     // `system::compile` also sees `model`; see `EXCEPTIONS`.
     ("system", &["element", "motion", "math", "error"]),
     ("graph", &[]),
@@ -41,7 +43,8 @@ const PACKAGES: &[(&str, &[&str])] = &[
     ("petgraph", &["graph"]),
     ("faer", &["solve"]),
     ("sprs", &["solve"]),
-    ("nalgebra", &["math", "solve"]),
+    // In `validation` for the second writing of the lock, which shares nothing with `solve`.
+    ("nalgebra", &["math", "solve", "validation"]),
     ("schemars", &["model"]),
     ("indexmap", &["model"]),
 ];
