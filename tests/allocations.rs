@@ -1,12 +1,15 @@
-//! The step loop allocates nothing: refactoring, solving and watching for singular configurations.
+//! The step loop allocates nothing: refactoring, solving, watching for singular configurations, and integrating.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
+use linkdyn::integrate::{Limits, Method};
 use linkdyn::solve::{ColumnOrder, Pattern, SparseLu};
 
 #[path = "common/linkage.rs"]
 mod linkage;
+#[path = "common/ode.rs"]
+mod ode;
 
 struct Counting;
 
@@ -72,4 +75,26 @@ fn refactor_and_solves_allocate_nothing() {
     let count = allocations(|| lu.factor(&second).unwrap());
     assert_eq!(count, 0);
     assert!(allocations(|| drop(std::hint::black_box(vec![1]))) > 0, "the counter counts");
+}
+
+#[test]
+fn steps_and_dense_output_allocate_nothing() {
+    for (method, f) in [
+        (Method::Dop853, ode::pendulum as fn(f64, &[f64], &mut [f64])),
+        (Method::Radau5, ode::van_der_pol),
+        (Method::Auto, ode::van_der_pol),
+    ] {
+        let mut stepper = method.stepper(ode::tolerance(2, 1e-6), Limits::default());
+        let mut problem = ode::Problem::new(2, f);
+        let mut y = [2.0, 0.0];
+        stepper.start(&mut problem, 0.0, &[2.0, 0.0], 1000.0).unwrap();
+        let count = allocations(|| {
+            while stepper.t() != 1000.0 {
+                stepper.step(&mut problem, 1000.0).unwrap();
+                stepper.interpolate(&mut problem, 0.5 * (stepper.previous() + stepper.t()), &mut y).unwrap();
+            }
+        });
+        assert_eq!(count, 0, "{method:?}");
+        assert_eq!(stepper.stiff(), method == Method::Auto);
+    }
 }
