@@ -265,6 +265,17 @@ fn poles_end_in_steps_too_small() {
     }
 }
 
+#[test]
+fn smooth_motion_is_not_found_stiff() {
+    for solved in &SOLVED {
+        for power in 2..=10 {
+            let mut stepper = Dop853::new(tolerance(solved.start().len(), 10_f64.powi(-power)), Limits::default());
+            run(&mut stepper, &mut solved.problem(), 0.0, &solved.start(), 1000.0);
+            assert!(!stepper.stiff(), "{} at 1e-{power}", solved.name);
+        }
+    }
+}
+
 /// Watches that the last evaluation before `accept` is at the point accepted.
 struct Watched(Problem, f64, Vec<f64>);
 
