@@ -51,11 +51,9 @@ pub fn run(system: &System, analysis: &Analysis, control: &Control) -> Result<(T
 
     let clock = Stopwatch::start();
     let range = range(system, &instants);
-    let first = match Parameter::of(system) {
-        Parameter::DriverValue => start.drive[0][0],
-        Parameter::Time => 0.0,
-    };
-    let path = follow(&mut driven, (first, &q), range, &|| control.stop().is_some()).map_err(singular)?;
+    let parameter = Parameter::of(system);
+    let first = if parameter == Parameter::DriverValue { start.drive[0][0] } else { 0.0 };
+    let path = follow(&mut driven, (parameter, Inputs::still(system)), (first, &q), range, &|| control.stop().is_some()).map_err(singular)?;
     report.statistics.steps = path.steps;
     report.statistics.rejected = path.rejected;
     let contents = Contents { accelerations: true, reactions };
@@ -88,7 +86,7 @@ pub fn run(system: &System, analysis: &Analysis, control: &Control) -> Result<(T
 fn range(system: &System, instants: &[OutputInstant]) -> (f64, f64) {
     let end = instants.last().map_or(0.0, |last| last.time);
     match Parameter::of(system) {
-        Parameter::Time => (0.0, end),
+        Parameter::Time | Parameter::Pin => (0.0, end),
         Parameter::DriverValue => {
             let law = &system.drivers[0].law;
             let turns = law.turning_times(end).into_iter().chain([0.0, end]).map(|t| law.jet(t)[0]);
@@ -101,7 +99,7 @@ fn range(system: &System, instants: &[OutputInstant]) -> (f64, f64) {
 /// Times in [0, end] at which the path's parameter passes `s`, ascending.
 fn times_of(system: &System, s: f64, end: f64) -> Vec<f64> {
     match Parameter::of(system) {
-        Parameter::Time => Vec::from_iter((s >= 0.0 && s <= end * (1.0 + ON_THE_EDGE)).then_some(s.min(end))),
+        Parameter::Time | Parameter::Pin => Vec::from_iter((s >= 0.0 && s <= end * (1.0 + ON_THE_EDGE)).then_some(s.min(end))),
         Parameter::DriverValue => passages(&system.drivers[0].law, s, end),
     }
 }
@@ -216,7 +214,7 @@ impl Outputs<'_, '_> {
 
     fn position_text(&self, s: f64, time: f64) -> String {
         match Parameter::of(self.system) {
-            Parameter::Time => format!("t = {time} s"),
+            Parameter::Time | Parameter::Pin => format!("t = {time} s"),
             Parameter::DriverValue => {
                 let driver = &self.system.drivers[0];
                 let value = match driver.measure {
@@ -259,7 +257,7 @@ impl Outputs<'_, '_> {
         // The path's parameter and its rates.
         let [s, rate, bend] = match path.parameter {
             Parameter::DriverValue => self.inputs.drive[0],
-            Parameter::Time => [self.inputs.time, 1.0, 0.0],
+            Parameter::Time | Parameter::Pin => [self.inputs.time, 1.0, 0.0],
         };
         self.inputs.offset.iter_mut().for_each(|offset| offset.fill(crate::math::Vec2::zeros()));
         let Sample { q, v, a, .. } = &mut self.sample;
@@ -493,7 +491,7 @@ fn describe(failure: Failure) -> String {
 pub fn solve_instant(driven: &mut Driven, path: &Path, inputs: &Inputs, sample: &mut Sample) -> Result<(), Failure> {
     let s = match path.parameter {
         Parameter::DriverValue => inputs.drive[0][0],
-        Parameter::Time => inputs.time,
+        Parameter::Time | Parameter::Pin => inputs.time,
     };
     let Sample { q, v, a, .. } = sample;
     path.guess(s, q, v, a);

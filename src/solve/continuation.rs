@@ -28,6 +28,8 @@ pub enum Parameter {
     DriverValue,
     /// Time [s].
     Time,
+    /// The value of the only pin [rad or m], drivers standing still.
+    Pin,
 }
 
 impl Parameter {
@@ -36,11 +38,21 @@ impl Parameter {
         if system.drivers.len() == 1 { Parameter::DriverValue } else { Parameter::Time }
     }
 
-    /// Drivers at `s`, derivatives with respect to s.
-    pub fn set(&self, system: &System, s: f64, inputs: &mut Inputs) {
+    /// Inputs at `s`, derivatives with respect to s.
+    fn set(self, driven: &mut Driven, s: f64, inputs: &mut Inputs) {
         match self {
             Parameter::DriverValue => inputs.drive[0] = [s, 1.0, 0.0],
-            Parameter::Time => inputs.set_time(system, s),
+            Parameter::Time => inputs.set_time(driven.system, s),
+            Parameter::Pin => driven.pins[0].jet = [s, 1.0, 0.0],
+        }
+    }
+
+    /// Prediction error accepted, in rad or mechanism sizes: far below any distance of branches but at their crossings.
+    /// Where an integrator asks for values at its own points, interpolation must do without a second Newton step.
+    fn prediction(self) -> f64 {
+        match self {
+            Parameter::DriverValue | Parameter::Time => 1e-6,
+            Parameter::Pin => 1e-8,
         }
     }
 }
@@ -76,12 +88,10 @@ pub enum End {
     Interrupted,
 }
 
-/// Prediction error accepted, in rad or mechanism sizes: far below any distance of branches but at their crossings.
-const PREDICTION: f64 = 1e-6;
 /// Newton's second step by its first at most: Kantorovich's constant stays far below ½.
 const CONTRACTION: f64 = 0.1;
-/// Predicted tangent against the true one, times the step: for the quintic's error e it is about 6 e.
-const TANGENT: f64 = 100.0 * PREDICTION;
+/// Predicted tangent against the true one, times the step, by the prediction error: for the quintic it is about 6.
+const TANGENT: f64 = 100.0;
 /// Largest turn of a body (or move, in sizes) in one step: keeps sign tests between nodes meaningful.
 const LARGEST_MOVE: f64 = 0.3;
 /// A step this much smaller than the largest taken means that the path can't go on.
@@ -141,7 +151,7 @@ struct Mark {
     crossing: bool,
 }
 
-/// Follows the path from `q` at `s` over [low, high].
+/// Follows the path from (s, q) over [low, high]; what the parameter does not set is as in `inputs`.
 ///
 /// `stop` is asked now and then whether to give up.
 ///
@@ -149,12 +159,12 @@ struct Mark {
 /// When the start itself is singular or does not satisfy the constraints.
 pub fn follow(
     driven: &mut Driven,
+    (parameter, inputs): (Parameter, Inputs),
     start: (f64, &[f64]),
     range: (f64, f64),
     stop: &dyn Fn() -> bool,
 ) -> Result<Path, Failure> {
-    let parameter = Parameter::of(driven.system);
-    let mut walker = Walker { inputs: Inputs::still(driven.system), parameter, driven, stop, steps: 0, rejected: 0 };
+    let mut walker = Walker { inputs, parameter, driven, stop, steps: 0, rejected: 0 };
     let mut first = walker.node(start.0, start.1.to_vec())?.0;
     first.s = start.0;
     // A mechanism without moving inputs has a path of one point.
@@ -189,9 +199,8 @@ pub fn follow(
         steps: walker.steps,
         rejected: walker.rejected,
     };
-    for (end, s) in [(low, range.0), (high, range.1)] {
+    for end in [low, high] {
         if let End::DeadCentre { s: dead } = end {
-            let _ = s;
             path.singular.push(SingularPosition { kind: SingularKind::DeadCentre, s: dead, self_stress: Vec::new() });
         }
     }
@@ -221,9 +230,13 @@ struct Condition {
 }
 
 impl Walker<'_, '_> {
+    fn set(&mut self, s: f64) {
+        self.parameter.set(self.driven, s, &mut self.inputs);
+    }
+
     /// Corrects a guess at `s` and differentiates there.
     fn node(&mut self, s: f64, mut q: Vec<f64>) -> Result<(Node, super::driven::Correction), Failure> {
-        self.parameter.set(self.driven.system, s, &mut self.inputs);
+        self.set(s);
         let correction = self.driven.correct(&mut q, &self.inputs)?;
         self.driven.factor(&self.inputs)?;
         let n = q.len();
@@ -247,6 +260,8 @@ impl Walker<'_, '_> {
     /// Steps from `start` to `target` and a little beyond.
     fn march(&mut self, start: &Node, target: f64, direction: f64) -> (Vec<Mark>, End) {
         let system = self.driven.system;
+        let parameter = self.parameter;
+        let prediction = parameter.prediction();
         let mut marks: Vec<Mark> = Vec::new();
         let mut current = start.clone();
         let mut previous: Option<Node> = None;
@@ -259,8 +274,8 @@ impl Walker<'_, '_> {
         let span = (target - start.s).abs();
         let cap = |d: &[f64]| {
             let by_move = LARGEST_MOVE / system.scaled_norm(d);
-            match self_parameter(system) {
-                Parameter::DriverValue => by_move,
+            match parameter {
+                Parameter::DriverValue | Parameter::Pin => by_move,
                 Parameter::Time => by_move.min(span.max(f64::MIN_POSITIVE) / 20.0),
             }
         };
@@ -301,9 +316,9 @@ impl Walker<'_, '_> {
             let outcome = self.node(s, q.clone());
             let accepted = outcome.ok().filter(|(node, correction)| {
                 let off: Vec<f64> = node.d.iter().zip(&d).map(|(a, b)| (a - b) * h).collect();
-                correction.first_step <= PREDICTION
+                correction.first_step <= prediction
                     && correction.contraction <= CONTRACTION
-                    && system.scaled_norm(&off) <= TANGENT
+                    && system.scaled_norm(&off) <= TANGENT * prediction
             });
             let Some((node, correction)) = accepted else {
                 self.rejected += 1;
@@ -324,7 +339,7 @@ impl Walker<'_, '_> {
             condition = self.condition();
             largest = largest.max(h);
             let order = if previous.is_some() { 6.0 } else { 3.0 };
-            let grow = 0.8 * (PREDICTION / correction.first_step.max(1e-30)).powf(1.0 / order);
+            let grow = 0.8 * (prediction / correction.first_step.max(1e-30)).powf(1.0 / order);
             h = (h * grow.clamp(0.3, 2.0)).min(cap(&node.d));
             if covered {
                 beyond += 1;
@@ -337,7 +352,8 @@ impl Walker<'_, '_> {
     /// Root of ds/dp near the end of a path, p the direction in which the position runs off there.
     fn dead_centre(&mut self, last: &Node, before: Option<&Node>, direction: f64) -> Option<f64> {
         let system = self.driven.system;
-        let before = before?;
+        // With a pin the path is only wanted as far as the pin is good.
+        let before = before.filter(|_| self.parameter != Parameter::Pin)?;
         let scaled =
             |x: &[f64]| -> Vec<f64> { x.iter().enumerate().map(|(k, x)| x / system.column_scale(k)).collect() };
         let mut border = scaled(&last.d);
@@ -366,10 +382,6 @@ impl Walker<'_, '_> {
         }
         None
     }
-}
-
-fn self_parameter(system: &System) -> Parameter {
-    Parameter::of(system)
 }
 
 /// The path with p = borderᵀ (q̃ − q̃₀) as its parameter: bordered Newton in (q̃, s).
@@ -411,8 +423,8 @@ impl<'a, 'b, 's> Arc<'a, 'b, 's> {
         let mut rate = vec![0.0; m];
         let mut values = vec![0.0; self.pattern.entries()];
         for iteration in 0..30 {
-            let Walker { driven, inputs, parameter, .. } = &mut *self.walker;
-            parameter.set(system, *s, inputs);
+            self.walker.set(*s);
+            let Walker { driven, inputs, .. } = &mut *self.walker;
             let evaluation = &mut driven.evaluation;
             evaluation.set_position(q);
             evaluation.eval_phi(system, inputs);
@@ -496,7 +508,7 @@ impl Path {
         let width = WINDOW * step;
         let mut centre = 0.5 * (a + b);
         // One choice of rows for the whole window, so that the test function is one function.
-        walker.parameter.set(walker.driven.system, b, &mut walker.inputs);
+        walker.set(b);
         if walker.driven.prepare(&self.nodes[gap + 1].q, &walker.inputs).is_err() {
             return;
         }
@@ -579,7 +591,7 @@ impl Path {
         if !self.regular(s, &mut q) {
             return None;
         }
-        walker.parameter.set(walker.driven.system, s, &mut walker.inputs);
+        walker.set(s);
         walker.driven.evaluation.set_position(&q);
         walker.driven.factor(&walker.inputs).ok()?;
         Some(walker.driven.test_function(&vectors.right, &vectors.left))
@@ -642,13 +654,15 @@ impl Window {
         let (mut q, mut d, mut dd) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
         let s = self.s + BESIDE * self.width;
         self.branch.eval(s, &mut q, &mut d, &mut dd);
-        walker.parameter.set(system, s, &mut walker.inputs);
+        walker.set(s);
         walker.driven.evaluation.set_position(&q);
         walker.driven.factor(&walker.inputs).ok()?;
         let condition = walker.condition();
         let mut self_stress = vec![0.0; system.m()];
         for (value, &row) in condition.left.iter().zip(walker.driven.active_rows()) {
-            self_stress[row] = value / system.row_scale(row);
+            if let Some(stress) = self_stress.get_mut(row) {
+                *stress = value / system.row_scale(row);
+            }
         }
         Some(self_stress)
     }

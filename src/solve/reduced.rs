@@ -10,9 +10,15 @@
 //! SᵀM S ü = Sᵀ (Q − M a₀)       the pins' efforts vanish
 //! ```
 //!
+//! With one degree of freedom and drivers at rest the positions are a curve q(u), which the continuation follows once:
+//! then predictions come from it, and near a change point, where round-off of the equations grows as 1/δ³, so do S and
+//! S′ = ∂²q/∂u² (a₀ = S′ u̇²), from its smooth branch. Closed curves (a coordinate that turns round and round) are followed
+//! once around.
+//!
 //! Multipliers are worked out only where they are wanted. Bodies may lack mass as long as SᵀMS is regular. The choice of u
 //! is kept while it is good and changed between steps when another coordinate moves more.
 
+use super::continuation::{End, Parameter, Path, Source, follow};
 use super::driven::{Driven, Failure};
 use super::hermite::{Node, quintic};
 use crate::system::{Inputs, System};
@@ -47,6 +53,22 @@ pub struct Reduced<'s> {
     here_motions: Vec<f64>,
     /// Where q, v, a are.
     at: Option<f64>,
+    /// Positions over the pin, where there is one pin and nothing else moves.
+    curve: Option<Curve>,
+    /// One pin, and drivers at rest.
+    has_curve: bool,
+    /// S and S′ of the curve at the point at hand (n).
+    tangent: Vec<f64>,
+    bend: Vec<f64>,
+    /// The point at hand is on a bridged stretch, where the equations have no trustworthy factors.
+    bridged: bool,
+}
+
+/// Positions of a mechanism of one degree of freedom over its pin.
+struct Curve {
+    path: Path,
+    /// Period in the pin, and what a turn adds to q (n).
+    period: Option<(f64, Vec<f64>)>,
 }
 
 impl<'s> Reduced<'s> {
@@ -76,6 +98,11 @@ impl<'s> Reduced<'s> {
             before: None,
             here_motions: vec![0.0; f * n],
             at: None,
+            curve: None,
+            has_curve: f == 1 && system.drivers.iter().all(|driver| driver.law.is_constant()),
+            tangent: vec![0.0; n],
+            bend: vec![0.0; n],
+            bridged: false,
         };
         reduced.choose(time)?;
         Ok(reduced)
@@ -89,6 +116,7 @@ impl<'s> Reduced<'s> {
     /// Exchanges pins until none moves less than half as much as another coordinate that it determines.
     fn choose(&mut self, time: f64) -> Result<(), Failure> {
         let system = self.driven.system;
+        self.curve = None;
         self.inputs.set_time(system, time);
         self.driven.evaluation.set_position(&self.q);
         self.driven.factor(&self.inputs)?;
@@ -189,11 +217,20 @@ impl<'s> Reduced<'s> {
         let system = self.driven.system;
         let f = self.freedom();
         self.at = None;
+        let source = if self.has_curve { self.on_curve(y[0]) } else { None };
         self.inputs.set_time(system, time);
         for (k, pin) in self.driven.pins.iter_mut().enumerate() {
             pin.jet = [y[k], y[f + k], 0.0];
         }
-        self.predict(time);
+        self.bridged = false;
+        match source {
+            Some(Source::Regular) => {}
+            Some(Source::Bridged { .. }) => {
+                self.bridged = true;
+                return self.evaluate_bridged(time, y[1]);
+            }
+            None => self.predict(time),
+        }
         let correction = self.driven.correct(&mut self.q, &self.inputs)?;
         if correction.contraction > CONTRACTION || correction.first_step > FARTHEST {
             return Err(Failure::Diverged { residual: correction.residual });
@@ -208,6 +245,81 @@ impl<'s> Reduced<'s> {
             *b = q - m * a;
         }
         self.eval_motions();
+        self.finish(time)
+    }
+
+    /// The point at hand on the smooth branch near a change point.
+    fn evaluate_bridged(&mut self, time: f64, rate: f64) -> Result<(), Failure> {
+        let system = self.driven.system;
+        for (v, s) in self.v.iter_mut().zip(&self.tangent) {
+            *v = rate * s;
+        }
+        for (a, bend) in self.a.iter_mut().zip(&self.bend) {
+            *a = rate * rate * bend;
+        }
+        self.motions.copy_from_slice(&self.tangent);
+        self.driven.evaluation.set_position(&self.q);
+        self.driven.evaluation.set_velocity(&self.v);
+        self.driven.evaluation.eval_force(system, &self.inputs, &mut self.force);
+        for (((b, q), a), m) in self.balance.iter_mut().zip(&self.force).zip(&self.a).zip(&system.mass) {
+            *b = q - m * a;
+        }
+        self.finish(time)
+    }
+
+    /// Position (and on bridged stretches S, S′) at u from the curve, which is followed farther where u needs it.
+    fn on_curve(&mut self, u: f64) -> Option<Source> {
+        for attempt in 0..2 {
+            if let Some(curve) = &self.curve {
+                let (low, high) = curve.path.covered();
+                let turns = match &curve.period {
+                    Some((period, _)) => ((u - 0.5 * (low + high)) / period).round(),
+                    None => 0.0,
+                };
+                let wrapped = curve.period.as_ref().map_or(u, |(period, _)| u - turns * period);
+                if let Some(source) = curve.path.guess(wrapped, &mut self.q, &mut self.tangent, &mut self.bend) {
+                    if let Some((_, shift)) = &curve.period {
+                        self.q.iter_mut().zip(shift).for_each(|(q, shift)| *q += turns * shift);
+                    }
+                    return Some(source);
+                }
+                // Beyond a dead centre of the pin there is no curve to follow.
+                let reached = if wrapped < low { curve.path.low } else { curve.path.high };
+                if reached != End::Reached {
+                    return None;
+                }
+            }
+            if attempt == 0 && !self.follow_curve(u) {
+                return None;
+            }
+        }
+        None
+    }
+
+    /// Follows the curve around the last accepted point, far enough to hold `u`; whether that was possible.
+    fn follow_curve(&mut self, u: f64) -> bool {
+        let system = self.driven.system;
+        let column = self.driven.pins[0].column;
+        let centre = self.here.q[column];
+        let angle = column % 3 == 2;
+        let reach = (if angle { HALF_TURN } else { system.size }).max(1.5 * (u - centre).abs());
+        let mut inputs = self.inputs.clone();
+        inputs.drive.iter_mut().for_each(|jet| jet[1..].fill(0.0));
+        let start = self.here.q.clone();
+        let found = follow(
+            &mut self.driven,
+            (Parameter::Pin, inputs),
+            (centre, &start),
+            (centre - reach, centre + reach),
+            &|| false,
+        );
+        self.curve = found.ok().map(|path| Curve { period: period(system, &path, centre, angle), path });
+        self.curve.is_some()
+    }
+
+    /// ü, a and the marks of a finished evaluation.
+    fn finish(&mut self, time: f64) -> Result<(), Failure> {
+        let system = self.driven.system;
         self.solve_freedom()?;
         let n = system.n();
         for (k, s) in self.motions.chunks_exact(n.max(1)).enumerate() {
@@ -268,7 +380,16 @@ impl<'s> Reduced<'s> {
     }
 
     /// Multipliers λ (m) of the last evaluation; Q − M a is left in `balance`.
+    ///
+    /// Near a change point, where they can't be computed, they are NaN.
     pub fn multipliers(&mut self, lambda: &mut [f64]) {
+        if self.bridged {
+            let ready = self.driven.prepare(&self.q, &self.inputs).is_ok() && self.driven.factor(&self.inputs).is_ok();
+            if !ready {
+                lambda.fill(f64::NAN);
+                return;
+            }
+        }
         let mass = &self.driven.system.mass;
         for (((b, q), a), m) in self.balance.iter_mut().zip(&self.force).zip(&self.a).zip(mass) {
             *b = q - m * a;
@@ -302,3 +423,30 @@ impl<'s> Reduced<'s> {
 
 /// A pivot of SᵀMS that loses more than this of its size means freedom without mass.
 const MASSLESS: f64 = 1e-13;
+
+/// Half a turn and a little more: what must be seen of a curve to know that it closes.
+const HALF_TURN: f64 = 1.05 * std::f64::consts::PI;
+/// A turn that misses the position by less than this (rad, sizes) closes the curve: round-off of a path.
+const CLOSES: f64 = 1e-9;
+
+/// Period of a curve over an angle: a whole turn that brings every body back to its place.
+fn period(system: &System, path: &Path, centre: f64, angle: bool) -> Option<(f64, Vec<f64>)> {
+    if !angle {
+        return None;
+    }
+    let turn = std::f64::consts::TAU;
+    let n = system.n();
+    let (mut from, mut to) = (vec![0.0; n], vec![0.0; n]);
+    let (mut d, mut dd) = (vec![0.0; n], vec![0.0; n]);
+    path.guess(centre - 0.5 * turn, &mut from, &mut d, &mut dd)?;
+    path.guess(centre + 0.5 * turn, &mut to, &mut d, &mut dd)?;
+    let mut shift = Vec::with_capacity(n);
+    for (column, (to, from)) in to.iter().zip(&from).enumerate() {
+        let whole = if column % 3 == 2 { ((to - from) / turn).round() * turn } else { 0.0 };
+        if ((to - from - whole) / system.column_scale(column)).abs() > CLOSES {
+            return None;
+        }
+        shift.push(whole);
+    }
+    Some((turn, shift))
+}
