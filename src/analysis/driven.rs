@@ -53,7 +53,9 @@ pub fn run(system: &System, analysis: &Analysis, control: &Control) -> Result<(T
     let range = range(system, &instants);
     let parameter = Parameter::of(system);
     let first = if parameter == Parameter::DriverValue { start.drive[0][0] } else { 0.0 };
-    let path = follow(&mut driven, (parameter, Inputs::still(system)), (first, &q), range, &|| control.stop().is_some()).map_err(singular)?;
+    let path =
+        follow(&mut driven, (parameter, Inputs::still(system)), (first, &q), range, &|| control.stop().is_some())
+            .map_err(singular)?;
     report.statistics.steps = path.steps;
     report.statistics.rejected = path.rejected;
     let contents = Contents { accelerations: true, reactions };
@@ -99,7 +101,9 @@ fn range(system: &System, instants: &[OutputInstant]) -> (f64, f64) {
 /// Times in [0, end] at which the path's parameter passes `s`, ascending.
 fn times_of(system: &System, s: f64, end: f64) -> Vec<f64> {
     match Parameter::of(system) {
-        Parameter::Time | Parameter::Pin => Vec::from_iter((s >= 0.0 && s <= end * (1.0 + ON_THE_EDGE)).then_some(s.min(end))),
+        Parameter::Time | Parameter::Pin => {
+            Vec::from_iter((s >= 0.0 && s <= end * (1.0 + ON_THE_EDGE)).then_some(s.min(end)))
+        }
         Parameter::DriverValue => passages(&system.drivers[0].law, s, end),
     }
 }

@@ -15,7 +15,7 @@ use crate::model::{Analysis, Solver};
 use crate::output::{Report, Status, Stopwatch, Trajectory};
 use crate::solve::driven::{Failure, LAST_STEP};
 use crate::solve::reduced::Reduced;
-use crate::system::{Inputs, System};
+use crate::system::{Inputs, Origin, System};
 
 /// Newton's step, by rtol, below which the equations are taken for those of its end: a hundredth of what the step's error
 /// may be.
@@ -70,6 +70,7 @@ pub fn run(system: &System, analysis: &Analysis, control: &Control) -> Result<(T
         report: &mut report,
         power: 0.0,
         imbalance: 0.0,
+        energy: None,
     };
     let mut solver = Integration::new(method, &analysis.solver, &mut reduced, end)
         .map_err(|failure| Stop::failed(Status::Singular, describe(failure, 0.0)))?;
@@ -214,7 +215,11 @@ impl Integration {
                     StepFailure::TooSmall { .. } => Status::StepTooSmall,
                     StepFailure::Refused { .. } => Status::Singular,
                 };
-                return Err((status, describe(failure, now)));
+                let culprits = match failure {
+                    StepFailure::TooSmall { .. } => String::new(),
+                    StepFailure::Refused { .. } => culprits(reduced),
+                };
+                return Err((status, format!("{}{culprits}", describe(failure, now))));
             }
             self.shortest = self.shortest.min(self.stepper.t() - self.stepper.previous());
         }
@@ -227,6 +232,20 @@ impl Integration {
         report.statistics.rejected = self.before[1] + counters.rejected;
         report.statistics.evaluations = self.before[2] + counters.evaluations;
     }
+}
+
+/// The joints whose constraints come nearest to contradicting each other at the last accepted point.
+fn culprits(reduced: &mut Reduced) -> String {
+    let system = reduced.driven.system;
+    let mut joints: Vec<&str> = Vec::new();
+    for row in reduced.strained_rows() {
+        if let Origin::Joint(id) = system.block_of_row(row).origin
+            && !joints.contains(&system.joints[id.0].name.as_str())
+        {
+            joints.push(&system.joints[id.0].name);
+        }
+    }
+    if joints.is_empty() { String::new() } else { format!(" (nearest to singular: the joints {})", joints.join(", ")) }
 }
 
 fn describe(failure: StepFailure, now: f64) -> String {
@@ -250,6 +269,8 @@ struct Outputs<'a, 'r> {
     report: &'r mut Report,
     power: f64,
     imbalance: f64,
+    /// Least and largest energy, and largest kinetic energy [J].
+    energy: Option<[f64; 3]>,
 }
 
 impl Outputs<'_, '_> {
@@ -285,6 +306,10 @@ impl Outputs<'_, '_> {
         let kinetic: f64 = v.iter().zip(a.iter()).zip(&self.system.mass).map(|((v, a), m)| v * a * m).sum();
         self.power = self.power.max(driven.abs()).max(applied.abs()).max(kinetic.abs());
         self.imbalance = self.imbalance.max((driven + applied - kinetic).abs());
+        let motion = evaluation.kinetic_energy(self.system, v);
+        let energy = motion + evaluation.potential_energy(self.system, &reduced.inputs);
+        let [least, most, largest] = self.energy.unwrap_or([energy, energy, 0.0]);
+        self.energy = Some([least.min(energy), most.max(energy), largest.max(motion)]);
         self.recorder.push(self.system, &reduced.driven.evaluation, &reduced.inputs, &self.sample);
         Ok(())
     }
@@ -292,6 +317,11 @@ impl Outputs<'_, '_> {
     fn finish(self) -> Trajectory {
         let balance = if self.power > 0.0 { self.imbalance / self.power } else { 0.0 };
         self.report.quality.power_imbalance = Some(balance);
+        if self.system.is_conservative()
+            && let Some([least, most, largest]) = self.energy
+        {
+            self.report.quality.energy_drift = Some(if largest > 0.0 { (most - least) / largest } else { 0.0 });
+        }
         self.recorder.trajectory
     }
 }

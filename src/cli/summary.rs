@@ -7,7 +7,7 @@ use super::page::{Page, count, number, seconds};
 use super::run::Written;
 use crate::analysis::Outcome;
 use crate::model::AnalysisKind;
-use crate::output::{Event, Mobility, Stage, Status, Trajectory};
+use crate::output::{Event, Mobility, Quality, Stage, Status, Trajectory};
 
 /// Digits of numbers.
 const DIGITS: usize = 4;
@@ -24,7 +24,7 @@ pub fn page(opened: &Opened, outcome: &Outcome, written: &Written) -> String {
     page.line(format!("{} ({}): {kind}, {}", opened.name, opened.label, status_words(report.status)));
     page.row("mobility", mobility(&report.mobility));
     page.row("outputs", outputs(trajectory));
-    page.row("quality", quality(report.quality.constraint_residual, report.quality.power_imbalance));
+    page.row("quality", quality(&report.quality));
     page.rows("events", shorten(report.events.iter().map(|event| event_words(event, trajectory)).collect()));
     page.rows("effort", efforts(trajectory));
     page.rows("largest force", forces(trajectory));
@@ -74,12 +74,13 @@ fn outputs(trajectory: &Trajectory) -> String {
     format!("{instants}, t = {} … {} s, {}", number(first, 6), number(last, 6), count(trajectory.width(), "column"))
 }
 
-fn quality(residual: f64, imbalance: Option<f64>) -> String {
-    let residual = format!("constraint residual {}", number(residual, 2));
-    match imbalance {
-        Some(imbalance) => format!("{residual}, power imbalance {}", number(imbalance, 2)),
-        None => residual,
+fn quality(quality: &Quality) -> String {
+    let parts = [("power imbalance", quality.power_imbalance), ("energy drift", quality.energy_drift)];
+    let mut text = format!("constraint residual {}", number(quality.constraint_residual, 2));
+    for (what, value) in parts {
+        text.extend(value.map(|value| format!(", {what} {}", number(value, 2))));
     }
+    text
 }
 
 /// One event: `change point at 1.7 s, motor = 2.051 rad (117.5°)`.

@@ -28,6 +28,10 @@ impl Force for PointLoad {
     fn potential(&self, _at: &Instant) -> f64 {
         0.0
     }
+
+    fn is_conservative(&self) -> bool {
+        false
+    }
 }
 
 #[derive(Debug, Clone)]
@@ -47,5 +51,9 @@ impl Force for Torque {
 
     fn potential(&self, _at: &Instant) -> f64 {
         0.0
+    }
+
+    fn is_conservative(&self) -> bool {
+        false
     }
 }

@@ -182,6 +182,8 @@ pub trait Force: Send + Sync {
     fn apply(&self, at: &Instant, to: &mut Applied);
     /// Potential energy [J]; zero for what has none.
     fn potential(&self, at: &Instant) -> f64;
+    /// Whether its work is the change of its potential energy.
+    fn is_conservative(&self) -> bool;
 }
 
 /// Unit vector along `a`, and its length; none for a (numerically) zero vector.

@@ -37,4 +37,8 @@ impl Force for Spring {
         let stretch = length - self.free_length.jet(at.time)[0];
         0.5 * self.stiffness * stretch * stretch
     }
+
+    fn is_conservative(&self) -> bool {
+        self.damping == 0.0 && self.free_length.is_constant()
+    }
 }

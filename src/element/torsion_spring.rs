@@ -38,4 +38,8 @@ impl Force for TorsionSpring {
         let twist = self.twist(at);
         0.5 * self.stiffness * twist * twist
     }
+
+    fn is_conservative(&self) -> bool {
+        self.damping == 0.0 && self.free_angle.is_constant()
+    }
 }

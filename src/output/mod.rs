@@ -87,6 +87,8 @@ pub struct Quality {
     pub constraint_residual: f64,
     /// Largest power imbalance over all outputs, divided by the largest power that flows [–]; none where no forces are computed.
     pub power_imbalance: Option<f64>,
+    /// Largest change of kinetic + potential energy over a conservative motion, divided by the largest kinetic energy [–].
+    pub energy_drift: Option<f64>,
 }
 
 /// Wall and process CPU seconds of a stage.

@@ -80,6 +80,7 @@ pub fn to_json(summary: &Summary) -> Value {
         json!({
             "constraint_residual": report.quality.constraint_residual,
             "power_imbalance": report.quality.power_imbalance,
+            "energy_drift": report.quality.energy_drift,
         }),
     );
     json.insert("warnings".into(), report.warnings.as_slice().into());
@@ -140,7 +141,7 @@ mod tests {
         let gap = Event { kind: "no_solution", end_time: Some(2.0), driver: None, value: None, ..change_point.clone() };
         let report = Report {
             events: vec![change_point, gap],
-            quality: Quality { constraint_residual: f64::NAN, power_imbalance: None },
+            quality: Quality { constraint_residual: f64::NAN, ..Quality::default() },
             ..Report::default()
         };
         let mut trajectory = Trajectory::new(vec![Column::new("time", "s"), Column::new("crank.omega", "rad/s")]);

@@ -374,6 +374,22 @@ impl<'s> Reduced<'s> {
         (&self.mass, &self.motions)
     }
 
+    /// Rows (of joints and drivers) that take the largest part in what is nearest to a self-stress at the last accepted
+    /// point; none where even that can't be factored.
+    pub fn strained_rows(&mut self) -> Vec<usize> {
+        let system = self.driven.system;
+        self.driven.evaluation.set_position(&self.here.q);
+        if self.driven.factor(&self.inputs).is_err() {
+            return Vec::new();
+        }
+        let n = system.n();
+        let (mut right, mut left) = (vec![1.0; n], vec![1.0; n]);
+        self.driven.condition(&mut right, &mut left);
+        let largest = crate::math::max_abs(&left);
+        let rows = self.driven.active_rows().iter().zip(&left);
+        rows.filter(|(row, part)| **row < system.m() && part.abs() > STRAINED * largest).map(|(row, _)| *row).collect()
+    }
+
     /// ü of the last evaluation.
     pub fn accelerations(&self) -> &[f64] {
         &self.rhs
@@ -421,6 +437,8 @@ impl<'s> Reduced<'s> {
     }
 }
 
+/// Part, relative to the largest, from which a row belongs to a near self-stress.
+const STRAINED: f64 = 0.1;
 /// A pivot of SᵀMS that loses more than this of its size means freedom without mass.
 const MASSLESS: f64 = 1e-13;
 

@@ -164,6 +164,24 @@ impl System {
         }
     }
 
+    /// Whether kinetic and potential energy stay constant together: no moving drivers, dampers or loads.
+    pub fn is_conservative(&self) -> bool {
+        self.drivers.iter().all(|driver| driver.law.is_constant())
+            && self.forces.iter().all(|force| force.is_conservative())
+    }
+
+    /// The constraint Jacobian J (m × n) [1, m, 1/m …] as a sparse matrix, from the values of an
+    /// [`Evaluation`]: for whoever wants to look at it or compute with it outside.
+    pub fn jacobian(&self, evaluation: &Evaluation) -> sprs::CsMat<f64> {
+        let mut triplets = sprs::TriMat::with_capacity((self.m(), self.n()), self.entries.len());
+        for (entry, &value) in self.entries.iter().zip(&evaluation.jacobian) {
+            if let Some(column) = entry.column {
+                triplets.add_triplet(entry.row as usize, column as usize, value);
+            }
+        }
+        triplets.to_csr()
+    }
+
     /// The block that makes `row`.
     pub fn block_of_row(&self, row: usize) -> &Block {
         let k = self.blocks.partition_point(|b| b.row <= row);
