@@ -12,16 +12,18 @@ mod transform;
 mod write;
 
 use linkdyn::analysis::Outcome;
-use linkdyn::model::{Analysis, DriverKind, Model};
+use linkdyn::model::{Analysis, AnalysisKind, DriverKind, Model};
 use linkdyn::output::{Column, Status};
 use models::{Named, all, load, load_bundled, solve, values};
 use std::collections::{BTreeMap, HashMap};
-use transform::{is_absolute, is_swapped, mirror, rename_and_reverse, renamed, rotate, swap, translate, turned};
+use transform::{is_absolute, mirror, rename_and_reverse, renamed, rotate, swap, swapped_signs, translate, turned};
 use write::{SI, WORKSHOP};
 
-/// Every model with its analysis as it is.
+/// Every model of a prescribed motion with its analysis as it is; `dynamics.rs` has the laws of free motion.
 fn each_model() -> Vec<(String, Model)> {
-    all().into_iter().map(|Named { name, json }| (name, load(&json))).collect()
+    let models = all().into_iter().map(|Named { name, json }| (name, load(&json)));
+    let prescribed = |model: &Model| model.analysis.as_ref().is_some_and(|a| a.kind == AnalysisKind::InverseDynamics);
+    models.filter(|(_, model)| prescribed(model)).collect()
 }
 
 /// Largest relative differences of one comparison, by unit.
@@ -245,9 +247,10 @@ fn reactions_are_opposite_and_equal() {
         let (original, other) = (solve(&model), solve(&swap(&model)));
         let differences = differ(&original, &other, |row, column| {
             let joint = column.name.strip_prefix("joint.").and_then(|rest| rest.split('.').next());
-            let flips = joint.is_some_and(|joint| is_swapped(&model.joints[joint]));
+            let [force, torque] = joint.map_or([1.0; 2], |joint| swapped_signs(&model.joints[joint]));
             // The eccentricity, journal minus bearing, is zero here and has either sign.
-            (column.name.clone(), if flips { -row.get(&column.name) } else { row.get(&column.name) })
+            let sign = if quantity(column) == "torque" { torque } else { force };
+            (column.name.clone(), sign * row.get(&column.name))
         });
         (name, original, differences)
     });

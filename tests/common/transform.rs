@@ -68,9 +68,16 @@ pub fn is_absolute(driver: &Driver) -> bool {
     }
 }
 
+/// The body on which the wheels of a gear turn; none for other joints.
+fn carrier(model: &Model, name: &str) -> Option<String> {
+    let carrier = model.carrier(name, &model.joints[name])?;
+    Some(carrier.expect("a carrier").body.to_string())
+}
+
 /// The whole mechanism turned about the ground's origin; the ground's frame stays.
 pub fn rotate(model: &Model, angle: f64) -> Model {
     assert!(model.initial.is_empty(), "exact initial values can't be turned one by one");
+    let original = model;
     let mut model = model.clone();
     model.gravity = turned(model.gravity, angle);
     for (name, body) in &mut model.bodies {
@@ -81,7 +88,8 @@ pub fn rotate(model: &Model, angle: f64) -> Model {
             body.pose.angle += angle;
         }
     }
-    for joint in model.joints.values_mut() {
+    for (name, joint) in &mut model.joints {
+        let carrier = carrier(original, name);
         let [first, second] = [0, 1].map(|end: usize| joint.between[end].body == GROUND);
         // Relative angles against the ground, which has not turned.
         let relative = angle * (f64::from(u8::from(first)) - f64::from(u8::from(second)));
@@ -92,6 +100,18 @@ pub fn rotate(model: &Model, angle: f64) -> Model {
                     *axis = turned(*axis, angle);
                 }
                 *relative_angle += relative;
+            }
+            JointKind::Slot { axis } => {
+                if first {
+                    *axis = turned(*axis, angle);
+                }
+            }
+            JointKind::Gear { ratio, angle: mesh, .. } => {
+                let turns = |fixed: bool| if fixed { 0.0 } else { angle };
+                let carried = turns(carrier.as_deref() == Some(GROUND));
+                if let Some(mesh) = mesh {
+                    *mesh += turns(second) - carried - *ratio * (turns(first) - carried);
+                }
             }
             JointKind::Fixed { angle: relative_angle } => *relative_angle += relative,
         }
@@ -173,6 +193,8 @@ pub fn mirror(model: &Model) -> Model {
                 *axis = mirrored(*axis);
                 *angle = -*angle;
             }
+            JointKind::Slot { axis } => *axis = mirrored(*axis),
+            JointKind::Gear { angle, .. } => *angle = angle.map(|angle| -angle),
             JointKind::Fixed { angle } => *angle = -*angle,
         }
     }
@@ -211,7 +233,12 @@ pub fn rename_and_reverse(model: &Model) -> Model {
         body.points = reversed(std::mem::take(&mut body.points));
     }
     model.joints = reversed(model.joints);
-    model.joints.values_mut().for_each(|joint| joint.between.iter_mut().for_each(reference));
+    for joint in model.joints.values_mut() {
+        joint.between.iter_mut().for_each(reference);
+        if let JointKind::Gear { carrier, .. } = &mut joint.kind {
+            *carrier = carrier.as_deref().map(renamed);
+        }
+    }
     model.drivers = reversed(model.drivers);
     for driver in model.drivers.values_mut() {
         match &mut driver.kind {
@@ -248,7 +275,7 @@ fn reversed<T>(map: IndexMap<String, T>) -> IndexMap<String, T> {
     map.into_iter().rev().map(|(name, value)| (renamed(&name), value)).collect()
 }
 
-/// First and second body of every revolute and fixed joint exchanged.
+/// First and second body of every revolute and fixed joint and of every gear exchanged.
 pub fn swap(model: &Model) -> Model {
     let mut model = model.clone();
     for joint in model.joints.values_mut() {
@@ -258,13 +285,24 @@ pub fn swap(model: &Model) -> Model {
                 *angle = -*angle;
                 joint.between.reverse();
             }
-            JointKind::Prismatic { .. } => {}
+            // θ₁ − θ_c = (θ₂ − θ_c)/r − angle/r.
+            JointKind::Gear { ratio, angle, .. } => {
+                *angle = angle.map(|angle| -angle / *ratio);
+                *ratio = ratio.recip();
+                joint.between.reverse();
+            }
+            JointKind::Prismatic { .. } | JointKind::Slot { .. } => {}
         }
     }
     model
 }
 
-/// Whether [`swap`] changes this joint.
-pub fn is_swapped(joint: &Joint) -> bool {
-    matches!(joint.kind, JointKind::Revolute { .. } | JointKind::Fixed { .. })
+/// What [`swap`] makes of a joint's force and torque.
+pub fn swapped_signs(joint: &Joint) -> [f64; 2] {
+    match joint.kind {
+        JointKind::Revolute { .. } | JointKind::Fixed { .. } => [-1.0, -1.0],
+        // The torque is the tooth force's moment on the other wheel, at the other radius.
+        JointKind::Gear { ratio, .. } => [-1.0, -ratio],
+        JointKind::Prismatic { .. } | JointKind::Slot { .. } => [1.0, 1.0],
+    }
 }

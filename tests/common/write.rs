@@ -105,6 +105,17 @@ impl Scale {
                 JointKind::Prismatic { axis, angle } => {
                     json!({ "type": "prismatic", "between": between, "axis": axis, "angle": angle * self.angle })
                 }
+                JointKind::Slot { axis } => json!({ "type": "slot", "between": between, "axis": axis }),
+                JointKind::Gear { ratio, carrier, angle } => {
+                    let mut words = json!({ "type": "gear", "between": between, "ratio": ratio });
+                    if let Some(carrier) = carrier {
+                        words["carrier"] = json!(carrier);
+                    }
+                    if let Some(angle) = angle {
+                        words["angle"] = json!(angle * self.angle);
+                    }
+                    words
+                }
                 JointKind::Fixed { angle } => {
                     json!({ "type": "fixed", "between": between, "angle": angle * self.angle })
                 }
