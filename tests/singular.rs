@@ -223,3 +223,37 @@ fn several_drivers_pass_change_points_in_time() {
         assert!(pairs.fold(0.0_f64, |m, (a, b)| m.max((a - b).abs())) < 1e-11, "{k}");
     }
 }
+
+#[test]
+fn many_turns_are_followed_by_one() {
+    // 50 turns: the flat positions of every turn are events, the cranks stay parallel, and no outputs are needed between.
+    let motion = json!({ "type": "constant_velocity", "start": 1.0, "velocity": 100.0 * PI });
+    let mut model = parallelogram(2, true, 1.0, &motion);
+    model["analysis"] = json!({ "type": "kinematics", "end": 1.0, "outputs": 301 });
+    let run = outcome(&model);
+    assert_eq!(run.report.status, Status::Completed);
+    let flat = degrees(&run, "change_point");
+    assert_eq!(flat.len(), 100, "{:?}", &flat[..4]);
+    for (k, value) in flat.iter().enumerate() {
+        assert!((value - 180.0 * (k + 1) as f64).abs() < 1e-7, "{k}: {value}");
+    }
+    let (first, last) = (column(&run, "c0.angle"), column(&run, "c2.angle"));
+    let worst = first.iter().zip(&last).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
+    assert!(worst < 1e-11 && first[300] > 300.0, "{worst}");
+    assert!(run.report.statistics.steps < 100, "{:?}", run.report.statistics);
+}
+
+#[test]
+fn turns_that_do_not_come_back_are_followed_all_the_way() {
+    // A crank that winds a second body up by a gear of ratio 1/3 comes back after three turns only.
+    let bodies = json!({ "ground": { "points": { "O": [0.0, 0.0], "Q": [0.3, 0.0] } },
+                         "crank": rod(0.1, [0.0, 0.0], 0.0), "wheel": rod(0.1, [0.3, 0.0], 0.0) });
+    let joints = json!({ "o": pin("ground.O", "crank.A"), "q": pin("ground.Q", "wheel.A"),
+        "mesh": { "type": "gear", "between": ["crank.A", "wheel.A"], "ratio": -1.0 / 3.0, "angle": 0.0 } });
+    let motor = json!({ "motor": { "type": "rotation", "body": "crank",
+        "motion": { "type": "constant_velocity", "start": 0.0, "velocity": 100.0 } } });
+    let run = outcome(&model(bodies, joints, motor));
+    for (crank, wheel) in column(&run, "crank.angle").iter().zip(column(&run, "wheel.angle")) {
+        assert!((wheel + crank / 3.0).abs() < 1e-13 * crank.max(1.0), "{crank} {wheel}");
+    }
+}

@@ -5,11 +5,12 @@ use super::clearance_link::{ClearanceLinks, Fixpoint, balance, effort_by_power, 
 use super::instants::{OutputInstant, instants};
 use super::record::{Contents, Recorder, Sample};
 use super::{Control, Interval, Stop};
+use crate::element::Measure;
 use crate::math::dot;
 use crate::model::Analysis;
 use crate::motion::Law;
 use crate::output::{Event, Report, Status, Stopwatch, Trajectory};
-use crate::solve::continuation::{End, Parameter, Path, SingularKind, Source, follow};
+use crate::solve::continuation::{End, HALF_TURN, Parameter, Path, SingularKind, Source, follow};
 use crate::solve::driven::{Driven, Failure};
 use crate::system::{DriverId, Evaluation, Inputs, Origin, System};
 
@@ -53,9 +54,7 @@ pub fn run(system: &System, analysis: &Analysis, control: &Control) -> Result<(T
     let range = range(system, &instants);
     let parameter = Parameter::of(system);
     let first = if parameter == Parameter::DriverValue { start.drive[0][0] } else { 0.0 };
-    let path =
-        follow(&mut driven, (parameter, Inputs::still(system)), (first, &q), range, &|| control.stop().is_some())
-            .map_err(singular)?;
+    let path = path(&mut driven, (first, &q), range, control).map_err(singular)?;
     report.statistics.steps = path.steps;
     report.statistics.rejected = path.rejected;
     let contents = Contents { accelerations: true, reactions };
@@ -82,6 +81,22 @@ pub fn run(system: &System, analysis: &Analysis, control: &Control) -> Result<(T
     report.statistics.factorisations += done.factorisations;
     report.solve = clock.read();
     Ok((trajectory, report))
+}
+
+/// The path over `range`: of a crank that goes round more than once and comes back, one turn stands for all.
+fn path(driven: &mut Driven, start: (f64, &[f64]), range: (f64, f64), control: &Control) -> Result<Path, Failure> {
+    let system = driven.system;
+    let parameter = Parameter::of(system);
+    let stop = || control.stop().is_some();
+    let turns = parameter == Parameter::DriverValue && system.drivers[0].measure == Measure::Angle;
+    if turns && range.1 - range.0 > 4.0 * HALF_TURN {
+        let around = (start.0 - HALF_TURN, start.0 + HALF_TURN);
+        let mut path = follow(driven, (parameter, Inputs::still(system)), start, around, &stop)?;
+        if path.close_turn(system, start.0) {
+            return Ok(path);
+        }
+    }
+    follow(driven, (parameter, Inputs::still(system)), start, range, &stop)
 }
 
 /// The range of the path's parameter that the instants (and what lies between them) need.
@@ -167,7 +182,7 @@ impl Outputs<'_, '_> {
     fn march(&mut self, driven: &mut Driven, path: &Path, instants: &[OutputInstant], control: &Control) {
         let end = instants.last().map_or(0.0, |last| last.time);
         let limit = self.limits(path, end);
-        self.events(path, limit.as_ref().map_or(end, |(time, ..)| *time));
+        self.events(path, range(self.system, instants), limit.as_ref().map_or(end, |(time, ..)| *time));
         for instant in instants {
             if let Some((time, status, message)) = &limit
                 && instant.time >= *time
@@ -222,8 +237,8 @@ impl Outputs<'_, '_> {
             Parameter::DriverValue => {
                 let driver = &self.system.drivers[0];
                 let value = match driver.measure {
-                    crate::element::Measure::Angle => format!("{s} rad ({:.9}°)", s.to_degrees()),
-                    crate::element::Measure::Length => format!("{s} m"),
+                    Measure::Angle => format!("{s} rad ({:.9}°)", s.to_degrees()),
+                    Measure::Length => format!("{s} m"),
                 };
                 format!("driver \"{}\" at {value}, t = {time} s,", driver.name)
             }
@@ -231,9 +246,10 @@ impl Outputs<'_, '_> {
     }
 
     /// Passages of singular positions within the run, by time; a dead centre ends it.
-    fn events(&mut self, path: &Path, end: f64) {
+    fn events(&mut self, path: &Path, (low, high): (f64, f64), end: f64) {
         let by_value = path.parameter == Parameter::DriverValue;
-        for position in &path.singular {
+        let edge = ON_THE_EDGE * (high - low);
+        for position in path.singular_between(low - edge, high + edge) {
             let times = times_of(self.system, position.s, end);
             let (kind, times) = match position.kind {
                 SingularKind::ChangePoint => ("change_point", &times[..]),
@@ -391,11 +407,7 @@ impl Outputs<'_, '_> {
         }
         driven.evaluation.set_position(&self.sample.q);
         driven.evaluation.set_velocity(&self.sample.v);
-        let stress = path
-            .singular
-            .iter()
-            .min_by(|a, b| (a.s - window.s).abs().total_cmp(&(b.s - window.s).abs()))
-            .map_or(&[][..], |position| &position.self_stress[..]);
+        let stress = path.self_stress(index);
         let largest = crate::math::max_abs(stress);
         for block in &system.blocks {
             let rows = block.row..block.row + block.rows;

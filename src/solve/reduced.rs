@@ -18,7 +18,7 @@
 //! Multipliers are worked out only where they are wanted. Bodies may lack mass as long as SᵀMS is regular. The choice of u
 //! is kept while it is good and changed between steps when another coordinate moves more.
 
-use super::continuation::{End, Parameter, Path, Source, follow};
+use super::continuation::{End, HALF_TURN, Parameter, Path, Source, follow};
 use super::driven::{Driven, Failure};
 use super::hermite::{Node, quintic};
 use crate::system::{Inputs, System};
@@ -54,7 +54,7 @@ pub struct Reduced<'s> {
     /// Where q, v, a are.
     at: Option<f64>,
     /// Positions over the pin, where there is one pin and nothing else moves.
-    curve: Option<Curve>,
+    curve: Option<Path>,
     /// One pin, and drivers at rest.
     has_curve: bool,
     /// S and S′ of the curve at the point at hand (n).
@@ -62,13 +62,6 @@ pub struct Reduced<'s> {
     bend: Vec<f64>,
     /// The point at hand is on a bridged stretch, where the equations have no trustworthy factors.
     bridged: bool,
-}
-
-/// Positions of a mechanism of one degree of freedom over its pin.
-struct Curve {
-    path: Path,
-    /// Period in the pin, and what a turn adds to q (n).
-    period: Option<(f64, Vec<f64>)>,
 }
 
 impl<'s> Reduced<'s> {
@@ -271,20 +264,11 @@ impl<'s> Reduced<'s> {
     fn on_curve(&mut self, u: f64) -> Option<Source> {
         for attempt in 0..2 {
             if let Some(curve) = &self.curve {
-                let (low, high) = curve.path.covered();
-                let turns = match &curve.period {
-                    Some((period, _)) => ((u - 0.5 * (low + high)) / period).round(),
-                    None => 0.0,
-                };
-                let wrapped = curve.period.as_ref().map_or(u, |(period, _)| u - turns * period);
-                if let Some(source) = curve.path.guess(wrapped, &mut self.q, &mut self.tangent, &mut self.bend) {
-                    if let Some((_, shift)) = &curve.period {
-                        self.q.iter_mut().zip(shift).for_each(|(q, shift)| *q += turns * shift);
-                    }
+                if let Some(source) = curve.guess(u, &mut self.q, &mut self.tangent, &mut self.bend) {
                     return Some(source);
                 }
                 // Beyond a dead centre of the pin there is no curve to follow.
-                let reached = if wrapped < low { curve.path.low } else { curve.path.high };
+                let reached = if u < curve.covered().0 { curve.low } else { curve.high };
                 if reached != End::Reached {
                     return None;
                 }
@@ -313,7 +297,12 @@ impl<'s> Reduced<'s> {
             (centre - reach, centre + reach),
             &|| false,
         );
-        self.curve = found.ok().map(|path| Curve { period: period(system, &path, centre, angle), path });
+        self.curve = found.ok();
+        if let Some(curve) = &mut self.curve
+            && angle
+        {
+            curve.close_turn(system, centre);
+        }
         self.curve.is_some()
     }
 
@@ -441,30 +430,3 @@ impl<'s> Reduced<'s> {
 const STRAINED: f64 = 0.1;
 /// A pivot of SᵀMS that loses more than this of its size means freedom without mass.
 const MASSLESS: f64 = 1e-13;
-
-/// Half a turn and a little more: what must be seen of a curve to know that it closes.
-const HALF_TURN: f64 = 1.05 * std::f64::consts::PI;
-/// A turn that misses the position by less than this (rad, sizes) closes the curve: round-off of a path.
-const CLOSES: f64 = 1e-9;
-
-/// Period of a curve over an angle: a whole turn that brings every body back to its place.
-fn period(system: &System, path: &Path, centre: f64, angle: bool) -> Option<(f64, Vec<f64>)> {
-    if !angle {
-        return None;
-    }
-    let turn = std::f64::consts::TAU;
-    let n = system.n();
-    let (mut from, mut to) = (vec![0.0; n], vec![0.0; n]);
-    let (mut d, mut dd) = (vec![0.0; n], vec![0.0; n]);
-    path.guess(centre - 0.5 * turn, &mut from, &mut d, &mut dd)?;
-    path.guess(centre + 0.5 * turn, &mut to, &mut d, &mut dd)?;
-    let mut shift = Vec::with_capacity(n);
-    for (column, (to, from)) in to.iter().zip(&from).enumerate() {
-        let whole = if column % 3 == 2 { ((to - from) / turn).round() * turn } else { 0.0 };
-        if ((to - from - whole) / system.column_scale(column)).abs() > CLOSES {
-            return None;
-        }
-        shift.push(whole);
-    }
-    Some((turn, shift))
-}
