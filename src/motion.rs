@@ -148,26 +148,56 @@ impl Law {
         }
     }
 
-    /// The first time t in [0, `latest`] with f(t) = `value`, searched on the first monotone stretch; none if it is not reached.
+    /// The first time t in [0, `latest`] with f(t) = `value`, searched on the first monotone stretch; none if it is not
+    /// reached.
     pub fn invert(&self, value: f64, latest: f64) -> Option<f64> {
-        let start = self.jet(0.0)[0];
-        let scale = start.abs().max(value.abs());
-        if (value - start).abs() <= 4.0 * f64::EPSILON * scale {
+        self.first_stretch(latest).invert(value, 0.0)
+    }
+
+    /// The law up to its first turning point, or to `latest`.
+    pub fn first_stretch(&self, latest: f64) -> Stretch<'_> {
+        let end = self.turning_times(latest).first().copied().unwrap_or(latest);
+        Stretch { law: self, end, from: self.jet(0.0)[0], to: self.jet(end)[0] }
+    }
+}
+
+/// A law on [0, end], where it is monotone.
+#[derive(Debug, Clone, Copy)]
+pub struct Stretch<'a> {
+    law: &'a Law,
+    end: f64,
+    from: f64,
+    to: f64,
+}
+
+impl Stretch<'_> {
+    /// The time in [0, end] with f(t) = `value`; none if it is not reached. `guess` saves work where it is near.
+    pub fn invert(&self, value: f64, guess: f64) -> Option<f64> {
+        let scale = self.from.abs().max(value.abs());
+        if (value - self.from).abs() <= 4.0 * f64::EPSILON * scale {
             return Some(0.0);
         }
-        let stretch = self.turning_times(latest).first().copied().unwrap_or(latest);
-        let reach = self.jet(stretch)[0];
-        let side = (value - start).signum();
-        if (reach - value) * side < -8.0 * f64::EPSILON * max_abs(&[scale, reach]) {
+        let side = (value - self.from).signum();
+        if (self.to - value) * side < -8.0 * f64::EPSILON * max_abs(&[scale, self.to]) {
             return None;
         }
-        let mut t = bisect(|t| (value - self.jet(t)[0]) * side, 0.0, stretch);
-        // Two Newton steps take the last bits that bisection leaves.
-        for _ in 0..2 {
-            let [f, speed, _] = self.jet(t);
-            let next = t - (f - value) / speed;
-            if next.is_finite() && (next - t).abs() <= 1e-9 * stretch {
-                t = next.clamp(0.0, stretch);
+        // Newton, kept within a bracket that bisection would use.
+        let (mut low, mut high) = (0.0, self.end);
+        let mut t = if guess > low && guess < high { guess } else { 0.5 * self.end };
+        for _ in 0..200 {
+            let [f, speed, _] = self.law.jet(t);
+            if (value - f) * side > 0.0 {
+                low = t
+            } else {
+                high = t
+            }
+            let newton = t - (f - value) / speed;
+            // Round-off at the turning point itself may point outside.
+            let next = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
+            let done = (next - t).abs() <= f64::EPSILON * t.abs() || f == value;
+            t = next;
+            if done {
+                break;
             }
         }
         Some(t)

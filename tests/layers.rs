@@ -42,7 +42,7 @@ const PACKAGES: &[(&str, &[&str])] = &[
     ("ryu", &["output"]),
     ("petgraph", &["graph"]),
     ("faer", &["solve"]),
-    ("sprs", &["solve"]),
+    ("sprs", &["solve", "system"]),
     // In `validation` for the second writing of the lock, which shares nothing with `solve`.
     ("nalgebra", &["math", "solve", "validation"]),
     ("schemars", &["model"]),

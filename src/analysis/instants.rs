@@ -64,10 +64,12 @@ fn sampled(system: &System, sample: &Sample) -> Result<Vec<OutputInstant>, Compl
     }
     let latest = horizon(law, &[sample.from, sample.to]);
     let count = intervals as usize;
+    let stretch = latest.map(|latest| law.first_stretch(latest));
+    let mut guess = 0.0;
     let mut instants = Vec::with_capacity(count + 1);
     for k in 0..=count {
         let value = if k == count { sample.to } else { sample.from + step * k as f64 };
-        let Some(time) = latest.and_then(|latest| law.invert(value, latest)) else {
+        let Some(time) = stretch.and_then(|stretch| stretch.invert(value, guess)) else {
             let start = law.jet(0.0)[0];
             return Err(Complaint::new(
                 if k == 0 { "analysis.sample.from" } else { "analysis.sample.to" },
@@ -78,6 +80,7 @@ fn sampled(system: &System, sample: &Sample) -> Result<Vec<OutputInstant>, Compl
             )
             .hint("sample within the values the motion passes before it first turns back"));
         };
+        guess = time;
         instants.push(OutputInstant { time, exact: Some((driver, value)) });
     }
     if instants.windows(2).any(|w| w[1].time < w[0].time) {
