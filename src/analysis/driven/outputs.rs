@@ -1,0 +1,292 @@
+//! The loop over the output instants, and what it reports.
+
+use super::super::clearance_link::{ClearanceLinks, Fixpoint, balance};
+use super::super::instants::OutputInstant;
+use super::super::record::{Contents, Recorder, Sample};
+use super::super::{Control, Interval};
+use super::passages::{ON_THE_EDGE, range, times_of};
+use crate::element::Measure;
+use crate::output::{Event, Report, Status, Trajectory};
+use crate::solve::continuation::{End, Parameter, Path, SingularKind, Source};
+use crate::solve::driven::{Driven, Failure};
+use crate::system::{Evaluation, Inputs, System};
+
+/// A joint belongs to a self-stress when its part is above this, relative to the largest.
+const STRESSED: f64 = 1e-6;
+
+/// State of the loop over the outputs.
+pub(super) struct Outputs<'a, 'r> {
+    pub system: &'a System,
+    pub links: Option<ClearanceLinks>,
+    recorder: Recorder,
+    pub inputs: Inputs,
+    pub sample: Sample,
+    pub scratch: Sample,
+    report: &'r mut Report,
+    /// Largest power that flows, and largest imbalance [W].
+    power: f64,
+    imbalance: f64,
+    gap: Interval,
+    wavering: Interval,
+    /// Joints whose reaction was left out, with the position.
+    pub missing: Vec<String>,
+    pub reactions: bool,
+}
+
+impl<'a, 'r> Outputs<'a, 'r> {
+    pub fn new(system: &'a System, reactions: bool, rows: usize, report: &'r mut Report) -> Self {
+        let contents = Contents { accelerations: true, reactions };
+        Outputs {
+            system,
+            links: ClearanceLinks::of(system),
+            recorder: Recorder::new(system, contents, rows),
+            inputs: Inputs::still(system),
+            sample: Sample::new(system),
+            scratch: Sample::new(system),
+            report,
+            power: 0.0,
+            imbalance: 0.0,
+            gap: Interval::default(),
+            wavering: Interval::default(),
+            missing: Vec::new(),
+            reactions,
+        }
+    }
+
+    /// Solves and records every instant, as far as the path goes.
+    pub fn march(&mut self, driven: &mut Driven, path: &Path, instants: &[OutputInstant], control: &Control) {
+        let end = instants.last().map_or(0.0, |last| last.time);
+        let limit = self.limits(path, end);
+        self.events(path, range(self.system, instants), limit.as_ref().map_or(end, |(time, ..)| *time));
+        for instant in instants {
+            if let Some((time, status, message)) = &limit
+                && instant.time >= *time
+            {
+                self.report.status = *status;
+                self.report.message = Some(message.clone());
+                return;
+            }
+            if let Some(status) = control.stop() {
+                self.report.status = status;
+                self.report.message = Some(match status {
+                    Status::Interrupted => "interrupted; the rows until then are kept".into(),
+                    _ => format!("max_wall_time is over at t = {} s; the rows until then are kept", instant.time),
+                });
+                return;
+            }
+            self.inputs.time = instant.time;
+            instant.drive(self.system, &mut self.inputs.drive);
+            if let Err(failure) = self.solve(driven, path) {
+                self.report.status = Status::Singular;
+                self.report.message = Some(format!("no solution at t = {} s: {}", instant.time, describe(failure)));
+                return;
+            }
+        }
+    }
+
+    /// Where the path ends before the outputs do.
+    fn limits(&self, path: &Path, end: f64) -> Option<(f64, Status, String)> {
+        let ends = [path.low, path.high].into_iter().filter_map(|side| match side {
+            End::Reached => None,
+            End::DeadCentre { s } => {
+                let time = times_of(self.system, s, end).first().copied()?;
+                let what = format!(
+                    "dead centre: {} can't go on; the results until there are kept",
+                    self.position_text(s, time)
+                );
+                Some((time, Status::DeadCentre, what))
+            }
+            End::Stuck { s } => {
+                let time = times_of(self.system, s, end).first().copied()?;
+                let what = format!("the motion can't be followed beyond {}", self.position_text(s, time));
+                Some((time, Status::Singular, what))
+            }
+            End::Interrupted => Some((0.0, Status::Interrupted, "interrupted while the path was followed".into())),
+        });
+        ends.min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    fn position_text(&self, s: f64, time: f64) -> String {
+        match Parameter::of(self.system) {
+            Parameter::Time | Parameter::Pin => format!("t = {time} s"),
+            Parameter::DriverValue => {
+                let driver = &self.system.drivers[0];
+                let value = match driver.measure {
+                    Measure::Angle => format!("{s} rad ({:.9}°)", s.to_degrees()),
+                    Measure::Length => format!("{s} m"),
+                };
+                format!("driver \"{}\" at {value}, t = {time} s,", driver.name)
+            }
+        }
+    }
+
+    /// Passages of singular positions within the run, by time; a dead centre ends it.
+    fn events(&mut self, path: &Path, (low, high): (f64, f64), end: f64) {
+        let by_value = path.parameter == Parameter::DriverValue;
+        let edge = ON_THE_EDGE * (high - low);
+        for position in path.singular_between(low - edge, high + edge) {
+            let times = times_of(self.system, position.s, end);
+            let (kind, times) = match position.kind {
+                SingularKind::ChangePoint => ("change_point", &times[..]),
+                SingularKind::DeadCentre => ("dead_centre", &times[..times.len().min(1)]),
+            };
+            self.report.events.extend(times.iter().map(|&time| Event {
+                kind,
+                time,
+                end_time: None,
+                driver: by_value.then(|| self.system.drivers[0].name.clone()),
+                value: by_value.then_some(position.s),
+                end_value: None,
+                note: None,
+            }));
+        }
+        self.report.events.sort_by(|a, b| a.time.total_cmp(&b.time));
+    }
+
+    fn driver_value(&self) -> Option<(String, f64)> {
+        self.system.drivers.first().map(|driver| (driver.name.clone(), self.inputs.drive[0][0]))
+    }
+
+    fn solve(&mut self, driven: &mut Driven, path: &Path) -> Result<(), Failure> {
+        let system = self.system;
+        // The path's parameter and its rates.
+        let [s, rate, bend] = match path.parameter {
+            Parameter::DriverValue => self.inputs.drive[0],
+            Parameter::Time | Parameter::Pin => [self.inputs.time, 1.0, 0.0],
+        };
+        self.inputs.offset.iter_mut().for_each(|offset| offset.fill(crate::math::Vec2::zeros()));
+        let Sample { q, v, a, .. } = &mut self.sample;
+        let Some(source) = path.guess(s, q, v, a) else { return Err(Failure::Diverged { residual: f64::NAN }) };
+        let mut residual;
+        match source {
+            Source::Regular => {
+                driven.prepare(q, &self.inputs)?;
+                residual = driven.correct(q, &self.inputs)?.residual;
+                driven.factor(&self.inputs)?;
+                driven.velocity(&self.inputs, v);
+                driven.acceleration(&self.inputs, a);
+                if self.reactions || self.links.is_some() {
+                    balance(system, &driven.evaluation, &self.inputs, &mut self.sample);
+                    driven.multipliers(&self.sample.balance, &mut self.sample.lambda);
+                    self.note_not_unique(driven);
+                }
+            }
+            Source::Bridged { index, distance } => {
+                residual = self.bridged(driven, path, index, distance, [s, rate, bend]);
+            }
+        }
+        if let Some(mut links) = self.links.take() {
+            let outcome = links.solve(driven, &mut self.inputs, &mut self.sample);
+            self.links = Some(links);
+            match outcome {
+                Fixpoint::Converged { .. } => {
+                    self.gap.close(&mut self.report.events);
+                    self.wavering.close(&mut self.report.events);
+                }
+                Fixpoint::NotConverged { .. } => {
+                    self.gap.close(&mut self.report.events);
+                    let (time, driver) = (self.inputs.time, self.driver_value());
+                    let note = "the clearance links' fixed point was not met within 50 passes; the last pass is kept";
+                    self.wavering.extend("not_converged", time, driver, note);
+                }
+                Fixpoint::NoSolution { .. } => {
+                    self.wavering.close(&mut self.report.events);
+                    let (time, driver) = (self.inputs.time, self.driver_value());
+                    let note = "with the clearance links in the directions of the joint forces the mechanism can't be \
+                                assembled on the branch of the ideal one";
+                    self.gap.extend("no_solution", time, driver, note);
+                    self.recorder.push_gap(&self.inputs);
+                    self.report.status = Status::CompletedWithGaps;
+                    return Ok(());
+                }
+            }
+            driven.evaluation.set_position(&self.sample.q);
+            driven.evaluation.set_velocity(&self.sample.v);
+            driven.evaluation.eval_phi(system, &self.inputs);
+            residual = system.scaled_residual(&driven.evaluation.phi);
+        }
+        self.report.quality.constraint_residual = self.report.quality.constraint_residual.max(residual);
+        if self.reactions {
+            self.account();
+        }
+        self.recorder.push(system, &driven.evaluation, &self.inputs, &self.sample);
+        Ok(())
+    }
+
+    /// Joints whose reactions differ between equilibria.
+    pub fn note_not_unique(&mut self, driven: &mut Driven) {
+        if !driven.is_redundant() {
+            return;
+        }
+        for z in driven.self_stress() {
+            let largest = crate::math::max_abs(&z);
+            for (joint, block) in self.system.joints.iter().zip(&self.system.blocks) {
+                let part = crate::math::max_abs(&z[block.row..block.row + block.rows]);
+                let listed = &mut self.report.mobility.reactions_not_unique;
+                if part > STRESSED * largest && !listed.contains(&joint.name) {
+                    listed.push(joint.name.clone());
+                }
+            }
+        }
+    }
+
+    /// Power of drivers + power of forces = change of kinetic energy.
+    fn account(&mut self) {
+        let Sample { v, a, lambda, force, .. } = &self.sample;
+        let efforts = &lambda[self.system.joint_rows()..];
+        let driven: f64 = efforts.iter().zip(&self.inputs.drive).map(|(effort, jet)| effort * jet[1]).sum();
+        if !driven.is_finite() {
+            return;
+        }
+        let applied = Evaluation::power(force, v);
+        let kinetic: f64 = v.iter().zip(a).zip(&self.system.mass).map(|((v, a), m)| v * a * m).sum();
+        self.power = self.power.max(driven.abs()).max(applied.abs()).max(kinetic.abs());
+        self.imbalance = self.imbalance.max((driven + applied - kinetic).abs());
+    }
+
+    /// What is left to say at the end.
+    pub fn finish(mut self) -> Trajectory {
+        self.gap.close(&mut self.report.events);
+        self.wavering.close(&mut self.report.events);
+        self.report.events.sort_by(|a, b| a.time.total_cmp(&b.time));
+        if self.reactions {
+            let balance = if self.power > 0.0 { self.imbalance / self.power } else { 0.0 };
+            self.report.quality.power_imbalance = Some(balance);
+        }
+        if !self.missing.is_empty() {
+            self.report.warnings.push(format!(
+                "at a change point the reactions of {} have no bound and are left out",
+                self.missing.join(", ")
+            ));
+        }
+        if !self.report.mobility.redundant.is_empty() && self.reactions {
+            self.report.warnings.push(format!(
+                "constraints of {} are redundant: the reactions of {} are the ones of least norm, not the only ones",
+                self.report.mobility.redundant.join(", "),
+                self.report.mobility.reactions_not_unique.join(", ")
+            ));
+        }
+        for (kind, what) in
+            [("not_converged", "the clearance fixed point does not converge"), ("no_solution", "there is no assembly")]
+        {
+            let count = self.report.events.iter().filter(|event| event.kind == kind).count();
+            if count > 0 {
+                let intervals = if count == 1 { "interval" } else { "intervals" };
+                self.report.warnings.push(format!("in {count} {intervals} {what} (see events)"));
+            }
+        }
+        self.recorder.trajectory
+    }
+}
+
+fn describe(failure: Failure) -> String {
+    match failure {
+        Failure::Singular => "the constraints are singular there".into(),
+        Failure::Diverged { residual } => {
+            format!("Newton's iteration does not converge (residual {residual:.1e} of the size)")
+        }
+        Failure::Inconsistent { residual } => {
+            format!("redundant constraints contradict each other by {residual:.1e} of the mechanism's size")
+        }
+    }
+}
