@@ -111,6 +111,51 @@ pub const CASES: &[Case] = &[
         include_str!("../../validation/planetary-crank/reference.csv"),
     ),
     reference(
+        "a01-pendulum",
+        include_str!("../../validation/a01-pendulum/case.json"),
+        include_str!("../../validation/a01-pendulum/reference.csv"),
+    ),
+    reference(
+        "a01-pendulum-exact",
+        include_str!("../../validation/a01-pendulum-exact/case.json"),
+        include_str!("../../validation/a01-pendulum-exact/reference.csv"),
+    ),
+    reference(
+        "andrews",
+        include_str!("../../validation/andrews/case.json"),
+        include_str!("../../validation/andrews/reference.csv"),
+    ),
+    reference(
+        "cart-pole",
+        include_str!("../../validation/cart-pole/case.json"),
+        include_str!("../../validation/cart-pole/reference.csv"),
+    ),
+    reference(
+        "car-axis",
+        include_str!("../../validation/car-axis/case.json"),
+        include_str!("../../validation/car-axis/reference.csv"),
+    ),
+    reference(
+        "slider-crank-torque",
+        include_str!("../../validation/slider-crank-torque/case.json"),
+        include_str!("../../validation/slider-crank-torque/reference.csv"),
+    ),
+    reference(
+        "double-pendulum-springs",
+        include_str!("../../validation/double-pendulum-springs/case.json"),
+        include_str!("../../validation/double-pendulum-springs/reference.csv"),
+    ),
+    reference(
+        "assur-class-iii-free",
+        include_str!("../../validation/assur-class-iii-free/case.json"),
+        include_str!("../../validation/assur-class-iii-free/reference.csv"),
+    ),
+    reference(
+        "free-six-bar",
+        include_str!("../../validation/free-six-bar/case.json"),
+        include_str!("../../validation/free-six-bar/reference.csv"),
+    ),
+    reference(
         "random-1",
         include_str!("../../validation/random-1/case.json"),
         include_str!("../../validation/random-1/reference.csv"),

@@ -158,6 +158,8 @@ def main():
         # only cases whose rows are full solutions of a model kept beside them
         if sys.argv[1:] and folder.name not in sys.argv[1:]:
             continue
+        if '"type": "dynamics"' in (folder / "case.json").read_text(encoding="utf-8"):
+            continue  # parts of a solution, integrated with an error of their own
         found, count = check(folder)
         bad = {k: v for k, v in found.items() if v > LIMIT}
         failed |= bool(bad)
