@@ -121,6 +121,16 @@ pub const CASES: &[Case] = &[
         include_str!("../../validation/a01-pendulum-exact/reference.csv"),
     ),
     reference(
+        "a02-four-bars-2",
+        include_str!("../../validation/a02-four-bars-2/case.json"),
+        include_str!("../../validation/a02-four-bars-2/reference.csv"),
+    ),
+    reference(
+        "a02-four-bars-40",
+        include_str!("../../validation/a02-four-bars-40/case.json"),
+        include_str!("../../validation/a02-four-bars-40/reference.csv"),
+    ),
+    reference(
         "andrews",
         include_str!("../../validation/andrews/case.json"),
         include_str!("../../validation/andrews/reference.csv"),
