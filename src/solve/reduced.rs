@@ -115,7 +115,7 @@ impl<'s> Reduced<'s> {
         self.driven.factor(&self.inputs)?;
         self.eval_motions();
         for _ in 0..10 * (self.freedom() + 1) {
-            let Some((k, column)) = self.better_pin() else { break };
+            let Some((k, column)) = better_pin(&self.driven, &self.motions) else { break };
             let mut columns: Vec<usize> = self.driven.pins.iter().map(|pin| pin.column).collect();
             columns[k] = column;
             self.driven.pin(&columns, &self.inputs)?;
@@ -128,33 +128,13 @@ impl<'s> Reduced<'s> {
         Ok(())
     }
 
-    /// A pin and the coordinate that moves more than it, where there is one.
-    fn better_pin(&self) -> Option<(usize, usize)> {
-        let system = self.driven.system;
-        let n = system.n();
-        let mut best: Option<(f64, usize, usize)> = None;
-        for (k, motion) in self.motions.chunks_exact(n.max(1)).enumerate() {
-            let own = system.column_scale(self.driven.pins[k].column);
-            for (column, s) in motion.iter().enumerate() {
-                let moves = s.abs() * own / system.column_scale(column);
-                if moves > EXCHANGE && best.is_none_or(|(most, ..)| moves > most) {
-                    best = Some((moves, k, column));
-                }
-            }
-        }
-        best.map(|(_, k, column)| (k, column))
-    }
-
     /// Chooses other pins at the last accepted point where that is better; true if it was done, and the state vector is
     /// another one then.
     ///
     /// # Errors
     /// When the coordinates do not determine the rest any more.
     pub fn repin(&mut self) -> Result<bool, Failure> {
-        std::mem::swap(&mut self.motions, &mut self.here_motions);
-        let wanted = self.better_pin().is_some();
-        std::mem::swap(&mut self.motions, &mut self.here_motions);
-        if !wanted {
+        if better_pin(&self.driven, &self.here_motions).is_none() {
             return Ok(false);
         }
         self.q.copy_from_slice(&self.here.q);
@@ -430,3 +410,19 @@ impl<'s> Reduced<'s> {
 const STRAINED: f64 = 0.1;
 /// A pivot of SᵀMS that loses more than this of its size means freedom without mass.
 const MASSLESS: f64 = 1e-13;
+
+/// A pin and the coordinate that moves more than it, where there is one; `motions` are ∂q/∂u, one after the other (f × n).
+pub(super) fn better_pin(driven: &Driven, motions: &[f64]) -> Option<(usize, usize)> {
+    let system = driven.system;
+    let mut best: Option<(f64, usize, usize)> = None;
+    for (k, motion) in motions.chunks_exact(system.n().max(1)).enumerate() {
+        let own = system.column_scale(driven.pins[k].column);
+        for (column, s) in motion.iter().enumerate() {
+            let moves = s.abs() * own / system.column_scale(column);
+            if moves > EXCHANGE && best.is_none_or(|(most, ..)| moves > most) {
+                best = Some((moves, k, column));
+            }
+        }
+    }
+    best.map(|(_, k, column)| (k, column))
+}
