@@ -8,8 +8,8 @@
 //! least norm solution     x = Σ vᵢ (uᵢᵀ b) / σᵢ over the rank
 //! ```
 //!
-//! The cost is cubic, for a few hundred rows at most; [`super::rank`] serves larger ones. The only place that calls
-//! faer's dense factorisations, and with `f64` alone: its generics are compiled in the crate that uses them. faer
+//! The cost is cubic, for a few hundred rows at most; [`super::rank`] serves larger ones. This and [`super::eigen`]
+//! alone call faer's dense factorisations, with `f64`: its generics are compiled in the crate that uses them. faer
 //! reports no rank and passes NaN through, so both are checked here.
 
 use faer::MatRef;

@@ -11,6 +11,9 @@
 //! closing       assembly from rough guesses (Levenberg–Marquardt)
 //! driven        positions, velocities, accelerations, multipliers at one instant
 //! reduced       equations of motion in minimal coordinates
+//! held          the mechanism at rest in minimal coordinates: forces, stiffness, damping and mass
+//! equilibrium   where the forces at rest vanish, and whether that is stable
+//! eigen         eigenvalues of small symmetric matrices, and of M x″ + C x′ + K x = 0
 //! hermite       osculating polynomials
 //! continuation  the path of a driven mechanism, branch-safe, with its singular positions
 //! ```
@@ -21,6 +24,9 @@ pub mod closing;
 pub mod continuation;
 pub mod dense;
 pub mod driven;
+pub mod eigen;
+pub mod equilibrium;
+pub mod held;
 pub mod hermite;
 pub mod lu;
 pub mod matching;
