@@ -158,9 +158,6 @@ fn a_statically_determinate_frame_has_reactions_without_drivers() {
 #[test]
 fn what_is_not_built_is_refused_by_name() {
     let mut model = slider_crank(0.1, 0.3, 0.5, false, &still(0.5));
-    model["analysis"]["type"] = json!("statics");
-    assert!(complaint(&model).contains("the analysis type `statics` is not built yet"));
-    let mut model = slider_crank(0.1, 0.3, 0.5, false, &still(0.5));
     model["joints"]["a"]["clearance"] =
         json!({ "model": "three_state", "radius": 1e-4, "impact": { "restitution": 0.5 } });
     let said = complaint(&model);

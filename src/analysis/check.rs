@@ -105,14 +105,18 @@ fn missing(model: &Model, undriven: Option<&str>, freedom: usize) -> Vec<(Analys
     let drive: Vec<String> = undriven.iter().map(|text| (*text).to_string()).collect();
     let mut inverse = drive.clone();
     inverse.extend(data.iter().cloned());
-    let not_built = "not built yet in this version".to_string();
-    let mut dynamics = vec![not_built.clone()];
+    let mut dynamics = Vec::new();
     if freedom == model.drivers.len() {
         dynamics.push("every degree of freedom is driven: nothing is free to move".into());
     }
     dynamics.extend(data.iter().cloned());
-    let mut statics = vec![not_built];
-    statics.extend(data);
+    let heavy = model.gravity.iter().any(|g| *g != 0.0);
+    let statics = model
+        .bodies
+        .iter()
+        .filter(|(name, body)| heavy && *name != GROUND && body.mass.is_none())
+        .map(|(name, _)| format!("mass of body \"{name}\""))
+        .collect();
     [
         (AnalysisKind::Kinematics, drive),
         (AnalysisKind::InverseDynamics, inverse),

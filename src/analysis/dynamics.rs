@@ -61,7 +61,7 @@ pub fn run(system: &System, analysis: &Analysis, control: &Control) -> Result<(T
     let watch = Stopwatch::start();
     let instants = instants(system, analysis).map_err(Stop::Input)?;
     let end = instants.last().map_or(0.0, |last| last.time);
-    let contents = Contents { accelerations: true, reactions: true };
+    let contents = Contents { velocities: true, accelerations: true, reactions: true };
     let mut outputs = Outputs {
         system,
         recorder: Recorder::new(system, contents, instants.len()),

@@ -6,9 +6,12 @@ pub mod clearance_link;
 pub mod driven;
 pub mod dynamics;
 mod instants;
+pub mod modes;
 pub mod record;
+pub mod statics;
 
 pub use check::{Check, check};
+pub use modes::{Linearised, Mode, modes};
 
 use crate::error::Complaint;
 use crate::model::{AnalysisKind, Model};
@@ -65,7 +68,7 @@ impl Stop {
 /// Runs the model's analysis.
 ///
 /// # Errors
-/// Faults of the input: no analysis, an analysis or clearance model that is not built yet, missing data, too few or too
+/// Faults of the input: no analysis, a clearance model that is not built yet, missing data, too few or too
 /// many drivers. Everything else ends in the report's status, with what was computed until then.
 pub fn run(model: &Model, control: &Control) -> Result<Outcome, Vec<Complaint>> {
     let Some(analysis) = &model.analysis else {
@@ -73,33 +76,18 @@ pub fn run(model: &Model, control: &Control) -> Result<Outcome, Vec<Complaint>> 
             "add \"analysis\": { \"type\": \"kinematics\", \"end\": 1, \"outputs\": 101 }, or use `linkdyn check`",
         )]);
     };
-    let refused = match analysis.kind {
-        AnalysisKind::Assembly | AnalysisKind::Kinematics | AnalysisKind::InverseDynamics | AnalysisKind::Dynamics => {
-            None
-        }
-        AnalysisKind::Statics => Some("statics"),
-    };
-    if let Some(name) = refused {
-        return Err(vec![
-            Complaint::new("analysis.type", format!("the analysis type `{name}` is not built yet in this version"))
-                .found(format!("\"{name}\""))
-                .hint("use \"assembly\", \"kinematics\", \"inverse_dynamics\" or \"dynamics\""),
-        ]);
-    }
     let system = compile(model, analysis.kind)?;
     let outcome = match analysis.kind {
         AnalysisKind::Assembly => run_assembly(&system),
-        AnalysisKind::Kinematics | AnalysisKind::InverseDynamics | AnalysisKind::Statics => {
-            driven::run(&system, analysis, control)
-        }
+        AnalysisKind::Kinematics | AnalysisKind::InverseDynamics => driven::run(&system, analysis, control),
         AnalysisKind::Dynamics => dynamics::run(&system, analysis, control),
+        AnalysisKind::Statics => statics::run(&system, control),
     };
     let (mut trajectory, mut report) = match outcome {
         Ok(found) => found,
         Err(Stop::Input(complaints)) => return Err(complaints),
         Err(Stop::Failed { status, message }) => {
-            let contents = Contents { accelerations: true, reactions: has_reactions(analysis.kind) };
-            let trajectory = Recorder::new(&system, contents, 0).trajectory;
+            let trajectory = Recorder::new(&system, contents(analysis.kind), 0).trajectory;
             (
                 trajectory,
                 Report { status, message: Some(message), mobility: assembly::counted(&system), ..Report::default() },
@@ -116,6 +104,16 @@ fn has_reactions(kind: AnalysisKind) -> bool {
         AnalysisKind::Assembly | AnalysisKind::Kinematics => false,
         AnalysisKind::InverseDynamics | AnalysisKind::Dynamics | AnalysisKind::Statics => true,
     }
+}
+
+/// What an analysis leaves in the results.
+fn contents(kind: AnalysisKind) -> Contents {
+    let (velocities, accelerations) = match kind {
+        AnalysisKind::Assembly => (true, false),
+        AnalysisKind::Kinematics | AnalysisKind::InverseDynamics | AnalysisKind::Dynamics => (true, true),
+        AnalysisKind::Statics => (false, false),
+    };
+    Contents { velocities, accelerations, reactions: has_reactions(kind) }
 }
 
 /// An analysis as the file calls it.
@@ -167,7 +165,7 @@ fn run_assembly(system: &System) -> Result<(Trajectory, Report), Stop> {
     evaluation.set_position(&sample.q);
     evaluation.set_velocity(&sample.v);
     evaluation.eval_phi(system, &inputs);
-    let mut recorder = Recorder::new(system, Contents { accelerations: false, reactions: false }, 1);
+    let mut recorder = Recorder::new(system, contents(AnalysisKind::Assembly), 1);
     recorder.push(system, &evaluation, &inputs, &sample);
     let mut report = Report { mobility: assembled.mobility, warnings: assembled.warnings, ..Report::default() };
     report.statistics.newton_iterations = assembled.iterations;

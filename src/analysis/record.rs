@@ -7,6 +7,7 @@ use crate::system::{BodyData, Evaluation, Inputs, System};
 /// What an analysis computes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Contents {
+    pub velocities: bool,
     pub accelerations: bool,
     pub reactions: bool,
 }
@@ -62,7 +63,10 @@ impl Recorder {
         for point in &system.points {
             let marker = &point.marker;
             let (place, velocity) = (marker.place(&at), marker.velocity(&at));
-            row.extend([place.x, place.y, velocity.x, velocity.y]);
+            row.extend([place.x, place.y]);
+            if self.contents.velocities {
+                row.extend([velocity.x, velocity.y]);
+            }
             if self.contents.accelerations {
                 let mut acceleration = marker.centripetal(&at);
                 if marker.body.0 > 0 {
@@ -118,7 +122,9 @@ impl Contents {
         let rho = pose.turn(body.origin);
         let omega = twist.omega;
         row.extend([pose.r.x + rho.x, pose.r.y + rho.y, pose.theta]);
-        row.extend([twist.v.x - omega * rho.y, twist.v.y + omega * rho.x, omega]);
+        if self.velocities {
+            row.extend([twist.v.x - omega * rho.y, twist.v.y + omega * rho.x, omega]);
+        }
         if self.accelerations {
             let a = &sample.a[3 * k..3 * k + 3];
             let square = omega * omega;
@@ -138,8 +144,10 @@ fn columns(system: &System, contents: Contents) -> Vec<Column> {
     for body in &system.bodies {
         add(&body.name, &PLACE);
         add(&body.name, &[("angle", "rad")]);
-        add(&body.name, &RATE);
-        add(&body.name, &[("omega", "rad/s")]);
+        if contents.velocities {
+            add(&body.name, &RATE);
+            add(&body.name, &[("omega", "rad/s")]);
+        }
         if contents.accelerations {
             add(&body.name, &CHANGE);
             add(&body.name, &[("alpha", "rad/s^2")]);
@@ -147,7 +155,9 @@ fn columns(system: &System, contents: Contents) -> Vec<Column> {
     }
     for point in &system.points {
         add(&point.name, &PLACE);
-        add(&point.name, &RATE);
+        if contents.velocities {
+            add(&point.name, &RATE);
+        }
         if contents.accelerations {
             add(&point.name, &CHANGE);
         }

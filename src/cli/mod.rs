@@ -5,6 +5,7 @@
 mod check;
 mod interrupt;
 mod models;
+mod modes;
 mod open;
 mod page;
 mod run;
@@ -37,6 +38,8 @@ enum Command {
     Run(run::Options),
     /// Read, assemble and diagnose a model
     Check(check::Options),
+    /// Natural frequencies, damping ratios and shapes of small motions about the equilibrium
+    Modes(modes::Options),
     /// Run the bundled validation cases: reference, ours, difference, verdict
     Validate(validate::Options),
     /// List the bundled models, or print one as JSON
@@ -113,6 +116,7 @@ pub fn main() -> ExitCode {
     let exit = match arguments.command {
         Command::Run(options) => run::execute(&options),
         Command::Check(options) => check::execute(&options),
+        Command::Modes(options) => modes::execute(&options),
         Command::Validate(options) => validate::execute(&options),
         Command::Models(options) => models::execute(&options),
         Command::Schema => schema::execute(),

@@ -7,7 +7,7 @@ use super::page::{Page, count, number, seconds};
 use super::run::Written;
 use crate::analysis::Outcome;
 use crate::model::AnalysisKind;
-use crate::output::{Event, Mobility, Quality, Stage, Status, Trajectory};
+use crate::output::{Equilibrium, Event, Mobility, Quality, Stage, Status, Trajectory};
 
 /// Digits of numbers.
 const DIGITS: usize = 4;
@@ -25,6 +25,7 @@ pub fn page(opened: &Opened, outcome: &Outcome, written: &Written) -> String {
     page.row("mobility", mobility(&report.mobility));
     page.row("outputs", outputs(trajectory));
     page.row("quality", quality(&report.quality));
+    page.rows("equilibrium", report.equilibrium.iter().map(equilibrium));
     page.rows("events", shorten(report.events.iter().map(|event| event_words(event, trajectory)).collect()));
     page.rows("effort", efforts(trajectory));
     page.rows("largest force", forces(trajectory));
@@ -72,6 +73,16 @@ fn outputs(trajectory: &Trajectory) -> String {
     let (first, last) = (trajectory.row(0)[time], trajectory.row(trajectory.len() - 1)[time]);
     let instants = count(trajectory.len(), "instant");
     format!("{instants}, t = {} … {} s, {}", number(first, 6), number(last, 6), count(trajectory.width(), "column"))
+}
+
+/// `stable, stiffness 7.688 by crank.angle, residual 1e-16`.
+pub fn equilibrium(found: &Equilibrium) -> String {
+    let stiffness: Vec<String> = found.stiffness.iter().map(|k| number(*k, DIGITS)).collect();
+    let by = match stiffness.is_empty() {
+        true => "nothing is free to move".to_string(),
+        false => format!("stiffness {} by {}", stiffness.join(", "), found.coordinates.join(", ")),
+    };
+    format!("{}, {by}, residual {}", found.stability, number(found.residual, 2))
 }
 
 fn quality(quality: &Quality) -> String {

@@ -91,6 +91,19 @@ pub struct Quality {
     pub energy_drift: Option<f64>,
 }
 
+/// What statics found out about its equilibrium.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Equilibrium {
+    /// `stable`, `indifferent` or `unstable`.
+    pub stability: &'static str,
+    /// The coordinates that the stiffness is by, `crank.angle`; `x` and `y` are those of the centre of mass.
+    pub coordinates: Vec<String>,
+    /// Eigenvalues of the reduced stiffness, ascending [N/m or N·m].
+    pub stiffness: Vec<f64>,
+    /// Largest force that is not balanced, relative to the largest force and stiffness [–].
+    pub residual: f64,
+}
+
 /// Wall and process CPU seconds of a stage.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Stage {
@@ -107,6 +120,8 @@ pub struct Report {
     pub mobility: Mobility,
     pub statistics: Statistics,
     pub quality: Quality,
+    /// Of statics alone.
+    pub equilibrium: Option<Equilibrium>,
     pub warnings: Vec<String>,
     pub events: Vec<Event>,
     pub assemble: Stage,

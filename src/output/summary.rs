@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::{Event, Report, Stage, Status, Trajectory};
+use super::{Equilibrium, Event, Report, Stage, Status, Trajectory};
 
 /// What a summary is made of.
 #[derive(Debug)]
@@ -83,6 +83,9 @@ pub fn to_json(summary: &Summary) -> Value {
             "energy_drift": report.quality.energy_drift,
         }),
     );
+    if let Some(found) = &report.equilibrium {
+        json.insert("equilibrium".into(), equilibrium(found));
+    }
     json.insert("warnings".into(), report.warnings.as_slice().into());
     json.insert("events".into(), report.events.iter().map(event).collect());
     json.insert("extremes".into(), extremes(summary.trajectory));
@@ -92,6 +95,17 @@ pub fn to_json(summary: &Summary) -> Value {
 /// The summary as the text of the file.
 pub fn to_text(summary: &Summary) -> String {
     format!("{:#}\n", to_json(summary))
+}
+
+/// An equilibrium.
+pub fn equilibrium(found: &Equilibrium) -> Value {
+    json!({
+        "stable": found.stability == "stable",
+        "stability": found.stability,
+        "coordinates": found.coordinates,
+        "stiffness": found.stiffness,
+        "residual": found.residual,
+    })
 }
 
 fn stage(stage: Stage) -> Value {

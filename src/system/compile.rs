@@ -92,15 +92,19 @@ fn missing(model: &Model, analysis: AnalysisKind) -> Vec<Complaint> {
     let why = match (analysis, linked) {
         (AnalysisKind::InverseDynamics, _) => Some("inverse dynamics".to_string()),
         (AnalysisKind::Dynamics, _) => Some("dynamics".to_string()),
-        (AnalysisKind::Statics, _) => Some("statics".to_string()),
+        (AnalysisKind::Statics, _) if model.gravity.iter().any(|g| *g != 0.0) => {
+            Some("statics under gravity".to_string())
+        }
         (AnalysisKind::Kinematics, Some(joint)) => Some(format!(
             "the massless clearance link of joint \"{joint}\", whose direction is that of the joint force,"
         )),
-        (AnalysisKind::Kinematics, None) | (AnalysisKind::Assembly, _) => None,
+        (AnalysisKind::Kinematics, None) | (AnalysisKind::Assembly | AnalysisKind::Statics, _) => None,
     };
     if let Some(why) = why {
         for (name, body) in model.bodies.iter().filter(|(name, _)| *name != GROUND) {
-            for (key, lacks) in [("mass", body.mass.is_none()), ("inertia", body.inertia.is_none())] {
+            // At rest nothing is turned.
+            let inertia = body.inertia.is_none() && analysis != AnalysisKind::Statics;
+            for (key, lacks) in [("mass", body.mass.is_none()), ("inertia", inertia)] {
                 if lacks {
                     complaints.push(
                         Complaint::new(format!("bodies.{name}"), format!("{why} needs the {key} of body \"{name}\""))

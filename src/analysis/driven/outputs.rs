@@ -35,7 +35,7 @@ pub(super) struct Outputs<'a, 'r> {
 
 impl<'a, 'r> Outputs<'a, 'r> {
     pub fn new(system: &'a System, reactions: bool, rows: usize, report: &'r mut Report) -> Self {
-        let contents = Contents { accelerations: true, reactions };
+        let contents = Contents { velocities: true, accelerations: true, reactions };
         Outputs {
             system,
             links: ClearanceLinks::of(system),

@@ -1,0 +1,162 @@
+//! Statics: the equilibrium that the mechanism takes under gravity, springs and loads.
+//!
+//! Drivers are held at their values at t = 0, loads have theirs of t = 0, nothing moves. The search begins at the assembled
+//! position, `initial` values included, and goes where the forces pull (see [`crate::solve::equilibrium`]). Reactions and
+//! efforts are the multipliers of Jᵀλ = Q there. The one row at t = 0 has no velocities and no accelerations.
+
+use super::assembly::{Assembled, assemble, check_driven};
+use super::record::{Recorder, Sample};
+use super::{Control, Stop, contents};
+use crate::error::Complaint;
+use crate::model::AnalysisKind;
+use crate::output::{Equilibrium, Report, Status, Stopwatch, Trajectory};
+use crate::solve::driven::Failure;
+use crate::solve::equilibrium::{Balance, Lost, Stability, find};
+use crate::solve::held::Held;
+use crate::system::{Inputs, System};
+
+/// Runs the analysis.
+///
+/// # Errors
+/// Faults of the input, a singular start, and forces without equilibrium.
+pub fn run(system: &System, control: &Control) -> Result<(Trajectory, Report), Stop> {
+    refuse(system)?;
+    let watch = Stopwatch::start();
+    let (assembled, mut held) = start(system)?;
+    let mut report = Report { mobility: assembled.mobility, warnings: assembled.warnings, ..Report::default() };
+    report.assemble = watch.read();
+
+    let watch = Stopwatch::start();
+    let balance = balance(&mut held, control)?;
+    let mut recorder = Recorder::new(system, contents(AnalysisKind::Statics), 1);
+    let mut sample = Sample::new(system);
+    sample.q.copy_from_slice(&held.q);
+    sample.force.copy_from_slice(&held.force);
+    held.driven.multipliers(&held.force, &mut sample.lambda);
+    recorder.push(system, &held.driven.evaluation, &held.inputs, &sample);
+    report.warnings.extend(warning(&balance));
+    report.equilibrium = Some(described(&held, &balance));
+    report.quality.constraint_residual = held.residual;
+    let done = held.driven.done;
+    report.statistics.steps = balance.iterations;
+    report.statistics.newton_iterations = done.newton_iterations + assembled.iterations;
+    report.statistics.evaluations = done.evaluations;
+    report.statistics.factorisations = done.factorisations;
+    report.solve = watch.read();
+    Ok((recorder.trajectory, report))
+}
+
+/// What statics can't do.
+///
+/// # Errors
+/// Clearance links.
+pub fn refuse(system: &System) -> Result<(), Stop> {
+    match system.joints.iter().find(|joint| joint.clearance.is_some()) {
+        Some(joint) => Err(Stop::Input(vec![
+            Complaint::new(
+                format!("joints.{}.clearance.model", joint.name),
+                "the equilibrium of a massless clearance link is not built yet in this version",
+            )
+            .hint("use \"ideal\""),
+        ])),
+        None => Ok(()),
+    }
+}
+
+/// The mechanism at rest where it is assembled.
+///
+/// # Errors
+/// When it does not assemble, has too many drivers, or is in a singular position.
+pub fn start(system: &System) -> Result<(Assembled, Held<'_>), Stop> {
+    let inputs = Inputs::at_time(system, 0.0);
+    let assembled = assemble(system, &inputs)?;
+    if assembled.all.rank == system.n() || system.drivers.len() > system.n() - assembled.joints.rank {
+        check_driven(system, &assembled, &inputs)?;
+    }
+    let held = Held::new(system, &assembled.all.free_columns, &assembled.q).map_err(singular)?;
+    Ok((assembled, held))
+}
+
+fn singular(_: Failure) -> Stop {
+    Stop::failed(
+        Status::Singular,
+        "the start is a singular position (the constraints lose rank there); start a little beside it".into(),
+    )
+}
+
+/// Moves the mechanism into equilibrium.
+///
+/// # Errors
+/// When there is none, or it is time to stop.
+pub fn balance(held: &mut Held, control: &Control) -> Result<Balance, Stop> {
+    find(held, &|| control.stop().is_some()).map_err(|lost| match lost {
+        Lost::Stopped => {
+            let status = control.stop().unwrap_or(Status::Interrupted);
+            Stop::failed(status, format!("{} before an equilibrium was found", status.word().replace('_', " ")))
+        }
+        Lost::Unbalanced { residual } => Stop::failed(
+            Status::Singular,
+            format!(
+                "no equilibrium found: something still pulls at {} (residual {residual:.1e}) however far it moves; look for a \
+                 load that nothing balances",
+                pulled(held)
+            ),
+        ),
+        Lost::Blocked => Stop::failed(
+            Status::Singular,
+            format!(
+                "no equilibrium found: the forces pull {} against a dead centre or change point, where its way ends; start \
+                 on the other side, or drive it",
+                pulled(held)
+            ),
+        ),
+        Lost::Failed(_) => Stop::failed(
+            Status::Singular,
+            "no equilibrium found: the search came to a singular position; start closer to the equilibrium".into(),
+        ),
+    })
+}
+
+/// The coordinate that is pulled at most.
+fn pulled(held: &Held) -> String {
+    let pull: Vec<f64> = held.pull().iter().enumerate().map(|(k, g)| (g * held.scale(k)).abs()).collect();
+    let most = (0..pull.len()).max_by(|&a, &b| pull[a].total_cmp(&pull[b]));
+    most.map_or_else(String::new, |k| coordinate(held, k))
+}
+
+/// The name of a minimal coordinate.
+fn coordinate(held: &Held, k: usize) -> String {
+    let column = held.driven.pins[k].column;
+    let axis = ["x", "y", "angle"][column % 3];
+    format!("{}.{axis}", held.driven.system.bodies[column / 3].name)
+}
+
+/// The word for a stability.
+fn word(stability: Stability) -> &'static str {
+    match stability {
+        Stability::Stable => "stable",
+        Stability::Indifferent => "indifferent",
+        Stability::Unstable => "unstable",
+    }
+}
+
+/// An equilibrium for the report.
+pub fn described(held: &Held, balance: &Balance) -> Equilibrium {
+    Equilibrium {
+        stability: word(balance.stability),
+        coordinates: (0..held.freedom()).map(|k| coordinate(held, k)).collect(),
+        stiffness: balance.stiffness.clone(),
+        residual: balance.residual,
+    }
+}
+
+/// What to say of an equilibrium that does not hold by itself.
+pub fn warning(balance: &Balance) -> Option<String> {
+    match balance.stability {
+        Stability::Stable => None,
+        Stability::Indifferent => {
+            Some("the equilibrium is indifferent: in some direction nothing brings the mechanism back".into())
+        }
+        Stability::Unstable => Some("the equilibrium is unstable: the mechanism leaves it at the least push".into()),
+    }
+}
