@@ -24,6 +24,14 @@ fn every_reference_case_agrees() {
     assert!(cases >= 17, "only {cases} reference cases are bundled");
 }
 
+#[test]
+fn the_four_bar_with_a_spring_agrees() {
+    let case = CASES.iter().find(|case| case.name == "four-bar-spring").expect("bundled");
+    let report = case.run(None, &Control::default()).expect("runs");
+    assert_eq!(report.claims.len(), 7);
+    assert!(report.claims.iter().all(|claim| claim.verdict == Verdict::Agrees), "{:#?}", report.claims);
+}
+
 /// A tolerance that anything meets would make agreement worthless.
 #[test]
 fn no_case_is_lax() {

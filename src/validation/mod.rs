@@ -4,6 +4,7 @@
 //! `case.json`, `reference.csv` and `SOURCE.md` (see [`mod@reference`]). Both give claims with a verdict. A claim of a paper that is
 //! not reproduced is a finding; only what must hold and does not is a fault.
 
+pub mod four_bar_spring;
 pub mod lock;
 pub mod reference;
 pub mod table;
@@ -35,6 +36,10 @@ pub enum CaseKind {
 /// All bundled cases, in the order in which they are run; a test holds this against the folder `validation/`.
 pub const CASES: &[Case] = &[
     Case { name: "lock", kind: CaseKind::Coded { about: lock::ABOUT, run: lock::run } },
+    Case {
+        name: "four-bar-spring",
+        kind: CaseKind::Coded { about: four_bar_spring::ABOUT, run: four_bar_spring::run },
+    },
     reference(
         "lock-ideal",
         include_str!("../../validation/lock-ideal/case.json"),
