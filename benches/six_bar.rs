@@ -12,7 +12,7 @@ use linkdyn::analysis::{self, Control, assembly, driven};
 use linkdyn::bundled;
 use linkdyn::model::{self, AnalysisKind, Model};
 use linkdyn::output::Trajectory;
-use linkdyn::solve::continuation::{Path, follow};
+use linkdyn::solve::continuation::{Parameter, Path, follow};
 use linkdyn::solve::driven::Driven;
 use linkdyn::system::compile::compile;
 use linkdyn::system::{Inputs, System};
@@ -51,7 +51,8 @@ fn prepare(system: &System) -> (Driven<'_>, Path) {
     let mut q = assembled.q;
     driven.correct(&mut q, &start).expect("converges");
     let range = (FROM.to_radians(), TO.to_radians());
-    let path = follow(&mut driven, (range.0, &q), range, &|| false).expect("a path");
+    let parameter = (Parameter::of(system), start);
+    let path = follow(&mut driven, parameter, (range.0, &q), range, &|| false).expect("a path");
     (driven, path)
 }
 
