@@ -91,6 +91,8 @@ pub struct Driven<'s> {
     pub evaluation: Evaluation,
     pub pins: Vec<Pin>,
     selection: Selection,
+    /// Scale of each active row (n).
+    row_scales: Vec<f64>,
     /// Slot of each system entry in `values`; the last cell takes what belongs to ground or to a redundant row.
     slots: Vec<u32>,
     /// Scale of each system entry.
@@ -138,6 +140,7 @@ impl<'s> Driven<'s> {
             evaluation,
             pins,
             selection,
+            row_scales: Vec::with_capacity(n),
             slots,
             scales,
             values,
@@ -148,6 +151,7 @@ impl<'s> Driven<'s> {
             last_step: LAST_STEP,
             done: Work::default(),
         };
+        driven.scale_rows();
         driven.scatter();
         driven.order(&pattern)?;
         Ok(driven)
@@ -239,6 +243,7 @@ impl<'s> Driven<'s> {
         self.values = values;
         self.selection = selection;
         self.slots = slots;
+        self.scale_rows();
         self.scatter();
         self.order(&pattern)
     }
@@ -256,12 +261,15 @@ impl<'s> Driven<'s> {
         self.adopt(selection)
     }
 
-    /// Scale of a row, pins included.
-    fn row_scale(&self, row: usize) -> f64 {
-        match row.checked_sub(self.system.m()) {
-            Some(pin) => self.system.column_scale(self.pins[pin].column),
-            None => self.system.row_scale(row),
-        }
+    /// Notes the scales of the active rows, pins included.
+    fn scale_rows(&mut self) {
+        let (system, pins) = (self.system, &self.pins);
+        let scale = |&row: &usize| match row.checked_sub(system.m()) {
+            Some(pin) => system.column_scale(pins[pin].column),
+            None => system.row_scale(row),
+        };
+        self.row_scales.clear();
+        self.row_scales.extend(self.selection.active.iter().map(scale));
     }
 
     /// Whether some constraints are redundant.
@@ -298,13 +306,11 @@ impl<'s> Driven<'s> {
 
     /// x = S_q J̃_A⁻¹ S_φ⁻¹ rhs, where `rhs` is in `self.rows`; the result goes to `x`.
     fn solve_rows(&mut self, x: &mut [f64]) {
-        for (w, &row) in x.iter_mut().zip(&self.selection.active) {
-            *w = self.rows[row] / self.row_scale(row);
+        for ((w, &row), scale) in x.iter_mut().zip(&self.selection.active).zip(&self.row_scales) {
+            *w = self.rows[row] / scale;
         }
         self.lu.solve(x);
-        for (column, x) in x.iter_mut().enumerate() {
-            *x *= self.system.column_scale(column);
-        }
+        self.system.scale_columns(x);
     }
 
     /// Moves `q` onto the constraints.
@@ -368,12 +374,12 @@ impl<'s> Driven<'s> {
 
     fn active_residual(&self, q: &[f64]) -> f64 {
         let m = self.system.m();
-        self.selection.active.iter().fold(0.0, |largest: f64, &row| {
+        self.selection.active.iter().zip(&self.row_scales).fold(0.0, |largest: f64, (&row, scale)| {
             let phi = match row.checked_sub(m) {
                 Some(pin) => self.pins[pin].jet[0] - q[self.pins[pin].column],
                 None => self.evaluation.phi[row],
             };
-            let r = phi.abs() / self.row_scale(row);
+            let r = phi.abs() / scale;
             if r > largest || r.is_nan() { r } else { largest }
         })
     }
@@ -423,13 +429,10 @@ impl<'s> Driven<'s> {
 
     /// g (n) with J_Aᵀ g = b, unscaled.
     fn solve_transposed(&mut self, b: &[f64], g: &mut [f64]) {
-        for (column, (g, b)) in g.iter_mut().zip(b).enumerate() {
-            *g = b * self.system.column_scale(column);
-        }
+        g.copy_from_slice(b);
+        self.system.scale_columns(g);
         self.lu.solve_transposed(g);
-        for (g, &row) in g.iter_mut().zip(&self.selection.active) {
-            *g /= self.row_scale(row);
-        }
+        g.iter_mut().zip(&self.row_scales).for_each(|(g, scale)| *g /= scale);
     }
 
     /// Basis of the self-stresses, {z (m): Jᵀ z = 0}, one vector per redundant row, at the last factors.

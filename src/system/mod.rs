@@ -193,6 +193,14 @@ impl System {
         if column % 3 == 2 { 1.0 } else { self.size }
     }
 
+    /// Multiplies coordinates (n) by their scales.
+    pub fn scale_columns(&self, x: &mut [f64]) {
+        for x in x.chunks_exact_mut(3) {
+            x[0] *= self.size;
+            x[1] *= self.size;
+        }
+    }
+
     /// Scale of a row's residual [m or rad].
     pub fn row_scale(&self, row: usize) -> f64 {
         self.measure_scale(self.measures[row])
@@ -208,18 +216,24 @@ impl System {
 
     /// Largest coordinate, lengths divided by the mechanism's size [–].
     pub fn scaled_norm(&self, dq: &[f64]) -> f64 {
-        dq.iter().enumerate().fold(0.0, |m: f64, (k, d)| {
-            let d = d.abs() / self.column_scale(k);
-            if d > m || d.is_nan() { d } else { m }
-        })
+        let (mut length, mut angle) = (0.0, 0.0);
+        for d in dq.chunks_exact(3) {
+            length = larger(larger(length, d[0]), d[1]);
+            angle = larger(angle, d[2]);
+        }
+        larger(length / self.size, angle)
     }
 
     /// Largest residual, lengths divided by the mechanism's size [–].
     pub fn scaled_residual(&self, phi: &[f64]) -> f64 {
-        phi.iter().enumerate().fold(0.0, |m: f64, (row, d)| {
-            let d = d.abs() / self.row_scale(row);
-            if d > m || d.is_nan() { d } else { m }
-        })
+        let (mut length, mut angle) = (0.0, 0.0);
+        for (&phi, measure) in phi.iter().zip(&self.measures) {
+            match measure {
+                Measure::Length => length = larger(length, phi),
+                Measure::Angle => angle = larger(angle, phi),
+            }
+        }
+        larger(length / self.size, angle)
     }
 
     /// The Jacobian's joint and driver rows as a dense row-major matrix (m × n), columns and rows scaled to be comparable:
@@ -235,4 +249,10 @@ impl System {
         }
         dense
     }
+}
+
+/// The larger of `most` and |x|; NaN where either is.
+fn larger(most: f64, x: f64) -> f64 {
+    let x = x.abs();
+    if x > most || x.is_nan() { x } else { most }
 }
