@@ -55,8 +55,8 @@ pub struct Reduced<'s> {
     at: Option<f64>,
     /// Positions over the pin, where there is one pin and nothing else moves.
     curve: Option<Path>,
-    /// One pin, and drivers at rest.
-    has_curve: bool,
+    /// Drivers are at rest, so that all motion is that of the pins.
+    still: bool,
     /// S and S′ of the curve at the point at hand (n).
     tangent: Vec<f64>,
     bend: Vec<f64>,
@@ -92,7 +92,7 @@ impl<'s> Reduced<'s> {
             here_motions: vec![0.0; f * n],
             at: None,
             curve: None,
-            has_curve: f == 1 && system.drivers.iter().all(|driver| driver.law.is_constant()),
+            still: system.drivers.iter().all(|driver| driver.law.is_constant()),
             tangent: vec![0.0; n],
             bend: vec![0.0; n],
             bridged: false,
@@ -190,7 +190,7 @@ impl<'s> Reduced<'s> {
         let system = self.driven.system;
         let f = self.freedom();
         self.at = None;
-        let source = if self.has_curve { self.on_curve(y[0]) } else { None };
+        let source = if self.still && f == 1 { self.on_curve(y[0]) } else { None };
         self.inputs.set_time(system, time);
         for (k, pin) in self.driven.pins.iter_mut().enumerate() {
             pin.jet = [y[k], y[f + k], 0.0];
@@ -211,14 +211,28 @@ impl<'s> Reduced<'s> {
         if correction.last_step > self.lag {
             self.driven.factor(&self.inputs)?;
         }
-        self.driven.velocity(&self.inputs, &mut self.v);
+        self.eval_motions();
+        if self.still {
+            self.combine_motions(&y[f..]);
+        } else {
+            self.driven.velocity(&self.inputs, &mut self.v);
+        }
         self.driven.acceleration(&self.inputs, &mut self.a);
         self.driven.evaluation.eval_force(system, &self.inputs, &mut self.force);
         for (((b, q), a), m) in self.balance.iter_mut().zip(&self.force).zip(&self.a).zip(&system.mass) {
             *b = q - m * a;
         }
-        self.eval_motions();
         self.finish(time)
+    }
+
+    /// v = S u̇, which spares a solution with the factors.
+    fn combine_motions(&mut self, rates: &[f64]) {
+        let n = self.v.len();
+        self.v.fill(0.0);
+        for (motion, rate) in self.motions.chunks_exact(n.max(1)).zip(rates) {
+            self.v.iter_mut().zip(motion).for_each(|(v, s)| *v += rate * s);
+        }
+        self.driven.evaluation.set_velocity(&self.v);
     }
 
     /// The point at hand on the smooth branch near a change point.
