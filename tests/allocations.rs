@@ -1,11 +1,22 @@
-//! The step loop allocates nothing: refactoring, solving, watching for singular configurations, and integrating.
+//! The step loop allocates nothing: refactoring, solving, watching for singular configurations, integrating, and the
+//! equations of motion and of driven mechanisms; and what memory stays in use.
 
-use std::alloc::{GlobalAlloc, Layout, System};
+use std::alloc::{GlobalAlloc, Layout, System as SystemAllocator};
 use std::cell::Cell;
 
-use linkdyn::integrate::{Limits, Method};
+use linkdyn::analysis::record::Sample;
+use linkdyn::analysis::{assembly, driven};
+use linkdyn::integrate::{Limits, Method, Tolerance};
+use linkdyn::model::AnalysisKind;
+use linkdyn::solve::continuation::{Parameter, follow};
+use linkdyn::solve::driven::Driven;
+use linkdyn::solve::reduced::Reduced;
 use linkdyn::solve::{ColumnOrder, Pattern, SparseLu};
+use linkdyn::system::compile::compile;
+use linkdyn::system::{Inputs, System};
 
+#[path = "common/benchmarks.rs"]
+mod benchmarks;
 #[path = "common/linkage.rs"]
 mod linkage;
 #[path = "common/ode.rs"]
@@ -15,17 +26,21 @@ struct Counting;
 
 thread_local! {
     static COUNT: Cell<usize> = const { Cell::new(0) };
+    /// Bytes that this thread has allocated and not freed.
+    static LIVE: Cell<isize> = const { Cell::new(0) };
 }
 
 // The trait is unsafe to implement; this is a test, and only counts.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         COUNT.with(|count| count.set(count.get() + 1));
-        unsafe { System.alloc(layout) }
+        LIVE.with(|live| live.set(live.get() + layout.size() as isize));
+        unsafe { SystemAllocator.alloc(layout) }
     }
 
     unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        unsafe { System.dealloc(pointer, layout) }
+        LIVE.with(|live| live.set(live.get() - layout.size() as isize));
+        unsafe { SystemAllocator.dealloc(pointer, layout) }
     }
 }
 
@@ -97,4 +112,141 @@ fn steps_and_dense_output_allocate_nothing() {
         assert_eq!(count, 0, "{method:?}");
         assert_eq!(stepper.stiff(), method == Method::Auto);
     }
+}
+
+/// A model's equations of motion at their assembled start, and what integrates them.
+fn compiled(json: &serde_json::Value) -> System {
+    let model = linkdyn::model::load(json.to_string().as_bytes(), &[]).expect("a sound model").model;
+    compile(&model, AnalysisKind::Dynamics).expect("compiles")
+}
+
+fn start(system: &System) -> (Reduced<'_>, Vec<f64>) {
+    let inputs = Inputs::at_time(system, 0.0);
+    let assembled = assembly::assemble(system, &inputs).expect("assembles");
+    let v = assembly::velocities(system, &assembled.q, &inputs).expect("velocities");
+    let mut reduced = Reduced::new(system, &assembled.all.free_columns, &assembled.q, &v, 0.0).expect("regular");
+    reduced.lag = 1e-8;
+    let mut y = vec![0.0; 2 * reduced.freedom()];
+    reduced.state(&mut y);
+    (reduced, y)
+}
+
+/// Two rods of 1 m, let go from the side.
+fn double_pendulum() -> serde_json::Value {
+    let rod = |x: f64| {
+        serde_json::json!({ "mass": 1, "inertia": 1.0 / 12.0, "com": [0.5, 0], "points": { "A": [0, 0], "B": [1, 0] },
+                            "pose": { "position": [x, 0], "angle": 0 } })
+    };
+    serde_json::json!({
+        "format": "linkdyn/1", "units": "SI", "gravity": [0, -9.81],
+        "bodies": { "ground": { "points": { "O": [0, 0] } }, "upper": rod(0.0), "lower": rod(1.0) },
+        "joints": { "o": { "type": "revolute", "between": ["ground.O", "upper.A"] },
+                    "p": { "type": "revolute", "between": ["upper.B", "lower.A"] } },
+        "analysis": { "type": "dynamics", "end": 10, "outputs": 11 },
+    })
+}
+
+/// Steps and outputs of forward dynamics from a warm start, with the multipliers at every output.
+///
+/// Left out is what happens once or seldom: making the solver, which follows the curve of a mechanism of one degree of
+/// freedom; the first steps, in which work space grows to its size; an exchange of pins, which chooses an order of
+/// elimination for the new matrix. Loops that are redundant are left out, too: their rows are chosen anew.
+#[test]
+fn steps_of_forward_dynamics_allocate_nothing_and_repeat_bit_by_bit() {
+    for (name, json, end) in
+        [("double pendulum", double_pendulum(), 1.0), ("A02, N = 2", benchmarks::four_bars(2), 10.0)]
+    {
+        let system = compiled(&json);
+        let run = || {
+            let (mut reduced, y) = start(&system);
+            let tolerance = Tolerance { rtol: 1e-6, atol: vec![1e-6; y.len()] };
+            let mut stepper = Method::Auto.stepper(tolerance, Limits::default());
+            stepper.start(&mut reduced, 0.0, &y, end).expect("starts");
+            let mut lambda = vec![0.0; system.m()];
+            let (mut counts, mut states) = (Vec::new(), Vec::with_capacity(100_000));
+            let mut between = y.clone();
+            while stepper.t() < end {
+                let count = allocations(|| {
+                    stepper.step(&mut reduced, end).expect("steps");
+                    stepper
+                        .interpolate(&mut reduced, 0.5 * (stepper.previous() + stepper.t()), &mut between)
+                        .expect("interpolates");
+                    reduced.evaluate(stepper.t(), stepper.y()).expect("regular");
+                    reduced.multipliers(&mut lambda);
+                });
+                counts.push(count);
+                states.extend(stepper.y().iter().chain(&between).chain(&lambda).map(|x| x.to_bits()));
+            }
+            (counts, states)
+        };
+        let (counts, states) = run();
+        assert!(counts.len() > 10, "{name}: {} steps", counts.len());
+        assert_eq!(counts[3..].iter().sum::<usize>(), 0, "{name}: {counts:?}");
+        assert!(run().1 == states, "{name}: another run gives other bits");
+    }
+}
+
+#[test]
+fn instants_of_a_driven_mechanism_allocate_nothing_and_repeat_bit_by_bit() {
+    let text = linkdyn::bundled::find("watt-i-lock").expect("bundled").text;
+    let model = linkdyn::model::load(text.as_bytes(), &[]).expect("a sound model").model;
+    let system = compile(&model, AnalysisKind::InverseDynamics).expect("compiles");
+    let begin = Inputs::at_time(&system, 0.0);
+    let mut q = assembly::assemble(&system, &begin).expect("assembles").q;
+    let mut solver = Driven::new(&system, &q, &begin).expect("regular");
+    solver.correct(&mut q, &begin).expect("converges");
+    let range = (begin.drive[0][0], begin.drive[0][0] + 2.0);
+    let parameter = (Parameter::of(&system), begin.clone());
+    let path = follow(&mut solver, parameter, (range.0, &q), range, &|| false).expect("a path");
+    let mut inputs = begin;
+    let mut sample = Sample::new(&system);
+    let mut run = || {
+        let mut bits = 0u64;
+        for k in 0..500 {
+            inputs.drive[0] = [range.0 + 2.0 * f64::from(k) / 500.0, 10.0, 1.0];
+            driven::solve_instant(&mut solver, &path, &inputs, &mut sample).expect("regular");
+            for x in sample.q.iter().chain(&sample.v).chain(&sample.a).chain(&sample.lambda) {
+                bits = bits.rotate_left(1) ^ x.to_bits();
+            }
+        }
+        bits
+    };
+    let first = run();
+    let mut second = 0;
+    assert_eq!(allocations(|| second = run()), 0);
+    assert_eq!(first, second, "another run gives other bits");
+}
+
+/// Bytes per body of a mechanism of 2001 bodies after its first step: the system, the solver with its factors, the
+/// curve that a mechanism of one degree of freedom follows (72 B per body and node), the integrator. The model's words and
+/// what assembly needs are gone by then.
+#[test]
+fn a_large_mechanism_fits_into_little_memory() {
+    let json = benchmarks::four_bars(1000);
+    let before = LIVE.with(Cell::get);
+    let system = compiled(&json);
+    let of_system = LIVE.with(Cell::get) - before;
+    let of_solver = {
+        let inputs = Inputs::at_time(&system, 0.0);
+        let before = LIVE.with(Cell::get);
+        let solver = Driven::pinned(&system, &[2], &system.guess, &inputs).expect("regular");
+        let bytes = LIVE.with(Cell::get) - before;
+        drop(solver);
+        bytes
+    };
+    let (mut reduced, y) = start(&system);
+    let mut stepper = Method::Auto.stepper(Tolerance { rtol: 1e-6, atol: vec![1e-6; y.len()] }, Limits::default());
+    stepper.start(&mut reduced, 0.0, &y, 1.0).expect("starts");
+    stepper.step(&mut reduced, 1.0).expect("steps");
+    let all = LIVE.with(Cell::get) - before;
+    let bodies = system.bodies.len() as isize;
+    let rest = all - of_system - of_solver;
+    println!(
+        "bytes per body: system {}, factors and their workspace {}, curve and integrator {}",
+        of_system / bodies,
+        of_solver / bodies,
+        rest / bodies
+    );
+    assert!((of_system + of_solver) / bodies < 2500, "{of_system} {of_solver}");
+    assert!(all / bodies < 7000, "{all}");
 }
