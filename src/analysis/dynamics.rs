@@ -54,11 +54,12 @@ pub fn run(system: &System, analysis: &Analysis, control: &Control) -> Result<(T
     }
     let method = method(&analysis.solver)?;
     let v = velocities(system, &assembled.q, &inputs)?;
-    let mut reduced = start(system, &assembled, &v)?;
-    let mut report = Report { mobility: assembled.mobility, warnings: assembled.warnings, ..Report::default() };
-    report.assemble = watch.read();
+    let assembling = watch.read();
 
     let watch = Stopwatch::start();
+    let mut reduced = start(system, &assembled, &v)?;
+    let mut report = Report { mobility: assembled.mobility, warnings: assembled.warnings, ..Report::default() };
+    report.assemble = assembling;
     let instants = instants(system, analysis).map_err(Stop::Input)?;
     let end = instants.last().map_or(0.0, |last| last.time);
     let contents = Contents { velocities: true, accelerations: true, reactions: true };
@@ -157,7 +158,6 @@ struct Integration {
     /// Work of steppers before.
     before: [u64; 3],
     end: f64,
-    shortest: f64,
 }
 
 impl Integration {
@@ -171,7 +171,6 @@ impl Integration {
             stepper: method.stepper(Tolerance { rtol: solver.rtol, atol: Vec::new() }, limits),
             before: [0; 3],
             end,
-            shortest: f64::INFINITY,
         };
         reduced.lag = LAG * solver.rtol;
         integration.restart(reduced, 0.0, solver.initial_step)?;
@@ -221,7 +220,6 @@ impl Integration {
                 };
                 return Err((status, format!("{}{culprits}", describe(failure, now))));
             }
-            self.shortest = self.shortest.min(self.stepper.t() - self.stepper.previous());
         }
         Ok(())
     }

@@ -53,7 +53,7 @@ impl Parameter {
     fn prediction(self) -> f64 {
         match self {
             Parameter::DriverValue | Parameter::Time => 1e-6,
-            Parameter::Pin => 1e-8,
+            Parameter::Pin => 1e-7,
         }
     }
 }
@@ -99,6 +99,8 @@ const LARGEST_MOVE: f64 = 0.3;
 const SHORTEST_STEP: f64 = 1e-9;
 /// Steps taken beyond the range, to see a singular position that lies just outside.
 const BEYOND: usize = 3;
+/// Inverse iterations for null vectors from nothing: they are wanted to a few percent.
+const FIRST_ITERATIONS: usize = 3;
 /// Half width of the window around a change point, in steps of the path there.
 const WINDOW: f64 = 2.0;
 /// Regular points of a window on each side, in half widths; within the first one the polynomial is used.
@@ -261,12 +263,16 @@ impl Walker<'_, '_> {
         Ok((Node { s, q, d, dd }, correction))
     }
 
-    fn condition(&mut self) -> Condition {
+    /// Condition at the last factors; the one of the node before is a good start where the rows are the same.
+    fn condition(&mut self, before: Option<Condition>) -> Condition {
         let n = self.driven.system.n();
-        let (mut right, mut left) = (vec![1.0; n], vec![1.0; n]);
-        let (sign, _) = self.driven.condition(&mut right, &mut left);
+        let (iterations, mut right, mut left) = match before.filter(|_| !self.driven.is_redundant()) {
+            Some(before) => (1, before.right, before.left),
+            None => (FIRST_ITERATIONS, vec![1.0; n], vec![1.0; n]),
+        };
+        self.driven.smallest_singular(iterations, &mut right, &mut left);
         let test = self.driven.test_function(&right, &left);
-        Condition { sign, right, left, test }
+        Condition { sign: self.driven.determinant_sign(), right, left, test }
     }
 
     /// Steps from `start` to `target` and a little beyond.
@@ -281,7 +287,7 @@ impl Walker<'_, '_> {
         if self.node(start.s, start.q.clone()).is_err() {
             return (marks, End::Stuck { s: start.s });
         }
-        let mut condition = self.condition();
+        let mut condition = self.condition(None);
         let speed = system.scaled_norm(&start.d);
         let span = (target - start.s).abs();
         let cap = |d: &[f64]| {
@@ -339,7 +345,7 @@ impl Walker<'_, '_> {
             };
             self.steps += 1;
             // Signs under the rows chosen at the node before, then rows chosen anew.
-            let sign = self.driven.condition(&mut condition.right.clone(), &mut condition.left.clone()).0;
+            let sign = self.driven.determinant_sign();
             let test = self.driven.test_function(&condition.right, &condition.left);
             let crossing = sign != condition.sign || (test < 0.0) != (condition.test < 0.0);
             if self.driven.is_redundant() && self.driven.reselect(&self.inputs).is_err() {
@@ -348,7 +354,7 @@ impl Walker<'_, '_> {
                 h *= 0.7;
                 continue;
             }
-            condition = self.condition();
+            condition = self.condition(Some(condition));
             largest = largest.max(h);
             let order = if previous.is_some() { 6.0 } else { 3.0 };
             let grow = 0.8 * (prediction / correction.first_step.max(1e-30)).powf(1.0 / order);
@@ -647,7 +653,7 @@ impl Path {
 
     fn null_vectors(&self, walker: &mut Walker, s: f64) -> Option<NullVectors> {
         self.solve_at(walker, s)?;
-        let condition = walker.condition();
+        let condition = walker.condition(None);
         Some(NullVectors { right: condition.right, left: condition.left })
     }
 
@@ -700,10 +706,12 @@ impl Path {
                     }
                 }
                 let window = Window { s: centre, radius: WINDOW_NODES[0] * width, width, branch };
-                if best.as_ref().is_none_or(|(least, _)| error < *least) {
+                // What is left when a smaller width does not help any more is round-off.
+                let better = best.as_ref().is_none_or(|(least, _)| error < 0.5 * least);
+                if better {
                     best = Some((error, window));
                 }
-                if error <= WINDOW_ERROR {
+                if error <= WINDOW_ERROR || !better {
                     break;
                 }
             }
@@ -729,7 +737,7 @@ impl Window {
         walker.set(s);
         walker.driven.evaluation.set_position(&q);
         walker.driven.factor(&walker.inputs).ok()?;
-        let condition = walker.condition();
+        let condition = walker.condition(None);
         let mut self_stress = vec![0.0; system.m()];
         for (value, &row) in condition.left.iter().zip(walker.driven.active_rows()) {
             if let Some(stress) = self_stress.get_mut(row) {

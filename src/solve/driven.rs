@@ -457,11 +457,15 @@ impl<'s> Driven<'s> {
         basis
     }
 
-    /// Sign of det J̃_A, and an estimate of the smallest singular value with its right (n) and left (n, by active row)
-    /// vectors, at the last factors.
-    pub fn condition(&mut self, right: &mut [f64], left: &mut [f64]) -> (f64, f64) {
-        let sign = self.lu.determinant().0;
-        (sign, self.lu.smallest_singular(INVERSE_ITERATIONS, right, left))
+    /// Sign of det J̃_A at the last factors.
+    pub fn determinant_sign(&self) -> f64 {
+        self.lu.determinant().0
+    }
+
+    /// The smallest singular value with its right (n) and left (n, by active row) vectors at the last factors, by inverse
+    /// iterations from the vectors given.
+    pub fn smallest_singular(&mut self, iterations: usize, right: &mut [f64], left: &mut [f64]) -> f64 {
+        self.lu.smallest_singular(iterations, right, left)
     }
 
     /// 1 / (rightᵀ J̃_A⁻¹ left): a smooth function of the position that vanishes where J does (Griewank and Reddien 1984).
@@ -477,9 +481,6 @@ impl<'s> Driven<'s> {
         self.system.dense_scaled(&self.evaluation.jacobian)
     }
 }
-
-/// Inverse iterations for the smallest singular value: it is wanted to a few percent.
-const INVERSE_ITERATIONS: usize = 3;
 
 /// λ minus its part in the span of `basis`: least norm among all λ that differ by self-stresses.
 fn project_out(basis: &[Vec<f64>], lambda: &mut [f64]) {

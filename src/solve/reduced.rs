@@ -367,7 +367,7 @@ impl<'s> Reduced<'s> {
         }
         let n = system.n();
         let (mut right, mut left) = (vec![1.0; n], vec![1.0; n]);
-        self.driven.condition(&mut right, &mut left);
+        self.driven.smallest_singular(STRAIN_ITERATIONS, &mut right, &mut left);
         let largest = crate::math::max_abs(&left);
         let rows = self.driven.active_rows().iter().zip(&left);
         rows.filter(|(row, part)| **row < system.m() && part.abs() > STRAINED * largest).map(|(row, _)| *row).collect()
@@ -422,6 +422,8 @@ impl<'s> Reduced<'s> {
 
 /// Part, relative to the largest, from which a row belongs to a near self-stress.
 const STRAINED: f64 = 0.1;
+/// Inverse iterations for that self-stress: near a singular position one is enough, three are safe.
+const STRAIN_ITERATIONS: usize = 3;
 /// A pivot of SᵀMS that loses more than this of its size means freedom without mass.
 const MASSLESS: f64 = 1e-13;
 
