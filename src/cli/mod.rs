@@ -21,7 +21,7 @@ use clap::{Parser, Subcommand};
 use crate::output::{Status, WriteError};
 use page::plain;
 
-/// Planar multibody dynamics of linkages: assembly, kinematics, inverse dynamics.
+/// Planar multibody dynamics of linkages: assembly, kinematics, forces, statics, motion.
 #[derive(Debug, Parser)]
 #[command(name = "linkdyn", version, after_help = EXIT_HELP)]
 struct Arguments {
