@@ -10,7 +10,8 @@ use std::path::{Path, PathBuf};
 const LAYERS: &[(&str, &[&str])] = &[
     ("main", &[]),
     ("cli", &["validation", "analysis", "bundled", "model", "output", "error"]),
-    ("validation", &["analysis", "bundled", "model", "output", "error", "math"]),
+    // `integrate`, `solve` and `system` to see single steps.
+    ("validation", &["analysis", "bundled", "integrate", "solve", "system", "model", "output", "error", "math"]),
     ("bundled", &[]),
     // Besides numbers, the analyses know the words of the question: `model::Analysis`, and `Model` as what they compile.
     ("analysis", &["integrate", "solve", "system", "element", "graph", "motion", "math", "model", "output", "error"]),

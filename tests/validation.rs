@@ -32,6 +32,15 @@ fn the_four_bar_with_a_spring_agrees() {
     assert!(report.claims.iter().all(|claim| claim.verdict == Verdict::Agrees), "{:#?}", report.claims);
 }
 
+#[test]
+fn the_tolerance_ladder_has_no_fault() {
+    let case = CASES.iter().find(|case| case.name == "tolerance-ladder").expect("bundled");
+    let report = case.run(None, &Control::default()).expect("runs");
+    assert_eq!(report.claims.len(), 15);
+    let faults: Vec<_> = report.claims.iter().filter(|claim| claim.verdict == Verdict::Fault).collect();
+    assert!(faults.is_empty(), "{faults:#?}");
+}
+
 /// A tolerance that anything meets would make agreement worthless.
 #[test]
 fn no_case_is_lax() {

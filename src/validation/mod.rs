@@ -8,6 +8,7 @@ pub mod four_bar_spring;
 pub mod lock;
 pub mod reference;
 pub mod table;
+pub mod tolerance_ladder;
 
 use std::path::{Path, PathBuf};
 
@@ -39,6 +40,10 @@ pub const CASES: &[Case] = &[
     Case {
         name: "four-bar-spring",
         kind: CaseKind::Coded { about: four_bar_spring::ABOUT, run: four_bar_spring::run },
+    },
+    Case {
+        name: "tolerance-ladder",
+        kind: CaseKind::Coded { about: tolerance_ladder::ABOUT, run: tolerance_ladder::run },
     },
     reference(
         "lock-ideal",
