@@ -244,3 +244,15 @@ fn errors_follow_the_tolerance() {
         assert!(*ours <= 3.0 * scipy, "{errors:?} against {SCIPY:?}");
     }
 }
+
+#[test]
+fn a_free_start_in_a_flat_position_is_refused_with_the_reason() {
+    let mut model = parallelogram(1, false, 0.0, &json!({ "type": "polynomial", "coefficients": [0.0] }));
+    model.as_object_mut().expect("a map").remove("drivers");
+    model["initial"] = json!({ "c0": { "angle": 0.0, "angular_velocity": 1.0 } });
+    model["analysis"] = dynamics(1.0, 11, 1e-8);
+    let run = outcome(&model);
+    assert_eq!(run.report.status, Status::Singular);
+    assert!(run.report.message.as_deref().is_some_and(|m| m.contains("singular position")), "{:?}", run.report.message);
+    assert!(run.trajectory.is_empty());
+}

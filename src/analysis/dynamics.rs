@@ -4,7 +4,7 @@
 //! positions and velocities of everything else follow from the constraints at every stage, so nothing drifts. Outputs come
 //! from the method's continuous extension and are put exactly onto the constraints.
 
-use super::assembly::{Assembled, assemble, velocities};
+use super::assembly::{Assembled, assemble, is_singular_start, velocities};
 use super::instants::instants;
 use super::record::{Contents, Recorder, Sample};
 use super::{Control, Stop};
@@ -125,8 +125,16 @@ fn method(solver: &Solver) -> Result<Method, Stop> {
 
 /// The equations of motion at the assembled state.
 fn start<'s>(system: &'s System, assembled: &Assembled, v: &[f64]) -> Result<Reduced<'s>, Stop> {
+    let singular = || {
+        Stop::failed(
+            Status::Singular,
+            "the start is a singular position (the constraints lose rank there), so that more than one motion leads away \
+             from it; start a little beside it"
+                .into(),
+        )
+    };
     let columns = &assembled.all.free_columns;
-    Reduced::new(system, columns, &assembled.q, v, 0.0).map_err(|failure| {
+    let reduced = Reduced::new(system, columns, &assembled.q, v, 0.0).map_err(|failure| {
         let massless: Vec<&str> = system
             .bodies
             .iter()
@@ -135,17 +143,19 @@ fn start<'s>(system: &'s System, assembled: &Assembled, v: &[f64]) -> Result<Red
             .collect();
         match failure {
             Failure::Singular if !massless.is_empty() => Stop::Input(vec![
-                Complaint::new("bodies", format!("something free to move has neither mass nor inertia (without: {})", massless.join(", ")))
-                    .hint("give mass and inertia to what the joints leave free"),
+                Complaint::new(
+                    "bodies",
+                    format!("something free to move has neither mass nor inertia (without: {})", massless.join(", ")),
+                )
+                .hint("give mass and inertia to what the joints leave free"),
             ]),
-            Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. } => Stop::failed(
-                Status::Singular,
-                "the start is a singular position (the constraints lose rank there), so that more than one motion leads \
-                 away from it; start a little beside it"
-                    .into(),
-            ),
+            Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. } => singular(),
         }
-    })
+    })?;
+    if is_singular_start(system, assembled, reduced.motions(), &reduced.inputs) {
+        return Err(singular());
+    }
+    Ok(reduced)
 }
 
 /// The stepper, made anew when the minimal coordinates change.

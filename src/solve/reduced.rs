@@ -352,9 +352,9 @@ impl<'s> Reduced<'s> {
         Ok(())
     }
 
-    /// The reduced mass matrix's Cholesky factor and S of the last evaluation: (f × f) lower, (f × n).
-    pub fn factors(&self) -> (&[f64], &[f64]) {
-        (&self.mass, &self.motions)
+    /// S of the last evaluation, one motion after the other (f × n).
+    pub fn motions(&self) -> &[f64] {
+        &self.motions
     }
 
     /// Rows (of joints and drivers) that take the largest part in what is nearest to a self-stress at the last accepted
