@@ -124,24 +124,6 @@ impl ClearanceLinks {
         self.before = Some((inputs.time, self.psi.clone()));
         outcome
     }
-
-    /// Generalized force of link k at the fixed point: the moment e_k × (−f_k) about its bearing centre [N·m].
-    pub fn generalized_force(&self, system: &System, inputs: &Inputs, lambda: &[f64], k: usize) -> f64 {
-        let (joint, _) = self.joints[k];
-        let row = system.blocks[joint].row;
-        let offset = inputs.offset[k][0];
-        perp(offset).dot(&Vec2::new(-lambda[row], -lambda[row + 1]))
-    }
-
-    /// Number of links.
-    pub fn len(&self) -> usize {
-        self.joints.len()
-    }
-
-    /// Whether there are none.
-    pub fn is_empty(&self) -> bool {
-        self.joints.is_empty()
-    }
 }
 
 /// The angle in (−π, π].

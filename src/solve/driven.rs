@@ -288,11 +288,6 @@ impl<'s> Driven<'s> {
         }
     }
 
-    /// How far the factors are from singular: smallest pivot ratio [–].
-    pub fn pivot_ratio(&self) -> f64 {
-        self.lu.smallest_pivot_ratio()
-    }
-
     /// J and its factors at the position last taken.
     ///
     /// # Errors
@@ -473,12 +468,6 @@ impl<'s> Driven<'s> {
         self.work.copy_from_slice(left);
         self.lu.solve(&mut self.work);
         1.0 / crate::math::dot(right, &self.work)
-    }
-
-    /// The scaled Jacobian with all rows (m × n, row-major) at the position last taken.
-    pub fn dense_scaled(&mut self, inputs: &Inputs) -> Vec<f64> {
-        self.evaluation.eval_jacobian(self.system, inputs);
-        self.system.dense_scaled(&self.evaluation.jacobian)
     }
 }
 
