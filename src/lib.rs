@@ -36,6 +36,7 @@ pub mod analysis;
 pub mod bundled;
 #[doc(hidden)]
 pub mod cli;
+pub mod contact;
 pub mod element;
 pub mod error;
 pub mod graph;

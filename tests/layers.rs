@@ -25,6 +25,8 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("graph", &[]),
     ("element", &["motion", "math"]),
     ("motion", &["math"]),
+    // Laws of contact: pure functions of numbers.
+    ("contact", &["math"]),
     ("math", &[]),
     ("model", &["error"]),
     ("error", &[]),
