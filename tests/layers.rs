@@ -20,8 +20,8 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("integrate", &["solve", "math"]),
     // Constraints as the contract of `element` shows them, no joint; see `solve_knows_no_joint`; of `motion` a value with its derivatives.
     ("solve", &["system", "element", "motion", "math"]),
-    // `system::compile` also sees `model`; see `EXCEPTIONS`.
-    ("system", &["element", "motion", "math", "error"]),
+    // `compile` and `contact_parameters` also see `model`; see `EXCEPTIONS`.
+    ("system", &["element", "motion", "contact", "math", "error"]),
     ("graph", &[]),
     ("element", &["motion", "math"]),
     ("motion", &["math"]),
@@ -34,7 +34,8 @@ const LAYERS: &[(&str, &[&str])] = &[
 ];
 
 /// Single files that may know one layer more.
-const EXCEPTIONS: &[(&str, &str)] = &[("src/system/compile.rs", "model")];
+const EXCEPTIONS: &[(&str, &str)] =
+    &[("src/system/compile.rs", "model"), ("src/system/contact_parameters.rs", "model")];
 
 /// Packages with one job: where they may be named.
 const PACKAGES: &[(&str, &[&str])] = &[

@@ -36,7 +36,7 @@ pub struct Clearance {
     #[serde(default)]
     #[schemars(schema_with = "schema::length", extend("exclusiveMinimum" = 0))]
     pub bearing_radius: Option<f64>,
-    /// Axial length of the contact [m], for the cylindrical laws `johnson` and `pereira`.
+    /// Axial length of the contact [m], of the cylindrical laws `johnson`, `radzimovsky`, `dubowsky_freudenstein` and `pereira`.
     #[serde(default)]
     #[schemars(schema_with = "schema::length", extend("exclusiveMinimum" = 0))]
     pub axial_length: Option<f64>,
@@ -82,8 +82,12 @@ pub enum NormalLaw {
     ZhiyingQishao,
     /// χ = 3(1 − c)/(2c) · K/δ̇₀ (Hu and Guo 2015).
     HuGuo,
-    /// Cylinder in cylinder, implicit in the force (Johnson 1985).
+    /// Cylinder in cylinder, δ(F) logarithmic (Johnson 1985).
     Johnson,
+    /// Cylinder in cylinder, δ(F) logarithmic (Radzimovsky 1953).
+    Radzimovsky,
+    /// Cylinder in cylinder, δ(F) logarithmic (Dubowsky and Freudenstein 1971).
+    DubowskyFreudenstein,
     /// Cylinder in cylinder, explicit fit (Pereira et al. 2014).
     Pereira,
 }
@@ -92,15 +96,15 @@ pub enum NormalLaw {
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 pub struct Normal {
     pub law: NormalLaw,
-    /// Stiffness K [N/m^exponent], a plain SI number; or it follows from `elastic`.
+    /// Stiffness K [N/m^exponent], a plain SI number; left out, it follows from `elastic`. Not used by the cylindrical laws.
     #[serde(default)]
     #[schemars(schema_with = "schema::number", extend("exclusiveMinimum" = 0))]
     pub stiffness: Option<f64>,
-    /// Exponent n [–], default 3/2 (Hertz), 1 for `kelvin_voigt`.
+    /// Exponent n of Kδⁿ [–], at least 1, default 3/2 (Hertz); `kelvin_voigt` has 1, the cylindrical laws their own.
     #[serde(default)]
-    #[schemars(schema_with = "schema::number", extend("exclusiveMinimum" = 0))]
+    #[schemars(schema_with = "schema::number", extend("minimum" = 1))]
     pub exponent: Option<f64>,
-    /// Coefficient of restitution c [–], 0 to 1.
+    /// Coefficient of restitution c [–], 0 to 1, above 0 for `flores`, `gonthier` and `hu_guo`; without it the cylindrical laws are elastic.
     #[serde(default)]
     #[schemars(schema_with = "schema::number", extend("minimum" = 0, "maximum" = 1))]
     pub restitution: Option<f64>,
@@ -145,7 +149,7 @@ pub enum FrictionLaw {
     Coulomb,
     /// μ F_n, none below `lower_velocity`, linear up to `upper_velocity` (Ambrósio 2003).
     Ambrosio,
-    /// μ F_n (1 − exp(−3v/`threshold_velocity`))/0.95 up to it (Threlfall 1978).
+    /// μ F_n (1 − exp(−3v/`threshold_velocity`)) up to it, 0.95 μ F_n from there (Threlfall 1978).
     Threlfall,
     /// From static to kinetic as exp(−(v/`stribeck_velocity`)^`stribeck_exponent`) (Stribeck 1902; Bo and Pavelescu 1982).
     Stribeck,
