@@ -1,0 +1,419 @@
+//! Impact of two bodies at a point, in no time: Coulomb's friction and restitution, by way of the normal impulse.
+//!
+//! ```text
+//! d(v_n, v_t) = W d(p_n, p_t),   W = [[m_nn, m_nt], [m_nt, m_tt]]          v, relative velocity at the point [m/s]
+//! dp_t = −μ sgn(v_t) dp_n                      sliding                    p, impulse on the second body      [N·s]
+//! dp_t = −(m_nt/m_tt) dp_n                     sticking, v_t = 0          W, inverse effective mass          [1/kg]
+//! ```
+//!
+//! v_n < 0 comes nearer. W is symmetric without negative eigenvalues. The positions, and so W, stay while p_n grows from 0; v is
+//! piecewise linear in it. Sliding goes on until v_t = 0. From there the point sticks if |m_nt| ≤ μ m_tt, and
+//! if not it slides towards sgn m_nt and never stops again. Compression ends at p_n = p_c, where v_n = 0. The end is at
+//!
+//! ```text
+//! energetic   ∫_{p_c} v_n dp_n = −e² ∫^{p_c} v_n dp_n        Stronge 1990: e² is the part of the work that comes back
+//! kinetic     p_n = (1 + e) p_c                             Poisson 1817
+//! kinematic   v_n = −e v_n(0)                               Newton 1687
+//! ```
+//!
+//! The three agree where sliding keeps its direction or there is no friction. Where it stops or turns in the impact, the
+//! kinematic and the kinetic sense can *gain* energy, the energetic one cannot for e ≤ 1: it loses (1 − e²) of the normal work
+//! besides what friction takes.
+//!
+//! While sliding with μ sgn(v_t) m_nt > m_nn the tangential impulse presses the bodies together (a jam): v_n falls at first, until
+//! sliding stops, which it must. Where then, or at all, no normal impulse can part the bodies (m_nn = 0, or det W = 0 while
+//! it sticks), they are wedged: no finite impulse ends the approach, and the result says so.
+//!
+//! Sources: E. J. Routh, *Dynamics of a system of rigid bodies*, 1905, §§ 179–194 (the walk along p_n); W. J. Stronge,
+//! *Rigid body collisions with friction*, Proc. R. Soc. A 431, 1990, and *Impact mechanics*, Cambridge 2000, chapters 3 and 4.
+
+/// What the coefficient of restitution compares.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Sense {
+    /// Works of the normal force, the root of them.
+    #[default]
+    Energetic,
+    /// Normal impulses.
+    Kinetic,
+    /// Normal velocities.
+    Kinematic,
+}
+
+/// What the sliding did.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Slip {
+    /// It kept its direction to the end.
+    Continues,
+    /// It stopped, and the point stuck.
+    Stops,
+    /// It stopped and went on the other way (in a special case, the same one again).
+    Reverses,
+    /// There was none at the start and none came.
+    Sticks,
+    /// There was none at the start.
+    Starts,
+}
+
+/// The result of an impact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Impulse {
+    /// p_n and p_t [N·s].
+    pub impulse: [f64; 2],
+    /// v_n and v_t after it [m/s].
+    pub velocity: [f64; 2],
+    /// Work lost, −∫v·dp [J].
+    pub loss: f64,
+    pub slip: Slip,
+    /// No finite impulse ends the approach; the other values are those where that shows.
+    pub wedged: bool,
+}
+
+/// Part of m_nn below which a rate of v_n is round-off [–].
+const ROUND_OFF: f64 = 64.0 * f64::EPSILON;
+
+/// Velocities and works along p_n.
+struct Walk {
+    velocity: [f64; 2],
+    impulse: [f64; 2],
+    /// ∫v_n dp_n of the phase, ∫v_t dp_t of all [J].
+    normal_work: f64,
+    tangential_work: f64,
+}
+
+impl Walk {
+    /// Goes on by p_n, with dp_t/dp_n and dv/dp_n constant.
+    fn advance(&mut self, by: f64, ratio: f64, rates: [f64; 2]) {
+        self.normal_work += by * (self.velocity[0] + 0.5 * rates[0] * by);
+        self.tangential_work += ratio * by * (self.velocity[1] + 0.5 * rates[1] * by);
+        self.impulse[0] += by;
+        self.impulse[1] += ratio * by;
+        self.velocity[0] += rates[0] * by;
+        self.velocity[1] += rates[1] * by;
+    }
+}
+
+/// W in its parts, and μ.
+struct Point {
+    normal: f64,
+    coupling: f64,
+    tangent: f64,
+    friction: f64,
+}
+
+/// The way of sliding, ±1; none while sticking.
+type Direction = Option<f64>;
+
+impl Point {
+    fn new([[normal, coupling], [_, tangent]]: [[f64; 2]; 2], friction: f64) -> Self {
+        let (normal, tangent) = (normal.max(0.0), tangent.max(0.0));
+        // Round-off must not make an eigenvalue negative.
+        let bound = (normal * tangent).sqrt();
+        Point { normal, coupling: coupling.clamp(-bound, bound), tangent, friction }
+    }
+
+    /// How it goes on from v_t = 0.
+    fn from_rest(&self) -> Direction {
+        let sticks = self.coupling.abs() <= self.friction * self.tangent;
+        (!sticks).then(|| self.coupling.signum())
+    }
+
+    /// dp_t/dp_n and dv/dp_n.
+    fn rates(&self, direction: Direction) -> (f64, [f64; 2]) {
+        let Point { normal, coupling, tangent, friction } = *self;
+        match direction {
+            Some(direction) => {
+                let ratio = -friction * direction;
+                (ratio, [normal + coupling * ratio, coupling + tangent * ratio])
+            }
+            None if tangent > 0.0 => (-coupling / tangent, [normal - coupling * coupling / tangent, 0.0]),
+            None => (0.0, [normal, 0.0]),
+        }
+    }
+}
+
+/// What compression leaves for the rebound.
+struct Rebound {
+    restitution: f64,
+    sense: Sense,
+    /// v_n(0).
+    approach: f64,
+    /// p_c, and the work that went in.
+    impulse: f64,
+    work: f64,
+}
+
+impl Rebound {
+    /// Normal impulse to the end, at a rate of v_n.
+    fn missing(&self, walk: &Walk, rate: f64) -> f64 {
+        let v_n = walk.velocity[0];
+        let missing = match self.sense {
+            Sense::Energetic => {
+                let work = self.restitution * self.restitution * self.work - walk.normal_work;
+                if work > 0.0 { 2.0 * work / (v_n + (v_n * v_n + 2.0 * rate * work).sqrt()) } else { 0.0 }
+            }
+            Sense::Kinetic => (1.0 + self.restitution) * self.impulse - walk.impulse[0],
+            Sense::Kinematic => {
+                let velocity = -self.restitution * self.approach - v_n;
+                if velocity > 0.0 { velocity / rate } else { 0.0 }
+            }
+        };
+        missing.max(0.0)
+    }
+}
+
+/// Velocities and impulses of an impact with v_n < 0; without approach nothing happens.
+///
+/// `inverse_mass` is W [1/kg], `velocity` (v_n, v_t) [m/s], `restitution` e from 0 to 1, `friction` μ at least 0, all finite.
+pub fn resolve(
+    inverse_mass: [[f64; 2]; 2],
+    velocity: [f64; 2],
+    restitution: f64,
+    friction: f64,
+    sense: Sense,
+) -> Impulse {
+    let point = Point::new(inverse_mass, friction);
+    let mut direction = if velocity[1] != 0.0 { Some(velocity[1].signum()) } else { point.from_rest() };
+    let mut slip = match (velocity[1] != 0.0, direction) {
+        (true, _) => Slip::Continues,
+        (false, Some(_)) => Slip::Starts,
+        (false, None) => Slip::Sticks,
+    };
+    let mut walk = Walk { velocity, impulse: [0.0; 2], normal_work: 0.0, tangential_work: 0.0 };
+    let mut rebound: Option<Rebound> = None;
+    let mut ended = velocity[0] >= 0.0;
+    let mut wedged = false;
+    while !ended {
+        let (ratio, rates) = point.rates(direction);
+        let to_end = match &rebound {
+            None if rates[0] > ROUND_OFF * point.normal => -walk.velocity[0] / rates[0],
+            None => f64::INFINITY,
+            Some(rebound) => rebound.missing(&walk, rates[0]),
+        };
+        let slows = direction.is_some_and(|sign| sign * rates[1] < 0.0 && sign * walk.velocity[1] > 0.0);
+        let to_stop = if slows { -walk.velocity[1] / rates[1] } else { f64::INFINITY };
+        let by = to_end.min(to_stop);
+        if !by.is_finite() {
+            wedged = true;
+            break;
+        }
+        walk.advance(by, ratio, rates);
+        if to_stop < to_end {
+            walk.velocity[1] = 0.0;
+            direction = point.from_rest();
+            slip = if direction.is_some() { Slip::Reverses } else { Slip::Stops };
+        } else if rebound.is_none() {
+            walk.velocity[0] = 0.0;
+            let (impulse, work) = (walk.impulse[0], -walk.normal_work);
+            rebound = Some(Rebound { restitution, sense, approach: velocity[0], impulse, work });
+            walk.normal_work = 0.0;
+        } else {
+            ended = true;
+        }
+    }
+    let compression = rebound.map_or(0.0, |rebound| rebound.work);
+    let loss = compression - walk.normal_work - walk.tangential_work;
+    Impulse { impulse: walk.impulse, velocity: walk.velocity, loss, slip, wedged }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SENSES: [Sense; 3] = [Sense::Energetic, Sense::Kinetic, Sense::Kinematic];
+
+    fn near(found: f64, wanted: f64, scale: f64) {
+        assert!((found - wanted).abs() <= 1e-13 * scale, "{found} {wanted}");
+    }
+
+    /// Points of many kinds: W from eigenvalues and a turn, velocities, e and μ.
+    fn points() -> Vec<([[f64; 2]; 2], [f64; 2], f64, f64)> {
+        let mut points = Vec::new();
+        for (small, turn) in [(0.05, 0.3), (0.05, 0.9), (0.3, 1.2), (1.0, 0.0), (0.02, -0.6), (0.5, 2.5)] {
+            let (sin, cos) = f64::sin_cos(turn);
+            let coupling = (1.0 - small) * sin * cos;
+            let mass = [[cos * cos + small * sin * sin, coupling], [coupling, sin * sin + small * cos * cos]];
+            for v_t in [0.0, 0.2, -0.2, 1.0, -1.0, 6.0, -6.0] {
+                for (restitution, friction) in [(0.0, 0.3), (0.5, 0.1), (0.5, 0.9), (0.8, 3.0), (1.0, 0.5)] {
+                    points.push((mass, [-1.0, v_t], restitution, friction));
+                }
+            }
+        }
+        points
+    }
+
+    #[test]
+    fn without_friction_the_closed_form() {
+        for (mass, velocity, restitution, _) in points() {
+            for sense in SENSES {
+                let found = resolve(mass, velocity, restitution, 0.0, sense);
+                let impulse = (1.0 + restitution) / mass[0][0];
+                near(found.impulse[0], impulse, impulse);
+                assert_eq!(found.impulse[1], 0.0);
+                near(found.velocity[0], restitution, 1.0);
+                near(found.velocity[1], velocity[1] + mass[1][0] * impulse, 10.0 * impulse);
+                near(found.loss, 0.5 * (1.0 - restitution * restitution) / mass[0][0], impulse);
+            }
+        }
+    }
+
+    /// A disc on a plane: m_nt = 0, m_tt = 3 m_nn. It rolls off if |v_t| < 3μ(1 + e)|v_n|, with two thirds of v_t kept
+    /// by the centre: p_t = −v_t/m_tt; it slides on with p_t = −μ p_n if not.
+    #[test]
+    fn a_disc_rolls_off_or_slides_on() {
+        let mass = [[0.5, 0.0], [0.0, 1.5]];
+        for (v_t, slip, tangential) in
+            [(2.0, Slip::Stops, -2.0 / 1.5), (-2.0, Slip::Stops, 2.0 / 1.5), (3.0, Slip::Continues, -0.4 * 3.6)]
+        {
+            for sense in SENSES {
+                let found = resolve(mass, [-1.0, v_t], 0.8, 0.4, sense);
+                assert_eq!((found.slip, found.wedged), (slip, false));
+                near(found.impulse[0], 3.6, 4.0);
+                near(found.impulse[1], tangential, 4.0);
+                near(found.velocity[0], 0.8, 1.0);
+                near(found.velocity[1], v_t + 1.5 * tangential, 4.0);
+            }
+        }
+    }
+
+    /// A uniform rod of mass m falls on its end, θ from the horizontal: m_nn = (1 + 3c²)/m, m_tt = (1 + 3s²)/m,
+    /// m_nt = 3sc/m, det W = 4/m². Without slip p_n = (1 + e) m v (1 + 3s²)/4 and the loss is (1 − e²) of ½ m v²(1 + 3s²)/4.
+    #[test]
+    fn a_falling_rod_sticks() {
+        let (mass, speed, restitution) = (2.0, 1.5, 0.6);
+        let (sin, cos) = f64::sin_cos(1.1);
+        let lever = 1.0 + 3.0 * sin * sin;
+        let coupling = 3.0 * sin * cos / mass;
+        let inverse = [[(1.0 + 3.0 * cos * cos) / mass, coupling], [coupling, lever / mass]];
+        for sense in SENSES {
+            let found = resolve(inverse, [-speed, 0.0], restitution, 0.5, sense);
+            let impulse = (1.0 + restitution) * mass * speed * lever / 4.0;
+            assert_eq!((found.slip, found.velocity[1]), (Slip::Sticks, 0.0));
+            near(found.impulse[0], impulse, impulse);
+            near(found.impulse[1], -impulse * 3.0 * sin * cos / lever, impulse);
+            near(found.velocity[0], restitution * speed, speed);
+            near(found.loss, (1.0 - restitution * restitution) * 0.125 * mass * speed * speed * lever, 10.0);
+            // with too little friction the end slides off at once
+            assert_eq!(resolve(inverse, [-speed, 0.0], restitution, 0.2, sense).slip, Slip::Starts);
+        }
+    }
+
+    #[test]
+    fn velocities_and_loss_belong_to_the_impulses() {
+        for (mass, velocity, restitution, friction) in points() {
+            for sense in SENSES {
+                let Impulse { impulse, velocity: after, loss, wedged, .. } =
+                    resolve(mass, velocity, restitution, friction, sense);
+                assert!(!wedged);
+                let scale = impulse[0] + impulse[1].abs() + 10.0;
+                let mut gain = 0.0;
+                for k in 0..2 {
+                    let change = mass[k][0] * impulse[0] + mass[k][1] * impulse[1];
+                    near(after[k], velocity[k] + change, scale);
+                    // change of ½ vᵀ W⁻¹ v = mean velocity times impulse
+                    gain += 0.5 * (velocity[k] + after[k]) * impulse[k];
+                }
+                near(loss, -gain, 10.0 * scale);
+                assert!(impulse[1].abs() <= friction * impulse[0] * (1.0 + 1e-13));
+            }
+        }
+    }
+
+    #[test]
+    fn the_energetic_sense_never_gains_and_the_kinematic_one_does() {
+        let mut least = [f64::INFINITY; 3];
+        for (mass, velocity, restitution, friction) in points() {
+            for (least, sense) in least.iter_mut().zip(SENSES) {
+                let found = resolve(mass, velocity, restitution, friction, sense);
+                *least = least.min(found.loss);
+                if sense == Sense::Energetic {
+                    assert!(found.loss >= -1e-13 && found.velocity[0] >= 0.0, "{found:?}");
+                }
+            }
+        }
+        assert!(least[2] < -1e-3, "{least:?}");
+    }
+
+    /// The same by small steps of the normal impulse, with nothing but the law of friction in them.
+    fn by_steps(mass: [[f64; 2]; 2], start: [f64; 2], restitution: f64, friction: f64, step: f64) -> [f64; 2] {
+        let [mut v_n, mut v_t] = start;
+        let mut impulse = [0.0, 0.0];
+        let (mut gone_in, mut come_back) = (0.0, 0.0);
+        loop {
+            // what would stop the point within the step, as far as friction goes
+            let bound = friction * step;
+            let tangential = (-(v_t + mass[0][1] * step) / mass[1][1]).clamp(-bound, bound);
+            let next = v_n + mass[0][0] * step + mass[0][1] * tangential;
+            let work = 0.5 * (v_n + next) * step;
+            if work < 0.0 {
+                gone_in -= work
+            } else {
+                come_back += work
+            }
+            if come_back > restitution * restitution * gone_in && v_n >= 0.0 {
+                return impulse;
+            }
+            v_t += mass[0][1] * step + mass[1][1] * tangential;
+            v_n = next;
+            impulse = [impulse[0] + step, impulse[1] + tangential];
+        }
+    }
+
+    #[test]
+    fn small_steps_of_the_impulse_give_the_same() {
+        let mut slips = Vec::new();
+        for (mass, velocity, restitution, friction) in points() {
+            let found = resolve(mass, velocity, restitution, friction, Sense::Energetic);
+            let step = found.impulse[0] / 20_000.0;
+            let impulse = by_steps(mass, velocity, restitution, friction, step);
+            for k in 0..2 {
+                // one step of the end, one of the stop, one of the end of compression; each times the larger μ
+                let off = (found.impulse[k] - impulse[k]).abs();
+                assert!(off < 4.0 * step * (1.0 + friction), "{mass:?} {velocity:?} {restitution} {friction}: {off:e}");
+            }
+            if !slips.contains(&found.slip) {
+                slips.push(found.slip);
+            }
+        }
+        assert_eq!(slips.len(), 5, "{slips:?}");
+    }
+
+    #[test]
+    fn a_jam_ends_by_sticking() {
+        // μ m_nt > m_nn: the rod's end digs in.
+        let mass = [[0.2, 0.5], [0.5, 1.5]];
+        let found = resolve(mass, [-1.0, 2.0], 0.5, 1.0, Sense::Energetic);
+        assert_eq!((found.slip, found.wedged), (Slip::Stops, false));
+        let impulse = by_steps(mass, [-1.0, 2.0], 0.5, 1.0, found.impulse[0] / 1e5);
+        assert!((impulse[0] / found.impulse[0] - 1.0).abs() < 1e-4, "{impulse:?} {found:?}");
+        // sliding stops at p = 2/1 with v_n = −1 − 0.3·2, p_c = 2 + 1.6/(0.2 − 0.25/1.5)
+        near(found.impulse[1], -2.0 - (found.impulse[0] - 2.0) / 3.0, 100.0);
+        let kinetic = resolve(mass, [-1.0, 2.0], 0.5, 1.0, Sense::Kinetic);
+        near(kinetic.impulse[0], 1.5 * (2.0 + 1.6 * 30.0), 1e3);
+    }
+
+    #[test]
+    fn special_cases_have_an_end() {
+        for sense in SENSES {
+            // parting already
+            let found = resolve([[1.0, 0.2], [0.2, 1.0]], [0.1, 3.0], 0.5, 0.3, sense);
+            assert_eq!((found.impulse, found.velocity, found.loss), ([0.0; 2], [0.1, 3.0], 0.0));
+            // nothing can part them
+            assert!(resolve([[0.0; 2]; 2], [-1.0, 1.0], 0.5, 0.3, sense).wedged);
+            assert!(resolve([[1.0, 1.0], [1.0, 1.0]], [-1.0, 0.0], 0.5, 1.5, sense).wedged);
+            assert!(resolve([[1.0, 1.0], [1.0, 1.0]], [-1.0, 0.5], 0.5, 1.5, sense).wedged);
+            // the tangential velocity is prescribed: friction acts and changes nothing
+            for v_t in [0.0, 2.0] {
+                let found = resolve([[2.0, 0.0], [0.0, 0.0]], [-1.0, v_t], 0.5, 0.3, sense);
+                near(found.impulse[0], 0.75, 1.0);
+                near(found.impulse[1], -0.3 * 0.75 * if v_t > 0.0 { 1.0 } else { 0.0 }, 1.0);
+                assert_eq!((found.velocity[1], found.wedged), (v_t, false));
+            }
+            // tiny and huge
+            for speed in [1e-200, 1e-8, 1e100] {
+                let found = resolve([[0.3, 0.5], [0.5, 1.5]], [-speed, 0.4 * speed], 0.5, 0.3, sense);
+                assert!(!found.wedged && found.velocity.iter().all(|v| v.is_finite()), "{speed} {found:?}");
+                assert!(found.velocity[0] >= 0.0, "{speed} {found:?}");
+            }
+        }
+    }
+}
