@@ -112,7 +112,7 @@ impl Point {
     }
 
     /// How it goes on from v_t = 0.
-    fn from_rest(&self) -> Direction {
+    fn way_from_rest(&self) -> Direction {
         let sticks = self.coupling.abs() <= self.friction * self.tangent;
         (!sticks).then(|| self.coupling.signum())
     }
@@ -172,7 +172,7 @@ pub fn resolve(
     sense: Sense,
 ) -> Impulse {
     let point = Point::new(inverse_mass, friction);
-    let mut direction = if velocity[1] != 0.0 { Some(velocity[1].signum()) } else { point.from_rest() };
+    let mut direction = if velocity[1] != 0.0 { Some(velocity[1].signum()) } else { point.way_from_rest() };
     let mut slip = match (velocity[1] != 0.0, direction) {
         (true, _) => Slip::Continues,
         (false, Some(_)) => Slip::Starts,
@@ -199,7 +199,7 @@ pub fn resolve(
         walk.advance(by, ratio, rates);
         if to_stop < to_end {
             walk.velocity[1] = 0.0;
-            direction = point.from_rest();
+            direction = point.way_from_rest();
             slip = if direction.is_some() { Slip::Reverses } else { Slip::Stops };
         } else if rebound.is_none() {
             walk.velocity[0] = 0.0;
@@ -225,8 +225,11 @@ mod tests {
         assert!((found - wanted).abs() <= 1e-13 * scale, "{found} {wanted}");
     }
 
+    /// W, v, e, μ.
+    type Start = ([[f64; 2]; 2], [f64; 2], f64, f64);
+
     /// Points of many kinds: W from eigenvalues and a turn, velocities, e and μ.
-    fn points() -> Vec<([[f64; 2]; 2], [f64; 2], f64, f64)> {
+    fn points() -> Vec<Start> {
         let mut points = Vec::new();
         for (small, turn) in [(0.05, 0.3), (0.05, 0.9), (0.3, 1.2), (1.0, 0.0), (0.02, -0.6), (0.5, 2.5)] {
             let (sin, cos) = f64::sin_cos(turn);
@@ -365,9 +368,9 @@ mod tests {
             let found = resolve(mass, velocity, restitution, friction, Sense::Energetic);
             let step = found.impulse[0] / 20_000.0;
             let impulse = by_steps(mass, velocity, restitution, friction, step);
-            for k in 0..2 {
+            for (ours, theirs) in found.impulse.into_iter().zip(impulse) {
                 // one step of the end, one of the stop, one of the end of compression; each times the larger μ
-                let off = (found.impulse[k] - impulse[k]).abs();
+                let off = (ours - theirs).abs();
                 assert!(off < 4.0 * step * (1.0 + friction), "{mass:?} {velocity:?} {restitution} {friction}: {off:e}");
             }
             if !slips.contains(&found.slip) {
