@@ -7,6 +7,7 @@ use std::collections::HashMap;
 use serde_json::{Map, Value};
 
 use super::GROUND;
+use super::check_clearance;
 use super::check_forces;
 use super::node::join;
 use super::source::Source;
@@ -180,39 +181,7 @@ impl Checked<'_> {
                 self.complain(format!("{path}.between"), format!("both points are of {first:?}")).hint =
                     Some("a joint connects two bodies".into());
             }
-            self.clearance(&joint["clearance"], &format!("{path}.clearance"));
-        }
-    }
-
-    /// What each model of a clearance needs.
-    fn clearance(&mut self, clearance: &Value, path: &str) {
-        let Some(model) = clearance["model"].as_str().filter(|model| *model != "ideal") else { return };
-        match clearance.get("radius") {
-            None => {
-                let message = format!("\"radius\" is missing, the model {model:?} needs the radial clearance");
-                self.complain(path, message).hint = Some("bearing radius − journal radius, as in \"0.1 mm\"".into());
-            }
-            Some(radius) if radius.as_f64() == Some(0.0) && model != "massless_link" => {
-                self.complain(format!("{path}.radius"), format!("must be greater than 0 for the model {model:?}"));
-            }
-            Some(_) => {}
-        }
-        let missing = |key: &str, of: &str| (format!("{key:?} is missing"), of.to_owned());
-        let needs = match model {
-            "two_state" if clearance.get("surface").is_none() => {
-                Some(missing("surface", "the model \"two_state\" needs its stiffness and damping"))
-            }
-            "three_state" if lacks_restitution(clearance) => {
-                Some(missing("impact.restitution", "the model \"three_state\" needs it, or \"normal.restitution\""))
-            }
-            "contact" if clearance.get("normal").is_none() => {
-                Some(missing("normal", "the model \"contact\" needs a law of the normal force"))
-            }
-            "contact" => contact_needs(clearance),
-            _ => None,
-        };
-        if let Some((message, hint)) = needs {
-            self.complain(path, message).hint = Some(hint);
+            check_clearance::clearance(self, &joint["clearance"], &format!("{path}.clearance"));
         }
     }
 
@@ -310,47 +279,4 @@ impl Checked<'_> {
         };
         self.complain(path, message).hint = Some(hint.into());
     }
-}
-
-/// Whether neither `impact` nor, where that is left out, `normal` has a restitution.
-fn lacks_restitution(clearance: &Value) -> bool {
-    let lacks = |value: &Value| value.is_object() && value.get("restitution").is_none();
-    match (clearance.get("impact"), clearance.get("normal")) {
-        (Some(impact), _) => lacks(impact),
-        (None, Some(normal)) => lacks(normal),
-        (None, None) => true,
-    }
-}
-
-/// The first thing that the laws of a contact lack.
-fn contact_needs(clearance: &Value) -> Option<(String, String)> {
-    let normal = clearance["normal"].as_object()?;
-    let law = normal.get("law")?.as_str()?;
-    if !normal.contains_key("stiffness") && !normal.contains_key("elastic") {
-        let hint = "give it, or \"elastic\" and \"bearing_radius\"";
-        return Some(("\"normal.stiffness\" is missing".into(), hint.into()));
-    }
-    if !normal.contains_key("stiffness") && clearance.get("bearing_radius").is_none() {
-        let hint = "the stiffness follows from \"elastic\" and the radii";
-        return Some(("\"bearing_radius\" is missing".into(), hint.into()));
-    }
-    let parameter = match law {
-        "hertz" => None,
-        "kelvin_voigt" => Some("damping"),
-        _ => Some("restitution"),
-    };
-    if let Some(parameter) = parameter.filter(|parameter| !normal.contains_key(*parameter)) {
-        return Some((format!("\"normal.{parameter}\" is missing"), format!("the law {law:?} needs it")));
-    }
-    let friction = clearance.get("friction")?.as_object()?;
-    let law = friction.get("law")?.as_str()?;
-    let needed: &[&str] = match law {
-        "coulomb" | "threlfall" => &["coefficient", "threshold_velocity"],
-        "ambrosio" => &["coefficient", "lower_velocity", "upper_velocity"],
-        "stribeck" => &["coefficient", "static_coefficient", "stribeck_velocity", "threshold_velocity"],
-        "lugre" => &["coefficient", "static_coefficient", "stribeck_velocity", "bristle_stiffness"],
-        _ => &[],
-    };
-    let parameter = needed.iter().find(|parameter| !friction.contains_key(**parameter))?;
-    Some((format!("\"friction.{parameter}\" is missing"), format!("the law {law:?} needs it")))
 }

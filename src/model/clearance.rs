@@ -52,7 +52,7 @@ pub struct Clearance {
     #[serde(default)]
     #[schemars(with = "Surface")]
     pub surface: Option<Surface>,
-    /// Impact of `three_state`; left out: `normal.restitution` and `friction.coefficient`.
+    /// Impact of `three_state`; what it leaves out: `normal.restitution` and `friction.coefficient`.
     #[serde(default)]
     #[schemars(with = "Impact")]
     pub impact: Option<Impact>,
@@ -226,4 +226,20 @@ pub struct Impact {
     #[serde(default)]
     #[schemars(schema_with = "schema::number", extend("minimum" = 0))]
     pub friction: Option<f64>,
+    /// What the coefficient of restitution compares, default `energetic`.
+    #[serde(default)]
+    #[schemars(with = "ImpactSense")]
+    pub sense: Option<ImpactSense>,
+}
+
+/// What a coefficient of restitution compares; the three agree where sliding keeps its direction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ImpactSense {
+    /// Works of the normal force (Stronge 1990): never gains energy.
+    Energetic,
+    /// Normal impulses (Poisson 1817).
+    Kinetic,
+    /// Normal velocities (Newton 1687).
+    Kinematic,
 }

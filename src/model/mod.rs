@@ -11,6 +11,7 @@ pub mod joint;
 
 mod carrier;
 mod check;
+mod check_clearance;
 mod check_forces;
 mod dimension;
 mod json;
@@ -28,7 +29,8 @@ pub use analysis::{Analysis, AnalysisKind, Sample, Solver};
 pub use body::{Body, Initial, Pose};
 pub use carrier::Carrier;
 pub use clearance::{
-    Clearance, ClearanceModel, Elastic, Friction, FrictionLaw, Impact, Material, Normal, NormalLaw, Surface,
+    Clearance, ClearanceModel, Elastic, Friction, FrictionLaw, Impact, ImpactSense, Material, Normal, NormalLaw,
+    Surface,
 };
 pub use driver::{Driver, DriverKind, Motion};
 pub use force::{Force, ForceKind, Frame, Value};

@@ -4,14 +4,25 @@
 //! otherwise is only refused here where a law could not be evaluated.
 
 use crate::contact::friction::{self, Decay};
+use crate::contact::impact::Sense;
 use crate::contact::normal::cylinder::{Logarithmic, Pair};
 use crate::contact::normal::hysteresis::Rule;
 use crate::contact::normal::{self, stiffness};
 use crate::error::Complaint;
-use crate::model::{Clearance, Elastic, Friction, FrictionLaw, Normal, NormalLaw};
+use crate::model::{Clearance, Elastic, Friction, FrictionLaw, ImpactSense, Normal, NormalLaw};
 
 /// Exponent n of a power law where none is given: Hertz's.
 const EXPONENT: f64 = 1.5;
+
+/// What [`resolve`](crate::contact::impact::resolve) needs besides the state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ImpactParameters {
+    /// e, 0 to 1 [–].
+    pub restitution: f64,
+    /// μ [–].
+    pub friction: f64,
+    pub sense: Sense,
+}
 
 /// Words of a clearance, with their path for complaints.
 #[derive(Debug, Clone, Copy)]
@@ -167,6 +178,30 @@ impl Words<'_> {
         })
     }
 
+    /// Impact of `three_state`; what `impact` leaves out is that of the continuous contact.
+    ///
+    /// # Errors
+    /// Where the restitution is missing, or a parameter out of its range.
+    pub fn impact_parameters(&self) -> Result<ImpactParameters, Complaint> {
+        let Clearance { impact, normal, friction, .. } = self.clearance;
+        let impact = impact.as_ref();
+        let restitution = impact.and_then(|impact| impact.restitution);
+        let restitution = restitution.or(normal.as_ref().and_then(|normal| normal.restitution));
+        let of_contact = friction.as_ref().filter(|friction| friction.law != FrictionLaw::None);
+        let friction = impact.and_then(|impact| impact.friction);
+        let friction = friction.or(of_contact.and_then(|friction| friction.coefficient)).unwrap_or(0.0);
+        let sense = match impact.and_then(|impact| impact.sense) {
+            None | Some(ImpactSense::Energetic) => Sense::Energetic,
+            Some(ImpactSense::Kinetic) => Sense::Kinetic,
+            Some(ImpactSense::Kinematic) => Sense::Kinematic,
+        };
+        Ok(ImpactParameters {
+            restitution: self.need("impact.restitution", restitution, |e| (0.0..=1.0).contains(&e))?,
+            friction: self.need("impact.friction", Some(friction), |friction| friction >= 0.0)?,
+            sense,
+        })
+    }
+
     fn decay(&self, words: &Friction) -> Result<Decay, Complaint> {
         let not_negative = |value: f64| value >= 0.0;
         let exponent = words.stribeck_exponent.unwrap_or(2.0);
@@ -274,6 +309,24 @@ mod tests {
         assert!(normal(json!({ "law": "hertz" }), json!({})).is_err());
         let elastic = json!({ "law": "hertz", "elastic": { "young_modulus": 1e9, "poisson_ratio": 0.3 } });
         assert!(normal(elastic, json!({ "bearing_radius": 0.0005 })).is_err());
+    }
+
+    #[test]
+    fn an_impact_takes_what_it_lacks_from_the_contact() {
+        let parameters = |more: Value| {
+            let clearance = clearance(json!({ "law": "hertz", "restitution": 0.9 }), more);
+            Words { clearance: &clearance, path: "joints.b.clearance" }.impact_parameters()
+        };
+        let coulomb = json!({ "law": "coulomb", "coefficient": 0.03, "threshold_velocity": 0.01 });
+        let found =
+            |restitution: f64, friction: f64, sense: Sense| Ok(ImpactParameters { restitution, friction, sense });
+        assert_eq!(parameters(json!({})), found(0.9, 0.0, Sense::Energetic));
+        assert_eq!(parameters(json!({ "friction": coulomb })), found(0.9, 0.03, Sense::Energetic));
+        let impact = json!({ "restitution": 0.4, "friction": 0.2, "sense": "kinematic" });
+        assert_eq!(parameters(json!({ "friction": coulomb, "impact": impact })), found(0.4, 0.2, Sense::Kinematic));
+        let impact = json!({ "sense": "kinetic" });
+        assert_eq!(parameters(json!({ "friction": coulomb, "impact": impact })), found(0.9, 0.03, Sense::Kinetic));
+        assert!(parameters(json!({ "impact": { "restitution": 1.5 } })).is_err());
     }
 
     #[test]
