@@ -28,7 +28,7 @@ fn integrate(criterion: &mut Criterion) {
     for method in [Method::Dop853, Method::Radau5] {
         for n in [2, 10] {
             let mut ode = Oscillators(n);
-            let tolerance = Tolerance { rtol: 1e-6, atol: vec![1e-9; n] };
+            let tolerance = Tolerance { rtol: 1e-6, atol: vec![1e-9; n], cap: Vec::new() };
             let mut stepper = method.stepper(tolerance, Limits::default());
             stepper.start(&mut ode, 0.0, &vec![1.0; n], f64::MAX).expect("starts");
             criterion.bench_function(&format!("{}, step/{n}", method.name()), |bencher| {

@@ -159,7 +159,7 @@ fn steps_of_forward_dynamics_allocate_nothing_and_repeat_bit_by_bit() {
         let system = compiled(&json);
         let run = || {
             let (mut reduced, y) = start(&system);
-            let tolerance = Tolerance { rtol: 1e-6, atol: vec![1e-6; y.len()] };
+            let tolerance = Tolerance { rtol: 1e-6, atol: vec![1e-6; y.len()], cap: Vec::new() };
             let mut stepper = Method::Auto.stepper(tolerance, Limits::default());
             stepper.start(&mut reduced, 0.0, &y, end).expect("starts");
             let mut lambda = vec![0.0; system.m()];
@@ -235,7 +235,8 @@ fn a_large_mechanism_fits_into_little_memory() {
         bytes
     };
     let (mut reduced, y) = start(&system);
-    let mut stepper = Method::Auto.stepper(Tolerance { rtol: 1e-6, atol: vec![1e-6; y.len()] }, Limits::default());
+    let mut stepper =
+        Method::Auto.stepper(Tolerance { rtol: 1e-6, atol: vec![1e-6; y.len()], cap: Vec::new() }, Limits::default());
     stepper.start(&mut reduced, 0.0, &y, 1.0).expect("starts");
     stepper.step(&mut reduced, 1.0).expect("steps");
     let all = LIVE.with(Cell::get) - before;

@@ -139,7 +139,7 @@ fn radau5_and_auto_solve_stiff_problems() {
             assert!(error < 5.0 * r && problem.evaluations < most, "{method:?} at {r:e}: {error:e}");
             assert_eq!(stepper.counters().evaluations, problem.evaluations);
 
-            let tolerance = Tolerance { rtol: r, atol: vec![1e-4 * r, 1e-8 * r, 1e-4 * r] };
+            let tolerance = Tolerance { rtol: r, atol: vec![1e-4 * r, 1e-8 * r, 1e-4 * r], cap: Vec::new() };
             let mut stepper = method.stepper(tolerance, Limits::default());
             let mut problem = Problem::new(3, ode::robertson);
             let end = run(&mut *stepper, &mut problem, 0.0, &[1.0, 0.0, 0.0], 1e11);

@@ -209,6 +209,7 @@ fn a_mirror_changes_signs_only() {
             let turns = |driver: &str| matches!(model.drivers[driver].kind, DriverKind::Rotation { .. });
             let sign = match (row.vector(&column.name), quantity(column)) {
                 (Some((0, _, _)), _) | (None, "angle" | "omega" | "alpha" | "torque") => -1.0,
+                (None, "sliding_speed" | "tangential_force") => -1.0,
                 (None, "value") if driver_of(column, ".value").is_some_and(turns) => -1.0,
                 (None, "effort") if driver_of(column, ".effort").is_some_and(turns) => -1.0,
                 (Some(_) | None, _) => 1.0,
@@ -249,7 +250,13 @@ fn reactions_are_opposite_and_equal() {
             let joint = column.name.strip_prefix("joint.").and_then(|rest| rest.split('.').next());
             let [force, torque] = joint.map_or([1.0; 2], |joint| swapped_signs(&model.joints[joint]));
             // The eccentricity, journal minus bearing, is zero here and has either sign.
-            let sign = if quantity(column) == "torque" { torque } else { force };
+            let sign = match quantity(column) {
+                "torque" => torque,
+                "normal_force" | "tangential_force" | "state" => 1.0,
+                // Bearing and journal have other radii.
+                "sliding_speed" => return ("time".into(), row.get("time")),
+                _ => force,
+            };
             (column.name.clone(), sign * row.get(&column.name))
         });
         (name, original, differences)

@@ -23,7 +23,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     // `compile` and `contact_parameters` also see `model`; see `EXCEPTIONS`.
     ("system", &["element", "motion", "contact", "math", "error"]),
     ("graph", &[]),
-    ("element", &["motion", "math"]),
+    ("element", &["motion", "contact", "math"]),
     ("motion", &["math"]),
     // Laws of contact: pure functions of numbers.
     ("contact", &["math"]),

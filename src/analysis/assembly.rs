@@ -40,6 +40,13 @@ pub fn assemble(system: &System, inputs: &Inputs) -> Result<Assembled, Stop> {
     Ok(Assembled { q, joints, all, mobility, iterations, warnings })
 }
 
+/// The same position with the ranks and the mobility of another system of the same bodies.
+pub fn ranked(system: &System, assembled: Assembled, inputs: &Inputs) -> Assembled {
+    let (joints, all) = ranks(system, &assembled.q, inputs);
+    let mobility = mobility(system, &joints);
+    Assembled { joints, all, mobility, ..assembled }
+}
+
 /// Ranks of the joints' rows and of all rows at `q`.
 pub fn ranks(system: &System, q: &[f64], inputs: &Inputs) -> (RankReport, RankReport) {
     let mut evaluation = Evaluation::new(system);
@@ -358,7 +365,21 @@ const CONFLICT: f64 = 1e-7;
 /// # Errors
 /// Initial velocities that conflict.
 pub fn velocities(system: &System, q: &[f64], inputs: &Inputs) -> Result<Vec<f64>, Stop> {
-    let (v, residual) = least_velocity(system, q, inputs);
+    velocities_near(system, q, inputs, true, None)
+}
+
+/// As [`velocities`], but nearest to `near` in the sense of the kinetic energy; with or without the given initial ones.
+///
+/// # Errors
+/// Initial velocities that conflict.
+pub fn velocities_near(
+    system: &System,
+    q: &[f64],
+    inputs: &Inputs,
+    with_initial: bool,
+    near: Option<&[f64]>,
+) -> Result<Vec<f64>, Stop> {
+    let (v, residual) = least_velocity(system, q, inputs, with_initial, near);
     let speed = system.scaled_norm(&v);
     let off = crate::math::max_abs(&residual);
     if !system.initial_rates.is_empty() && (off.is_nan() || off > CONFLICT * (1.0 + speed)) {

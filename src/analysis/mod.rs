@@ -79,8 +79,13 @@ pub fn run(model: &Model, control: &Control) -> Result<Outcome, Vec<Complaint>> 
     let system = compile(model, analysis.kind)?;
     let outcome = match analysis.kind {
         AnalysisKind::Assembly => run_assembly(&system),
-        AnalysisKind::Kinematics | AnalysisKind::InverseDynamics => driven::run(&system, analysis, control),
-        AnalysisKind::Dynamics => dynamics::run(&system, analysis, control),
+        // Journals that move freely in their bearings leave the mechanism free to move, however it is driven.
+        AnalysisKind::Kinematics | AnalysisKind::InverseDynamics if system.contacts.is_empty() => {
+            driven::run(&system, analysis, control)
+        }
+        AnalysisKind::Kinematics | AnalysisKind::InverseDynamics | AnalysisKind::Dynamics => {
+            dynamics::run(model, &system, analysis, contents(analysis.kind), control)
+        }
         AnalysisKind::Statics => statics::run(&system, control),
     };
     let (mut trajectory, mut report) = match outcome {
@@ -198,6 +203,7 @@ impl Interval {
                     value,
                     end_value: value,
                     note: Some(note.to_string()),
+                    ..Event::default()
                 });
             }
         }

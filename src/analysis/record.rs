@@ -1,5 +1,6 @@
 //! Result columns of a system, and the rows that fill them: the one place where a quantity becomes a column.
 
+use crate::element::journal::Reading;
 use crate::element::{Instant, Measure};
 use crate::output::{Column, Trajectory};
 use crate::system::{BodyData, Evaluation, Inputs, System};
@@ -23,6 +24,18 @@ pub struct Sample {
     pub force: Vec<f64>,
     /// Q − M a (n): what the constraints carry.
     pub balance: Vec<f64>,
+    /// Joints whose clearance is modelled by contact.
+    pub contacts: Vec<ContactSample>,
+    /// Elastic energy of the contacts, and what they have dissipated [J].
+    pub contact_energy: [f64; 2],
+}
+
+/// A contact at an output instant.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct ContactSample {
+    pub reading: Reading,
+    /// 0 flight, 1 contact, 2 contact that sticks.
+    pub state: f64,
 }
 
 impl Sample {
@@ -35,6 +48,8 @@ impl Sample {
             lambda: vec![0.0; system.m()],
             force: zero.clone(),
             balance: zero,
+            contacts: vec![ContactSample::default(); system.contacts.len()],
+            contact_energy: [0.0; 2],
         }
     }
 }
@@ -80,14 +95,31 @@ impl Recorder {
         }
         // Blocks stand in the order joints, drivers.
         for (joint, block) in system.joints.iter().zip(&system.blocks) {
+            let (mut force, torque) = block.constraint.reaction(&at, &sample.lambda[block.row..block.row + block.rows]);
+            let contact = joint.contact.map(|id| sample.contacts[id.0]);
+            if let Some(contact) = contact {
+                force += contact.reading.force;
+            }
             if self.contents.reactions {
-                let (force, torque) = block.constraint.reaction(&at, &sample.lambda[block.row..block.row + block.rows]);
                 row.extend([force.x, force.y]);
                 row.extend(joint.torque.then_some(torque));
             }
-            if joint.has_clearance {
-                let offset = joint.clearance.map_or([0.0; 2], |link| inputs.offset[link.offset][0].into());
-                row.extend(offset);
+            if let Some(bearing) = &joint.bearing {
+                let ContactSample { reading, state } = contact.unwrap_or_else(|| {
+                    let offset = joint.clearance.map(|link| &inputs.offset[link.offset]);
+                    ContactSample { reading: bearing.held(&at, &joint.points, offset, force), state: 1.0 }
+                });
+                row.extend([reading.eccentricity.x, reading.eccentricity.y]);
+                if self.contents.reactions {
+                    row.extend([
+                        reading.eccentricity.norm(),
+                        reading.penetration.max(0.0),
+                        reading.normal,
+                        reading.tangential,
+                        reading.sliding,
+                        state,
+                    ]);
+                }
             }
         }
         for (k, jet) in inputs.drive.iter().enumerate() {
@@ -98,6 +130,9 @@ impl Recorder {
         }
         if system.masses_known {
             row.extend([evaluation.kinetic_energy(system, &sample.v), evaluation.potential_energy(system, inputs)]);
+            if self.contents.has_contact_energy(system) {
+                row.extend(sample.contact_energy);
+            }
         }
     }
 
@@ -116,6 +151,11 @@ impl Recorder {
 }
 
 impl Contents {
+    /// Motions with forces and a joint with clearance, by whatever model.
+    fn has_contact_energy(self, system: &System) -> bool {
+        self.reactions && self.velocities && system.joints.iter().any(|joint| joint.bearing.is_some())
+    }
+
     fn body(self, at: &Instant, k: usize, body: &BodyData, sample: &Sample, row: &mut Vec<f64>) {
         let (pose, twist) = (&at.poses[k + 1], &at.twists[k + 1]);
         // From the centre of mass to the frame's origin.
@@ -170,8 +210,15 @@ fn columns(system: &System, contents: Contents) -> Vec<Column> {
                 add(&owner, &[("torque", "N*m")]);
             }
         }
-        if joint.has_clearance {
+        if joint.bearing.is_some() {
             add(&owner, &[("ex", "m"), ("ey", "m")]);
+            if contents.reactions {
+                add(&owner, &[("eccentricity", "m"), ("penetration", "m")]);
+                add(
+                    &owner,
+                    &[("normal_force", "N"), ("tangential_force", "N"), ("sliding_speed", "m/s"), ("state", "1")],
+                );
+            }
         }
     }
     for driver in &system.drivers {
@@ -187,6 +234,9 @@ fn columns(system: &System, contents: Contents) -> Vec<Column> {
     }
     if system.masses_known {
         add("energy", &[("kinetic", "J"), ("potential", "J")]);
+        if contents.has_contact_energy(system) {
+            add("energy", &[("contact", "J"), ("dissipated", "J")]);
+        }
     }
     columns
 }

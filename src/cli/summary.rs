@@ -204,7 +204,7 @@ mod tests {
             driver: Some(driver.into()),
             value: Some(2.05),
             end_value: end_time.map(|_| 2.1),
-            note: None,
+            ..Event::default()
         }
     }
 

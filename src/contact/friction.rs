@@ -115,22 +115,11 @@ impl Law {
             Law::None => return Value::default(),
             Law::Coulomb { coefficient, threshold } => ramp(coefficient, speed, 0.0, threshold),
             Law::Ambrosio { coefficient, lower, upper } => ramp(coefficient, speed, lower, upper),
-            Law::Threlfall { coefficient, threshold } => {
-                let rest = (-3.0 * (speed / threshold).min(1.0)).exp();
-                let slope = if speed < threshold { 3.0 * coefficient * rest / threshold } else { 0.0 };
-                (coefficient * (1.0 - rest), slope)
-            }
-            Law::Stribeck { decay, threshold, viscous } => {
-                let (mu, s_slope) = decay.at(speed);
-                let (mu, s_slope) = (mu + viscous * speed, s_slope + viscous * speed);
-                if speed < threshold {
-                    (mu * speed / threshold, (mu + s_slope) / threshold)
-                } else {
-                    (mu, s_slope / speed)
-                }
+            Law::Threlfall { threshold, .. } | Law::Stribeck { threshold, .. } => {
+                self.regularised(speed, speed < threshold)
             }
             Law::Lugre { decay, stiffness, damping, viscous } => {
-                return bristles(decay, [stiffness, damping, viscous], sliding, normal, bristle);
+                return bristles(decay, [stiffness, damping, viscous], (sliding, speed), normal, bristle);
             }
         };
         let against = -direction(sliding);
@@ -166,6 +155,77 @@ impl Law {
     }
 }
 
+impl Law {
+    /// Number of the piece between two kinks in which the sliding velocity lies, with its sign; 0 is around rest.
+    pub fn piece(&self, sliding: f64) -> i8 {
+        let passed = self.kinks().filter(|kink| *kink <= sliding.abs()).count() as i8;
+        if sliding < 0.0 { -passed } else { passed }
+    }
+
+    /// Sliding velocities between which a piece lies.
+    pub fn bounds(&self, piece: i8) -> (f64, f64) {
+        let kink = |k: i8| self.kinks().nth(usize::from(k.unsigned_abs())).unwrap_or(f64::INFINITY);
+        match piece {
+            0 => (-kink(0), kink(0)),
+            1.. => (kink(piece - 1), kink(piece)),
+            ..0 => (-kink(piece), -kink(piece + 1)),
+        }
+    }
+
+    /// Whether a piece is that of a regularised law around rest.
+    pub fn sticks(&self, piece: i8) -> bool {
+        piece == 0 && self.kinks().next().is_some()
+    }
+
+    /// T and ż by the formula of one piece, also beyond its ends, where it goes on smoothly.
+    pub fn on_piece(&self, piece: i8, sliding: f64, normal: f64, bristle: f64) -> Value {
+        let sign = if piece < 0 { -1.0 } else { 1.0 };
+        let along = sign * sliding;
+        let force = |coefficient: f64| Value { force: -sign * coefficient * normal, ..Value::default() };
+        match *self {
+            Law::None => Value::default(),
+            Law::Coulomb { coefficient, threshold } => {
+                force(if piece == 0 { coefficient * sliding / threshold } else { coefficient })
+            }
+            Law::Ambrosio { coefficient, lower, upper } => {
+                // Without a dead band the ramp is the piece around rest.
+                let ramp = if lower > 0.0 { piece.abs() - 1 } else { piece.abs() };
+                force(match ramp {
+                    ..0 => 0.0,
+                    0 => coefficient * (along - lower) / (upper - lower),
+                    1.. => coefficient,
+                })
+            }
+            Law::Threlfall { .. } | Law::Stribeck { .. } if piece == 0 => {
+                let speed = sliding.abs();
+                let (coefficient, _) = self.regularised(speed, true);
+                Value { force: -direction(sliding) * coefficient * normal, ..Value::default() }
+            }
+            Law::Threlfall { .. } | Law::Stribeck { .. } => force(self.regularised(along, false).0),
+            Law::Lugre { decay, stiffness, damping, viscous } => {
+                bristles(decay, [stiffness, damping, viscous], (sliding, along), normal, bristle)
+            }
+        }
+    }
+
+    /// μ(s) and μ′(s) of Threlfall's and Stribeck's laws at a speed below their threshold or beyond it.
+    fn regularised(&self, speed: f64, below: bool) -> (f64, f64) {
+        match *self {
+            Law::Threlfall { coefficient, threshold } => {
+                let rest = if below { (-3.0 * speed / threshold).exp() } else { (-3.0_f64).exp() };
+                let slope = if below { 3.0 * coefficient * rest / threshold } else { 0.0 };
+                (coefficient * (1.0 - rest), slope)
+            }
+            Law::Stribeck { decay, threshold, viscous } => {
+                let (mu, s_slope) = decay.at(speed.max(0.0));
+                let (mu, s_slope) = (mu + viscous * speed, s_slope + viscous * speed);
+                if below { (mu * speed / threshold, (mu + s_slope) / threshold) } else { (mu, s_slope / speed) }
+            }
+            Law::None | Law::Coulomb { .. } | Law::Ambrosio { .. } | Law::Lugre { .. } => (0.0, 0.0),
+        }
+    }
+}
+
 /// μ and its slope where it grows from nothing at `lower` to all at `upper`.
 fn ramp(coefficient: f64, speed: f64, lower: f64, upper: f64) -> (f64, f64) {
     if speed < lower {
@@ -179,9 +239,16 @@ fn ramp(coefficient: f64, speed: f64, lower: f64, upper: f64) -> (f64, f64) {
 }
 
 /// LuGre's law with its constants σ₀, σ₁, σ₂.
-fn bristles(decay: Decay, [stiffness, damping, viscous]: [f64; 3], sliding: f64, normal: f64, bristle: f64) -> Value {
-    let speed = sliding.abs();
-    let (most, s_slope) = decay.at(speed);
+///
+/// The speed is |v|, or what continues it beyond v = 0.
+fn bristles(
+    decay: Decay,
+    [stiffness, damping, viscous]: [f64; 3],
+    (sliding, speed): (f64, f64),
+    normal: f64,
+    bristle: f64,
+) -> Value {
+    let (most, s_slope) = decay.at(speed.max(0.0));
     // σ₀ s/g, how fast the bristles give way; without friction they never bend
     let give = if most > 0.0 { stiffness * speed / most } else { 0.0 };
     let rate = if most > 0.0 { sliding - give * bristle } else { 0.0 };
@@ -254,6 +321,20 @@ mod tests {
             }
         }
         assert_eq!(compared, 8 * 12 * 9);
+    }
+
+    #[test]
+    fn pieces_agree_with_the_law_within_their_bounds() {
+        for law in laws() {
+            for sliding in [-0.3, -0.011, -0.005, -1e-3, 1e-9, 1e-3, 5e-3, 0.011, 0.3] {
+                let piece = law.piece(sliding);
+                let (low, up) = law.bounds(piece);
+                assert!(low <= sliding && sliding <= up, "{law:?} {sliding}: {low} {up}");
+                let (whole, part) = (law.force(sliding, 7.0, 1e-7), law.on_piece(piece, sliding, 7.0, 1e-7));
+                assert!((whole.force - part.force).abs() < 1e-14, "{law:?} {sliding}: {whole:?} {part:?}");
+                assert_eq!(whole.bristle_rate, part.bristle_rate, "{law:?} {sliding}");
+            }
+        }
     }
 
     #[test]

@@ -18,11 +18,17 @@ pub struct PointLoad {
     pub follows_body: bool,
 }
 
+impl PointLoad {
+    /// In the ground frame [N].
+    fn force(&self, at: &Instant) -> Vec2 {
+        let given = Vec2::new(self.vector[0].jet(at.time)[0], self.vector[1].jet(at.time)[0]);
+        if self.follows_body { at.poses[self.at.body.0].turn(given) } else { given }
+    }
+}
+
 impl Force for PointLoad {
     fn apply(&self, at: &Instant, to: &mut Applied) {
-        let given = Vec2::new(self.vector[0].jet(at.time)[0], self.vector[1].jet(at.time)[0]);
-        let force = if self.follows_body { at.poses[self.at.body.0].turn(given) } else { given };
-        to.add_force(at, &self.at, force);
+        to.add_force(at, &self.at, self.force(at));
     }
 
     fn potential(&self, _at: &Instant) -> f64 {
@@ -31,6 +37,10 @@ impl Force for PointLoad {
 
     fn is_conservative(&self) -> bool {
         false
+    }
+
+    fn supplied(&self, at: &Instant) -> f64 {
+        self.force(at).dot(&self.at.velocity(at))
     }
 }
 
@@ -55,5 +65,9 @@ impl Force for Torque {
 
     fn is_conservative(&self) -> bool {
         false
+    }
+
+    fn supplied(&self, at: &Instant) -> f64 {
+        self.value.jet(at.time)[0] * (at.twists[self.body.0].omega - at.twists[self.relative_to.0].omega)
     }
 }

@@ -22,6 +22,7 @@ pub mod coordinate;
 pub mod driven;
 pub mod fixed;
 pub mod gear;
+pub mod journal;
 pub mod load;
 pub mod prismatic;
 pub mod revolute;
@@ -184,6 +185,8 @@ pub trait Force: Send + Sync {
     fn potential(&self, at: &Instant) -> f64;
     /// Whether its work is the change of its potential energy.
     fn is_conservative(&self) -> bool;
+    /// Power that enters the mechanism beside the potential, Q·v + dV/dt [W]; negative in dampers.
+    fn supplied(&self, at: &Instant) -> f64;
 }
 
 /// Unit vector along `a`, and its length; none for a (numerically) zero vector.

@@ -41,4 +41,12 @@ impl Force for Spring {
     fn is_conservative(&self) -> bool {
         self.damping == 0.0 && self.free_length.is_constant()
     }
+
+    fn supplied(&self, at: &Instant) -> f64 {
+        let d = self.second.place(at) - self.first.place(at);
+        let Some((u, length)) = direction(d) else { return 0.0 };
+        let rate = u.dot(&(self.second.velocity(at) - self.first.velocity(at)));
+        let free = self.free_length.jet(at.time);
+        -self.damping * rate * rate - self.stiffness * (length - free[0]) * free[1]
+    }
 }

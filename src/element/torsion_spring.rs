@@ -21,6 +21,12 @@ pub struct TorsionSpring {
 }
 
 impl TorsionSpring {
+    /// ω₂ − ω₁ [rad/s].
+    fn rate(&self, at: &Instant) -> f64 {
+        at.twists[self.second.0].omega - at.twists[self.first.0].omega
+    }
+
+    /// From the free angle [rad].
     fn twist(&self, at: &Instant) -> f64 {
         at.poses[self.second.0].theta - at.poses[self.first.0].theta - self.free_angle.jet(at.time)[0]
     }
@@ -28,8 +34,7 @@ impl TorsionSpring {
 
 impl Force for TorsionSpring {
     fn apply(&self, at: &Instant, to: &mut Applied) {
-        let rate = at.twists[self.second.0].omega - at.twists[self.first.0].omega;
-        let torque = self.stiffness * self.twist(at) + self.damping * rate;
+        let torque = self.stiffness * self.twist(at) + self.damping * self.rate(at);
         to.add(self.first, Vec2::zeros(), torque);
         to.add(self.second, Vec2::zeros(), -torque);
     }
@@ -41,5 +46,10 @@ impl Force for TorsionSpring {
 
     fn is_conservative(&self) -> bool {
         self.damping == 0.0 && self.free_angle.is_constant()
+    }
+
+    fn supplied(&self, at: &Instant) -> f64 {
+        let rate = self.rate(at);
+        -self.damping * rate * rate - self.stiffness * self.twist(at) * self.free_angle.jet(at.time)[1]
     }
 }

@@ -14,10 +14,10 @@ pub(super) fn rms(errors: &[f64], weights: &[f64]) -> f64 {
     (sum / errors.len() as f64).sqrt()
 }
 
-/// w = 1 / (atol + rtol |y|).
+/// w = 1 / (atol + rtol |y|), |y| capped.
 pub(super) fn weigh(tolerance: &Tolerance, y: &[f64], weights: &mut [f64]) {
-    for ((w, y), atol) in weights.iter_mut().zip(y).zip(&tolerance.atol) {
-        *w = 1.0 / (atol + tolerance.rtol * y.abs());
+    for (i, (w, y)) in weights.iter_mut().zip(y).enumerate() {
+        *w = 1.0 / tolerance.bound(i, *y);
     }
 }
 

@@ -168,7 +168,7 @@ impl Dop853 {
         let (fifth, third) = (slopes(&E5, &self.k, self.n), slopes(&E3, &self.k, self.n));
         let (mut fifth_squared, mut third_squared) = (0.0, 0.0);
         for (i, (y, next)) in self.y.iter().zip(&self.next).enumerate() {
-            let weight = 1.0 / (self.tolerance.atol[i] + self.tolerance.rtol * y.abs().max(next.abs()));
+            let weight = 1.0 / self.tolerance.bound(i, y.abs().max(next.abs()));
             self.weights[i] = weight;
             let (fifth, third) = (weight * sum(&E5, &fifth, i), weight * sum(&E3, &third, i));
             fifth_squared += fifth * fifth;

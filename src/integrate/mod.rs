@@ -57,6 +57,16 @@ pub struct Tolerance {
     pub rtol: f64,
     /// Absolute, in units of the component (n), above zero where it can vanish.
     pub atol: Vec<f64>,
+    /// Largest |yᵢ| that rtol is taken of (n), for components whose differences matter more than they do; or empty.
+    pub cap: Vec<f64>,
+}
+
+impl Tolerance {
+    /// Bound of the error of component i where it is `y` large.
+    pub(crate) fn bound(&self, i: usize, y: f64) -> f64 {
+        let cap = self.cap.get(i).copied().unwrap_or(f64::INFINITY);
+        self.atol[i] + self.rtol * y.abs().min(cap)
+    }
 }
 
 /// Bounds of the step, all magnitudes in units of t.

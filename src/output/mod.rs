@@ -41,7 +41,7 @@ pub enum Status {
 }
 
 /// Something that happened at an instant or over an interval.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Event {
     /// `change_point`, `dead_centre`, `no_solution`, `not_converged`, …
     pub kind: &'static str,
@@ -54,8 +54,48 @@ pub struct Event {
     pub value: Option<f64>,
     /// Driver value at `end_time`.
     pub end_value: Option<f64>,
+    /// Joint with clearance.
+    pub joint: Option<String>,
+    /// Of events `contact`.
+    pub episode: Option<Episode>,
     /// What a reader should know.
     pub note: Option<String>,
+}
+
+/// One time that a journal touches its bearing.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Episode {
+    /// [s]; the end is none where the run ends before.
+    pub start: f64,
+    pub end: Option<f64>,
+    /// Normal speeds towards and away from the bearing's surface [m/s].
+    pub approach_speed: f64,
+    pub separation_speed: Option<f64>,
+    /// [m]
+    pub peak_penetration: f64,
+    /// Largest normal force [N].
+    pub peak_force: f64,
+    /// Normal impulse ∫N dt [N·s].
+    pub impulse: f64,
+    /// By damping and friction [J].
+    pub energy_lost: f64,
+}
+
+/// A joint's contacts over the whole run.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct ClearanceSums {
+    pub joint: String,
+    pub episodes: u64,
+    /// Changes between stick and slip.
+    pub switches: u64,
+    /// [s]
+    pub time_in_contact: f64,
+    /// [J]
+    pub energy_lost: f64,
+    /// ∫N dt [N·s]
+    pub impulse: f64,
+    /// ∫N |v_t| dt [J] by angle of the contact in the bearing's body: as many equal bins as there are, the first begins at 0.
+    pub wear: Vec<f64>,
 }
 
 /// Degrees of freedom, counted and by rank.
@@ -89,6 +129,9 @@ pub struct Quality {
     pub power_imbalance: Option<f64>,
     /// Largest change of kinetic + potential energy over a conservative motion, divided by the largest kinetic energy [–].
     pub energy_drift: Option<f64>,
+    /// Largest change of kinetic + potential + contact energy + dissipated − work, divided by the largest of these [–]; of
+    /// motions with contacts.
+    pub energy_imbalance: Option<f64>,
 }
 
 /// What statics found out about its equilibrium.
@@ -124,6 +167,8 @@ pub struct Report {
     pub equilibrium: Option<Equilibrium>,
     pub warnings: Vec<String>,
     pub events: Vec<Event>,
+    /// Joints with clearance by contact.
+    pub clearances: Vec<ClearanceSums>,
     pub assemble: Stage,
     pub solve: Stage,
 }

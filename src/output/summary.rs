@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::{Equilibrium, Event, Report, Stage, Status, Trajectory};
+use super::{ClearanceSums, Equilibrium, Event, Report, Stage, Status, Trajectory};
 
 /// What a summary is made of.
 #[derive(Debug)]
@@ -81,10 +81,15 @@ pub fn to_json(summary: &Summary) -> Value {
             "constraint_residual": report.quality.constraint_residual,
             "power_imbalance": report.quality.power_imbalance,
             "energy_drift": report.quality.energy_drift,
+            "energy_imbalance": report.quality.energy_imbalance,
         }),
     );
     if let Some(found) = &report.equilibrium {
         json.insert("equilibrium".into(), equilibrium(found));
+    }
+    if !report.clearances.is_empty() {
+        let sums = report.clearances.iter().map(|sums| (sums.joint.clone(), clearance(sums))).collect();
+        json.insert("clearances".into(), Value::Object(sums));
     }
     json.insert("warnings".into(), report.warnings.as_slice().into());
     json.insert("events".into(), report.events.iter().map(event).collect());
@@ -108,6 +113,18 @@ pub fn equilibrium(found: &Equilibrium) -> Value {
     })
 }
 
+/// A joint's contacts over the whole run.
+fn clearance(sums: &ClearanceSums) -> Value {
+    json!({
+        "contacts": sums.episodes,
+        "stick_slip_changes": sums.switches,
+        "time_in_contact": sums.time_in_contact,
+        "energy_lost": sums.energy_lost,
+        "impulse": sums.impulse,
+        "wear": sums.wear,
+    })
+}
+
 fn stage(stage: Stage) -> Value {
     json!({ "wall": stage.wall, "cpu": stage.cpu })
 }
@@ -117,7 +134,8 @@ fn event(event: &Event) -> Value {
     let mut json = Map::new();
     json.insert("type".into(), event.kind.into());
     json.insert("time".into(), event.time.into());
-    let optional: [(&str, Option<Value>); 5] = [
+    let optional: [(&str, Option<Value>); 6] = [
+        ("joint", event.joint.as_deref().map(Value::from)),
         ("end_time", event.end_time.map(Value::from)),
         ("driver", event.driver.as_deref().map(Value::from)),
         ("value", event.value.map(Value::from)),
@@ -125,6 +143,18 @@ fn event(event: &Event) -> Value {
         ("note", event.note.as_deref().map(Value::from)),
     ];
     json.extend(optional.into_iter().filter_map(|(key, value)| Some((key.to_string(), value?))));
+    if let Some(episode) = &event.episode {
+        let numbers = [
+            ("duration", episode.end.map(|end| end - episode.start)),
+            ("approach_speed", Some(episode.approach_speed)),
+            ("separation_speed", episode.separation_speed),
+            ("peak_penetration", Some(episode.peak_penetration)),
+            ("peak_force", Some(episode.peak_force)),
+            ("impulse", Some(episode.impulse)),
+            ("energy_lost", Some(episode.energy_lost)),
+        ];
+        json.extend(numbers.into_iter().filter_map(|(key, value)| Some((key.to_string(), value?.into()))));
+    }
     Value::Object(json)
 }
 
@@ -150,7 +180,7 @@ mod tests {
             driver: Some("motor \"M\" 🔒".into()),
             value: Some(2.05),
             end_value: None,
-            note: None,
+            ..Event::default()
         };
         let gap = Event { kind: "no_solution", end_time: Some(2.0), driver: None, value: None, ..change_point.clone() };
         let report = Report {

@@ -117,8 +117,14 @@ pub fn close_weighted(system: &System, blocks: &[&Block], weight: f64, guess: &[
 
 /// Velocities of least kinetic energy ½ vᵀ M v that satisfy J v = −φ_t and the initial velocities; where masses are
 /// unknown, of least square. Coordinates without mass weigh next to nothing. Returns v (n) and the scaled residual of
-/// every row, the initial velocities last.
-pub fn least_velocity(system: &System, q: &[f64], inputs: &Inputs) -> (Vec<f64>, Vec<f64>) {
+/// every row, the initial velocities last. With `near` the kinetic energy of the difference from it is least.
+pub fn least_velocity(
+    system: &System,
+    q: &[f64],
+    inputs: &Inputs,
+    with_initial: bool,
+    near: Option<&[f64]>,
+) -> (Vec<f64>, Vec<f64>) {
     let n = system.n();
     let mut evaluation = Evaluation::new(system);
     evaluation.set_position(q);
@@ -135,7 +141,7 @@ pub fn least_velocity(system: &System, q: &[f64], inputs: &Inputs) -> (Vec<f64>,
         }
     }
     let at = evaluation.instant(inputs);
-    for (_, rate) in &system.initial_rates {
+    for (_, rate) in system.initial_rates.iter().filter(|_| with_initial) {
         let entries = rate.entries();
         let mut values = vec![0.0; entries.len()];
         rate.jacobian(&at, &mut values);
@@ -160,8 +166,15 @@ pub fn least_velocity(system: &System, q: &[f64], inputs: &Inputs) -> (Vec<f64>,
     let (pattern, slots) = square(n + m, &entries);
     let mut stored = vec![0.0; pattern.entries()];
     slots.iter().zip(&values).for_each(|(&slot, value)| stored[slot as usize] = *value);
-    let mut v = vec![0.0; n];
-    let mut residual = rhs.clone();
+    let mut v: Vec<f64> = match near {
+        Some(near) => near.iter().enumerate().map(|(column, v)| v / system.column_scale(column)).collect(),
+        None => vec![0.0; n],
+    };
+    let missing = |v: &[f64]| -> Vec<f64> {
+        let product = |row: &Vec<(usize, f64)>| row.iter().map(|&(column, value)| value * v[column]).sum::<f64>();
+        rhs.iter().zip(&rows).map(|(rhs, row)| rhs - product(row)).collect()
+    };
+    let mut residual = missing(&v);
     let mut lu = SparseLu::new(pattern.clone(), ColumnOrder::amd(&pattern));
     if lu.factor(&stored).is_ok() {
         // The damping is refined away.
@@ -169,9 +182,7 @@ pub fn least_velocity(system: &System, q: &[f64], inputs: &Inputs) -> (Vec<f64>,
             let mut step: Vec<f64> = std::iter::repeat_n(0.0, n).chain(residual.iter().copied()).collect();
             lu.solve(&mut step);
             v.iter_mut().zip(&step).for_each(|(v, d)| *v += d);
-            for ((residual, rhs), row) in residual.iter_mut().zip(&rhs).zip(&rows) {
-                *residual = rhs - row.iter().map(|&(column, value)| value * v[column]).sum::<f64>();
-            }
+            residual = missing(&v);
         }
     }
     v.iter_mut().enumerate().for_each(|(column, v)| *v *= system.column_scale(column));

@@ -1,13 +1,16 @@
 //! Words → numbers: the only place where a [`Model`] and a [`System`] meet.
 
+use super::contact_parameters::Words;
 use super::{
     Block, BodyData, ClearanceLink, DriverData, DriverId, JacobianEntry, JointData, JointId, Origin, OutputPoint,
     System,
 };
+use crate::contact::normal;
 use crate::element::coordinate::Coordinate;
 use crate::element::driven::{DriveId, Rotation, Translation};
 use crate::element::fixed::Fixed;
 use crate::element::gear::Gear;
+use crate::element::journal::{Bearing, Compliant, ContactId, Free, Journal, Surface};
 use crate::element::load::{PointLoad, Torque};
 use crate::element::prismatic::{Guide, Prismatic};
 use crate::element::revolute::{OffsetId, Revolute};
@@ -24,14 +27,49 @@ use crate::model::{
 use crate::motion::{Law, Spline};
 use std::collections::HashMap;
 
-/// Compiles a model for an analysis.
+/// Compiles a model for an analysis; for an assembly joints whose clearance is modelled by contact are closed.
 ///
 /// # Errors
-/// Clearance models that this version does not run, and data that the analysis needs and the file lacks, all at once.
+/// Data that the analysis needs and the file lacks, all at once.
 pub fn compile(model: &Model, analysis: AnalysisKind) -> Result<System, Vec<Complaint>> {
-    let mut complaints = missing(model, analysis);
-    let carriers = carriers(model, &mut complaints);
-    if complaints.is_empty() { Ok(Compiler::new(model, carriers).build()) } else { Err(complaints) }
+    let lowering = match analysis {
+        AnalysisKind::Assembly => Lowering::Closed,
+        AnalysisKind::Kinematics | AnalysisKind::InverseDynamics | AnalysisKind::Dynamics | AnalysisKind::Statics => {
+            Lowering::Open { following: &[] }
+        }
+    };
+    let complaints = missing(model, analysis);
+    lower(model, lowering, complaints)
+}
+
+/// Compiles a model that has been compiled before, lowered in another way.
+///
+/// # Errors
+/// As [`compile`].
+pub fn recompile(model: &Model, lowering: Lowering) -> Result<System, Vec<Complaint>> {
+    lower(model, lowering, Vec::new())
+}
+
+fn lower(model: &Model, lowering: Lowering, mut complaints: Vec<Complaint>) -> Result<System, Vec<Complaint>> {
+    let joints = Joints { carriers: carriers(model, &mut complaints), surfaces: surfaces(model, &mut complaints) };
+    if complaints.is_empty() { Ok(Compiler::new(model, joints, lowering).build()) } else { Err(complaints) }
+}
+
+/// What joints need beyond their own words, by their names.
+struct Joints<'a> {
+    /// Of gears.
+    carriers: HashMap<&'a str, Carrier<'a>>,
+    /// Of clearances by contact.
+    surfaces: HashMap<&'a str, Surface>,
+}
+
+/// What becomes of joints whose clearance is modelled by contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Lowering<'a> {
+    /// Ideal pins.
+    Closed,
+    /// Journals in bearings; rigid ones for which `following` is true (by contact) keep the journal on the bearing's surface.
+    Open { following: &'a [bool] },
 }
 
 /// A motion's law.
@@ -64,30 +102,64 @@ fn clearance(kind: &JointKind) -> Option<&crate::model::Clearance> {
     }
 }
 
+/// Surfaces of the joints whose clearance is modelled by contact.
+fn surfaces<'a>(model: &'a Model, complaints: &mut Vec<Complaint>) -> HashMap<&'a str, Surface> {
+    let mut surfaces = HashMap::new();
+    for (name, joint) in &model.joints {
+        let Some(clearance) = clearance(&joint.kind) else { continue };
+        let path = format!("joints.{name}.clearance");
+        let words = Words { clearance, path: &path };
+        let compliant = |normal: Result<normal::Law, Complaint>| {
+            Ok(Surface::Compliant(Compliant { normal: normal?, friction: words.friction_law()? }))
+        };
+        let surface = match clearance.model {
+            ClearanceModel::Ideal | ClearanceModel::MasslessLink => continue,
+            ClearanceModel::TwoState => compliant(words.surface_law()),
+            ClearanceModel::Contact => compliant(words.normal_law()),
+            ClearanceModel::ThreeState => words.impact_law().map(Surface::Rigid),
+        };
+        match surface {
+            Ok(surface) => {
+                surfaces.insert(name.as_str(), surface);
+            }
+            Err(complaint) => complaints.push(complaint),
+        }
+    }
+    surfaces
+}
+
+/// Without a bearing radius the journal is taken for a point.
+fn bearing(clearance: &crate::model::Clearance) -> Bearing {
+    let radius = clearance.radius.unwrap_or(0.0);
+    Bearing { clearance: radius, bearing_radius: clearance.bearing_radius.unwrap_or(radius) }
+}
+
 /// What the analysis needs and the model lacks.
 fn missing(model: &Model, analysis: AnalysisKind) -> Vec<Complaint> {
     let mut complaints = Vec::new();
     let mut linked = None;
     for (name, joint) in &model.joints {
         let Some(clearance) = clearance(&joint.kind) else { continue };
-        let refused = match clearance.model {
-            ClearanceModel::Ideal => continue,
+        match clearance.model {
+            ClearanceModel::Ideal => {}
             ClearanceModel::MasslessLink => {
-                linked = linked.or(Some(name));
-                continue;
+                linked = linked.or(Some(format!(
+                    "the massless clearance link of joint \"{name}\", whose direction is that of the joint force,"
+                )));
             }
-            ClearanceModel::TwoState => "two_state",
-            ClearanceModel::ThreeState => "three_state",
-            ClearanceModel::Contact => "contact",
-        };
-        complaints.push(
-            Complaint::new(
-                format!("joints.{name}.clearance.model"),
-                format!("the clearance model `{refused}` is not built yet in this version"),
-            )
-            .found(format!("\"{refused}\""))
-            .hint("use \"massless_link\" or \"ideal\""),
-        );
+            ClearanceModel::ThreeState => complaints.push(
+                Complaint::new(
+                    format!("joints.{name}.clearance.model"),
+                    "the clearance model `three_state` is not built yet in this version",
+                )
+                .found("\"three_state\"")
+                .hint("use \"two_state\", \"contact\", \"massless_link\" or \"ideal\""),
+            ),
+            ClearanceModel::TwoState | ClearanceModel::Contact => {
+                linked =
+                    linked.or(Some(format!("the journal of joint \"{name}\", which moves freely in its bearing,")));
+            }
+        }
     }
     let why = match (analysis, linked) {
         (AnalysisKind::InverseDynamics, _) => Some("inverse dynamics".to_string()),
@@ -95,9 +167,7 @@ fn missing(model: &Model, analysis: AnalysisKind) -> Vec<Complaint> {
         (AnalysisKind::Statics, _) if model.gravity.iter().any(|g| *g != 0.0) => {
             Some("statics under gravity".to_string())
         }
-        (AnalysisKind::Kinematics, Some(joint)) => Some(format!(
-            "the massless clearance link of joint \"{joint}\", whose direction is that of the joint force,"
-        )),
+        (AnalysisKind::Kinematics, Some(who)) => Some(who),
         (AnalysisKind::Kinematics, None) | (AnalysisKind::Assembly | AnalysisKind::Statics, _) => None,
     };
     if let Some(why) = why {
@@ -134,8 +204,8 @@ fn carriers<'a>(model: &'a Model, complaints: &mut Vec<Complaint>) -> HashMap<&'
 
 struct Compiler<'a> {
     model: &'a Model,
-    /// By the gear's name.
-    carriers: HashMap<&'a str, Carrier<'a>>,
+    joints: Joints<'a>,
+    lowering: Lowering<'a>,
     ids: HashMap<&'a str, BodyId>,
     /// Centre of mass in the body's frame, by body id.
     com: Vec<Vec2>,
@@ -143,7 +213,7 @@ struct Compiler<'a> {
 }
 
 impl<'a> Compiler<'a> {
-    fn new(model: &'a Model, carriers: HashMap<&'a str, Carrier<'a>>) -> Self {
+    fn new(model: &'a Model, joints: Joints<'a>, lowering: Lowering<'a>) -> Self {
         let mut ids = HashMap::from([(GROUND, BodyId::GROUND)]);
         let mut com = vec![Vec2::zeros()];
         for (name, body) in model.bodies.iter().filter(|(name, _)| *name != GROUND) {
@@ -159,6 +229,7 @@ impl<'a> Compiler<'a> {
             initial: Vec::new(),
             initial_rates: Vec::new(),
             forces: Vec::new(),
+            contacts: Vec::new(),
             gravity: Vec2::from(model.gravity),
             mass: Vec::new(),
             masses_known: true,
@@ -168,7 +239,7 @@ impl<'a> Compiler<'a> {
             guess: Vec::new(),
             size: 1.0,
         };
-        Compiler { model, carriers, ids, com, system }
+        Compiler { model, joints, lowering, ids, com, system }
     }
 
     fn build(mut self) -> System {
@@ -244,15 +315,28 @@ impl<'a> Compiler<'a> {
     fn add_joints(&mut self) {
         for (k, (name, joint)) in self.model.joints.iter().enumerate() {
             let (first, second) = (self.marker(&joint.between[0]), self.marker(&joint.between[1]));
-            let mut link = None;
+            let (mut link, mut contact) = (None, None);
             let (constraint, torque): (Box<dyn Constraint>, bool) = match &joint.kind {
-                JointKind::Revolute { clearance } => {
-                    if let Some(c) = clearance.as_deref().filter(|c| c.model == ClearanceModel::MasslessLink) {
+                JointKind::Revolute { clearance } => match (clearance.as_deref(), self.lowering) {
+                    (Some(c), _) if c.model == ClearanceModel::MasslessLink => {
                         link = Some(ClearanceLink { offset: self.system.links, radius: c.radius.unwrap_or(0.0) });
                         self.system.links += 1;
+                        (Box::new(Revolute { first, second, offset: link.map(|l| OffsetId(l.offset)) }), false)
                     }
-                    (Box::new(Revolute { first, second, offset: link.map(|l| OffsetId(l.offset)) }), false)
-                }
+                    (Some(c), Lowering::Open { following }) if c.model != ClearanceModel::Ideal => {
+                        let id = self.system.contacts.len();
+                        contact = Some(ContactId(id));
+                        let Bearing { clearance, bearing_radius } = bearing(c);
+                        let surface = self.joints.surfaces[name.as_str()].clone();
+                        let journal = Journal { bearing: first, journal: second, clearance, bearing_radius, surface };
+                        let follows = following.get(id) == Some(&true);
+                        let constraint: Box<dyn Constraint> =
+                            if follows { Box::new(journal.following()) } else { Box::new(Free) };
+                        self.system.contacts.push(journal);
+                        (constraint, false)
+                    }
+                    _ => (Box::new(Revolute { first, second, offset: None }), false),
+                },
                 JointKind::Prismatic { axis, angle } => {
                     let guide = Guide { first, second, axis: Vec2::from(*axis).normalize() };
                     (Box::new(Prismatic { guide, angle: *angle }), true)
@@ -262,7 +346,7 @@ impl<'a> Compiler<'a> {
                     (Box::new(Slot { guide }), false)
                 }
                 JointKind::Gear { ratio, angle, .. } => {
-                    (Box::new(self.gear([first, second], *ratio, *angle, &self.carriers[name.as_str()])), true)
+                    (Box::new(self.gear([first, second], *ratio, *angle, &self.joints.carriers[name.as_str()])), true)
                 }
                 JointKind::Fixed { angle } => (Box::new(Fixed { first, second, angle: *angle }), true),
             };
@@ -272,7 +356,8 @@ impl<'a> Compiler<'a> {
                 points: [first, second],
                 torque,
                 clearance: link,
-                has_clearance: clearance(&joint.kind).is_some(),
+                contact,
+                bearing: clearance(&joint.kind).map(bearing),
             });
             self.push_block(constraint, Origin::Joint(JointId(k)));
         }

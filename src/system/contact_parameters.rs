@@ -8,6 +8,7 @@ use crate::contact::impact::Sense;
 use crate::contact::normal::cylinder::{Logarithmic, Pair};
 use crate::contact::normal::hysteresis::Rule;
 use crate::contact::normal::{self, stiffness};
+use crate::element::journal::Rigid;
 use crate::error::Complaint;
 use crate::model::{Clearance, Elastic, Friction, FrictionLaw, ImpactSense, Normal, NormalLaw};
 
@@ -143,6 +144,22 @@ impl Words<'_> {
         let stiffness = self.need("surface.stiffness", surface.map(|surface| surface.stiffness), |k| k > 0.0)?;
         let damping = self.need("surface.damping", surface.map(|surface| surface.damping), |d| d >= 0.0)?;
         Ok(normal::Law::KelvinVoigt { stiffness, damping })
+    }
+
+    /// Restitution and friction of `three_state`; left out, those of `normal` and `friction`.
+    ///
+    /// # Errors
+    /// Where one is missing or out of its range.
+    pub fn impact_law(&self) -> Result<Rigid, Complaint> {
+        let (impact, clearance) = (self.clearance.impact.as_ref(), self.clearance);
+        let restitution = impact.and_then(|impact| impact.restitution);
+        let restitution = restitution.or(clearance.normal.as_ref().and_then(|normal| normal.restitution));
+        let friction = impact.and_then(|impact| impact.friction);
+        let friction = friction.or(clearance.friction.as_ref().and_then(|friction| friction.coefficient));
+        Ok(Rigid {
+            restitution: self.need("impact.restitution", restitution, |e| (0.0..=1.0).contains(&e))?,
+            friction: self.need("impact.friction", Some(friction.unwrap_or(0.0)), |friction| friction >= 0.0)?,
+        })
     }
 
     /// Law of the friction of `contact` and `two_state`.

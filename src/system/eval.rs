@@ -1,15 +1,18 @@
 //! Evaluation of a system at a state, without allocation.
 
 use super::System;
+use crate::element::journal::{Contact, ContactId, Reading};
 use crate::element::{Applied, BodyId, Instant, Pose, Twist};
 use crate::math::{Vec2, dot};
 use crate::motion::Jet;
 
-/// What is prescribed from outside at an instant: drivers and clearance links, each with two derivatives.
+/// What is prescribed from outside at an instant: drivers and clearance links, each with two derivatives, and what the
+/// contacts remember.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Inputs {
     pub drive: Vec<Jet>,
     pub offset: Vec<[Vec2; 3]>,
+    pub contacts: Vec<Contact>,
     /// [s]
     pub time: f64,
 }
@@ -27,6 +30,7 @@ impl Inputs {
         Inputs {
             drive: vec![[0.0; 3]; system.drivers.len()],
             offset: vec![[Vec2::zeros(); 3]; system.links],
+            contacts: vec![Contact::default(); system.contacts.len()],
             time: 0.0,
         }
     }
@@ -123,7 +127,7 @@ impl Evaluation {
         }
     }
 
-    /// Q (n): gravity, springs, loads.
+    /// Q (n): gravity, springs, loads, contacts.
     pub fn eval_force(&self, system: &System, inputs: &Inputs, q_force: &mut [f64]) {
         for (k, q) in q_force.chunks_exact_mut(3).enumerate() {
             let m = system.mass[3 * k];
@@ -134,6 +138,26 @@ impl Evaluation {
         for force in &system.forces {
             force.apply(&at, &mut applied);
         }
+        for (contact, memory) in system.contacts.iter().zip(&inputs.contacts) {
+            contact.apply(&at, memory, &mut applied);
+        }
+    }
+
+    /// A contact at the position and velocity taken.
+    pub fn contact(&self, system: &System, inputs: &Inputs, id: ContactId) -> Reading {
+        system.contacts[id.0].read(&self.instant(inputs), &inputs.contacts[id.0])
+    }
+
+    /// Elastic energy of all contacts [J].
+    pub fn contact_energy(&self, system: &System, inputs: &Inputs) -> f64 {
+        let at = self.instant(inputs);
+        system.contacts.iter().zip(&inputs.contacts).map(|(contact, memory)| contact.potential(&at, memory)).sum()
+    }
+
+    /// Power that force elements bring in beside their potential [W].
+    pub fn supplied(&self, system: &System, inputs: &Inputs) -> f64 {
+        let at = self.instant(inputs);
+        system.forces.iter().map(|force| force.supplied(&at)).sum()
     }
 
     /// Kinetic energy ½ vᵀ M v [J].

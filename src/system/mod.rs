@@ -15,6 +15,7 @@ mod eval;
 
 pub use eval::{Evaluation, Inputs};
 
+use crate::element::journal::{Bearing, ContactId, Journal};
 use crate::element::{BodyId, Constraint, Force, Marker, Measure};
 use crate::math::Vec2;
 use crate::motion::Law;
@@ -68,8 +69,10 @@ pub struct JointData {
     /// Carries a torque in the results.
     pub torque: bool,
     pub clearance: Option<ClearanceLink>,
-    /// Has a `clearance` in the file: eccentricity columns.
-    pub has_clearance: bool,
+    /// Journal and bearing that touch by a contact force.
+    pub contact: Option<ContactId>,
+    /// Of a joint with a `clearance` in the file, whatever its model.
+    pub bearing: Option<Bearing>,
 }
 
 /// A massless equivalent clearance link.
@@ -118,6 +121,8 @@ pub struct System {
     /// `initial` velocities: name, row over the coordinates as (column, factor) at the assembled pose is in `eval`.
     pub initial_rates: Vec<(String, crate::element::coordinate::Coordinate)>,
     pub forces: Vec<Box<dyn Force>>,
+    /// Joints with clearance by contact force, in the order of the joints.
+    pub contacts: Vec<Journal>,
     /// [m/s²]
     pub gravity: Vec2,
     /// Mass of each coordinate (n); zero where unknown.
@@ -168,6 +173,7 @@ impl System {
     /// Whether kinetic and potential energy stay constant together: no moving drivers, dampers or loads.
     pub fn is_conservative(&self) -> bool {
         self.drivers.iter().all(|driver| driver.law.is_constant())
+            && self.contacts.is_empty()
             && self.forces.iter().all(|force| force.is_conservative())
     }
 

@@ -295,7 +295,8 @@ fn flat_steps(loops: usize, case: &str) -> Result<Claim, CaseError> {
     let begin = |reduced: &mut Reduced, t: f64, step: Option<f64>| -> Result<Box<dyn Stepper>, CaseError> {
         let limits = Limits { initial_step: step, ..Limits::default() };
         let mut y = vec![0.0; 2 * reduced.freedom()];
-        let mut stepper = Method::Dop853.stepper(Tolerance { rtol: FLAT, atol: vec![FLAT; y.len()] }, limits);
+        let mut stepper =
+            Method::Dop853.stepper(Tolerance { rtol: FLAT, atol: vec![FLAT; y.len()], cap: Vec::new() }, limits);
         reduced.state(&mut y);
         stepper.start(reduced, t, &y, 20.0).map_err(|failure| broken(&failure))?;
         Ok(stepper)

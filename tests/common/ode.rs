@@ -67,7 +67,7 @@ pub fn robertson(_: f64, y: &[f64], dy: &mut [f64]) {
 
 /// The same relative and absolute tolerance.
 pub fn tolerance(n: usize, tolerance: f64) -> Tolerance {
-    Tolerance { rtol: tolerance, atol: vec![tolerance; n] }
+    Tolerance { rtol: tolerance, atol: vec![tolerance; n], cap: Vec::new() }
 }
 
 /// Steps of one length, whatever their error.

@@ -137,7 +137,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
                 driver: by_value.then(|| self.system.drivers[0].name.clone()),
                 value: by_value.then_some(position.s),
                 end_value: None,
-                note: None,
+                ..Event::default()
             }));
         }
         self.report.events.sort_by(|a, b| a.time.total_cmp(&b.time));

@@ -1,0 +1,380 @@
+//! The loop of steps: chooses coordinates anew where that is better, finds what contacts do within each step, and starts
+//! again from there.
+
+use super::contact::{Change, History, Sums, change, first_phase};
+use super::locate::locate;
+use super::motion::Motion;
+use crate::analysis::{Control, Stop};
+use crate::element::journal::{Phase, Reading, Surface};
+use crate::error::Complaint;
+use crate::integrate::{Limits, Method, Ode, Refused, StepFailure, Stepper};
+use crate::model::Solver;
+use crate::output::{ClearanceSums, Report, Status};
+use crate::solve::driven::Failure;
+use crate::system::Origin;
+
+/// Newton's step, by rtol, below which the equations are taken for those of its end: a hundredth of what the step's error
+/// may be.
+const LAG: f64 = 1e-2;
+/// The same with contacts, where positions matter by parts of the clearance.
+const CONTACT_LAG: f64 = 1e-10;
+/// Points within a step at which guards are looked at once one of them has been positive somewhere.
+const LOOKS: usize = 8;
+/// Points within a step at which peaks are looked for.
+const PEAK_LOOKS: usize = 16;
+/// Deepest penetration at the start, in parts of the clearance.
+const DEEPEST_START: f64 = 0.1;
+
+/// The stepper at work, and what the contacts have done.
+pub struct Integration {
+    method: Method,
+    solver: Solver,
+    stepper: Box<dyn Stepper>,
+    /// Work of steppers before.
+    before: [u64; 3],
+    end: f64,
+    /// Where, within the last step, a contact changes its phase.
+    pending: Option<f64>,
+    y: Vec<f64>,
+    pub histories: Vec<History>,
+    /// Readings at the end of the last piece of a step.
+    last: Vec<Reading>,
+    /// Elastic energy lost where a contact ended by its law while penetrated, per contact [J].
+    released: Vec<f64>,
+}
+
+/// Why the loop ended before its time.
+pub type Ended = (Status, String);
+
+impl Integration {
+    /// Starts at t = 0.
+    ///
+    /// # Errors
+    /// A start with deep penetration, or where the equations can't be evaluated.
+    pub fn new(method: Method, solver: &Solver, motion: &mut Motion, end: f64) -> Result<Self, Stop> {
+        let system = motion.system();
+        let contacts = system.contacts.len();
+        motion.reduced.lag = if contacts > 0 { CONTACT_LAG.min(LAG * solver.rtol) } else { LAG * solver.rtol };
+        let limits = Limits { initial_step: solver.initial_step, max_step: solver.max_step, ..Limits::default() };
+        let names = system.joints.iter().filter(|joint| joint.contact.is_some()).map(|joint| joint.name.as_str());
+        let mut integration = Integration {
+            method,
+            solver: solver.clone(),
+            stepper: method.stepper(motion.tolerance(solver), limits),
+            before: [0; 3],
+            end,
+            pending: None,
+            y: vec![0.0; motion.dimension()],
+            histories: names.map(History::new).collect(),
+            last: vec![Reading::default(); contacts],
+            released: vec![0.0; contacts],
+        };
+        for (contact, journal) in system.contacts.iter().enumerate() {
+            let reading = motion.reading(contact);
+            let history = &mut integration.histories[contact];
+            if reading.penetration > DEEPEST_START * journal.clearance {
+                return Err(Stop::Input(vec![deep_start(system, contact, &reading)]));
+            }
+            motion.reduced.inputs.contacts[contact] = first_phase(journal, &reading);
+            if reading.penetration > 0.0 {
+                history.begin(0.0, &reading, Sums::default(), integration_angle(motion, contact, &reading));
+            }
+            integration.last[contact] = motion.reading(contact);
+        }
+        motion.state(&mut integration.y);
+        let y = std::mem::take(&mut integration.y);
+        let started = integration.stepper.start(motion, 0.0, &y, end);
+        integration.y = y;
+        started.map_err(|failure| Stop::failed(Status::Singular, describe(failure, 0.0)))?;
+        Ok(integration)
+    }
+
+    /// Time up to which the motion is known.
+    fn reached(&self) -> f64 {
+        self.pending.unwrap_or(self.stepper.t())
+    }
+
+    /// A new stepper at (time, y).
+    fn restart(&mut self, motion: &mut Motion, time: f64, y: &[f64], step: Option<f64>) -> Result<(), StepFailure> {
+        let counters = self.stepper.counters();
+        for (sum, part) in self.before.iter_mut().zip([counters.steps, counters.rejected, counters.evaluations]) {
+            *sum += part;
+        }
+        let limits = Limits { initial_step: step, max_step: self.solver.max_step, ..Limits::default() };
+        self.stepper = self.method.stepper(motion.tolerance(&self.solver), limits);
+        self.stepper.start(motion, time, y, self.end)
+    }
+
+    /// Steps until `time` lies within the last step, before its event.
+    pub fn reach(&mut self, motion: &mut Motion, time: f64, control: &Control) -> Result<(), Ended> {
+        while self.reached() < time {
+            if let Some(status) = control.stop() {
+                let why = match status {
+                    Status::Interrupted => "interrupted".to_string(),
+                    _ => format!("max_wall_time is over at t = {} s", self.stepper.t()),
+                };
+                return Err((status, format!("{why}; the rows until then are kept")));
+            }
+            let now = self.reached();
+            if let Err(failure) = self.advance(motion) {
+                let (status, culprits) = match failure {
+                    StepFailure::TooSmall { .. } => (Status::StepTooSmall, String::new()),
+                    StepFailure::Refused { .. } => (Status::Singular, culprits(motion)),
+                };
+                return Err((status, format!("{}{culprits}", describe(failure, now))));
+            }
+        }
+        Ok(())
+    }
+
+    /// One step.
+    fn advance(&mut self, motion: &mut Motion) -> Result<(), StepFailure> {
+        let now = self.reached();
+        let refused = |_| StepFailure::Refused { t: now };
+        if let Some(time) = self.pending.take() {
+            self.change(motion, time)?;
+        }
+        if motion.reduced.repin().map_err(|_: Failure| StepFailure::Refused { t: now })? {
+            let step = (self.stepper.t() - self.stepper.previous()).abs();
+            self.y.copy_from_slice(self.stepper.y());
+            let mut y = std::mem::take(&mut self.y);
+            motion.state(&mut y);
+            let restarted = self.restart(motion, now, &y, (step > 0.0).then_some(step));
+            self.y = y;
+            restarted?;
+        }
+        self.stepper.step(motion, self.end)?;
+        if !self.histories.is_empty() {
+            self.look(motion).map_err(refused)?;
+        }
+        Ok(())
+    }
+
+    /// y and the mechanism at a time within the last step.
+    fn evaluate_at(&mut self, motion: &mut Motion, time: f64) -> Result<(), Refused> {
+        self.stepper.interpolate(motion, time, &mut self.y)?;
+        motion.evaluate(time, &self.y).map_err(|_| Refused)
+    }
+
+    /// Finds the first event of the last step, and tells the histories what came before it.
+    fn look(&mut self, motion: &mut Motion) -> Result<(), Refused> {
+        let (from, to) = (self.stepper.previous(), self.stepper.t());
+        if motion.passed(from, to) {
+            self.pending = self.first_event(motion, from, to)?;
+        }
+        let until = self.reached();
+        let touching = motion.reduced.inputs.contacts.iter().any(|memory| memory.phase != Phase::Flight);
+        if !touching {
+            return Ok(());
+        }
+        self.evaluate_at(motion, until)?;
+        for contact in 0..self.histories.len() {
+            let reading = motion.reading(contact);
+            if motion.reduced.inputs.contacts[contact].phase == Phase::Contact {
+                self.peaks(motion, contact, &reading, until - from);
+                let sums = self.sums(motion, contact);
+                let angle = integration_angle(motion, contact, &reading);
+                self.histories[contact].go_on(&reading, sums, angle);
+            }
+            self.last[contact] = reading;
+        }
+        Ok(())
+    }
+
+    /// The first instant in (from, to] at which a guard is positive, where there is one.
+    fn first_event(&mut self, motion: &mut Motion, from: f64, to: f64) -> Result<Option<f64>, Refused> {
+        let guard = |integration: &mut Self, motion: &mut Motion, time: f64| {
+            integration.evaluate_at(motion, time)?;
+            Ok::<f64, Refused>(motion.worst())
+        };
+        let mut low = (from, guard(self, motion, from)?.min(0.0));
+        for look in 1..=LOOKS {
+            let time = if look == LOOKS { to } else { from + (to - from) * look as f64 / LOOKS as f64 };
+            let high = (time, guard(self, motion, time)?);
+            if high.1 > 0.0 {
+                return locate(low, high, |time| guard(self, motion, time)).map(Some);
+            }
+            low = high;
+        }
+        Ok(None)
+    }
+
+    /// Peaks of penetration and force within a piece of a step, from a cubic through its ends.
+    fn peaks(&mut self, motion: &Motion, contact: usize, reading: &Reading, h: f64) {
+        let Surface::Compliant(laws) = &motion.system().contacts[contact].surface else { return };
+        let (a, b) = (&self.last[contact], reading);
+        if self.histories[contact].deepest().is_some_and(|deepest| a.penetration.max(b.penetration) < 0.5 * deepest) {
+            return;
+        }
+        let approach = motion.reduced.inputs.contacts[contact].approach;
+        for k in 1..PEAK_LOOKS {
+            let s = k as f64 / PEAK_LOOKS as f64;
+            let (r, rest) = (s * s, 1.0 - s);
+            let penetration = (1.0 + 2.0 * s) * rest * rest * a.penetration
+                + s * rest * rest * h * a.rate
+                + r * (3.0 - 2.0 * s) * b.penetration
+                - r * rest * h * b.rate;
+            let rate = 6.0 * s * rest * (b.penetration - a.penetration) / h
+                + rest * (1.0 - 3.0 * s) * a.rate
+                + s * (3.0 * s - 2.0) * b.rate;
+            let force = laws.normal.continued(penetration, rate, approach);
+            self.histories[contact].peak(penetration, force);
+        }
+    }
+
+    /// Sums of a contact at the point in `y`.
+    pub fn sums(&self, motion: &Motion, contact: usize) -> Sums {
+        let mut sums = Sums::of(&self.y[motion.dissipated(contact)..]);
+        sums.dissipated += self.released[contact];
+        sums
+    }
+
+    /// Energy that contacts have dissipated, and work of everything else, at the point in `y` [J].
+    pub fn ledger(&self, motion: &Motion) -> [f64; 2] {
+        if self.histories.is_empty() {
+            return [0.0; 2];
+        }
+        let dissipated = (0..self.histories.len()).map(|contact| self.sums(motion, contact).dissipated).sum();
+        [dissipated, self.y[motion.work()]]
+    }
+
+    /// Changes the phases that end at `time`, and starts again from there.
+    fn change(&mut self, motion: &mut Motion, time: f64) -> Result<(), StepFailure> {
+        self.evaluate_at(motion, time).map_err(|_| StepFailure::Refused { t: time })?;
+        let system = motion.system();
+        for contact in 0..self.histories.len() {
+            let reading = motion.reading(contact);
+            let before = motion.reduced.inputs.contacts[contact];
+            let journal = &system.contacts[contact];
+            let sums = self.sums(motion, contact);
+            let mut memory = before;
+            let Some(change) = change(journal, &mut memory, &reading) else { continue };
+            let stored = |memory| motion.stored(contact, memory);
+            self.released[contact] += stored(&before) - stored(&memory);
+            motion.reduced.inputs.contacts[contact] = memory;
+            let history = &mut self.histories[contact];
+            match change {
+                Change::Begin => {
+                    history.begin(time, &reading, sums, integration_angle(motion, contact, &reading));
+                    if let Some(component) = motion.bristle(contact) {
+                        self.y[component] = 0.0;
+                    }
+                }
+                Change::Release => history.rest(time, &reading, sums),
+                Change::Press => history.press(),
+                Change::End => {
+                    if before.phase == Phase::Contact {
+                        history.rest(time, &reading, sums);
+                    }
+                    history.end();
+                }
+                Change::Piece => {
+                    if let Surface::Compliant(laws) = &journal.surface {
+                        let [was, is] = [before.piece, memory.piece].map(|piece| laws.friction.sticks(piece));
+                        if was != is {
+                            history.switch(time, is);
+                        }
+                    }
+                }
+            }
+            self.last[contact] = motion.reading(contact);
+        }
+        let y = std::mem::take(&mut self.y);
+        let restarted = self.restart(motion, time, &y, None);
+        self.y = y;
+        restarted
+    }
+
+    /// The point of an output: y and the mechanism at `time`, within the last step.
+    ///
+    /// # Errors
+    /// Where the position can't be solved.
+    pub fn output(&mut self, motion: &mut Motion, time: f64) -> Result<(), Failure> {
+        self.y.resize(motion.dimension(), 0.0);
+        if time == self.stepper.t() {
+            self.y.copy_from_slice(self.stepper.y());
+        } else {
+            self.stepper.interpolate(motion, time, &mut self.y).map_err(|_| Failure::Singular)?;
+        }
+        motion.evaluate_exactly(time, &self.y)
+    }
+
+    /// Work and contacts into the report.
+    pub fn account(&mut self, motion: &Motion, report: &mut Report) {
+        let counters = self.stepper.counters();
+        report.statistics.steps = self.before[0] + counters.steps;
+        report.statistics.rejected = self.before[1] + counters.rejected;
+        report.statistics.evaluations = self.before[2] + counters.evaluations;
+        let joints = motion.system().joints.iter().filter(|joint| joint.contact.is_some());
+        for (contact, joint) in joints.enumerate() {
+            let sums = self.sums(motion, contact);
+            let history = &mut self.histories[contact];
+            history.finish(self.stepper.t(), sums);
+            report.clearances.push(ClearanceSums {
+                joint: joint.name.clone(),
+                episodes: history.episodes,
+                switches: history.switches,
+                time_in_contact: history.time_in_contact,
+                energy_lost: sums.dissipated,
+                impulse: sums.impulse,
+                wear: std::mem::take(&mut history.wear),
+            });
+            if history.unlisted() > 0 {
+                report.warnings.push(format!(
+                    "joint \"{}\": {} further contacts and changes between stick and slip are counted but not listed",
+                    joint.name,
+                    history.unlisted()
+                ));
+            }
+            report.events.append(&mut history.events);
+        }
+        report.events.sort_by(|a, b| a.time.total_cmp(&b.time));
+    }
+}
+
+fn integration_angle(motion: &Motion, contact: usize, reading: &Reading) -> f64 {
+    let reduced = &motion.reduced;
+    let at = reduced.driven.evaluation.instant(&reduced.inputs);
+    motion.system().contacts[contact].bearing_angle(&at, reading)
+}
+
+fn deep_start(system: &crate::system::System, contact: usize, reading: &Reading) -> Complaint {
+    let joint = system.joints.iter().filter(|joint| joint.contact.is_some()).nth(contact);
+    let name = joint.map_or("", |joint| joint.name.as_str());
+    let clearance = system.contacts[contact].clearance;
+    Complaint::new(
+        "initial",
+        format!(
+            "joint \"{name}\" starts with its journal {:.4e} m deep in the bearing: eccentricity {:.6e} m, clearance {clearance:e} m",
+            reading.penetration,
+            reading.penetration + clearance,
+        ),
+    )
+    .hint("give initial values that leave the journal within its clearance, or a larger clearance")
+}
+
+/// The joints whose constraints come nearest to contradicting each other at the last accepted point.
+fn culprits(motion: &mut Motion) -> String {
+    let system = motion.system();
+    let mut joints: Vec<&str> = Vec::new();
+    for row in motion.reduced.strained_rows() {
+        if let Origin::Joint(id) = system.block_of_row(row).origin
+            && !joints.contains(&system.joints[id.0].name.as_str())
+        {
+            joints.push(&system.joints[id.0].name);
+        }
+    }
+    if joints.is_empty() { String::new() } else { format!(" (nearest to singular: the joints {})", joints.join(", ")) }
+}
+
+fn describe(failure: StepFailure, now: f64) -> String {
+    match failure {
+        StepFailure::TooSmall { t, h } => format!(
+            "step too small at t = {t} s: the tolerances ask for steps below {h:.1e} s; the rows until there are kept. \
+             Loosen rtol, or look for what changes so fast there"
+        ),
+        StepFailure::Refused { .. } => format!(
+            "the motion can't be followed beyond t = {now} s: the constraints are singular there; the rows until there are kept"
+        ),
+    }
+}

@@ -1,0 +1,143 @@
+//! Forward dynamics: the motion that forces and masses bring about, with drivers where there are some.
+//!
+//! Integrated are minimal coordinates (see [`crate::solve::reduced`] and [`motion`]), by a method of [`crate::integrate`];
+//! positions and velocities of everything else follow from the constraints at every stage, so nothing drifts. Outputs come
+//! from the method's continuous extension and are put exactly onto the constraints.
+//!
+//! Joints with clearance by contact are open: journals fly and press ([`contact`]), and the instants at which they begin
+//! and cease to are located within the steps ([`integration`]).
+
+mod contact;
+mod integration;
+mod locate;
+pub mod motion;
+mod outputs;
+mod start;
+
+use super::assembly::{Assembled, is_singular_start};
+use super::instants::instants;
+use super::record::Contents;
+use super::{Control, Stop};
+use crate::error::Complaint;
+use crate::integrate::Method;
+use crate::model::{Analysis, Model, Solver};
+use crate::output::{Report, Status, Stopwatch, Trajectory};
+use crate::solve::driven::Failure;
+use crate::solve::reduced::Reduced;
+use crate::system::System;
+use integration::Integration;
+use motion::Motion;
+use outputs::Outputs;
+
+/// Runs the analysis.
+///
+/// # Errors
+/// Faults of the input, and a start that is impossible.
+pub fn run(
+    model: &Model,
+    system: &System,
+    analysis: &Analysis,
+    contents: Contents,
+    control: &Control,
+) -> Result<(Trajectory, Report), Stop> {
+    let watch = Stopwatch::start();
+    let (assembled, v) = start::start(model, system)?;
+    if assembled.all.rank == system.n() {
+        // Nothing is free: the motion is that of the drivers.
+        return super::driven::run(system, analysis, control);
+    }
+    refuse(system, analysis)?;
+    let method = method(&analysis.solver)?;
+    let assembling = watch.read();
+
+    let watch = Stopwatch::start();
+    let reduced = start(system, &assembled, &v)?;
+    let mut motion = Motion::new(system, reduced);
+    let mut report = Report { mobility: assembled.mobility, warnings: assembled.warnings, ..Report::default() };
+    report.assemble = assembling;
+    let instants = instants(system, analysis).map_err(Stop::Input)?;
+    let end = instants.last().map_or(0.0, |last| last.time);
+    let mut solver = Integration::new(method, &analysis.solver, &mut motion, end)?;
+    let mut outputs = Outputs::new(system, contents, instants.len(), &mut report);
+    for instant in &instants {
+        if let Err((status, message)) = solver.reach(&mut motion, instant.time, control) {
+            outputs.report.status = status;
+            outputs.report.message = Some(message);
+            break;
+        }
+        if outputs.record(&mut solver, &mut motion, instant.time).is_err() {
+            outputs.report.status = Status::Singular;
+            outputs.report.message = Some(format!("the position at t = {} s can't be solved", instant.time));
+            break;
+        }
+    }
+    let trajectory = outputs.finish();
+    solver.account(&motion, &mut report);
+    let done = motion.reduced.driven.done;
+    report.statistics.newton_iterations += done.newton_iterations + assembled.iterations;
+    report.statistics.factorisations += done.factorisations;
+    report.solve = watch.read();
+    Ok((trajectory, report))
+}
+
+/// What forward dynamics can't do.
+fn refuse(system: &System, analysis: &Analysis) -> Result<(), Stop> {
+    if analysis.sample.is_some() && system.contacts.is_empty() {
+        return Err(Stop::Input(vec![
+            Complaint::new("analysis.sample", "outputs at driver values need a motion that is prescribed")
+                .hint("give \"end\" and \"outputs\" instead"),
+        ]));
+    }
+    if let Some(joint) = system.joints.iter().find(|joint| joint.clearance.is_some()) {
+        return Err(Stop::Input(vec![
+            Complaint::new(
+                format!("joints.{}.clearance.model", joint.name),
+                "a massless clearance link takes its direction from the force of the instant, which leaves a mechanism that \
+                 is free to move without a well-defined motion",
+            )
+            .hint("use \"ideal\" or a model of contact, or let drivers prescribe the whole motion"),
+        ]));
+    }
+    Ok(())
+}
+
+fn method(solver: &Solver) -> Result<Method, Stop> {
+    solver.method.parse().map_err(|unknown: crate::integrate::UnknownMethod| {
+        Stop::Input(vec![Complaint::new("analysis.solver.method", unknown.to_string())])
+    })
+}
+
+/// The equations of motion at the assembled state.
+fn start<'s>(system: &'s System, assembled: &Assembled, v: &[f64]) -> Result<Reduced<'s>, Stop> {
+    let singular = || {
+        Stop::failed(
+            Status::Singular,
+            "the start is a singular position (the constraints lose rank there), so that more than one motion leads away \
+             from it; start a little beside it"
+                .into(),
+        )
+    };
+    let columns = &assembled.all.free_columns;
+    let reduced = Reduced::new(system, columns, &assembled.q, v, 0.0).map_err(|failure| {
+        let massless: Vec<&str> = system
+            .bodies
+            .iter()
+            .filter(|body| body.mass == Some(0.0) || body.inertia == Some(0.0))
+            .map(|body| body.name.as_str())
+            .collect();
+        match failure {
+            Failure::Singular if !massless.is_empty() => Stop::Input(vec![
+                Complaint::new(
+                    "bodies",
+                    format!("something free to move has neither mass nor inertia (without: {})", massless.join(", ")),
+                )
+                .hint("give mass and inertia to what the joints leave free"),
+            ]),
+            Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. } => singular(),
+        }
+    })?;
+    if is_singular_start(system, assembled, reduced.motions(), &reduced.inputs) {
+        return Err(singular());
+    }
+    Ok(reduced)
+}

@@ -1,0 +1,242 @@
+//! The equations that are integrated: minimal coordinates, and with contacts their memories and the energy ledger.
+//!
+//! ```text
+//! y = (u, u̇ | z | W | D, I, S per contact)
+//!
+//! u, u̇   minimal coordinates and their rates (f, f)        [`crate::solve::reduced`]
+//! z      bristles of friction laws that have them           ż by the law                           [m]
+//! W      work of drivers, loads and dampers                 W' = Σ effort · rate + Σ supplied      [J]
+//! D      energy dissipated in a contact                     D' = (N − N_e) δ̇ − T v_t               [J]
+//! I      normal impulse                                     I' = N                                 [N·s]
+//! S      sliding under load, for wear                       S' = N |v_t|                           [J]
+//! ```
+//!
+//! Without contacts y is (u, u̇) alone.
+
+use super::contact::worst_guard;
+use crate::element::journal::{Contact, ContactId, Phase, Reading, Surface};
+use crate::integrate::{Ode, Refused, Tolerance};
+use crate::model::Solver;
+use crate::solve::driven::{Failure, LAST_STEP};
+use crate::solve::reduced::Reduced;
+use crate::system::System;
+
+/// Quantities kept per contact.
+const PER_CONTACT: usize = 3;
+/// Evaluations remembered: those of one step of any method are among them.
+const MARKS: usize = 24;
+/// Velocities are no worse resolved than this part of rtol [m/s, rad/s].
+const SLOW: f64 = 0.1;
+
+/// An evaluation: its time, and the largest of all guards there, above zero where an event has passed.
+type Mark = (f64, f64);
+
+/// A mechanism in motion.
+pub struct Motion<'s> {
+    pub reduced: Reduced<'s>,
+    /// Component of each contact's bristles, counted from the first.
+    bristles: Vec<Option<usize>>,
+    bristle_count: usize,
+    moving_drivers: bool,
+    lambda: Vec<f64>,
+    marks: [Mark; MARKS],
+    next_mark: usize,
+}
+
+impl<'s> Motion<'s> {
+    pub fn new(system: &'s System, reduced: Reduced<'s>) -> Self {
+        let mut bristle_count = 0;
+        let bristles = system
+            .contacts
+            .iter()
+            .map(|contact| match &contact.surface {
+                Surface::Compliant(laws) if laws.friction.has_bristle() => {
+                    bristle_count += 1;
+                    Some(bristle_count - 1)
+                }
+                Surface::Compliant(_) | Surface::Rigid(_) => None,
+            })
+            .collect();
+        Motion {
+            reduced,
+            bristles,
+            bristle_count,
+            moving_drivers: system.drivers.iter().any(|driver| !driver.law.is_constant()),
+            lambda: vec![0.0; system.m()],
+            marks: [(f64::NEG_INFINITY, f64::NEG_INFINITY); MARKS],
+            next_mark: 0,
+        }
+    }
+
+    pub fn system(&self) -> &'s System {
+        self.reduced.driven.system
+    }
+
+    fn contacts(&self) -> usize {
+        self.reduced.inputs.contacts.len()
+    }
+
+    /// Component W of y.
+    pub fn work(&self) -> usize {
+        2 * self.reduced.freedom() + self.bristle_count
+    }
+
+    /// Component D of a contact; I and S follow it.
+    pub fn dissipated(&self, contact: usize) -> usize {
+        self.work() + 1 + PER_CONTACT * contact
+    }
+
+    /// Component z of a contact.
+    pub fn bristle(&self, contact: usize) -> Option<usize> {
+        Some(2 * self.reduced.freedom() + self.bristles[contact]?)
+    }
+
+    /// Puts the coordinates and rates at hand into y.
+    pub fn state(&self, y: &mut [f64]) {
+        self.reduced.state(&mut y[..2 * self.reduced.freedom()]);
+    }
+
+    /// A contact at the point of the last evaluation.
+    pub fn reading(&self, contact: usize) -> Reading {
+        self.reduced.driven.evaluation.contact(self.system(), &self.reduced.inputs, ContactId(contact))
+    }
+
+    /// All of the mechanism at (t, y).
+    ///
+    /// # Errors
+    /// Where the position can't be solved on its branch, or the mass matrix is singular.
+    pub fn evaluate(&mut self, t: f64, y: &[f64]) -> Result<(), Failure> {
+        self.take_bristles(y);
+        self.reduced.evaluate(t, y)
+    }
+
+    fn take_bristles(&mut self, y: &[f64]) {
+        for contact in 0..self.contacts() {
+            if let Some(component) = self.bristle(contact) {
+                self.reduced.inputs.contacts[contact].bristle = y[component];
+            }
+        }
+    }
+
+    /// The largest of all guards at the point of the last evaluation.
+    pub fn worst(&self) -> f64 {
+        let memories = &self.reduced.inputs.contacts;
+        let guards = self.system().contacts.iter().zip(memories).enumerate();
+        guards.fold(f64::NEG_INFINITY, |worst, (contact, (journal, memory))| {
+            worst.max(worst_guard(journal, memory, &self.reading(contact)))
+        })
+    }
+
+    /// Elastic energy of a contact at the point of the last evaluation, in the phase of `memory` [J].
+    pub fn stored(&self, contact: usize, memory: &Contact) -> f64 {
+        self.system().contacts[contact].stored(self.reading(contact).penetration, memory)
+    }
+
+    /// As [`Motion::evaluate`], exactly onto the constraints, whatever the tolerance of the integration.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn evaluate_exactly(&mut self, t: f64, y: &[f64]) -> Result<(), Failure> {
+        let (lag, last_step) = (self.reduced.lag, self.reduced.driven.last_step);
+        self.reduced.lag = 0.0;
+        self.reduced.driven.last_step = LAST_STEP;
+        let solved = self.evaluate(t, y);
+        (self.reduced.lag, self.reduced.driven.last_step) = (lag, last_step);
+        solved
+    }
+
+    /// Whether an evaluation within (from, to] has passed an event.
+    pub fn passed(&self, from: f64, to: f64) -> bool {
+        self.marks.iter().any(|&(t, guard)| t > from && t <= to && guard > 0.0)
+    }
+
+    /// The bound of the local error. In a mechanism with contacts lengths are measured against the smallest clearance, for
+    /// penetrations are a small part of it, and rates near zero against 1 m/s.
+    pub fn tolerance(&self, solver: &Solver) -> Tolerance {
+        let f = self.reduced.freedom();
+        let Solver { rtol, atol, .. } = *solver;
+        let dimension = self.dimension();
+        let system = self.system();
+        let clearance = system.contacts.iter().map(|contact| contact.clearance).fold(f64::INFINITY, f64::min);
+        if !clearance.is_finite() {
+            return Tolerance { rtol, atol: vec![atol; dimension], cap: Vec::new() };
+        }
+        let mut tolerance = Tolerance { rtol, atol: vec![f64::MAX; dimension], cap: vec![f64::INFINITY; dimension] };
+        for (k, pin) in self.reduced.driven.pins.iter().enumerate() {
+            let small = clearance / system.size * system.column_scale(pin.column);
+            tolerance.cap[k] = small;
+            tolerance.atol[k] = atol.min(rtol * small);
+            tolerance.atol[f + k] = atol.min(SLOW * rtol);
+        }
+        for contact in 0..self.contacts() {
+            if let Some(component) = self.bristle(contact) {
+                tolerance.atol[component] = rtol * clearance;
+            }
+        }
+        tolerance
+    }
+
+    fn eval_ledger(&mut self, t: f64, dy: &mut [f64]) {
+        let system = self.system();
+        let work = self.work();
+        let mut power = self.reduced.driven.evaluation.supplied(system, &self.reduced.inputs);
+        if self.moving_drivers {
+            self.reduced.multipliers(&mut self.lambda);
+            let efforts = &self.lambda[system.joint_rows()..];
+            power += efforts.iter().zip(&self.reduced.inputs.drive).map(|(effort, jet)| effort * jet[1]).sum::<f64>();
+        }
+        dy[work] = power;
+        let mut worst = f64::NEG_INFINITY;
+        for contact in 0..self.contacts() {
+            let reading = self.reading(contact);
+            let memory = self.reduced.inputs.contacts[contact];
+            worst = worst.max(worst_guard(&system.contacts[contact], &memory, &reading));
+            let k = self.dissipated(contact);
+            let pressed = if memory.phase == Phase::Contact { reading.normal } else { 0.0 };
+            dy[k..k + PER_CONTACT].copy_from_slice(&[reading.dissipation, pressed, pressed * reading.sliding.abs()]);
+            if let Some(component) = self.bristle(contact) {
+                dy[component] = reading.bristle_rate;
+            }
+        }
+        self.marks[self.next_mark] = (t, worst);
+        self.next_mark = (self.next_mark + 1) % MARKS;
+    }
+}
+
+impl Ode for Reduced<'_> {
+    fn dimension(&self) -> usize {
+        2 * self.freedom()
+    }
+
+    fn eval(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Refused> {
+        self.evaluate(t, y).map_err(|_| Refused)?;
+        let f = self.freedom();
+        dy[..f].copy_from_slice(&y[f..2 * f]);
+        dy[f..2 * f].copy_from_slice(self.accelerations());
+        Ok(())
+    }
+
+    fn accept(&mut self, t: f64, y: &[f64]) {
+        Reduced::accept(self, t, &y[..2 * self.freedom()]);
+    }
+}
+
+impl Ode for Motion<'_> {
+    fn dimension(&self) -> usize {
+        let contacts = self.contacts();
+        if contacts == 0 { 2 * self.reduced.freedom() } else { self.work() + 1 + PER_CONTACT * contacts }
+    }
+
+    fn eval(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Refused> {
+        self.take_bristles(y);
+        Ode::eval(&mut self.reduced, t, y, dy)?;
+        if self.contacts() > 0 {
+            self.eval_ledger(t, dy);
+        }
+        Ok(())
+    }
+
+    fn accept(&mut self, t: f64, y: &[f64]) {
+        Ode::accept(&mut self.reduced, t, y);
+    }
+}

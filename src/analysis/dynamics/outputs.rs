@@ -1,0 +1,106 @@
+//! The loop's results: rows, and how good they are.
+
+use super::contact::state;
+use super::integration::Integration;
+use super::motion::Motion;
+use crate::analysis::record::{ContactSample, Contents, Recorder, Sample};
+use crate::math::dot;
+use crate::output::{Report, Trajectory};
+use crate::solve::driven::Failure;
+use crate::system::System;
+
+pub struct Outputs<'a, 'r> {
+    system: &'a System,
+    recorder: Recorder,
+    sample: Sample,
+    pub report: &'r mut Report,
+    power: f64,
+    imbalance: f64,
+    /// Least and largest energy, and largest kinetic energy [J].
+    energy: Option<[f64; 3]>,
+    ledger: Option<Ledger>,
+}
+
+/// Kinetic + potential + contact energy + dissipated − work, which stays what it is at the start.
+#[derive(Debug, Clone, Copy)]
+struct Ledger {
+    start: f64,
+    imbalance: f64,
+    largest: f64,
+}
+
+impl<'a, 'r> Outputs<'a, 'r> {
+    pub fn new(system: &'a System, contents: Contents, rows: usize, report: &'r mut Report) -> Self {
+        Outputs {
+            system,
+            recorder: Recorder::new(system, contents, rows),
+            sample: Sample::new(system),
+            report,
+            power: 0.0,
+            imbalance: 0.0,
+            energy: None,
+            ledger: None,
+        }
+    }
+
+    /// A row at `time`, within the last step.
+    ///
+    /// # Errors
+    /// Where the position can't be solved.
+    pub fn record(&mut self, solver: &mut Integration, motion: &mut Motion, time: f64) -> Result<(), Failure> {
+        solver.output(motion, time)?;
+        for (contact, journal) in self.system.contacts.iter().enumerate() {
+            let memory = &motion.reduced.inputs.contacts[contact];
+            self.sample.contacts[contact] =
+                ContactSample { reading: motion.reading(contact), state: state(journal, memory) };
+        }
+        let [dissipated, work] = solver.ledger(motion);
+        let reduced = &mut motion.reduced;
+        let Sample { q, v, a, lambda, force, .. } = &mut self.sample;
+        q.copy_from_slice(&reduced.q);
+        v.copy_from_slice(&reduced.v);
+        a.copy_from_slice(&reduced.a);
+        force.copy_from_slice(&reduced.force);
+        reduced.multipliers(lambda);
+        let evaluation = &mut reduced.driven.evaluation;
+        evaluation.set_position(q);
+        evaluation.eval_phi(self.system, &reduced.inputs);
+        let residual = self.system.scaled_residual(&evaluation.phi);
+        self.report.quality.constraint_residual = self.report.quality.constraint_residual.max(residual);
+        let efforts = &lambda[self.system.joint_rows()..];
+        let driven: f64 = efforts.iter().zip(&reduced.inputs.drive).map(|(effort, jet)| effort * jet[1]).sum();
+        let applied = dot(force, v);
+        let kinetic: f64 = v.iter().zip(a.iter()).zip(&self.system.mass).map(|((v, a), m)| v * a * m).sum();
+        self.power = self.power.max(driven.abs()).max(applied.abs()).max(kinetic.abs());
+        self.imbalance = self.imbalance.max((driven + applied - kinetic).abs());
+        let moving = evaluation.kinetic_energy(self.system, v);
+        let potential = evaluation.potential_energy(self.system, &reduced.inputs);
+        let elastic = evaluation.contact_energy(self.system, &reduced.inputs);
+        let energy = moving + potential;
+        let [least, most, largest] = self.energy.unwrap_or([energy, energy, 0.0]);
+        self.energy = Some([least.min(energy), most.max(energy), largest.max(moving)]);
+        if !self.system.contacts.is_empty() {
+            let sum = energy + elastic + dissipated - work;
+            let ledger = self.ledger.get_or_insert(Ledger { start: sum, imbalance: 0.0, largest: 0.0 });
+            ledger.imbalance = ledger.imbalance.max((sum - ledger.start).abs());
+            ledger.largest = [moving, elastic, dissipated, work.abs()].into_iter().fold(ledger.largest, f64::max);
+        }
+        self.sample.contact_energy = [elastic, dissipated];
+        self.recorder.push(self.system, &reduced.driven.evaluation, &reduced.inputs, &self.sample);
+        Ok(())
+    }
+
+    /// The rows; what was learnt on the way goes to the report.
+    pub fn finish(self) -> Trajectory {
+        let part = |imbalance: f64, whole: f64| if whole > 0.0 { imbalance / whole } else { 0.0 };
+        let quality = &mut self.report.quality;
+        quality.power_imbalance = Some(part(self.imbalance, self.power));
+        quality.energy_imbalance = self.ledger.map(|ledger| part(ledger.imbalance, ledger.largest));
+        if self.system.is_conservative()
+            && let Some([least, most, largest]) = self.energy
+        {
+            quality.energy_drift = Some(part(most - least, largest));
+        }
+        self.recorder.trajectory
+    }
+}
