@@ -11,7 +11,10 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("main", &[]),
     ("cli", &["validation", "analysis", "bundled", "model", "output", "error"]),
     // `integrate`, `solve` and `system` to see single steps.
-    ("validation", &["analysis", "bundled", "integrate", "solve", "system", "model", "output", "error", "math"]),
+    (
+        "validation",
+        &["analysis", "bundled", "integrate", "solve", "system", "model", "output", "error", "contact", "math"],
+    ),
     ("bundled", &[]),
     // Besides numbers, the analyses know the words of the question: `model::Analysis`, and `Model` as what they compile.
     ("analysis", &["integrate", "solve", "system", "element", "graph", "motion", "math", "model", "output", "error"]),

@@ -33,6 +33,18 @@ fn the_four_bar_with_a_spring_agrees() {
 }
 
 #[test]
+fn every_normal_law_delivers_what_it_must() {
+    let case = CASES.iter().find(|case| case.name == "restitution").expect("bundled");
+    let report = case.run(None, &Control::default()).expect("runs");
+    assert_eq!(report.claims.len(), 25);
+    let faults: Vec<_> = report.claims.iter().filter(|claim| claim.verdict == Verdict::Fault).collect();
+    assert!(faults.is_empty(), "{faults:#?}");
+    // Of the eight rules for the factor one returns what it is asked for.
+    let found = report.claims.iter().filter(|claim| claim.verdict == Verdict::Finding).count();
+    assert_eq!(found, 7);
+}
+
+#[test]
 fn the_tolerance_ladder_has_no_fault() {
     let case = CASES.iter().find(|case| case.name == "tolerance-ladder").expect("bundled");
     let report = case.run(None, &Control::default()).expect("runs");

@@ -7,6 +7,7 @@
 pub mod four_bar_spring;
 pub mod lock;
 pub mod reference;
+pub mod restitution;
 pub mod table;
 pub mod tolerance_ladder;
 
@@ -41,6 +42,7 @@ pub const CASES: &[Case] = &[
         name: "four-bar-spring",
         kind: CaseKind::Coded { about: four_bar_spring::ABOUT, run: four_bar_spring::run },
     },
+    Case { name: "restitution", kind: CaseKind::Coded { about: restitution::ABOUT, run: restitution::run } },
     Case {
         name: "tolerance-ladder",
         kind: CaseKind::Coded { about: tolerance_ladder::ABOUT, run: tolerance_ladder::run },
