@@ -121,19 +121,11 @@ const CASES: &[Case] = &[
         complaints: &[r#"line 6, column 3: bodys: "bodys": unknown key (did you mean "bodies"?)"#],
     },
     Case {
-        what: "reserved key",
-        edits: &[(r#""name": "four-bar and slider""#, r#""parameters": {}"#)],
-        sets: &[],
-        complaints: &[
-            r#"line 3, column 3: parameters: "parameters": the key is reserved for expressions, which are not built yet"#,
-        ],
-    },
-    Case {
         what: "top key unknown",
         edits: &[(r#""name""#, r#""titel""#)],
         sets: &[],
         complaints: &[
-            r#"line 3, column 3: titel: "titel": unknown key (known keys: format, units, name, about, source, gravity, bodies, joints, drivers, forces, initial, points, analysis, note)"#,
+            r#"line 3, column 3: titel: "titel": unknown key (known keys: format, units, parameters, name, about, source, gravity, bodies, joints, drivers, forces, initial, points, analysis, note)"#,
         ],
     },
     Case {
@@ -213,20 +205,119 @@ const CASES: &[Case] = &[
         ],
     },
     Case {
-        what: "expression",
-        edits: &[("-9.81", r#""= -g""#)],
+        what: "parameters: no object",
+        edits: &[(r#""name": "four-bar and slider""#, r#""parameters": ["60 mm"]"#)],
+        sets: &[],
+        complaints: &["line 3, column 17: parameters: an object is expected, not a list"],
+    },
+    Case {
+        what: "parameters: names and values",
+        edits: &[(
+            r#""name": "four-bar and slider""#,
+            r#""parameters": { "note": "x", "2r": 1, "a-b": 1, "sin": 1, "A": null, "B": "5", "C": "5 mmm", "D": "r", "E": [1], "φ": 1 }"#,
+        )],
         sets: &[],
         complaints: &[
-            r#"line 5, column 18: gravity[1]: "= -g": text that begins with "=" is reserved for expressions, which are not built yet (write a number, or text with a unit)"#,
+            r#"line 3, column 38: parameters.2r: 1: the name of a parameter consists of letters, digits and _, with a letter first (as in crank_length or r2)"#,
+            r#"line 3, column 48: parameters.a-b: 1: the name of a parameter consists of letters, digits and _, with a letter first (as in crank_length or r2)"#,
+            r#"line 3, column 58: parameters.sin: 1: "sin" has a meaning of its own (give the parameter another name)"#,
+            r#"line 3, column 66: parameters.A: null: a number is expected, not null (or text: with a unit, such as "5 mm", or an expression, "=2*r")"#,
+            r#"line 3, column 77: parameters.B: "5": the unit is missing (write a plain number without quotes)"#,
+            r#"line 3, column 87: parameters.C: "5 mmm": unknown unit "mmm" (did you mean "mm"?)"#,
+            r#"line 3, column 101: parameters.D: "r": this does not begin with a number (a number, text with a unit such as "5 mm", or an expression such as "=2*r")"#,
+            r#"line 3, column 111: parameters.E: a number is expected, not a list (or text: with a unit, such as "5 mm", or an expression, "=2*r")"#,
+            r#"line 3, column 121: parameters.φ: 1: the name of a parameter consists of letters, digits and _, with a letter first (as in crank_length or r2)"#,
         ],
     },
     Case {
-        what: "expression for a plain number",
-        edits: &[(r#""outputs": 401"#, r#""outputs": "=n""#)],
+        what: "parameters: circles, each once, and what follows from them not at all",
+        edits: &[
+            (
+                r#""name": "four-bar and slider""#,
+                r#""parameters": { "a": "=b+c", "b": "=2*a", "c": "1 mm", "d": "=d", "e": "=a" }"#,
+            ),
+            ("0.8", r#""=e""#),
+        ],
         sets: &[],
         complaints: &[
-            r#"line 32, column 68: analysis.outputs: "=n": text that begins with "=" is reserved for expressions, which are not built yet (write a number, or text with a unit)"#,
+            r#"line 3, column 24: parameters.a: "=b+c": the parameters follow from each other in a circle: a → b → a (give one of them a value of its own)"#,
+            r#"line 3, column 63: parameters.d: "=d": the parameters follow from each other in a circle: d → d (give one of them a value of its own)"#,
         ],
+    },
+    Case {
+        what: "expressions: faults inside, at their character",
+        edits: &[
+            (r#""name": "four-bar and slider""#, r#""parameters": { "r": "50 mm", "q": "=2*r + 1" }"#),
+            ("-9.81", r#""= -g""#),
+            ("0.8", r#""=2*(r""#),
+            ("7e-4", r#""=4*q""#),
+            (r#""outputs": 401"#, r#""outputs": "=4*rr""#),
+            ("250", r#""\u003dr/0""#),
+        ],
+        sets: &["gravity[0]=3*g", "bodies.rocker.points.B[0]==r+1"],
+        complaints: &[
+            r#"line 3, column 44: parameters.q: "=2*r + 1": a length [m] and a plain number can't be added (a number gets a unit as in 2 m)"#,
+            r#"line 5, column 22: gravity[1]: "= -g": there is no parameter "g" (the parameters: r, q; a unit stands behind a number, as in 1 g)"#,
+            r#"line 8, column 28: bodies.crank.mass: "=2*(r": this "(" is not closed"#,
+            r#"line 10, column 49: bodies.coupler.points.B[0]: "\u003dr/0": this divides by zero"#,
+            r#"line 32, column 72: analysis.outputs: "=4*rr": there is no parameter "rr" (the parameters: r, q)"#,
+            r#"--set gravity[0]=3*g: "*g" cannot be read as a unit (such as "m/s^2")"#,
+            r#"--set bodies.rocker.points.B[0]==r+1: a length [m] and a plain number can't be added (a number gets a unit as in 2 m)"#,
+        ],
+    },
+    Case {
+        what: "expressions: no parameters at all",
+        edits: &[("-9.81", r#""=-g""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 5, column 21: gravity[1]: "=-g": there is no parameter "g" (write it into "parameters"; a unit stands behind a number, as in 1 g)"#,
+        ],
+    },
+    Case {
+        what: "expressions: results of the wrong dimension",
+        edits: &[
+            (
+                r#""name": "four-bar and slider""#,
+                r#""parameters": { "r": "50 mm", "m": "2 kg", "f": "2 Hz", "w": "3 rad/s", "k": "5 N*m/rad" }"#,
+            ),
+            ("-9.81", r#""=r/1 s""#),
+            ("0.8", r#""=3*r""#),
+            ("7e-4", r#""=m*r""#),
+            (r#""pose": { "angle": 60 }"#, r#""pose": { "angle": "=pi/3" }"#),
+            ("250", r#""=r/(2 mm)""#),
+            (r#""10 rad/s""#, r#""=f""#),
+            (r#""stiffness": 200"#, r#""stiffness": "=k""#),
+            (r#""free_length": 150"#, r#""free_length": "=sqrt(r)""#),
+            (r#""vector": [0, 5]"#, r#""vector": ["=k", { "type": "harmonic", "amplitude": 1, "frequency": "=w" }]"#),
+            (r#""axis": [1, 0]"#, r#""axis": ["=r", "=sin(w)"]"#),
+            (r#""outputs": 401"#, r#""outputs": "=400.5+1""#),
+        ],
+        sets: &["analysis.end=0"],
+        complaints: &[
+            r#"line 5, column 18: gravity[1]: "=r/1 s": this is a velocity [m/s], where an acceleration [m/s^2] is wanted"#,
+            r#"line 8, column 24: bodies.crank.mass: "=3*r": this is a length [m], where a mass [kg] is wanted"#,
+            r#"line 8, column 43: bodies.crank.inertia: "=m*r": this is a quantity in kg*m, where an inertia [kg*m^2] is wanted"#,
+            r#"line 9, column 68: bodies.crank.pose.angle: "=pi/3": a plain number made with pi, where an angle [rad] is wanted that is not in radians here (write it * 1 rad, or in deg)"#,
+            r#"line 10, column 49: bodies.coupler.points.B[0]: "=r/(2 mm)": this is a ratio without unit, where a length [m] is wanted (multiply it by a quantity, such as 1 m)"#,
+            r#"line 20, column 79: joints.e.axis[0]: "=r": this is a length [m], where a plain number is wanted (divide it by 1 m)"#,
+            r#"line 20, column 87: joints.e.axis[1]: "=sin(w)": sin takes an angle, not an angular velocity [rad/s]"#,
+            r#"line 23, column 108: drivers.motor.motion.coefficients[1]: "=f": this is a frequency [Hz], where an angular velocity [rad/s] is wanted (write it * 1 rad, if that is meant)"#,
+            r#"line 27, column 86: forces.return.stiffness: "=k": this is an angular stiffness [N*m/rad], where a stiffness [N/m] is wanted"#,
+            r#"line 27, column 107: forces.return.free_length: "=sqrt(r)": this is a quantity in m^0.5, where a length [m] is wanted"#,
+            r#"line 28, column 62: forces.load.vector[0]: "=k": this is an angular stiffness [N*m/rad], where a force [N] is wanted"#,
+            r#"line 28, column 119: forces.load.vector[1].frequency: "=w": this is an angular velocity [rad/s], where a frequency [Hz] is wanted (write it / 1 rad, if that is meant)"#,
+            r#"line 32, column 68: analysis.outputs: "=400.5+1": a whole number is expected"#,
+            "--set analysis.end=0: must be greater than 0",
+        ],
+    },
+    Case {
+        what: "expressions: a set of a parameter that nothing uses",
+        edits: &[
+            (r#""name": "four-bar and slider""#, r#""parameters": { "width": "50 mm" }"#),
+            ("250", r#""=5*width""#),
+        ],
+        sets: &["parameters.widht=60 mm"],
+        complaints: &[r#"--set parameters.widht=60 mm: no expression uses this parameter (did you mean "width"?)"#],
     },
     Case {
         what: "ground with mass and pose",
@@ -302,7 +393,7 @@ const CASES: &[Case] = &[
         sets: &[],
         complaints: &[
             r#"line 1, column 1: "bodies" is missing"#,
-            r#"line 6, column 3: parts: "parts": unknown key (known keys: format, units, name, about, source, gravity, bodies, joints, drivers, forces, initial, points, analysis, note)"#,
+            r#"line 6, column 3: parts: "parts": unknown key (known keys: format, units, parameters, name, about, source, gravity, bodies, joints, drivers, forces, initial, points, analysis, note)"#,
         ],
     },
     Case {
@@ -311,7 +402,7 @@ const CASES: &[Case] = &[
         sets: &[],
         complaints: &[
             "line 6, column 13: bodies: it is empty, at least one is needed",
-            r#"line 6, column 17: initials: "initials": unknown key (known keys: format, units, name, about, source, gravity, bodies, joints, drivers, forces, initial, points, analysis, note)"#,
+            r#"line 6, column 17: initials: "initials": unknown key (known keys: format, units, parameters, name, about, source, gravity, bodies, joints, drivers, forces, initial, points, analysis, note)"#,
         ],
     },
     Case {
@@ -1120,6 +1211,90 @@ fn a_file_with_thousands_of_faults_is_not_repeated_whole() {
     let said = said(BASE.replace("\"load\": {", &format!("{}, \"load\": {{", names.join(", "))).as_bytes(), &[]);
     assert_eq!(said.len(), 101);
     assert_eq!(said[100], "and 4900 more faults");
+}
+
+#[test]
+fn nothing_hostile_in_an_expression_hangs() {
+    let with = |text: &str| said(BASE.replace("-9.81", &format!("{text:?}")).as_bytes(), &[]);
+    let begin = |text: String| text.chars().take(60).collect::<String>();
+    for (text, words) in [
+        (format!("={}", "(".repeat(1_000_000)), "an expression has at most 4096 characters"),
+        (format!("={}1{}", "(".repeat(2000), ")".repeat(2000)), "nested more than 64 deep"),
+        (format!("={}", "2^".repeat(2000)), "nested more than 64 deep"),
+        (format!("=2{}", "^2".repeat(60)), "the result is too large for a double"),
+    ] {
+        let said = with(&text);
+        assert!(said.len() == 1 && said[0].ends_with(words), "{}: {:?}", begin(text), said.into_iter().map(begin));
+    }
+    // a chain and a circle of a hundred thousand
+    for last in ["1", "\"=p0\""] {
+        let chain: String =
+            (0..100_000).map(|index| format!("\"p{index}\": \"=p{}+p{}\", ", index + 1, index + 1)).collect();
+        let text = BASE
+            .replace("\"name\": \"four-bar and slider\"", &format!("\"parameters\": {{ {chain} \"p100000\": {last} }}"))
+            .replace("-9.81", "\"=p99990\"");
+        let said = said(text.as_bytes(), &[]);
+        assert_eq!(said.len(), 1, "{last}");
+        let words = if last == "1" {
+            "the result is too large for a double"
+        } else {
+            "p0 → p1 → p2 → p3 → p4 → p5 → p6 → p7 → … → p0"
+        };
+        assert!(said[0].contains(words), "{}", said[0]);
+    }
+}
+
+#[test]
+fn expressions_arrive_in_si() {
+    let text = BASE
+        .replace(
+            "\"name\": \"four-bar and slider\"",
+            "\"parameters\": { \"note\": \"sizes\", \"l\": \"=2.5*r\", \"r\": \"100 mm\", \"rho\": \"8 kg/m\", \"n\": 4,
+               \"turn\": \"=2*pi * 1 rad\", \"spare\": 1 }",
+        )
+        .replace("0.8", "\"=rho*r\"")
+        .replace("7e-4", "\"=rho*r^3/12\"")
+        .replace("\"A\": [100, 0]", "\"A\": [\"=r\", \"=3*4\"]")
+        .replace("\"angle\": 60 } }", "\"angle\": \"=asin(1)/3*2\" } }")
+        .replace("250", "\"=l\"")
+        .replace("\"axis\": [1, 0]", "\"axis\": [\"=cos(turn)\", \"=sin(0)\"]")
+        .replace("\"10 rad/s\"", "\"=0.2 m/s / r * 1 rad\"")
+        .replace("401", "\"=100*n+1\"");
+    let model = |sets: &[&str]| {
+        let sets: Vec<String> = sets.iter().map(ToString::to_string).collect();
+        model::load(text.as_bytes(), &sets).unwrap_or_else(|said| panic!("{}", said[0]))
+    };
+    let loaded = model(&[]);
+    let crank = &loaded.model.bodies["crank"];
+    assert_eq!((crank.mass, crank.inertia), (Some(0.8), Some(8.0 * 0.1_f64.powi(3) / 12.0)));
+    assert_eq!(crank.points["A"], [0.1, 0.012], "a plain result is in the file's unit");
+    assert_eq!(crank.pose.angle, std::f64::consts::FRAC_PI_2 / 3.0 * 2.0);
+    assert_eq!(loaded.model.bodies["coupler"].points["B"], [0.25, 0.0]);
+    let model::JointKind::Prismatic { axis, .. } = &loaded.model.joints["e"].kind else { panic!() };
+    assert_eq!(axis, &[1.0, 0.0]);
+    let model::Motion::Polynomial { coefficients } = &loaded.model.drivers["motor"].motion else { panic!() };
+    assert_eq!(coefficients[1], 2.0);
+    assert_eq!(loaded.model.analysis.as_ref().and_then(|analysis| analysis.outputs), Some(401));
+    assert_eq!(loaded.warnings, ["line 4, column 50: parameters.spare: 1: no expression uses this parameter"]);
+    let resolved: Vec<_> = loaded.parameters.iter().map(|p| (p.name.as_str(), p.value, p.unit.as_str())).collect();
+    let tau = std::f64::consts::TAU;
+    assert_eq!(
+        resolved,
+        [
+            ("l", 0.25, "m"),
+            ("r", 0.1, "m"),
+            ("rho", 8.0, "kg/m"),
+            ("n", 4.0, ""),
+            ("turn", tau, "rad"),
+            ("spare", 1.0, "")
+        ]
+    );
+    // one value changes all that follows from it; the document keeps the words
+    let changed = model(&["parameters.r=200 mm", "parameters.l==r+10 mm", "initial.crank.angle==30 deg"]);
+    assert_eq!(changed.model.bodies["coupler"].points["B"], [0.21000000000000002, 0.0]);
+    assert_eq!(changed.model.initial["crank"].angle, Some(30f64.to_radians()));
+    assert_eq!(changed.document["parameters"]["r"], "200 mm");
+    assert_eq!(changed.document["bodies"]["crank"]["mass"], "=rho*r");
 }
 
 #[test]

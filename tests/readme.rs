@@ -20,13 +20,33 @@ fn blocks(text: &str, language: &str) -> Vec<String> {
 }
 
 #[test]
-fn its_model_runs() {
+fn its_models_run() {
     let models = blocks(&readme(), "json");
-    assert_eq!(models.len(), 1);
-    let loaded = model::load(models[0].as_bytes(), &[]).expect("a sound model");
-    assert!(loaded.warnings.is_empty(), "{:?}", loaded.warnings);
-    let outcome = run(&loaded.model, &Control::default()).expect("runs");
-    assert_eq!((outcome.report.status, outcome.report.warnings.len()), (Status::Completed, 0));
+    assert_eq!(models.len(), 2);
+    for model in &models {
+        let loaded = model::load(model.as_bytes(), &[]).expect("a sound model");
+        assert!(loaded.warnings.is_empty(), "{:?}", loaded.warnings);
+        let outcome = run(&loaded.model, &Control::default()).expect("runs");
+        assert_eq!((outcome.report.status, outcome.report.warnings.len()), (Status::Completed, 0));
+    }
+}
+
+/// The slider-crank of parameters: r = 50 mm and l = 4 r, one turn in 1 s, and the stroke 2 r in closed form.
+#[test]
+fn its_parameters_size_the_mechanism() {
+    for (sets, r) in [(vec![], 0.05), (vec!["parameters.r=60 mm".to_string()], 0.06)] {
+        let loaded = model::load(blocks(&readme(), "json")[1].as_bytes(), &sets).expect("a sound model");
+        let trajectory = run(&loaded.model, &Control::default()).expect("runs").trajectory;
+        let times = trajectory.values("time").expect("always there");
+        let slide = trajectory.values("piston.x").expect("a body");
+        assert_eq!((times.len(), times[360]), (361, 1.0));
+        for (time, x) in times.iter().zip(slide) {
+            let angle = std::f64::consts::TAU * time;
+            let exact = r * angle.cos() + (16.0 * r * r - (r * angle.sin()).powi(2)).sqrt();
+            assert!((x - exact).abs() < 1e-12, "{x} instead of {exact} at {time} s");
+        }
+        assert_eq!(loaded.model.bodies["rod"].mass, Some(8.0 * (4.0 * r)));
+    }
 }
 
 /// The words of a command line, as a shell splits it.

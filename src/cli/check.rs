@@ -47,6 +47,9 @@ fn page(opened: &Opened, check: &Check) -> String {
     page.rows("loops", if check.loops.is_empty() { vec!["none".to_string()] } else { check.loops.clone() });
     page.row("mobility", mobility(&check.mobility));
     page.row("assembly", format!("constraint residual {}", number(check.assembly_residual, 2)));
+    let parameters = &opened.loaded.parameters;
+    let resolved = parameters.iter().map(|p| format!("{} = {} {}", p.name, number(p.value, 6), p.unit));
+    page.rows("parameters", resolved.map(|text| text.trim_end().to_string()));
     let missing = check.missing.iter().map(|(kind, what)| format!("{}: {}", analysis_words(*kind), what.join("; ")));
     page.rows("missing for", missing);
     page.rows("warnings", &check.warnings);
@@ -65,11 +68,14 @@ fn verdict(check: &Check) -> String {
 /// The diagnosis for programs.
 fn to_json(opened: &Opened, check: &Check) -> Value {
     let model = &opened.loaded.model;
+    let parameters = opened.loaded.parameters.iter();
+    let parameters = parameters.map(|p| (p.name.clone(), json!({ "value": p.value, "unit": p.unit })));
     let missing = check.missing.iter().map(|(kind, what)| (analysis_words(*kind).replace(' ', "_"), json!(what)));
     json!({
         "status": check.status.word(),
         "message": check.message,
         "model": { "name": opened.name, "sha256": opened.sha256 },
+        "parameters": parameters.collect::<Map<String, Value>>(),
         "bodies": check.bodies,
         "joints": check.joints,
         "drivers": model.drivers.len(),

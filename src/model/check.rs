@@ -52,22 +52,11 @@ fn body_of(reference: &Value) -> Option<&str> {
     Some(reference.as_str()?.split_once('.')?.0)
 }
 
-/// `A, B, C`, as many as anybody reads.
-fn list<'a>(names: impl Iterator<Item = &'a String>) -> String {
-    const MOST: usize = 12;
-    let names: Vec<&str> = names.map(String::as_str).collect();
-    match names.len() {
-        0 => "none".into(),
-        count if count > MOST => format!("{} and {} more", names[..MOST].join(", "), count - MOST),
-        _ => names.join(", "),
-    }
-}
-
 /// What was probably meant, else all there is.
 fn did_you_mean(word: &str, names: &Map<String, Value>, what: &str) -> String {
     match suggest::nearest(word, names.keys().map(String::as_str)) {
         Some(near) => format!("did you mean {near:?}?"),
-        None => format!("{what}: {}", list(names.keys())),
+        None => format!("{what}: {}", suggest::list(names.keys())),
     }
 }
 
@@ -129,7 +118,9 @@ impl Checked<'_> {
         }
         let Some((body, point)) = text.split_once('.') else {
             let hint = match bodies.get(text).and_then(|body| body["points"].as_object()) {
-                Some(points) => format!("write it as body.point; the points of {text:?}: {}", list(points.keys())),
+                Some(points) => {
+                    format!("write it as body.point; the points of {text:?}: {}", suggest::list(points.keys()))
+                }
                 None => "write it as body.point, such as \"crank.A\"".into(),
             };
             return Some(Complaint::new(path, "this is no point of a body").hint(hint));
@@ -151,7 +142,7 @@ impl Checked<'_> {
         if points.contains_key(point) || points.keys().any(|name| name.contains('.') && point.starts_with(name)) {
             return None;
         }
-        let mut hint = format!("its points: {}", list(points.keys()));
+        let mut hint = format!("its points: {}", suggest::list(points.keys()));
         if let Some(near) = suggest::nearest(point, points.keys().map(String::as_str)).filter(|_| points.len() > 1) {
             hint = format!("did you mean {:?}? {hint}", format!("{body}.{near}"));
         }

@@ -5,6 +5,7 @@ use std::io::Read;
 use std::path::Path;
 
 use super::check;
+use super::expression::Parameter;
 use super::json;
 use super::node::{self, Kind};
 use super::set;
@@ -24,6 +25,8 @@ pub struct Loaded {
     pub model: Model,
     pub source: Source,
     pub warnings: Vec<String>,
+    /// The parameters as resolved, in the order of the file.
+    pub parameters: Vec<Parameter>,
     /// What the user wrote, in that order, after `--set`.
     pub document: serde_json::Value,
 }
@@ -121,7 +124,13 @@ pub fn load(text: &[u8], sets: &[String]) -> Result<Loaded, Vec<Complaint>> {
         Ok(model) => {
             let complaints = gears(&model, &source);
             if complaints.is_empty() {
-                Ok(Loaded { model, document: source.root.to_value(), source, warnings })
+                Ok(Loaded {
+                    model,
+                    document: source.root.to_value(),
+                    source,
+                    warnings,
+                    parameters: findings.parameters,
+                })
             } else {
                 Err(sorted(complaints, 0))
             }

@@ -14,6 +14,7 @@ mod check;
 mod check_clearance;
 mod check_forces;
 mod dimension;
+mod expression;
 mod json;
 mod load;
 mod node;
@@ -33,6 +34,7 @@ pub use clearance::{
     Surface,
 };
 pub use driver::{Driver, DriverKind, Motion};
+pub use expression::Parameter;
 pub use force::{Force, ForceKind, Frame, Value};
 pub use joint::{Joint, JointKind, PointRef};
 pub use load::{Loaded, load, load_file};

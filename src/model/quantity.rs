@@ -1,6 +1,8 @@
-//! Numbers with units: a plain number in the unit that `units` names for its dimension, or text that brings its own.
+//! Numbers with units: a plain number in the unit that `units` names for its dimension, text that brings its own, or an
+//! expression, whose result is in SI where it has a dimension, and counts as a plain number where it has none.
 
 use super::dimension::{Dimension, Powers};
+use super::expression::{Misfit, Pure, Quantity, is_expression, with_article};
 use super::node::{Kind, Node};
 use super::source::Source;
 use super::units::{Unit, UnitFault, split_quantity};
@@ -63,10 +65,14 @@ impl Units {
         named.unwrap_or_else(|| Unit::si(dimension.powers()))
     }
 
+    /// Whether plain angles are in radians.
+    pub fn in_radians(&self) -> bool {
+        self.of(Dimension::Angle) == Unit::si(Dimension::Angle.powers())
+    }
+
     /// Warns of plain numbers in radians where angles are not.
     pub fn warnings(&self, source: &Source) -> Vec<String> {
-        let angle = Dimension::Angle;
-        if self.of(angle) == Unit::si(angle.powers()) {
+        if self.in_radians() {
             return Vec::new();
         }
         let angular = [
@@ -136,16 +142,13 @@ impl Walk<'_> {
         let wanted = self.units.wanted(keyword, driven);
         match &node.kind {
             Kind::Number(number) => {
-                let wanted = wanted?;
                 let text = number.to_string();
-                if let Some(index) = wanted.dimension.and_then(Dimension::index)
-                    && number.as_f64() != Some(0.0)
-                {
-                    self.units.plain[index].get_or_insert_with(|| path.to_owned());
-                }
-                self.finite(node, wanted.plain.to_si(&text), path)
+                self.plain(node, &text, &wanted?, path)
             }
-            Kind::String(text) if is_expression(text) => self.reserved(node, path),
+            Kind::String(text) if is_expression(text) => {
+                let result = self.expression(node, text, path)?;
+                self.fit(node, result, &wanted?, path)
+            }
             Kind::String(text) => {
                 let wanted = wanted?;
                 let Some((number, unit)) = split_quantity(text) else {
@@ -169,7 +172,16 @@ impl Walk<'_> {
     pub(super) fn plain_number(&mut self, node: &Node, path: &str) -> Option<f64> {
         match &node.kind {
             Kind::Number(number) => number.as_f64(),
-            Kind::String(text) if is_expression(text) => self.reserved(node, path),
+            Kind::String(text) if is_expression(text) => {
+                let result = self.expression(node, text, path)?;
+                if result.is_pure() {
+                    return Some(result.value);
+                }
+                let complaint =
+                    Complaint::new(path, format!("this is {}, where a plain number is wanted", result.words()));
+                self.complain(node, complaint.hint(format!("divide it by 1 {}", result.unit())));
+                None
+            }
             Kind::Null | Kind::Bool(_) | Kind::String(_) | Kind::Array(_) | Kind::Object(_) => {
                 self.complain(node, wrong_kind(path, "a plain number", node));
                 None
@@ -204,10 +216,54 @@ impl Walk<'_> {
         None
     }
 
-    fn reserved(&mut self, node: &Node, path: &str) -> Option<f64> {
-        let message = "text that begins with \"=\" is reserved for expressions, which are not built yet";
-        self.complain(node, Complaint::new(path, message).hint("write a number, or text with a unit"));
+    /// What an expression gives, or none and a complaint here or at a parameter.
+    fn expression(&mut self, node: &Node, text: &str, path: &str) -> Option<Quantity> {
+        match self.parameters.evaluate(text) {
+            Ok(result) => result,
+            Err(Misfit { at, fault }) => {
+                let complaint = Complaint { hint: fault.hint, ..Complaint::new(path, fault.message) };
+                self.complain_at(node, Some(at), complaint);
+                None
+            }
+        }
+    }
+
+    /// The result of an expression where a quantity is wanted: in SI where it has a dimension, else a plain number.
+    fn fit(&mut self, node: &Node, result: Quantity, wanted: &Wanted, path: &str) -> Option<f64> {
+        let place = with_article(&wanted.name, &wanted.si);
+        let in_radians = wanted.powers.angle == 0 || wanted.plain == Unit::si(wanted.powers);
+        let complaint = match result.pure {
+            _ if !result.is_pure() && result.fits(wanted.powers) => return Some(result.value),
+            _ if !result.is_pure() => {
+                let complaint = Complaint::new(path, format!("this is {}, where {place} is wanted", result.words()));
+                let radians = result.radians_to(wanted.powers);
+                Complaint { hint: radians.map(|factor| format!("write it {factor}, if that is meant")), ..complaint }
+            }
+            Pure::Plain => return self.plain(node, &result.value.to_string(), wanted, path),
+            Pure::Circular if in_radians => return self.plain(node, &result.value.to_string(), wanted, path),
+            Pure::Circular => {
+                let message =
+                    format!("a plain number made with pi, where {place} is wanted that is not in radians here");
+                Complaint::new(path, message).hint("write it * 1 rad, or in deg")
+            }
+            Pure::Ratio => {
+                let message = format!("this is a ratio without unit, where {place} is wanted");
+                Complaint::new(path, message).hint(format!("multiply it by a quantity, such as 1 {}", wanted.si))
+            }
+        };
+        self.complain(node, complaint);
         None
+    }
+
+    /// A number in the unit that `units` names.
+    fn plain(&mut self, node: &Node, number: &str, wanted: &Wanted, path: &str) -> Option<f64> {
+        let value = wanted.plain.to_si(number);
+        if let Some(index) = wanted.dimension.and_then(Dimension::index)
+            && value != 0.0
+        {
+            self.units.plain[index].get_or_insert_with(|| path.to_owned());
+        }
+        self.finite(node, value, path)
     }
 
     fn finite(&mut self, node: &Node, number: f64, path: &str) -> Option<f64> {
@@ -217,8 +273,4 @@ impl Walk<'_> {
         self.complain(node, Complaint::new(path, "the number is too large for a double"));
         None
     }
-}
-
-fn is_expression(text: &str) -> bool {
-    text.trim_start().starts_with('=')
 }

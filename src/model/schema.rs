@@ -8,6 +8,8 @@
 //! | `x-driven`    | object            | dimension of what a motion inside drives                               |
 //! | `x-unit-of`   | text              | the dimension that this names a unit for                               |
 //! | `x-reference` | text              | names a `point`, `body`, `joint` or `driver` of the model              |
+//! | `x-plain`     | number or text    | a number without unit, `number` or `integer`                           |
+//! | `x-parameters` | object           | the parameters, which are read before everything else                  |
 //! | `x-refused`   | object            | keys that have a reason of their own for not being allowed             |
 
 use std::sync::LazyLock;
@@ -21,14 +23,19 @@ use super::dimension::Dimension;
 use super::driver::Motion;
 use super::{Model, NAME_PATTERN};
 
-/// A number, or text with a unit.
-const QUANTITY_PATTERN: &str = r"^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?(\s*[^\s0-9.=+\-eE]|\s+1\s*/)";
+/// Text with a unit, or an expression.
+const QUANTITY_PATTERN: &str =
+    r"^\s*(=|[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?(\s*[^\s0-9.=+\-eE]|\s+1\s*/))";
+
+/// An expression.
+const EXPRESSION_PATTERN: &str = r"^\s*=";
+
+/// Name of a parameter.
+const PARAMETER_PATTERN: &str = "^[A-Za-z_][A-Za-z0-9_]*$";
 
 /// The whole file: what the loader consumes, and the model.
 #[derive(JsonSchema)]
-#[schemars(title = "linkdyn/1", extend("x-refused" = {
-    "parameters": "the key is reserved for expressions, which are not built yet"
-}))]
+#[schemars(title = "linkdyn/1")]
 #[expect(dead_code, reason = "only its schema is wanted")]
 struct File {
     /// The format of the file.
@@ -36,6 +43,10 @@ struct File {
     /// `"SI"`, or another unit per dimension; SI for the rest. Each dimension stands alone.
     #[schemars(schema_with = "units")]
     units: (),
+    /// Numbers with a name, for use in expressions.
+    #[serde(default)]
+    #[schemars(schema_with = "parameters")]
+    parameters: (),
     #[serde(flatten)]
     model: Model,
 }
@@ -73,6 +84,7 @@ fn close(schema: &mut Value) {
             if object.get("default") == Some(&Value::Null) {
                 object.remove("default");
             }
+            allow_expression(object);
             close_object(object);
         }
         Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => {}
@@ -102,6 +114,16 @@ fn distribute(object: &mut Map<String, Value>) {
     }
 }
 
+/// Where a plain number may stand, so may an expression.
+fn allow_expression(object: &mut Map<String, Value>) {
+    if let Some(plain @ ("number" | "integer")) = object.get("type").and_then(Value::as_str) {
+        let plain = plain.to_owned();
+        object.insert("type".into(), json!([plain, "string"]));
+        object.insert("pattern".into(), json!(EXPRESSION_PATTERN));
+        object.insert("x-plain".into(), json!(plain));
+    }
+}
+
 /// Adds `note`, and forbids what is not listed; names of maps must be names.
 fn close_object(object: &mut Map<String, Value>) {
     if object.get("type") != Some(&json!("object")) {
@@ -109,7 +131,7 @@ fn close_object(object: &mut Map<String, Value>) {
     }
     let note = json!({ "description": "A remark, for whoever reads the file.", "type": "string" });
     if let Some(additional) = object.get("additionalProperties").filter(|value| value.is_object()).cloned() {
-        object.insert("propertyNames".into(), json!({ "pattern": NAME_PATTERN }));
+        object.entry("propertyNames").or_insert_with(|| json!({ "pattern": NAME_PATTERN }));
         let properties = object.entry("properties").or_insert_with(|| json!({}));
         properties["note"] = json!({ "anyOf": [note, additional] });
     } else if let Some(properties) = object.get_mut("properties") {
@@ -141,6 +163,16 @@ fn units(_: &mut SchemaGenerator) -> Schema {
         );
     }
     json_schema!({ "anyOf": [{ "const": "SI" }, { "type": "object", "properties": properties }] })
+}
+
+fn parameters(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({
+        "type": "object", "propertyNames": { "pattern": PARAMETER_PATTERN }, "x-parameters": true,
+        "additionalProperties": {
+            "description": "A plain number, text with a unit, or \"=\" and an expression of other parameters.",
+            "type": ["number", "string"], "pattern": QUANTITY_PATTERN
+        }
+    })
 }
 
 /// `bodies`: `ground` is one of its own kind.

@@ -52,6 +52,16 @@ impl Source {
         }
     }
 
+    /// Byte `at` of a text value, where the file holds it letter by letter; else the value.
+    pub(super) fn within(&self, node: &Node, at: usize) -> Origin {
+        match node.origin {
+            Origin::Text(start, end) if self.text.get(start + 1..end.saturating_sub(1)) == node.as_str() => {
+                Origin::Text(start + 1 + at, end)
+            }
+            origin @ (Origin::Text(..) | Origin::Set(_)) => origin,
+        }
+    }
+
     /// The value at a path, or the nearest ancestor that exists: the node, where to point at, whether it is the one.
     fn find(&self, path: &str) -> (&Node, Origin, bool) {
         let (mut node, mut origin, mut rest) = (&self.root, self.root.origin, path);

@@ -36,3 +36,14 @@ pub fn any_of<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
         None => String::new(),
     }
 }
+
+/// `A, B, C`, as many as anybody reads.
+pub fn list<'a>(names: impl Iterator<Item = &'a String>) -> String {
+    const MOST: usize = 12;
+    let names: Vec<&str> = names.map(String::as_str).collect();
+    match names.len() {
+        0 => "none".into(),
+        count if count > MOST => format!("{} and {} more", names[..MOST].join(", "), count - MOST),
+        _ => names.join(", "),
+    }
+}

@@ -6,6 +6,7 @@ use indexmap::IndexMap;
 use serde_json::{Map, Value, json};
 
 use super::dimension::Dimension;
+use super::expression::{Parameter, Parameters};
 use super::node::{Kind, Member, Node, Origin, join};
 use super::quantity::{Driven, Units};
 use super::schema::SCHEMA;
@@ -33,21 +34,36 @@ pub(super) struct Findings {
     pub more: usize,
     pub references: Vec<Reference>,
     pub warnings: Vec<String>,
+    pub parameters: Vec<Parameter>,
 }
 
 /// Checks the whole file against the schema.
 pub(super) fn validate(source: &Source) -> Findings {
     let units = Units::read(source.root.get("units"));
-    let mut walk = Walk { source, units, complaints: Vec::new(), more: 0, references: Vec::new() };
+    let written = source.root.get("parameters");
+    let (parameters, faults) = Parameters::read(written, !units.in_radians());
+    let mut walk = Walk { source, units, parameters, complaints: Vec::new(), more: 0, references: Vec::new() };
+    for fault in faults {
+        walk.complain_at(fault.node, fault.at, fault.complaint);
+    }
     let value = walk.value(&source.root, &SCHEMA, "", Driven::Nothing);
-    let warnings = walk.units.warnings(source);
-    Findings { value, complaints: walk.complaints, more: walk.more, references: walk.references, warnings }
+    let mut warnings = walk.units.warnings(source);
+    // what nothing uses may stay in a file, but a --set would be in vain
+    let unused = walk.parameters.unused(written);
+    let (in_vain, idle): (Vec<_>, Vec<_>) = unused.into_iter().partition(|(_, is_set)| *is_set);
+    warnings.extend(idle.into_iter().map(|(complaint, _)| source.place(complaint).to_string()));
+    if walk.complaints.is_empty() {
+        walk.complaints.extend(in_vain.into_iter().map(|(complaint, _)| source.place(complaint)));
+    }
+    let parameters = walk.parameters.resolved();
+    Findings { value, complaints: walk.complaints, more: walk.more, references: walk.references, warnings, parameters }
 }
 
 /// The state of the walk.
 pub(super) struct Walk<'a> {
     pub source: &'a Source,
     pub units: Units,
+    pub parameters: Parameters,
     complaints: Vec<Complaint>,
     more: usize,
     references: Vec<Reference>,
@@ -82,6 +98,13 @@ impl Walk<'_> {
     pub(super) fn complain(&mut self, node: &Node, complaint: Complaint) {
         let found = self.source.found(node);
         self.add(node.origin, found, complaint);
+    }
+
+    /// Complains about a value, at a byte of its text.
+    pub(super) fn complain_at(&mut self, node: &Node, at: Option<usize>, complaint: Complaint) {
+        let origin = at.map_or(node.origin, |at| self.source.within(node, at));
+        let found = self.source.found(node);
+        self.add(origin, found, complaint);
     }
 
     /// Complains about a key.
@@ -123,14 +146,20 @@ impl Walk<'_> {
             let number = self.quantity(node, dimension, path, driven);
             return number.and_then(|number| self.bounded(node, number, schema, path)).map_or(Value::Null, Value::from);
         }
+        match schema.get("x-plain").and_then(Value::as_str) {
+            Some("integer") => return self.whole(node, schema, path).map_or(Value::Null, Value::from),
+            Some(_) => {
+                let number = self.plain_number(node, path);
+                let number = number.and_then(|number| self.bounded(node, number, schema, path));
+                return number.map_or(Value::Null, Value::from);
+            }
+            // they are read already
+            None if schema.get("x-parameters").is_some() => return Value::Null,
+            None => {}
+        }
         match schema.get("type").and_then(Value::as_str) {
             Some("object") => self.object(node, schema, path, driven),
             Some("array") => self.array(node, schema, path, driven),
-            Some("integer") => self.whole(node, schema, path).map_or(Value::Null, Value::from),
-            Some("number") => {
-                let number = self.plain_number(node, path);
-                number.and_then(|number| self.bounded(node, number, schema, path)).map_or(Value::Null, Value::from)
-            }
             Some(_) | None => self.text(node, schema, path),
         }
     }

@@ -1,0 +1,258 @@
+//! The parameters of a model: read, put in the order in which they follow from each other, evaluated.
+
+use std::collections::HashMap;
+
+use super::super::node::{Kind, Node, Origin, excerpt};
+use super::super::suggest;
+use super::super::units::{Unit, UnitFault, split_quantity};
+use super::{Expression, FUNCTIONS, Fault, Misfit, PI, Quantity, is_expression};
+use crate::error::Complaint;
+
+/// Most parameters of a circle that are named.
+const MOST_NAMED: usize = 8;
+
+/// A parameter as resolved.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Parameter {
+    pub name: String,
+    /// In SI.
+    pub value: f64,
+    /// SI unit; empty of a plain number.
+    pub unit: String,
+}
+
+/// A fault, and the node and byte of its text at which it stands.
+pub struct Found<'a> {
+    pub node: &'a Node,
+    /// None: the value as a whole.
+    pub at: Option<usize>,
+    pub complaint: Complaint,
+}
+
+/// All parameters.
+pub struct Parameters {
+    names: Vec<String>,
+    places: HashMap<String, usize>,
+    values: Vec<Option<Quantity>>,
+    used: Vec<bool>,
+    /// Whether plain numbers of angles are in another unit than radians.
+    degrees: bool,
+}
+
+/// How a parameter is written.
+enum Written {
+    Value(Quantity),
+    Expression(Expression),
+    Faulty,
+}
+
+impl Parameters {
+    /// Reads and evaluates them; the faults come with it.
+    pub fn read(node: Option<&Node>, degrees: bool) -> (Parameters, Vec<Found<'_>>) {
+        let mut faults = Vec::new();
+        let mut nodes = Vec::new();
+        let mut parameters =
+            Parameters { names: Vec::new(), places: HashMap::new(), values: Vec::new(), used: Vec::new(), degrees };
+        match node.map(|node| (&node.kind, node)) {
+            None => {}
+            Some((Kind::Object(members), _)) => {
+                let members = members.iter().filter(|(key, member)| *key != "note" || member.node.as_str().is_none());
+                for (key, member) in members {
+                    if let Some((message, hint)) = refused_name(key) {
+                        let complaint = Complaint::new(path(key), message).hint(hint);
+                        faults.push(Found { node: &member.node, at: None, complaint });
+                    }
+                    parameters.places.insert(key.clone(), parameters.names.len());
+                    parameters.names.push(key.clone());
+                    nodes.push(&member.node);
+                }
+            }
+            Some((_, node)) => {
+                let message = format!("an object is expected, not {}", node.kind_name());
+                faults.push(Found { node, at: None, complaint: Complaint::new("parameters", message) });
+            }
+        }
+        parameters.used = vec![false; nodes.len()];
+        let written: Vec<Written> = nodes
+            .iter()
+            .zip(&parameters.names)
+            .map(|(node, name)| parameters.written(node, name, &mut faults))
+            .collect();
+        parameters.evaluate_all(&nodes, &written, &mut faults);
+        (parameters, faults)
+    }
+
+    fn written<'a>(&self, node: &'a Node, name: &str, faults: &mut Vec<Found<'a>>) -> Written {
+        let mut add = |at: Option<usize>, fault: Fault| {
+            let complaint = Complaint { hint: fault.hint, ..Complaint::new(path(name), fault.message) };
+            faults.push(Found { node, at, complaint });
+            Written::Faulty
+        };
+        match &node.kind {
+            Kind::Number(number) => match number.as_f64() {
+                Some(value) if value.is_finite() => Written::Value(Quantity::plain(value)),
+                Some(_) | None => add(None, Fault::new("the number is too large for a double")),
+            },
+            Kind::String(text) if is_expression(text) => match self.parse(text) {
+                Ok(expression) => Written::Expression(expression),
+                Err(misfit) => add(Some(misfit.at), misfit.fault),
+            },
+            Kind::String(text) => quantity(text).map_or_else(|fault| add(None, fault), Written::Value),
+            Kind::Null | Kind::Bool(_) | Kind::Array(_) | Kind::Object(_) => {
+                let message = format!("a number is expected, not {}", node.kind_name());
+                add(
+                    None,
+                    Fault::new(message).hint("or text: with a unit, such as \"5 mm\", or an expression, \"=2*r\""),
+                )
+            }
+        }
+    }
+
+    fn parse(&self, text: &str) -> Result<Expression, Misfit> {
+        Expression::parse(text, &|name| self.places.get(name).copied(), &self.names)
+    }
+
+    /// Evaluates each after those that it names, and complains about circles.
+    fn evaluate_all<'a>(&mut self, nodes: &[&'a Node], written: &[Written], faults: &mut Vec<Found<'a>>) {
+        self.values = vec![None; written.len()];
+        let mut followers: Vec<Vec<usize>> = vec![Vec::new(); written.len()];
+        let mut waits = vec![0_usize; written.len()];
+        for (index, written) in written.iter().enumerate() {
+            let Written::Expression(expression) = written else { continue };
+            for named in expression.parameters() {
+                self.used[named] = true;
+                followers[named].push(index);
+                waits[index] += 1;
+            }
+        }
+        let mut ready: Vec<usize> = (0..written.len()).filter(|&index| waits[index] == 0).collect();
+        while let Some(index) = ready.pop() {
+            self.values[index] = match &written[index] {
+                Written::Value(value) => Some(*value),
+                Written::Faulty => None,
+                Written::Expression(expression) => {
+                    expression.evaluate(&self.values, self.degrees).unwrap_or_else(|Misfit { at, fault }| {
+                        let complaint =
+                            Complaint { hint: fault.hint, ..Complaint::new(path(&self.names[index]), fault.message) };
+                        faults.push(Found { node: nodes[index], at: Some(at), complaint });
+                        None
+                    })
+                }
+            };
+            for &follower in &followers[index] {
+                waits[follower] -= 1;
+                if waits[follower] == 0 {
+                    ready.push(follower);
+                }
+            }
+        }
+        self.circles(nodes, written, &waits, faults);
+    }
+
+    /// Complains about each circle among those that still wait.
+    fn circles<'a>(&self, nodes: &[&'a Node], written: &[Written], waits: &[usize], faults: &mut Vec<Found<'a>>) {
+        // walk number in which one was met
+        let mut met = vec![None; waits.len()];
+        for start in (0..waits.len()).filter(|&index| waits[index] > 0) {
+            let mut walk = Vec::new();
+            let mut next = Some(start);
+            while let Some(index) = next.filter(|&index| met[index].is_none()) {
+                met[index] = Some(start);
+                walk.push(index);
+                next = match &written[index] {
+                    Written::Expression(expression) => expression.parameters().find(|&named| waits[named] > 0),
+                    Written::Value(_) | Written::Faulty => None,
+                };
+            }
+            let Some(closing) = next.filter(|&index| met[index] == Some(start)) else { continue };
+            let circle: Vec<usize> = walk.into_iter().skip_while(|&index| index != closing).collect();
+            let mut names: Vec<String> =
+                circle.iter().take(MOST_NAMED).map(|&index| excerpt(&self.names[index])).collect();
+            if circle.len() > MOST_NAMED {
+                names.push("…".into());
+            }
+            names.push(excerpt(&self.names[closing]));
+            let message = format!("the parameters follow from each other in a circle: {}", names.join(" → "));
+            let complaint =
+                Complaint::new(path(&self.names[closing]), message).hint("give one of them a value of its own");
+            faults.push(Found { node: nodes[closing], at: None, complaint });
+        }
+    }
+
+    /// The value of an expression somewhere in the model; none where a parameter has none.
+    ///
+    /// # Errors
+    /// What is wrong with it, and where.
+    pub fn evaluate(&mut self, text: &str) -> Result<Option<Quantity>, Misfit> {
+        let expression = self.parse(text)?;
+        expression.parameters().for_each(|index| self.used[index] = true);
+        expression.evaluate(&self.values, self.degrees)
+    }
+
+    /// All that have a value.
+    pub fn resolved(&self) -> Vec<Parameter> {
+        let found = self.names.iter().zip(&self.values);
+        let resolved = found.filter_map(|(name, value)| {
+            Some(Parameter { name: name.clone(), value: (*value)?.value, unit: (*value)?.unit() })
+        });
+        resolved.collect()
+    }
+
+    /// A complaint per parameter that nothing uses, and whether `--set` brought it.
+    pub fn unused(&self, node: Option<&Node>) -> Vec<(Complaint, bool)> {
+        let Some(Kind::Object(members)) = node.map(|node| &node.kind) else { return Vec::new() };
+        let unused = self.names.iter().zip(&self.used).filter(|(_, used)| !**used);
+        let complaints = unused.filter_map(|(name, _)| {
+            let complaint = Complaint::new(path(name), "no expression uses this parameter");
+            let others = self.names.iter().map(String::as_str).filter(|other| other != name);
+            let complaint = match suggest::nearest(name, others) {
+                Some(near) => complaint.hint(format!("did you mean {near:?}?")),
+                None => complaint,
+            };
+            Some((complaint, matches!(members.get(name)?.key, Origin::Set(_))))
+        });
+        complaints.collect()
+    }
+}
+
+fn path(name: &str) -> String {
+    format!("parameters.{name}")
+}
+
+/// Why a name can't be one of a parameter, and what would be.
+fn refused_name(name: &str) -> Option<(String, &'static str)> {
+    let letters = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    if name.is_empty() || !name.chars().all(letters) || name.starts_with(|c: char| c.is_ascii_digit()) {
+        let message = "the name of a parameter consists of letters, digits and _, with a letter first";
+        return Some((message.into(), "as in crank_length or r2"));
+    }
+    if name == PI || name == "note" || FUNCTIONS.iter().any(|row| row.0 == name) {
+        return Some((format!("{name:?} has a meaning of its own"), "give the parameter another name"));
+    }
+    None
+}
+
+/// Text with a unit.
+fn quantity(text: &str) -> Result<Quantity, Fault> {
+    let Some((number, unit)) = split_quantity(text) else {
+        let fault = Fault::new("this does not begin with a number");
+        return Err(fault.hint("a number, text with a unit such as \"5 mm\", or an expression such as \"=2*r\""));
+    };
+    let short = excerpt(unit);
+    let unit = Unit::parse(unit).map_err(|found| match found {
+        UnitFault::Missing => Fault::new("the unit is missing").hint("write a plain number without quotes"),
+        UnitFault::Unknown { symbol, nearest } => {
+            let fault = Fault::new(format!("unknown unit {:?}", excerpt(&symbol)));
+            let near = nearest.map(|near| format!("did you mean {near:?}?"));
+            fault.hint(near.unwrap_or_else(|| "an expression begins with =".into()))
+        }
+        UnitFault::Malformed => Fault::new(format!("{short:?} cannot be read as a unit")),
+        UnitFault::TooLarge => Fault::new(format!("{short:?} is too much of a unit")),
+    })?;
+    let value = unit.to_si(number);
+    if value.is_finite() {
+        Ok(Quantity::si(value, unit.powers))
+    } else {
+        Err(Fault::new("the number is too large for a double"))
+    }
+}
