@@ -189,7 +189,7 @@ fn driven_instant() -> (f64, f64) {
     let mut solver = Driven::new(&system, &q, &start).expect("regular");
     solver.correct(&mut q, &start).expect("converges");
     let parameter = Parameter::of(&system);
-    let path = follow(&mut solver, (parameter, start.clone()), (range.0, &q), range, &|| false).expect("a path");
+    let path = follow(&mut solver, (parameter, start.clone()), (range.0, &q), range, &|_| false).expect("a path");
     let inputs: Vec<Inputs> = (0..INSTANTS)
         .map(|k| range.0 + (range.1 - range.0) * k as f64 / INSTANTS as f64)
         .map(|value| {

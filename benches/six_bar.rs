@@ -52,7 +52,7 @@ fn prepare(system: &System) -> (Driven<'_>, Path) {
     driven.correct(&mut q, &start).expect("converges");
     let range = (FROM.to_radians(), TO.to_radians());
     let parameter = (Parameter::of(system), start);
-    let path = follow(&mut driven, parameter, (range.0, &q), range, &|| false).expect("a path");
+    let path = follow(&mut driven, parameter, (range.0, &q), range, &|_| false).expect("a path");
     (driven, path)
 }
 

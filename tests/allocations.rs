@@ -197,7 +197,7 @@ fn instants_of_a_driven_mechanism_allocate_nothing_and_repeat_bit_by_bit() {
     solver.correct(&mut q, &begin).expect("converges");
     let range = (begin.drive[0][0], begin.drive[0][0] + 2.0);
     let parameter = (Parameter::of(&system), begin.clone());
-    let path = follow(&mut solver, parameter, (range.0, &q), range, &|| false).expect("a path");
+    let path = follow(&mut solver, parameter, (range.0, &q), range, &|_| false).expect("a path");
     let mut inputs = begin;
     let mut sample = Sample::new(&system);
     let mut run = || {

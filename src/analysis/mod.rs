@@ -7,11 +7,13 @@ pub mod driven;
 pub mod dynamics;
 mod instants;
 pub mod modes;
+mod progress;
 pub mod record;
 pub mod statics;
 
 pub use check::{Check, check};
 pub use modes::{Linearised, Mode, modes};
+pub use progress::Progress;
 
 use crate::error::Complaint;
 use crate::model::{AnalysisKind, Model};
@@ -29,6 +31,8 @@ pub struct Control {
     pub deadline: Option<Instant>,
     /// Set when the user wants the run to stop.
     pub interrupted: Arc<AtomicBool>,
+    /// How far the run has come.
+    pub progress: Progress,
 }
 
 impl Control {

@@ -1,10 +1,13 @@
 //! Ctrl-C: the first one asks the run to stop and to write what it has, the second one ends the process.
 
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::Exit;
+
+/// Characters of a line of progress, at most.
+const WIDTH: usize = 78;
 
 /// A flag that Ctrl-C sets from now on.
 pub fn watch() -> Arc<AtomicBool> {
@@ -14,7 +17,10 @@ pub fn watch() -> Arc<AtomicBool> {
         if flag.swap(true, Ordering::SeqCst) {
             std::process::exit(Exit::Interrupted.code().into());
         }
-        let _ = writeln!(io::stderr(), "interrupted: writing what there is; once more to stop at once");
+        // over a line of progress, where there may be one
+        let back = if io::stderr().is_terminal() { "\r" } else { "" };
+        let _ =
+            writeln!(io::stderr(), "{back}{:WIDTH$}", "interrupted: writing what there is; once more to stop at once");
     };
     // Where no handler can be set, Ctrl-C ends the process as it always does.
     let _ = ctrlc::set_handler(handler);

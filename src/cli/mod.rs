@@ -8,6 +8,7 @@ mod models;
 mod modes;
 mod open;
 mod page;
+mod progress;
 mod run;
 mod schema;
 mod summary;

@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 
 use super::open::{ModelOptions, Opened};
 use super::page::{Page, number};
+use super::progress::Line;
 use super::summary::{equilibrium, mobility, status_words};
 use super::{BadInput, Exit, complain, interrupt, print};
 use crate::analysis::{self, Control, Linearised, Mode};
@@ -40,9 +41,11 @@ pub struct Options {
 pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let opened = options.model.open()?;
     let directory = options.output.as_deref().map(Directory::open).transpose()?;
-    let control = Control { deadline: None, interrupted: interrupt::watch() };
-    let mut found = analysis::modes(&opened.loaded.model, options.pose, &control)
-        .map_err(|complaints| opened.bad_input(complaints))?;
+    let control = Control { interrupted: interrupt::watch(), ..Control::default() };
+    let line = Line::start(&opened.name, || None);
+    let found = analysis::modes(&opened.loaded.model, options.pose, &control);
+    drop(line);
+    let mut found = found.map_err(|complaints| opened.bad_input(complaints))?;
     found.warnings.splice(0..0, opened.loaded.warnings.iter().cloned());
     let json = to_json(&opened, options.pose, &found);
     let mut written = Vec::new();

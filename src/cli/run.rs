@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 use clap::Args;
 
 use super::open::{ModelOptions, Opened};
+use super::progress::Line;
 use super::{BadInput, Exit, complain, interrupt, print, summary};
 use crate::analysis::{self, Control, Outcome};
 use crate::model::Model;
@@ -29,8 +30,12 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let opened = options.model.open()?;
     let directory = options.output.as_deref().map(open_directory).transpose()?;
     let model = &opened.loaded.model;
-    let control = Control { deadline: deadline(model, started), interrupted: interrupt::watch() };
-    let mut outcome = analysis::run(model, &control).map_err(|complaints| opened.bad_input(complaints))?;
+    let control = Control { deadline: deadline(model, started), interrupted: interrupt::watch(), ..Control::default() };
+    let progress = control.progress.clone();
+    let line = Line::start(&opened.name, move || progress.share());
+    let outcome = analysis::run(model, &control);
+    drop(line);
+    let mut outcome = outcome.map_err(|complaints| opened.bad_input(complaints))?;
     outcome.report.warnings.splice(0..0, opened.loaded.warnings.iter().cloned());
     let written = directory.map(|directory| write(&directory, &opened, &outcome)).transpose()?.unwrap_or_default();
     print(&summary::page(&opened, &outcome, &written))?;

@@ -6,6 +6,7 @@ use std::sync::atomic::Ordering;
 use clap::Args;
 
 use super::page::{Page, count};
+use super::progress::Line;
 use super::{BadInput, Exit, complain, interrupt, nearest, print};
 use crate::analysis::Control;
 use crate::output::Directory;
@@ -27,20 +28,25 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     if let Some(output) = &options.output {
         Directory::open(output)?;
     }
-    let control = Control { deadline: None, interrupted: interrupt::watch() };
+    let control = Control { interrupted: interrupt::watch(), ..Control::default() };
     let mut tally = Tally::default();
-    for case in cases {
+    let whole = cases.len();
+    for (index, case) in cases.into_iter().enumerate() {
         if control.interrupted.load(Ordering::SeqCst) {
-            return Ok(Exit::Interrupted);
+            return interrupted(index, whole);
         }
         let mut page = Page::default();
         page.line(format!("{}: {}", case.name, case.about()));
-        match case.run(options.output.as_deref(), &control) {
+        let share = index as f64 / whole as f64;
+        let line = Line::start(case.name, move || Some(share));
+        let report = case.run(options.output.as_deref(), &control);
+        drop(line);
+        match report {
             Ok(report) => {
                 report.text.lines().for_each(|line| page.line(line));
                 tell(&mut page, &report.claims, &mut tally);
             }
-            Err(CaseError::Interrupted) => return Ok(Exit::Interrupted),
+            Err(CaseError::Interrupted) => return interrupted(index, whole),
             Err(CaseError::Write(error)) => return Err(error.into()),
             Err(CaseError::Broken(said)) => {
                 tally.faults += 1;
@@ -51,6 +57,12 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     }
     print(&tally.text())?;
     Ok(tally.exit())
+}
+
+/// Tells how many cases are done.
+fn interrupted(done: usize, whole: usize) -> Result<Exit, BadInput> {
+    complain(&format!("interrupted after {done} of {}", count(whole, "case")));
+    Ok(Exit::Interrupted)
 }
 
 /// The cases of these names, or all.

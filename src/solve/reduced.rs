@@ -289,7 +289,7 @@ impl<'s> Reduced<'s> {
             (Parameter::Pin, inputs),
             (centre, &start),
             (centre - reach, centre + reach),
-            &|| false,
+            &|_| false,
         );
         self.curve = found.ok();
         if let Some(curve) = &mut self.curve

@@ -7,6 +7,7 @@ use std::f64::consts::{PI, SQRT_2};
 use super::{CaseError, CaseReport, Claim, Setting, Verdict};
 use crate::analysis::{self, Linearised};
 use crate::model::{self, Model};
+use crate::output::Status;
 
 /// A line about the case.
 pub const ABOUT: &str =
@@ -63,6 +64,9 @@ fn read(sets: &[&str]) -> Result<Model, CaseError> {
 fn linearise(model: &Model, setting: &Setting) -> Result<Linearised, CaseError> {
     let found =
         analysis::modes(model, false, &setting.control).map_err(|said| CaseError::Broken(format!("{said:?}")))?;
+    if found.status == Status::Interrupted {
+        return Err(CaseError::Interrupted);
+    }
     // Of the parallelogram's equal motions the first angle is the coordinate.
     let by_angle = found.equilibrium.as_ref().is_some_and(|found| found.coordinates[0].ends_with(".angle"));
     match (&found.message, found.modes.len(), by_angle) {

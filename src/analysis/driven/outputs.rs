@@ -14,6 +14,12 @@ use crate::system::{Evaluation, Inputs, System};
 /// A joint belongs to a self-stress when its part is above this, relative to the largest.
 const STRESSED: f64 = 1e-6;
 
+/// Why and when somebody asked to stop.
+fn stopped(status: Status, when: &str) -> String {
+    let why = if status == Status::Interrupted { "interrupted" } else { "max_wall_time is over" };
+    format!("{why} {when}")
+}
+
 /// State of the loop over the outputs.
 pub(super) struct Outputs<'a, 'r> {
     pub system: &'a System,
@@ -56,9 +62,16 @@ impl<'a, 'r> Outputs<'a, 'r> {
     /// Solves and records every instant, as far as the path goes.
     pub fn march(&mut self, driven: &mut Driven, path: &Path, instants: &[OutputInstant], control: &Control) {
         let end = instants.last().map_or(0.0, |last| last.time);
+        if [path.low, path.high].contains(&End::Interrupted) {
+            let status = control.stop().unwrap_or(Status::Interrupted);
+            self.report.status = status;
+            self.report.message = Some(stopped(status, "while the path was followed, before the first output"));
+            return;
+        }
         let limit = self.limits(path, end);
         self.events(path, range(self.system, instants), limit.as_ref().map_or(end, |(time, ..)| *time));
         for instant in instants {
+            control.progress.note(end + instant.time, 2.0 * end);
             if let Some((time, status, message)) = &limit
                 && instant.time >= *time
             {
@@ -68,10 +81,8 @@ impl<'a, 'r> Outputs<'a, 'r> {
             }
             if let Some(status) = control.stop() {
                 self.report.status = status;
-                self.report.message = Some(match status {
-                    Status::Interrupted => "interrupted; the rows until then are kept".into(),
-                    _ => format!("max_wall_time is over at t = {} s; the rows until then are kept", instant.time),
-                });
+                let at = format!("at t = {} s; the rows until then are kept", instant.time);
+                self.report.message = Some(stopped(status, &at));
                 return;
             }
             self.inputs.time = instant.time;
@@ -87,7 +98,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
     /// Where the path ends before the outputs do.
     fn limits(&self, path: &Path, end: f64) -> Option<(f64, Status, String)> {
         let ends = [path.low, path.high].into_iter().filter_map(|side| match side {
-            End::Reached => None,
+            End::Reached | End::Interrupted => None,
             End::DeadCentre { s } => {
                 let time = times_of(self.system, s, end).first().copied()?;
                 let what = format!(
@@ -101,7 +112,6 @@ impl<'a, 'r> Outputs<'a, 'r> {
                 let what = format!("the motion can't be followed beyond {}", self.position_text(s, time));
                 Some((time, Status::Singular, what))
             }
-            End::Interrupted => Some((0.0, Status::Interrupted, "interrupted while the path was followed".into())),
         });
         ends.min_by(|a, b| a.0.total_cmp(&b.0))
     }

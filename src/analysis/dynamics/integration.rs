@@ -108,6 +108,7 @@ impl Integration {
     /// Steps until `time` lies within the last step, before its event.
     pub fn reach(&mut self, motion: &mut Motion, time: f64, control: &Control) -> Result<(), Ended> {
         while self.reached() < time {
+            control.progress.note(self.stepper.t(), self.end);
             if let Some(status) = control.stop() {
                 let why = match status {
                     Status::Interrupted => "interrupted".to_string(),

@@ -93,7 +93,7 @@ pub enum End {
 
 /// Follows the path from (s, q) over [low, high]; what the parameter does not set is as in `inputs`.
 ///
-/// `stop` is asked now and then whether to give up.
+/// `stop` is asked at each step, with s, whether to give up.
 ///
 /// # Errors
 /// When the start itself is singular or does not satisfy the constraints.
@@ -102,7 +102,7 @@ pub fn follow(
     (parameter, inputs): (Parameter, Inputs),
     start: (f64, &[f64]),
     range: (f64, f64),
-    stop: &dyn Fn() -> bool,
+    stop: &dyn Fn(f64) -> bool,
 ) -> Result<Path, Failure> {
     let mut walker = Walker { inputs, parameter, driven, stop, steps: 0, rejected: 0 };
     let mut first = walker.node(start.0, start.1.to_vec())?.0;

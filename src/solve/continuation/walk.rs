@@ -29,7 +29,7 @@ pub(super) struct Walker<'a, 's> {
     pub(super) driven: &'a mut Driven<'s>,
     pub(super) inputs: Inputs,
     pub(super) parameter: Parameter,
-    pub(super) stop: &'a dyn Fn() -> bool,
+    pub(super) stop: &'a dyn Fn(f64) -> bool,
     pub(super) steps: u64,
     pub(super) rejected: u64,
 }
@@ -109,7 +109,7 @@ impl Walker<'_, '_> {
             if covered && beyond >= BEYOND {
                 return (marks, End::Reached);
             }
-            if (self.stop)() {
+            if (self.stop)(current.s) {
                 return (marks, End::Interrupted);
             }
             if h < SHORTEST_STEP * largest {
