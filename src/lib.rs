@@ -40,6 +40,7 @@ pub mod contact;
 pub mod element;
 pub mod error;
 pub mod graph;
+pub mod guide;
 pub mod integrate;
 pub mod math;
 pub mod model;

@@ -33,6 +33,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("math", &[]),
     ("model", &["error"]),
     ("error", &[]),
+    ("guide", &[]),
     ("lib", &[]),
 ];
 
