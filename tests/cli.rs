@@ -100,11 +100,28 @@ fn bad_arguments_are_bad_input() {
 fn models_are_listed_and_printed() {
     let list = done(&["models"]);
     assert!(list.lines().any(|line| line.starts_with("four-bar ")), "{list}");
-    for name in list.lines().filter_map(|line| line.split([',', ' ']).next()) {
+    assert!(list.lines().all(|line| line.chars().count() <= 110), "{list}");
+    let names: Vec<&str> =
+        list.lines().filter(|line| !line.starts_with(' ')).filter_map(|line| line.split([',', ' ']).next()).collect();
+    assert!(names.len() >= 20, "{names:?}");
+    for name in names {
         let model: Value = serde_json::from_str(&done(&["models", name])).expect("valid JSON");
         assert_eq!(model["format"], "linkdyn/1", "{name}");
     }
     refused(&["models", "fuor-bar"], 2, "did you mean \"four-bar\"?");
+    refused(&["models", "wishbone"], 2, "did you mean \"double-wishbone\"?");
+}
+
+#[test]
+fn the_row_of_four_bars_comes_in_any_size() {
+    assert_eq!(done(&["models", "nfourbar", "--n", "2"]), done(&["models", "nfourbar"]));
+    let model: Value = serde_json::from_str(&done(&["models", "a02", "--n", "40"])).expect("valid JSON");
+    assert_eq!(model["bodies"].as_object().map(|bodies| bodies.len()), Some(82));
+    assert!(done(&["run", "nfourbar:3"]).contains("N = 3 (nfourbar:3): dynamics, completed"));
+    refused(&["models", "nfourbar", "--n", "0"], 2, "a whole number from 1 to 50000, as in \"nfourbar:40\"");
+    refused(&["check", "nfourbar:many"], 2, "nfourbar:many: the size of \"nfourbar\" is its number of loops");
+    refused(&["models", "jansen", "--n", "3"], 2, "the model \"jansen-leg\" has one size");
+    refused(&["models", "--n", "3"], 2, "<NAME>");
 }
 
 #[test]

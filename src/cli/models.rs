@@ -3,35 +3,49 @@
 use clap::Args;
 use serde_json::Value;
 
-use super::page::Page;
-use super::{BadInput, Exit, nearest, print};
-use crate::bundled::{self, Bundled};
+use super::page::{Page, wrapped};
+use super::{BadInput, Exit, did_you_mean, print};
+use crate::bundled::{self, Bundled, NotBundled};
 
 #[derive(Debug, Args)]
 pub struct Options {
     /// Print this one as JSON
     name: Option<String>,
+    /// Number of loops of nfourbar, the model that comes in any size (also a MODEL everywhere: nfourbar:40)
+    #[arg(long, value_name = "N", requires = "name")]
+    n: Option<String>,
 }
+
+/// Width of the list.
+const WIDTH: usize = 110;
 
 /// Lists the models, or prints one as it is.
 pub fn execute(options: &Options) -> Result<Exit, BadInput> {
-    match &options.name {
-        None => print(&list())?,
-        Some(name) => match bundled::find(name) {
-            Some(model) => print(model.text)?,
-            None => return Err(unknown(name)),
-        },
+    let Some(name) = &options.name else {
+        print(&list())?;
+        return Ok(Exit::Done);
+    };
+    let sized = options.n.as_ref().map_or_else(|| name.clone(), |n| format!("{name}:{n}"));
+    match bundled::text(&sized) {
+        Ok(text) => print(&text)?,
+        Err(NotBundled::Unknown) => return Err(unknown(name)),
+        Err(why @ (NotBundled::OneSize(_) | NotBundled::BadSize)) => {
+            return Err(BadInput(vec![format!("{sized}: {why}")]));
+        }
     }
     Ok(Exit::Done)
 }
 
-/// A line per model: name, aliases, what it is.
+/// A paragraph per model: name, aliases, what it is.
 fn list() -> String {
     let names: Vec<String> = bundled::MODELS.iter().map(name_and_aliases).collect();
-    let width = names.iter().map(|name| name.chars().count()).max().unwrap_or(0);
+    let indent = 2 + names.iter().map(|name| name.chars().count()).max().unwrap_or(0);
     let mut page = Page::default();
     for (model, name) in bundled::MODELS.iter().zip(&names) {
-        page.line(format!("{name:width$}  {}", about(model)).trim_end());
+        for (index, line) in wrapped(&about(model), WIDTH - indent).iter().enumerate() {
+            let label = if index == 0 { name.as_str() } else { "" };
+            page.line(format!("{label:indent$}{line}").trim_end());
+        }
     }
     page.text().to_string()
 }
@@ -49,9 +63,6 @@ fn about(model: &Bundled) -> String {
 }
 
 fn unknown(name: &str) -> BadInput {
-    let hint = match nearest(name, bundled::names()) {
-        Some(near) => format!("did you mean {near:?}?"),
-        None => "`linkdyn models` lists them".into(),
-    };
+    let hint = did_you_mean(name, bundled::names(), "`linkdyn models` lists them");
     BadInput(vec![format!("{name}: no bundled model of that name ({hint})")])
 }

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use sha2::{Digest, Sha256};
 
-use super::{BadInput, nearest};
-use crate::bundled;
+use super::{BadInput, did_you_mean};
+use crate::bundled::{self, NotBundled};
 use crate::error::Complaint;
 use crate::model::{self, Loaded};
 use crate::output::{Stage, Stopwatch};
@@ -67,25 +67,25 @@ fn bad_input(label: &str, complaints: Vec<Complaint>) -> BadInput {
 
 /// The bytes of a model: of a file where there is one, else of a bundled model.
 fn read(path: &Path) -> Result<Vec<u8>, BadInput> {
-    let bundled = path.to_str().and_then(bundled::find);
+    let bundled = path.to_str().map_or(Err(NotBundled::Unknown), bundled::text);
     // A directory may well have the name of a bundled model: the one its results are in.
-    if let (Some(bundled), true) = (bundled, !path.exists() || path.is_dir()) {
-        return Ok(bundled.text.as_bytes().to_vec());
+    let no_file = !path.exists() || path.is_dir();
+    match (bundled, no_file) {
+        (Ok(text), true) => return Ok(text.into_owned().into_bytes()),
+        (Err(why @ (NotBundled::OneSize(_) | NotBundled::BadSize)), true) => {
+            return Err(BadInput(vec![format!("{}: {why}", path.display())]));
+        }
+        (Err(_) | Ok(_), _) => {}
     }
     fs::read(path).map_err(|error| {
         let label = path.display();
         BadInput(vec![match error.kind() {
-            std::io::ErrorKind::NotFound => unknown(&label.to_string()),
+            std::io::ErrorKind::NotFound => {
+                let hint = did_you_mean(&label.to_string(), bundled::names(), "`linkdyn models` lists them");
+                format!("{label}: no such file, and no bundled model of that name ({hint})")
+            }
             _ if path.is_dir() => format!("{label}: a directory, not a model file"),
             _ => format!("{label}: can't be read: {error}"),
         }])
     })
-}
-
-/// What to say about a model that is not there.
-fn unknown(label: &str) -> String {
-    match nearest(label, bundled::names()) {
-        Some(name) => format!("{label}: no such file, and no bundled model of that name (did you mean {name:?}?)"),
-        None => format!("{label}: no such file, and no bundled model of that name (`linkdyn models` lists them)"),
-    }
 }

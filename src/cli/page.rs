@@ -35,6 +35,29 @@ impl Page {
     }
 }
 
+/// The words of `text` in lines of `width` characters, a longer word on a line of its own; one line at least.
+pub fn wrapped(text: &str, width: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    let mut length = 0;
+    for word in text.split_whitespace() {
+        let count = word.chars().count();
+        if length > 0 && length + 1 + count > width {
+            lines.push(String::new());
+            length = 0;
+        }
+        // There is always a last line.
+        if let Some(line) = lines.last_mut() {
+            if length > 0 {
+                line.push(' ');
+                length += 1;
+            }
+            line.push_str(word);
+            length += count;
+        }
+    }
+    lines
+}
+
 /// `text` with control and direction-changing characters spelt out.
 pub fn plain(text: &str) -> Cow<'_, str> {
     let is_trick = |c: char| c.is_control() || matches!(c, '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
@@ -111,6 +134,13 @@ mod tests {
     fn tricks_are_spelt_out_and_the_rest_is_kept() {
         assert_eq!(plain("\u{1b}[31mred\n\u{202e}🔒"), "\\u{1b}[31mred\\u{a}\\u{202e}🔒");
         assert_eq!(plain("Körper \"6\" 🔒"), "Körper \"6\" 🔒");
+    }
+
+    #[test]
+    fn words_are_wrapped_and_none_is_lost() {
+        assert_eq!(wrapped("a bc  def\nghij k", 6), ["a bc", "def", "ghij k"]);
+        assert_eq!(wrapped("incomprehensible é", 4), ["incomprehensible", "é"]);
+        assert_eq!(wrapped("", 4), [""]);
     }
 
     #[test]
