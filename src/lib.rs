@@ -39,6 +39,7 @@ pub mod cli;
 pub mod contact;
 pub mod element;
 pub mod error;
+pub mod figure;
 pub mod graph;
 pub mod guide;
 pub mod integrate;

@@ -9,12 +9,26 @@ use std::path::{Path, PathBuf};
 /// Layers from top to bottom, each with the layers it may use; a layer may only use what stands below it.
 const LAYERS: &[(&str, &[&str])] = &[
     ("main", &[]),
-    ("cli", &["validation", "analysis", "bundled", "model", "output", "error"]),
+    ("cli", &["validation", "figure", "analysis", "bundled", "model", "output", "error"]),
     // `integrate`, `solve` and `system` to see single steps.
     (
         "validation",
-        &["analysis", "bundled", "integrate", "solve", "system", "model", "output", "error", "contact", "math"],
+        &[
+            "figure",
+            "analysis",
+            "bundled",
+            "integrate",
+            "solve",
+            "system",
+            "model",
+            "output",
+            "error",
+            "contact",
+            "math",
+        ],
     ),
+    // Of `model` the shape of a mechanism, of `output` tables of its motion.
+    ("figure", &["model", "output"]),
     ("bundled", &[]),
     // Besides numbers, the analyses know the words of the question: `model::Analysis`, and `Model` as what they compile.
     ("analysis", &["integrate", "solve", "system", "element", "graph", "motion", "math", "model", "output", "error"]),
@@ -48,6 +62,11 @@ const PACKAGES: &[(&str, &[&str])] = &[
     ("sha2", &["cli"]),
     ("cpu_time", &["output"]),
     ("ryu", &["output"]),
+    ("tiny_skia", &["figure"]),
+    ("ttf_parser", &["figure"]),
+    ("png", &["figure"]),
+    ("gif", &["figure"]),
+    ("color_quant", &["figure"]),
     ("petgraph", &["graph"]),
     ("faer", &["solve"]),
     ("sprs", &["solve", "system"]),

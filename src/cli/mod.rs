@@ -2,13 +2,17 @@
 //!
 //! Standard output carries what was asked for, standard error complaints and failures.
 
+mod animate;
 mod check;
 mod interrupt;
 mod models;
 mod modes;
 mod open;
 mod page;
+mod plot;
+mod plot_units;
 mod progress;
+mod results;
 mod run;
 mod schema;
 mod summary;
@@ -41,6 +45,10 @@ enum Command {
     Check(check::Options),
     /// Natural frequencies, damping ratios and shapes of small motions about the equilibrium
     Modes(modes::Options),
+    /// Draw result columns as a figure
+    Plot(Box<plot::Options>),
+    /// Draw the mechanism in motion, as a film or as poses
+    Animate(animate::Options),
     /// Run the bundled validation cases: reference, ours, difference, verdict
     Validate(validate::Options),
     /// List the bundled models, or print one as JSON
@@ -118,6 +126,8 @@ pub fn main() -> ExitCode {
         Command::Run(options) => run::execute(&options),
         Command::Check(options) => check::execute(&options),
         Command::Modes(options) => modes::execute(&options),
+        Command::Plot(options) => plot::execute(&options),
+        Command::Animate(options) => animate::execute(&options),
         Command::Validate(options) => validate::execute(&options),
         Command::Models(options) => models::execute(&options),
         Command::Schema => schema::execute(),

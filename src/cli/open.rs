@@ -53,6 +53,14 @@ impl ModelOptions {
     }
 }
 
+/// A model by path or bundled name, as it is.
+///
+/// # Errors
+/// When there is no such model, or it has faults.
+pub fn model(path: &Path) -> Result<Loaded, BadInput> {
+    model::load(&read(path)?, &[]).map_err(|complaints| bad_input(&path.display().to_string(), complaints))
+}
+
 impl Opened {
     /// Complaints about the model that came up after it was read.
     pub fn bad_input(&self, complaints: Vec<Complaint>) -> BadInput {

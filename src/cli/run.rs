@@ -9,6 +9,7 @@ use super::open::{ModelOptions, Opened};
 use super::progress::Line;
 use super::{BadInput, Exit, complain, interrupt, print, summary};
 use crate::analysis::{self, Control, Outcome};
+use crate::figure::drawing::Drawing;
 use crate::model::Model;
 use crate::output::{Directory, Stage, Stopwatch, Summary, WriteError, csv};
 
@@ -78,6 +79,7 @@ fn write(directory: &Directory, opened: &Opened, outcome: &Outcome) -> Result<Wr
         settings: &outcome.settings,
         report: &outcome.report,
         trajectory: &outcome.trajectory,
+        drawing: Drawing::of_model(&opened.loaded.model).to_json(),
         load: opened.time,
         write: watch.read(),
     };

@@ -40,6 +40,7 @@ pub use joint::{Joint, JointKind, PointRef};
 pub use load::{Loaded, load, load_file};
 pub use schema::schema;
 pub use source::Source;
+pub use units::Unit;
 
 use indexmap::IndexMap;
 use schemars::JsonSchema;

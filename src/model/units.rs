@@ -158,6 +158,11 @@ impl Unit {
         }
     }
 
+    /// A number of this unit in another one of the same dimension; none where that is not so.
+    pub fn convert(self, number: f64, to: Unit) -> Option<f64> {
+        (self.powers == to.powers).then(|| number * (self.factor() / to.factor()))
+    }
+
     fn factor(self) -> f64 {
         let scale: f64 = format!("1e{}", self.ten).parse().unwrap_or(f64::NAN);
         match self.pi {

@@ -2,11 +2,13 @@
 
 pub mod csv;
 pub mod files;
+pub mod read;
 pub mod stopwatch;
 pub mod summary;
 pub mod trajectory;
 
 pub use files::{Directory, WriteError};
+pub use read::Table;
 pub use stopwatch::Stopwatch;
 pub use summary::Summary;
 pub use trajectory::{Extremes, Selection};

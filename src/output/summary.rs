@@ -14,6 +14,8 @@ pub struct Summary<'a> {
     pub settings: &'a Value,
     pub report: &'a Report,
     pub trajectory: &'a Trajectory,
+    /// The shape of the mechanism, for pictures.
+    pub drawing: Value,
     pub load: Stage,
     /// Writing of all files but the summary itself.
     pub write: Stage,
@@ -94,6 +96,7 @@ pub fn to_json(summary: &Summary) -> Value {
     json.insert("warnings".into(), report.warnings.as_slice().into());
     json.insert("events".into(), report.events.iter().map(event).collect());
     json.insert("extremes".into(), extremes(summary.trajectory));
+    json.insert("drawing".into(), summary.drawing.clone());
     Value::Object(json)
 }
 
@@ -204,6 +207,7 @@ mod tests {
             settings: &settings,
             report: &report,
             trajectory: &trajectory,
+            drawing: json!({}),
             load: stage,
             write: stage,
         })
@@ -226,7 +230,8 @@ mod tests {
                 "quality",
                 "warnings",
                 "events",
-                "extremes"
+                "extremes",
+                "drawing"
             ]
         );
         assert_eq!(

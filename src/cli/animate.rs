@@ -1,0 +1,163 @@
+//! `linkdyn animate`: the mechanism in motion, as a GIF for slides or as poses for a paper.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::open;
+use super::page::{Page, number};
+use super::results::{Results, extension, write_file};
+use super::{BadInput, Exit, print};
+use crate::figure::drawing::Drawing;
+use crate::figure::film::{self, Film};
+use crate::figure::mechanism::{Layout, Mechanism};
+use crate::figure::poses::Poses;
+use crate::figure::{Fault, POINTS_PER_MM, chart, raster, svg};
+
+/// Width of a GIF by default [pixels]; pixels per point, so that lines and letters have the size of a screen.
+const WIDTH: u32 = 480;
+const PIXELS_PER_POINT: f64 = 4.0 / 3.0;
+/// Shortest and longest film where none is asked for [s].
+const DURATION: [f64; 2] = [2.0, 12.0];
+/// Frames of a film, at most.
+const MOST_FRAMES: f64 = 5000.0;
+/// Frames that the palette is made from.
+const SAMPLES: usize = 8;
+
+#[derive(Debug, Args)]
+#[command(after_help = HELP)]
+pub struct Options {
+    /// A directory that `run -o` has left, or the results.csv in it
+    #[arg(value_name = "RESULTS")]
+    results: PathBuf,
+    /// Path or bundled name of the model, for results without summary.json
+    #[arg(long, value_name = "MODEL")]
+    model: Option<PathBuf>,
+    /// File to write: .gif for a film, .svg or .png for poses
+    #[arg(short, long, value_name = "FILE")]
+    output: PathBuf,
+    /// Width: of a film in pixels, of poses in millimetres
+    #[arg(long, value_name = "PX|MM", value_parser = width)]
+    width: Option<f64>,
+    /// Frames per second of a film
+    #[arg(long, value_name = "N", default_value_t = 25.0, value_parser = fps)]
+    fps: f64,
+    /// Length of a film in seconds; left out: that of the motion, but 2 s at least and 12 s at most
+    #[arg(long, value_name = "S", value_parser = duration)]
+    duration: Option<f64>,
+    /// Number of poses, equally spaced in time
+    #[arg(long, value_name = "N", default_value_t = 6)]
+    poses: usize,
+    /// Poses side by side instead of over each other
+    #[arg(long)]
+    strip: bool,
+    /// Resolution of a PNG [dots per inch]
+    #[arg(long, value_name = "DPI", default_value_t = 300.0, value_parser = dpi)]
+    dpi: f64,
+}
+
+const HELP: &str = "  linkdyn run four-bar -o out
+  linkdyn animate out -o motion.gif
+  linkdyn animate out --poses 8 --strip --width 180 -o poses.svg";
+
+/// Reads, draws, writes, tells.
+pub fn execute(options: &Options) -> Result<Exit, BadInput> {
+    let format = extension(&options.output);
+    let file = options.output.display();
+    if !["gif", "svg", "png"].contains(&format.as_str()) {
+        return Err(BadInput(vec![format!("{file}: the name of the file must end in .gif, .svg or .png")]));
+    }
+    let results = Results::open(&options.results)?;
+    let fault = |fault: Fault| BadInput(vec![format!("{file}: {fault}")]);
+    let drawing = drawing(options, &results)?;
+    let poses = Poses::read(&results.table, &drawing).map_err(fault)?;
+    let mechanism = Mechanism::new(drawing, poses).map_err(fault)?;
+    let (content, about) = match format.as_str() {
+        "gif" => film_of(options, &mechanism).map_err(fault)?,
+        _ => picture_of(options, &mechanism, &format).map_err(fault)?,
+    };
+    let written = write_file(&options.output, &content)?;
+    let mut page = Page::default();
+    page.line(format!("{}: {about}, {} kB", written.display(), number(content.len() as f64 / 1000.0, 3)));
+    print(page.text())?;
+    Ok(Exit::Done)
+}
+
+/// The shape: of the model that was given, else as the run has kept it.
+fn drawing(options: &Options, results: &Results) -> Result<Drawing, BadInput> {
+    if let Some(path) = &options.model {
+        return Ok(Drawing::of_model(&open::model(path)?.model));
+    }
+    let path = results.table.path.with_file_name("summary.json");
+    match results.summary.as_ref().and_then(|summary| summary.get("drawing")) {
+        Some(json) => Drawing::from_json(json).map_err(|fault| BadInput(vec![format!("{}: {fault}", path.display())])),
+        None => Err(BadInput(vec![format!(
+            "{}: no such file, or it does not tell the shape of the mechanism (name the model with --model, or run it again)",
+            path.display()
+        )])),
+    }
+}
+
+/// Poses in one picture.
+fn picture_of(options: &Options, mechanism: &Mechanism, format: &str) -> Result<(Vec<u8>, String), Fault> {
+    let layout = if options.strip { Layout::Strip } else { Layout::Overlaid };
+    let width = options.width.unwrap_or(chart::COLUMN_MM);
+    let scene = mechanism.picture(options.poses, layout, width)?;
+    let content = if format == "svg" { svg::write(&scene).into_bytes() } else { raster::png(&scene, options.dpi)? };
+    let mm = |points: f64| number(points / POINTS_PER_MM, 4);
+    Ok((content, format!("{} × {} mm, {} poses", mm(scene.width), mm(scene.height), options.poses)))
+}
+
+/// A film.
+fn film_of(options: &Options, mechanism: &Mechanism) -> Result<(Vec<u8>, String), Fault> {
+    let [first, last] = mechanism.span();
+    let duration = options.duration.unwrap_or((last - first).clamp(DURATION[0], DURATION[1]));
+    let count = (duration * options.fps).round().max(1.0);
+    let width = options.width.unwrap_or(f64::from(WIDTH)).round();
+    // A still picture needs one frame.
+    let count = if last > first { count } else { 1.0 };
+    let draw = |frame: f64| {
+        let time = first + (last - first) * frame / (count - 1.0).max(1.0);
+        raster::draw(&mechanism.frame(time, width / PIXELS_PER_POINT), PIXELS_PER_POINT)
+    };
+    let opening = draw(0.0)?;
+    let [w, h] = [opening.width, opening.height].map(u64::from);
+    let pixels = (count * (w * h) as f64) as u64;
+    if pixels > film::MOST_PIXELS || count > MOST_FRAMES {
+        return Err(Fault::TooMuchFilm(pixels));
+    }
+    let samples = (0..SAMPLES).map(|index| draw((count - 1.0) * index as f64 / (SAMPLES - 1) as f64));
+    let mut film = Film::new(&samples.collect::<Result<Vec<_>, _>>()?)?;
+    // Delays are whole hundredths; rounding the ends of frames, not their lengths, keeps the film as long as it should be.
+    let end = |frame: f64| (100.0 * frame * duration / count).round();
+    for index in 0..count as usize {
+        let frame = index as f64;
+        film.push(draw(frame)?, (end(frame + 1.0) - end(frame)).clamp(2.0, 65535.0) as u16)?;
+    }
+    let speed = (last - first) / duration;
+    let about =
+        format!("{w} × {h} pixels, {count} frames in {} s, {} × real time", number(duration, 4), number(speed, 3));
+    Ok((film.finish()?, about))
+}
+
+fn number_within(text: &str, [low, high]: [f64; 2]) -> Result<f64, String> {
+    let value = text.trim().parse::<f64>().ok().filter(|value| (low..=high).contains(value));
+    value.ok_or_else(|| format!("a number from {low} to {high} is wanted"))
+}
+
+fn width(text: &str) -> Result<f64, String> {
+    number_within(text, [40.0, 4000.0])
+}
+
+/// Programs that show GIFs slow frames of less than two hundredths of a second down.
+fn fps(text: &str) -> Result<f64, String> {
+    number_within(text, [0.1, 50.0])
+}
+
+fn duration(text: &str) -> Result<f64, String> {
+    number_within(text, [0.1, 600.0])
+}
+
+fn dpi(text: &str) -> Result<f64, String> {
+    number_within(text, [36.0, 2400.0])
+}

@@ -1,0 +1,104 @@
+//! Units of a figure: which column is drawn in which, and words for what is drawn.
+
+use super::BadInput;
+use crate::model::Unit;
+use crate::output::Table;
+use crate::output::read::ReadColumn;
+
+/// A unit that was asked for.
+#[derive(Debug)]
+struct Wanted {
+    text: String,
+    unit: Unit,
+    is_used: bool,
+}
+
+/// The units that were asked for.
+#[derive(Debug)]
+pub struct Units {
+    wanted: Vec<Wanted>,
+    x: Option<Wanted>,
+    /// Units of the columns that were drawn.
+    met: Vec<String>,
+}
+
+impl Units {
+    /// Reads them.
+    ///
+    /// # Errors
+    /// When a text is no unit.
+    pub fn new(texts: &[String], x: Option<&str>) -> Result<Self, BadInput> {
+        let read = |option: &str, text: &str| match Unit::parse(text) {
+            Ok(unit) => Ok(Wanted { text: text.trim().to_string(), unit, is_used: false }),
+            Err(_) => {
+                Err(BadInput(vec![format!("{option} {text}: not a unit (such as deg, mm, rpm, kN, N*mm, deg/s^2)")]))
+            }
+        };
+        let wanted = texts.iter().map(|text| read("--units", text)).collect::<Result<_, _>>()?;
+        let x = x.map(|text| read("--x-unit", text)).transpose()?;
+        Ok(Units { wanted, x, met: Vec::new() })
+    }
+
+    /// Unit and values of the x axis.
+    ///
+    /// # Errors
+    /// When the column holds words, or its unit can't be changed into the one that was asked for.
+    pub fn x(&mut self, table: &Table, column: &ReadColumn) -> Result<(String, Vec<f64>), BadInput> {
+        let Some(wanted) = &mut self.x else { return self.y(table, column) };
+        let values = table.values(column)?;
+        wanted.is_used = true;
+        convert(values, column, wanted)
+            .ok_or_else(|| BadInput(vec![format!("--x-unit {}: {} can't be told in it", wanted.text, column.label())]))
+    }
+
+    /// Unit and values of a column.
+    ///
+    /// # Errors
+    /// When the column holds words.
+    pub fn y(&mut self, table: &Table, column: &ReadColumn) -> Result<(String, Vec<f64>), BadInput> {
+        let values = table.values(column)?;
+        if !self.met.contains(&column.unit) {
+            self.met.push(column.unit.clone());
+        }
+        for wanted in &mut self.wanted {
+            if let Some(converted) = convert(values, column, wanted) {
+                wanted.is_used = true;
+                return Ok(converted);
+            }
+        }
+        Ok((column.unit.clone(), values.to_vec()))
+    }
+
+    /// Units that no column can be told in, and why.
+    pub fn unused(&self) -> Vec<String> {
+        let unused = self.wanted.iter().filter(|wanted| !wanted.is_used);
+        let words = |wanted: &Wanted| {
+            format!("{}: no column drawn can be told in it (they are in {})", wanted.text, self.met.join(", "))
+        };
+        unused.map(words).collect()
+    }
+}
+
+/// The values in another unit, where it is one of the same dimension.
+fn convert(values: &[f64], column: &ReadColumn, wanted: &Wanted) -> Option<(String, Vec<f64>)> {
+    let unit = Unit::parse(&column.unit).ok()?;
+    unit.convert(0.0, wanted.unit)?;
+    let values = values.iter().map(|&value| unit.convert(value, wanted.unit).unwrap_or(f64::NAN));
+    Some((wanted.text.clone(), values.collect()))
+}
+
+/// What a result column's last word stands for.
+pub fn quantity_words(quantity: &str) -> &str {
+    match quantity {
+        "x" | "y" => "position",
+        "vx" | "vy" => "velocity",
+        "ax" | "ay" => "acceleration",
+        "omega" => "angular velocity",
+        "alpha" => "angular acceleration",
+        "fx" | "fy" => "force",
+        "ex" | "ey" => "eccentricity",
+        "kinetic" | "potential" => "energy",
+        "value" => "driver value",
+        other => other,
+    }
+}
