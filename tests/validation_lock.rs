@@ -41,6 +41,12 @@ fn the_lock_is_validated_and_written() {
         // 117.5° with clearance: no assembly, no value.
         let row = text.lines().find(|line| line.starts_with("117.5,") || line.starts_with("117.49999")).expect("a row");
         assert!(row.ends_with(",,"), "{row}");
+        let figure = format!("figure{figure}.svg");
+        let svg = read(&figure);
+        for part in ["e = 100 µm", "change point 117.51°", "no assembly", "class=\"mark\""] {
+            assert!(svg.contains(part), "{figure}: {part}");
+        }
+        assert!(read("report.md").contains(&figure), "{figure} is not in the report");
     }
     fs::remove_dir_all(output).expect("removed");
 }

@@ -8,7 +8,7 @@ use super::table::{Paper, Runs, settles};
 use crate::output::{Directory, WriteError};
 
 /// Index of the output step of the curves in [`STEPS`]: 0.5°.
-const CURVES: usize = 2;
+pub const CURVES: usize = 2;
 
 /// A cell; empty where there is no value.
 fn cell(value: f64) -> String {

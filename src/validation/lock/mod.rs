@@ -9,6 +9,7 @@ pub mod checks;
 pub mod claims;
 pub mod equations;
 pub mod facts;
+pub mod figures;
 pub mod files;
 pub mod first_pass;
 pub mod models;
@@ -83,6 +84,7 @@ pub fn run(setting: &Setting) -> Result<CaseReport, CaseError> {
 
     if let Some(output) = &setting.output {
         let directory = Directory::open(output)?;
+        page.figures(&figures::write(&directory, base, &facts)?);
         files::curves(&directory, base)?;
         files::table(&directory, &tables, &paper)?;
         files::singular(&directory, &facts)?;

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::claims::{CLEAR, ForceNear};
 use super::facts::Fact;
+use super::figures::Drawn;
 use super::first_pass::{self, FirstPass, Sign};
 use super::models::{Found, JOINTS, Order, Quantity, RADII, STEPS, Stroke};
 use super::reversals::{FAST, Turn};
@@ -128,6 +129,14 @@ impl Page {
             if unsettled.len() > settled.len() { (settled, "All but: ") } else { (unsettled, "These: ") };
         if !names.is_empty() {
             self.line(format!("  {what}{}.", names.join("; ")));
+        }
+    }
+
+    /// The files of the figures, and what they leave out.
+    pub fn figures(&mut self, figures: &[Drawn]) {
+        self.heading("Counterparts of the paper's figures 4 to 8, beside this page");
+        for Drawn { file, about } in figures {
+            self.line(format!("{file:12} {about}"));
         }
     }
 
