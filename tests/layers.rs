@@ -59,7 +59,8 @@ const EXCEPTIONS: &[(&str, &str)] =
 const PACKAGES: &[(&str, &[&str])] = &[
     ("clap", &["cli"]),
     ("ctrlc", &["cli"]),
-    ("sha2", &["cli"]),
+    // In `output` for the content security policy of the report.
+    ("sha2", &["cli", "output"]),
     ("cpu_time", &["output"]),
     ("ryu", &["output"]),
     ("tiny_skia", &["figure"]),

@@ -1,15 +1,20 @@
 //! The analyses: from a model to a trajectory and a report.
 
+mod applied;
 pub mod assembly;
 pub mod check;
 pub mod clearance_link;
+pub mod derived;
 pub mod driven;
 pub mod dynamics;
 mod instants;
 pub mod modes;
 mod progress;
 pub mod record;
+mod rows;
+mod shaking;
 pub mod statics;
+mod transmission;
 
 pub use check::{Check, check};
 pub use modes::{Linearised, Mode, modes};
@@ -48,10 +53,20 @@ impl Control {
 /// What a run leaves.
 #[derive(Debug, Clone)]
 pub struct Outcome {
+    /// The columns that are wanted.
     pub trajectory: Trajectory,
+    /// All columns, where `analysis.columns` leaves some out.
+    pub complete: Option<Trajectory>,
     pub report: Report,
     /// The analysis as resolved, for the summary.
     pub settings: serde_json::Value,
+}
+
+impl Outcome {
+    /// All columns that were computed, wanted or not.
+    pub fn all(&self) -> &Trajectory {
+        self.complete.as_ref().unwrap_or(&self.trajectory)
+    }
 }
 
 /// Why a run can't go on.
@@ -103,8 +118,9 @@ pub fn run(model: &Model, control: &Control) -> Result<Outcome, Vec<Complaint>> 
             )
         }
     };
+    let complete = (!analysis.columns.is_empty()).then(|| trajectory.clone());
     report.warnings.extend(trajectory.select(&analysis.columns));
-    Ok(Outcome { trajectory, report, settings: settings(analysis) })
+    Ok(Outcome { trajectory, complete, report, settings: settings(analysis) })
 }
 
 /// Whether joint forces are among the results.
@@ -151,6 +167,9 @@ fn settings(analysis: &crate::model::Analysis) -> serde_json::Value {
             "initial_step": solver.initial_step, "max_wall_time": solver.max_wall_time,
         },
         "columns": analysis.columns,
+        "transmission": analysis.transmission.as_ref().map(|transmission| serde_json::json!({
+            "driver": transmission.driver, "output": transmission.output,
+        })),
     });
     // What is left out in the file is left out here.
     if let Some(map) = json.as_object_mut() {

@@ -12,6 +12,7 @@ mod page;
 mod plot;
 mod plot_units;
 mod progress;
+mod report;
 mod results;
 mod run;
 mod schema;

@@ -7,7 +7,7 @@ use clap::Args;
 
 use super::open::{ModelOptions, Opened};
 use super::progress::Line;
-use super::{BadInput, Exit, complain, interrupt, print, summary};
+use super::{BadInput, Exit, complain, interrupt, print, report, summary};
 use crate::analysis::{self, Control, Outcome};
 use crate::figure::drawing::Drawing;
 use crate::model::Model;
@@ -15,12 +15,13 @@ use crate::output::{Directory, Stage, Stopwatch, Summary, WriteError, csv};
 
 const RESULTS: &str = "results.csv";
 const SUMMARY: &str = "summary.json";
+const REPORT: &str = "report.html";
 
 #[derive(Debug, Args)]
 pub struct Options {
     #[command(flatten)]
     model: ModelOptions,
-    /// Write results.csv and summary.json into this directory (made where missing)
+    /// Write results.csv, summary.json and report.html into this directory (made where missing)
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
 }
@@ -66,6 +67,7 @@ fn open_directory(path: &std::path::Path) -> Result<Directory, WriteError> {
     let directory = Directory::open(path)?;
     directory.expect_free(RESULTS)?;
     directory.expect_free(SUMMARY)?;
+    directory.expect_free(REPORT)?;
     Ok(directory)
 }
 
@@ -73,6 +75,7 @@ fn open_directory(path: &std::path::Path) -> Result<Directory, WriteError> {
 fn write(directory: &Directory, opened: &Opened, outcome: &Outcome) -> Result<Written, WriteError> {
     let watch = Stopwatch::start();
     let results = directory.write_with(RESULTS, |file| csv::write(&outcome.trajectory, file))?;
+    let report = directory.write(REPORT, report::text(opened, outcome).as_bytes())?;
     let summary = Summary {
         model_name: &opened.name,
         model_sha256: &opened.sha256,
@@ -84,5 +87,5 @@ fn write(directory: &Directory, opened: &Opened, outcome: &Outcome) -> Result<Wr
         write: watch.read(),
     };
     let summary = directory.write(SUMMARY, crate::output::summary::to_text(&summary).as_bytes())?;
-    Ok(Written { paths: vec![results, summary], time: watch.read() })
+    Ok(Written { paths: vec![results, summary, report], time: watch.read() })
 }

@@ -43,6 +43,22 @@ pub struct Analysis {
     /// Patterns of the result columns to keep; `*` and `?` match the name without its `[unit]`; none means all.
     #[serde(default)]
     pub columns: Vec<String>,
+    /// What the report's mechanical advantage and transmission angles are of.
+    #[serde(default)]
+    #[schemars(with = "Transmission")]
+    pub transmission: Option<Transmission>,
+}
+
+/// From which driver to which body motion and force are transmitted.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+pub struct Transmission {
+    /// Name of the driver; may be left out where there is only one.
+    #[serde(default)]
+    #[schemars(with = "String", extend("x-reference" = "driver"))]
+    pub driver: Option<String>,
+    /// The driven body: its slide where a prismatic joint holds it to ground, else its angle.
+    #[schemars(extend("x-reference" = "body"))]
+    pub output: String,
 }
 
 /// Outputs equally spaced in a driver's value (SI: rad or m).

@@ -38,6 +38,7 @@ pub(super) fn check<'a>(model: &'a Value, references: &[Reference], source: &Sou
     check_forces::motions(&mut checked);
     checked.initial();
     checked.wanted_points();
+    checked.transmission();
     checked.analysis();
     checked
 }
@@ -244,6 +245,24 @@ impl Checked<'_> {
                 self.complain(format!("points[{index}]"), "the point is listed twice").hint =
                     Some(format!("first as points[{first}]"));
             }
+        }
+    }
+
+    /// A transmission leads from one driver to a body that moves.
+    fn transmission(&mut self) {
+        let model = self.model;
+        let transmission = &model["analysis"]["transmission"];
+        if !transmission.is_object() {
+            return;
+        }
+        if transmission["output"].as_str() == Some(GROUND) {
+            self.complain("analysis.transmission.output", "ground is fixed, nothing is transmitted to it");
+        }
+        let drivers = members(&model["drivers"]).count();
+        if transmission.get("driver").is_none() && drivers != 1 {
+            let message = format!("\"driver\" is missing, the model has {drivers} of them");
+            self.complain("analysis.transmission", message).hint =
+                Some("name the driver from which the transmission leads".into());
         }
     }
 

@@ -26,7 +26,7 @@ mod suggest;
 mod units;
 mod validate;
 
-pub use analysis::{Analysis, AnalysisKind, Sample, Solver};
+pub use analysis::{Analysis, AnalysisKind, Sample, Solver, Transmission};
 pub use body::{Body, Initial, Pose};
 pub use carrier::Carrier;
 pub use clearance::{

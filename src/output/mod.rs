@@ -3,6 +3,7 @@
 pub mod csv;
 pub mod files;
 pub mod read;
+pub mod report;
 pub mod stopwatch;
 pub mod summary;
 pub mod trajectory;

@@ -39,6 +39,14 @@ impl Status {
 
 /// The summary as JSON; a number that is not finite becomes null.
 pub fn to_json(summary: &Summary) -> Value {
+    let mut json = facts(summary);
+    json.insert("extremes".into(), extremes(summary.trajectory));
+    json.insert("drawing".into(), summary.drawing.clone());
+    Value::Object(json)
+}
+
+/// All of the summary but the extremes and the drawing.
+pub fn facts(summary: &Summary) -> Map<String, Value> {
     let report = summary.report;
     let mut json = Map::new();
     json.insert("status".into(), report.status.word().into());
@@ -95,9 +103,7 @@ pub fn to_json(summary: &Summary) -> Value {
     }
     json.insert("warnings".into(), report.warnings.as_slice().into());
     json.insert("events".into(), report.events.iter().map(event).collect());
-    json.insert("extremes".into(), extremes(summary.trajectory));
-    json.insert("drawing".into(), summary.drawing.clone());
-    Value::Object(json)
+    json
 }
 
 /// The summary as the text of the file.

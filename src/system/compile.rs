@@ -87,7 +87,8 @@ pub fn law(motion: &Motion) -> Law {
     }
 }
 
-fn value_law(value: &Value) -> Law {
+/// The law of a value that may vary.
+pub fn value_law(value: &Value) -> Law {
     match value {
         Value::Constant(value) => Law::Polynomial(vec![*value]),
         Value::Motion(motion) => law(motion),

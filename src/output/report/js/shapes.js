@@ -1,0 +1,100 @@
+"use strict";
+// Where things are: bodies, points, guides, in metres and global axes.
+(() => {
+  const { mechanism, rows, column } = linkdyn;
+
+  const poses = mechanism.bodies.map(({ name }, k) => {
+    if (k === 0) return null;
+    const found = ["x", "y", "angle"].map((quantity) => column(`${name}.${quantity}`));
+    return found.every(Boolean) ? found.map((found) => found.values) : undefined;
+  });
+  // Whether the poses are in the page at all.
+  const known = mechanism.bodies.length > 1 && poses.slice(1).every(Boolean);
+
+  // Pose of a body in a row; none where the cells are empty.
+  const pose = (body, row) => {
+    if (body === 0) return [0, 0, 0];
+    const of = poses[body];
+    if (!of || row >= rows) return null;
+    const found = [of[0][row], of[1][row], of[2][row]];
+    return found.every(Number.isFinite) ? found : null;
+  };
+
+  const carry = ([x, y, angle], px, py) => {
+    const c = Math.cos(angle), s = Math.sin(angle);
+    return [x + c * px - s * py, y + s * px + c * py];
+  };
+  const turn = ([, , angle], vx, vy) => carry([0, 0, angle], vx, vy);
+
+  // A point (body, number) in a row.
+  const place = ([body, number], row) => {
+    const at = pose(body, row);
+    const point = mechanism.bodies[body].points[number];
+    return at && point ? carry(at, point[1], point[2]) : null;
+  };
+
+  // Corners of the convex hull, numbers of points; one or two where there is no more.
+  const hull = (points) => {
+    const order = points.map((_, k) => k).sort((a, b) => points[a][0] - points[b][0] || points[a][1] - points[b][1]);
+    const cross = (o, a, b) => (points[a][0] - points[o][0]) * (points[b][1] - points[o][1])
+      - (points[a][1] - points[o][1]) * (points[b][0] - points[o][0]);
+    const half = (line) => {
+      const chain = [];
+      for (const k of line) {
+        while (chain.length > 1 && cross(chain[chain.length - 2], chain[chain.length - 1], k) <= 0) chain.pop();
+        chain.push(k);
+      }
+      return chain.slice(0, -1);
+    };
+    const same = order.every((k) => points[k][0] === points[order[0]][0] && points[k][1] === points[order[0]][1]);
+    return points.length < 2 || same ? order.slice(0, 1) : [...half(order), ...half([...order].reverse())];
+  };
+  const outlines = mechanism.bodies.map(({ points }) => hull(points.map(([, x, y]) => [x, y])));
+
+  // Some rows, enough to know how far things go.
+  const sampled = [];
+  const most = Math.max(5, Math.min(400, Math.floor(2e5 / mechanism.bodies.length)));
+  for (let k = 0, step = Math.max(1, Math.ceil(rows / most)); k < rows; k += step) sampled.push(k);
+  if (rows > 0 && sampled[sampled.length - 1] !== rows - 1) sampled.push(rows - 1);
+
+  // How far the second point of a guide goes along its axis.
+  const strokes = mechanism.joints.map((joint) => {
+    if (!joint.axis) return null;
+    let low = 0, high = 0, any = false;
+    for (const row of sampled) {
+      const [a, b] = joint.between.map((end) => place(end, row));
+      const at = pose(joint.between[0][0], row);
+      if (!a || !b || !at) continue;
+      const u = turn(at, joint.axis[0], joint.axis[1]);
+      const slide = u[0] * (b[0] - a[0]) + u[1] * (b[1] - a[1]);
+      low = any ? Math.min(low, slide) : slide;
+      high = any ? Math.max(high, slide) : slide;
+      any = true;
+    }
+    return [low, high];
+  });
+
+  // The box in which everything stays.
+  const box = (() => {
+    let [left, right, bottom, top] = [Infinity, -Infinity, Infinity, -Infinity];
+    const add = (point, margin = 0) => {
+      if (!point) return;
+      left = Math.min(left, point[0] - margin); right = Math.max(right, point[0] + margin);
+      bottom = Math.min(bottom, point[1] - margin); top = Math.max(top, point[1] + margin);
+    };
+    mechanism.bodies.forEach(({ points }, body) => {
+      const used = body === 0 ? [0] : sampled;
+      for (const row of used) points.forEach((_, k) => add(place([body, k], row)));
+      if (points.length === 0 && body > 0) for (const row of sampled) { const at = pose(body, row); if (at) add(at); }
+    });
+    for (const { between, gear } of mechanism.joints) {
+      if (gear) for (const row of sampled) between.forEach((end, k) => add(place(end, row), Math.min(gear.radii[k], 1e6)));
+    }
+    if (!Number.isFinite(left)) return [-0.1, 0.1, -0.1, 0.1];
+    const least = 1e-6 + 0.15 * Math.max(right - left, top - bottom);
+    const widen = (low, high) => high - low < least ? [(low + high - least) / 2, (low + high + least) / 2] : [low, high];
+    return [...widen(left, right), ...widen(bottom, top)];
+  })();
+
+  linkdyn.shapes = { known, pose, place, carry, turn, outlines, strokes, box };
+})();

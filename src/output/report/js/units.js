@@ -1,0 +1,44 @@
+"use strict";
+// Two systems of units, and numbers as text.
+(() => {
+  const engineering = {
+    "m": [1e3, "mm"], "m/s": [1e3, "mm/s"], "rad": [180 / Math.PI, "°"], "rad/s": [30 / Math.PI, "rpm"],
+    "m/rad": [1e3, "mm/rad"], "rad/m": [1e-3, "rad/mm"], "N/(N*m)": [1e-3, "N/N·mm"], "N*m/N": [1e3, "N·mm/N"],
+  };
+  const pretty = (unit) => unit === "1" ? "–" : unit.replaceAll("*", "·").replace("^2", "²");
+  const listeners = [];
+  let system = "engineering";
+
+  // Of a unit of the results: factor from SI, and what to write.
+  const of = (unit) => {
+    const found = system === "engineering" && Object.hasOwn(engineering, unit) ? engineering[unit] : [1, pretty(unit)];
+    return { factor: found[0], label: found[1] };
+  };
+
+  // A number of so many digits; nothing where there is none.
+  const number = (value, digits = 5) => {
+    if (value === null || value === undefined || !Number.isFinite(value)) return "–";
+    if (value === 0) return "0";
+    const size = Math.abs(value);
+    const text = size >= 1e6 || size < 1e-3 ? value.toExponential(digits - 1) : value.toPrecision(digits);
+    const [mantissa, exponent] = text.split("e");
+    const short = mantissa.includes(".") ? mantissa.replace(/\.?0+$/, "") : mantissa;
+    return (exponent === undefined ? short : `${short}e${Number(exponent)}`).replace("-", "−");
+  };
+
+  // A value of a column with its unit.
+  const quantity = (value, unit, digits = 5) => {
+    if (!Number.isFinite(value)) return "–";
+    // Round-off of lengths and angles is nothing.
+    if ((unit === "m" || unit === "rad") && Math.abs(value) < 1e-12) value = 0;
+    const { factor, label } = of(unit);
+    return number(value * factor, digits) + (label === "–" ? "" : label === "°" ? "°" : " " + label);
+  };
+
+  linkdyn.units = {
+    of, number, quantity,
+    get system() { return system; },
+    set system(name) { system = name; listeners.forEach((listen) => listen()); },
+    onChange: (listen) => listeners.push(listen),
+  };
+})();
