@@ -69,7 +69,8 @@ pub fn plan(sources: &[Source], rows: usize, room: usize, heading: impl Fn(&Sour
     if fitting(last, 4) >= rows {
         return all(false);
     }
-    let k = (0..=last).rev().find(|&k| fitting(k, 4) >= rows.min(FEW_ROWS)).unwrap_or(Worth::Pose as usize);
+    let pose = Worth::Pose as usize;
+    let k = (pose..=last).rev().find(|&k| fitting(k, 4) >= rows.min(FEW_ROWS)).unwrap_or(pose);
     // Without room for two instants of all poses there is no animation.
     let k = if fitting(k, 4) < rows.min(2) { 0 } else { k };
     Plan { binary64: false, rows: thinned(rows, fitting(k, 4)), worth: WORTHS[k] }

@@ -29,8 +29,9 @@
     return low;
   };
 
-  const frame = (now) => {
+  const frame = () => {
     if (!playing) return;
+    const now = performance.now();
     // A tab that slept does not jump.
     const passed = last === null ? 0 : Math.min((now - last) / 1000, 0.1);
     last = now;

@@ -1,0 +1,64 @@
+// Uses the page as a reader does: scrub bar, buttons, keys, plots; tells what it shows.
+(async () => {
+  const id = (name) => document.getElementById(name);
+  const wait = (time) => new Promise((done) => setTimeout(done, time));
+  const { player, plots, stage } = linkdyn;
+  const told = { rows: linkdyn.rows, poses: {} };
+  const scrub = (row) => { id("scrub").value = row; id("scrub").dispatchEvent(new Event("input")); };
+  const picture = () => {
+    stage.paint();
+    return id("canvas").toDataURL();
+  };
+
+  await wait(300);
+  told.plots = plots.list.map((plot) => ({ built: plot.u !== null, columns: plot.columns.map((column) => column.name) }));
+  for (const row of [0, 90, linkdyn.rows - 1]) {
+    scrub(row);
+    told.poses[row] = [...document.querySelectorAll("#poses tbody tr")].map((line) => [line.cells[0].textContent, ...[...line.cells].slice(1).map((cell) => Number(cell.dataset.si))]);
+  }
+  scrub(0);
+  const still = picture();
+  told.inked = still.length;
+  told.same = picture() === still;
+  scrub(90);
+  told.moves = picture() !== still;
+
+  // Play, pause.
+  scrub(0);
+  id("play").click();
+  for (let k = 0; k < 100 && player.row < 20; k++) await wait(20);
+  told.played = player.row;
+  id("play").click();
+  told.stopped = player.row;
+  await wait(400);
+  told.later = player.row;
+
+  // Keys.
+  const key = (name, more = {}) => document.body.dispatchEvent(new KeyboardEvent("keydown", { key: name, bubbles: true, cancelable: true, ...more }));
+  scrub(10); key("ArrowRight"); told.right = player.row;
+  key("ArrowLeft", { shiftKey: true }); told.left = player.row;
+  key("End"); told.end = player.row;
+  key("u"); told.units = id("units").value; told.si = document.querySelector("#poses td.number").textContent; key("u");
+  key("d"); told.dark = document.documentElement.dataset.theme;
+  await wait(200);
+
+  // A cursor on a plot moves the mechanism, the mechanism moves the line on all plots.
+  const over = plots.list[0].u.over, box = over.getBoundingClientRect();
+  over.dispatchEvent(new PointerEvent("pointermove", { clientX: box.left + box.width / 2, clientY: box.top + 20, pointerType: "mouse", bubbles: true }));
+  told.hovered = player.row;
+  scrub(linkdyn.rows - 1);
+  told.lines = plots.list.map((plot) => parseFloat(plot.line.style.left) / plot.u.over.clientWidth);
+
+  // Zoom, and the driver's value as abscissa.
+  plots.setZoom([0.2, 0.4]);
+  await wait(100);
+  told.zoomed = plots.list.map((plot) => [plot.u.scales.x.min, plot.u.scales.x.max]);
+  id("unzoom").click();
+  id("abscissa").value = "1"; id("abscissa").dispatchEvent(new Event("change"));
+  await wait(200);
+  told.across = [plots.list[0].u.scales.x.min, plots.list[0].u.scales.x.max];
+  const bare = picture();
+  id("arrows").click();
+  told.arrows = picture() !== bare;
+  answer(told);
+})();
