@@ -196,6 +196,23 @@ fn panels_and_legends_follow_units_and_runs() {
 }
 
 #[test]
+fn events_are_marked_where_they_are() {
+    let scratch = Scratch::new("events");
+    scratch.done(&["run", "lock", "--set", "analysis.sample.step=5 deg", "-o", "lock"]);
+    let rest = ["--y", "link2.angle", "--events", "-o", "a.svg", "--x-range", "100:130"];
+    scratch.done(&[&["plot", "lock", "--x", "driver.motor.value", "--x-unit", "deg"], rest.as_slice()].concat());
+    let svg = scratch.text("a.svg");
+    let document = Document::parse(&svg).expect("XML");
+    let [slope, start] = axis(&document, 0);
+    let [mark] = of_class(&document, "mark")[..] else { panic!("one mark") };
+    let place = start + slope * points(mark)[0][0];
+    assert!((place - 117.512_207).abs() < 1e-3, "{place}");
+    assert_eq!(label(of_class(&document, "mark-label")[0]), "change point");
+    scratch.done(&["plot", "lock", "--y", "link2.angle", "--events", "-o", "b.svg"]);
+    assert!(scratch.text("b.svg").contains("class=\"mark\""), "over time, too");
+}
+
+#[test]
 fn what_can_not_be_drawn_is_told() {
     let scratch = Scratch::new("refused");
     scratch.write("r.csv", "time[s],crank.omega[rad/s],crank.x[m],what[m]\n0,1,2,no\n1,2,3,no\n");

@@ -3,16 +3,20 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use serde_json::Value;
 
 use super::page::{Page, count, number};
-use super::plot_units::{Units, quantity_words};
+use super::plot_units::{Units, convert_one, quantity_words};
 use super::results::{Results, extension, write_file};
 use super::{BadInput, Exit, print};
 use crate::figure::{Axis, Chart, Curve, Mark, POINTS_PER_MM, Panel, raster, svg};
 use crate::output::read::ReadColumn;
+use crate::output::trajectory::TIME;
 
 /// Most values that are drawn, all curves together.
 const MOST_VALUES: usize = 50_000_000;
+/// Events of a run that are marked, at most.
+const MOST_EVENTS: usize = 200;
 
 #[derive(Debug, Args)]
 #[command(after_help = PLOT_HELP)]
@@ -68,6 +72,9 @@ pub struct Options {
     /// Thin vertical line at X, with a text; may be given more than once
     #[arg(long, value_name = "X[=TEXT]", allow_hyphen_values = true, value_parser = mark)]
     mark: Vec<Mark>,
+    /// Thin vertical lines at change points and other events of the runs, over time or a driver's value
+    #[arg(long)]
+    events: bool,
     #[command(flatten)]
     page: PageOptions,
 }
@@ -195,6 +202,12 @@ fn chart(options: &Options, runs: &[Results]) -> Result<(Chart, Vec<String>), Ba
         }
     }
     let (x_name, x_unit) = x_column.unwrap_or_default();
+    let mut marks = options.mark.clone();
+    if options.events {
+        marks.extend(runs.iter().flat_map(|run| event_marks(run, &x_name, &x_unit)));
+        marks.sort_by(|a, b| a.x.total_cmp(&b.x));
+        marks.dedup();
+    }
     let mut chart = Chart {
         title: options.title.clone(),
         note: options.note.clone(),
@@ -205,7 +218,7 @@ fn chart(options: &Options, runs: &[Results]) -> Result<(Chart, Vec<String>), Ba
             range: options.x_range,
         },
         panels: Vec::new(),
-        marks: options.mark.clone(),
+        marks,
         grid: options.grid,
         size_mm: options.page.size.map_or([options.page.width, options.page.height], |[w, h]| [Some(w), Some(h)]),
         font_size: options.page.font_size,
@@ -213,6 +226,24 @@ fn chart(options: &Options, runs: &[Results]) -> Result<(Chart, Vec<String>), Ba
     };
     fill_panels(&mut chart, options, runs, found)?;
     Ok((chart, units.unused()))
+}
+
+/// Events that a run's summary tells of, where the x axis has a place for them.
+fn event_marks(run: &Results, x_name: &str, x_unit: &str) -> Vec<Mark> {
+    let events = run.summary.as_ref().and_then(|summary| summary.get("events")?.as_array());
+    let column = run.table.columns.iter().find(|column| column.name == x_name);
+    let (Some(events), Some(column)) = (events, column) else { return Vec::new() };
+    let driver = x_name.strip_prefix("driver.").and_then(|name| name.strip_suffix(".value"));
+    let mark = |event: &Value| -> Option<Mark> {
+        let x = match driver {
+            None if x_name == TIME => event.get("time")?.as_f64()?,
+            Some(driver) if event.get("driver")?.as_str()? == driver => event.get("value")?.as_f64()?,
+            None | Some(_) => return None,
+        };
+        let label = event.get("type")?.as_str()?.replace('_', " ");
+        Some(Mark { x: convert_one(x, &column.unit, x_unit)?, label })
+    };
+    events.iter().take(MOST_EVENTS).filter_map(mark).collect()
 }
 
 /// Names of the columns to draw, in order, each once.

@@ -87,6 +87,11 @@ fn convert(values: &[f64], column: &ReadColumn, wanted: &Wanted) -> Option<(Stri
     Some((wanted.text.clone(), values.collect()))
 }
 
+/// A number in another unit; the same where the units are.
+pub fn convert_one(value: f64, from: &str, to: &str) -> Option<f64> {
+    if from == to { Some(value) } else { Unit::parse(from).ok()?.convert(value, Unit::parse(to).ok()?) }
+}
+
 /// What a result column's last word stands for.
 pub fn quantity_words(quantity: &str) -> &str {
     match quantity {

@@ -258,7 +258,7 @@ fn marks(chart: &Chart, x_scale: &Scale, [top, bottom]: [f64; 2], scene: &mut Sc
     let mut free = 0.0;
     for mark in &chart.marks {
         let Some(x) = x_scale.place(mark.x).filter(|x| (x_scale.start..=x_scale.end).contains(x)) else { continue };
-        let pen = Pen { ink: MARK_INK, width: 0.5, dash: &[1.0, 1.0] };
+        let pen = Pen { ink: MARK_INK, width: 0.5, dash: &[2.0, 2.0] };
         scene.line("mark", [[x, top], [x, bottom]], pen);
         let text = font::fit(&printable(&mark.label), size, scene.width - 2.0 * EDGE * em);
         let half = font::width(&text, size) / 2.0;

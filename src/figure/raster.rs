@@ -85,7 +85,7 @@ fn fill(pixmap: &mut Pixmap, path: Option<&Path>, ink: Option<Ink>, view: Transf
 
 fn stroke(pixmap: &mut Pixmap, path: Option<Path>, pen: Option<Pen>, view: Transform) {
     if let (Some(path), Some(pen)) = (path, pen) {
-        let dash = StrokeDash::new(pen.dash.iter().map(|length| *length as f32).collect(), 0.0);
+        let dash = StrokeDash::new(pen.dash.iter().map(|length| (*length * pen.width) as f32).collect(), 0.0);
         let line_join = tiny_skia::LineJoin::Round;
         let stroke = Stroke { width: pen.width as f32, dash, line_join, ..Stroke::default() };
         pixmap.stroke_path(&path, &paint(pen.ink), &stroke, view, None);

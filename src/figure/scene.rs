@@ -34,7 +34,7 @@ pub struct Pen {
     pub ink: Ink,
     /// [pt]
     pub width: f64,
-    /// Lengths of dashes and gaps in turn [pt]; empty: solid.
+    /// Lengths of dashes and gaps in turn, in widths of the line; empty: solid.
     pub dash: &'static [f64],
 }
 

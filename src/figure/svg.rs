@@ -108,7 +108,7 @@ fn stroke(pen: Option<Pen>) -> String {
     let Some(Pen { ink, width, dash }) = pen else { return String::new() };
     let mut text = format!(" stroke=\"{}\" stroke-width=\"{}\"{}", colour(ink), number(width), opacity("stroke", ink));
     if !dash.is_empty() {
-        let dash: Vec<String> = dash.iter().map(|length| number(*length)).collect();
+        let dash: Vec<String> = dash.iter().map(|length| number(*length * width)).collect();
         let _ = write!(text, " stroke-dasharray=\"{}\"", dash.join(" "));
     }
     text

@@ -83,7 +83,7 @@ pub fn block(scene: &mut Scene, [x, y]: Place, [u, v]: [f64; 2], bar: f64, pen: 
 
 /// A wheel by its pitch circle, with a spoke that shows how it turns.
 pub fn wheel(scene: &mut Scene, [x, y]: Place, radius: f64, angle: f64, pen: Pen) {
-    scene.circle("wheel", [x, y], radius, None, Some(Pen { dash: &[5.0, 1.5, 1.0, 1.5], ..pen }));
+    scene.circle("wheel", [x, y], radius, None, Some(Pen { dash: &[8.0, 2.5, 1.5, 2.5], ..pen }));
     scene.line("spoke", [[x, y], [x + radius * angle.cos(), y + radius * angle.sin()]], pen);
 }
 
