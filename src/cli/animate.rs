@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::measures::{dpi, number_within};
 use super::open;
 use super::page::{Page, number};
 use super::results::{Results, extension, write_file};
@@ -140,11 +141,6 @@ fn film_of(options: &Options, mechanism: &Mechanism) -> Result<(Vec<u8>, String)
     Ok((film.finish()?, about))
 }
 
-fn number_within(text: &str, [low, high]: [f64; 2]) -> Result<f64, String> {
-    let value = text.trim().parse::<f64>().ok().filter(|value| (low..=high).contains(value));
-    value.ok_or_else(|| format!("a number from {low} to {high} is wanted"))
-}
-
 fn width(text: &str) -> Result<f64, String> {
     number_within(text, [40.0, 4000.0])
 }
@@ -156,8 +152,4 @@ fn fps(text: &str) -> Result<f64, String> {
 
 fn duration(text: &str) -> Result<f64, String> {
     number_within(text, [0.1, 600.0])
-}
-
-fn dpi(text: &str) -> Result<f64, String> {
-    number_within(text, [36.0, 2400.0])
 }

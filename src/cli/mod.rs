@@ -5,6 +5,7 @@
 mod animate;
 mod check;
 mod interrupt;
+mod measures;
 mod models;
 mod modes;
 mod open;

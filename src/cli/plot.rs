@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use serde_json::Value;
 
+use super::measures::{dpi, line_width, mark, millimetres, points, range, size};
 use super::page::{Page, count, number};
 use super::plot_units::{Units, convert_one, quantity_words};
 use super::results::{Results, extension, write_file};
@@ -43,10 +44,10 @@ pub struct Options {
     #[arg(long, value_name = "TEXT")]
     label: Vec<String>,
     /// Text above the axes
-    #[arg(long, value_name = "TEXT", default_value = "")]
+    #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true)]
     title: String,
     /// Small text below the axes
-    #[arg(long, value_name = "TEXT", default_value = "")]
+    #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true)]
     note: String,
     /// Name of the x axis
     #[arg(long, value_name = "TEXT")]
@@ -348,46 +349,4 @@ fn run_labels(options: &Options, runs: &[Results]) -> Vec<String> {
     let by_path: Vec<String> = runs.iter().map(|run| run.path.display().to_string()).collect();
     let numbered = || by_path.iter().enumerate().map(|(i, path)| format!("{} {path}", i + 1)).collect();
     [by_file, by_model, by_path.clone()].into_iter().find(is_distinct).unwrap_or_else(numbered)
-}
-
-fn range(text: &str) -> Result<[f64; 2], String> {
-    let numbers = text.split_once(':').map(|(a, b)| (a.trim().parse::<f64>(), b.trim().parse::<f64>()));
-    match numbers {
-        Some((Ok(low), Ok(high))) if low.is_finite() && high.is_finite() && low < high => Ok([low, high]),
-        Some((Ok(_), Ok(_))) => Err("the first number must be less than the second".into()),
-        Some(_) | None => Err("two numbers are wanted, such as -50:125".into()),
-    }
-}
-
-fn mark(text: &str) -> Result<Mark, String> {
-    let (x, label) = text.split_once('=').unwrap_or((text, ""));
-    let x = x.trim().parse::<f64>().ok().filter(|x| x.is_finite());
-    let x = x.ok_or("a number is wanted, with or without a text, such as 117.5=\"change point\"")?;
-    Ok(Mark { x, label: label.to_string() })
-}
-
-fn number_within(text: &str, [low, high]: [f64; 2]) -> Result<f64, String> {
-    let value = text.trim().parse::<f64>().ok().filter(|value| (low..=high).contains(value));
-    value.ok_or_else(|| format!("a number from {low} to {high} is wanted"))
-}
-
-fn millimetres(text: &str) -> Result<f64, String> {
-    number_within(text, [20.0, 2000.0])
-}
-
-fn size(text: &str) -> Result<[f64; 2], String> {
-    let sides = text.split_once(['x', 'X', '×']).ok_or("width x height is wanted, such as 88x60")?;
-    Ok([millimetres(sides.0)?, millimetres(sides.1)?])
-}
-
-fn points(text: &str) -> Result<f64, String> {
-    number_within(text, [3.0, 72.0])
-}
-
-fn line_width(text: &str) -> Result<f64, String> {
-    number_within(text, [0.1, 20.0])
-}
-
-fn dpi(text: &str) -> Result<f64, String> {
-    number_within(text, [36.0, 2400.0])
 }
