@@ -140,6 +140,7 @@ fn large(bodies: usize, rows: usize, name: impl Fn(usize) -> String) -> String {
         settings: &settings,
         report: &report,
         trajectory: &table,
+        drawing: serde_json::Value::Null,
         load: stage,
         write: stage,
     };
