@@ -1406,6 +1406,19 @@ proptest! {
     }
 
     #[test]
+    fn no_expression_makes_it_panic(
+        one in "[-+*/^(),.0-9a-e πµ°²=]{0,24}", two in "([-+*/^(,]|sin\\(|min\\(|sqrt\\(|a|b|pi|2|0\\.5|3 mm|1e3 N/m|\\)| ){0,12}"
+    ) {
+        let mut model: serde_json::Value = serde_json::from_str(BASE).unwrap();
+        model["parameters"] = serde_json::json!({ "a": "2 mm", "b": format!("={two}"), "c": format!("={one}") });
+        model["bodies"]["rocker"]["points"]["B"] = serde_json::json!([format!("={one}"), format!("={two}")]);
+        survives(model.to_string().as_bytes());
+        if let Ok(loaded) = model::load(model.to_string().as_bytes(), &[]) {
+            prop_assert!(loaded.model.bodies["rocker"].points["B"].iter().all(|value| value.is_finite()));
+        }
+    }
+
+    #[test]
     fn no_set_makes_it_panic(set in "[a-z.\\[\\]=0-9{}\": ]{0,40}", path in "(joints|bodies|analysis|units)(\\.[a-e]|\\[[0-2]\\]){0,4}=") {
         for set in [set.clone(), path + &set] {
             let _ = model::load(BASE.as_bytes(), &[set]);
