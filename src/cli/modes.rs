@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 use std::path::PathBuf;
+use std::time::Instant;
 
 use clap::Args;
 use serde_json::{Value, json};
@@ -42,7 +43,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let opened = options.model.open()?;
     let directory = options.output.as_deref().map(Directory::open).transpose()?;
     let control = Control { interrupted: interrupt::watch(), ..Control::default() };
-    let line = Line::start(&opened.name, || None);
+    let line = Line::start(Instant::now(), &opened.name, || None);
     let found = analysis::modes(&opened.loaded.model, options.pose, &control);
     drop(line);
     let mut found = found.map_err(|complaints| opened.bad_input(complaints))?;

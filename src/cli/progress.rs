@@ -21,8 +21,8 @@ const LABEL: usize = 28;
 pub struct Line(Option<(Sender<()>, JoinHandle<()>)>);
 
 impl Line {
-    /// Begins to look at `share` (from 0 to 1, none where nobody can tell).
-    pub fn start(label: &str, share: impl Fn() -> Option<f64> + Send + 'static) -> Self {
+    /// Begins to look at `share` (from 0 to 1, none where nobody can tell) of a command that began at `since`.
+    pub fn start(since: Instant, label: &str, share: impl Fn() -> Option<f64> + Send + 'static) -> Self {
         let dumb = std::env::var_os("TERM").is_some_and(|name| name == "dumb");
         if dumb || !io::stderr().is_terminal() {
             return Line(None);
@@ -30,12 +30,12 @@ impl Line {
         let label: String = plain(label).chars().take(LABEL).collect();
         let (sender, receiver) = mpsc::channel();
         let draw = move || {
-            let started = Instant::now();
             let mut shown = String::new();
-            let mut wait = PATIENCE;
+            // a late part of a long command does not flicker either
+            let mut wait = PATIENCE.saturating_sub(since.elapsed()).max(INTERVAL);
             while receiver.recv_timeout(wait) == Err(RecvTimeoutError::Timeout) {
                 wait = INTERVAL;
-                let text = render(&label, share(), started.elapsed());
+                let text = render(&label, share(), since.elapsed());
                 if text != shown {
                     put(&text, shown.chars().count());
                     shown = text;

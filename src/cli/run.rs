@@ -34,7 +34,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let model = &opened.loaded.model;
     let control = Control { deadline: deadline(model, started), interrupted: interrupt::watch(), ..Control::default() };
     let progress = control.progress.clone();
-    let line = Line::start(&opened.name, move || progress.share());
+    let line = Line::start(started, &opened.name, move || progress.share());
     let outcome = analysis::run(model, &control);
     drop(line);
     let mut outcome = outcome.map_err(|complaints| opened.bad_input(complaints))?;

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
+use std::time::Instant;
 
 use clap::Args;
 
@@ -24,6 +25,7 @@ pub struct Options {
 
 /// Runs the cases and tells.
 pub fn execute(options: &Options) -> Result<Exit, BadInput> {
+    let started = Instant::now();
     let cases = choose(CASES, &options.cases)?;
     if let Some(output) = &options.output {
         Directory::open(output)?;
@@ -38,7 +40,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         let mut page = Page::default();
         page.line(format!("{}: {}", case.name, case.about()));
         let share = index as f64 / whole as f64;
-        let line = Line::start(case.name, move || Some(share));
+        let line = Line::start(started, case.name, move || Some(share));
         let report = case.run(options.output.as_deref(), &control);
         drop(line);
         match report {
