@@ -88,7 +88,7 @@ pub enum NormalLaw {
     Radzimovsky,
     /// Cylinder in cylinder, δ(F) logarithmic (Dubowsky and Freudenstein 1971).
     DubowskyFreudenstein,
-    /// Cylinder in cylinder, explicit fit (Pereira et al. 2014).
+    /// Cylinder in cylinder, explicit fit (Pereira et al. 2015).
     Pereira,
 }
 

@@ -99,7 +99,8 @@ impl Law {
         }
         match *self {
             Law::Hertz { stiffness, exponent } | Law::Dissipative { stiffness, exponent, .. } => {
-                stiffness * penetration.powf(exponent + 1.0) / (exponent + 1.0)
+                let force = stiffness * penetration * power(penetration, exponent - 1.0);
+                force * penetration / (exponent + 1.0)
             }
             Law::KelvinVoigt { stiffness, .. } => 0.5 * stiffness * penetration * penetration,
             Law::Cylindrical { elastic, .. } => elastic.energy(penetration),
@@ -118,9 +119,7 @@ impl Law {
     fn elastic(&self, penetration: f64) -> (f64, f64) {
         match *self {
             Law::Hertz { stiffness, exponent } | Law::Dissipative { stiffness, exponent, .. } => {
-                // Hertz's exponent is worth its own branch: a root costs a tenth of a power.
-                let power = if exponent == 1.5 { penetration.sqrt() } else { penetration.powf(exponent - 1.0) };
-                let slope = stiffness * power;
+                let slope = stiffness * power(penetration, exponent - 1.0);
                 (slope * penetration, slope * exponent)
             }
             Law::KelvinVoigt { stiffness, .. } => (stiffness * penetration, stiffness),
@@ -132,6 +131,11 @@ impl Law {
 /// 1 + χ δ̇/δ̇₀; without an approach nothing can be said of the loss.
 fn loss_factor(hysteresis: f64, rate: f64, approach: f64) -> f64 {
     if approach > 0.0 { 1.0 + hysteresis / approach * rate } else { 1.0 }
+}
+
+/// xⁿ, for Hertz's exponent by the root, which is rounded alike everywhere.
+fn power(x: f64, n: f64) -> f64 {
+    if n == 0.5 { x.sqrt() } else { x.powf(n) }
 }
 
 #[cfg(test)]
