@@ -5,8 +5,7 @@ use crate::error::Complaint;
 use crate::graph::Topology;
 use crate::output::{Mobility, Status};
 use crate::solve::closing::{Closed, close, close_weighted, least_velocity};
-use crate::solve::rank::{DEPENDENCE_TOLERANCE, RankReport, SparseRows, independent_rows};
-use crate::solve::redundancy::free_directions;
+use crate::solve::rank::{DEPENDENCE_TOLERANCE, RankReport, SparseRows, free_direction, independent_rows};
 use crate::system::{Block, Evaluation, Inputs, Origin, System};
 
 /// An assembled mechanism.
@@ -74,12 +73,12 @@ fn scaled_rows(system: &System, values: &[f64], rows: usize) -> SparseRows {
     }
 }
 
-/// Directions in which nothing holds the mechanism at `q`, scaled.
-fn free(system: &System, q: &[f64], inputs: &Inputs, independent: &[usize]) -> Vec<Vec<f64>> {
+/// A direction in which nothing holds the mechanism at `q`, scaled; see [`free_direction`].
+fn free(system: &System, q: &[f64], inputs: &Inputs) -> Option<Vec<f64>> {
     let mut evaluation = Evaluation::new(system);
     evaluation.set_position(q);
     evaluation.eval_jacobian(system, inputs);
-    free_directions(&scaled_rows(system, &evaluation.jacobian, system.m()), independent)
+    free_direction(&scaled_rows(system, &evaluation.jacobian, system.m()), DEPENDENCE_TOLERANCE)
 }
 
 /// Grübler's count and the count by rank, with the joints that are redundant.
@@ -209,7 +208,7 @@ fn gap_text(system: &System, closed: &Closed) -> String {
         Some((cycle, gap)) => {
             let names: Vec<&str> = cycle.joints.iter().map(|&joint| system.joints[joint].name.as_str()).collect();
             let gap = length_text(gap * system.size);
-            format!("the loop {} does not close; it lacks {gap} at the best position found", names.join(" – "))
+            format!("the loop {} does not close; it lacks {gap} at the best position found", listed(&names, " – "))
         }
         None => {
             let worst = (0..system.joints.len()).max_by(|&a, &b| gap(a).total_cmp(&gap(b)));
@@ -241,19 +240,19 @@ fn conflicting(system: &System, inputs: &Inputs) -> String {
     if names.is_empty() {
         names = system.initial.iter().map(|block| system.origin_name(&block.origin)).collect();
     }
-    let who = names.join(" and ");
+    let who = listed(&names, " and ");
     format!("can't assemble: {who} can't be met together with the joints and drivers; leave out one, or change it")
 }
 
 fn over_driven(system: &System, freedom: usize) -> Complaint {
-    let names: Vec<String> = system.drivers.iter().map(|d| format!("\"{}\"", d.name)).collect();
+    let names = quoted(system.drivers.iter().map(|driver| driver.name.as_str()));
     Complaint::new(
         "drivers",
         format!(
             "too many drivers: the joints leave {freedom} degree{} of freedom, and there are {} drivers ({})",
             if freedom == 1 { "" } else { "s" },
-            names.len(),
-            names.join(", ")
+            system.drivers.len(),
+            names
         ),
     )
     .hint("take drivers out until their number is that of the degrees of freedom")
@@ -284,15 +283,15 @@ pub fn check_driven(system: &System, assembled: &Assembled, inputs: &Inputs) -> 
         return Ok(());
     }
     // A loss of rank may be the position's alone: look from a little beside it.
-    let directions = free(system, &assembled.q, inputs, &assembled.all.independent);
-    let beside = nudged(system, assembled, &directions, inputs);
+    let direction = free(system, &assembled.q, inputs).unwrap_or_default();
+    let beside = nudged(system, assembled, &direction, inputs);
     let (joints, all) = beside.map_or((assembled.joints.clone(), assembled.all.clone()), |q| ranks(system, &q, inputs));
     let freedom = n - joints.rank;
     if system.drivers.len() > freedom {
         return Err(Stop::Input(vec![over_driven(system, freedom)]));
     }
     if all.rank < n {
-        return Err(Stop::Input(vec![under_driven(system, freedom, &directions)]));
+        return Err(Stop::Input(vec![under_driven(system, freedom, &direction)]));
     }
     Err(Stop::failed(
         Status::Singular,
@@ -303,8 +302,7 @@ pub fn check_driven(system: &System, assembled: &Assembled, inputs: &Inputs) -> 
 }
 
 /// A position a little beside, along a null direction of all rows, with the joints closed again.
-fn nudged(system: &System, assembled: &Assembled, directions: &[Vec<f64>], inputs: &Inputs) -> Option<Vec<f64>> {
-    let direction = directions.first()?;
+fn nudged(system: &System, assembled: &Assembled, direction: &[f64], inputs: &Inputs) -> Option<Vec<f64>> {
     let joints: Vec<&Block> = system.blocks.iter().filter(|b| matches!(b.origin, Origin::Joint(_))).collect();
     beside(system, &assembled.q, direction, &joints, inputs)
 }
@@ -335,24 +333,35 @@ pub fn is_singular_start(system: &System, assembled: &Assembled, motions: &[f64]
     })
 }
 
-fn under_driven(system: &System, freedom: usize, directions: &[Vec<f64>]) -> Complaint {
-    let moving: Vec<String> = system
-        .bodies
-        .iter()
-        .enumerate()
-        .filter(|(k, _)| directions.iter().any(|z| z[3 * k..3 * k + 3].iter().any(|z| z.abs() > MOVES)))
-        .map(|(_, body)| format!("\"{}\"", body.name))
-        .collect();
+fn under_driven(system: &System, freedom: usize, direction: &[f64]) -> Complaint {
+    let moves = |k: usize| direction.iter().skip(3 * k).take(3).any(|z| z.abs() > MOVES);
+    let moving = system.bodies.iter().enumerate().filter(|(k, _)| moves(*k)).map(|(_, body)| body.name.as_str());
     let drivers = system.drivers.len();
     Complaint::new(
         "drivers",
         format!(
             "too few drivers: the joints leave {freedom} degree{} of freedom, {drivers} driven; {} can still move",
             if freedom == 1 { "" } else { "s" },
-            moving.join(", ")
+            quoted(moving)
         ),
     )
     .hint("drive what is free, or hold it by a joint")
+}
+
+/// Names that a message lists before it only counts them.
+const MOST_NAMES: usize = 12;
+
+/// `"a", "b", "c"`, as many as anybody reads.
+pub fn quoted<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    let names: Vec<String> = names.map(|name| format!("\"{name}\"")).collect();
+    listed(&names, ", ")
+}
+
+/// Names with something between them, as many as anybody reads.
+pub fn listed<S: AsRef<str>>(names: &[S], between: &str) -> String {
+    let first: Vec<&str> = names.iter().take(MOST_NAMES).map(AsRef::as_ref).collect();
+    let text = first.join(between);
+    if names.len() > MOST_NAMES { format!("{text}{between}and {} more", names.len() - MOST_NAMES) } else { text }
 }
 
 /// Initial velocities that miss the constraints by more than this [1/s] conflict with them: values written with eight

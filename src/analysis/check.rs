@@ -1,11 +1,12 @@
 //! Diagnosis of a model without running it.
 
 use super::Stop;
-use super::assembly::{assemble, check_driven, topology};
+use super::assembly::{assemble, check_driven, listed, topology};
 use crate::error::Complaint;
-use crate::model::{AnalysisKind, GROUND, JointKind, Model};
+use crate::math::Vec2;
+use crate::model::{AnalysisKind, ClearanceModel, ForceKind, GROUND, JointKind, Model, PointRef, Pose};
 use crate::output::{Mobility, Status};
-use crate::system::{Evaluation, Inputs, compile::compile};
+use crate::system::{Evaluation, Inputs, System, compile::compile};
 
 /// What `check` finds.
 #[derive(Debug, Clone, Default)]
@@ -19,14 +20,41 @@ pub struct Check {
     pub joints: usize,
     /// Each as the names of its joints.
     pub loops: Vec<String>,
+    /// The bodies that each loop goes through, ground left out.
+    pub loop_bodies: Vec<Vec<String>>,
     pub mobility: Mobility,
+    /// What the mobility means for each analysis, in a sentence.
+    pub words: String,
     /// Largest constraint residual after assembly, divided by the mechanism's size [–].
     pub assembly_residual: f64,
     /// What each analysis that can't be run lacks; an analysis that is not listed can be run.
     pub missing: Vec<(AnalysisKind, Vec<String>)>,
+    /// The data among that, by what is missing.
+    pub lacks: Vec<Lack>,
+    /// Allowed, and yet probably a slip.
+    pub suspicious: Vec<Complaint>,
     pub warnings: Vec<String>,
     /// Faults of the model that do not keep it from being read (exit status 1).
     pub faults: Vec<String>,
+}
+
+/// Bodies that lack the same data.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Lack {
+    pub bodies: Vec<String>,
+    /// `mass`, `inertia`.
+    pub keys: Vec<&'static str>,
+    /// The analyses that need it.
+    pub analyses: Vec<AnalysisKind>,
+}
+
+/// Why a motion is not prescribed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum Undriven {
+    TooFew(String),
+    TooMany(String),
+    /// Nothing can start from here.
+    Singular(String),
 }
 
 /// Diagnoses a model.
@@ -41,6 +69,7 @@ pub fn check(model: &Model) -> Result<Check, Vec<Complaint>> {
         bodies: system.bodies.len(),
         joints: system.joints.len(),
         loops: topology.loop_names(&names),
+        loop_bodies: topology.loops().iter().map(|one| moving_names(&system, &one.bodies)).collect(),
         ..Check::default()
     };
     check.mobility.grubler = topology.mobility();
@@ -48,7 +77,7 @@ pub fn check(model: &Model) -> Result<Check, Vec<Complaint>> {
     let unheld: Vec<&str> =
         topology.unheld_bodies().iter().map(|&body| system.bodies[body - 1].name.as_str()).collect();
     if !unheld.is_empty() {
-        check.warnings.push(format!("nothing holds {}", unheld.join(", ")));
+        check.warnings.push(format!("nothing holds {}", listed(&unheld, ", ")));
     }
     let inputs = Inputs::at_time(&system, 0.0);
     let assembled = match assemble(&system, &inputs) {
@@ -58,6 +87,7 @@ pub fn check(model: &Model) -> Result<Check, Vec<Complaint>> {
             check.status = status;
             check.mobility = super::assembly::counted(&system);
             check.message = Some(message);
+            check.words = format!("{}; it can't be assembled", freedom_text(check.mobility.rank));
             return Ok(check);
         }
     };
@@ -69,11 +99,26 @@ pub fn check(model: &Model) -> Result<Check, Vec<Complaint>> {
     check.warnings.extend(assembled.warnings.iter().cloned());
     let undriven = match check_driven(&system, &assembled, &inputs) {
         Ok(()) => None,
-        Err(Stop::Input(complaints)) => complaints.first().map(|complaint| complaint.message.clone()),
-        Err(Stop::Failed { message, .. }) => Some(message),
+        Err(Stop::Input(complaints)) => complaints.first().map(|complaint| {
+            let message = complaint.message.clone();
+            if complaint.message.starts_with("too many") {
+                Undriven::TooMany(message)
+            } else {
+                Undriven::TooFew(message)
+            }
+        }),
+        Err(Stop::Failed { message, .. }) => Some(Undriven::Singular(message)),
     };
-    check.missing = missing(model, undriven.as_deref(), check.mobility.rank as usize);
+    check.lacks = lacks(model);
+    check.missing = missing(model, undriven.as_ref(), &check.lacks, check.mobility.rank as usize);
+    check.words = words(model, undriven.as_ref(), &check);
+    check.suspicious = turned_over(model, &system, &assembled.q);
+    check.suspicious.extend(closed_springs(model, &system, &assembled.q));
     Ok(check)
+}
+
+fn moving_names(system: &System, bodies: &[usize]) -> Vec<String> {
+    bodies.iter().filter(|&&body| body > 0).map(|&body| system.bodies[body - 1].name.clone()).collect()
 }
 
 /// The model with every clearance ideal: what is diagnosed here does not depend on it.
@@ -89,41 +134,195 @@ fn undemanding(model: &Model) -> Model {
     model
 }
 
-/// What keeps each analysis from running.
-fn missing(model: &Model, undriven: Option<&str>, freedom: usize) -> Vec<(AnalysisKind, Vec<String>)> {
-    let mut data = Vec::new();
+/// Data that bodies lack, and for what.
+fn lacks(model: &Model) -> Vec<Lack> {
+    let heavy = model.gravity.iter().any(|g| *g != 0.0);
+    let linked = model.joints.values().any(|joint| match &joint.kind {
+        JointKind::Revolute { clearance } => {
+            clearance.as_ref().is_some_and(|clearance| clearance.model == ClearanceModel::MasslessLink)
+        }
+        JointKind::Prismatic { .. } | JointKind::Slot { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => {
+            false
+        }
+    });
+    let mut lacks: Vec<Lack> = Vec::new();
     for (name, body) in model.bodies.iter().filter(|(name, _)| *name != GROUND) {
-        let keys: Vec<&str> = [("mass", body.mass.is_none()), ("inertia", body.inertia.is_none())]
-            .iter()
-            .filter(|k| k.1)
-            .map(|k| k.0)
-            .collect();
-        if !keys.is_empty() {
-            data.push(format!("{} of body \"{name}\"", keys.join(" and ")));
+        let keys = [("mass", body.mass.is_none()), ("inertia", body.inertia.is_none())];
+        let keys: Vec<&str> = keys.iter().filter(|(_, lacks)| *lacks).map(|(key, _)| *key).collect();
+        if keys.is_empty() {
+            continue;
+        }
+        if let Some(same) = lacks.iter_mut().find(|lack| lack.keys == keys) {
+            same.bodies.push(name.clone());
+            continue;
+        }
+        let statics = heavy && keys.contains(&"mass");
+        let analyses = [
+            // The direction of a massless link is that of a force.
+            (AnalysisKind::Kinematics, linked),
+            (AnalysisKind::InverseDynamics, true),
+            (AnalysisKind::Dynamics, true),
+            (AnalysisKind::Statics, statics),
+        ];
+        let analyses = analyses.into_iter().filter(|(_, needs)| *needs).map(|(kind, _)| kind).collect();
+        lacks.push(Lack { bodies: vec![name.clone()], keys, analyses });
+    }
+    lacks
+}
+
+/// The analyses that a model may be asked for.
+const ANALYSES: [AnalysisKind; 4] =
+    [AnalysisKind::Kinematics, AnalysisKind::InverseDynamics, AnalysisKind::Dynamics, AnalysisKind::Statics];
+
+/// What keeps each analysis from running.
+fn missing(
+    model: &Model,
+    undriven: Option<&Undriven>,
+    lacks: &[Lack],
+    freedom: usize,
+) -> Vec<(AnalysisKind, Vec<String>)> {
+    let of = |kind: AnalysisKind| {
+        let mut missing = Vec::new();
+        match (kind, undriven) {
+            (
+                AnalysisKind::Kinematics | AnalysisKind::InverseDynamics,
+                Some(Undriven::TooFew(text) | Undriven::TooMany(text) | Undriven::Singular(text)),
+            ) => missing.push(text.clone()),
+            (AnalysisKind::Dynamics, _) if freedom == model.drivers.len() => {
+                missing.push("every degree of freedom is driven: nothing is free to move".into());
+            }
+            (AnalysisKind::Dynamics | AnalysisKind::Statics, Some(Undriven::TooMany(text))) => {
+                missing.push(text.clone())
+            }
+            (AnalysisKind::Kinematics | AnalysisKind::InverseDynamics, None)
+            | (AnalysisKind::Assembly | AnalysisKind::Dynamics | AnalysisKind::Statics, _) => {}
+        }
+        for lack in lacks.iter().filter(|lack| lack.analyses.contains(&kind)) {
+            // At rest nothing is turned.
+            let keys = if kind == AnalysisKind::Statics { "mass".to_string() } else { lack.keys.join(" and ") };
+            missing.extend(lack.bodies.iter().map(|body| format!("{keys} of body \"{body}\"")));
+        }
+        (kind, missing)
+    };
+    ANALYSES.map(of).into_iter().filter(|(_, missing)| !missing.is_empty()).collect()
+}
+
+/// `1 degree of freedom`.
+fn freedom_text(freedom: i64) -> String {
+    match freedom {
+        0 => "no degree of freedom".into(),
+        1 => "1 degree of freedom".into(),
+        n => format!("{n} degrees of freedom"),
+    }
+}
+
+/// The analysis as a sentence calls it.
+fn spoken(kind: AnalysisKind) -> &'static str {
+    match kind {
+        AnalysisKind::Assembly => "assembly",
+        AnalysisKind::Kinematics => "kinematics",
+        AnalysisKind::InverseDynamics => "inverse dynamics",
+        AnalysisKind::Dynamics => "forward dynamics",
+        AnalysisKind::Statics => "statics",
+    }
+}
+
+/// `a`, `a and b`, `a, b and c`.
+fn and<S: AsRef<str>>(words: &[S]) -> String {
+    match words {
+        [] => String::new(),
+        [only] => only.as_ref().into(),
+        [first @ .., last] => format!("{} and {}", listed(first, ", "), last.as_ref()),
+    }
+}
+
+/// What the mobility means: `1 degree of freedom, driven by motor: kinematics and inverse dynamics are possible; …`.
+fn words(model: &Model, undriven: Option<&Undriven>, check: &Check) -> String {
+    let freedom = check.mobility.rank;
+    let drivers: Vec<&str> = model.drivers.keys().map(String::as_str).collect();
+    let count = drivers.len() as i64;
+    let mut text = freedom_text(freedom);
+    text += &match (count, freedom) {
+        (0, 0) => ", a structure: nothing in it can move".into(),
+        (0, _) => ", none driven".into(),
+        (_, _) if count > freedom => {
+            format!(" and {count} drivers, {}", and(&drivers)).replace(" 1 drivers", " 1 driver")
+        }
+        (_, _) if count < freedom => format!(", {count} driven by {}", and(&drivers)),
+        (_, _) => format!(", driven by {}", and(&drivers)),
+    };
+    let lacking = |kind: AnalysisKind| check.missing.iter().any(|(lacking, _)| *lacking == kind);
+    let possible: Vec<&str> = ANALYSES.into_iter().filter(|kind| !lacking(*kind)).map(spoken).collect();
+    text += &match possible.len() {
+        0 => ": no analysis but the assembly is possible".into(),
+        1 => format!(": {} is possible", possible[0]),
+        _ => format!(": {} are possible", and(&possible)),
+    };
+    match undriven {
+        Some(Undriven::TooFew(_)) if freedom > count => {
+            let more = if freedom - count == 1 { "1 driver".into() } else { format!("{} drivers", freedom - count) };
+            let more = if count == 0 { more } else { format!("{more} more") };
+            text += &format!("; kinematics and inverse dynamics need {more}");
+        }
+        Some(Undriven::TooMany(_)) => {
+            text += &format!("; take {} of the drivers out", (count - freedom).max(1));
+        }
+        Some(Undriven::TooFew(said) | Undriven::Singular(said)) => text += &format!("; {said}"),
+        None => {}
+    }
+    if freedom == count && freedom > 0 {
+        text += "; forward dynamics has nothing free";
+    }
+    let mut data: Vec<AnalysisKind> = check.lacks.iter().flat_map(|lack| lack.analyses.iter().copied()).collect();
+    data.retain(|kind| *kind != AnalysisKind::Dynamics || freedom != count);
+    let data: Vec<&str> = ANALYSES.into_iter().filter(|kind| data.contains(kind)).map(spoken).collect();
+    if !data.is_empty() {
+        text += &format!("; {} {} data that bodies lack", and(&data), if data.len() == 1 { "needs" } else { "need" });
+    }
+    text
+}
+
+/// Bodies that were drawn somewhere and assemble turned by more than a right angle from there.
+fn turned_over(model: &Model, system: &System, q: &[f64]) -> Vec<Complaint> {
+    let mut found = Vec::new();
+    for (body, q) in system.bodies.iter().zip(q.chunks_exact(3)) {
+        let Some(pose) = model.bodies.get(&body.name).map(|body| body.pose) else { continue };
+        let off = (q[2] - pose.angle).sin().atan2((q[2] - pose.angle).cos()).to_degrees();
+        if pose != Pose::default() && off.abs() > 90.0 {
+            let message = format!("it assembles turned by {off:.0} deg from this drawing, perhaps on the other branch");
+            let hint = "draw the pose nearer to the assembly that you want";
+            found.push(Complaint::new(format!("bodies.{}.pose", body.name), message).hint(hint));
         }
     }
-    let drive: Vec<String> = undriven.iter().map(|text| (*text).to_string()).collect();
-    let mut inverse = drive.clone();
-    inverse.extend(data.iter().cloned());
-    let mut dynamics = Vec::new();
-    if freedom == model.drivers.len() {
-        dynamics.push("every degree of freedom is driven: nothing is free to move".into());
-    }
-    dynamics.extend(data.iter().cloned());
-    let heavy = model.gravity.iter().any(|g| *g != 0.0);
-    let statics = model
-        .bodies
-        .iter()
-        .filter(|(name, body)| heavy && *name != GROUND && body.mass.is_none())
-        .map(|(name, _)| format!("mass of body \"{name}\""))
-        .collect();
-    [
-        (AnalysisKind::Kinematics, drive),
-        (AnalysisKind::InverseDynamics, inverse),
-        (AnalysisKind::Dynamics, dynamics),
-        (AnalysisKind::Statics, statics),
-    ]
-    .into_iter()
-    .filter(|(_, lacks)| !lacks.is_empty())
-    .collect()
+    found
 }
+
+/// Springs whose ends coincide at the assembled position, or belong to one body.
+fn closed_springs(model: &Model, system: &System, q: &[f64]) -> Vec<Complaint> {
+    let place = |end: &PointRef| -> Option<Vec2> {
+        let point = Vec2::from(*model.bodies.get(&end.body)?.points.get(&end.point)?);
+        let Some(k) = system.bodies.iter().position(|body| body.name == end.body) else { return Some(point) };
+        let ((sin, cos), s) = (q[3 * k + 2].sin_cos(), point + system.bodies[k].origin);
+        Some(Vec2::new(q[3 * k] + cos * s.x - sin * s.y, q[3 * k + 1] + sin * s.x + cos * s.y))
+    };
+    let mut found = Vec::new();
+    for (name, force) in &model.forces {
+        let ForceKind::Spring { between, .. } = &force.kind else { continue };
+        let path = format!("forces.{name}.between");
+        if between[0].body == between[1].body {
+            let message = format!("both ends are on {:?}: the spring moves nothing", between[0].body);
+            found.push(Complaint::new(path, message).hint("a spring acts between two bodies"));
+            continue;
+        }
+        let (Some(first), Some(second)) = (place(&between[0]), place(&between[1])) else { continue };
+        let length = (second - first).norm();
+        if length <= CLOSED * system.size {
+            let message = "the spring's ends coincide at the start: it has no direction there";
+            found.push(Complaint::new(path, message).hint("check its two points"));
+        }
+    }
+    found
+}
+
+/// A spring shorter than this times the mechanism's size has no length [–].
+const CLOSED: f64 = 1e-9;

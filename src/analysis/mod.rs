@@ -15,10 +15,12 @@ mod rows;
 mod shaking;
 pub mod statics;
 mod transmission;
+mod suspicious;
 
-pub use check::{Check, check};
+pub use check::{Check, Lack, check};
 pub use modes::{Linearised, Mode, modes};
 pub use progress::Progress;
+pub use suspicious::suspicious;
 
 use crate::error::Complaint;
 use crate::model::{AnalysisKind, Model};

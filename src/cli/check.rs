@@ -4,11 +4,15 @@ use clap::Args;
 use serde_json::{Map, Value, json};
 
 use super::open::{ModelOptions, Opened};
-use super::page::{Page, number};
+use super::page::{Page, names, number, shorten, wrapped};
 use super::summary::{analysis_words, mobility, status_words};
 use super::{BadInput, Exit, complain, print};
-use crate::analysis::{self, Check};
+use crate::analysis::{self, Check, Lack};
+use crate::model::AnalysisKind;
 use crate::output::Status;
+
+/// Width of long texts on the page.
+const WIDTH: usize = 96;
 
 #[derive(Debug, Args)]
 pub struct Options {
@@ -23,8 +27,13 @@ pub struct Options {
 pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let opened = options.model.open()?;
     let mut check = analysis::check(&opened.loaded.model).map_err(|complaints| opened.bad_input(complaints))?;
-    check.warnings.splice(0..0, opened.loaded.warnings.iter().cloned());
-    print(&if options.json { format!("{:#}\n", to_json(&opened, &check)) } else { page(&opened, &check) })?;
+    let suspicious = suspicious(&opened, &mut check);
+    check.warnings.splice(0..0, opened.loaded.warnings.iter().chain(&suspicious).cloned());
+    print(&if options.json {
+        format!("{:#}\n", to_json(&opened, &check, &suspicious))
+    } else {
+        page(&opened, &check)
+    })?;
     check.faults.iter().for_each(|fault| complain(&format!("{}: {fault}", opened.label)));
     match Exit::from(check.status) {
         Exit::Done if check.faults.is_empty() => Ok(Exit::Done),
@@ -44,16 +53,38 @@ fn page(opened: &Opened, check: &Check) -> String {
     let parts = [("moving bodies", check.bodies), ("joints", check.joints), ("drivers", model.drivers.len())];
     let parts = parts.map(|(what, n)| format!("{what} {n}"));
     page.row("parts", format!("{}, forces {}", parts.join(", "), model.forces.len()));
-    page.rows("loops", if check.loops.is_empty() { vec!["none".to_string()] } else { check.loops.clone() });
-    page.row("mobility", mobility(&check.mobility));
+    let loops = check.loops.iter().zip(&check.loop_bodies);
+    let loops: Vec<String> =
+        loops.map(|(joints, bodies)| format!("{joints}  (through {})", bodies.join(", "))).collect();
+    page.rows("loops", if loops.is_empty() { vec!["none".to_string()] } else { folded(loops) });
+    page.rows("mobility", wrapped(&check.words, WIDTH));
+    page.row("", mobility(&check.mobility));
     page.row("assembly", format!("constraint residual {}", number(check.assembly_residual, 2)));
     let parameters = &opened.loaded.parameters;
     let resolved = parameters.iter().map(|p| format!("{} = {} {}", p.name, number(p.value, 6), p.unit));
     page.rows("parameters", resolved.map(|text| text.trim_end().to_string()));
-    let missing = check.missing.iter().map(|(kind, what)| format!("{}: {}", analysis_words(*kind), what.join("; ")));
-    page.rows("missing for", missing);
-    page.rows("warnings", &check.warnings);
+    page.rows("lacking", folded(check.lacks.iter().map(lack_words).collect()));
+    page.rows("warnings", folded(check.warnings.clone()));
     page.text().to_string()
+}
+
+/// Not more texts than anybody reads, none wider than the page.
+fn folded(texts: Vec<String>) -> Vec<String> {
+    shorten(texts).iter().flat_map(|text| wrapped(text, WIDTH)).collect()
+}
+
+/// `mass and inertia of coupler, rocker: for inverse dynamics, dynamics`.
+fn lack_words(lack: &Lack) -> String {
+    let kinds: Vec<&str> = lack.analyses.iter().map(|kind| analysis_words(*kind)).collect();
+    format!("{} of {}: for {}", lack.keys.join(" and "), names(&lack.bodies), kinds.join(", "))
+}
+
+/// What looks like a slip, with its place.
+fn suspicious(opened: &Opened, check: &mut Check) -> Vec<String> {
+    let degrees = opened.loaded.document.pointer("/units/angle").and_then(Value::as_str) == Some("deg");
+    let mut found = analysis::suspicious(&opened.loaded.model, degrees);
+    found.append(&mut check.suspicious);
+    found.into_iter().map(|complaint| opened.loaded.source.place(complaint).to_string()).collect()
 }
 
 /// The first line's last word.
@@ -66,11 +97,16 @@ fn verdict(check: &Check) -> String {
 }
 
 /// The diagnosis for programs.
-fn to_json(opened: &Opened, check: &Check) -> Value {
+fn to_json(opened: &Opened, check: &Check, suspicious: &[String]) -> Value {
     let model = &opened.loaded.model;
     let parameters = opened.loaded.parameters.iter();
     let parameters = parameters.map(|p| (p.name.clone(), json!({ "value": p.value, "unit": p.unit })));
-    let missing = check.missing.iter().map(|(kind, what)| (analysis_words(*kind).replace(' ', "_"), json!(what)));
+    let words = |kind: AnalysisKind| analysis_words(kind).replace(' ', "_");
+    let missing = check.missing.iter().map(|(kind, what)| (words(*kind), json!(what)));
+    let lacks = check.lacks.iter().map(|lack| {
+        let kinds: Vec<String> = lack.analyses.iter().map(|kind| words(*kind)).collect();
+        json!({ "bodies": lack.bodies, "keys": lack.keys, "for": kinds })
+    });
     json!({
         "status": check.status.word(),
         "message": check.message,
@@ -81,7 +117,9 @@ fn to_json(opened: &Opened, check: &Check) -> Value {
         "drivers": model.drivers.len(),
         "forces": model.forces.len(),
         "loops": check.loops,
+        "loop_bodies": check.loop_bodies,
         "mobility": {
+            "words": check.words,
             "grubler": check.mobility.grubler,
             "rank": check.mobility.rank,
             "drivers": check.mobility.drivers,
@@ -90,6 +128,8 @@ fn to_json(opened: &Opened, check: &Check) -> Value {
         },
         "assembly_residual": check.assembly_residual,
         "missing": missing.collect::<Map<String, Value>>(),
+        "lacks": lacks.collect::<Vec<Value>>(),
+        "suspicious": suspicious,
         "warnings": check.warnings,
         "faults": check.faults,
     })

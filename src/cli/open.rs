@@ -68,9 +68,19 @@ impl Opened {
     }
 }
 
+/// Most complaints about one model; the rest is only counted.
+const MOST_COMPLAINTS: usize = 100;
+
 /// A line per complaint, each with the model's name.
 fn bad_input(label: &str, complaints: Vec<Complaint>) -> BadInput {
-    BadInput(complaints.iter().map(|complaint| format!("{label}: {complaint}")).collect())
+    let line = |complaint: &Complaint| format!("{label}: {complaint}");
+    // The loader's own list ends with such a count.
+    let most = if complaints.len() > MOST_COMPLAINTS + 1 { MOST_COMPLAINTS } else { complaints.len() };
+    let mut lines: Vec<String> = complaints[..most].iter().map(line).collect();
+    if complaints.len() > most {
+        lines.push(format!("{label}: and {} more faults", complaints.len() - most));
+    }
+    BadInput(lines)
 }
 
 /// The bytes of a model: of a file where there is one, else of a bundled model.

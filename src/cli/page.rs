@@ -5,6 +5,8 @@ use std::fmt::Write;
 
 /// Width of the label column.
 const LABEL_WIDTH: usize = 14;
+/// Rows of a list before the rest is only counted.
+const MOST: usize = 8;
 
 /// Lines to be printed at once.
 #[derive(Debug, Default)]
@@ -33,6 +35,25 @@ impl Page {
     pub fn text(&self) -> &str {
         &self.0
     }
+}
+
+/// The first rows, and how many there are more.
+pub fn shorten(mut rows: Vec<String>) -> Vec<String> {
+    if rows.len() > MOST + 1 {
+        let more = rows.len() - MOST;
+        rows.truncate(MOST);
+        rows.push(format!("… and {more} more"));
+    }
+    rows
+}
+
+/// The first names, and how many there are more.
+pub fn names(names: &[String]) -> String {
+    let mut text = names.iter().take(MOST + 1).map(String::as_str).collect::<Vec<_>>().join(", ");
+    if names.len() > MOST + 1 {
+        text += &format!(" and {} more", names.len() - MOST - 1);
+    }
+    text
 }
 
 /// The words of `text` in lines of `width` characters, a longer word on a line of its own; one line at least.
@@ -134,6 +155,13 @@ mod tests {
     fn tricks_are_spelt_out_and_the_rest_is_kept() {
         assert_eq!(plain("\u{1b}[31mred\n\u{202e}🔒"), "\\u{1b}[31mred\\u{a}\\u{202e}🔒");
         assert_eq!(plain("Körper \"6\" 🔒"), "Körper \"6\" 🔒");
+    }
+
+    #[test]
+    fn long_lists_are_shortened() {
+        let rows = |n: usize| (0..n).map(|i| i.to_string()).collect::<Vec<_>>();
+        assert_eq!(shorten(rows(9)).len(), 9);
+        assert_eq!(shorten(rows(20)).last().map(String::as_str), Some("… and 12 more"));
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::open::Opened;
-use super::page::{Page, count, number, seconds};
+use super::page::{Page, count, names, number, seconds, shorten};
 use super::run::Written;
 use crate::analysis::Outcome;
 use crate::model::AnalysisKind;
@@ -11,8 +11,6 @@ use crate::output::{Equilibrium, Event, Mobility, Quality, Stage, Status, Trajec
 
 /// Digits of numbers.
 const DIGITS: usize = 4;
-/// Rows of a list before the rest is only counted.
-const MOST: usize = 8;
 /// Joints with the largest forces that are shown.
 const FORCES: usize = 3;
 
@@ -60,10 +58,10 @@ pub fn mobility(mobility: &Mobility) -> String {
     let Mobility { grubler, rank, drivers, redundant, reactions_not_unique } = mobility;
     let mut text = format!("{grubler} by Grübler, {rank} by rank, {}", count(*drivers, "driver"));
     if !redundant.is_empty() {
-        text += &format!("; redundant: {}", redundant.join(", "));
+        text += &format!("; redundant: {}", names(redundant));
     }
     if !reactions_not_unique.is_empty() {
-        text += &format!("; reactions not unique: {}", reactions_not_unique.join(", "));
+        text += &format!("; reactions not unique: {}", names(reactions_not_unique));
     }
     text
 }
@@ -164,16 +162,6 @@ fn unit_words(unit: &str) -> String {
     unit.replace('*', "·").replace("^2", "²")
 }
 
-/// The first rows, and how many there are more.
-fn shorten(mut rows: Vec<String>) -> Vec<String> {
-    if rows.len() > MOST + 1 {
-        let more = rows.len() - MOST;
-        rows.truncate(MOST);
-        rows.push(format!("… and {more} more"));
-    }
-    rows
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -221,13 +209,6 @@ mod tests {
     fn efforts_and_forces_are_found_in_the_columns() {
         assert_eq!(efforts(&results()), ["motor: -2 N·m at 0 s … 12.5 N·m at 0.5 s"]);
         assert_eq!(forces(&results()), ["🔒: 10 N at 0 s", "a: 5 N at 0 s"]);
-    }
-
-    #[test]
-    fn long_lists_are_shortened() {
-        let rows = |n: usize| (0..n).map(|i| i.to_string()).collect::<Vec<_>>();
-        assert_eq!(shorten(rows(9)).len(), 9);
-        assert_eq!(shorten(rows(20)).last().map(String::as_str), Some("… and 12 more"));
     }
 
     #[test]

@@ -188,6 +188,37 @@ pub fn independent_rows(rows: &SparseRows, tolerance: f64) -> RankReport {
     report
 }
 
+/// A direction that none of the rows forbids, largest component 1, as general as such directions are: what stands still in
+/// it stands still in all of them. None where the rows determine everything.
+///
+/// With Jᵀ = L U and U regular, J x = 0 is Lᵀ x = 0: the free columns' components are chosen, the others follow from the
+/// last pivot to the first.
+pub fn free_direction(rows: &SparseRows, tolerance: f64) -> Option<Vec<f64>> {
+    let mut elimination = Elimination::new(rows);
+    for row in 0..rows.rows() {
+        if elimination.eliminate(row) > tolerance {
+            elimination.keep();
+        } else {
+            elimination.drop_row();
+        }
+    }
+    let mut coordinates = vec![0; elimination.pivot.len()];
+    let mut x = vec![0.0; rows.columns()];
+    for (column, &position) in elimination.position.iter().enumerate() {
+        if position == NONE {
+            // No two alike and none small, so that nothing cancels by chance.
+            x[column] = 0.5 + 0.5 * (column as f64 + 1.0).sin().abs();
+        } else {
+            coordinates[position as usize] = column;
+        }
+    }
+    for (k, &column) in coordinates.iter().enumerate().rev() {
+        x[column] = -elimination.lower.column(k as u32).iter().map(|l| l.value * x[l.row as usize]).sum::<f64>();
+    }
+    let largest = crate::math::max_abs(&x);
+    (largest > 0.0).then(|| x.iter().map(|x| x / largest).collect())
+}
+
 /// The triangular factors of the rows kept so far.
 struct Elimination<'a> {
     rows: &'a SparseRows,
@@ -324,6 +355,17 @@ mod tests {
     use super::super::dense::{Dense, svd_rank};
     use super::super::linkage::{self, Matrix, Random};
     use super::*;
+
+    #[test]
+    fn what_is_free_is_orthogonal_to_all_rows() {
+        let entries = [(0, 0, 1.0), (1, 1, 2.0), (2, 2, 1.0), (2, 3, 1.0), (3, 2, 2.0), (3, 3, 2.0)];
+        let rows = SparseRows::from_triplets(4, 4, &entries).expect("finite");
+        let z = free_direction(&rows, DEPENDENCE_TOLERANCE).expect("one is free");
+        assert_eq!(z[..2], [0.0, 0.0]);
+        assert!((z[2] + z[3]).abs() < 1e-15 && z[2].abs() == 1.0, "{z:?}");
+        let rows = SparseRows::from_triplets(2, 2, &[(0, 0, 1.0), (1, 0, 1.0), (1, 1, 1.0)]).expect("finite");
+        assert_eq!(free_direction(&rows, DEPENDENCE_TOLERANCE), None);
+    }
 
     fn report(matrix: &Matrix) -> RankReport {
         let rows = SparseRows::from_triplets(matrix.rows, matrix.columns, &matrix.entries).unwrap();

@@ -1,0 +1,294 @@
+//! Values that are allowed and still look like a slip: of units, of a factor of thousand, of degrees and radians.
+//!
+//! Each bound is generous: what lies beyond it is rarely meant, what lies within it may be wrong all the same.
+
+use std::f64::consts::{PI, TAU};
+
+use crate::error::Complaint;
+use crate::model::{Analysis, AnalysisKind, Body, DriverKind, ForceKind, GROUND, JointKind, Model, Motion, Value};
+use crate::system::compile::law;
+
+/// Longer links are few, and millimetres taken for metres are longer [m].
+const LONGEST: f64 = 30.0;
+/// Shorter links are few, too [m].
+const SHORTEST: f64 = 1e-6;
+/// One link of all may be this times longer or shorter than the middle one [–].
+const LENGTH_SPREAD: f64 = 200.0;
+/// One mass of all may be this times larger or smaller than the middle one [–].
+const MASS_SPREAD: f64 = 300.0;
+/// Radius of gyration against the distance of the points, squared: kg·mm² taken for kg·cm² lie within, for kg·m² do not [–].
+const INERTIA_SPREAD: f64 = 1000.0;
+/// Gravity from that of a small moon to that of a large planet [m/s²].
+const GRAVITY: [f64; 2] = [0.05, 30.0];
+/// Angles of a drawing beyond this are degrees taken for radians [rad].
+const MOST_TURNED: f64 = 4.0 * PI;
+/// Outputs per turn or period below this show another motion than there is.
+const LEAST_OUTPUTS: f64 = 8.0;
+/// How near to a fraction of π a number of degrees must be to look like radians [–].
+const NEAR_PI: f64 = 6e-4;
+
+/// What looks like a slip in the model; `degrees`: plain angles are in degrees.
+pub fn suspicious(model: &Model, degrees: bool) -> Vec<Complaint> {
+    let mut found = Vec::new();
+    lengths(model, &mut found);
+    masses(model, &mut found);
+    inertias(model, &mut found);
+    gravity(model, &mut found);
+    angles(model, degrees, &mut found);
+    clearances(model, &mut found);
+    if let Some(analysis) = &model.analysis {
+        speeds(model, analysis, &mut found);
+    }
+    found
+}
+
+/// Moving bodies with their names.
+fn moving(model: &Model) -> impl Iterator<Item = (&String, &Body)> {
+    model.bodies.iter().filter(|(name, _)| *name != GROUND)
+}
+
+/// Largest distance of two points of a body [m]; zero where it has one or none.
+fn extent(body: &Body) -> f64 {
+    let mut low = [f64::INFINITY; 2];
+    let mut high = [f64::NEG_INFINITY; 2];
+    for point in body.points.values() {
+        for axis in 0..2 {
+            low[axis] = low[axis].min(point[axis]);
+            high[axis] = high[axis].max(point[axis]);
+        }
+    }
+    if body.points.len() < 2 { 0.0 } else { (high[0] - low[0]).hypot(high[1] - low[1]) }
+}
+
+/// The middle one of some positive values.
+fn middle(mut values: Vec<f64>) -> Option<f64> {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len().checked_sub(1)? / 2).copied()
+}
+
+/// `1234 m`, `0.012 kg`.
+fn text(value: f64, unit: &str) -> String {
+    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    if (1e-3..1e6).contains(&rounded.abs()) { format!("{rounded} {unit}") } else { format!("{rounded:e} {unit}") }
+}
+
+fn lengths(model: &Model, found: &mut Vec<Complaint>) {
+    let extents: Vec<(&String, f64)> =
+        moving(model).map(|(name, body)| (name, extent(body))).filter(|(_, extent)| *extent > 0.0).collect();
+    let Some(middle) = middle(extents.iter().map(|(_, extent)| *extent).collect()) else { return };
+    let longest = extents.iter().max_by(|a, b| a.1.total_cmp(&b.1));
+    if middle > LONGEST || middle < SHORTEST {
+        let whole = if middle > LONGEST { "long" } else { "small" };
+        found.extend(longest.map(|(name, extent)| {
+            Complaint::new(
+                format!("bodies.{name}.points"),
+                format!("the bodies are very {whole}, this one {}", text(*extent, "m")),
+            )
+            .hint("check the unit of length: \"units\": { \"length\": \"mm\" } reads plain numbers as millimetres")
+        }));
+        return;
+    }
+    for (name, extent) in extents.iter().filter(|_| extents.len() > 2) {
+        let ratio = extent / middle;
+        if !(1.0 / LENGTH_SPREAD..=LENGTH_SPREAD).contains(&ratio) {
+            let than = if ratio > 1.0 { "long" } else { "short" };
+            found.push(
+                Complaint::new(
+                    format!("bodies.{name}.points"),
+                    format!("the body is {} {than}, most others are near {}", text(*extent, "m"), text(middle, "m")),
+                )
+                .hint("check its lengths and their unit"),
+            );
+        }
+    }
+}
+
+fn masses(model: &Model, found: &mut Vec<Complaint>) {
+    let masses: Vec<(&String, f64)> =
+        moving(model).filter_map(|(name, body)| Some((name, body.mass?))).filter(|(_, mass)| *mass > 0.0).collect();
+    let Some(middle) = middle(masses.iter().map(|(_, mass)| *mass).collect()) else { return };
+    for (name, mass) in masses {
+        let ratio = mass / middle;
+        if !(1.0 / MASS_SPREAD..=MASS_SPREAD).contains(&ratio) {
+            let than = if ratio > 1.0 { "heavy" } else { "light" };
+            found.push(
+                Complaint::new(
+                    format!("bodies.{name}.mass"),
+                    format!("the body is {than}, {}, where others weigh near {}", text(mass, "kg"), text(middle, "kg")),
+                )
+                .hint("check the unit: a plain mass is in kg unless \"units\" names another"),
+            );
+        }
+    }
+}
+
+fn inertias(model: &Model, found: &mut Vec<Complaint>) {
+    let size = moving(model).map(|(_, body)| extent(body)).fold(0.0, f64::max);
+    for (name, body) in moving(model) {
+        let (Some(mass), Some(inertia), Some(com)) = (body.mass, body.inertia, body.com) else { continue };
+        let radius = body.points.values().map(|p| (p[0] - com[0]).hypot(p[1] - com[1])).fold(0.0, f64::max);
+        // Without mass or inertia it is a massless rod or a point mass, and meant.
+        if mass == 0.0 || inertia == 0.0 || size == 0.0 {
+            continue;
+        }
+        let gyration = (inertia / mass).sqrt();
+        let (than, of) = if inertia * INERTIA_SPREAD < mass * radius * radius {
+            ("small", radius)
+        } else if inertia > INERTIA_SPREAD * mass * size * size {
+            ("large", size)
+        } else {
+            continue;
+        };
+        found.push(
+            Complaint::new(
+                format!("bodies.{name}.inertia"),
+                format!(
+                    "the inertia is {than}: that of the mass at {}, where the body reaches {}",
+                    text(gyration, "m"),
+                    text(of, "m")
+                ),
+            )
+            .hint("check the unit: a plain inertia is in kg*m^2 unless \"units\" names another"),
+        );
+    }
+}
+
+fn gravity(model: &Model, found: &mut Vec<Complaint>) {
+    let g = model.gravity[0].hypot(model.gravity[1]);
+    if g > 0.0 && !(GRAVITY[0]..=GRAVITY[1]).contains(&g) {
+        let message = format!("gravity is {}, that of the earth is 9.81 m/s^2", text(g, "m/s^2"));
+        found.push(Complaint::new("gravity", message).hint(
+            "a plain number is in m/s^2 whatever the unit of length; write 9.81, or its unit, as in \"9810 mm/s^2\"",
+        ));
+    }
+}
+
+fn angles(model: &Model, degrees: bool, found: &mut Vec<Complaint>) {
+    let mut look = |path: String, angle: f64| {
+        let shown = angle * 180.0 / PI;
+        // 1.5708, 0.7854 … in degrees: no drawing needs such small odd angles.
+        let fraction = [6.0, 4.0, 3.0, 2.0, 1.5, 4.0 / 3.0, 1.0, 2.0 / 3.0, 0.5].map(|part| PI / part);
+        let near = fraction.iter().any(|f| (shown.abs() - f).abs() <= NEAR_PI * f);
+        if angle.abs() > MOST_TURNED {
+            let message = format!("the angle is {}, {} turns", text(angle, "rad"), text(angle.abs() / TAU, "").trim());
+            let hint = "for degrees write \"60 deg\", or name \"angle\": \"deg\" in units";
+            found.push(Complaint::new(path, message).hint(hint));
+        } else if degrees && near {
+            let message = format!("the angle is {}, which looks like radians", text(shown, "deg"));
+            found.push(Complaint::new(path, message).hint("plain angles are in degrees here; write \"1.5708 rad\""));
+        }
+    };
+    for (name, body) in moving(model) {
+        look(format!("bodies.{name}.pose.angle"), body.pose.angle);
+    }
+    for (name, joint) in &model.joints {
+        match joint.kind {
+            JointKind::Prismatic { angle, .. } | JointKind::Fixed { angle } => {
+                look(format!("joints.{name}.angle"), angle)
+            }
+            JointKind::Revolute { .. } | JointKind::Slot { .. } | JointKind::Gear { .. } => {}
+        }
+    }
+    for (name, initial) in &model.initial {
+        if let Some(angle) = initial.angle {
+            look(format!("initial.{name}.angle"), angle);
+        }
+    }
+    for (name, driver) in &model.drivers {
+        let start = match (&driver.kind, &driver.motion) {
+            (DriverKind::Translation { .. }, _) => continue,
+            (DriverKind::Rotation { .. }, Motion::Polynomial { coefficients }) => {
+                coefficients.first().map(|start| ("coefficients[0]", *start))
+            }
+            (
+                DriverKind::Rotation { .. },
+                Motion::ConstantVelocity { start, .. } | Motion::ConstantAcceleration { start, .. },
+            ) => Some(("start", *start)),
+            (DriverKind::Rotation { .. }, Motion::Harmonic { .. } | Motion::Table { .. }) => None,
+        };
+        if let Some((key, start)) = start {
+            look(format!("drivers.{name}.motion.{key}"), start);
+        }
+    }
+}
+
+fn clearances(model: &Model, found: &mut Vec<Complaint>) {
+    for (name, joint) in &model.joints {
+        let JointKind::Revolute { clearance: Some(clearance) } = &joint.kind else { continue };
+        let Some(radius) = clearance.radius else { continue };
+        let path = format!("joints.{name}.clearance.radius");
+        if let Some(bearing) = clearance.bearing_radius.filter(|bearing| radius >= *bearing) {
+            let message = format!(
+                "the radial clearance, {}, leaves no journal in a bearing of {}",
+                text(radius, "m"),
+                text(bearing, "m")
+            );
+            found.push(Complaint::new(path, message).hint("radius is the bearing's radius minus the journal's"));
+            continue;
+        }
+        let ends = joint.between.iter().filter(|end| end.body != GROUND).filter_map(|end| model.bodies.get(&end.body));
+        let shortest = ends.map(extent).filter(|extent| *extent > 0.0).fold(f64::INFINITY, f64::min);
+        if radius >= shortest {
+            let message = format!(
+                "the radial clearance, {}, is longer than the link, {}",
+                text(radius, "m"),
+                text(shortest, "m")
+            );
+            found.push(Complaint::new(path, message).hint("check its unit: clearances are mostly some micrometres"));
+        }
+    }
+}
+
+/// Motions that go further between two outputs than they can show.
+fn speeds(model: &Model, analysis: &Analysis, found: &mut Vec<Complaint>) {
+    if matches!(analysis.kind, AnalysisKind::Assembly | AnalysisKind::Statics) {
+        return;
+    }
+    if let Some(sample) = &analysis.sample {
+        let turns = model.drivers.get(&sample.driver).is_some_and(|d| matches!(d.kind, DriverKind::Rotation { .. }));
+        let per_turn = TAU / sample.step.abs();
+        if turns && per_turn < LEAST_OUTPUTS {
+            let message = format!("{} outputs per turn show another motion than there is", text(per_turn, "").trim());
+            found.push(Complaint::new("analysis.sample.step", message).hint("take a smaller step"));
+        }
+        return;
+    }
+    let (Some(end), Some(outputs)) = (analysis.end, analysis.outputs) else { return };
+    let step = end / (outputs.max(2) - 1) as f64;
+    let mut look = |path: String, per_turn: f64, what: &str| {
+        if per_turn < LEAST_OUTPUTS {
+            let message = format!(
+                "{} outputs per {what}, one every {}: they show another motion than there is",
+                text(per_turn, "").trim(),
+                text(step, "s")
+            );
+            let enough = (LEAST_OUTPUTS / per_turn * outputs as f64).ceil().min(1e15);
+            found.push(Complaint::new(path, message).hint(format!(
+                "take \"outputs\" of {enough} or more, a shorter \"end\", or check the unit of the motion"
+            )));
+        }
+    };
+    for (name, driver) in &model.drivers {
+        let path = format!("drivers.{name}.motion");
+        if let Motion::Harmonic { frequency, .. } = &driver.motion {
+            look(path, 1.0 / (frequency.abs() * step), "period");
+        } else if matches!(driver.kind, DriverKind::Rotation { .. }) {
+            let law = law(&driver.motion);
+            let fastest = (0..=64).map(|k| law.jet(end * f64::from(k) / 64.0)[1].abs()).fold(0.0, f64::max);
+            look(path, TAU / (fastest * step), "turn");
+        }
+    }
+    for (name, force) in &model.forces {
+        let values: Vec<&Value> = match &force.kind {
+            ForceKind::Spring { free_length: value, .. }
+            | ForceKind::TorsionSpring { free_angle: value, .. }
+            | ForceKind::Torque { value, .. } => vec![value],
+            ForceKind::Load { vector, .. } => vector.iter().collect(),
+        };
+        for value in values {
+            if let Value::Motion(Motion::Harmonic { frequency, .. }) = value {
+                look(format!("forces.{name}"), 1.0 / (frequency.abs() * step), "period");
+            }
+        }
+    }
+}

@@ -1,0 +1,279 @@
+//! `linkdyn check` as a colleague: what the mobility means, what bodies lack, and what looks like a slip.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use linkdyn::bundled;
+use serde_json::{Map, Value, json};
+
+/// A file of its own, removed at the end.
+struct File(PathBuf);
+
+impl File {
+    fn new(name: &str, text: &str) -> Self {
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("check-{}-{name}.json", std::process::id()));
+        fs::write(&path, text).expect("written");
+        File(path)
+    }
+
+    fn path(&self) -> &str {
+        self.0.to_str().expect("UTF-8")
+    }
+}
+
+impl Drop for File {
+    fn drop(&mut self) {
+        let _ = fs::remove_file(&self.0);
+    }
+}
+
+/// Exit status, standard output, standard error.
+fn linkdyn(arguments: &[&str]) -> (Option<i32>, String, String) {
+    let output =
+        Command::new(env!("CARGO_BIN_EXE_linkdyn")).args(arguments).stdin(Stdio::null()).output().expect("runs");
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
+    (output.status.code(), text(output.stdout), text(output.stderr))
+}
+
+#[track_caller]
+fn checked(arguments: &[&str]) -> Value {
+    let (status, stdout, stderr) = linkdyn(&[&["check", "--json"], arguments].concat());
+    assert_eq!(status, Some(0), "{stderr}");
+    serde_json::from_str(&stdout).expect("JSON")
+}
+
+#[test]
+fn bundled_models_raise_no_alarm() {
+    for bundled in bundled::MODELS {
+        let told = checked(&[bundled.name]);
+        assert_eq!((&told["warnings"], &told["suspicious"]), (&json!([]), &json!([])), "{}", bundled.name);
+        assert_eq!(told["status"], "completed", "{}", bundled.name);
+    }
+}
+
+#[test]
+fn the_mobility_is_said_in_a_sentence() {
+    let cases: &[(&[&str], &str)] = &[
+        (
+            &["four-bar"],
+            "1 degree of freedom, driven by motor: kinematics, inverse dynamics and statics are possible; forward dynamics \
+             has nothing free",
+        ),
+        (
+            &["double-pendulum"],
+            "2 degrees of freedom, none driven: forward dynamics and statics are possible; kinematics and inverse dynamics \
+             need 2 drivers",
+        ),
+        (
+            &[
+                "double-pendulum",
+                "--set",
+                r#"drivers.m={"type":"rotation","body":"upper","motion":{"type":"constant_velocity","velocity":1}}"#,
+            ],
+            "2 degrees of freedom, 1 driven by m: forward dynamics and statics are possible; kinematics and inverse dynamics \
+             need 1 driver more",
+        ),
+        (
+            &["hoeken"],
+            "1 degree of freedom, driven by motor: kinematics and statics are possible; forward dynamics has nothing free; \
+             inverse dynamics needs data that bodies lack",
+        ),
+        (
+            &[
+                "four-bar",
+                "--set",
+                "drivers={}",
+                "--set",
+                r#"joints.weld={"type":"fixed","between":["ground.O2","crank.O2"],"angle":60}"#,
+            ],
+            "no degree of freedom, a structure: nothing in it can move: kinematics, inverse dynamics and statics are possible",
+        ),
+    ];
+    for (arguments, sentence) in cases {
+        let (_, stdout, stderr) = linkdyn(&[&["check", "--json"], *arguments].concat());
+        let told: Value = serde_json::from_str(&stdout).unwrap_or_else(|_| panic!("{arguments:?}: {stderr}"));
+        assert_eq!(told["mobility"]["words"], *sentence, "{arguments:?}");
+    }
+}
+
+#[test]
+fn loops_and_lacks_are_named() {
+    let told = checked(&["hoeken", "--set", "bodies.rocker.mass=1", "--set", "bodies.rocker.com=[0, 0]"]);
+    assert_eq!(told["loops"], json!(["a – b – c – d"]));
+    assert_eq!(told["loop_bodies"], json!([["crank", "coupler", "rocker"]]));
+    assert_eq!(
+        told["lacks"],
+        json!([
+            { "bodies": ["crank", "coupler"], "keys": ["mass", "inertia"], "for": ["inverse_dynamics", "dynamics"] },
+            { "bodies": ["rocker"], "keys": ["inertia"], "for": ["inverse_dynamics", "dynamics"] },
+        ])
+    );
+    // As it was before: each analysis with what it lacks.
+    assert_eq!(told["missing"]["inverse_dynamics"][2], "inertia of body \"rocker\"");
+}
+
+/// Millimetres as metres, degrees as radians, grams as kilograms, and more of the kind.
+const SLIPS: &str = r#"{ "format": "linkdyn/1", "units": "SI", "gravity": [0, -9810],
+  "bodies": {
+    "ground": { "points": { "O": [0, 0], "Q": [300, 0] } },
+    "crank":  { "mass": 800, "inertia": 0.001, "com": [50, 0], "points": { "O": [0, 0], "A": [100, 0] }, "pose": { "angle": 60 } },
+    "rod":    { "mass": 1, "inertia": 2000, "points": { "A": [0, 0], "B": [250, 0] }, "com": [100, 0], "pose": { "position": [50, 80] } },
+    "rocker": { "points": { "Q": [0, 0], "B": [200, 0] }, "pose": { "position": [300, 0], "angle": "90 deg" } } },
+  "joints": {
+    "a": { "type": "revolute", "between": ["ground.O", "crank.O"] },
+    "b": { "type": "revolute", "between": ["crank.A", "rod.A"], "clearance": { "model": "ideal", "radius": 2, "bearing_radius": 1 } },
+    "c": { "type": "revolute", "between": ["rod.B", "rocker.B"], "clearance": { "model": "ideal", "radius": 500 } },
+    "d": { "type": "revolute", "between": ["ground.Q", "rocker.Q"] } },
+  "drivers": { "motor": { "type": "rotation", "body": "crank", "motion": { "type": "constant_velocity", "velocity": "600 rpm", "start": "60 deg" } } },
+  "forces": {
+    "s": { "type": "spring", "between": ["crank.A", "rod.A"], "stiffness": 5, "free_length": 1 },
+    "t": { "type": "spring", "between": ["ground.O", "ground.Q"], "stiffness": 5, "free_length": 1 },
+    "u": { "type": "torque", "body": "rod", "value": { "type": "harmonic", "amplitude": 1, "frequency": 20 } } },
+  "analysis": { "type": "kinematics", "end": 1, "outputs": 61 } }
+"#;
+
+#[test]
+fn slips_are_named_with_place_and_mend() {
+    let file = File::new("slips", SLIPS);
+    let told = checked(&[file.path()]);
+    let said: Vec<&str> = told["suspicious"].as_array().expect("a list").iter().filter_map(Value::as_str).collect();
+    let wanted = [
+        r#"line 5, column 55: bodies.rod.points: the bodies are very long, this one 250 m (check the unit of length: "units": { "length": "mm" } reads plain numbers as millimetres)"#,
+        r#"line 4, column 25: bodies.crank.mass: 800: the body is heavy, 800 kg, where others weigh near 1 kg (check the unit: a plain mass is in kg unless "units" names another)"#,
+        r#"line 4, column 41: bodies.crank.inertia: 0.001: the inertia is small: that of the mass at 0.001118 m, where the body reaches 50 m (check the unit: a plain inertia is in kg*m^2 unless "units" names another)"#,
+        r#"line 1, column 52: gravity: gravity is 9810 m/s^2, that of the earth is 9.81 m/s^2 (a plain number is in m/s^2 whatever the unit of length; write 9.81, or its unit, as in "9810 mm/s^2")"#,
+        r#"line 4, column 125: bodies.crank.pose.angle: 60: the angle is 60 rad, 9.549 turns (for degrees write "60 deg", or name "angle": "deg" in units)"#,
+        r#"line 9, column 108: joints.b.clearance.radius: 2: the radial clearance, 2 m, leaves no journal in a bearing of 1 m (radius is the bearing's radius minus the journal's)"#,
+        r#"line 10, column 109: joints.c.clearance.radius: 500: the radial clearance, 500 m, is longer than the link, 200 m (check its unit: clearances are mostly some micrometres)"#,
+        r#"line 12, column 74: drivers.motor.motion: 6 outputs per turn, one every 0.01667 s: they show another motion than there is (take "outputs" of 82 or more, a shorter "end", or check the unit of the motion)"#,
+        r#"line 16, column 10: forces.u: 3 outputs per period, one every 0.01667 s: they show another motion than there is (take "outputs" of 163 or more, a shorter "end", or check the unit of the motion)"#,
+        r#"line 14, column 41: forces.s.between: the spring's ends coincide at the start: it has no direction there (check its two points)"#,
+        r#"line 15, column 41: forces.t.between: both ends are on "ground": the spring moves nothing (a spring acts between two bodies)"#,
+    ];
+    assert_eq!(said, wanted, "{said:#?}");
+    // The same among the warnings, and none of them changes the exit status.
+    assert_eq!(told["warnings"], told["suspicious"]);
+}
+
+#[test]
+fn single_slips_among_sound_values_are_found() {
+    let cases: &[(&str, &[&str], &str)] = &[
+        (
+            "hoeken",
+            &["bodies.rocker.points={\"O4\": [0, 0], \"B\": [62.5, 0], \"far\": [25000, 0]}"],
+            "the body is 25 m long, most others are near 0.0625 m",
+        ),
+        ("hoeken", &["bodies.rocker.pose.angle=1.5708"], "the angle is 1.571 deg, which looks like radians"),
+        (
+            "four-bar",
+            &["bodies.coupler.inertia=9000 kg*m^2"],
+            "the inertia is large: that of the mass at 68.82 m, where the body reaches 0.2625 m",
+        ),
+        ("four-bar", &["gravity=[0, -0.00981]"], "gravity is 0.00981 m/s^2"),
+        (
+            "four-bar",
+            &[
+                "analysis={\"type\": \"kinematics\", \"sample\": {\"driver\": \"motor\", \"from\": 60, \"to\": 420, \"step\": 60}}",
+            ],
+            "6 outputs per turn",
+        ),
+        ("four-bar", &["bodies.rocker.mass=0.001"], "the body is light, 0.001 kg, where others weigh near 0.8 kg"),
+    ];
+    for (model, sets, wanted) in cases {
+        let mut arguments = vec!["check", "--json", *model];
+        arguments.extend(sets.iter().flat_map(|set| ["--set", *set]));
+        let (_, stdout, stderr) = linkdyn(&arguments);
+        let told: Value = serde_json::from_str(&stdout).unwrap_or_else(|_| panic!("{model} {sets:?}: {stderr}"));
+        let said = told["suspicious"].as_array().expect("a list");
+        assert!(said.len() == 1 && said[0].as_str().is_some_and(|said| said.contains(wanted)), "{sets:?}: {said:#?}");
+    }
+}
+
+/// 10 000 bodies, held in chains of a hundred or not at all, with names that try everything the contract allows.
+fn hostile(count: usize, held: bool) -> Value {
+    let tricks = [
+        "🔒\u{202e}",
+        "\"'`",
+        "</script><script>alert(1)</script>",
+        "a b\u{301}",
+        "$(rm -r)",
+        "%s%n",
+        "\\",
+        "ーー",
+        "<!--",
+        "&amp;",
+    ];
+    let name = |k: usize| format!("{} {k} {}", tricks[k % tricks.len()], "long ".repeat(k % 7));
+    let (mut bodies, mut joints) = (Map::new(), Map::new());
+    bodies.insert("ground".into(), json!({ "points": { "O": [0, 0] } }));
+    for k in 0..count {
+        bodies.insert(
+            name(k),
+            json!({ "mass": 1, "inertia": 0.1, "com": [0.5, 0], "points": { "\"A\"": [0, 0], "</b>": [1, 0] },
+            "pose": { "position": [k % 100, 0] } }),
+        );
+        if held {
+            let first = if k % 100 == 0 { "ground.O".to_string() } else { format!("{}.</b>", name(k - 1)) };
+            joints.insert(
+                format!("🦾 {k}"),
+                json!({ "type": "revolute", "between": [first, format!("{}.\"A\"", name(k))] }),
+            );
+        }
+    }
+    json!({ "format": "linkdyn/1", "name": "</script>\u{202e}", "units": "SI", "gravity": [0, -9.81], "bodies": bodies, "joints": joints,
+            "analysis": { "type": "assembly" } })
+}
+
+/// Lines that a terminal shows, none endless, nothing in them that it would obey.
+#[track_caller]
+fn readable(text: &str) {
+    assert!(text.lines().count() <= 120, "{} lines", text.lines().count());
+    let widest = text.lines().map(|line| line.chars().count()).max().unwrap_or(0);
+    assert!(widest <= 1200, "a line of {widest} characters: {text}");
+    assert!(!text.contains(|c: char| c.is_control() && c != '\n' || c == '\u{202e}'), "{text}");
+}
+
+#[test]
+fn ten_thousand_bodies_with_wild_names_are_told_of_in_few_words() {
+    let started = Instant::now();
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("hostile-{}", std::process::id()));
+    for held in [true, false] {
+        let file = File::new(&format!("hostile-{held}"), &hostile(10_000, held).to_string());
+        let (status, stdout, stderr) = linkdyn(&["check", file.path()]);
+        assert_eq!(status, Some(0), "{stderr}");
+        readable(&stdout);
+        readable(&stderr);
+        let (status, stdout, stderr) = linkdyn(&["run", file.path(), "-o", folder.to_str().expect("UTF-8")]);
+        assert_eq!(status, Some(0), "{stderr}");
+        readable(&stdout);
+        let header = fs::read_to_string(folder.join("results.csv")).expect("results");
+        assert_eq!(header.lines().count(), 2);
+        // Each other end: data missing everywhere, too few drivers, a name that is not there.
+        for sets in [
+            &["--set", "analysis={\"type\": \"kinematics\", \"end\": 1, \"outputs\": 2}"][..],
+            &["--set", "points=[\"nobody.A\"]"],
+        ] {
+            let (status, stdout, stderr) = linkdyn(&[&["run", file.path()], sets].concat());
+            assert_eq!(status, Some(2), "{stderr}");
+            readable(&stdout);
+            readable(&stderr);
+        }
+    }
+    let mut bare = hostile(10_000, true);
+    for body in bare["bodies"].as_object_mut().expect("bodies").values_mut() {
+        body.as_object_mut().expect("a body").retain(|key, _| key == "points" || key == "pose");
+    }
+    bare["analysis"] = json!({ "type": "inverse_dynamics", "end": 1, "outputs": 2 });
+    let file = File::new("hostile-bare", &bare.to_string());
+    let (status, _, stderr) = linkdyn(&["run", file.path()]);
+    assert_eq!(status, Some(2), "{stderr}");
+    readable(&stderr);
+    let (status, stdout, _) = linkdyn(&["check", file.path()]);
+    assert_eq!(status, Some(0));
+    readable(&stdout);
+    let _ = fs::remove_dir_all(&folder);
+    // Some seconds on a slow machine; what grows with the square or cube of 10 000 takes minutes or hours.
+    assert!(started.elapsed() < Duration::from_secs(60), "{:?}", started.elapsed());
+}
