@@ -69,6 +69,24 @@ const CASES: &[Case] = &[
         complaints: &[r#"line 1, column 1: "format" is missing (write "format": "linkdyn/1")"#],
     },
     Case {
+        what: "a transmission to ground, and from one of two drivers",
+        edits: &[(r#""outputs": 401"#, r#""outputs": 401, "transmission": { "output": "ground" }"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 32, column 89: analysis.transmission: "driver" is missing, the model has 2 of them (name the driver from which the transmission leads)"#,
+            r#"line 32, column 101: analysis.transmission.output: "ground": ground is fixed, nothing is transmitted to it"#,
+        ],
+    },
+    Case {
+        what: "a transmission between things that are not there",
+        edits: &[(r#""outputs": 401"#, r#""outputs": 401, "transmission": { "driver": "motr", "output": "rocket" }"#)],
+        sets: &[],
+        complaints: &[
+            r#"line 32, column 101: analysis.transmission.driver: "motr": there is no driver "motr" (did you mean "motor"?)"#,
+            r#"line 32, column 119: analysis.transmission.output: "rocket": there is no body "rocket" (did you mean "rocker"?)"#,
+        ],
+    },
+    Case {
         what: "units missing",
         edits: &[("  \"units\": { \"length\": \"mm\", \"angle\": \"deg\" },\n", "")],
         sets: &[],

@@ -84,8 +84,11 @@ fn its_commands_run_as_written() {
         let output = command.output().expect("the binary runs");
         assert!(output.status.success(), "{line}: {}", String::from_utf8_lossy(&output.stderr));
         if arguments.ends_with("-o out") {
-            let files: &[&str] =
-                if arguments.starts_with("run") { &["results.csv", "summary.json"] } else { &["lock/report.md"] };
+            let files: &[&str] = if arguments.starts_with("run") {
+                &["results.csv", "summary.json", "report.html"]
+            } else {
+                &["lock/report.md"]
+            };
             for file in files {
                 assert!(scratch.join("out").join(file).exists(), "{line} leaves no {file}");
             }

@@ -193,6 +193,7 @@ fn bad_structure_satisfies_neither() {
         clearance(&json!({ "model": "ideal", "normal": { "law": "hertz", "restitution": 2 } })),
         json!({ "analysis": { "type": "statics", "outputs": 1.5 } }),
         json!({ "analysis": { "type": "statics", "end": 0 } }),
+        json!({ "analysis": { "type": "statics", "transmission": { "driver": "d" } } }),
         json!({ "analysis": { "type": "statics", "columns": [1] } }),
     ];
     for extra in bad {

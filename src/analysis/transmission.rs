@@ -56,6 +56,9 @@ pub fn transmission(
     let (Some(driver), Some(output)) = (driver, output(model, system, &wanted.output)) else {
         return Err(undetermined());
     };
+    if system.m() < system.n() {
+        return Err(undetermined());
+    }
     let columns = Columns::of(table);
     let frames: Option<Vec<Frame>> = system.bodies.iter().map(|body| Frame::of(&columns, &body.name)).collect();
     let Some(frames) = frames else { return Err(undetermined()) };

@@ -31,6 +31,8 @@ const LARGEST_SETTINGS: usize = 100_000;
 const PAGE: &str = include_str!("page.html");
 const STYLE: &str = concat!(include_str!("vendor/uPlot.min.css"), "\n", include_str!("page.css"));
 const PLOT_LIBRARY: &str = include_str!("vendor/uPlot.iife.min.js");
+/// Its licence asks to stand in every copy.
+const LICENCE: &str = include_str!("vendor/uPlot.LICENSE");
 /// In the order in which they build on each other.
 const SCRIPT: &str = concat!(
     include_str!("js/data.js"),
@@ -73,7 +75,7 @@ pub fn to_text(page: &Page) -> String {
         mechanism = escaped(&json!(Mechanism::default()).to_string());
     }
     let texts = [page.about, page.source].map(|text| escaped(&json!(text.map(cut)).to_string()));
-    let fixed = PAGE.len() + STYLE.len() + PLOT_LIBRARY.len() + SCRIPT.len();
+    let fixed = PAGE.len() + STYLE.len() + LICENCE.len() + PLOT_LIBRARY.len() + SCRIPT.len();
     let used = fixed + facts.len() + mechanism.len() + texts[0].len() + texts[1].len() + notes.concat().len();
     let sources = sources(page);
     let rows = page.complete.len();
@@ -116,6 +118,7 @@ pub fn to_text(page: &Page) -> String {
         ("style", STYLE),
         ("data", &data),
         ("values", &values),
+        ("licence", LICENCE),
         ("plot_library", PLOT_LIBRARY),
         ("script", SCRIPT),
     ])
@@ -284,7 +287,8 @@ mod tests {
     #[test]
     fn every_word_of_the_template_is_filled_in() {
         let words: Vec<&str> = PAGE.split("{{").skip(1).filter_map(|piece| Some(piece.split_once("}}")?.0)).collect();
-        assert_eq!(words, ["policy", "style", "data", "values", "plot_library", "script"]);
+        assert_eq!(words, ["policy", "style", "data", "values", "licence", "plot_library", "script"]);
+        assert!(!LICENCE.contains("--"), "it would end the comment it stands in");
     }
 
     #[test]

@@ -26,8 +26,11 @@
   else if (mechanism.bodies.length < 2) put("undrawn", "The drawing of this model is not in this page.");
   else if (!shapes.known) put("undrawn", "The poses of the bodies are not in this page, so that there is nothing to draw.");
 
+  if (rows === 0) for (const name of ["side", "view"]) id(name).hidden = true;
+
   // Transport.
   const scrub = id("scrub");
+  id("transport").hidden = rows < 2;
   scrub.max = Math.max(rows - 1, 0);
   for (const name of ["first", "back", "play", "next", "last", "scrub"]) id(name).disabled = rows < 2;
   scrub.addEventListener("input", () => { player.pause(); player.seek(Number(scrub.value)); });

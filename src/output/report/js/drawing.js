@@ -205,11 +205,9 @@
       const { fill, line } = colours.body(k);
       const closed = corners.length > 2;
       path(pen, corners.length > 1 ? corners : [corners[0], corners[0]], closed);
-      pen.globalAlpha = 0.92;
       pen.strokeStyle = line; pen.lineWidth = px * 1.1 + 2.6; pen.stroke();
       pen.strokeStyle = fill; pen.lineWidth = px * 1.1; pen.stroke();
       if (closed) { pen.fillStyle = fill; pen.fill(); }
-      pen.globalAlpha = 1;
       const middle = corners.reduce(([x, y], c) => [x + c[0] / corners.length, y + c[1] / corners.length], [0, 0]);
       names.push({ text: name, at: middle, colour: line, strong: true });
       if (show.points) for (let number = 0; number < points.length; number++) {

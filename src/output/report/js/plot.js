@@ -101,7 +101,7 @@
       const sorted = Float64Array.from(values).sort(), last = sorted.length - 1;
       const [low, high] = [sorted[0], sorted[last]];
       if (!this.plots.cut) return [low, high];
-      const [a, b] = [sorted[Math.floor(last * 0.02)], sorted[Math.ceil(last * 0.98)]], room = 4 * (b - a);
+      const [a, b] = [sorted[Math.floor(last * 0.05)], sorted[Math.ceil(last * 0.95)]], room = 4 * (b - a);
       return [a - low > room ? a - (b - a) * 0.5 : low, high - b > room ? b + (b - a) * 0.5 : high];
     }
 
@@ -123,7 +123,7 @@
       const colour = drawing.colour("warn");
       pen.save();
       pen.beginPath(); pen.rect(left, top, width, height); pen.clip();
-      for (const event of this.plots.events) {
+      for (const [number, event] of this.plots.events.entries()) {
         const [from, to] = [event.from, event.to].map((value) => u.valToPos(value * units.of(this.plots.abscissa.unit).factor, "x", true));
         if (!Number.isFinite(from)) continue;
         pen.strokeStyle = pen.fillStyle = colour;
@@ -136,7 +136,7 @@
           pen.font = `${11 * devicePixelRatio}px system-ui, sans-serif`;
           const wide = pen.measureText(event.word).width, gap = 4 * devicePixelRatio;
           pen.textBaseline = "top";
-          pen.fillText(event.word, from + gap + wide > left + width ? from - gap - wide : from + gap, top + 2 * devicePixelRatio);
+          pen.fillText(event.word, from + gap + wide > left + width ? from - gap - wide : from + gap, top + (2 + 14 * number) * devicePixelRatio);
         }
       }
       pen.restore();

@@ -60,7 +60,8 @@
   // How far the second point of a guide goes along its axis.
   const strokes = mechanism.joints.map((joint) => {
     if (!joint.axis) return null;
-    let low = 0, high = 0, any = false;
+    // A guide on a body reaches to the body's point.
+    let low = 0, high = 0, any = joint.between[0][0] !== 0;
     for (const row of sampled) {
       const [a, b] = joint.between.map((end) => place(end, row));
       const at = pose(joint.between[0][0], row);

@@ -18,21 +18,21 @@
     view.scale = Math.min(Math.max(width - 2 * margin, 40) / (right - left), Math.max(height - 1.7 * margin, 40) / (top - bottom));
   };
 
-  // Largest of some forces over the run: it gets a fixed length.
+  // A large one of some forces over the run: it gets a fixed length.
   const pairs = (prefix, things) => things.map(({ name }) => ["fx", "fy"].map((q) => column(`${prefix}.${name}.${q}`)));
   const jointForces = pairs("joint", mechanism.joints), loadForces = pairs("force", mechanism.loads);
   const torques = mechanism.loads.map(({ name }) => column(`force.${name}.torque`));
-  const largest = (list) => {
+  const typical = (list) => {
     const sizes = [];
     for (const [fx, fy] of list) if (fx && fy) for (let k = 0; k < rows; k++) {
       const f = Math.hypot(fx.values[k], fy.values[k]);
       if (f > 0) sizes.push(f);
     }
-    // Poles at singular positions do not shrink all others.
-    return sizes.length ? Float64Array.from(sizes).sort()[Math.floor((sizes.length - 1) * 0.98)] : 0;
+    // Not the largest: poles at singular positions would shrink all others.
+    return sizes.length ? Float64Array.from(sizes).sort()[Math.floor((sizes.length - 1) * 0.85)] : 0;
   };
   let unit = null;
-  const forceUnit = () => unit ??= { joints: largest(jointForces), loads: largest(loadForces) };
+  const forceUnit = () => unit ??= { joints: typical(jointForces), loads: typical(loadForces) };
 
   const trace = (end, number) => {
     pen.beginPath();
@@ -133,7 +133,7 @@
     });
     arrows(row, px);
     names(list.filter(({ strong }) => !strong || show.bodies));
-    ruler();
+    if (rows) ruler();
   };
   const draw = () => { if (!wanted) { wanted = true; requestAnimationFrame(paint); } };
 
