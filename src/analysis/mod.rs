@@ -14,8 +14,8 @@ pub mod record;
 mod rows;
 mod shaking;
 pub mod statics;
-mod transmission;
 mod suspicious;
+mod transmission;
 
 pub use check::{Check, Lack, check};
 pub use modes::{Linearised, Mode, modes};

@@ -77,7 +77,7 @@ fn lengths(model: &Model, found: &mut Vec<Complaint>) {
         moving(model).map(|(name, body)| (name, extent(body))).filter(|(_, extent)| *extent > 0.0).collect();
     let Some(middle) = middle(extents.iter().map(|(_, extent)| *extent).collect()) else { return };
     let longest = extents.iter().max_by(|a, b| a.1.total_cmp(&b.1));
-    if middle > LONGEST || middle < SHORTEST {
+    if !(SHORTEST..=LONGEST).contains(&middle) {
         let whole = if middle > LONGEST { "long" } else { "small" };
         found.extend(longest.map(|(name, extent)| {
             Complaint::new(
