@@ -149,6 +149,7 @@ fn slips_are_named_with_place_and_mend() {
         r#"line 10, column 109: joints.c.clearance.radius: 500: the radial clearance, 500 m, is longer than the link, 200 m (check its unit: clearances are mostly some micrometres)"#,
         r#"line 12, column 74: drivers.motor.motion: 6 outputs per turn, one every 0.01667 s: they show another motion than there is (take "outputs" of 82 or more, a shorter "end", or check the unit of the motion)"#,
         r#"line 16, column 10: forces.u: 3 outputs per period, one every 0.01667 s: they show another motion than there is (take "outputs" of 163 or more, a shorter "end", or check the unit of the motion)"#,
+        r#"line 4, column 114: bodies.crank.pose: it assembles turned by -138 deg from this drawing, perhaps on the other branch (draw the pose nearer to the assembly that you want)"#,
         r#"line 14, column 41: forces.s.between: the spring's ends coincide at the start: it has no direction there (check its two points)"#,
         r#"line 15, column 41: forces.t.between: both ends are on "ground": the spring moves nothing (a spring acts between two bodies)"#,
     ];
@@ -162,10 +163,10 @@ fn single_slips_among_sound_values_are_found() {
     let cases: &[(&str, &[&str], &str)] = &[
         (
             "hoeken",
-            &["bodies.rocker.points={\"O4\": [0, 0], \"B\": [62.5, 0], \"far\": [25000, 0]}"],
-            "the body is 25 m long, most others are near 0.0625 m",
+            &["bodies.rocker.points={\"O4\": [0, 0], \"B\": [62.5, 0], \"far\": [50000, 0]}"],
+            "the body is 50 m long, most others are near 0.125 m",
         ),
-        ("hoeken", &["bodies.rocker.pose.angle=1.5708"], "the angle is 1.571 deg, which looks like radians"),
+        ("hoeken", &["bodies.crank.pose.angle=1.5708"], "the angle is 1.571 deg, which looks like radians"),
         (
             "four-bar",
             &["bodies.coupler.inertia=9000 kg*m^2"],

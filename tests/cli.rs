@@ -125,6 +125,41 @@ fn the_row_of_four_bars_comes_in_any_size() {
 }
 
 #[test]
+fn every_template_checks_and_runs_clean() {
+    let scratch = Scratch::new("new");
+    for template in ["four-bar", "slider-crank", "pendulum", "spring-mass", "clearance"] {
+        let file = scratch.path(&format!("{template}.json"));
+        let told = done(&["new", template, "-o", &file]);
+        assert!(told.contains(&format!("linkdyn check {file}")) && told.contains("linkdyn run"), "{told}");
+        let told: Value = serde_json::from_str(&done(&["check", "--json", &file])).expect("valid JSON");
+        assert_eq!(
+            (&told["warnings"], &told["faults"]),
+            (&serde_json::json!([]), &serde_json::json!([])),
+            "{template}"
+        );
+        let told = done(&["run", &file, "-o", &scratch.path("out")]);
+        assert!(told.contains("completed") && !told.contains("warnings"), "{told}");
+        assert_eq!(json(&format!("{}/summary.json", scratch.path("out")))["status"], "completed", "{template}");
+    }
+}
+
+#[test]
+fn a_new_model_overwrites_nothing_unasked() {
+    let scratch = Scratch::new("new-twice");
+    let file = scratch.write("mine.json", "precious");
+    refused(&["new", "-o", &file], 2, "there is such a file already (--force overwrites it)");
+    assert_eq!(fs::read_to_string(&file).expect("there"), "precious");
+    done(&["new", "-o", &file, "--force"]);
+    assert_eq!(json(&file)["name"], "My four-bar");
+    refused(&["new", "-o", &scratch.path("none/mine.json")], 2, "its folder does not exist");
+    refused(&["new", "fourbar"], 2, "no template of that name (did you mean \"four-bar\"?)");
+    // Where no file is named it is called after the template, here.
+    let ran: Ran = command(&["new", "pendulum"]).current_dir(&scratch.0).output().expect("runs").into();
+    assert!(ran.status == Some(0) && ran.stdout.starts_with("pendulum.json: "), "{ran:?}");
+    assert_eq!(json(&scratch.path("pendulum.json"))["name"], "My pendulum");
+}
+
+#[test]
 fn the_schema_is_json() {
     let schema: Value = serde_json::from_str(&done(&["schema"])).expect("valid JSON");
     assert!(schema.get("$schema").is_some(), "{schema}");

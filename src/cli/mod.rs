@@ -8,6 +8,7 @@ mod interrupt;
 mod measures;
 mod models;
 mod modes;
+mod new;
 mod open;
 mod page;
 mod plot;
@@ -41,6 +42,8 @@ const EXIT_HELP: &str = "Exit status: 0 done, 1 a check or validation found a fa
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// Write a starter model, explained by its notes
+    New(new::Options),
     /// Run a model's analysis
     Run(run::Options),
     /// Read, assemble and diagnose a model
@@ -125,6 +128,7 @@ pub fn main() -> ExitCode {
         }
     };
     let exit = match arguments.command {
+        Command::New(options) => new::execute(&options),
         Command::Run(options) => run::execute(&options),
         Command::Check(options) => check::execute(&options),
         Command::Modes(options) => modes::execute(&options),

@@ -134,7 +134,13 @@ impl Checked<'_> {
                 None => &empty,
             },
             Some(_) => return None,
-            None if body == GROUND => &empty,
+            None if body == GROUND => match bodies.keys().find(|name| name.eq_ignore_ascii_case(GROUND)) {
+                Some(name) => {
+                    let hint = format!("the fixed body is written {GROUND:?}, not {name:?}");
+                    return Some(Complaint::new(path, format!("there is no body {GROUND:?}")).hint(hint));
+                }
+                None => &empty,
+            },
             None => {
                 let hint = did_you_mean(body, bodies, "the bodies");
                 return Some(Complaint::new(path, format!("there is no body {body:?}")).hint(hint));
@@ -190,6 +196,12 @@ impl Checked<'_> {
                         continue;
                     }
                     let other = text("relative_to").unwrap_or(GROUND);
+                    if body == GROUND && other == GROUND {
+                        let hint = "name the body that the driver turns";
+                        self.complain(format!("{path}.body"), "ground is fixed, nothing can turn it").hint =
+                            Some(hint.into());
+                        continue;
+                    }
                     if body == other {
                         let message = format!("the angle of {body:?} relative to itself cannot be driven");
                         self.complain(format!("{path}.body"), message);

@@ -90,6 +90,10 @@ impl Parser<'_> {
             '/' | '#' => Some("JSON has no comments; use \"note\""),
             '\'' => Some("text stands in double quotes"),
             'N' | 'I' => Some("JSON knows neither NaN nor Infinity"),
+            '“' | '”' | '„' | '‘' | '’' | '«' | '»' => Some("text stands in straight double quotes"),
+            'T' | 'F' if wanted == "a value" => Some("true and false are written in lower case"),
+            '+' | '.' if wanted == "a value" => Some("a number begins with a digit or a minus sign, as in 0.5"),
+            '0'..='9' if wanted.starts_with("a key") => Some("a decimal point is a point: 0.8, not 0,8"),
             '"' | '{' | '[' if wanted.starts_with("\",\"") => Some("a comma may be missing before it"),
             c if c.is_ascii_alphabetic() && wanted.starts_with("\",\"") => {
                 Some("a quote or a comma may be missing before it")
@@ -278,7 +282,11 @@ impl Parser<'_> {
                 }
                 Some(b'\\') => out.push(self.escape()?),
                 Some(b'\n' | b'\r') => return Err(self.fault(start, "the text has no closing quote on its line")),
-                Some(_) => return Err(self.fault(self.at, "a control character in a text; write it as \\u00XX")),
+                Some(_) => {
+                    return Err(
+                        self.fault(self.at, "a control character in a text; write a tab as \\t, another as \\u00XX")
+                    );
+                }
                 None => return Err(self.fault(start, "the text has no closing quote; the file seems cut short")),
             }
         }

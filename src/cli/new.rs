@@ -1,0 +1,85 @@
+//! `linkdyn new`: a starter model, explained by its notes.
+
+use std::fs::OpenOptions;
+use std::io::{ErrorKind, Write};
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::page::Page;
+use super::{BadInput, Exit, did_you_mean, print};
+
+/// Starter models: name, what it is for, file.
+const TEMPLATES: [(&str, &str, &str); 5] = [
+    ("four-bar", "a driven loop: motion, joint forces, motor torque", include_str!("../../templates/four-bar.json")),
+    ("slider-crank", "a piston with a load", include_str!("../../templates/slider-crank.json")),
+    ("pendulum", "forward dynamics from initial values", include_str!("../../templates/pendulum.json")),
+    ("spring-mass", "a spring and a damper, natural frequency", include_str!("../../templates/spring-mass.json")),
+    ("clearance", "a worn pin in a four-bar", include_str!("../../templates/clearance.json")),
+];
+
+#[derive(Debug, Args)]
+pub struct Options {
+    /// Which starter model: four-bar, slider-crank, pendulum, spring-mass or clearance
+    #[arg(default_value = "four-bar")]
+    template: String,
+    /// Write it into this file [default: TEMPLATE.json]
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Overwrite the file where it exists
+    #[arg(long)]
+    force: bool,
+}
+
+/// Writes the model and tells what to type next.
+pub fn execute(options: &Options) -> Result<Exit, BadInput> {
+    let name = options.template.as_str();
+    let Some((_, about, text)) = TEMPLATES.iter().find(|(known, ..)| *known == name) else {
+        let known = TEMPLATES.map(|(known, ..)| known);
+        let hint = did_you_mean(name, known.into_iter(), &format!("there are {}", known.join(", ")));
+        return Err(BadInput(vec![format!("{name}: no template of that name ({hint})")]));
+    };
+    let path = options.output.clone().unwrap_or_else(|| PathBuf::from(format!("{name}.json")));
+    let shown = path.display();
+    let mut how = OpenOptions::new();
+    // Without --force a file that is there is never touched, not even one that appears this very moment.
+    if options.force {
+        how.write(true).create(true).truncate(true)
+    } else {
+        how.write(true).create_new(true)
+    };
+    let written = how.open(&path).and_then(|mut file| file.write_all(text.as_bytes()));
+    written.map_err(|error| {
+        BadInput(vec![match error.kind() {
+            ErrorKind::AlreadyExists => format!("{shown}: there is such a file already (--force overwrites it)"),
+            ErrorKind::NotFound => format!("{shown}: its folder does not exist (make it first)"),
+            _ => format!("{shown}: can't be written: {error}"),
+        }])
+    })?;
+    let file = quoted(&shown.to_string());
+    let mut page = Page::default();
+    page.line(format!("{shown}: {about}; its notes explain it. Next:"));
+    page.line(format!("  linkdyn check {file}"));
+    page.line(format!("  linkdyn run {file} -o out"));
+    print(page.text())?;
+    Ok(Exit::Done)
+}
+
+/// The path as one word for a shell.
+fn quoted(path: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "/\\._-:".contains(c);
+    if path.chars().all(plain) { path.to_string() } else { format!("'{}'", path.replace('\'', r"'\''")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_help_names_every_template() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/templates");
+        assert_eq!(std::fs::read_dir(folder).expect("templates/").count(), TEMPLATES.len());
+        assert_eq!(quoted("a/four-bar.json"), "a/four-bar.json");
+        assert_eq!(quoted("my bar's.json"), r"'my bar'\''s.json'");
+    }
+}

@@ -1,0 +1,437 @@
+//! What a newcomer gets wrong first, and what the command says: place, cause and mend.
+//!
+//! Where the command runs the model all the same (status 0), `check` says what looks like a slip.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use serde_json::Value;
+
+/// A sound model; each mistake spoils it.
+const SOUND: &str = r#"{
+  "format": "linkdyn/1",
+  "units": { "length": "mm", "angle": "deg", "inertia": "kg*mm^2" },
+  "bodies": {
+    "ground": { "points": { "O": [0, 0], "Q": [300, 0] } },
+    "crank": { "mass": 0.8, "inertia": 700, "com": [50, 0], "points": { "O": [0, 0], "A": [100, 0] }, "pose": { "angle": 60 } },
+    "rod": { "mass": 1.9, "inertia": 9000, "com": [125, 0], "points": { "A": [0, 0], "B": [250, 0] }, "pose": { "position": [50, 87], "angle": 20 } },
+    "rocker": { "mass": 1.5, "inertia": 5000, "com": [100, 0], "points": { "Q": [0, 0], "B": [200, 0] }, "pose": { "position": [300, 0], "angle": 95 } }
+  },
+  "joints": {
+    "a": { "type": "revolute", "between": ["ground.O", "crank.O"] },
+    "b": { "type": "revolute", "between": ["crank.A", "rod.A"] },
+    "c": { "type": "revolute", "between": ["rod.B", "rocker.B"] },
+    "d": { "type": "revolute", "between": ["ground.Q", "rocker.Q"] }
+  },
+  "drivers": {
+    "motor": { "type": "rotation", "body": "crank", "motion": { "type": "constant_velocity", "start": 60, "velocity": "60 rpm" } }
+  },
+  "analysis": { "type": "inverse_dynamics", "end": 1, "outputs": 101 }
+}
+"#;
+
+struct Mistake {
+    what: &'static str,
+    /// Texts and what each is replaced by.
+    edits: &'static [(&'static str, &'static str)],
+    /// Of `run`.
+    status: i32,
+    said: &'static [&'static str],
+}
+
+const MISTAKES: &[Mistake] = &[
+    Mistake {
+        what: "misspelt body",
+        edits: &[(r#""rod.B", "rocker.B""#, r#""rod.B", "roker.B""#)],
+        status: 2,
+        said: &[
+            r#"line 13, column 53: joints.c.between[1]: "roker.B": there is no body "roker" (did you mean "rocker"?)"#,
+        ],
+    },
+    Mistake {
+        what: "joint to a missing point",
+        edits: &[(r#""crank.A", "rod.A""#, r#""crank.C", "rod.A""#)],
+        status: 2,
+        said: &[
+            r#"line 12, column 44: joints.b.between[0]: "crank.C": body "crank" has no point "C" (its points: O, A)"#,
+        ],
+    },
+    Mistake {
+        what: "degrees as radians",
+        edits: &[(r#""angle": "deg", "#, r#""#)],
+        status: 0,
+        said: &[
+            r#"line 6, column 122: bodies.crank.pose.angle: 60: the angle is 60 rad, 9.549 turns (for degrees write "60 deg", or name "angle": "deg" in units)"#,
+            r#"line 7, column 144: bodies.rod.pose.angle: 20: the angle is 20 rad, 3.183 turns (for degrees write "60 deg", or name "angle": "deg" in units)"#,
+            r#"line 8, column 147: bodies.rocker.pose.angle: 95: the angle is 95 rad, 15.12 turns (for degrees write "60 deg", or name "angle": "deg" in units)"#,
+            r#"line 17, column 103: drivers.motor.motion.start: 60: the angle is 60 rad, 9.549 turns (for degrees write "60 deg", or name "angle": "deg" in units)"#,
+            r#"line 8, column 114: bodies.rocker.pose: it assembles turned by 109 deg from this drawing, perhaps on the other branch (draw the pose nearer to the assembly that you want)"#,
+        ],
+    },
+    Mistake {
+        what: "millimetres as metres",
+        edits: &[(r#""length": "mm", "#, r#""#)],
+        status: 0,
+        said: &[
+            r#"line 7, column 71: bodies.rod.points: the bodies are very long, this one 250 m (check the unit of length: "units": { "length": "mm" } reads plain numbers as millimetres)"#,
+            r#"line 6, column 40: bodies.crank.inertia: 700: the inertia is small: that of the mass at 0.02958 m, where the body reaches 50 m (check the unit: a plain inertia is in kg*m^2 unless "units" names another)"#,
+            r#"line 7, column 38: bodies.rod.inertia: 9000: the inertia is small: that of the mass at 0.06882 m, where the body reaches 125 m (check the unit: a plain inertia is in kg*m^2 unless "units" names another)"#,
+            r#"line 8, column 41: bodies.rocker.inertia: 5000: the inertia is small: that of the mass at 0.05774 m, where the body reaches 100 m (check the unit: a plain inertia is in kg*m^2 unless "units" names another)"#,
+        ],
+    },
+    Mistake {
+        what: "pose drawn the wrong way round",
+        edits: &[(r#""position": [50, 87], "angle": 20"#, r#""position": [50, 87], "angle": 200"#)],
+        status: 0,
+        said: &[
+            r#"line 7, column 111: bodies.rod.pose: it assembles turned by 95 deg from this drawing, perhaps on the other branch (draw the pose nearer to the assembly that you want)"#,
+            r#"line 8, column 114: bodies.rocker.pose: it assembles turned by 129 deg from this drawing, perhaps on the other branch (draw the pose nearer to the assembly that you want)"#,
+        ],
+    },
+    Mistake {
+        what: "loop that can't close",
+        edits: &[(r#""B": [250, 0]"#, r#""B": [25, 0]"#)],
+        status: 3,
+        said: &[
+            r#"can't assemble: the joints alone close, but with the drivers at their first values the loop a – b – c – d does not close; it lacks 0.0396 m at the best position found; change the start of a driver, or the lengths that keep it from there"#,
+        ],
+    },
+    Mistake {
+        what: "driver start out of reach",
+        edits: &[(r#""A": [100, 0]"#, r#""A": [250, 0]"#), (r#""start": 60"#, r#""start": 170"#)],
+        status: 3,
+        said: &[
+            r#"can't assemble: the joints alone close, but with the drivers at their first values the loop a – b – c – d does not close; it lacks 0.0979 m at the best position found; change the start of a driver, or the lengths that keep it from there"#,
+        ],
+    },
+    Mistake {
+        what: "over-driven",
+        edits: &[(
+            "\"motor\": {",
+            "\"second\": { \"type\": \"rotation\", \"body\": \"rocker\", \"motion\": { \"type\": \"constant_velocity\", \"start\": 95, \"velocity\": 1 } },\n    \"motor\": {",
+        )],
+        status: 2,
+        said: &[
+            r#"line 16, column 14: drivers: too many drivers: the joints leave 1 degree of freedom, and there are 2 drivers ("second", "motor") (take drivers out until their number is that of the degrees of freedom)"#,
+        ],
+    },
+    Mistake {
+        what: "under-driven",
+        edits: &[
+            ("\"drivers\": {\n", "\"drivers\": {},\n  \"note\": \"x\", \"forces\": {\n"),
+            (
+                r#""motor": { "type": "rotation", "body": "crank", "motion": { "type": "constant_velocity", "start": 60, "velocity": "60 rpm" } }"#,
+                r#""#,
+            ),
+        ],
+        status: 2,
+        said: &[
+            r#"line 16, column 14: drivers: too few drivers: the joints leave 1 degree of freedom, 0 driven; "crank", "rod", "rocker" can still move (drive what is free, or hold it by a joint)"#,
+        ],
+    },
+    Mistake {
+        what: "missing mass",
+        edits: &[(r#""mass": 1.9, "inertia": 9000, "#, r#""#)],
+        status: 2,
+        said: &[
+            r#"line 7, column 12: bodies.rod: inverse dynamics needs the mass of body "rod" (give "mass"; 0 is allowed where the joints determine its motion)"#,
+            r#"line 7, column 12: bodies.rod: inverse dynamics needs the inertia of body "rod" (give "inertia"; 0 is allowed where the joints determine its motion)"#,
+        ],
+    },
+    Mistake {
+        what: "two grounds",
+        edits: &[("    \"crank\":", "    \"ground\": { \"points\": { \"P\": [0, 0] } },\n    \"crank\":")],
+        status: 2,
+        said: &[r#"line 6, column 5: bodies.ground: "ground": the key is given twice (first on line 5, column 5)"#],
+    },
+    Mistake {
+        what: "ground misspelt",
+        edits: &[(r#"    "ground":"#, r#"    "Ground":"#)],
+        status: 2,
+        said: &[
+            r#"line 11, column 44: joints.a.between[0]: "ground.O": there is no body "ground" (the fixed body is written "ground", not "Ground")"#,
+            r#"line 14, column 44: joints.d.between[0]: "ground.Q": there is no body "ground" (the fixed body is written "ground", not "Ground")"#,
+        ],
+    },
+    Mistake {
+        what: "clearance on a prismatic joint",
+        edits: &[(
+            r#""d": { "type": "revolute", "between": ["ground.Q", "rocker.Q"] }"#,
+            r#""d": { "type": "prismatic", "between": ["ground.Q", "rocker.Q"], "axis": [1, 0], "clearance": { "model": "ideal" } }"#,
+        )],
+        status: 2,
+        said: &[r#"line 14, column 86: joints.d.clearance: "clearance": only a revolute joint can have clearance"#],
+    },
+    Mistake {
+        what: "missing units",
+        edits: &[("  \"units\": { \"length\": \"mm\", \"angle\": \"deg\", \"inertia\": \"kg*mm^2\" },\n", "")],
+        status: 2,
+        said: &[
+            r#"line 1, column 1: "units" is missing (write "units": "SI", or name other units: {"length": "mm", "angle": "deg"})"#,
+        ],
+    },
+    Mistake {
+        what: "two joints with the same name",
+        edits: &[(r#"    "c": {"#, r#"    "b": {"#)],
+        status: 2,
+        said: &[r#"line 13, column 5: joints.b: "b": the key is given twice (first on line 12, column 5)"#],
+    },
+    Mistake {
+        what: "motion type misspelt",
+        edits: &[(r#"constant_velocity"#, r#"constant_velocty"#)],
+        status: 2,
+        said: &[
+            r#"line 17, column 73: drivers.motor.motion.type: "constant_velocty": unknown type (did you mean "constant_velocity"?)"#,
+        ],
+    },
+    Mistake {
+        what: "driver on ground",
+        edits: &[(r#""body": "crank""#, r#""body": "ground""#)],
+        status: 2,
+        said: &[
+            r#"line 17, column 44: drivers.motor.body: "ground": ground is fixed, nothing can turn it (name the body that the driver turns)"#,
+        ],
+    },
+    Mistake {
+        what: "wrong unit dimension",
+        edits: &[(r#""60 rpm""#, r#""60 mm/s""#)],
+        status: 2,
+        said: &[
+            r#"line 17, column 119: drivers.motor.motion.velocity: "60 mm/s": "mm/s" is not a unit of angular velocity (such as "rad/s")"#,
+        ],
+    },
+    Mistake {
+        what: "com missing with mass",
+        edits: &[(r#""com": [125, 0], "#, r#""#)],
+        status: 2,
+        said: &[
+            r#"line 7, column 12: bodies.rod: "com" is missing, it has no default where there is mass (give the centre of mass in the body's frame, as in "com": [0, 0])"#,
+        ],
+    },
+    Mistake {
+        what: "sample with the wrong driver",
+        edits: &[(
+            r#""end": 1, "outputs": 101"#,
+            r#""sample": { "driver": "moter", "from": 60, "to": 420, "step": 1 }"#,
+        )],
+        status: 2,
+        said: &[
+            r#"line 19, column 67: analysis.sample.driver: "moter": there is no driver "moter" (did you mean "motor"?)"#,
+        ],
+    },
+    Mistake {
+        what: "sample beyond its driver",
+        edits: &[(
+            r#""end": 1, "outputs": 101"#,
+            r#""sample": { "driver": "motor", "from": 0, "to": 420, "step": 1 }"#,
+        )],
+        status: 2,
+        said: &[
+            r#"line 19, column 84: analysis.sample.from: 0: driver "motor" does not reach 0 (SI) on its first monotone stretch from 1.0471975511965976 (sample within the values the motion passes before it first turns back)"#,
+        ],
+    },
+    Mistake {
+        what: "negative mass",
+        edits: &[(r#""mass": 0.8"#, r#""mass": -0.8"#)],
+        status: 2,
+        said: &[r#"line 6, column 24: bodies.crank.mass: -0.8: must not be negative"#],
+    },
+    Mistake {
+        what: "trailing comma",
+        edits: &[(r#""outputs": 101 }"#, r#""outputs": 101, }"#)],
+        status: 2,
+        said: &[
+            r#"line 19, column 71: not JSON: '}' where a key in double quotes is expected (there may be a comma too many before it)"#,
+        ],
+    },
+    Mistake {
+        what: "trailing comma in a list",
+        edits: &[(r#"[100, 0]"#, r#"[100, 0,]"#)],
+        status: 2,
+        said: &[
+            r#"line 6, column 99: not JSON: ']' where a value is expected (there may be a comma too many before it)"#,
+        ],
+    },
+    Mistake {
+        what: "comment",
+        edits: &[("  \"joints\"", "  // the pins\n  \"joints\"")],
+        status: 2,
+        said: &[
+            r#"line 10, column 3: not JSON: '/' where a key in double quotes is expected (JSON has no comments; use "note")"#,
+        ],
+    },
+    Mistake {
+        what: "hash comment",
+        edits: &[("  \"joints\"", "  # the pins\n  \"joints\"")],
+        status: 2,
+        said: &[
+            r#"line 10, column 3: not JSON: '#' where a key in double quotes is expected (JSON has no comments; use "note")"#,
+        ],
+    },
+    Mistake {
+        what: "single quotes",
+        edits: &[(r#""crank.A""#, r#"'crank.A'"#)],
+        status: 2,
+        said: &[r#"line 12, column 44: not JSON: '\'' where a value is expected (text stands in double quotes)"#],
+    },
+    Mistake {
+        what: "NaN",
+        edits: &[(r#""mass": 0.8"#, r#""mass": NaN"#)],
+        status: 2,
+        said: &[r#"line 6, column 24: not JSON: 'N' where a value is expected (JSON knows neither NaN nor Infinity)"#],
+    },
+    Mistake {
+        what: "decimal comma",
+        edits: &[(r#""mass": 0.8"#, r#""mass": 0,8"#)],
+        status: 2,
+        said: &[
+            r#"line 6, column 26: not JSON: '8' where a key in double quotes is expected (a decimal point is a point: 0.8, not 0,8)"#,
+        ],
+    },
+    Mistake {
+        what: "plus sign",
+        edits: &[(r#"[300, 0]"#, r#"[+300, 0]"#)],
+        status: 2,
+        said: &[
+            r#"line 5, column 48: not JSON: '+' where a value is expected (a number begins with a digit or a minus sign, as in 0.5)"#,
+        ],
+    },
+    Mistake {
+        what: "decimal point first",
+        edits: &[(r#""mass": 0.8"#, r#""mass": .8"#)],
+        status: 2,
+        said: &[
+            r#"line 6, column 24: not JSON: '.' where a value is expected (a number begins with a digit or a minus sign, as in 0.5)"#,
+        ],
+    },
+    Mistake {
+        what: "typographic quotes",
+        edits: &[(r#""crank.A""#, r#"“crank.A”"#)],
+        status: 2,
+        said: &[
+            r#"line 12, column 44: not JSON: '“' where a value is expected (text stands in straight double quotes)"#,
+        ],
+    },
+    Mistake {
+        what: "tab in a text",
+        edits: &[("\"format\"", "\"about\": \"a\tb\",\n  \"format\"")],
+        status: 2,
+        said: &[r#"line 2, column 14: not JSON: a control character in a text; write a tab as \t, another as \u00XX"#],
+    },
+    Mistake {
+        what: "unquoted key",
+        edits: &[(r#""mass": 0.8"#, r#"mass: 0.8"#)],
+        status: 2,
+        said: &[
+            r#"line 6, column 16: not JSON: 'm' where a key in double quotes is expected (text stands in double quotes)"#,
+        ],
+    },
+    Mistake {
+        what: "True",
+        edits: &[(r#""mass": 0.8"#, r#""mass": True"#)],
+        status: 2,
+        said: &[
+            r#"line 6, column 24: not JSON: 'T' where a value is expected (true and false are written in lower case)"#,
+        ],
+    },
+    Mistake {
+        what: "between of three",
+        edits: &[(r#"["ground.O", "crank.O"]"#, r#"["ground.O", "crank.O", "rod.A"]"#)],
+        status: 2,
+        said: &[r#"line 11, column 43: joints.a.between: a list of 2 is expected, this one has 3"#],
+    },
+    Mistake {
+        what: "pin instead of revolute",
+        edits: &[(r#""revolute", "between": ["ground.O""#, r#""pin", "between": ["ground.O""#)],
+        status: 2,
+        said: &[
+            r#"line 11, column 20: joints.a.type: "pin": unknown type (one of "revolute", "prismatic", "slot", "gear" or "fixed")"#,
+        ],
+    },
+    Mistake {
+        what: "number as text",
+        edits: &[(r#""mass": 0.8"#, r#""mass": "0.8""#)],
+        status: 2,
+        said: &[r#"line 6, column 24: bodies.crank.mass: "0.8": the unit is missing, a unit of mass (such as "kg")"#],
+    },
+    Mistake {
+        what: "no analysis",
+        edits: &[(",\n  \"analysis\": { \"type\": \"inverse_dynamics\", \"end\": 1, \"outputs\": 101 }", "")],
+        status: 2,
+        said: &[
+            r#"line 1, column 1: analysis: the model says no analysis to run (add "analysis": { "type": "kinematics", "end": 1, "outputs": 101 }, or use `linkdyn check`)"#,
+        ],
+    },
+    Mistake {
+        what: "analysis as text",
+        edits: &[(r#"{ "type": "inverse_dynamics", "end": 1, "outputs": 101 }"#, r#""kinematics""#)],
+        status: 2,
+        said: &[r#"line 19, column 15: analysis: "kinematics": an object is expected, not text"#],
+    },
+    Mistake {
+        what: "spring without stiffness",
+        edits: &[(
+            "  \"analysis\"",
+            "  \"forces\": { \"s\": { \"type\": \"spring\", \"between\": [\"ground.O\", \"rod.B\"] } },\n  \"analysis\"",
+        )],
+        status: 2,
+        said: &[r#"line 19, column 20: forces.s: "stiffness" is missing (with "damping" alone it would be a damper)"#],
+    },
+    Mistake {
+        what: "force at a body",
+        edits: &[(
+            "  \"analysis\"",
+            "  \"forces\": { \"s\": { \"type\": \"force\", \"at\": \"rod\", \"vector\": [0, 1] } },\n  \"analysis\"",
+        )],
+        status: 2,
+        said: &[
+            r#"line 19, column 45: forces.s.at: "rod": this is no point of a body (write it as body.point; the points of "rod": A, B)"#,
+        ],
+    },
+];
+
+/// Exit status, standard output, and the complaints on standard error without their `error:` and file.
+fn linkdyn(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, Vec<String>) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_linkdyn"));
+    let output = command.args(arguments).current_dir(folder).stdin(Stdio::null()).output().expect("runs");
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
+    let said = text(output.stderr);
+    let said =
+        said.lines().map(|line| line.trim_start_matches("error: ").trim_start_matches("model.json: ").to_string());
+    (output.status.code(), text(output.stdout), said.collect())
+}
+
+#[test]
+fn typical_mistakes_are_answered_with_place_cause_and_mend() {
+    assert!(MISTAKES.len() >= 30, "{}", MISTAKES.len());
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("mistakes-{}", std::process::id()));
+    fs::create_dir_all(&folder).expect("a folder");
+    let file = folder.join("model.json");
+    fs::write(&file, SOUND).expect("written");
+    assert_eq!(linkdyn(&folder, &["run", "model.json"]).0, Some(0), "the model to be spoilt is sound");
+    let mut wrong = Vec::new();
+    for mistake in MISTAKES {
+        let mut text = SOUND.to_string();
+        for (from, to) in mistake.edits {
+            assert!(text.contains(from), "{}: {from}", mistake.what);
+            text = text.replace(from, to);
+        }
+        fs::write(&file, text).expect("written");
+        let (status, _, mut said) = linkdyn(&folder, &["run", "model.json"]);
+        if status == Some(0) {
+            let (_, told, _) = linkdyn(&folder, &["check", "model.json", "--json"]);
+            let told: Value = serde_json::from_str(&told).expect("JSON");
+            let suspicious = told["suspicious"].as_array().expect("a list").iter();
+            said = suspicious.filter_map(|text| text.as_str().map(String::from)).collect();
+        }
+        if status != Some(mistake.status) || said != mistake.said {
+            wrong.push(format!("{}: {status:?}, said {said:#?}", mistake.what));
+        }
+    }
+    let (status, _, said) = linkdyn(&folder, &["run", "nomodel.json"]);
+    assert_eq!(status, Some(2));
+    assert_eq!(said, ["nomodel.json: no such file, and no bundled model of that name (`linkdyn models` lists them)"]);
+    fs::remove_dir_all(&folder).expect("removed");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
