@@ -69,10 +69,11 @@ const PACKAGES: &[(&str, &[&str])] = &[
     ("gif", &["figure"]),
     ("color_quant", &["figure"]),
     ("petgraph", &["graph"]),
+    ("typed_arena", &["analysis"]),
     ("faer", &["solve"]),
     ("sprs", &["solve", "system"]),
     // In `validation` for the second writing of the lock, which shares nothing with `solve`.
-    ("nalgebra", &["math", "solve", "validation"]),
+    ("nalgebra", &["math", "solve", "validation", "analysis"]),
     ("schemars", &["model"]),
     ("indexmap", &["model"]),
 ];

@@ -11,11 +11,11 @@ use super::{BadInput, Exit, did_you_mean, print};
 
 /// Starter models: name, what it is for, file.
 const TEMPLATES: [(&str, &str, &str); 5] = [
-    ("four-bar", "a driven loop: motion, joint forces, motor torque", include_str!("../../templates/four-bar.json")),
-    ("slider-crank", "a piston with a load", include_str!("../../templates/slider-crank.json")),
-    ("pendulum", "forward dynamics from initial values", include_str!("../../templates/pendulum.json")),
-    ("spring-mass", "a spring and a damper, natural frequency", include_str!("../../templates/spring-mass.json")),
-    ("clearance", "a worn pin in a four-bar", include_str!("../../templates/clearance.json")),
+    ("four-bar", "a driven loop: motion, joint forces, motor torque", include_str!("templates/four-bar.json")),
+    ("slider-crank", "a piston with a load", include_str!("templates/slider-crank.json")),
+    ("pendulum", "forward dynamics from initial values", include_str!("templates/pendulum.json")),
+    ("spring-mass", "a spring and a damper, natural frequency", include_str!("templates/spring-mass.json")),
+    ("clearance", "a worn pin in a four-bar", include_str!("templates/clearance.json")),
 ];
 
 #[derive(Debug, Args)]
@@ -77,7 +77,7 @@ mod tests {
 
     #[test]
     fn the_help_names_every_template() {
-        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/templates");
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/src/cli/templates");
         assert_eq!(std::fs::read_dir(folder).expect("templates/").count(), TEMPLATES.len());
         assert_eq!(quoted("a/four-bar.json"), "a/four-bar.json");
         assert_eq!(quoted("my bar's.json"), r"'my bar'\''s.json'");

@@ -19,6 +19,7 @@
 //! smooth and their events can be located.
 
 use super::{Applied, Axis, BodyId, Constraint, Entry, Instant, Marker, Measure, direction};
+use crate::contact::impact::Sense;
 use crate::contact::{friction, normal};
 use crate::math::{Vec2, perp};
 
@@ -77,11 +78,28 @@ pub struct Compliant {
     pub friction: friction::Law,
 }
 
-/// Coefficients of restitution and of friction [–].
+/// Impacts, and what a journal that follows the surface needs besides.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rigid {
+    /// e, 0 to 1 [–].
     pub restitution: f64,
+    /// μ [–].
     pub friction: f64,
+    /// What e compares.
+    pub sense: Sense,
+    /// Sliding velocity up to which friction on the surface grows from zero [m/s].
+    pub threshold: f64,
+}
+
+impl Rigid {
+    /// Friction while the journal follows the surface.
+    pub fn friction_law(&self) -> friction::Law {
+        if self.friction > 0.0 {
+            friction::Law::Coulomb { coefficient: self.friction, threshold: self.threshold }
+        } else {
+            friction::Law::None
+        }
+    }
 }
 
 /// A contact at an instant.
@@ -141,11 +159,18 @@ impl Journal {
             return;
         }
         let reading = self.read(at, memory);
-        to.add_force(at, &self.journal, reading.force);
-        to.add_force(at, &self.bearing, -reading.force);
+        self.press(at, &reading, [reading.normal, reading.tangential], to);
+    }
+
+    /// Adds a normal and a tangential force at the contact of a reading, on both bodies.
+    pub fn press(&self, at: &Instant, reading: &Reading, [normal, tangential]: [f64; 2], to: &mut Applied) {
+        let n = direction(reading.eccentricity).map_or(Vec2::x(), |(n, _)| n);
+        let force = perp(n) * tangential - n * normal;
+        to.add_force(at, &self.journal, force);
+        to.add_force(at, &self.bearing, -force);
         // Both act at the contact point, an arm away from the centres along n.
-        to.add(self.journal.body, Vec2::zeros(), reading.arms[1] * reading.tangential);
-        to.add(self.bearing.body, Vec2::zeros(), -reading.arms[0] * reading.tangential);
+        to.add(self.journal.body, Vec2::zeros(), reading.arms[1] * tangential);
+        to.add(self.bearing.body, Vec2::zeros(), -reading.arms[0] * tangential);
     }
 
     /// Elastic energy of the contact [J].

@@ -341,14 +341,7 @@ impl<'s> Reduced<'s> {
                 }
             }
         }
-        for i in 0..f {
-            let sum: f64 = (0..i).map(|k| self.mass[i * f + k] * self.rhs[k]).sum();
-            self.rhs[i] = (self.rhs[i] - sum) / self.mass[i * f + i];
-        }
-        for i in (0..f).rev() {
-            let sum: f64 = (i + 1..f).map(|k| self.mass[k * f + i] * self.rhs[k]).sum();
-            self.rhs[i] = (self.rhs[i] - sum) / self.mass[i * f + i];
-        }
+        cholesky_solve(&self.mass, f, &mut self.rhs);
         Ok(())
     }
 
@@ -376,6 +369,32 @@ impl<'s> Reduced<'s> {
     /// ü of the last evaluation.
     pub fn accelerations(&self) -> &[f64] {
         &self.rhs
+    }
+
+    /// Change of the rates u̇ by a generalized impulse P (n) at the point of the last evaluation, SᵀMS Δu̇ = Sᵀ P.
+    pub fn kick(&self, impulse: &[f64], rates: &mut [f64]) {
+        let (n, f) = (impulse.len(), self.freedom());
+        for (rate, motion) in rates.iter_mut().zip(self.motions.chunks_exact(n.max(1))) {
+            *rate = crate::math::dot(motion, impulse);
+        }
+        cholesky_solve(&self.mass, f, rates);
+    }
+
+    /// Change of the velocities (n) by that of the rates.
+    pub fn spread(&self, rates: &[f64], change: &mut [f64]) {
+        change.fill(0.0);
+        for (motion, rate) in self.motions.chunks_exact(change.len().max(1)).zip(rates) {
+            change.iter_mut().zip(motion).for_each(|(v, s)| *v += rate * s);
+        }
+    }
+
+    /// Impulses of the constraints (m) that go with an impulse P and the change of the velocities that it brings about.
+    pub fn impulsive_multipliers(&mut self, impulse: &[f64], change: &[f64], lambda: &mut [f64]) {
+        let mass = &self.driven.system.mass;
+        for (((b, p), v), m) in self.balance.iter_mut().zip(impulse).zip(change).zip(mass) {
+            *b = p - m * v;
+        }
+        self.driven.multipliers(&self.balance, lambda);
     }
 
     /// Multipliers λ (m) of the last evaluation; Q − M a is left in `balance`.
@@ -417,6 +436,18 @@ impl<'s> Reduced<'s> {
         self.here.d.copy_from_slice(&self.v);
         self.here.dd.copy_from_slice(&self.a);
         self.here_motions.copy_from_slice(&self.motions);
+    }
+}
+
+/// x ← (L Lᵀ)⁻¹ x with the lower factor L (f × f).
+fn cholesky_solve(factor: &[f64], f: usize, x: &mut [f64]) {
+    for i in 0..f {
+        let sum: f64 = (0..i).map(|k| factor[i * f + k] * x[k]).sum();
+        x[i] = (x[i] - sum) / factor[i * f + i];
+    }
+    for i in (0..f).rev() {
+        let sum: f64 = (i + 1..f).map(|k| factor[k * f + i] * x[k]).sum();
+        x[i] = (x[i] - sum) / factor[i * f + i];
     }
 }
 

@@ -117,7 +117,7 @@ fn surfaces<'a>(model: &'a Model, complaints: &mut Vec<Complaint>) -> HashMap<&'
             ClearanceModel::Ideal | ClearanceModel::MasslessLink => continue,
             ClearanceModel::TwoState => compliant(words.surface_law()),
             ClearanceModel::Contact => compliant(words.normal_law()),
-            ClearanceModel::ThreeState => words.impact_law().map(Surface::Rigid),
+            ClearanceModel::ThreeState => words.impact_parameters().map(Surface::Rigid),
         };
         match surface {
             Ok(surface) => {
@@ -148,15 +148,7 @@ fn missing(model: &Model, analysis: AnalysisKind) -> Vec<Complaint> {
                     "the massless clearance link of joint \"{name}\", whose direction is that of the joint force,"
                 )));
             }
-            ClearanceModel::ThreeState => complaints.push(
-                Complaint::new(
-                    format!("joints.{name}.clearance.model"),
-                    "the clearance model `three_state` is not built yet in this version",
-                )
-                .found("\"three_state\"")
-                .hint("use \"two_state\", \"contact\", \"massless_link\" or \"ideal\""),
-            ),
-            ClearanceModel::TwoState | ClearanceModel::Contact => {
+            ClearanceModel::TwoState | ClearanceModel::ThreeState | ClearanceModel::Contact => {
                 linked =
                     linked.or(Some(format!("the journal of joint \"{name}\", which moves freely in its bearing,")));
             }

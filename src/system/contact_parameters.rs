@@ -15,15 +15,9 @@ use crate::model::{Clearance, Elastic, Friction, FrictionLaw, ImpactSense, Norma
 /// Exponent n of a power law where none is given: Hertz's.
 const EXPONENT: f64 = 1.5;
 
-/// What [`resolve`](crate::contact::impact::resolve) needs besides the state.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ImpactParameters {
-    /// e, 0 to 1 [–].
-    pub restitution: f64,
-    /// μ [–].
-    pub friction: f64,
-    pub sense: Sense,
-}
+/// Sliding velocity up to which the friction of a journal that follows its bearing grows from zero where the file gives no
+/// `friction.threshold_velocity` [m/s].
+const THRESHOLD: f64 = 1e-3;
 
 /// Words of a clearance, with their path for complaints.
 #[derive(Debug, Clone, Copy)]
@@ -146,22 +140,6 @@ impl Words<'_> {
         Ok(normal::Law::KelvinVoigt { stiffness, damping })
     }
 
-    /// Restitution and friction of `three_state`; left out, those of `normal` and `friction`.
-    ///
-    /// # Errors
-    /// Where one is missing or out of its range.
-    pub fn impact_law(&self) -> Result<Rigid, Complaint> {
-        let (impact, clearance) = (self.clearance.impact.as_ref(), self.clearance);
-        let restitution = impact.and_then(|impact| impact.restitution);
-        let restitution = restitution.or(clearance.normal.as_ref().and_then(|normal| normal.restitution));
-        let friction = impact.and_then(|impact| impact.friction);
-        let friction = friction.or(clearance.friction.as_ref().and_then(|friction| friction.coefficient));
-        Ok(Rigid {
-            restitution: self.need("impact.restitution", restitution, |e| (0.0..=1.0).contains(&e))?,
-            friction: self.need("impact.friction", Some(friction.unwrap_or(0.0)), |friction| friction >= 0.0)?,
-        })
-    }
-
     /// Law of the friction of `contact` and `two_state`.
     ///
     /// # Errors
@@ -199,7 +177,7 @@ impl Words<'_> {
     ///
     /// # Errors
     /// Where the restitution is missing, or a parameter out of its range.
-    pub fn impact_parameters(&self) -> Result<ImpactParameters, Complaint> {
+    pub fn impact_parameters(&self) -> Result<Rigid, Complaint> {
         let Clearance { impact, normal, friction, .. } = self.clearance;
         let impact = impact.as_ref();
         let restitution = impact.and_then(|impact| impact.restitution);
@@ -212,10 +190,12 @@ impl Words<'_> {
             Some(ImpactSense::Kinetic) => Sense::Kinetic,
             Some(ImpactSense::Kinematic) => Sense::Kinematic,
         };
-        Ok(ImpactParameters {
+        let threshold = self.clearance.friction.as_ref().and_then(|friction| friction.threshold_velocity);
+        Ok(Rigid {
             restitution: self.need("impact.restitution", restitution, |e| (0.0..=1.0).contains(&e))?,
             friction: self.need("impact.friction", Some(friction), |friction| friction >= 0.0)?,
             sense,
+            threshold: threshold.unwrap_or(THRESHOLD),
         })
     }
 
@@ -335,14 +315,21 @@ mod tests {
             Words { clearance: &clearance, path: "joints.b.clearance" }.impact_parameters()
         };
         let coulomb = json!({ "law": "coulomb", "coefficient": 0.03, "threshold_velocity": 0.01 });
-        let found =
-            |restitution: f64, friction: f64, sense: Sense| Ok(ImpactParameters { restitution, friction, sense });
-        assert_eq!(parameters(json!({})), found(0.9, 0.0, Sense::Energetic));
-        assert_eq!(parameters(json!({ "friction": coulomb })), found(0.9, 0.03, Sense::Energetic));
+        let found = |restitution: f64, friction: f64, sense: Sense, threshold: f64| {
+            Ok(Rigid { restitution, friction, sense, threshold })
+        };
+        assert_eq!(parameters(json!({})), found(0.9, 0.0, Sense::Energetic, THRESHOLD));
+        assert_eq!(parameters(json!({ "friction": coulomb })), found(0.9, 0.03, Sense::Energetic, 0.01));
         let impact = json!({ "restitution": 0.4, "friction": 0.2, "sense": "kinematic" });
-        assert_eq!(parameters(json!({ "friction": coulomb, "impact": impact })), found(0.4, 0.2, Sense::Kinematic));
+        assert_eq!(
+            parameters(json!({ "friction": coulomb, "impact": impact })),
+            found(0.4, 0.2, Sense::Kinematic, 0.01)
+        );
         let impact = json!({ "sense": "kinetic" });
-        assert_eq!(parameters(json!({ "friction": coulomb, "impact": impact })), found(0.9, 0.03, Sense::Kinetic));
+        assert_eq!(
+            parameters(json!({ "friction": coulomb, "impact": impact })),
+            found(0.9, 0.03, Sense::Kinetic, 0.01)
+        );
         assert!(parameters(json!({ "impact": { "restitution": 1.5 } })).is_err());
     }
 

@@ -8,6 +8,10 @@
 //!            −h(δ, δ̇)                       the law would pull, h ≤ 0 (Kelvin and Voigt: K δ + D δ̇)
 //!            v_t − v_up,  v_low − v_t       the friction law goes over to its next piece
 //! released   −δ − ε,  h(δ, δ̇)               it leaves; it presses again
+//!
+//! rigid surfaces:
+//! flight     min(δ, δ̇)                      an impact
+//! contact    −N                             the multiplier of the journal on the surface would pull
 //! ```
 //!
 //! Between events the equations are smooth; events are located on the step's continuous extension.
@@ -17,6 +21,10 @@ use crate::output::{Episode, Event};
 
 /// A journal has left where it is this far, in parts of the bearing's clearance, from the surface: well above round-off.
 const GONE: f64 = 1e-10;
+/// Approach of a rigid journal that is round-off [m/s].
+const CREEP: f64 = 1e-10;
+/// Makes lengths and speeds comparable by their signs [s].
+const SECOND: f64 = 1.0;
 /// Sliding velocity past the end of a piece of the friction law from which the next piece holds [m/s].
 const PAST: f64 = 1e-12;
 /// Bins of the bearing's circumference in which sliding under load is summed.
@@ -27,7 +35,10 @@ const LISTED: usize = 20_000;
 /// The largest of a contact's guards.
 pub fn worst_guard(journal: &Journal, memory: &Contact, reading: &Reading) -> f64 {
     match (&journal.surface, memory.phase) {
-        (_, Phase::Flight) => reading.penetration,
+        (Surface::Compliant(_), Phase::Flight) => reading.penetration,
+        // On its way out it may still be where it touched.
+        (Surface::Rigid(_), Phase::Flight) => reading.penetration.min((reading.rate - CREEP) * SECOND),
+        (Surface::Rigid(_), Phase::Contact) => -reading.normal,
         (Surface::Compliant(laws), Phase::Contact) => {
             let hold = laws.normal.hold(reading.penetration, reading.rate, memory.approach);
             let (low, up) = laws.friction.bounds(memory.piece);
@@ -37,7 +48,7 @@ pub fn worst_guard(journal: &Journal, memory: &Contact, reading: &Reading) -> f6
         (Surface::Compliant(laws), Phase::Released) => {
             gone(journal, reading).max(laws.normal.hold(reading.penetration, reading.rate, memory.approach))
         }
-        (Surface::Rigid(_), Phase::Contact | Phase::Released) => f64::NEG_INFINITY,
+        (Surface::Rigid(_), Phase::Released) => f64::NEG_INFINITY,
     }
 }
 
@@ -48,7 +59,7 @@ fn gone(journal: &Journal, reading: &Reading) -> f64 {
 /// The phase in which a journal is at the start.
 pub fn first_phase(journal: &Journal, reading: &Reading) -> Contact {
     let mut memory = Contact::default();
-    if reading.penetration > 0.0 {
+    if reading.penetration > 0.0 && matches!(journal.surface, Surface::Compliant(_)) {
         begin(journal, reading, &mut memory);
     }
     memory
@@ -231,6 +242,15 @@ impl History {
             }
             self.end();
         }
+    }
+
+    /// Impacts have become so low that the journal follows the surface from now on.
+    pub fn follow(&mut self, time: f64, height: f64) {
+        let note =
+            format!("impacts lower than {height:.1e} m would follow: the journal stays on the bearing's surface");
+        let (kind, joint, note) = ("following", Some(self.joint.clone()), Some(note));
+        self.list(Event { kind, time, joint, note, ..Event::default() });
+        self.switches += 1;
     }
 
     /// The journal sticks or slips from now on.

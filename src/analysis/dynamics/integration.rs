@@ -24,18 +24,19 @@ const LOOKS: usize = 8;
 const PEAK_LOOKS: usize = 16;
 /// Deepest penetration at the start, in parts of the clearance.
 const DEEPEST_START: f64 = 0.1;
+const DEEPEST_RIGID: f64 = 1e-9;
 
 /// The stepper at work, and what the contacts have done.
 pub struct Integration {
     method: Method,
-    solver: Solver,
+    pub(super) solver: Solver,
     stepper: Box<dyn Stepper>,
     /// Work of steppers before.
     before: [u64; 3],
     end: f64,
     /// Where, within the last step, a contact changes its phase.
     pending: Option<f64>,
-    y: Vec<f64>,
+    pub(super) y: Vec<f64>,
     pub histories: Vec<History>,
     /// Readings at the end of the last piece of a step.
     last: Vec<Reading>,
@@ -72,12 +73,16 @@ impl Integration {
         for (contact, journal) in system.contacts.iter().enumerate() {
             let reading = motion.reading(contact);
             let history = &mut integration.histories[contact];
-            if reading.penetration > DEEPEST_START * journal.clearance {
+            let deepest = match journal.surface {
+                Surface::Compliant(_) => DEEPEST_START,
+                Surface::Rigid(_) => DEEPEST_RIGID,
+            };
+            if reading.penetration > deepest * journal.clearance {
                 return Err(Stop::Input(vec![deep_start(system, contact, &reading)]));
             }
             motion.reduced.inputs.contacts[contact] = first_phase(journal, &reading);
             if reading.penetration > 0.0 {
-                history.begin(0.0, &reading, Sums::default(), integration_angle(motion, contact, &reading));
+                history.begin(0.0, &reading, Sums::default(), motion.contact_angle(contact, &reading));
             }
             integration.last[contact] = motion.reading(contact);
         }
@@ -152,7 +157,7 @@ impl Integration {
     }
 
     /// y and the mechanism at a time within the last step.
-    fn evaluate_at(&mut self, motion: &mut Motion, time: f64) -> Result<(), Refused> {
+    pub(super) fn evaluate_at(&mut self, motion: &mut Motion, time: f64) -> Result<(), Refused> {
         self.stepper.interpolate(motion, time, &mut self.y)?;
         motion.evaluate(time, &self.y).map_err(|_| Refused)
     }
@@ -174,7 +179,7 @@ impl Integration {
             if motion.reduced.inputs.contacts[contact].phase == Phase::Contact {
                 self.peaks(motion, contact, &reading, until - from);
                 let sums = self.sums(motion, contact);
-                let angle = integration_angle(motion, contact, &reading);
+                let angle = motion.contact_angle(contact, &reading);
                 self.histories[contact].go_on(&reading, sums, angle);
             }
             self.last[contact] = reading;
@@ -241,7 +246,9 @@ impl Integration {
 
     /// Changes the phases that end at `time`, and starts again from there.
     fn change(&mut self, motion: &mut Motion, time: f64) -> Result<(), StepFailure> {
-        self.evaluate_at(motion, time).map_err(|_| StepFailure::Refused { t: time })?;
+        let refused = |_| StepFailure::Refused { t: time };
+        self.evaluate_at(motion, time).map_err(refused)?;
+        self.collide(motion, time).map_err(|_: Failure| StepFailure::Refused { t: time })?;
         let system = motion.system();
         for contact in 0..self.histories.len() {
             let reading = motion.reading(contact);
@@ -256,7 +263,7 @@ impl Integration {
             let history = &mut self.histories[contact];
             match change {
                 Change::Begin => {
-                    history.begin(time, &reading, sums, integration_angle(motion, contact, &reading));
+                    history.begin(time, &reading, sums, motion.contact_angle(contact, &reading));
                     if let Some(component) = motion.bristle(contact) {
                         self.y[component] = 0.0;
                     }
@@ -331,12 +338,6 @@ impl Integration {
         }
         report.events.sort_by(|a, b| a.time.total_cmp(&b.time));
     }
-}
-
-fn integration_angle(motion: &Motion, contact: usize, reading: &Reading) -> f64 {
-    let reduced = &motion.reduced;
-    let at = reduced.driven.evaluation.instant(&reduced.inputs);
-    motion.system().contacts[contact].bearing_angle(&at, reading)
 }
 
 fn deep_start(system: &crate::system::System, contact: usize, reading: &Reading) -> Complaint {

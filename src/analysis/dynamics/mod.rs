@@ -8,6 +8,7 @@
 //! and cease to are located within the steps ([`integration`]).
 
 mod contact;
+mod impact;
 mod integration;
 mod locate;
 pub mod motion;
@@ -26,7 +27,7 @@ use crate::solve::driven::Failure;
 use crate::solve::reduced::Reduced;
 use crate::system::System;
 use integration::Integration;
-use motion::Motion;
+use motion::{Motion, Variants};
 use outputs::Outputs;
 
 /// Runs the analysis.
@@ -52,7 +53,8 @@ pub fn run(
 
     let watch = Stopwatch::start();
     let reduced = start(system, &assembled, &v)?;
-    let mut motion = Motion::new(system, reduced);
+    let variants = Variants::new(model);
+    let mut motion = Motion::new(&variants, reduced);
     let mut report = Report { mobility: assembled.mobility, warnings: assembled.warnings, ..Report::default() };
     report.assemble = assembling;
     let instants = instants(system, analysis).map_err(Stop::Input)?;

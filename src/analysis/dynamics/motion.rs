@@ -14,12 +14,17 @@
 //! Without contacts y is (u, u̇) alone.
 
 use super::contact::worst_guard;
+use crate::analysis::assembly::ranks;
 use crate::element::journal::{Contact, ContactId, Phase, Reading, Surface};
+use crate::error::Complaint;
 use crate::integrate::{Ode, Refused, Tolerance};
-use crate::model::Solver;
+use crate::model::{Model, Solver};
 use crate::solve::driven::{Failure, LAST_STEP};
 use crate::solve::reduced::Reduced;
+use crate::system::Inputs;
 use crate::system::System;
+use crate::system::compile::{Lowering, recompile};
+use typed_arena::Arena;
 
 /// Quantities kept per contact.
 const PER_CONTACT: usize = 3;
@@ -31,9 +36,34 @@ const SLOW: f64 = 0.1;
 /// An evaluation: its time, and the largest of all guards there, above zero where an event has passed.
 type Mark = (f64, f64);
 
+/// The systems of a model that differ in the rigid journals that follow their bearings.
+pub struct Variants<'m> {
+    model: &'m Model,
+    systems: Arena<System>,
+}
+
+impl<'m> Variants<'m> {
+    pub fn new(model: &'m Model) -> Self {
+        Variants { model, systems: Arena::new() }
+    }
+
+    /// The system in which the contacts of `following` are constraints.
+    ///
+    /// # Errors
+    /// Those of compiling, which has gone well for the same model before.
+    fn get(&self, following: &[bool]) -> Result<&System, Vec<Complaint>> {
+        let system = recompile(self.model, Lowering::Open { following })?;
+        Ok(self.systems.alloc(system))
+    }
+}
+
 /// A mechanism in motion.
 pub struct Motion<'s> {
     pub reduced: Reduced<'s>,
+    variants: &'s Variants<'s>,
+    /// First row of each contact that follows its bearing, and the normal force there [N].
+    following: Vec<Option<usize>>,
+    pressing: Vec<f64>,
     /// Component of each contact's bristles, counted from the first.
     bristles: Vec<Option<usize>>,
     bristle_count: usize,
@@ -44,7 +74,8 @@ pub struct Motion<'s> {
 }
 
 impl<'s> Motion<'s> {
-    pub fn new(system: &'s System, reduced: Reduced<'s>) -> Self {
+    pub fn new(variants: &'s Variants<'s>, reduced: Reduced<'s>) -> Self {
+        let system = reduced.driven.system;
         let mut bristle_count = 0;
         let bristles = system
             .contacts
@@ -59,6 +90,9 @@ impl<'s> Motion<'s> {
             .collect();
         Motion {
             reduced,
+            variants,
+            following: vec![None; system.contacts.len()],
+            pressing: vec![0.0; system.contacts.len()],
             bristles,
             bristle_count,
             moving_drivers: system.drivers.iter().any(|driver| !driver.law.is_constant()),
@@ -98,7 +132,79 @@ impl<'s> Motion<'s> {
 
     /// A contact at the point of the last evaluation.
     pub fn reading(&self, contact: usize) -> Reading {
-        self.reduced.driven.evaluation.contact(self.system(), &self.reduced.inputs, ContactId(contact))
+        let evaluation = &self.reduced.driven.evaluation;
+        let mut reading = evaluation.contact(self.system(), &self.reduced.inputs, ContactId(contact));
+        if self.following[contact].is_some() {
+            reading.normal = self.pressing[contact];
+        }
+        reading
+    }
+
+    /// Rigid contacts whose journals follow their bearings, by contact.
+    pub fn followers(&self) -> Vec<bool> {
+        self.following.iter().map(Option::is_some).collect()
+    }
+
+    /// First row of a contact that follows its bearing.
+    pub fn following_row(&self, contact: usize) -> Option<usize> {
+        self.following[contact]
+    }
+
+    /// Goes on with other rigid journals on their bearings' surfaces, from the position and velocities at hand.
+    ///
+    /// # Errors
+    /// Where the constraints of these contacts are singular.
+    pub fn follow(&mut self, following: &[bool], time: f64) -> Result<(), Failure> {
+        let Ok(system) = self.variants.get(following) else { return Err(Failure::Singular) };
+        let inputs = Inputs::at_time(system, time);
+        let (q, v) = (&self.reduced.q, &self.reduced.v);
+        let (_, all) = ranks(system, q, &inputs);
+        let mut reduced = Reduced::new(system, &all.free_columns, q, v, time)?;
+        reduced.inputs.contacts.clone_from(&self.reduced.inputs.contacts);
+        reduced.lag = self.reduced.lag;
+        reduced.driven.done = self.reduced.driven.done;
+        self.reduced = reduced;
+        self.lambda.resize(system.m(), 0.0);
+        let rows = system.joints.iter().zip(&system.blocks).filter(|(joint, _)| joint.contact.is_some());
+        for (contact, (_, block)) in rows.enumerate() {
+            self.following[contact] = following[contact].then_some(block.row);
+        }
+        Ok(())
+    }
+
+    /// The follower that an impulse and its change of the velocities pull most towards its bearing, and its own impulse.
+    pub fn pulled(&mut self, impulse: &[f64], change: &[f64]) -> Option<(usize, f64)> {
+        self.following.iter().any(Option::is_some).then(|| {
+            self.reduced.impulsive_multipliers(impulse, change, &mut self.lambda);
+        })?;
+        let rows = self.following.iter().enumerate().filter_map(|(contact, row)| Some((contact, (*row)?)));
+        rows.map(|(contact, row)| (contact, self.lambda[row])).min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// Work that moving drivers do in an impulse that changes the velocities (n) [J].
+    pub fn impulsive_work(&mut self, impulse: &[f64], change: &[f64]) -> f64 {
+        if !self.moving_drivers {
+            return 0.0;
+        }
+        self.reduced.impulsive_multipliers(impulse, change, &mut self.lambda);
+        let efforts = &self.lambda[self.system().joint_rows()..];
+        efforts.iter().zip(&self.reduced.inputs.drive).map(|(effort, jet)| effort * jet[1]).sum()
+    }
+
+    /// Angle of a contact in the bearing's body [rad].
+    pub fn contact_angle(&self, contact: usize, reading: &Reading) -> f64 {
+        let at = self.reduced.driven.evaluation.instant(&self.reduced.inputs);
+        self.system().contacts[contact].bearing_angle(&at, reading)
+    }
+
+    /// Normal forces of the contacts that follow, at the point of the last evaluation.
+    fn eval_pressing(&mut self) {
+        if self.following.iter().any(Option::is_some) {
+            self.reduced.multipliers(&mut self.lambda);
+            for (pressing, row) in self.pressing.iter_mut().zip(&self.following) {
+                *pressing = row.map_or(0.0, |row| self.lambda[row]);
+            }
+        }
     }
 
     /// All of the mechanism at (t, y).
@@ -107,7 +213,9 @@ impl<'s> Motion<'s> {
     /// Where the position can't be solved on its branch, or the mass matrix is singular.
     pub fn evaluate(&mut self, t: f64, y: &[f64]) -> Result<(), Failure> {
         self.take_bristles(y);
-        self.reduced.evaluate(t, y)
+        self.reduced.evaluate(t, y)?;
+        self.eval_pressing();
+        Ok(())
     }
 
     fn take_bristles(&mut self, y: &[f64]) {
@@ -230,6 +338,7 @@ impl Ode for Motion<'_> {
     fn eval(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Refused> {
         self.take_bristles(y);
         Ode::eval(&mut self.reduced, t, y, dy)?;
+        self.eval_pressing();
         if self.contacts() > 0 {
             self.eval_ledger(t, dy);
         }

@@ -56,7 +56,9 @@ impl<'a, 'r> Outputs<'a, 'r> {
         }
         let [dissipated, work] = solver.ledger(motion);
         let reduced = &mut motion.reduced;
+        let system = reduced.driven.system;
         let Sample { q, v, a, lambda, force, .. } = &mut self.sample;
+        lambda.resize(system.m(), 0.0);
         q.copy_from_slice(&reduced.q);
         v.copy_from_slice(&reduced.v);
         a.copy_from_slice(&reduced.a);
@@ -64,10 +66,10 @@ impl<'a, 'r> Outputs<'a, 'r> {
         reduced.multipliers(lambda);
         let evaluation = &mut reduced.driven.evaluation;
         evaluation.set_position(q);
-        evaluation.eval_phi(self.system, &reduced.inputs);
-        let residual = self.system.scaled_residual(&evaluation.phi);
+        evaluation.eval_phi(system, &reduced.inputs);
+        let residual = system.scaled_residual(&evaluation.phi);
         self.report.quality.constraint_residual = self.report.quality.constraint_residual.max(residual);
-        let efforts = &lambda[self.system.joint_rows()..];
+        let efforts = &lambda[system.joint_rows()..];
         let driven: f64 = efforts.iter().zip(&reduced.inputs.drive).map(|(effort, jet)| effort * jet[1]).sum();
         let applied = dot(force, v);
         let kinetic: f64 = v.iter().zip(a.iter()).zip(&self.system.mass).map(|((v, a), m)| v * a * m).sum();
@@ -86,7 +88,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
             ledger.largest = [moving, elastic, dissipated, work.abs()].into_iter().fold(ledger.largest, f64::max);
         }
         self.sample.contact_energy = [elastic, dissipated];
-        self.recorder.push(self.system, &reduced.driven.evaluation, &reduced.inputs, &self.sample);
+        self.recorder.push(system, &reduced.driven.evaluation, &reduced.inputs, &self.sample);
         Ok(())
     }
 
