@@ -23,6 +23,8 @@ use crate::output::{Episode, Event};
 const GONE: f64 = 1e-10;
 /// Approach of a rigid journal that is round-off [m/s].
 const CREEP: f64 = 1e-10;
+/// Pull on a journal that follows its bearing which is round-off [N].
+const PULL: f64 = 1e-9;
 /// Makes lengths and speeds comparable by their signs [s].
 const SECOND: f64 = 1.0;
 /// Sliding velocity past the end of a piece of the friction law from which the next piece holds [m/s].
@@ -38,7 +40,7 @@ pub fn worst_guard(journal: &Journal, memory: &Contact, reading: &Reading) -> f6
         (Surface::Compliant(_), Phase::Flight) => reading.penetration,
         // On its way out it may still be where it touched.
         (Surface::Rigid(_), Phase::Flight) => reading.penetration.min((reading.rate - CREEP) * SECOND),
-        (Surface::Rigid(_), Phase::Contact) => -reading.normal,
+        (Surface::Rigid(_), Phase::Contact) => -reading.normal - PULL,
         (Surface::Compliant(laws), Phase::Contact) => {
             let hold = laws.normal.hold(reading.penetration, reading.rate, memory.approach);
             let (low, up) = laws.friction.bounds(memory.piece);

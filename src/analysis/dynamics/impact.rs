@@ -29,6 +29,8 @@ const MANY: usize = 100;
 /// Impulse by which a follower may be pulled, in parts of the impact's, before it lets go.
 const PULLED: f64 = 1e-9;
 
+/// Normal speed of a journal that stays where it is [m/s].
+const AT_REST: f64 = 1e-9;
 /// Acceleration, in parts of the largest, that is round-off.
 const EVEN: f64 = 1e-12;
 
@@ -47,8 +49,7 @@ impl Integration {
         for round in 0.. {
             let Some(contact) = acting(motion) else { break };
             if motion.reduced.inputs.contacts[contact].phase == Phase::Contact {
-                let touching = motion.followers();
-                self.settle(motion, &touching, time)?;
+                self.settle(motion, AT_REST, time)?;
             } else {
                 self.impact(motion, contact, time, round)?;
             }
@@ -66,20 +67,54 @@ impl Integration {
         self.go_on(motion, &following, time)
     }
 
-    /// Of journals that touch their bearings without approaching, those that press follow: with N their normal forces and
-    /// δ̈ = b − W N the accelerations that remain, N ≥ 0, δ̈ ≤ 0 and one of the two zero for each.
-    fn settle(&mut self, motion: &mut Motion, touching: &[bool], time: f64) -> Result<(), Failure> {
-        self.go_on_as(motion, &vec![false; touching.len()], time)?;
-        let contacts: Vec<usize> = (0..touching.len()).filter(|&contact| touching[contact]).collect();
+    /// Journals that touch their bearings with speeds below `slow` lose what brings them nearer, all at once, and of those
+    /// that stay the ones that press follow: with p, N ≥ 0 their impulses and normal forces, δ̇ = v − W p ≤ 0 and then
+    /// δ̈ = b − W N ≤ 0, in each pair one of the two zero.
+    fn settle(&mut self, motion: &mut Motion, slow: f64, time: f64) -> Result<(), Failure> {
+        let were = motion.followers();
+        self.go_on_as(motion, &vec![false; were.len()], time)?;
+        let contacts: Vec<usize> =
+            (0..were.len()).filter(|&contact| were[contact] || touches(motion, contact, slow)).collect();
+        let size = contacts.len();
         let points: Vec<Point> =
             contacts.iter().map(|&contact| Point::new(motion, contact, &motion.reading(contact))).collect();
-        let free: Vec<f64> =
-            contacts.iter().zip(&points).map(|(&contact, point)| approach_acceleration(motion, contact, point)).collect();
-        let size = contacts.len();
         let mass = DMatrix::from_fn(size, size, |i, j| dot(&points[i].forces[0], &points[j].changes[0]));
-        let pressing = pressing(&mass, &free);
-        let mut following = vec![false; touching.len()];
-        contacts.iter().zip(&pressing).for_each(|(&contact, &presses)| following[contact] = presses);
+        let rates: Vec<f64> = contacts.iter().map(|&contact| motion.reading(contact).rate).collect();
+        let (stays, impulses) = complementary(&mass, &rates);
+        for (k, point) in points.iter().enumerate() {
+            if impulses[k] > 0.0 {
+                let held: f64 = (0..size).map(|j| mass[(k, j)] * impulses[j]).sum();
+                let sums = motion.dissipated(contacts[k]);
+                // From v to v − W p at a force that is p in all.
+                self.y[sums] += impulses[k] * (rates[k] - 0.5 * held);
+                self.y[sums + 1] += impulses[k];
+                let pushed = [impulses[k], 0.0];
+                let work = motion.impulsive_work(&point.sum(&point.forces, pushed), &point.sum(&point.changes, pushed));
+                let component = motion.work();
+                self.y[component] += work;
+                point.apply(&mut self.y, pushed);
+            }
+        }
+        motion.evaluate(time, &self.y)?;
+        let free: Vec<f64> = contacts
+            .iter()
+            .zip(&points)
+            .zip(&stays)
+            .map(|((&contact, point), &stays)| {
+                let at_rest = stays || were[contact] && motion.reading(contact).rate.abs() <= slow;
+                if at_rest { approach_acceleration(motion, contact, point) } else { f64::NEG_INFINITY }
+            })
+            .collect();
+        let (presses, _) = complementary(&mass, &free);
+        let mut following = vec![false; were.len()];
+        for (&contact, &presses) in contacts.iter().zip(&presses) {
+            following[contact] = presses;
+            if presses && motion.reduced.inputs.contacts[contact].phase == Phase::Flight {
+                let (reading, sums) = (motion.reading(contact), self.sums(motion, contact));
+                let angle = motion.contact_angle(contact, &reading);
+                self.histories[contact].begin(time, &reading, sums, angle);
+            }
+        }
         self.go_on(motion, &following, time)
     }
 
@@ -152,9 +187,8 @@ impl Integration {
         if stays {
             motion.reduced.inputs.contacts[contact] =
                 Contact { phase: Phase::Contact, approach: reading.rate, ..Contact::default() };
-            let mut touching = motion.followers();
-            touching[contact] = true;
-            self.settle(motion, &touching, time)?;
+            let slow = (2.0 * fall.max(0.0) * height).sqrt().max(AT_REST);
+            self.settle(motion, slow, time)?;
             if motion.followers()[contact] {
                 self.histories[contact].follow(time, height);
             }
@@ -195,14 +229,23 @@ impl Integration {
     }
 }
 
-/// Which of touching journals press: N ≥ 0, b − W N ≤ 0, complementary.
+/// Whether a rigid journal is on its bearing's surface, slower than `slow`.
+fn touches(motion: &Motion, contact: usize, slow: f64) -> bool {
+    let journal = &motion.system().contacts[contact];
+    let reading = motion.reading(contact);
+    matches!(journal.surface, Surface::Rigid(_))
+        && reading.penetration > -LOWEST * journal.clearance
+        && reading.rate.abs() <= slow
+}
+
+/// x ≥ 0 with b − W x ≤ 0, complementary: which are not zero, and x.
 ///
 /// Principal pivoting by least index (Murty 1974), which ends for a positive definite W; more rounds than it can need end it
 /// for a singular one.
-fn pressing(mass: &DMatrix<f64>, free: &[f64]) -> Vec<bool> {
+fn complementary(mass: &DMatrix<f64>, free: &[f64]) -> (Vec<bool>, Vec<f64>) {
     let size = free.len();
-    let mut pressing = vec![false; size];
-    let scale = free.iter().fold(0.0, |most: f64, b| most.max(b.abs()));
+    let (mut pressing, mut x) = (vec![false; size], vec![0.0; size]);
+    let scale = free.iter().filter(|b| b.is_finite()).fold(0.0, |most: f64, b| most.max(b.abs()));
     for _ in 0..1usize << size.min(12) {
         let chosen: Vec<usize> = (0..size).filter(|&k| pressing[k]).collect();
         let part = DMatrix::from_fn(chosen.len(), chosen.len(), |i, j| mass[(chosen[i], chosen[j])]);
@@ -216,10 +259,13 @@ fn pressing(mass: &DMatrix<f64>, free: &[f64]) -> Vec<bool> {
                 free[k] - held > EVEN * scale
             }
         });
-        let Some(wrong) = wrong else { break };
+        let Some(wrong) = wrong else {
+            chosen.iter().zip(forces.iter()).for_each(|(&k, force)| x[k] = *force);
+            break;
+        };
         pressing[wrong] = !pressing[wrong];
     }
-    pressing
+    (pressing, x)
 }
 
 /// A rigid contact whose guard is positive.

@@ -288,7 +288,8 @@ impl Integration {
             self.last[contact] = motion.reading(contact);
         }
         let y = std::mem::take(&mut self.y);
-        let restarted = self.restart(motion, time, &y, None);
+        let step = self.stepper.t() - self.stepper.previous();
+        let restarted = self.restart(motion, time, &y, (step > 0.0).then_some(step));
         self.y = y;
         restarted
     }
