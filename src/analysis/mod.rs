@@ -109,7 +109,7 @@ pub fn run(model: &Model, control: &Control) -> Result<Outcome, Vec<Complaint>> 
         }
         AnalysisKind::Statics => statics::run(&system, control),
     };
-    let (mut trajectory, mut report) = match outcome {
+    let (trajectory, mut report) = match outcome {
         Ok(found) => found,
         Err(Stop::Input(complaints)) => return Err(complaints),
         Err(Stop::Failed { status, message }) => {
@@ -120,8 +120,12 @@ pub fn run(model: &Model, control: &Control) -> Result<Outcome, Vec<Complaint>> 
             )
         }
     };
-    let complete = (!analysis.columns.is_empty()).then(|| trajectory.clone());
-    report.warnings.extend(trajectory.select(&analysis.columns));
+    let (selected, warnings) = trajectory.select(&analysis.columns);
+    report.warnings.extend(warnings);
+    let (trajectory, complete) = match selected {
+        Some(selected) => (selected, Some(trajectory)),
+        None => (trajectory, None),
+    };
     Ok(Outcome { trajectory, complete, report, settings: settings(analysis) })
 }
 

@@ -150,15 +150,15 @@ impl Trajectory {
         Some(self.column(self.column_index(name)?).collect())
     }
 
-    /// Keeps the columns that `patterns` name (see [`Selection::new`]); returns a warning per pattern that matches nothing.
-    pub fn select(&mut self, patterns: &[String]) -> Vec<String> {
+    /// A table of the columns that `patterns` name (see [`Selection::new`]), none where that is all of them; and a warning per
+    /// pattern that matches nothing.
+    pub fn select(&self, patterns: &[String]) -> (Option<Trajectory>, Vec<String>) {
         let Selection { columns: kept, warnings } = Selection::new(&self.columns, patterns);
-        if kept.len() < self.width() {
-            let data = self.rows().flat_map(|row| kept.iter().map(|&column| row[column])).collect();
-            let columns = kept.iter().map(|&column| self.columns[column].clone()).collect();
-            *self = Trajectory { columns, data };
-        }
-        warnings
+        let selected = (kept.len() < self.width()).then(|| Trajectory {
+            data: self.rows().flat_map(|row| kept.iter().map(|&column| row[column])).collect(),
+            columns: kept.iter().map(|&column| self.columns[column].clone()).collect(),
+        });
+        (selected, warnings)
     }
 
     /// Smallest and largest value of every column, in one pass over the table.
@@ -228,7 +228,8 @@ mod tests {
         let mut table = Trajectory::new(columns(&["time", "a.x", "a.y", "b.x"]));
         table.push_row(&[0.0, 1.0, 2.0, 3.0]);
         table.push_row(&[0.5, 4.0, 5.0, 6.0]);
-        let warnings = table.select(&patterns(&["b.*", "*.x", "a.z", "c[m]"]));
+        let (selected, warnings) = table.select(&patterns(&["b.*", "*.x", "a.z", "c[m]"]));
+        let table = selected.expect("fewer columns");
         assert_eq!(table.columns, columns(&["time", "a.x", "b.x"]));
         assert_eq!(table.data, [0.0, 1.0, 3.0, 0.5, 4.0, 6.0]);
         assert_eq!(warnings.len(), 2, "{warnings:?}");
@@ -240,8 +241,8 @@ mod tests {
     fn no_pattern_keeps_all() {
         let mut table = Trajectory::new(columns(&["time", "a.x"]));
         table.push_row(&[0.0, 1.0]);
-        assert!(table.select(&[]).is_empty());
-        assert_eq!(table.width(), 2);
+        let (selected, warnings) = table.select(&[]);
+        assert!(selected.is_none() && warnings.is_empty());
     }
 
     #[test]

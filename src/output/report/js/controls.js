@@ -129,10 +129,10 @@
   });
 
   // Paper is light, and as wide as paper is.
-  const PAPER = { width: 684, height: 300 };
+  const PAPER = { width: 684, height: 300, plot: 312 };
   const paper = (on) => {
     theme.paper = on;
-    plots.list.forEach((plot) => plot.fit(on ? PAPER.width - 24 : undefined));
+    plots.list.forEach((plot) => plot.fit(on ? PAPER.plot : undefined));
     stage.resize(on ? PAPER : undefined);
   };
   window.addEventListener("beforeprint", () => paper(true));
