@@ -58,8 +58,6 @@ pub fn open(browser: &Path, page: &str, budget: Option<u32>) -> Visit {
     let mut command = Command::new(browser);
     command.args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"]);
     command.args(["--disable-background-networking", "--disable-component-update", "--disable-sync"]);
-    // Without these no frames are drawn while virtual time passes.
-    command.args(["--disable-gpu-vsync", "--disable-frame-rate-limit"]);
     command.args(["--enable-logging=stderr", "--window-size=1280,900", "--dump-dom"]);
     command.arg(format!("--user-data-dir={}", scratch.0.join("profile").display()));
     command.args(budget.map(|budget| format!("--virtual-time-budget={budget}")));
