@@ -23,7 +23,7 @@
     const text = size >= 1e6 || size < 1e-3 ? value.toExponential(digits - 1) : value.toPrecision(digits);
     const [mantissa, exponent] = text.split("e");
     const short = mantissa.includes(".") ? mantissa.replace(/\.?0+$/, "") : mantissa;
-    return (exponent === undefined ? short : `${short}e${Number(exponent)}`).replace("-", "−");
+    return (exponent === undefined ? short : `${short}e${Number(exponent)}`).replaceAll("-", "−");
   };
 
   // A value of a column with its unit.
