@@ -22,6 +22,8 @@ const CONTACT_LAG: f64 = 1e-10;
 const LOOKS: usize = 8;
 /// Points within a step at which peaks are looked for.
 const PEAK_LOOKS: usize = 16;
+/// A step with an event is taken again to this part of it beyond the event, which is then near its end.
+const BEYOND: f64 = 1e-3;
 /// Deepest penetration at the start, in parts of the clearance.
 const DEEPEST_START: f64 = 0.1;
 const DEEPEST_RIGID: f64 = 1e-9;
@@ -164,8 +166,15 @@ impl Integration {
 
     /// Finds the first event of the last step, and tells the histories what came before it.
     fn look(&mut self, motion: &mut Motion) -> Result<(), Refused> {
-        let (from, to) = (self.stepper.previous(), self.stepper.t());
+        let (mut from, mut to) = (self.stepper.previous(), self.stepper.t());
         if motion.passed(from, to) {
+            self.pending = self.first_event(motion, from, to)?;
+        }
+        if let Some(time) = self.pending
+            && from + (1.0 + BEYOND) * (time - from) < to
+        {
+            self.step_again(motion, from, from + (1.0 + BEYOND) * (time - from)).map_err(|_| Refused)?;
+            (from, to) = (self.stepper.previous(), self.stepper.t());
             self.pending = self.first_event(motion, from, to)?;
         }
         let until = self.reached();
@@ -183,6 +192,22 @@ impl Integration {
                 self.histories[contact].go_on(&reading, sums, angle);
             }
             self.last[contact] = reading;
+        }
+        Ok(())
+    }
+
+    /// The last step once more, from its beginning, to `to` within it: a method's continuous extension is less accurate than
+    /// the ends of its steps, and where the motion goes on after an event is such an end.
+    fn step_again(&mut self, motion: &mut Motion, from: f64, to: f64) -> Result<(), StepFailure> {
+        let mut y = std::mem::take(&mut self.y);
+        y.resize(motion.dimension(), 0.0);
+        let known = self.stepper.interpolate(motion, from, &mut y).map_err(|_| StepFailure::Refused { t: from });
+        let end = std::mem::replace(&mut self.end, to);
+        let restarted = known.and_then(|()| self.restart(motion, from, &y, Some(to - from)));
+        (self.y, self.end) = (y, end);
+        restarted?;
+        while self.stepper.t() < to {
+            self.stepper.step(motion, to)?;
         }
         Ok(())
     }
