@@ -53,6 +53,15 @@ fn the_tolerance_ladder_has_no_fault() {
     assert!(faults.is_empty(), "{faults:#?}");
 }
 
+#[test]
+fn the_slider_crank_with_clearance_agrees() {
+    let case = CASES.iter().find(|case| case.name == "slider-crank-clearance").expect("bundled");
+    let report = case.run(None, &Control::default()).expect("runs");
+    assert_eq!(report.claims.len(), 19);
+    let faults: Vec<_> = report.claims.iter().filter(|claim| claim.verdict != Verdict::Agrees).collect();
+    assert!(faults.is_empty(), "{}\n{faults:#?}", report.text);
+}
+
 /// A tolerance that anything meets would make agreement worthless.
 #[test]
 fn no_case_is_lax() {

@@ -8,6 +8,7 @@ pub mod four_bar_spring;
 pub mod lock;
 pub mod reference;
 pub mod restitution;
+pub mod slider_crank_clearance;
 pub mod table;
 pub mod tolerance_ladder;
 
@@ -46,6 +47,10 @@ pub const CASES: &[Case] = &[
     Case {
         name: "tolerance-ladder",
         kind: CaseKind::Coded { about: tolerance_ladder::ABOUT, run: tolerance_ladder::run },
+    },
+    Case {
+        name: "slider-crank-clearance",
+        kind: CaseKind::Coded { about: slider_crank_clearance::ABOUT, run: slider_crank_clearance::run },
     },
     reference(
         "lock-ideal",
