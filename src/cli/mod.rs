@@ -4,6 +4,7 @@
 
 mod animate;
 mod check;
+mod compare;
 mod interrupt;
 mod measures;
 mod models;
@@ -48,6 +49,8 @@ enum Command {
     Run(run::Options),
     /// Read, assemble and diagnose a model
     Check(check::Options),
+    /// Run a model with each model of a joint's clearance, and compare
+    Compare(compare::Options),
     /// Natural frequencies, damping ratios and shapes of small motions about the equilibrium
     Modes(modes::Options),
     /// Draw result columns as a figure
@@ -131,6 +134,7 @@ pub fn main() -> ExitCode {
         Command::New(options) => new::execute(&options),
         Command::Run(options) => run::execute(&options),
         Command::Check(options) => check::execute(&options),
+        Command::Compare(options) => compare::execute(&options),
         Command::Modes(options) => modes::execute(&options),
         Command::Plot(options) => plot::execute(&options),
         Command::Animate(options) => animate::execute(&options),

@@ -42,14 +42,27 @@ impl ModelOptions {
     /// # Errors
     /// When there is no such model, or it has faults.
     pub fn open(&self) -> Result<Opened, BadInput> {
+        let label = self.model.display().to_string();
+        self.open_with(&[])?.map_err(|complaints| bad_input(&label, complaints))
+    }
+
+    /// Reads the model with more values set, after those of the command.
+    ///
+    /// # Errors
+    /// When there is no such model; inside, its faults.
+    pub fn open_with(&self, more: &[String]) -> Result<Result<Opened, Vec<Complaint>>, BadInput> {
         let watch = Stopwatch::start();
         let label = self.model.display().to_string();
         let bytes = read(&self.model)?;
-        let loaded = model::load(&bytes, &self.sets).map_err(|complaints| bad_input(&label, complaints))?;
+        let sets = [self.sets.as_slice(), more].concat();
+        let loaded = match model::load(&bytes, &sets) {
+            Ok(loaded) => loaded,
+            Err(complaints) => return Ok(Err(complaints)),
+        };
         let stem = self.model.file_stem().map_or_else(|| label.clone(), |stem| stem.to_string_lossy().into_owned());
         let name = loaded.model.name.clone().filter(|name| !name.is_empty()).unwrap_or(stem);
         let sha256 = format!("{:x}", Sha256::digest(&bytes));
-        Ok(Opened { loaded, label, name, sha256, time: watch.read() })
+        Ok(Ok(Opened { loaded, label, name, sha256, time: watch.read() }))
     }
 }
 

@@ -57,13 +57,13 @@ pub struct Written {
 }
 
 /// When `max_wall_time` is over; none where there is no such setting, or no clock can tell that instant.
-fn deadline(model: &Model, started: Instant) -> Option<Instant> {
+pub fn deadline(model: &Model, started: Instant) -> Option<Instant> {
     let seconds = model.analysis.as_ref()?.solver.max_wall_time?;
     started.checked_add(Duration::try_from_secs_f64(seconds).ok()?)
 }
 
 /// The directory, tried before the run, so that nothing is computed in vain.
-fn open_directory(path: &std::path::Path) -> Result<Directory, WriteError> {
+pub fn open_directory(path: &std::path::Path) -> Result<Directory, WriteError> {
     let directory = Directory::open(path)?;
     directory.expect_free(RESULTS)?;
     directory.expect_free(SUMMARY)?;
@@ -72,7 +72,7 @@ fn open_directory(path: &std::path::Path) -> Result<Directory, WriteError> {
 }
 
 /// Writes all result files; the summary comes last, since it tells how long the others took.
-fn write(directory: &Directory, opened: &Opened, outcome: &Outcome) -> Result<Written, WriteError> {
+pub fn write(directory: &Directory, opened: &Opened, outcome: &Outcome) -> Result<Written, WriteError> {
     let watch = Stopwatch::start();
     let results = directory.write_with(RESULTS, |file| csv::write(&outcome.trajectory, file))?;
     let report = directory.write(REPORT, report::text(opened, outcome).as_bytes())?;

@@ -158,7 +158,7 @@ fn times(stages: &[(&str, Stage)]) -> String {
 }
 
 /// A unit as people write it: `N·m`, `m/s²`.
-fn unit_words(unit: &str) -> String {
+pub fn unit_words(unit: &str) -> String {
     unit.replace('*', "·").replace("^2", "²")
 }
 

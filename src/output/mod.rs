@@ -1,5 +1,6 @@
 //! Results: the trajectory (columns with name and unit) and the report (why it stopped, counters, events).
 
+pub mod comparison;
 pub mod csv;
 pub mod files;
 pub mod read;
@@ -8,6 +9,7 @@ pub mod stopwatch;
 pub mod summary;
 pub mod trajectory;
 
+pub use comparison::Comparison;
 pub use files::{Directory, WriteError};
 pub use read::Table;
 pub use stopwatch::Stopwatch;

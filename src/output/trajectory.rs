@@ -105,6 +105,17 @@ impl Trajectory {
         self.data.extend_from_slice(row);
     }
 
+    /// Appends a column with a value per row.
+    ///
+    /// # Panics
+    /// When there are more or fewer values than rows.
+    pub fn push_column(&mut self, column: Column, values: &[f64]) {
+        assert_eq!(values.len(), self.len(), "a column must have one value per row");
+        let rows = self.rows().zip(values);
+        self.data = rows.flat_map(|(row, value)| row.iter().chain(std::iter::once(value)).copied()).collect();
+        self.columns.push(column);
+    }
+
     /// Number of columns.
     pub fn width(&self) -> usize {
         self.columns.len()
