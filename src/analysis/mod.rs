@@ -208,6 +208,16 @@ fn run_assembly(system: &System) -> Result<(Trajectory, Report), Stop> {
     Ok((recorder.trajectory, report))
 }
 
+/// What to say where a force that depends on multipliers has no finite size.
+fn locked(system: &System, force: usize) -> String {
+    let block = &system.blocks[system.reactive[force].block];
+    format!(
+        "{} locks itself: its friction grows with its reaction faster than it can be balanced (no motion satisfies the \
+         equations)",
+        system.origin_name(&block.origin)
+    )
+}
+
 /// Joins consecutive instants of one kind into an event over an interval.
 #[derive(Debug, Default)]
 struct Interval {

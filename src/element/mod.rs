@@ -190,6 +190,22 @@ pub trait Force: Send + Sync {
 }
 
 /// Unit vector along `a`, and its length; none for a (numerically) zero vector.
+/// A force in one direction whose size depends on the multipliers of a constraint: friction.
+///
+/// Its size is found in `solve::reactive`.
+pub trait ReactiveForce: Send + Sync {
+    /// Adds the generalized forces of size 1.
+    fn apply_unit(&self, at: &Instant, to: &mut Applied);
+    /// Size [N or N·m] at the constraint's multipliers, with its derivatives by them, which are as many.
+    fn size(&self, at: &Instant, memory: f64, lambda: &[f64], slope: &mut [f64]) -> f64;
+    /// Force on the second body (global axes) [N], at its point, and torque [N·m] that a size means.
+    fn reaction(&self, at: &Instant, size: f64) -> (Vec2, f64);
+    /// Typical size of what the force remembers where that changes with time (bristles' deflection [m]).
+    fn memory_scale(&self) -> Option<f64>;
+    /// Its rate [m/s].
+    fn memory_rate(&self, at: &Instant, memory: f64) -> f64;
+}
+
 pub(crate) fn direction(a: Vec2) -> Option<(Vec2, f64)> {
     let length = a.norm();
     (length > f64::MIN_POSITIVE).then(|| (a / length, length))

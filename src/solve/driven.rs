@@ -20,6 +20,7 @@
 use super::lu::{Singular, SparseLu};
 use super::order::ColumnOrder;
 use super::pattern::{Pattern, square};
+use super::reactive::ReactiveForces;
 use super::redundancy::well_conditioned_rows;
 use crate::math::max_abs;
 use crate::system::{Evaluation, Inputs, System};
@@ -54,6 +55,8 @@ pub enum Failure {
     Diverged { residual: f64 },
     /// The independent constraints are met, the redundant ones are not.
     Inconsistent { residual: f64 },
+    /// A force that depends on multipliers grows beyond all bounds with them (index into [`System::reactive`]).
+    Locked { force: usize },
 }
 
 impl From<Singular> for Failure {
@@ -105,6 +108,7 @@ pub struct Driven<'s> {
     /// Newton step after which no further one is made, scaled [–]; by default what leaves nothing above round-off.
     pub last_step: f64,
     pub done: Work,
+    pub reactive: ReactiveForces,
 }
 
 impl<'s> Driven<'s> {
@@ -150,6 +154,7 @@ impl<'s> Driven<'s> {
             rows: vec![0.0; rows],
             last_step: LAST_STEP,
             done: Work::default(),
+            reactive: ReactiveForces::new(system, columns.len()),
         };
         driven.scale_rows();
         driven.scatter();
@@ -420,6 +425,37 @@ impl<'s> Driven<'s> {
             let basis = self.self_stress();
             project_out(&basis, lambda);
         }
+    }
+
+    /// Multipliers λ (m) of a fully driven mechanism with Jᵀ λ = `balance` (n), together with the forces that depend on
+    /// them, which are added to `force` and `balance`; at the position and velocity last taken and its factors.
+    ///
+    /// # Errors
+    /// [`Failure::Locked`]; λ is then without these forces.
+    pub fn react(
+        &mut self,
+        inputs: &Inputs,
+        force: &mut [f64],
+        balance: &mut [f64],
+        lambda: &mut [f64],
+    ) -> Result<(), Failure> {
+        self.multipliers(balance, lambda);
+        if self.system.reactive.is_empty() {
+            return Ok(());
+        }
+        let mut reactive = std::mem::take(&mut self.reactive);
+        reactive.eval_units(self.system, &self.evaluation, inputs);
+        for (unit, response) in reactive.units_and_responses() {
+            self.multipliers(unit, response);
+        }
+        let solved = reactive.solve(self.system, &self.evaluation, inputs, lambda);
+        if solved.is_ok() {
+            reactive.add_forces(force);
+            reactive.add_forces(balance);
+            reactive.add_responses(lambda);
+        }
+        self.reactive = reactive;
+        solved
     }
 
     /// g (n) with J_Aᵀ g = b, unscaled.

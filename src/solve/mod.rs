@@ -10,6 +10,7 @@
 //! redundancy    free directions, and independent rows chosen for good condition
 //! closing       assembly from rough guesses (Levenberg–Marquardt)
 //! driven        positions, velocities, accelerations, multipliers at one instant
+//! reactive      forces that depend on multipliers, which depend on them: friction
 //! reduced       equations of motion in minimal coordinates
 //! held          the mechanism at rest in minimal coordinates: forces, stiffness, damping and mass
 //! equilibrium   where the forces at rest vanish, and whether that is stable
@@ -33,6 +34,7 @@ pub mod matching;
 pub mod order;
 pub mod pattern;
 pub mod rank;
+pub mod reactive;
 pub mod reduced;
 pub mod redundancy;
 mod triangle;

@@ -15,7 +15,8 @@
 //! S′ = ∂²q/∂u² (a₀ = S′ u̇²), from its smooth branch. Closed curves (a coordinate that turns round and round) are followed
 //! once around.
 //!
-//! Multipliers are worked out only where they are wanted. Bodies may lack mass as long as SᵀMS is regular. The choice of u
+//! Multipliers are worked out only where they are wanted: for results, and where forces depend on them
+//! ([`super::reactive`]), which then become part of Q. Bodies may lack mass as long as SᵀMS is regular. The choice of u
 //! is kept while it is good and changed between steps when another coordinate moves more.
 
 use super::continuation::{End, HALF_TURN, Parameter, Path, Source, follow};
@@ -311,8 +312,48 @@ impl<'s> Reduced<'s> {
                 *a += self.rhs[k] * s;
             }
         }
+        if !system.reactive.is_empty() {
+            self.react()?;
+        }
         self.at = Some(time);
         Ok(())
+    }
+
+    /// Forces that depend on multipliers: with them ü, a and Q.
+    fn react(&mut self) -> Result<(), Failure> {
+        let system = self.driven.system;
+        let n = system.n();
+        let mut reactive = std::mem::take(&mut self.driven.reactive);
+        let mut lambda = std::mem::take(&mut reactive.free);
+        self.multipliers(&mut lambda);
+        reactive.eval_units(system, &self.driven.evaluation, &self.inputs);
+        for ((unit, response), rates) in reactive.units_responses_and_rates() {
+            for (rate, s) in rates.iter_mut().zip(self.motions.chunks_exact(n)) {
+                *rate = crate::math::dot(s, unit);
+            }
+            solve_factored(&self.mass, rates);
+            self.balance.copy_from_slice(unit);
+            for (rate, s) in rates.iter().zip(self.motions.chunks_exact(n)) {
+                for ((b, s), m) in self.balance.iter_mut().zip(s).zip(&system.mass) {
+                    *b -= m * rate * s;
+                }
+            }
+            self.driven.multipliers(&self.balance, response);
+        }
+        let solved = reactive.solve(system, &self.driven.evaluation, &self.inputs, &lambda);
+        if solved.is_ok() {
+            reactive.add_forces(&mut self.force);
+            for (size, rates) in reactive.sizes_and_rates() {
+                for (k, (rate, s)) in rates.iter().zip(self.motions.chunks_exact(n)).enumerate() {
+                    self.rhs[k] += size * rate;
+                    self.driven.pins[k].jet[2] = self.rhs[k];
+                    self.a.iter_mut().zip(s).for_each(|(a, s)| *a += size * rate * s);
+                }
+            }
+        }
+        reactive.free = lambda;
+        self.driven.reactive = reactive;
+        solved
     }
 
     /// ü in `rhs`, from SᵀMS ü = Sᵀ b by Cholesky.
@@ -341,7 +382,7 @@ impl<'s> Reduced<'s> {
                 }
             }
         }
-        cholesky_solve(&self.mass, f, &mut self.rhs);
+        solve_factored(&self.mass, &mut self.rhs);
         Ok(())
     }
 
@@ -373,11 +414,11 @@ impl<'s> Reduced<'s> {
 
     /// Change of the rates u̇ by a generalized impulse P (n) at the point of the last evaluation, SᵀMS Δu̇ = Sᵀ P.
     pub fn kick(&self, impulse: &[f64], rates: &mut [f64]) {
-        let (n, f) = (impulse.len(), self.freedom());
+        let n = impulse.len();
         for (rate, motion) in rates.iter_mut().zip(self.motions.chunks_exact(n.max(1))) {
             *rate = crate::math::dot(motion, impulse);
         }
-        cholesky_solve(&self.mass, f, rates);
+        solve_factored(&self.mass, rates);
     }
 
     /// Change of the velocities (n) by that of the rates.
@@ -439,24 +480,25 @@ impl<'s> Reduced<'s> {
     }
 }
 
-/// x ← (L Lᵀ)⁻¹ x with the lower factor L (f × f).
-fn cholesky_solve(factor: &[f64], f: usize, x: &mut [f64]) {
-    for i in 0..f {
-        let sum: f64 = (0..i).map(|k| factor[i * f + k] * x[k]).sum();
-        x[i] = (x[i] - sum) / factor[i * f + i];
-    }
-    for i in (0..f).rev() {
-        let sum: f64 = (i + 1..f).map(|k| factor[k * f + i] * x[k]).sum();
-        x[i] = (x[i] - sum) / factor[i * f + i];
-    }
-}
-
 /// Part, relative to the largest, from which a row belongs to a near self-stress.
 const STRAINED: f64 = 0.1;
 /// Inverse iterations for that self-stress: near a singular position one is enough, three are safe.
 const STRAIN_ITERATIONS: usize = 3;
 /// A pivot of SᵀMS that loses more than this of its size means freedom without mass.
 const MASSLESS: f64 = 1e-13;
+
+/// x ← (L Lᵀ)⁻¹ x, with L in the lower half of `mass`.
+fn solve_factored(mass: &[f64], x: &mut [f64]) {
+    let f = x.len();
+    for i in 0..f {
+        let sum: f64 = (0..i).map(|k| mass[i * f + k] * x[k]).sum();
+        x[i] = (x[i] - sum) / mass[i * f + i];
+    }
+    for i in (0..f).rev() {
+        let sum: f64 = (i + 1..f).map(|k| mass[k * f + i] * x[k]).sum();
+        x[i] = (x[i] - sum) / mass[i * f + i];
+    }
+}
 
 /// A pin and the coordinate that moves more than it, where there is one; `motions` are ∂q/∂u, one after the other (f × n).
 pub(super) fn better_pin(driven: &Driven, motions: &[f64]) -> Option<(usize, usize)> {

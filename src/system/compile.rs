@@ -257,6 +257,7 @@ impl<'a> Compiler<'a> {
         let body = self.body(&point.body);
         let place = self.model.bodies[&point.body].points[&point.point];
         Marker { body, s: Vec2::from(place) - self.com[body.0] }
+            reactive: Vec::new(),
     }
 
     fn add_bodies(&mut self) {

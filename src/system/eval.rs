@@ -13,6 +13,8 @@ pub struct Inputs {
     pub drive: Vec<Jet>,
     pub offset: Vec<[Vec2; 3]>,
     pub contacts: Vec<Contact>,
+    /// What the forces that depend on multipliers remember.
+    pub memories: Vec<f64>,
     /// [s]
     pub time: f64,
 }
@@ -31,6 +33,7 @@ impl Inputs {
             drive: vec![[0.0; 3]; system.drivers.len()],
             offset: vec![[Vec2::zeros(); 3]; system.links],
             contacts: vec![Contact::default(); system.contacts.len()],
+            memories: vec![0.0; system.reactive.len()],
             time: 0.0,
         }
     }

@@ -16,7 +16,7 @@ mod eval;
 pub use eval::{Evaluation, Inputs};
 
 use crate::element::journal::{Bearing, ContactId, Journal};
-use crate::element::{BodyId, Constraint, Force, Marker, Measure};
+use crate::element::{BodyId, Constraint, Force, Marker, Measure, ReactiveForce};
 use crate::math::Vec2;
 use crate::motion::Law;
 
@@ -47,6 +47,13 @@ pub struct Block {
     /// First entry.
     pub entry: usize,
     pub entries: usize,
+}
+
+/// A force that depends on the multipliers of a block.
+pub struct Reactive {
+    pub force: Box<dyn ReactiveForce>,
+    /// Index into [`System::blocks`].
+    pub block: usize,
 }
 
 /// A moving body's numbers.
@@ -132,6 +139,8 @@ pub struct System {
     pub entries: Vec<JacobianEntry>,
     /// What each row is measured in (m).
     pub measures: Vec<Measure>,
+    /// Forces that depend on multipliers; no part of [`Evaluation::eval_force`].
+    pub reactive: Vec<Reactive>,
     /// Number of massless clearance links.
     pub links: usize,
     /// Guess of the coordinates (n).
@@ -185,6 +194,7 @@ impl System {
             if let Some(column) = entry.column {
                 triplets.add_triplet(entry.row as usize, column as usize, value);
             }
+            && self.reactive.is_empty()
         }
         triplets.to_csr()
     }

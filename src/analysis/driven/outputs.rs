@@ -3,7 +3,7 @@
 use super::super::clearance_link::{ClearanceLinks, Fixpoint, balance};
 use super::super::instants::OutputInstant;
 use super::super::record::{Contents, Recorder, Sample};
-use super::super::{Control, Interval};
+use super::super::{Control, Interval, locked};
 use super::passages::{ON_THE_EDGE, range, times_of};
 use crate::element::Measure;
 use crate::output::{Event, Report, Status, Trajectory};
@@ -89,7 +89,8 @@ impl<'a, 'r> Outputs<'a, 'r> {
             instant.drive(self.system, &mut self.inputs.drive);
             if let Err(failure) = self.solve(driven, path) {
                 self.report.status = Status::Singular;
-                self.report.message = Some(format!("no solution at t = {} s: {}", instant.time, describe(failure)));
+                self.report.message =
+                    Some(format!("no solution at t = {} s: {}", instant.time, describe(self.system, failure)));
                 return;
             }
         }
@@ -289,8 +290,9 @@ impl<'a, 'r> Outputs<'a, 'r> {
     }
 }
 
-fn describe(failure: Failure) -> String {
+fn describe(system: &System, failure: Failure) -> String {
     match failure {
+        Failure::Locked { force } => locked(system, force),
         Failure::Singular => "the constraints are singular there".into(),
         Failure::Diverged { residual } => {
             format!("Newton's iteration does not converge (residual {residual:.1e} of the size)")

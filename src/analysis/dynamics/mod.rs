@@ -18,7 +18,7 @@ mod start;
 use super::assembly::{Assembled, is_singular_start};
 use super::instants::instants;
 use super::record::Contents;
-use super::{Control, Stop};
+use super::{Control, Stop, locked};
 use crate::error::Complaint;
 use crate::integrate::Method;
 use crate::model::{Analysis, Model, Solver};
@@ -135,6 +135,9 @@ fn start<'s>(system: &'s System, assembled: &Assembled, v: &[f64]) -> Result<Red
                 )
                 .hint("give mass and inertia to what the joints leave free"),
             ]),
+            Failure::Locked { force } => {
+                Stop::failed(Status::Singular, format!("at the start {}", locked(system, force)))
+            }
             Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. } => singular(),
         }
     })?;
