@@ -146,6 +146,17 @@ fn double_pendulum() -> serde_json::Value {
     })
 }
 
+/// The same with friction in both pins.
+fn rubbing_pendulum() -> serde_json::Value {
+    let mut pendulum = double_pendulum();
+    for joint in ["o", "p"] {
+        pendulum["joints"][joint]["friction"] =
+            serde_json::json!({ "law": "threlfall", "coefficient": 0.1, "threshold_velocity": 0.01 });
+        pendulum["joints"][joint]["pin_radius"] = serde_json::json!(0.01);
+    }
+    pendulum
+}
+
 /// Steps and outputs of forward dynamics from a warm start, with the multipliers at every output.
 ///
 /// Left out is what happens once or seldom: making the solver, which follows the curve of a mechanism of one degree of
@@ -153,9 +164,11 @@ fn double_pendulum() -> serde_json::Value {
 /// elimination for the new matrix. Loops that are redundant are left out, too: their rows are chosen anew.
 #[test]
 fn steps_of_forward_dynamics_allocate_nothing_and_repeat_bit_by_bit() {
-    for (name, json, end) in
-        [("double pendulum", double_pendulum(), 1.0), ("A02, N = 2", benchmarks::four_bars(2), 10.0)]
-    {
+    for (name, json, end) in [
+        ("double pendulum", double_pendulum(), 1.0),
+        ("with friction", rubbing_pendulum(), 1.0),
+        ("A02, N = 2", benchmarks::four_bars(2), 10.0),
+    ] {
         let system = compiled(&json);
         let run = || {
             let (mut reduced, y) = start(&system);

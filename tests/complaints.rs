@@ -1344,7 +1344,7 @@ fn numbers_arrive_in_si() {
     assert_eq!(model.bodies["crank"].inertia, Some(7e-4));
     assert_eq!(model.bodies["crank"].pose.angle, 60.0 * degree);
     assert_eq!(model.bodies["coupler"].points["B"], [0.25, 0.0]);
-    let model::JointKind::Revolute { clearance: Some(clearance) } = &model.joints["b"].kind else { panic!() };
+    let model::JointKind::Revolute { clearance: Some(clearance), .. } = &model.joints["b"].kind else { panic!() };
     assert_eq!(clearance.radius, Some(1e-5));
     let model::Motion::Polynomial { coefficients } = &model.drivers["motor"].motion else { panic!() };
     assert_eq!(coefficients, &[60.0 * degree, 10.0]);

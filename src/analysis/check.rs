@@ -126,7 +126,7 @@ fn undemanding(model: &Model) -> Model {
     let mut model = model.clone();
     for joint in model.joints.values_mut() {
         match &mut joint.kind {
-            JointKind::Revolute { clearance } => *clearance = None,
+            JointKind::Revolute { clearance, .. } => *clearance = None,
             JointKind::Prismatic { .. } | JointKind::Slot { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => {
             }
         }
@@ -138,7 +138,7 @@ fn undemanding(model: &Model) -> Model {
 fn lacks(model: &Model) -> Vec<Lack> {
     let heavy = model.gravity.iter().any(|g| *g != 0.0);
     let linked = model.joints.values().any(|joint| match &joint.kind {
-        JointKind::Revolute { clearance } => {
+        JointKind::Revolute { clearance, .. } => {
             clearance.as_ref().is_some_and(|clearance| clearance.model == ClearanceModel::MasslessLink)
         }
         JointKind::Prismatic { .. } | JointKind::Slot { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => {

@@ -185,8 +185,18 @@ pub fn forces(driven: &mut Driven, inputs: &Inputs, sample: &mut Sample) -> Resu
     driven.velocity(inputs, &mut sample.v);
     driven.acceleration(inputs, &mut sample.a);
     balance(driven.system, &driven.evaluation, inputs, sample);
-    driven.multipliers(&sample.balance, &mut sample.lambda);
-    Ok(())
+    carried(driven, inputs, sample)
+}
+
+/// Multipliers, and the forces that depend on them, at a sample whose `force` and `balance` are without these.
+///
+/// # Errors
+/// [`Failure::Locked`].
+pub fn carried(driven: &mut Driven, inputs: &Inputs, sample: &mut Sample) -> Result<(), Failure> {
+    let Sample { force, balance, lambda, reactive, .. } = sample;
+    let found = driven.react(inputs, force, balance, lambda);
+    reactive.copy_from_slice(driven.reactive.sizes());
+    found
 }
 
 /// Q and Q − M a (n), what the constraints must carry.

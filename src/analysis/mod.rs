@@ -218,6 +218,30 @@ fn locked(system: &System, force: usize) -> String {
     )
 }
 
+/// What to say of friction from reactions that are not the only ones possible.
+fn unsure_friction(system: &System, not_unique: &[String]) -> Option<String> {
+    let rubbing = system.joints.iter().filter(|joint| joint.friction.is_some() && not_unique.contains(&joint.name));
+    let names: Vec<&str> = rubbing.map(|joint| joint.name.as_str()).collect();
+    (!names.is_empty()).then(|| {
+        format!(
+            "the friction of {} follows from reactions of least norm, which are not the only ones",
+            names.join(", ")
+        )
+    })
+}
+
+/// What to say where nothing moves.
+fn friction_left_out(system: &System) -> Option<String> {
+    let rubbing = system.joints.iter().filter(|joint| joint.friction.is_some());
+    let names: Vec<&str> = rubbing.map(|joint| joint.name.as_str()).collect();
+    (!names.is_empty()).then(|| {
+        format!(
+            "the friction of {} is left out: at rest it can hold the mechanism in many positions, this is the one that needs none",
+            names.join(", ")
+        )
+    })
+}
+
 /// Joins consecutive instants of one kind into an event over an interval.
 #[derive(Debug, Default)]
 struct Interval {

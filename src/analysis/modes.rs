@@ -10,7 +10,7 @@
 //! is linearised there is the motion relative to the one that the unbalanced forces begin.
 
 use super::statics::{balance, described, refuse, start, warning};
-use super::{Control, Stop};
+use super::{Control, Stop, friction_left_out};
 use crate::error::Complaint;
 use crate::model::{AnalysisKind, Model};
 use crate::output::{Equilibrium, Mobility, Status};
@@ -101,6 +101,7 @@ fn linearise(system: &System, pose: bool, control: &Control) -> Result<Linearise
     let by_rows = |a: &[f64]| a.chunks_exact(f).map(<[f64]>::to_vec).collect();
     let mut warnings = assembled.warnings;
     warnings.extend(warning(&balance).filter(|_| !pose));
+    warnings.extend(friction_left_out(system));
     Ok(Linearised {
         mobility: assembled.mobility,
         equilibrium: Some(described(&held, &balance)),

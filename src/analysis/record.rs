@@ -24,6 +24,8 @@ pub struct Sample {
     pub force: Vec<f64>,
     /// Q − M a (n): what the constraints carry.
     pub balance: Vec<f64>,
+    /// Sizes of the forces that depend on multipliers.
+    pub reactive: Vec<f64>,
     /// Joints whose clearance is modelled by contact.
     pub contacts: Vec<ContactSample>,
     /// Elastic energy of the contacts, and what they have dissipated [J].
@@ -48,6 +50,7 @@ impl Sample {
             lambda: vec![0.0; system.m()],
             force: zero.clone(),
             balance: zero,
+            reactive: vec![0.0; system.reactive.len()],
             contacts: vec![ContactSample::default(); system.contacts.len()],
             contact_energy: [0.0; 2],
         }
@@ -100,9 +103,14 @@ impl Recorder {
             if let Some(contact) = contact {
                 force += contact.reading.force;
             }
+            let friction = joint.friction.map(|friction| sample.reactive[friction.force]);
+            if let (Some(at_joint), Some(size)) = (joint.friction, friction) {
+                force += system.reactive[at_joint.force].force.reaction(&at, size).0;
+            }
             if self.contents.reactions {
                 row.extend([force.x, force.y]);
                 row.extend(joint.torque.then_some(torque));
+                row.extend(friction.filter(|_| self.contents.velocities));
             }
             if let Some(bearing) = &joint.bearing {
                 let ContactSample { reading, state } = contact.unwrap_or_else(|| {
@@ -208,6 +216,14 @@ fn columns(system: &System, contents: Contents) -> Vec<Column> {
             add(&owner, &[("fx", "N"), ("fy", "N")]);
             if joint.torque {
                 add(&owner, &[("torque", "N*m")]);
+            }
+            // At rest there is none.
+            if let Some(friction) = joint.friction.filter(|_| contents.velocities) {
+                let unit = match friction.measure {
+                    Measure::Angle => "N*m",
+                    Measure::Length => "N",
+                };
+                add(&owner, &[("friction", unit)]);
             }
         }
         if joint.bearing.is_some() {

@@ -6,7 +6,7 @@
 
 use super::assembly::{Assembled, assemble, check_driven};
 use super::record::{Recorder, Sample};
-use super::{Control, Stop, contents};
+use super::{Control, Stop, contents, friction_left_out};
 use crate::error::Complaint;
 use crate::model::AnalysisKind;
 use crate::output::{Equilibrium, Report, Status, Stopwatch, Trajectory};
@@ -35,6 +35,7 @@ pub fn run(system: &System, control: &Control) -> Result<(Trajectory, Report), S
     held.driven.multipliers(&held.force, &mut sample.lambda);
     recorder.push(system, &held.driven.evaluation, &held.inputs, &sample);
     report.warnings.extend(warning(&balance));
+    report.warnings.extend(friction_left_out(system));
     report.equilibrium = Some(described(&held, &balance));
     report.quality.constraint_residual = held.residual;
     let done = held.driven.done;

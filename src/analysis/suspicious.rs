@@ -214,7 +214,7 @@ fn angles(model: &Model, degrees: bool, found: &mut Vec<Complaint>) {
 
 fn clearances(model: &Model, found: &mut Vec<Complaint>) {
     for (name, joint) in &model.joints {
-        let JointKind::Revolute { clearance: Some(clearance) } = &joint.kind else { continue };
+        let JointKind::Revolute { clearance: Some(clearance), .. } = &joint.kind else { continue };
         let Some(radius) = clearance.radius else { continue };
         let path = format!("joints.{name}.clearance.radius");
         if let Some(bearing) = clearance.bearing_radius.filter(|bearing| radius >= *bearing) {

@@ -117,7 +117,7 @@ fn mechanism(model: &Model) -> Mechanism {
 fn joint_of(numbers: &Numbers, name: &str, joint: &crate::model::Joint) -> Joint {
     let (mut axis, mut gear, mut gap) = (None, None, None);
     let kind = match &joint.kind {
-        JointKind::Revolute { clearance } => {
+        JointKind::Revolute { clearance, .. } => {
             gap = clearance.as_deref().and_then(|c| Some((clearance_word(c.model)?, c.radius?)));
             "revolute"
         }

@@ -141,6 +141,16 @@ impl Law {
         }
     }
 
+    /// Deflection of the bristles that breaks away, μ_s/σ₀ [m], of a law that has them.
+    pub fn deflection(&self) -> Option<f64> {
+        match *self {
+            Law::Lugre { decay, stiffness, .. } => Some(decay.r#static.max(decay.kinetic) / stiffness),
+            Law::None | Law::Coulomb { .. } | Law::Ambrosio { .. } | Law::Threlfall { .. } | Law::Stribeck { .. } => {
+                None
+            }
+        }
+    }
+
     /// Speeds |v| at which a slope jumps, ∂T/∂v or ∂ż/∂v [m/s].
     pub fn kinks(&self) -> impl Iterator<Item = f64> + use<> {
         let [first, second] = match *self {

@@ -22,6 +22,7 @@ pub mod coordinate;
 pub mod driven;
 pub mod fixed;
 pub mod gear;
+pub mod joint_friction;
 pub mod journal;
 pub mod load;
 pub mod prismatic;
@@ -189,7 +190,6 @@ pub trait Force: Send + Sync {
     fn supplied(&self, at: &Instant) -> f64;
 }
 
-/// Unit vector along `a`, and its length; none for a (numerically) zero vector.
 /// A force in one direction whose size depends on the multipliers of a constraint: friction.
 ///
 /// Its size is found in `solve::reactive`.
@@ -206,6 +206,7 @@ pub trait ReactiveForce: Send + Sync {
     fn memory_rate(&self, at: &Instant, memory: f64) -> f64;
 }
 
+/// Unit vector along `a`, and its length; none for a (numerically) zero vector.
 pub(crate) fn direction(a: Vec2) -> Option<(Vec2, f64)> {
     let length = a.norm();
     (length > f64::MIN_POSITIVE).then(|| (a / length, length))

@@ -180,6 +180,7 @@ impl Checked<'_> {
                     Some("a joint connects two bodies".into());
             }
             check_clearance::clearance(self, &joint["clearance"], &format!("{path}.clearance"));
+            check_clearance::joint_friction(self, joint, &path);
         }
     }
 

@@ -51,7 +51,27 @@ pub(super) fn clearance<'m>(checked: &mut Checked<'m>, clearance: &'m Value, pat
     }
 }
 
-/// The words of a clearance that is in use.
+/// What the friction of an ideal joint needs.
+pub(super) fn joint_friction<'m>(checked: &mut Checked<'m>, joint: &'m Value, path: &str) {
+    if joint.get("friction").is_none_or(Value::is_null) {
+        return;
+    }
+    let mut words = Words { checked, clearance: joint, path };
+    if let Some(model) = joint["clearance"]["model"].as_str().filter(|model| *model != "ideal") {
+        let message = format!("is that of an ideal joint, but the joint's clearance has the model {model:?}");
+        let hint = match model {
+            "massless_link" => "a massless clearance link has no friction: leave it out, or use another model",
+            _ => "write it as \"clearance.friction\", or use the model \"ideal\"",
+        };
+        words.complain(".friction", message, hint);
+    }
+    words.friction();
+    if joint["type"] == "revolute" && joint["friction"]["law"] != "none" {
+        words.need("pin_radius", "the torque of the friction is that of its force on the pin's surface");
+    }
+}
+
+/// The words of a clearance that is in use, or of a joint with friction.
 struct Words<'c, 'm> {
     checked: &'c mut Checked<'m>,
     clearance: &'m Value,

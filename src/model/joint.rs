@@ -6,7 +6,7 @@ use std::fmt;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 
-use super::clearance::Clearance;
+use super::clearance::{Clearance, Friction};
 use super::schema;
 
 /// `body.point`, split.
@@ -67,6 +67,14 @@ pub enum JointKind {
         #[serde(default)]
         #[schemars(with = "Clearance")]
         clearance: Option<Box<Clearance>>,
+        /// Friction of the ideal joint, from its own reaction; that of a clearance stands in the clearance. Left out: none.
+        #[serde(default)]
+        #[schemars(with = "Friction")]
+        friction: Option<Box<Friction>>,
+        /// Radius of the pin [m] on which `friction` acts, and which it needs.
+        #[serde(default)]
+        #[schemars(schema_with = "schema::length", extend("exclusiveMinimum" = 0))]
+        pin_radius: Option<f64>,
     },
     /// The second point stays on the line through the first along `axis` (first body's frame, any length but zero); relative angle fixed [rad].
     #[schemars(extend("x-refused" = {"clearance": "only a revolute joint can have clearance"}))]
@@ -78,16 +86,24 @@ pub enum JointKind {
         #[serde(default)]
         #[schemars(schema_with = "schema::angle")]
         angle: f64,
+        /// Friction along the axis, from the joint's own reaction; left out: none.
+        #[serde(default)]
+        #[schemars(with = "Friction")]
+        friction: Option<Box<Friction>>,
+        /// Length of the slider on its guide [m], centred at the second point: with it the joint's torque presses, too.
+        #[serde(default)]
+        #[schemars(schema_with = "schema::length", extend("exclusiveMinimum" = 0))]
+        guide_length: Option<f64>,
     },
     /// The second point stays on the line through the first along `axis` (first body's frame, any length but zero); the bodies may turn against each other.
-    #[schemars(extend("x-refused" = {"clearance": "only a revolute joint can have clearance", "angle": "the angle in a slot is free; a prismatic joint fixes it"}))]
+    #[schemars(extend("x-refused" = {"clearance": "only a revolute joint can have clearance", "friction": "only revolute and prismatic joints can have friction", "angle": "the angle in a slot is free; a prismatic joint fixes it"}))]
     Slot {
         /// A direction fixed in the first body; its length does not matter.
         #[schemars(extend("not" = {"const": [0, 0]}))]
         axis: [f64; 2],
     },
     /// Two wheels, each held at its point by a revolute joint to a common carrier, mesh: θ₂ − θ_c = ratio·(θ₁ − θ_c) + angle.
-    #[schemars(extend("x-refused" = {"clearance": "only a revolute joint can have clearance"}))]
+    #[schemars(extend("x-refused" = {"clearance": "only a revolute joint can have clearance", "friction": "only revolute and prismatic joints can have friction"}))]
     Gear {
         /// Turns of the second wheel per turn of the first, seen from the carrier: −z₁/z₂ for an external mesh, z₁/z₂ for an internal one.
         #[schemars(extend("not" = {"const": 0}))]
@@ -102,7 +118,7 @@ pub enum JointKind {
         angle: Option<f64>,
     },
     /// The points coincide, relative angle fixed [rad].
-    #[schemars(extend("x-refused" = {"clearance": "only a revolute joint can have clearance"}))]
+    #[schemars(extend("x-refused" = {"clearance": "only a revolute joint can have clearance", "friction": "only revolute and prismatic joints can have friction"}))]
     Fixed {
         /// Angle of the second body relative to the first [rad].
         #[serde(default)]

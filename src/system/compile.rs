@@ -1,15 +1,16 @@
 //! Words → numbers: the only place where a [`Model`] and a [`System`] meet.
 
-use super::contact_parameters::Words;
+use super::contact_parameters::{Words, friction_law, need};
 use super::{
-    Block, BodyData, ClearanceLink, DriverData, DriverId, JacobianEntry, JointData, JointId, Origin, OutputPoint,
-    System,
+    Block, BodyData, ClearanceLink, DriverData, DriverId, JacobianEntry, JointData, JointFriction, JointId, Origin,
+    OutputPoint, Reactive, System,
 };
-use crate::contact::normal;
+use crate::contact::{friction, normal};
 use crate::element::coordinate::Coordinate;
 use crate::element::driven::{DriveId, Rotation, Translation};
 use crate::element::fixed::Fixed;
 use crate::element::gear::Gear;
+use crate::element::joint_friction::{GuideFriction, PinFriction};
 use crate::element::journal::{Bearing, Compliant, ContactId, Free, Journal, Surface};
 use crate::element::load::{PointLoad, Torque};
 use crate::element::prismatic::{Guide, Prismatic};
@@ -17,7 +18,7 @@ use crate::element::revolute::{OffsetId, Revolute};
 use crate::element::slot::Slot;
 use crate::element::spring::Spring;
 use crate::element::torsion_spring::TorsionSpring;
-use crate::element::{Axis, BodyId, Constraint, Force as ForceElement, Marker, Measure, Pose};
+use crate::element::{Axis, BodyId, Constraint, Force as ForceElement, Marker, Measure, Pose, ReactiveForce};
 use crate::error::Complaint;
 use crate::math::Vec2;
 use crate::model::{
@@ -51,7 +52,11 @@ pub fn recompile(model: &Model, lowering: Lowering) -> Result<System, Vec<Compla
 }
 
 fn lower(model: &Model, lowering: Lowering, mut complaints: Vec<Complaint>) -> Result<System, Vec<Complaint>> {
-    let joints = Joints { carriers: carriers(model, &mut complaints), surfaces: surfaces(model, &mut complaints) };
+    let joints = Joints {
+        carriers: carriers(model, &mut complaints),
+        surfaces: surfaces(model, &mut complaints),
+        frictions: frictions(model, &mut complaints),
+    };
     if complaints.is_empty() { Ok(Compiler::new(model, joints, lowering).build()) } else { Err(complaints) }
 }
 
@@ -61,6 +66,8 @@ struct Joints<'a> {
     carriers: HashMap<&'a str, Carrier<'a>>,
     /// Of clearances by contact.
     surfaces: HashMap<&'a str, Surface>,
+    /// Of ideal joints.
+    frictions: HashMap<&'a str, friction::Law>,
 }
 
 /// What becomes of joints whose clearance is modelled by contact.
@@ -98,7 +105,7 @@ pub fn value_law(value: &Value) -> Law {
 /// The clearance of a joint, where it has one.
 fn clearance(kind: &JointKind) -> Option<&crate::model::Clearance> {
     match kind {
-        JointKind::Revolute { clearance } => clearance.as_deref(),
+        JointKind::Revolute { clearance, .. } => clearance.as_deref(),
         JointKind::Prismatic { .. } | JointKind::Slot { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => None,
     }
 }
@@ -127,6 +134,34 @@ fn surfaces<'a>(model: &'a Model, complaints: &mut Vec<Complaint>) -> HashMap<&'
         }
     }
     surfaces
+}
+
+/// Laws of the joints that rub though they are ideal.
+fn frictions<'a>(model: &'a Model, complaints: &mut Vec<Complaint>) -> HashMap<&'a str, friction::Law> {
+    let mut frictions = HashMap::new();
+    for (name, joint) in &model.joints {
+        let path = format!("joints.{name}");
+        let (words, pin) = match &joint.kind {
+            JointKind::Revolute { friction: Some(words), pin_radius, .. } => (words, Some(*pin_radius)),
+            JointKind::Prismatic { friction: Some(words), .. } => (words, None),
+            JointKind::Revolute { .. }
+            | JointKind::Prismatic { .. }
+            | JointKind::Slot { .. }
+            | JointKind::Gear { .. }
+            | JointKind::Fixed { .. } => continue,
+        };
+        let radius = pin.map_or(Ok(0.0), |radius| need(&path, "pin_radius", radius, |radius| radius > 0.0));
+        match friction_law(words, &path)
+            .and_then(|law| if law == friction::Law::None { Ok(law) } else { radius.map(|_| law) })
+        {
+            Ok(friction::Law::None) => {}
+            Ok(law) => {
+                frictions.insert(name.as_str(), law);
+            }
+            Err(complaint) => complaints.push(complaint),
+        }
+    }
+    frictions
 }
 
 /// Without a bearing radius the journal is taken for a point.
@@ -222,6 +257,7 @@ impl<'a> Compiler<'a> {
             initial: Vec::new(),
             initial_rates: Vec::new(),
             forces: Vec::new(),
+            reactive: Vec::new(),
             contacts: Vec::new(),
             gravity: Vec2::from(model.gravity),
             mass: Vec::new(),
@@ -257,7 +293,6 @@ impl<'a> Compiler<'a> {
         let body = self.body(&point.body);
         let place = self.model.bodies[&point.body].points[&point.point];
         Marker { body, s: Vec2::from(place) - self.com[body.0] }
-            reactive: Vec::new(),
     }
 
     fn add_bodies(&mut self) {
@@ -311,7 +346,7 @@ impl<'a> Compiler<'a> {
             let (first, second) = (self.marker(&joint.between[0]), self.marker(&joint.between[1]));
             let (mut link, mut contact) = (None, None);
             let (constraint, torque): (Box<dyn Constraint>, bool) = match &joint.kind {
-                JointKind::Revolute { clearance } => match (clearance.as_deref(), self.lowering) {
+                JointKind::Revolute { clearance, .. } => match (clearance.as_deref(), self.lowering) {
                     (Some(c), _) if c.model == ClearanceModel::MasslessLink => {
                         link = Some(ClearanceLink { offset: self.system.links, radius: c.radius.unwrap_or(0.0) });
                         self.system.links += 1;
@@ -331,7 +366,7 @@ impl<'a> Compiler<'a> {
                     }
                     _ => (Box::new(Revolute { first, second, offset: None }), false),
                 },
-                JointKind::Prismatic { axis, angle } => {
+                JointKind::Prismatic { axis, angle, .. } => {
                     let guide = Guide { first, second, axis: Vec2::from(*axis).normalize() };
                     (Box::new(Prismatic { guide, angle: *angle }), true)
                 }
@@ -344,6 +379,7 @@ impl<'a> Compiler<'a> {
                 }
                 JointKind::Fixed { angle } => (Box::new(Fixed { first, second, angle: *angle }), true),
             };
+            let friction = self.friction(k, name, &joint.kind, [first, second]);
             self.system.joints.push(JointData {
                 name: name.clone(),
                 bodies: [first.body, second.body],
@@ -352,9 +388,30 @@ impl<'a> Compiler<'a> {
                 clearance: link,
                 contact,
                 bearing: clearance(&joint.kind).map(bearing),
+                friction,
             });
             self.push_block(constraint, Origin::Joint(JointId(k)));
         }
+    }
+
+    /// Friction of an ideal joint, where it has some.
+    fn friction(&mut self, joint: usize, name: &str, kind: &JointKind, points: [Marker; 2]) -> Option<JointFriction> {
+        let law = *self.joints.frictions.get(name)?;
+        let [first, second] = points;
+        let (force, measure): (Box<dyn ReactiveForce>, Measure) = match kind {
+            JointKind::Revolute { pin_radius, .. } => {
+                let radius = (*pin_radius)?;
+                (Box::new(PinFriction { first: first.body, second: second.body, radius, law }), Measure::Angle)
+            }
+            JointKind::Prismatic { axis, guide_length, .. } => {
+                let guide = Guide { first, second, axis: Vec2::from(*axis).normalize() };
+                (Box::new(GuideFriction { guide, length: *guide_length, law }), Measure::Length)
+            }
+            JointKind::Slot { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => return None,
+        };
+        // Blocks stand in the order of the joints.
+        self.system.reactive.push(Reactive { force, block: joint });
+        Some(JointFriction { force: self.system.reactive.len() - 1, measure })
     }
 
     /// A gear pair; without an angle it meshes as drawn.

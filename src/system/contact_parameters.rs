@@ -28,14 +28,8 @@ pub struct Words<'a> {
 }
 
 impl Words<'_> {
-    /// A value that the law can't do without, and that must be in a range.
     fn need(&self, key: &str, value: Option<f64>, range: impl Fn(f64) -> bool) -> Result<f64, Complaint> {
-        let path = format!("{}.{key}", self.path);
-        match value {
-            Some(value) if range(value) => Ok(value),
-            Some(value) => Err(Complaint::new(path, "is out of the law's range").found(value.to_string())),
-            None => Err(Complaint::new(path, "is missing, the law needs it")),
-        }
+        need(self.path, key, value, range)
     }
 
     /// Law of the normal force of `contact`.
@@ -145,32 +139,7 @@ impl Words<'_> {
     /// # Errors
     /// Where a parameter is missing or out of the law's range.
     pub fn friction_law(&self) -> Result<friction::Law, Complaint> {
-        let Some(words) = &self.clearance.friction else { return Ok(friction::Law::None) };
-        let not_negative = |value: f64| value >= 0.0;
-        let coefficient = || self.need("friction.coefficient", words.coefficient, not_negative);
-        let threshold = || self.need("friction.threshold_velocity", words.threshold_velocity, |v| v > 0.0);
-        let viscous = || self.need("friction.viscous", Some(words.viscous.unwrap_or(0.0)), not_negative);
-        Ok(match words.law {
-            FrictionLaw::None => friction::Law::None,
-            FrictionLaw::Coulomb => friction::Law::Coulomb { coefficient: coefficient()?, threshold: threshold()? },
-            FrictionLaw::Threlfall => friction::Law::Threlfall { coefficient: coefficient()?, threshold: threshold()? },
-            FrictionLaw::Ambrosio => {
-                let lower = self.need("friction.lower_velocity", words.lower_velocity, not_negative)?;
-                let upper = self.need("friction.upper_velocity", words.upper_velocity, |upper| upper > lower)?;
-                friction::Law::Ambrosio { coefficient: coefficient()?, lower, upper }
-            }
-            FrictionLaw::Stribeck => {
-                let (decay, viscous) = (self.decay(words)?, viscous()?);
-                friction::Law::Stribeck { decay, threshold: threshold()?, viscous }
-            }
-            FrictionLaw::Lugre => {
-                let decay = self.decay(words)?;
-                let stiffness = self.need("friction.bristle_stiffness", words.bristle_stiffness, |s| s > 0.0)?;
-                let damping = words.bristle_damping.unwrap_or(0.0);
-                let damping = self.need("friction.bristle_damping", Some(damping), not_negative)?;
-                friction::Law::Lugre { decay, stiffness, damping, viscous: viscous()? }
-            }
-        })
+        self.clearance.friction.as_ref().map_or(Ok(friction::Law::None), |words| friction_law(words, self.path))
     }
 
     /// Impact of `three_state`; what `impact` leaves out is that of the continuous contact.
@@ -198,16 +167,58 @@ impl Words<'_> {
             threshold: threshold.unwrap_or(THRESHOLD),
         })
     }
+}
 
-    fn decay(&self, words: &Friction) -> Result<Decay, Complaint> {
-        let not_negative = |value: f64| value >= 0.0;
-        let exponent = words.stribeck_exponent.unwrap_or(2.0);
-        Ok(Decay {
-            kinetic: self.need("friction.coefficient", words.coefficient, not_negative)?,
-            r#static: self.need("friction.static_coefficient", words.static_coefficient, not_negative)?,
-            velocity: self.need("friction.stribeck_velocity", words.stribeck_velocity, |v| v > 0.0)?,
-            exponent: self.need("friction.stribeck_exponent", Some(exponent), |exponent| exponent > 0.0)?,
-        })
+/// Law of a friction, with the path of what has it: `joints.b.clearance`, or `joints.b` where the joint is ideal.
+///
+/// # Errors
+/// Where a parameter is missing or out of the law's range.
+pub fn friction_law(words: &Friction, path: &str) -> Result<friction::Law, Complaint> {
+    let not_negative = |value: f64| value >= 0.0;
+    let coefficient = || need(path, "friction.coefficient", words.coefficient, not_negative);
+    let threshold = || need(path, "friction.threshold_velocity", words.threshold_velocity, |v| v > 0.0);
+    let viscous = || need(path, "friction.viscous", Some(words.viscous.unwrap_or(0.0)), not_negative);
+    Ok(match words.law {
+        FrictionLaw::None => friction::Law::None,
+        FrictionLaw::Coulomb => friction::Law::Coulomb { coefficient: coefficient()?, threshold: threshold()? },
+        FrictionLaw::Threlfall => friction::Law::Threlfall { coefficient: coefficient()?, threshold: threshold()? },
+        FrictionLaw::Ambrosio => {
+            let lower = need(path, "friction.lower_velocity", words.lower_velocity, not_negative)?;
+            let upper = need(path, "friction.upper_velocity", words.upper_velocity, |upper| upper > lower)?;
+            friction::Law::Ambrosio { coefficient: coefficient()?, lower, upper }
+        }
+        FrictionLaw::Stribeck => {
+            let (decay, viscous) = (decay(words, path)?, viscous()?);
+            friction::Law::Stribeck { decay, threshold: threshold()?, viscous }
+        }
+        FrictionLaw::Lugre => {
+            let decay = decay(words, path)?;
+            let stiffness = need(path, "friction.bristle_stiffness", words.bristle_stiffness, |s| s > 0.0)?;
+            let damping = words.bristle_damping.unwrap_or(0.0);
+            let damping = need(path, "friction.bristle_damping", Some(damping), not_negative)?;
+            friction::Law::Lugre { decay, stiffness, damping, viscous: viscous()? }
+        }
+    })
+}
+
+fn decay(words: &Friction, path: &str) -> Result<Decay, Complaint> {
+    let not_negative = |value: f64| value >= 0.0;
+    let exponent = words.stribeck_exponent.unwrap_or(2.0);
+    Ok(Decay {
+        kinetic: need(path, "friction.coefficient", words.coefficient, not_negative)?,
+        r#static: need(path, "friction.static_coefficient", words.static_coefficient, not_negative)?,
+        velocity: need(path, "friction.stribeck_velocity", words.stribeck_velocity, |v| v > 0.0)?,
+        exponent: need(path, "friction.stribeck_exponent", Some(exponent), |exponent| exponent > 0.0)?,
+    })
+}
+
+/// A value that a law can't do without, and that must be in a range.
+pub fn need(owner: &str, key: &str, value: Option<f64>, range: impl Fn(f64) -> bool) -> Result<f64, Complaint> {
+    let path = format!("{owner}.{key}");
+    match value {
+        Some(value) if range(value) => Ok(value),
+        Some(value) => Err(Complaint::new(path, "is out of the law's range").found(value.to_string())),
+        None => Err(Complaint::new(path, "is missing, the law needs it")),
     }
 }
 

@@ -80,6 +80,17 @@ pub struct JointData {
     pub contact: Option<ContactId>,
     /// Of a joint with a `clearance` in the file, whatever its model.
     pub bearing: Option<Bearing>,
+    /// Of an ideal joint that rubs.
+    pub friction: Option<JointFriction>,
+}
+
+/// Where the friction of an ideal joint stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct JointFriction {
+    /// Index into [`System::reactive`].
+    pub force: usize,
+    /// What it brakes: a slide or a rotation.
+    pub measure: Measure,
 }
 
 /// A massless equivalent clearance link.
@@ -128,6 +139,8 @@ pub struct System {
     /// `initial` velocities: name, row over the coordinates as (column, factor) at the assembled pose is in `eval`.
     pub initial_rates: Vec<(String, crate::element::coordinate::Coordinate)>,
     pub forces: Vec<Box<dyn Force>>,
+    /// Forces that depend on multipliers; no part of [`Evaluation::eval_force`].
+    pub reactive: Vec<Reactive>,
     /// Joints with clearance by contact force, in the order of the joints.
     pub contacts: Vec<Journal>,
     /// [m/s²]
@@ -139,8 +152,6 @@ pub struct System {
     pub entries: Vec<JacobianEntry>,
     /// What each row is measured in (m).
     pub measures: Vec<Measure>,
-    /// Forces that depend on multipliers; no part of [`Evaluation::eval_force`].
-    pub reactive: Vec<Reactive>,
     /// Number of massless clearance links.
     pub links: usize,
     /// Guess of the coordinates (n).
@@ -183,6 +194,7 @@ impl System {
     pub fn is_conservative(&self) -> bool {
         self.drivers.iter().all(|driver| driver.law.is_constant())
             && self.contacts.is_empty()
+            && self.reactive.is_empty()
             && self.forces.iter().all(|force| force.is_conservative())
     }
 
@@ -194,7 +206,6 @@ impl System {
             if let Some(column) = entry.column {
                 triplets.add_triplet(entry.row as usize, column as usize, value);
             }
-            && self.reactive.is_empty()
         }
         triplets.to_csr()
     }

@@ -95,7 +95,7 @@ pub fn rotate(model: &Model, angle: f64) -> Model {
         let relative = angle * (f64::from(u8::from(first)) - f64::from(u8::from(second)));
         match &mut joint.kind {
             JointKind::Revolute { .. } => {}
-            JointKind::Prismatic { axis, angle: relative_angle } => {
+            JointKind::Prismatic { axis, angle: relative_angle, .. } => {
                 if first {
                     *axis = turned(*axis, angle);
                 }
@@ -189,7 +189,7 @@ pub fn mirror(model: &Model) -> Model {
     for joint in model.joints.values_mut() {
         match &mut joint.kind {
             JointKind::Revolute { .. } => {}
-            JointKind::Prismatic { axis, angle } => {
+            JointKind::Prismatic { axis, angle, .. } => {
                 *axis = mirrored(*axis);
                 *angle = -*angle;
             }

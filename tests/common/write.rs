@@ -1,7 +1,8 @@
 //! A model as the text of a file, in units of choice.
 
 use linkdyn::model::{
-    AnalysisKind, Driver, DriverKind, Force, ForceKind, Frame, GROUND, JointKind, Model, Motion, PointRef, Value as Law,
+    AnalysisKind, Driver, DriverKind, Force, ForceKind, Frame, Friction, FrictionLaw, GROUND, JointKind, Model, Motion,
+    PointRef, Value as Law,
 };
 use serde_json::{Map, Value, json};
 
@@ -96,14 +97,33 @@ impl Scale {
         Value::Object(bodies)
     }
 
+    /// Coulomb's friction, the only one among these models.
+    fn friction(&self, words: &mut Value, friction: Option<&Friction>, (key, length): (&str, Option<f64>)) {
+        let Some(friction) = friction else { return };
+        assert_eq!(friction.law, FrictionLaw::Coulomb);
+        let threshold = friction.threshold_velocity.map(|velocity| velocity * self.length);
+        words["friction"] =
+            json!({ "law": "coulomb", "coefficient": friction.coefficient, "threshold_velocity": threshold });
+        if let Some(length) = length {
+            words[key] = json!(length * self.length);
+        }
+    }
+
     fn joints(&self, model: &Model) -> Value {
         let mut joints = Map::new();
         for (name, joint) in &model.joints {
             let between = joint.between.each_ref().map(PointRef::to_string);
             let words = match &joint.kind {
-                JointKind::Revolute { .. } => json!({ "type": "revolute", "between": between }),
-                JointKind::Prismatic { axis, angle } => {
-                    json!({ "type": "prismatic", "between": between, "axis": axis, "angle": angle * self.angle })
+                JointKind::Revolute { friction, pin_radius, .. } => {
+                    let mut words = json!({ "type": "revolute", "between": between });
+                    self.friction(&mut words, friction.as_deref(), ("pin_radius", *pin_radius));
+                    words
+                }
+                JointKind::Prismatic { axis, angle, friction, guide_length } => {
+                    let angle = angle * self.angle;
+                    let mut words = json!({ "type": "prismatic", "between": between, "axis": axis, "angle": angle });
+                    self.friction(&mut words, friction.as_deref(), ("guide_length", *guide_length));
+                    words
                 }
                 JointKind::Slot { axis } => json!({ "type": "slot", "between": between, "axis": axis }),
                 JointKind::Gear { ratio, carrier, angle } => {

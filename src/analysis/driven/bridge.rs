@@ -1,6 +1,6 @@
 //! Outputs near a change point: motion from the smooth branch, forces as far as they exist.
 
-use super::super::clearance_link::{balance, effort_by_power};
+use super::super::clearance_link::{balance, carried, effort_by_power};
 use super::super::record::Sample;
 use super::outputs::Outputs;
 use crate::solve::continuation::{Parameter, Path};
@@ -43,12 +43,12 @@ impl Outputs<'_, '_> {
             && driven.prepare(&self.sample.q, &self.inputs).is_ok()
             && driven.factor(&self.inputs).is_ok();
         if regular {
-            driven.multipliers(&self.sample.balance, &mut self.sample.lambda);
-            self.note_not_unique(driven);
+            self.carry(driven);
         } else {
             self.limit_reactions(driven, path, index, s);
         }
-        if path.parameter == Parameter::DriverValue {
+        let exists = self.sample.reactive.iter().all(|size| size.is_finite());
+        if path.parameter == Parameter::DriverValue && exists {
             let row = system.driver_row(DriverId(0));
             self.sample.lambda[row] = effort_by_power(&self.sample.balance, &tangent);
         }
@@ -63,12 +63,14 @@ impl Outputs<'_, '_> {
         balance(self.system, &driven.evaluation, &self.inputs, &mut self.sample);
     }
 
-    /// At a change point: reactions of the singular loop do not exist, the others are limits from both sides.
+    /// At a change point: reactions of the singular loop do not exist, nor does friction that they cause; the others are
+    /// limits from both sides.
     fn limit_reactions(&mut self, driven: &mut Driven, path: &Path, index: usize, s: [f64; 3]) {
         let system = self.system;
         let window = &path.windows()[index];
         let [s, rate, bend] = s;
         let mut limit = vec![0.0; system.m()];
+        let mut sizes = vec![0.0; system.reactive.len()];
         // Mean of both sides at h and 2h, then (4 M(h) − M(2h)) / 3: error O(h⁴).
         for (part, weight) in
             [(LIMIT, 4.0 / 6.0), (-LIMIT, 4.0 / 6.0), (2.0 * LIMIT, -1.0 / 6.0), (-2.0 * LIMIT, -1.0 / 6.0)]
@@ -84,10 +86,15 @@ impl Outputs<'_, '_> {
             balance(system, &driven.evaluation, &self.inputs, &mut self.scratch);
             let q = &self.scratch.q;
             if driven.prepare(q, &self.inputs).is_ok() && driven.factor(&self.inputs).is_ok() {
-                driven.multipliers(&self.scratch.balance, &mut self.scratch.lambda);
+                // What locks itself so near is lost with the singular loop's reactions.
+                if carried(driven, &self.inputs, &mut self.scratch).is_err() {
+                    self.scratch.lambda.fill(f64::NAN);
+                }
                 limit.iter_mut().zip(&self.scratch.lambda).for_each(|(sum, l)| *sum += weight * l);
+                sizes.iter_mut().zip(&self.scratch.reactive).for_each(|(sum, size)| *sum += weight * size);
             } else {
                 limit.fill(f64::NAN);
+                sizes.fill(f64::NAN);
             }
         }
         driven.evaluation.set_position(&self.sample.q);
@@ -108,6 +115,18 @@ impl Outputs<'_, '_> {
                 }
             }
         }
+        for (size, reactive) in sizes.iter_mut().zip(&system.reactive) {
+            if limit[system.blocks[reactive.block].row].is_nan() {
+                *size = f64::NAN;
+            }
+        }
         self.sample.lambda.copy_from_slice(&limit);
+        self.sample.reactive.copy_from_slice(&sizes);
+        if !sizes.is_empty() {
+            driven.reactive.eval_units(system, &driven.evaluation, &self.inputs);
+            driven.reactive.set_sizes(&sizes);
+            driven.reactive.add_forces(&mut self.sample.force);
+            driven.reactive.add_forces(&mut self.sample.balance);
+        }
     }
 }

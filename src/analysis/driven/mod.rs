@@ -10,11 +10,12 @@ use super::instants::instants;
 use super::record::Sample;
 use super::{Control, Stop};
 use crate::element::Measure;
+use crate::error::Complaint;
 use crate::model::Analysis;
 use crate::output::{Report, Status, Stopwatch, Trajectory};
 use crate::solve::continuation::{HALF_TURN, Parameter, Path, follow};
 use crate::solve::driven::{Driven, Failure};
-use crate::system::{Inputs, System};
+use crate::system::{Inputs, JointData, System};
 use outputs::Outputs;
 use passages::range;
 
@@ -25,6 +26,7 @@ use passages::range;
 pub fn run(system: &System, analysis: &Analysis, control: &Control) -> Result<(Trajectory, Report), Stop> {
     let clock = Stopwatch::start();
     let reactions = super::has_reactions(analysis.kind);
+    refuse(system, reactions)?;
     let instants = instants(system, analysis).map_err(Stop::Input)?;
     let start = Inputs::at_time(system, 0.0);
     let assembled = assemble(system, &start)?;
@@ -60,6 +62,23 @@ pub fn run(system: &System, analysis: &Analysis, control: &Control) -> Result<(T
     report.statistics.factorisations += done.factorisations;
     report.solve = clock.read();
     Ok((trajectory, report))
+}
+
+/// What a prescribed motion can't do.
+fn refuse(system: &System, reactions: bool) -> Result<(), Stop> {
+    let remembers = |force: usize| system.reactive[force].force.memory_scale().is_some();
+    let bristles = |joint: &&JointData| joint.friction.is_some_and(|friction| remembers(friction.force));
+    match system.joints.iter().find(bristles).filter(|_| reactions || system.links > 0) {
+        Some(joint) => Err(Stop::Input(vec![
+            Complaint::new(
+                format!("joints.{}.friction.law", joint.name),
+                "bristles have a history, which instants of a prescribed motion do not have",
+            )
+            .found("\"lugre\"")
+            .hint("use \"stribeck\", which is \"lugre\" at steady sliding"),
+        ])),
+        None => Ok(()),
+    }
 }
 
 /// The path over `range`: of a crank that goes round more than once and comes back, one turn stands for all.

@@ -1,9 +1,9 @@
 //! The loop over the output instants, and what it reports.
 
-use super::super::clearance_link::{ClearanceLinks, Fixpoint, balance};
+use super::super::clearance_link::{ClearanceLinks, Fixpoint, balance, carried};
 use super::super::instants::OutputInstant;
 use super::super::record::{Contents, Recorder, Sample};
-use super::super::{Control, Interval, locked};
+use super::super::{Control, Interval, locked, unsure_friction};
 use super::passages::{ON_THE_EDGE, range, times_of};
 use crate::element::Measure;
 use crate::output::{Event, Report, Status, Trajectory};
@@ -34,6 +34,7 @@ pub(super) struct Outputs<'a, 'r> {
     imbalance: f64,
     gap: Interval,
     wavering: Interval,
+    locking: Interval,
     /// Joints whose reaction was left out, with the position.
     pub missing: Vec<String>,
     pub reactions: bool,
@@ -54,6 +55,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
             imbalance: 0.0,
             gap: Interval::default(),
             wavering: Interval::default(),
+            locking: Interval::default(),
             missing: Vec::new(),
             reactions,
         }
@@ -178,15 +180,18 @@ impl<'a, 'r> Outputs<'a, 'r> {
                 driven.acceleration(&self.inputs, a);
                 if self.reactions || self.links.is_some() {
                     balance(system, &driven.evaluation, &self.inputs, &mut self.sample);
-                    driven.multipliers(&self.sample.balance, &mut self.sample.lambda);
-                    self.note_not_unique(driven);
+                    self.carry(driven);
                 }
             }
             Source::Bridged { index, distance } => {
                 residual = self.bridged(driven, path, index, distance, [s, rate, bend]);
             }
         }
-        if let Some(mut links) = self.links.take() {
+        let has_locked = driven.reactive.locked().is_some();
+        if !has_locked {
+            self.locking.close(&mut self.report.events);
+        }
+        if let Some(mut links) = self.links.take().filter(|_| !has_locked) {
             let outcome = links.solve(driven, &mut self.inputs, &mut self.sample);
             self.links = Some(links);
             match outcome {
@@ -224,6 +229,19 @@ impl<'a, 'r> Outputs<'a, 'r> {
         Ok(())
     }
 
+    /// What the constraints carry, with friction; where a joint locks itself these values do not exist.
+    pub fn carry(&mut self, driven: &mut Driven) {
+        if carried(driven, &self.inputs, &mut self.sample).is_err() {
+            self.sample.lambda.fill(f64::NAN);
+            if let Some(force) = driven.reactive.locked() {
+                let (time, driver) = (self.inputs.time, self.driver_value());
+                self.locking.extend("self_locking", time, driver, &locked(self.system, force));
+                self.report.status = Status::CompletedWithGaps;
+            }
+        }
+        self.note_not_unique(driven);
+    }
+
     /// Joints whose reactions differ between equilibria.
     pub fn note_not_unique(&mut self, driven: &mut Driven) {
         if !driven.is_redundant() {
@@ -259,6 +277,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
     pub fn finish(mut self) -> Trajectory {
         self.gap.close(&mut self.report.events);
         self.wavering.close(&mut self.report.events);
+        self.locking.close(&mut self.report.events);
         self.report.events.sort_by(|a, b| a.time.total_cmp(&b.time));
         if self.reactions {
             let balance = if self.power > 0.0 { self.imbalance / self.power } else { 0.0 };
@@ -277,9 +296,14 @@ impl<'a, 'r> Outputs<'a, 'r> {
                 self.report.mobility.reactions_not_unique.join(", ")
             ));
         }
-        for (kind, what) in
-            [("not_converged", "the clearance fixed point does not converge"), ("no_solution", "there is no assembly")]
-        {
+        if self.reactions {
+            self.report.warnings.extend(unsure_friction(self.system, &self.report.mobility.reactions_not_unique));
+        }
+        for (kind, what) in [
+            ("not_converged", "the clearance fixed point does not converge"),
+            ("no_solution", "there is no assembly"),
+            ("self_locking", "a joint locks itself by its friction: forces do not exist"),
+        ] {
             let count = self.report.events.iter().filter(|event| event.kind == kind).count();
             if count > 0 {
                 let intervals = if count == 1 { "interval" } else { "intervals" };

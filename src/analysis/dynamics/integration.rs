@@ -4,7 +4,7 @@
 use super::contact::{Change, History, Sums, change, first_phase};
 use super::locate::locate;
 use super::motion::Motion;
-use crate::analysis::{Control, Stop};
+use crate::analysis::{Control, Stop, locked};
 use crate::element::journal::{Phase, Reading, Surface};
 use crate::error::Complaint;
 use crate::integrate::{Limits, Method, Ode, Refused, StepFailure, Stepper};
@@ -24,6 +24,8 @@ const LOOKS: usize = 8;
 const PEAK_LOOKS: usize = 16;
 /// A step with an event is taken again to this part of it beyond the event, which is then near its end.
 const BEYOND: f64 = 1e-3;
+/// Determinant of the friction's equations, 1 without friction, below which a joint is about to lock itself.
+const TIGHT: f64 = 0.1;
 /// Deepest penetration at the start, in parts of the clearance.
 const DEEPEST_START: f64 = 0.1;
 const DEEPEST_RIGID: f64 = 1e-9;
@@ -125,11 +127,18 @@ impl Integration {
             }
             let now = self.reached();
             if let Err(failure) = self.advance(motion) {
-                let (status, culprits) = match failure {
-                    StepFailure::TooSmall { .. } => (Status::StepTooSmall, String::new()),
-                    StepFailure::Refused { .. } => (Status::Singular, culprits(motion)),
-                };
-                return Err((status, format!("{}{culprits}", describe(failure, now))));
+                return Err(match failure {
+                    StepFailure::TooSmall { .. } => {
+                        (Status::StepTooSmall, format!("{}{}", describe(failure, now), tight(motion)))
+                    }
+                    StepFailure::Refused { .. } => match motion.reduced.driven.reactive.locked() {
+                        Some(force) => (
+                            Status::Singular,
+                            format!("at t = {now} s {}; the rows until there are kept", locked(motion.system(), force)),
+                        ),
+                        None => (Status::Singular, format!("{}{}", describe(failure, now), culprits(motion))),
+                    },
+                });
             }
         }
         Ok(())
@@ -393,6 +402,16 @@ fn culprits(motion: &mut Motion) -> String {
         }
     }
     if joints.is_empty() { String::new() } else { format!(" (nearest to singular: the joints {})", joints.join(", ")) }
+}
+
+/// The joint that is about to lock itself by its friction, where one is.
+fn tight(motion: &Motion) -> String {
+    let (system, reactive) = (motion.system(), &motion.reduced.driven.reactive);
+    if system.reactive.is_empty() || reactive.margin() > TIGHT {
+        return String::new();
+    }
+    let block = &system.blocks[system.reactive[reactive.tightest()].block];
+    format!(" ({} is about to lock itself by its friction)", system.origin_name(&block.origin))
 }
 
 fn describe(failure: StepFailure, now: f64) -> String {

@@ -18,7 +18,7 @@ mod start;
 use super::assembly::{Assembled, is_singular_start};
 use super::instants::instants;
 use super::record::Contents;
-use super::{Control, Stop, locked};
+use super::{Control, Stop, locked, unsure_friction};
 use crate::error::Complaint;
 use crate::integrate::Method;
 use crate::model::{Analysis, Model, Solver};
@@ -74,6 +74,7 @@ pub fn run(
         }
     }
     let trajectory = outputs.finish();
+    report.warnings.extend(unsure_friction(system, &report.mobility.reactions_not_unique));
     solver.account(&motion, &mut report);
     let done = motion.reduced.driven.done;
     report.statistics.newton_iterations += done.newton_iterations + assembled.iterations;

@@ -5,13 +5,14 @@
 //!
 //! u, u̇   minimal coordinates and their rates (f, f)        [`crate::solve::reduced`]
 //! z      bristles of friction laws that have them           ż by the law                           [m]
+//!        (of contacts, then of ideal joints)
 //! W      work of drivers, loads and dampers                 W' = Σ effort · rate + Σ supplied      [J]
 //! D      energy dissipated in a contact                     D' = (N − N_e) δ̇ − T v_t               [J]
 //! I      normal impulse                                     I' = N                                 [N·s]
 //! S      sliding under load, for wear                       S' = N |v_t|                           [J]
 //! ```
 //!
-//! Without contacts y is (u, u̇) alone.
+//! Without contacts y is (u, u̇ | z) alone.
 
 use super::contact::worst_guard;
 use crate::analysis::assembly::ranks;
@@ -66,6 +67,8 @@ pub struct Motion<'s> {
     pressing: Vec<f64>,
     /// Component of each contact's bristles, counted from the first.
     bristles: Vec<Option<usize>>,
+    /// The same of forces that depend on multipliers.
+    memories: Vec<Option<usize>>,
     bristle_count: usize,
     moving_drivers: bool,
     lambda: Vec<f64>,
@@ -88,12 +91,19 @@ impl<'s> Motion<'s> {
                 Surface::Compliant(_) | Surface::Rigid(_) => None,
             })
             .collect();
+        let memories = system.reactive.iter().map(|reactive| {
+            reactive.force.memory_scale()?;
+            bristle_count += 1;
+            Some(bristle_count - 1)
+        });
+        let memories = memories.collect();
         Motion {
             reduced,
             variants,
             following: vec![None; system.contacts.len()],
             pressing: vec![0.0; system.contacts.len()],
             bristles,
+            memories,
             bristle_count,
             moving_drivers: system.drivers.iter().any(|driver| !driver.law.is_constant()),
             lambda: vec![0.0; system.m()],
@@ -123,6 +133,11 @@ impl<'s> Motion<'s> {
     /// Component z of a contact.
     pub fn bristle(&self, contact: usize) -> Option<usize> {
         Some(2 * self.reduced.freedom() + self.bristles[contact]?)
+    }
+
+    /// Component z of a force that depends on multipliers.
+    fn memory(&self, force: usize) -> Option<usize> {
+        Some(2 * self.reduced.freedom() + self.memories[force]?)
     }
 
     /// Puts the coordinates and rates at hand into y.
@@ -161,6 +176,9 @@ impl<'s> Motion<'s> {
         let (_, all) = ranks(system, q, &inputs);
         let mut reduced = Reduced::new(system, &all.free_columns, q, v, time)?;
         reduced.inputs.contacts.clone_from(&self.reduced.inputs.contacts);
+        for (memory, was) in reduced.inputs.memories.iter_mut().zip(&self.reduced.inputs.memories) {
+            *memory = *was;
+        }
         reduced.lag = self.reduced.lag;
         reduced.driven.done = self.reduced.driven.done;
         self.reduced = reduced;
@@ -224,6 +242,11 @@ impl<'s> Motion<'s> {
                 self.reduced.inputs.contacts[contact].bristle = y[component];
             }
         }
+        for force in 0..self.memories.len() {
+            if let Some(component) = self.memory(force) {
+                self.reduced.inputs.memories[force] = y[component];
+            }
+        }
     }
 
     /// The largest of all guards at the point of the last evaluation.
@@ -266,10 +289,19 @@ impl<'s> Motion<'s> {
         let dimension = self.dimension();
         let system = self.system();
         let clearance = system.contacts.iter().map(|contact| contact.clearance).fold(f64::INFINITY, f64::min);
-        if !clearance.is_finite() {
-            return Tolerance { rtol, atol: vec![atol; dimension], cap: Vec::new() };
+        let mut tolerance = if clearance.is_finite() {
+            Tolerance { rtol, atol: vec![f64::MAX; dimension], cap: vec![f64::INFINITY; dimension] }
+        } else {
+            Tolerance { rtol, atol: vec![atol; dimension], cap: Vec::new() }
+        };
+        for (force, reactive) in system.reactive.iter().enumerate() {
+            if let (Some(component), Some(scale)) = (self.memory(force), reactive.force.memory_scale()) {
+                tolerance.atol[component] = rtol * scale;
+            }
         }
-        let mut tolerance = Tolerance { rtol, atol: vec![f64::MAX; dimension], cap: vec![f64::INFINITY; dimension] };
+        if !clearance.is_finite() {
+            return tolerance;
+        }
         for (k, pin) in self.reduced.driven.pins.iter().enumerate() {
             let small = clearance / system.size * system.column_scale(pin.column);
             tolerance.cap[k] = small;
@@ -293,6 +325,7 @@ impl<'s> Motion<'s> {
             let efforts = &self.lambda[system.joint_rows()..];
             power += efforts.iter().zip(&self.reduced.inputs.drive).map(|(effort, jet)| effort * jet[1]).sum::<f64>();
         }
+        power += self.reduced.driven.reactive.power(&self.reduced.v);
         dy[work] = power;
         let mut worst = f64::NEG_INFINITY;
         for contact in 0..self.contacts() {
@@ -332,13 +365,20 @@ impl Ode for Reduced<'_> {
 impl Ode for Motion<'_> {
     fn dimension(&self) -> usize {
         let contacts = self.contacts();
-        if contacts == 0 { 2 * self.reduced.freedom() } else { self.work() + 1 + PER_CONTACT * contacts }
+        if contacts == 0 { self.work() } else { self.work() + 1 + PER_CONTACT * contacts }
     }
 
     fn eval(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Refused> {
         self.take_bristles(y);
         Ode::eval(&mut self.reduced, t, y, dy)?;
         self.eval_pressing();
+        for (force, reactive) in self.system().reactive.iter().enumerate() {
+            if let Some(component) = self.memory(force) {
+                let Reduced { driven, inputs, .. } = &self.reduced;
+                let at = driven.evaluation.instant(inputs);
+                dy[component] = reactive.force.memory_rate(&at, inputs.memories[force]);
+            }
+        }
         if self.contacts() > 0 {
             self.eval_ledger(t, dy);
         }

@@ -124,7 +124,7 @@ fn worse(a: Exit, b: Exit) -> Exit {
 /// The joints of these names, each with a clearance.
 fn joints(opened: &Opened, names: &[String]) -> Result<Vec<String>, BadInput> {
     let known = &opened.loaded.model.joints;
-    let has_clearance = |kind: &JointKind| matches!(kind, JointKind::Revolute { clearance } if clearance.is_some());
+    let has_clearance = |kind: &JointKind| matches!(kind, JointKind::Revolute { clearance, .. } if clearance.is_some());
     let mut found: Vec<String> = Vec::new();
     let mut complaints = Vec::new();
     for name in names {
