@@ -68,6 +68,11 @@ pub const CASES: &[Case] = &[
         include_str!("../../validation/four-bar/reference.csv"),
     ),
     reference(
+        "rubbing-four-bar",
+        include_str!("../../validation/rubbing-four-bar/case.json"),
+        include_str!("../../validation/rubbing-four-bar/reference.csv"),
+    ),
+    reference(
         "stephenson-iii",
         include_str!("../../validation/stephenson-iii/case.json"),
         include_str!("../../validation/stephenson-iii/reference.csv"),

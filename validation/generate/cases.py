@@ -496,7 +496,39 @@ def planetary_crank():
                     "the planet. The free bodies get the tooth forces at the pitch points, unlike the engine's multipliers. Own dimensions.")
 
 
-ALL = [four_bar, stephenson_iii, inclined_slider_crank, inverted_slider_crank, assur_class_iii, floating_driver, translation_driver, slotted_lever,
+def rubbing_four_bar():
+    """The four-bar with friction in all its pins and in a slider that hangs on it."""
+    case = four_bar()
+    model = case["model"]
+    model["name"] = "Four-bar with friction"
+    model["about"] = "Crank-rocker with friction in every pin, and a slider at the coupler that rubs on a tilted guide with both its ends."
+    for joint, mu, radius in (("a", 0.15, "12 mm"), ("b", 0.1, "8 mm"), ("c", 0.2, 0.9), ("d", 0.12, "0.01 m")):
+        model["joints"][joint] |= {"friction": {"law": "coulomb", "coefficient": mu, "threshold_velocity": 0.02}, "pin_radius": radius}
+    model["bodies"]["ground"]["points"]["G"] = [12, 20]
+    model["bodies"]["link"] = link("0.4 kg", "1e-3 kg*m^2", [8, 0], P=(0, 0), Q=(16, 0))
+    model["bodies"]["slider"] = link("0.7 kg", "4e-4 kg*m^2", [1, 0.5], Q=(0, 0))
+    model["joints"] |= {
+        "e": pin("coupler.P", "link.P"),
+        "f": pin("link.Q", "slider.Q"),
+        "g": {"type": "prismatic", "between": ["ground.G", "slider.Q"], "axis": [5, 1], "angle": "0.1 rad",
+              "friction": {"law": "coulomb", "coefficient": 0.18, "threshold_velocity": "30 mm/s"}, "guide_length": "15 mm"},
+    }
+    model["units"]["velocity"] = "m/s"
+    # the coupler point where the file's poses put it, and the slider on the guide's right
+    place, turn = case["poses"]["coupler"][:2], case["poses"]["coupler"][2]
+    p = (place[0] + 0.125 * cos(turn) - 0.08 * sin(turn), place[1] + 0.125 * sin(turn) + 0.08 * cos(turn))
+    e = (5 / hypot(5, 1), 1 / hypot(5, 1))
+    d = (p[0] - 0.12, p[1] - 0.20)
+    off, base = d[1] * e[0] - d[0] * e[1], d[0] * e[0] + d[1] * e[1]
+    s = base + sqrt(0.16**2 - off**2)
+    q = (0.12 + s * e[0], 0.20 + s * e[1])
+    case["poses"] |= {"link": along(p, q), "slider": (*q, 0.1)}
+    case["how"] = ("The case `four-bar` with a link and a slider at the coupler point, and Coulomb's friction with a ramp in the pins of the four-bar and in the "
+                   "slider's guide: the free bodies are solved again and again, with the friction of the reactions found, until no digit changes. Own dimensions.")
+    return case
+
+
+ALL = [four_bar, rubbing_four_bar, stephenson_iii, inclined_slider_crank, inverted_slider_crank, assur_class_iii, floating_driver, translation_driver, slotted_lever,
        driven_slot, geared_five_bar, planetary_crank,
        doubled_joint, parallel_crank]
 

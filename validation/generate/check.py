@@ -77,19 +77,28 @@ def check(folder):
                 for v, u in zip(vector, units):
                     worst.add("points", [v, -row[f"{'.'.join(end)}.{u}"]], add)
         # forces: (body, place, force, torque)
-        everything = m.applied(MP, t, state)
+        everything, rubbing = m.applied(MP, t, state), []
         for j in m.joints.values():
             f = (row[f"joint.{j.name}.fx[N]"], row[f"joint.{j.name}.fy[N]"])
             q = row.get(f"joint.{j.name}.torque[N*m]", zero)
             at = m.point(MP, state, j.ends[1])[0]
             everything += [(j.ends[1][0], at, f, q), (j.ends[0][0], at, times(-1, f), -q)]
+            rub = zero
+            if j.friction:
+                rub = row[f"joint.{j.name}.friction[{'N*m' if j.kind == 'revolute' else 'N'}]"]
+                u = (zero, zero) if j.kind == "revolute" else m.axis(MP, state, j)
+                worst.add("friction", [rub, -m.rub(MP, state, j, (f[0] - rub * u[0], f[1] - rub * u[1], q))], abs(rub))
+                rubbing.append(rub * (state[j.ends[1][0]][4] - state[j.ends[0][0]][4] if j.kind == "revolute"
+                                      else m.along(MP, state, j, u)[1]))
+                if j.kind == "revolute":
+                    everything += [(j.ends[1][0], at, (zero, zero), rub), (j.ends[0][0], at, (zero, zero), -rub)]
             if j.kind in ("prismatic", "slot"):
-                worst.add("prismatic force across its axis", [dot(f, m.axis(MP, state, j))], abs(f[0]) + abs(f[1]))
+                worst.add("prismatic force across its axis", [dot(f, m.axis(MP, state, j)), -rub], abs(f[0]) + abs(f[1]))
             if j.kind == "gear":  # a single force, at the pitch point and along the tangent there
                 touch, e = m.pitch(MP, state, j)
                 worst.add("tooth force along the tangent", [dot(f, perp(e))], abs(f[0]) + abs(f[1]))
                 worst.add("tooth force at the pitch point", [q, -cross(minus(touch, at), f)], abs(q))
-        power, parts = [], []
+        power, parts = rubbing, []
         for d in m.drivers.values():
             unit, effort = ("rad", "N*m") if d.kind == "rotation" else ("m", "N")
             e = row[f"driver.{d.name}.effort[{effort}]"]

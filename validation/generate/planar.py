@@ -10,6 +10,8 @@ a constraint Jacobian and multipliers):
   reactions  Newton and Euler for each body cut free: sum of forces = m a, sum of moments about the centre of mass = J alpha,
              written with the forces at the joint points; all bodies together are a linear system in the joint forces and the
              driver efforts. Where joints are redundant, the solution of least Euclidean norm (forces in N, torques in N*m).
+  friction   Coulomb's, with a ramp, in joints: torques and forces by the reactions just found, and the free bodies again, until
+             nothing changes any more.
   check      Each driver effort once more by virtual power (Jourdain), from the partial velocities of the tree
              recursion, without any joint force.
 
@@ -212,6 +214,9 @@ class Mechanism:
                 drawn = [self.bodies[b].guess[2] for b in (joint.ends[0][0], joint.ends[1][0], joint.carrier)]
                 if "angle" not in spec:
                     joint.angle = drawn[1] - drawn[2] - joint.ratio * (drawn[0] - drawn[2])
+            rubs = spec.get("friction")
+            joint.friction = rubs and (q(rubs["coefficient"], "number"), q(rubs["threshold_velocity"], "velocity"))
+            joint.size = q(spec.get("pin_radius", spec.get("guide_length", mpf(0))), "length")
             self.joints[name] = joint
         self.drivers = {}
         for name, spec in model.get("drivers", {}).items():
@@ -250,13 +255,14 @@ class Mechanism:
         self.analysis = model["analysis"]
         self._tree()
         self.rows = None
+        self.rubbing = {}
 
     def quantity(self, value, dimension):
         """A number in the file's unit of `dimension`, or a text `value unit`, in SI."""
         if isinstance(value, str):
             number, unit = value.split(None, 1)
             return mpf(number) * unit_factor(unit)
-        return mpf(value) * unit_factor(self.units.get(dimension, SI[dimension]))
+        return mpf(value) * (1 if dimension == "number" else unit_factor(self.units.get(dimension, SI[dimension])))
 
     def value(self, spec, dimension):
         if isinstance(spec, dict):
@@ -536,10 +542,43 @@ class Mechanism:
             else:
                 torque = f.value(n, t)[0]
                 out += [(f.body, state[f.body][0], (zero, zero), torque), (f.other, state[f.other][0], (zero, zero), -torque)]
+        for j in self.joints.values():
+            rub = self.rubbing.get(j.name)
+            if rub is not None:
+                at, (first, second) = self.point(n, state, j.ends[1])[0], (e[0] for e in j.ends)
+                force, torque = ((zero, zero), rub) if j.kind == "revolute" else (times(rub, self.axis(n, state, j)), zero)
+                out += [(second, at, force, torque), (first, at, times(-1, force), -torque)]
         return out
 
+    def rub(self, n, state, j, reaction):
+        """Friction of a joint: torque on the second body of a revolute joint, force along the axis of a prismatic one.
+
+        `reaction` is what the joint carries without it.
+        """
+        mu, threshold = j.friction
+        fx, fy, torque = reaction
+        if j.kind == "revolute":
+            sliding, load, arm = j.size * (state[j.ends[1][0]][4] - state[j.ends[0][0]][4]), n.sqrt(fx * fx + fy * fy), j.size
+        else:
+            across, arm = dot((fx, fy), perp(self.axis(n, state, j))), 1
+            edges = [across / 2 + s * torque / j.size for s in (1, -1)] if j.size else [across]
+            sliding, load = self.along(n, state, j, self.axis(n, state, j))[1], sum(abs(e) for e in edges)
+        return -mu * arm * load * max(-1, min(1, sliding / threshold))
+
     def reactions(self, t, state):
-        """Joint forces {joint: (fx, fy, torque)} and driver efforts {driver: effort} from the free bodies."""
+        """Joint forces {joint: (fx, fy, torque)} and driver efforts {driver: effort}; friction is left in `rubbing`."""
+        self.rubbing = {j.name: mpf(0) for j in self.joints.values() if j.friction}
+        for _ in range(400):
+            joints, efforts = self.carried(t, state)
+            rubbing = {name: self.rub(MP, state, self.joints[name], joints[name]) for name in self.rubbing}
+            change = max([abs(rubbing[k] - self.rubbing[k]) for k in rubbing] + [mpf(0)])
+            if change < mpf(10) ** (-mp.dps + 8):
+                return joints, efforts
+            self.rubbing = rubbing
+        raise ArithmeticError(f"friction does not settle at t = {t}")
+
+    def carried(self, t, state):
+        """What joints and drivers carry, from the free bodies with all other forces."""
         n, zero, one = MP, mpf(0), mpf(1)
         com = {b: self.point(n, state, (b, ""), com=True) for b in self.moving}
         row = {b: 3 * i for i, b in enumerate(self.moving)}
@@ -647,6 +686,7 @@ class Mechanism:
         for j in self.joints.values():
             names += [f"joint.{j.name}.fx[N]", f"joint.{j.name}.fy[N]"]
             names += [f"joint.{j.name}.torque[N*m]"] if j.kind not in ("revolute", "slot") else []
+            names += [f"joint.{j.name}.friction[{'N*m' if j.kind == 'revolute' else 'N'}]"] if j.friction else []
         for d in self.drivers.values():
             unit, effort = ("rad", "N*m") if d.kind == "rotation" else ("m", "N")
             names += [f"driver.{d.name}.value[{unit}]", f"driver.{d.name}.effort[{effort}]"]
@@ -669,7 +709,10 @@ class Mechanism:
             for vector in self.point(n, state, end):
                 out += list(vector)
         for j in self.joints.values():
-            out += list(joints[j.name][: 2 if j.kind in ("revolute", "slot") else 3])
+            force = list(joints[j.name][: 2 if j.kind in ("revolute", "slot") else 3])
+            if j.friction and j.kind == "prismatic":  # all that the guide does
+                force[:2] = plus(force[:2], times(self.rubbing[j.name], self.axis(n, state, j)))
+            out += force + ([self.rubbing[j.name]] if j.friction else [])
         for d in self.drivers.values():
             out += [self.driven(n, state, d)[0], efforts[d.name]]
         kinetic = potential = mpf(0)
