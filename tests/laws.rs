@@ -29,8 +29,8 @@ fn each_model() -> Vec<(String, Model)> {
 
 fn has_clearance(model: &Model) -> bool {
     model.joints.values().any(|joint| match &joint.kind {
-        JointKind::Revolute { clearance: Some(clearance) } => clearance.model != ClearanceModel::Ideal,
-        JointKind::Revolute { clearance: None }
+        JointKind::Revolute { clearance: Some(clearance), .. } => clearance.model != ClearanceModel::Ideal,
+        JointKind::Revolute { clearance: None, .. }
         | JointKind::Prismatic { .. }
         | JointKind::Slot { .. }
         | JointKind::Gear { .. }
