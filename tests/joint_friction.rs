@@ -370,6 +370,95 @@ fn a_parallelogram_passes_its_change_point() {
     }
 }
 
+/// Free motion through a change point is not without doubt, and says so; with much friction it locks there.
+#[test]
+fn free_motion_through_a_change_point_is_told() {
+    let free = |mu: f64| {
+        let mut model = parallelogram(1, false, 0.5, &json!(null));
+        model.as_object_mut().expect("a map").remove("drivers");
+        model["gravity"] = json!([0.0, 0.0]);
+        for joint in model["joints"].as_object_mut().expect("a map").values_mut() {
+            joint["friction"] = coulomb(mu, 1e-3);
+            joint["pin_radius"] = json!(0.005);
+        }
+        model["initial"] = json!({ "c0": { "angle": 0.5, "angular_velocity": 10.0 } });
+        model["analysis"] = dynamics(0.5, 501, 1e-8);
+        outcome(&model)
+    };
+    let run = free(1e-6);
+    assert_eq!(run.report.status, Status::Completed, "{:?}", run.report.message);
+    assert!(run.report.warnings.iter().any(|warning| warning.contains("passes a change point")), "{:?}", run.report);
+    let run = free(0.3);
+    println!("{:?} {:?} {:?}", run.report.status, run.report.message, run.report.warnings);
+    let message = run.report.message.expect("why it ended");
+    assert!(message.contains("locks itself"), "{message}");
+}
+
+/// What slows a free mechanism down is what its pins turn into heat: Simpson's rule over the columns.
+#[test]
+fn lost_energy_is_the_work_of_friction() {
+    let mut model = four_bar(0.0);
+    model.as_object_mut().expect("a map").remove("drivers");
+    model.as_object_mut().expect("a map").remove("forces");
+    for joint in model["joints"].as_object_mut().expect("a map").values_mut() {
+        joint["friction"] = json!({ "law": "stribeck", "coefficient": 0.1, "static_coefficient": 0.15,
+            "stribeck_velocity": "50 mm/s", "threshold_velocity": "10 mm/s", "viscous": 0.2 });
+    }
+    model["initial"] = json!({ "crank": { "angle": "60 deg", "angular_velocity": "25 rad/s" } });
+    model["analysis"] = dynamics(0.5, 4001, 1e-10);
+    let run = completed(&model);
+    let get = |name: &str| column(&run, name);
+    let [crank, coupler, rocker] = ["crank.omega", "coupler.omega", "rocker.omega"].map(get);
+    let [a, b, c, d] = ["a", "b", "c", "d"].map(|joint| column(&run, &format!("joint.{joint}.friction")));
+    let power = |k: usize| {
+        a[k] * crank[k] + b[k] * (coupler[k] - crank[k]) + c[k] * (rocker[k] - coupler[k]) + d[k] * rocker[k]
+    };
+    let (kinetic, potential) = (get("energy.kinetic"), get("energy.potential"));
+    let step = get("time")[1];
+    let (mut work, mut worst) = (0.0, 0.0_f64);
+    for k in (2..kinetic.len()).step_by(2) {
+        assert!(power(k) <= 0.0, "{k}");
+        work += step / 3.0 * (power(k - 2) + 4.0 * power(k - 1) + power(k));
+        worst = worst.max((kinetic[k] + potential[k] - kinetic[0] - potential[0] - work).abs());
+    }
+    println!("{worst:e} of {work} J");
+    assert!(work < -0.5 && worst < 1e-6 * work.abs(), "{worst:e} of {work} J");
+}
+
+/// A clearance that rattles beside a pin that rubs: the energy ledger holds both.
+#[test]
+fn contacts_and_friction_share_the_ledger() {
+    let mut model = pendulum(-0.2, 0.02, &coulomb(0.2, 0.01));
+    model["bodies"]["tip"] = rod(0.5, [0.98, -0.2], -0.3);
+    model["joints"]["b"] = pin("bar.B", "tip.A");
+    model["joints"]["b"]["clearance"] = json!({ "model": "contact", "radius": 0.001, "normal": {
+        "law": "lankarani_nikravesh", "stiffness": 1e7, "exponent": 1.5, "restitution": 0.7 } });
+    model["initial"]["tip"] = json!({ "angle": -0.9 });
+    model["analysis"] = dynamics(0.5, 51, 1e-8);
+    let run = outcome(&model);
+    assert_eq!(run.report.status, Status::Completed, "{:?}", run.report.message);
+    let quality = &run.report.quality;
+    println!("{quality:?}");
+    assert!(quality.energy_imbalance.expect("a ledger") < 1e-6, "{quality:?}");
+    assert!(column(&run, "joint.o.friction").iter().any(|friction| friction.abs() > 0.02));
+}
+
+/// Friction beside a massless clearance link: the link follows the force that friction has changed.
+#[test]
+fn friction_and_clearance_links_share_the_fixed_point() {
+    let mut model = four_bar(0.2);
+    model["joints"]["c"] = json!({ "type": "revolute", "between": model["joints"]["c"]["between"],
+        "clearance": { "model": "massless_link", "radius": "0.1 mm" } });
+    let run = outcome(&model);
+    assert_eq!(run.report.status, Status::Completed, "{:?}", run.report.message);
+    for row in 0..run.trajectory.len() {
+        let [ex, ey, fx, fy] = ["ex", "ey", "fx", "fy"].map(|name| column(&run, &format!("joint.c.{name}"))[row]);
+        close(ex.hypot(ey), 1e-4, 1e-16);
+        close((ex * fy - ey * fx) / fx.hypot(fy), 0.0, 1e-9);
+    }
+    assert!(run.report.quality.power_imbalance.expect("forces") < 1e-9, "{:?}", run.report.quality);
+}
+
 fn said(joint: Value) -> Vec<String> {
     let mut model = pendulum(0.0, 0.01, &json!({ "law": "none" }));
     model["joints"]["o"] = joint;

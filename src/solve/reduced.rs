@@ -19,7 +19,7 @@
 //! ([`super::reactive`]), which then become part of Q. Bodies may lack mass as long as SᵀMS is regular. The choice of u
 //! is kept while it is good and changed between steps when another coordinate moves more.
 
-use super::continuation::{End, HALF_TURN, Parameter, Path, Source, follow};
+use super::continuation::{End, HALF_TURN, Parameter, Path, SingularKind, Source, follow};
 use super::driven::{Driven, Failure};
 use super::hermite::{Node, quintic};
 use crate::system::{Inputs, System};
@@ -63,6 +63,8 @@ pub struct Reduced<'s> {
     bend: Vec<f64>,
     /// The point at hand is on a bridged stretch, where the equations have no trustworthy factors.
     bridged: bool,
+    /// When a step first passed a change point with forces that depend on multipliers, which have no bound there.
+    passed: Option<f64>,
 }
 
 impl<'s> Reduced<'s> {
@@ -97,6 +99,7 @@ impl<'s> Reduced<'s> {
             tangent: vec![0.0; n],
             bend: vec![0.0; n],
             bridged: false,
+            passed: None,
         };
         reduced.choose(time)?;
         Ok(reduced)
@@ -467,7 +470,21 @@ impl<'s> Reduced<'s> {
         }
     }
 
+    /// When a step first passed a change point with forces that depend on multipliers.
+    pub fn passed_change_point(&self) -> Option<f64> {
+        self.passed
+    }
+
     fn keep(&mut self, time: f64) {
+        if self.passed.is_none()
+            && !self.driven.system.reactive.is_empty()
+            && let Some(curve) = &self.curve
+        {
+            let column = self.driven.pins[0].column;
+            let (from, to) = (self.here.q[column], self.q[column]);
+            let between = curve.singular_between(from.min(to), from.max(to));
+            self.passed = between.iter().any(|position| position.kind == SingularKind::ChangePoint).then_some(time);
+        }
         if self.here.s != time {
             let before = self.before.get_or_insert_with(|| self.here.clone());
             std::mem::swap(before, &mut self.here);

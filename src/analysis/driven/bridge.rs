@@ -86,9 +86,10 @@ impl Outputs<'_, '_> {
             balance(system, &driven.evaluation, &self.inputs, &mut self.scratch);
             let q = &self.scratch.q;
             if driven.prepare(q, &self.inputs).is_ok() && driven.factor(&self.inputs).is_ok() {
-                // What locks itself so near is lost with the singular loop's reactions.
+                // What locks itself so near has no limit.
                 if carried(driven, &self.inputs, &mut self.scratch).is_err() {
                     self.scratch.lambda.fill(f64::NAN);
+                    self.note_locked(driven);
                 }
                 limit.iter_mut().zip(&self.scratch.lambda).for_each(|(sum, l)| *sum += weight * l);
                 sizes.iter_mut().zip(&self.scratch.reactive).for_each(|(sum, size)| *sum += weight * size);

@@ -191,7 +191,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
         if !has_locked {
             self.locking.close(&mut self.report.events);
         }
-        if let Some(mut links) = self.links.take().filter(|_| !has_locked) {
+        if !has_locked && let Some(mut links) = self.links.take() {
             let outcome = links.solve(driven, &mut self.inputs, &mut self.sample);
             self.links = Some(links);
             match outcome {
@@ -204,6 +204,13 @@ impl<'a, 'r> Outputs<'a, 'r> {
                     let (time, driver) = (self.inputs.time, self.driver_value());
                     let note = "the clearance links' fixed point was not met within 50 passes; the last pass is kept";
                     self.wavering.extend("not_converged", time, driver, note);
+                }
+                Fixpoint::NoSolution { .. } if driven.reactive.locked().is_some() => {
+                    self.wavering.close(&mut self.report.events);
+                    self.gap.close(&mut self.report.events);
+                    self.note_locked(driven);
+                    self.recorder.push_gap(&self.inputs);
+                    return Ok(());
                 }
                 Fixpoint::NoSolution { .. } => {
                     self.wavering.close(&mut self.report.events);
@@ -233,13 +240,18 @@ impl<'a, 'r> Outputs<'a, 'r> {
     pub fn carry(&mut self, driven: &mut Driven) {
         if carried(driven, &self.inputs, &mut self.sample).is_err() {
             self.sample.lambda.fill(f64::NAN);
-            if let Some(force) = driven.reactive.locked() {
-                let (time, driver) = (self.inputs.time, self.driver_value());
-                self.locking.extend("self_locking", time, driver, &locked(self.system, force));
-                self.report.status = Status::CompletedWithGaps;
-            }
+            self.note_locked(driven);
         }
         self.note_not_unique(driven);
+    }
+
+    /// An event where forces do not exist because a joint locks itself.
+    pub fn note_locked(&mut self, driven: &Driven) {
+        if let Some(force) = driven.reactive.locked() {
+            let (time, driver) = (self.inputs.time, self.driver_value());
+            self.locking.extend("self_locking", time, driver, &locked(self.system, force));
+            self.report.status = Status::CompletedWithGaps;
+        }
     }
 
     /// Joints whose reactions differ between equilibria.

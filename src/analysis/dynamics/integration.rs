@@ -337,7 +337,10 @@ impl Integration {
         if time == self.stepper.t() {
             self.y.copy_from_slice(self.stepper.y());
         } else {
-            self.stepper.interpolate(motion, time, &mut self.y).map_err(|_| Failure::Singular)?;
+            self.stepper.interpolate(motion, time, &mut self.y).map_err(|_| {
+                let locked = motion.reduced.driven.reactive.locked();
+                locked.map_or(Failure::Singular, |force| Failure::Locked { force })
+            })?;
         }
         motion.evaluate_exactly(time, &self.y)
     }

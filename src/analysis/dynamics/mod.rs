@@ -67,14 +67,25 @@ pub fn run(
             outputs.report.message = Some(message);
             break;
         }
-        if outputs.record(&mut solver, &mut motion, instant.time).is_err() {
+        if let Err(failure) = outputs.record(&mut solver, &mut motion, instant.time) {
             outputs.report.status = Status::Singular;
-            outputs.report.message = Some(format!("the position at t = {} s can't be solved", instant.time));
+            outputs.report.message = Some(match failure {
+                Failure::Locked { force } => format!("at t = {} s {}", instant.time, locked(system, force)),
+                Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. } => {
+                    format!("the position at t = {} s can't be solved", instant.time)
+                }
+            });
             break;
         }
     }
     let trajectory = outputs.finish();
     report.warnings.extend(unsure_friction(system, &report.mobility.reactions_not_unique));
+    report.warnings.extend(motion.reduced.passed_change_point().map(|time| {
+        format!(
+            "at t = {time:.6} s or a little before the motion passes a change point: friction from reactions that have no bound \
+             there may hold or brake the mechanism more than the steps see"
+        )
+    }));
     solver.account(&motion, &mut report);
     let done = motion.reduced.driven.done;
     report.statistics.newton_iterations += done.newton_iterations + assembled.iterations;
