@@ -156,15 +156,6 @@ fn a_statically_determinate_frame_has_reactions_without_drivers() {
 }
 
 #[test]
-fn what_is_not_built_is_refused_by_name() {
-    let mut model = slider_crank(0.1, 0.3, 0.5, false, &still(0.5));
-    model["joints"]["a"]["clearance"] =
-        json!({ "model": "three_state", "radius": 1e-4, "impact": { "restitution": 0.5 } });
-    let said = complaint(&model);
-    assert!(said.contains("joints.a.clearance.model") && said.contains("`three_state` is not built yet"), "{said}");
-}
-
-#[test]
 fn missing_masses_are_named_for_the_analysis_that_needs_them() {
     let mut model = slider_crank(0.1, 0.3, 0.5, false, &still(0.5));
     model["bodies"]["rod"].as_object_mut().expect("a map").remove("inertia");

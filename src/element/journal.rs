@@ -18,7 +18,7 @@
 //! within a step every law is the analytic branch that the phase says, also a little beyond its end, so that steps are
 //! smooth and their events can be located.
 
-use super::{Applied, Axis, BodyId, Constraint, Entry, Instant, Marker, Measure, direction};
+use super::{Applied, Axis, BodyId, Constraint, Entry, Instant, Marker, Measure, ReactiveForce, direction};
 use crate::contact::impact::Sense;
 use crate::contact::{friction, normal};
 use crate::math::{Vec2, perp};
@@ -123,6 +123,17 @@ pub struct Reading {
     pub dissipation: f64,
     /// Arms a_b and a_j [m].
     arms: [f64; 2],
+}
+
+impl Reading {
+    /// Forces of a rigid journal on its bearing's surface, which its constraint has.
+    pub fn follow(&mut self, normal: f64, tangential: f64) {
+        (self.normal, self.tangential) = (normal, tangential);
+        // The constraint tells the normal force among the reactions.
+        let n = direction(self.eccentricity).map_or(Vec2::x(), |(n, _)| n);
+        self.force = perp(n) * tangential;
+        self.dissipation = -tangential * self.sliding;
+    }
 }
 
 impl Journal {
@@ -271,6 +282,40 @@ pub struct Following {
     pub journal: Marker,
     /// c [m]
     pub clearance: f64,
+}
+
+/// Friction of a rigid journal on the surface that it follows: T along t by the multiplier N, at the contact on both bodies.
+#[derive(Debug, Clone)]
+pub struct FollowingFriction {
+    pub journal: Journal,
+    pub law: friction::Law,
+}
+
+impl ReactiveForce for FollowingFriction {
+    fn apply_unit(&self, at: &Instant, to: &mut Applied) {
+        let reading = self.journal.read(at, &Contact::default());
+        self.journal.press(at, &reading, [0.0, 1.0], to);
+    }
+
+    fn size(&self, at: &Instant, _memory: f64, lambda: &[f64], slope: &mut [f64]) -> f64 {
+        let reading = self.journal.read(at, &Contact::default());
+        let friction = self.law.force(reading.sliding, lambda[0], 0.0);
+        slope[0] = friction.d_normal;
+        friction.force
+    }
+
+    fn reaction(&self, at: &Instant, size: f64) -> (Vec2, f64) {
+        let e = self.journal.journal.place(at) - self.journal.bearing.place(at);
+        (direction(e).map_or(Vec2::zeros(), |(n, _)| perp(n) * size), 0.0)
+    }
+
+    fn memory_scale(&self) -> Option<f64> {
+        None
+    }
+
+    fn memory_rate(&self, _at: &Instant, _memory: f64) -> f64 {
+        0.0
+    }
 }
 
 impl Journal {

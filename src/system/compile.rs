@@ -11,7 +11,7 @@ use crate::element::driven::{DriveId, Rotation, Translation};
 use crate::element::fixed::Fixed;
 use crate::element::gear::Gear;
 use crate::element::joint_friction::{GuideFriction, PinFriction};
-use crate::element::journal::{Bearing, Compliant, ContactId, Free, Journal, Surface};
+use crate::element::journal::{Bearing, Compliant, ContactId, FollowingFriction, Free, Journal, Surface};
 use crate::element::load::{PointLoad, Torque};
 use crate::element::prismatic::{Guide, Prismatic};
 use crate::element::revolute::{OffsetId, Revolute};
@@ -342,6 +342,8 @@ impl<'a> Compiler<'a> {
     }
 
     fn add_joints(&mut self) {
+        // Of journals that follow their bearings, which come and go: behind those that are always there.
+        let mut rubbing = Vec::new();
         for (k, (name, joint)) in self.model.joints.iter().enumerate() {
             let (first, second) = (self.marker(&joint.between[0]), self.marker(&joint.between[1]));
             let (mut link, mut contact) = (None, None);
@@ -359,6 +361,12 @@ impl<'a> Compiler<'a> {
                         let surface = self.joints.surfaces[name.as_str()].clone();
                         let journal = Journal { bearing: first, journal: second, clearance, bearing_radius, surface };
                         let follows = following.get(id) == Some(&true);
+                        if let (true, Surface::Rigid(rigid)) = (follows, &journal.surface)
+                            && rigid.friction > 0.0
+                        {
+                            let force = FollowingFriction { journal: journal.clone(), law: rigid.friction_law() };
+                            rubbing.push(Reactive { force: Box::new(force), block: k });
+                        }
                         let constraint: Box<dyn Constraint> =
                             if follows { Box::new(journal.following()) } else { Box::new(Free) };
                         self.system.contacts.push(journal);
@@ -392,6 +400,7 @@ impl<'a> Compiler<'a> {
             });
             self.push_block(constraint, Origin::Joint(JointId(k)));
         }
+        self.system.reactive.extend(rubbing);
     }
 
     /// Friction of an ideal joint, where it has some.

@@ -4,8 +4,8 @@
 //! positions and velocities of everything else follow from the constraints at every stage, so nothing drifts. Outputs come
 //! from the method's continuous extension and are put exactly onto the constraints.
 //!
-//! Joints with clearance by contact are open: journals fly and press ([`contact`]), and the instants at which they begin
-//! and cease to are located within the steps ([`integration`]).
+//! Joints with clearance by contact are open: journals fly and press (`contact`), and the instants at which they begin
+//! and cease to are located within the steps (`integration`).
 
 mod contact;
 mod impact;

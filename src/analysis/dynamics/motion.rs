@@ -65,6 +65,8 @@ pub struct Motion<'s> {
     /// First row of each contact that follows its bearing, and the normal force there [N].
     following: Vec<Option<usize>>,
     pressing: Vec<f64>,
+    /// Friction of each contact that follows its bearing, as a force that depends on multipliers.
+    rubbing: Vec<Option<usize>>,
     /// Component of each contact's bristles, counted from the first.
     bristles: Vec<Option<usize>>,
     /// The same of forces that depend on multipliers.
@@ -102,6 +104,7 @@ impl<'s> Motion<'s> {
             variants,
             following: vec![None; system.contacts.len()],
             pressing: vec![0.0; system.contacts.len()],
+            rubbing: vec![None; system.contacts.len()],
             bristles,
             memories,
             bristle_count,
@@ -137,7 +140,7 @@ impl<'s> Motion<'s> {
 
     /// Component z of a force that depends on multipliers.
     fn memory(&self, force: usize) -> Option<usize> {
-        Some(2 * self.reduced.freedom() + self.memories[force]?)
+        Some(2 * self.reduced.freedom() + (*self.memories.get(force)?)?)
     }
 
     /// Puts the coordinates and rates at hand into y.
@@ -150,7 +153,8 @@ impl<'s> Motion<'s> {
         let evaluation = &self.reduced.driven.evaluation;
         let mut reading = evaluation.contact(self.system(), &self.reduced.inputs, ContactId(contact));
         if self.following[contact].is_some() {
-            reading.normal = self.pressing[contact];
+            let friction = self.rubbing[contact].map_or(0.0, |force| self.reduced.driven.reactive.sizes()[force]);
+            reading.follow(self.pressing[contact], friction);
         }
         reading
     }
@@ -184,8 +188,13 @@ impl<'s> Motion<'s> {
         self.reduced = reduced;
         self.lambda.resize(system.m(), 0.0);
         let rows = system.joints.iter().zip(&system.blocks).filter(|(joint, _)| joint.contact.is_some());
+        // Those of contacts stand behind the joints' own.
+        let mut next = self.memories.len();
         for (contact, (_, block)) in rows.enumerate() {
             self.following[contact] = following[contact].then_some(block.row);
+            let rubs = matches!(&system.contacts[contact].surface, Surface::Rigid(rigid) if rigid.friction > 0.0);
+            self.rubbing[contact] = (following[contact] && rubs).then_some(next);
+            next += usize::from(following[contact] && rubs);
         }
         Ok(())
     }
@@ -326,6 +335,12 @@ impl<'s> Motion<'s> {
             power += efforts.iter().zip(&self.reduced.inputs.drive).map(|(effort, jet)| effort * jet[1]).sum::<f64>();
         }
         power += self.reduced.driven.reactive.power(&self.reduced.v);
+        // Of contacts it counts as dissipated there.
+        for contact in 0..self.contacts() {
+            if self.rubbing[contact].is_some() {
+                power += self.reading(contact).dissipation;
+            }
+        }
         dy[work] = power;
         let mut worst = f64::NEG_INFINITY;
         for contact in 0..self.contacts() {

@@ -1,0 +1,131 @@
+//! Joints with clearance whose surfaces are rigid: flight, impacts, following, against closed forms.
+
+#[path = "common/mechanisms.rs"]
+mod mechanisms;
+
+use linkdyn::analysis::{Control, Outcome, run};
+use linkdyn::output::{Episode, Status};
+use mechanisms::{column, loaded};
+use serde_json::{Value, json};
+
+/// Radial clearance, and radius of the journal [m].
+const CLEARANCE: f64 = 0.001;
+const JOURNAL: f64 = 0.009;
+const MASS: f64 = 2.0;
+const INERTIA: f64 = 1e-4;
+
+/// A disc in a bearing of the ground.
+fn disc(impact: &Value, gravity: [f64; 2], initial: &Value, end: f64, outputs: usize) -> Value {
+    json!({ "format": "linkdyn/1", "units": "SI", "gravity": gravity,
+        "bodies": { "ground": { "points": { "O": [0.0, 0.0] } },
+            "disc": { "mass": MASS, "inertia": INERTIA, "com": [0.0, 0.0], "points": { "P": [0.0, 0.0] } } },
+        "joints": { "pin": { "type": "revolute", "between": ["ground.O", "disc.P"],
+            "clearance": { "model": "three_state", "radius": CLEARANCE, "bearing_radius": CLEARANCE + JOURNAL,
+                           "impact": impact } } },
+        "initial": { "disc": initial },
+        "analysis": { "type": "dynamics", "end": end, "outputs": outputs, "solver": { "rtol": 1e-9 } } })
+}
+
+#[track_caller]
+fn completed(model: &Value) -> Outcome {
+    let outcome = run(&loaded(model).model, &Control::default()).unwrap_or_else(|said| panic!("{said:?}"));
+    assert_eq!(outcome.report.status, Status::Completed, "{:?}", outcome.report.message);
+    let imbalance = outcome.report.quality.energy_imbalance.expect("of contacts");
+    assert!(imbalance < 1e-8, "{imbalance:e} of the energy missing");
+    outcome
+}
+
+fn episodes(outcome: &Outcome) -> Vec<Episode> {
+    outcome.report.events.iter().filter_map(|event| event.episode).collect()
+}
+
+/// Without gravity the disc flies along chords: an impact keeps the speed along the wall and turns round e of that across
+/// it, so that tan β = v_t/v_n grows by 1/e, the chord's length is 2 c cos β, and the angle about the centre between impacts is π − 2 β.
+#[test]
+fn a_disc_without_gravity_is_a_billiard_ball() {
+    for restitution in [1.0, 0.8] {
+        let start = json!({ "x": 0.0005, "y": 0.0, "vx": 0.3, "vy": 0.4 });
+        let outcome = completed(&disc(
+            &json!({ "restitution": restitution, "friction": 0.0 }),
+            [0.0, 0.0],
+            &start,
+            if restitution < 1.0 { 0.05 } else { 0.5 },
+            11,
+        ));
+        let impacts = episodes(&outcome);
+        // The first impact, from the chord through the start.
+        let (x, speed) = (0.0005, [0.3, 0.4]);
+        let (along, square) = (x * speed[0], 0.25);
+        let mut time = (-along + (along * along + square * (CLEARANCE * CLEARANCE - x * x)).sqrt()) / square;
+        // Angular momentum per mass stays; the rest of the speed is across the wall.
+        let tangential = x * speed[1] / CLEARANCE;
+        let mut across = (square - tangential * tangential).sqrt();
+        let count = if restitution < 1.0 { 20 } else { 137 };
+        assert!(impacts.len() >= count, "{}", impacts.len());
+        for impact in &impacts[..count] {
+            assert!((impact.start / time - 1.0).abs() < 1e-10, "{} for {time}", impact.start);
+            assert!((impact.approach_speed / across - 1.0).abs() < 1e-10, "{} for {across}", impact.approach_speed);
+            across *= restitution;
+            let separation = impact.separation_speed.expect("it leaves");
+            assert!((separation / across - 1.0).abs() < 1e-10, "{separation} for {across}");
+            time += 2.0 * CLEARANCE * across / (across * across + tangential * tangential);
+        }
+        let last = |name: &str| *column(&outcome, name).last().expect("rows");
+        let momentum = last("disc.x") * last("disc.vy") - last("disc.y") * last("disc.vx");
+        assert!((momentum / (x * speed[1]) - 1.0).abs() < 1e-10, "{momentum}");
+    }
+}
+
+/// One impact of a spinning disc that falls straight onto the wall: it slides all through it where μ is less than what
+/// ends sliding, m_t v_t/((1 + e) m v_n) with 1/m_t = 1/m + r²/I, and else sticks.
+#[test]
+fn friction_in_an_impact_takes_impulse_along_the_wall() {
+    let (restitution, fall, spin) = (0.6, 0.5, 40.0);
+    let sliding = spin * JOURNAL;
+    let tangential_mass = 1.0 / (1.0 / MASS + JOURNAL * JOURNAL / INERTIA);
+    let stops = tangential_mass * sliding / ((1.0 + restitution) * MASS * fall);
+    for friction in [0.5 * stops, 0.99 * stops, 1.5 * stops] {
+        let start = json!({ "x": 0.0, "y": 0.0, "vx": 0.0, "vy": -fall, "angular_velocity": spin });
+        let outcome = completed(&disc(
+            &json!({ "restitution": restitution, "friction": friction }),
+            [0.0, 0.0],
+            &start,
+            0.003,
+            4,
+        ));
+        let impulse = (friction / stops).min(1.0) * tangential_mass * sliding;
+        let last = |name: &str| *column(&outcome, name).last().expect("rows");
+        assert_eq!(episodes(&outcome).len(), 1);
+        // The lowest point of a disc that turns counter-clockwise moves to the right, so friction pushes it to the left.
+        for (name, wanted) in [
+            ("disc.vy", restitution * fall),
+            ("disc.vx", -impulse / MASS),
+            ("disc.omega", spin - JOURNAL * impulse / INERTIA),
+        ] {
+            assert!((last(name) / wanted - 1.0).abs() < 1e-9, "{name}: {} for {wanted}", last(name));
+        }
+    }
+}
+
+/// A spinning disc dropped onto the wall bounces ever less, follows the wall, and rubs: T = −μ N sign v, which brakes its
+/// spin by μ N r/I. The acceleration along the wall is (T ± m g sin)/m.
+#[test]
+fn a_following_disc_rubs() {
+    let friction = 0.2;
+    let start = json!({ "x": 0.0, "y": -0.0005, "vx": 0.0, "vy": 0.0, "angular_velocity": 400.0 });
+    let outcome =
+        completed(&disc(&json!({ "restitution": 0.3, "friction": friction }), [0.0, -9.81], &start, 0.2, 201));
+    let of = |name: &str| column(&outcome, name);
+    let (normal, tangential) = (of("joint.pin.normal_force"), of("joint.pin.tangential_force"));
+    let (alpha, eccentricity) = (of("disc.alpha"), of("joint.pin.eccentricity"));
+    let (ex, ey) = (of("joint.pin.ex"), of("joint.pin.ey"));
+    let (vx, vy) = (of("disc.vx"), of("disc.vy"));
+    for k in 100..201 {
+        assert!((eccentricity[k] / CLEARANCE - 1.0).abs() < 1e-12);
+        assert!((tangential[k] + friction * normal[k]).abs() < 1e-9 * normal[k], "{} {}", tangential[k], normal[k]);
+        assert!((alpha[k] + JOURNAL * friction * normal[k] / INERTIA).abs() < 1e-6, "{}", alpha[k]);
+        // Newton across the wall: N = m v²/c − m g·e/c.
+        let pressing = MASS * (vx[k] * vx[k] + vy[k] * vy[k]) / CLEARANCE - MASS * 9.81 * ey[k] / CLEARANCE;
+        assert!((normal[k] / pressing - 1.0).abs() < 1e-7, "{} for {pressing} at {}", normal[k], ex[k]);
+    }
+}
