@@ -197,6 +197,13 @@ impl History {
         }
     }
 
+    /// Whether one of them could be larger than the episode's so far, by estimates good to a percent.
+    pub fn rises(&self, penetration: f64, force: f64) -> bool {
+        self.open.as_ref().is_some_and(|(episode, _)| {
+            1.01 * penetration > episode.peak_penetration || 1.01 * force > episode.peak_force
+        })
+    }
+
     /// Largest penetration of the open episode.
     pub fn deepest(&self) -> Option<f64> {
         self.open.as_ref().map(|(episode, _)| episode.peak_penetration)

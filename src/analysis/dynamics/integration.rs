@@ -18,10 +18,17 @@ use crate::system::Origin;
 const LAG: f64 = 1e-2;
 /// The same with contacts, where positions matter by parts of the clearance.
 const CONTACT_LAG: f64 = 1e-10;
+/// With contacts a step's error is bounded by this part of rtol: an impact takes some twenty steps and multiplies what was
+/// wrong before it, and a run has many.
+const IMPACTS: f64 = 1e-2;
+/// No less than this, which is near round-off.
+const FINEST: f64 = 1e-13;
 /// Points within a step at which guards are looked at once one of them has been positive somewhere.
 const LOOKS: usize = 8;
 /// Points within a step at which peaks are looked for.
 const PEAK_LOOKS: usize = 16;
+/// Parabolas that follow up a peak, each a tenth as wide as the one before.
+const PEAK_PARABOLAS: usize = 3;
 /// A step with an event is taken again to this part of it beyond the event, which is then near its end.
 const BEYOND: f64 = 1e-3;
 /// Determinant of the friction's equations, 1 without friction, below which a joint is about to lock itself.
@@ -48,6 +55,9 @@ pub struct Integration {
     released: Vec<f64>,
 }
 
+/// One number of a reading.
+type Quantity = fn(&Reading) -> f64;
+
 /// Why the loop ended before its time.
 pub type Ended = (Status, String);
 
@@ -59,13 +69,18 @@ impl Integration {
     pub fn new(method: Method, solver: &Solver, motion: &mut Motion, end: f64) -> Result<Self, Stop> {
         let system = motion.system();
         let contacts = system.contacts.len();
-        motion.reduced.lag = if contacts > 0 { CONTACT_LAG.min(LAG * solver.rtol) } else { LAG * solver.rtol };
+        let mut solver = solver.clone();
+        motion.reduced.lag = LAG * solver.rtol;
+        if contacts > 0 {
+            solver.rtol = (IMPACTS * solver.rtol).max(FINEST.min(solver.rtol));
+            motion.reduced.lag = CONTACT_LAG.min(LAG * solver.rtol);
+        }
         let limits = Limits { initial_step: solver.initial_step, max_step: solver.max_step, ..Limits::default() };
         let names = system.joints.iter().filter(|joint| joint.contact.is_some()).map(|joint| joint.name.as_str());
         let mut integration = Integration {
             method,
-            solver: solver.clone(),
-            stepper: method.stepper(motion.tolerance(solver), limits),
+            stepper: method.stepper(motion.tolerance(&solver), limits),
+            solver,
             before: [0; 3],
             end,
             pending: None,
@@ -195,7 +210,9 @@ impl Integration {
         for contact in 0..self.histories.len() {
             let reading = motion.reading(contact);
             if motion.reduced.inputs.contacts[contact].phase == Phase::Contact {
-                self.peaks(motion, contact, &reading, until - from);
+                if self.peaks(motion, contact, &reading, from, until)? {
+                    self.evaluate_at(motion, until)?;
+                }
                 let sums = self.sums(motion, contact);
                 let angle = motion.contact_angle(contact, &reading);
                 self.histories[contact].go_on(&reading, sums, angle);
@@ -215,10 +232,8 @@ impl Integration {
         let restarted = known.and_then(|()| self.restart(motion, from, &y, Some(to - from)));
         (self.y, self.end) = (y, end);
         restarted?;
-        while self.stepper.t() < to {
-            self.stepper.step(motion, to)?;
-        }
-        Ok(())
+        // Where it is rejected now, a shorter one takes its place.
+        self.stepper.step(motion, to)
     }
 
     /// The first instant in (from, to] at which a guard is positive, where there is one.
@@ -239,14 +254,26 @@ impl Integration {
         Ok(None)
     }
 
-    /// Peaks of penetration and force within a piece of a step, from a cubic through its ends.
-    fn peaks(&mut self, motion: &Motion, contact: usize, reading: &Reading, h: f64) {
-        let Surface::Compliant(laws) = &motion.system().contacts[contact].surface else { return };
-        let (a, b) = (&self.last[contact], reading);
+    /// Peaks of penetration and force within a piece of a step: where a cubic through its ends has them, then on the
+    /// continuous extension. Whether that was evaluated.
+    fn peaks(
+        &mut self,
+        motion: &mut Motion,
+        contact: usize,
+        end: &Reading,
+        from: f64,
+        to: f64,
+    ) -> Result<bool, Refused> {
+        let Surface::Compliant(laws) = &motion.system().contacts[contact].surface else { return Ok(false) };
+        let (a, b) = (self.last[contact], end);
         if self.histories[contact].deepest().is_some_and(|deepest| a.penetration.max(b.penetration) < 0.5 * deepest) {
-            return;
+            return Ok(false);
         }
         let approach = motion.reduced.inputs.contacts[contact].approach;
+        let h = to - from;
+        // Largest value so far, and where within the piece.
+        let mut deepest = (a.penetration.max(b.penetration), None);
+        let mut hardest = (a.normal.max(b.normal), None);
         for k in 1..PEAK_LOOKS {
             let s = k as f64 / PEAK_LOOKS as f64;
             let (r, rest) = (s * s, 1.0 - s);
@@ -258,8 +285,49 @@ impl Integration {
                 + rest * (1.0 - 3.0 * s) * a.rate
                 + s * (3.0 * s - 2.0) * b.rate;
             let force = laws.normal.continued(penetration, rate, approach);
-            self.histories[contact].peak(penetration, force);
+            for (largest, value) in [(&mut deepest, penetration), (&mut hardest, force)] {
+                if value > largest.0 {
+                    *largest = (value, Some(from + s * h));
+                }
+            }
         }
+        if !self.histories[contact].rises(deepest.0, hardest.0) {
+            return Ok(false);
+        }
+        let (depth, force): (Quantity, Quantity) = (|at| at.penetration, |at| at.normal);
+        for (time, of) in [(deepest.1, depth), (hardest.1, force)] {
+            if let Some(time) = time {
+                self.peak_near(motion, contact, (time, h / PEAK_LOOKS as f64), of)?;
+            }
+        }
+        Ok(deepest.1.is_some() || hardest.1.is_some())
+    }
+
+    /// A peak near `time`, by parabolas through three points.
+    fn peak_near(
+        &mut self,
+        motion: &mut Motion,
+        contact: usize,
+        (mut time, mut width): (f64, f64),
+        of: Quantity,
+    ) -> Result<(), Refused> {
+        for _ in 0..PEAK_PARABOLAS {
+            let mut values = [0.0; 3];
+            for (value, side) in values.iter_mut().zip([-1.0, 0.0, 1.0]) {
+                self.evaluate_at(motion, time + side * width)?;
+                let reading = motion.reading(contact);
+                self.histories[contact].peak(reading.penetration, reading.normal);
+                *value = of(&reading);
+            }
+            let [before, here, after] = values;
+            let bend = before - 2.0 * here + after;
+            if bend >= 0.0 {
+                break;
+            }
+            time += width * (0.5 * (before - after) / bend).clamp(-1.0, 1.0);
+            width *= 0.1;
+        }
+        Ok(())
     }
 
     /// Sums of a contact at the point in `y`.

@@ -16,7 +16,7 @@
 
 use super::contact::worst_guard;
 use crate::analysis::assembly::ranks;
-use crate::element::journal::{Contact, ContactId, Phase, Reading, Surface};
+use crate::element::journal::{Contact, ContactId, Journal, Phase, Reading, Surface};
 use crate::error::Complaint;
 use crate::integrate::{Ode, Refused, Tolerance};
 use crate::model::{Model, Solver};
@@ -33,6 +33,9 @@ const PER_CONTACT: usize = 3;
 const MARKS: usize = 24;
 /// Velocities are no worse resolved than this part of rtol [m/s, rad/s].
 const SLOW: f64 = 0.1;
+
+/// Lengths are measured against no less than this part of a clearance [–].
+const SHALLOW: f64 = 1e-2;
 
 /// An evaluation: its time, and the largest of all guards there, above zero where an event has passed.
 type Mark = (f64, f64);
@@ -290,8 +293,9 @@ impl<'s> Motion<'s> {
         self.marks.iter().any(|&(t, guard)| t > from && t <= to && guard > 0.0)
     }
 
-    /// The bound of the local error. In a mechanism with contacts lengths are measured against the smallest clearance, for
-    /// penetrations are a small part of it, and rates near zero against 1 m/s.
+    /// The bound of the local error. In a mechanism with contacts lengths are measured against the smallest clearance, or the
+    /// smallest depth at which a contact would hold all the kinetic energy of the moment, where that is less: an error of the
+    /// penetration is one of the energy, force times error. Rates near zero are measured against 1 m/s.
     pub fn tolerance(&self, solver: &Solver) -> Tolerance {
         let f = self.reduced.freedom();
         let Solver { rtol, atol, .. } = *solver;
@@ -311,8 +315,10 @@ impl<'s> Motion<'s> {
         if !clearance.is_finite() {
             return tolerance;
         }
+        let energy = self.reduced.driven.evaluation.kinetic_energy(system, &self.reduced.v);
+        let depth = system.contacts.iter().map(|contact| depth(contact, energy)).fold(f64::INFINITY, f64::min);
         for (k, pin) in self.reduced.driven.pins.iter().enumerate() {
-            let small = clearance / system.size * system.column_scale(pin.column);
+            let small = depth / system.size * system.column_scale(pin.column);
             tolerance.cap[k] = small;
             tolerance.atol[k] = atol.min(rtol * small);
             tolerance.atol[f + k] = atol.min(SLOW * rtol);
@@ -357,6 +363,21 @@ impl<'s> Motion<'s> {
         self.marks[self.next_mark] = (t, worst);
         self.next_mark = (self.next_mark + 1) % MARKS;
     }
+}
+
+/// Depth at which a contact would hold this energy, within [`SHALLOW`] … 1 of its clearance [m].
+fn depth(contact: &Journal, energy: f64) -> f64 {
+    let Surface::Compliant(laws) = &contact.surface else { return contact.clearance };
+    let (mut low, mut high) = (SHALLOW * contact.clearance, contact.clearance);
+    if laws.normal.elastic_energy(high) <= energy {
+        return high;
+    }
+    // Its order of magnitude is enough.
+    while high > 1.1 * low {
+        let middle = (low * high).sqrt();
+        if laws.normal.elastic_energy(middle) < energy { low = middle } else { high = middle }
+    }
+    low
 }
 
 impl Ode for Reduced<'_> {

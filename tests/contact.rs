@@ -1,0 +1,394 @@
+//! Laws and limits of joints with clearance in contact dynamics: closed forms of an impact, what is conserved, the energy
+//! ledger, the ideal joint as the clearance vanishes, the same mechanism told otherwise, and what is refused.
+
+#[path = "common/mechanisms.rs"]
+mod mechanisms;
+#[path = "common/transform.rs"]
+mod transform;
+
+use linkdyn::analysis::{Control, Outcome, run};
+use linkdyn::model::{Model, load};
+use linkdyn::output::{Episode, Status};
+use mechanisms::{column, loaded};
+use serde_json::{Value, json};
+use transform::{mirror, rename_and_reverse, renamed, rotate, swap, turned};
+
+const SLIDER_CRANK: &str = include_str!("../validation/slider-crank-clearance/model.json");
+
+#[track_caller]
+fn solve(model: &Model) -> Outcome {
+    let outcome = run(model, &Control::default()).unwrap_or_else(|said| panic!("{said:?}"));
+    assert_eq!(outcome.report.status, Status::Completed, "{:?}", outcome.report.message);
+    outcome
+}
+
+#[track_caller]
+fn completed(model: &Value) -> Outcome {
+    solve(&loaded(model).model)
+}
+
+/// The slider-crank of the validation case with some values set.
+#[track_caller]
+fn slider_crank(sets: &[&str]) -> Model {
+    let sets: Vec<String> = sets.iter().map(|set| (*set).to_string()).collect();
+    load(SLIDER_CRANK.as_bytes(), &sets).unwrap_or_else(|said| panic!("{said:?}")).model
+}
+
+fn episodes(outcome: &Outcome) -> Vec<Episode> {
+    outcome.report.events.iter().filter_map(|event| event.episode).collect()
+}
+
+/// A disc of 1 kg in a bearing of the ground: radial clearance 10 mm, bearing radius 50 mm, no gravity.
+fn journal(normal: Value, friction: Value, initial: Value, end: f64, outputs: usize, rtol: f64) -> Value {
+    json!({ "format": "linkdyn/1", "units": "SI",
+        "bodies": { "ground": { "points": { "O": [0.0, 0.0] } },
+            "disc": { "mass": 1.0, "inertia": 1e-3, "com": [0.0, 0.0], "points": { "P": [0.0, 0.0] } } },
+        "joints": { "pin": { "type": "revolute", "between": ["ground.O", "disc.P"],
+            "clearance": { "model": "contact", "radius": 0.01, "bearing_radius": 0.05,
+                           "normal": normal, "friction": friction } } },
+        "initial": { "disc": initial },
+        "analysis": { "type": "dynamics", "end": end, "outputs": outputs, "solver": { "rtol": rtol } } })
+}
+
+fn lankarani(restitution: f64) -> Value {
+    json!({ "law": "lankarani_nikravesh", "stiffness": 1e9, "restitution": restitution })
+}
+
+fn none() -> Value {
+    json!({ "law": "none" })
+}
+
+/// m = 1 kg, K = 1e9 N/m^1.5, v₀ = 1 m/s, e = 0.9: the rebound solves χ(1 + e′) = ln((1 + χ)/(1 − χ e′)), and the deepest
+/// point follows from the energy of approach, as in the module documentation of the normal laws. The hardest force is a little before the deepest point.
+#[test]
+fn an_impact_is_that_of_the_closed_form() {
+    let start = json!({ "x": 0.00999, "y": 0.0, "vx": 1.0, "vy": 0.0, "angular_velocity": 0.0 });
+    let outcome = completed(&journal(lankarani(0.9), none(), start, 1.5e-3, 16, 1e-10));
+    let [episode] = episodes(&outcome)[..] else { panic!("{:?}", outcome.report.events) };
+    let end = episode.end.expect("it leaves");
+    let chi: f64 = 0.75 * (1.0 - 0.81);
+    let deepest = (2.5 * (chi - chi.ln_1p()) / (1e9 * chi * chi)).powf(0.4);
+    // On the way in, K δ^2.5/2.5 = ∫ w/(1 + χ w) dw from v to 1, and F = K δ^1.5 (1 + χ v), over all v.
+    let taken = |v: f64| v / chi - (chi * v).ln_1p() / (chi * chi);
+    let force = |v: f64| 1e9 * (2.5e-9 * (taken(1.0) - taken(v))).powf(0.6) * (1.0 + chi * v);
+    let hardest = (0..100_000).map(|k| force(1e-5 * f64::from(k))).fold(0.0, f64::max);
+    for (what, ours, exact, relative) in [
+        ("start", episode.start, 1e-5, 1e-9),
+        ("approach", episode.approach_speed, 1.0, 1e-12),
+        ("rebound", episode.separation_speed.expect("it leaves"), 0.9131767, 1e-7),
+        ("duration", end - episode.start, 8.163338e-4, 2e-7),
+        ("deepest", episode.peak_penetration, 2.649506e-4, 2e-7),
+        ("deepest by its formula", episode.peak_penetration, deepest, 1e-9),
+        ("peak force", episode.peak_force, hardest, 1e-9),
+        ("impulse", episode.impulse, 1.9131767, 1e-7),
+        ("loss", episode.energy_lost, 0.5 * (1.0 - 0.9131767f64.powi(2)), 1e-6),
+    ] {
+        println!("{what}: {ours:e}, off by {:e}", ours / exact - 1.0);
+        assert!((ours / exact - 1.0).abs() < relative, "{what}: {ours:e} for {exact:e}");
+    }
+}
+
+/// A hundred and more impacts, elastic, damped, and with every law of friction.
+#[test]
+fn the_energy_ledger_closes_over_a_hundred_impacts() {
+    let rtol = 1e-8;
+    let spin = json!({ "x": 0.003, "y": 0.0, "vx": 0.6, "vy": 0.8, "angular_velocity": 20.0 });
+    let coulomb = json!({ "law": "coulomb", "coefficient": 0.1, "threshold_velocity": 0.01 });
+    let hertz = json!({ "law": "hertz", "stiffness": 1e9 });
+    for (name, normal, friction, end) in [
+        ("elastic", hertz.clone(), none(), 2.2),
+        ("damped", lankarani(0.99), none(), 4.0),
+        ("elastic with friction", hertz, coulomb.clone(), 2.2),
+        ("damped with friction", lankarani(0.99), coulomb, 4.0),
+    ] {
+        let outcome = completed(&journal(normal, friction, spin.clone(), end, 101, rtol));
+        let impacts = episodes(&outcome).len();
+        let imbalance = outcome.report.quality.energy_imbalance.expect("of contacts");
+        println!("{name}: {impacts} impacts, {:.2} rtol missing", imbalance / rtol);
+        assert!(impacts >= 100, "{name}: {impacts}");
+        assert!(imbalance <= 10.0 * rtol, "{name}: {imbalance:e}");
+    }
+}
+
+/// Each law brakes the spinning disc, and never gives back more than its bristles hold.
+#[test]
+fn every_law_of_friction_dissipates() {
+    let rtol = 1e-8;
+    let start = json!({ "x": 0.003, "y": 0.0, "vx": 0.6, "vy": 0.8, "angular_velocity": 20.0 });
+    let laws = [
+        json!({ "law": "none" }),
+        json!({ "law": "coulomb", "coefficient": 0.1, "threshold_velocity": 0.01 }),
+        json!({ "law": "threlfall", "coefficient": 0.1, "threshold_velocity": 0.01 }),
+        json!({ "law": "ambrosio", "coefficient": 0.1, "lower_velocity": 0.001, "upper_velocity": 0.01 }),
+        json!({ "law": "stribeck", "coefficient": 0.1, "static_coefficient": 0.15, "stribeck_velocity": 0.05,
+                "threshold_velocity": 0.01, "viscous": 0.01 }),
+        json!({ "law": "lugre", "coefficient": 0.1, "static_coefficient": 0.15, "stribeck_velocity": 0.05,
+                "bristle_stiffness": 1e5, "bristle_damping": 100.0, "viscous": 0.01 }),
+    ];
+    let mut spins = Vec::new();
+    for law in laws {
+        let name = law["law"].to_string();
+        let outcome = completed(&journal(lankarani(0.8), law, start.clone(), 0.3, 301, rtol));
+        let dissipated = column(&outcome, "energy.dissipated");
+        let imbalance = outcome.report.quality.energy_imbalance.expect("of contacts");
+        let spin = *column(&outcome, "disc.omega").last().expect("a row");
+        println!("{name}: spin {spin}, {:.1} rtol missing, {} J lost", imbalance / rtol, dissipated[300]);
+        assert!(dissipated.windows(2).all(|pair| pair[1] >= pair[0] - 10.0 * rtol), "{name}: {dissipated:?}");
+        assert!(imbalance <= 10.0 * rtol, "{name}: {imbalance:e}");
+        spins.push(spin);
+    }
+    assert!(spins[0] == 20.0 && spins[1..].iter().all(|spin| *spin < 15.0), "{spins:?}");
+}
+
+/// A journal and its bearing, both free: linear and angular momentum stay what they are, with friction too.
+#[test]
+fn two_free_bodies_keep_their_momentum() {
+    let mut model = journal(
+        lankarani(0.8),
+        json!({ "law": "coulomb", "coefficient": 0.2, "threshold_velocity": 0.01 }),
+        json!({ "vx": 1.0, "vy": 0.3, "angular_velocity": 30.0 }),
+        0.2,
+        101,
+        1e-8,
+    );
+    model["bodies"]["ring"] =
+        json!({ "mass": 2.0, "inertia": 6e-3, "com": [0.01, 0.0], "points": { "O": [0.0, 0.0] } });
+    model["joints"]["pin"]["between"][0] = "ring.O".into();
+    model["initial"]["ring"] = json!({ "vx": -0.2, "vy": 0.5, "angular_velocity": -10.0 });
+    let outcome = completed(&model);
+    assert!(episodes(&outcome).len() > 5);
+    let of = |name: &str| column(&outcome, name);
+    let mut momenta = vec![vec![0.0; 3]; 101];
+    for (body, mass, inertia, com) in [("disc", 1.0, 1e-3, 0.0), ("ring", 2.0, 6e-3, 0.01)] {
+        let [x, y, angle, vx, vy, omega] = ["x", "y", "angle", "vx", "vy", "omega"].map(|q| of(&format!("{body}.{q}")));
+        for (k, sum) in momenta.iter_mut().enumerate() {
+            let rho = turned([com, 0.0], angle[k]);
+            let (px, py) = (mass * (vx[k] - omega[k] * rho[1]), mass * (vy[k] + omega[k] * rho[0]));
+            sum[0] += px;
+            sum[1] += py;
+            sum[2] += inertia * omega[k] + (x[k] + rho[0]) * py - (y[k] + rho[1]) * px;
+        }
+    }
+    for (axis, scale) in [1.0, 1.0, 0.03].into_iter().enumerate() {
+        let worst = momenta.iter().map(|sum| (sum[axis] - momenta[0][axis]).abs()).fold(0.0, f64::max) / scale;
+        println!("momentum {axis} off by {worst:e}");
+        // Sums of round-off; angular momentum also by the tolerance, since it is no linear function of the coordinates.
+        assert!(worst < if axis < 2 { 1e-12 } else { 1e-7 }, "{axis}: {worst:e}");
+    }
+}
+
+#[test]
+fn a_body_with_nothing_but_a_contact_flies() {
+    let start = json!({ "x": 0.001, "y": -0.002, "vx": 0.3, "vy": 0.1, "angular_velocity": 5.0 });
+    let mut model = journal(lankarani(0.9), none(), start, 0.01, 11, 1e-8);
+    model["gravity"] = json!([0.0, -10.0]);
+    let outcome = completed(&model);
+    let (t, x, y) = (column(&outcome, "time"), column(&outcome, "disc.x"), column(&outcome, "disc.y"));
+    assert!(episodes(&outcome).is_empty());
+    for k in 0..11 {
+        assert!((x[k] - (0.001 + 0.3 * t[k])).abs() < 1e-14, "{}", x[k]);
+        assert!((y[k] - (-0.002 + 0.1 * t[k] - 5.0 * t[k] * t[k])).abs() < 1e-14, "{}", y[k]);
+    }
+    assert!(column(&outcome, "joint.pin.state").iter().all(|state| *state == 0.0));
+}
+
+/// Wear, impulse and loss against sums over the rows, which know nothing of how they were integrated.
+#[test]
+fn sums_of_a_joint_are_integrals_of_its_columns() {
+    let outcome = solve(&slider_crank(&["analysis.outputs=48001"]));
+    let sums = &outcome.report.clearances[0];
+    let of = |quantity: &str| column(&outcome, &format!("joint.b.{quantity}"));
+    let (normal, sliding) = (of("normal_force"), of("sliding_speed"));
+    let step = 0.024 / 48000.0;
+    let integral = |f: &dyn Fn(usize) -> f64| (1..48001).map(|k| 0.5 * (f(k - 1) + f(k)) * step).sum::<f64>();
+    let wear = integral(&|k| normal[k] * sliding[k].abs());
+    let impulse = integral(&|k| normal[k]);
+    let touching = integral(&|k| f64::from(u8::from(normal[k] > 0.0)));
+    for (what, ours, rows) in [
+        ("wear", sums.wear.iter().sum::<f64>(), wear),
+        ("impulse", sums.impulse, impulse),
+        ("time in contact", sums.time_in_contact, touching),
+    ] {
+        println!("{what}: {ours}, by rows {rows}");
+        // Half a microsecond between rows, some hundred kinks and jumps of slope.
+        assert!((ours / rows - 1.0).abs() < 2e-4, "{what}: {ours} by rows {rows}");
+    }
+    let lost: f64 = episodes(&outcome).iter().map(|episode| episode.energy_lost).sum();
+    let last = *column(&outcome, "energy.dissipated").last().expect("a row");
+    assert!((lost / last - 1.0).abs() < 1e-9 && (sums.energy_lost / last - 1.0).abs() < 1e-9, "{lost} {last}");
+}
+
+/// Places differ from those of ideal joints by what the journal can move, so the order in c is one.
+#[test]
+fn a_vanishing_clearance_is_an_ideal_joint() {
+    const CLEARANCES: [f64; 4] = [1e-3, 3e-4, 1e-4, 3e-5];
+    let common = ["drivers.motor.motion.velocity=500 rpm", "analysis.end=0.03", "analysis.outputs=301"];
+    let surface = r#"joints.b.clearance.surface={ "stiffness": 1e10, "damping": 1e5 }"#;
+    let of = |more: &[String]| {
+        let sets: Vec<&str> = common.into_iter().chain([surface]).chain(more.iter().map(String::as_str)).collect();
+        column(&solve(&slider_crank(&sets)), "slider.x")
+    };
+    let ideal = of(&["joints.b.clearance.model=ideal".into()]);
+    for model in ["contact", "two_state"] {
+        let errors: Vec<f64> = CLEARANCES
+            .iter()
+            .map(|clearance| {
+                let real = of(&[
+                    format!("joints.b.clearance.model={model}"),
+                    format!("joints.b.clearance.radius={clearance}"),
+                    "joints.b.clearance.normal.stiffness=1e11".into(),
+                ]);
+                real.iter().zip(&ideal).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+            })
+            .collect();
+        let (first, last) = (errors[0], errors[errors.len() - 1]);
+        let order = (first / last).ln() / (CLEARANCES[0] / CLEARANCES[3]).ln();
+        println!("{model}: {errors:?} for {CLEARANCES:?}, order {order:.3}");
+        assert!((0.9..1.1).contains(&order), "{model}: order {order} of {errors:?}");
+        for (error, clearance) in errors.iter().zip(CLEARANCES) {
+            // cos of the rod's angle at most: 1/√(1 − (r/L)²) = 1.10, and the penetration.
+            assert!((0.5..1.3).contains(&(error / clearance)), "{model}: {error:e} at {clearance:e}");
+        }
+    }
+}
+
+/// Three impacts at 5000 rpm, which multiply differences by some ten.
+#[test]
+fn the_same_mechanism_told_otherwise_moves_the_same() {
+    let short = ["analysis.end=0.0009", "analysis.outputs=181", "analysis.solver.rtol=1e-10"];
+    let model = slider_crank(&short);
+    let frictionless = slider_crank(&[&short[..], &["joints.b.clearance.friction.law=none"]].concat());
+    let angle = 0.7;
+    let same = |name: &str| (name.to_string(), 1.0);
+    // What a mirror changes the sign of: x, angles, torques, and the sense of sliding.
+    let mirrored = |name: &str| {
+        let quantity = name.rsplit('.').next().unwrap_or(name);
+        let turns = ["ex", "fx", "angle", "effort", "sliding_speed", "tangential_force"].contains(&quantity);
+        (name.to_string(), if turns { -1.0 } else { 1.0 })
+    };
+    let swapped = |name: &str| {
+        let turns = ["ex", "ey", "fx", "fy"].map(|q| format!("joint.b.{q}")).contains(&name.to_string());
+        (name.to_string(), if turns { -1.0 } else { 1.0 })
+    };
+    let again = |name: &str| {
+        let words: Vec<&str> = name.split('.').collect();
+        let renamed = match words.as_slice() {
+            [kind @ ("joint" | "driver"), owner, quantity] => format!("{kind}.{}.{quantity}", renamed(owner)),
+            [owner, quantity] if *owner != "energy" => format!("{}.{quantity}", renamed(owner)),
+            _ => name.to_string(),
+        };
+        (renamed, 1.0)
+    };
+    let names = [
+        "joint.b.ex",
+        "joint.b.ey",
+        "joint.b.fx",
+        "joint.b.fy",
+        "joint.b.penetration",
+        "joint.b.normal_force",
+        "rod.angle",
+        "driver.motor.effort",
+        "energy.contact",
+        "energy.dissipated",
+    ];
+    type Rename<'a> = &'a dyn Fn(&str) -> (String, f64);
+    let cases: [(&str, &Model, Model, Rename); 4] = [
+        ("rotated", &model, rotate(&model, angle), &same),
+        ("mirrored", &model, mirror(&model), &mirrored),
+        ("renamed and reversed", &model, rename_and_reverse(&model), &again),
+        ("bearing and journal exchanged", &frictionless, swap(&frictionless), &swapped),
+    ];
+    for (what, original, other, expected) in cases {
+        let (one, two) = (solve(original), solve(&other));
+        let impacts = episodes(&one).len();
+        assert!(impacts >= 3 && episodes(&two).len() == impacts, "{what}: {impacts}");
+        for name in names {
+            let (other_name, sign) = expected(name);
+            let mut wanted: Vec<f64> = column(&one, name).iter().map(|value| sign * value).collect();
+            if what == "rotated" {
+                let pair = |x: &str, y: &str| [column(&one, x), column(&one, y)];
+                let (stem, quantity) = name.rsplit_once('.').expect("an owner");
+                match quantity {
+                    "ex" | "ey" | "fx" | "fy" => {
+                        let kind = &quantity[..1];
+                        let [x, y] = pair(&format!("{stem}.{kind}x"), &format!("{stem}.{kind}y"));
+                        let component = usize::from(quantity.ends_with('y'));
+                        wanted = x.iter().zip(&y).map(|(x, y)| turned([*x, *y], angle)[component]).collect();
+                    }
+                    "angle" => wanted.iter_mut().for_each(|value| *value += angle),
+                    _ => {}
+                }
+            }
+            let scale = wanted.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
+            let ours = column(&two, &other_name);
+            let off = ours.iter().zip(&wanted).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / scale;
+            println!("{what}: {name} off by {off:.1e}");
+            // 10 rtol per impact of local error, multiplied by what impacts multiply.
+            assert!(off < 1e-6, "{what}: {name} off by {off:e}");
+        }
+    }
+}
+
+#[test]
+fn switching_the_model_changes_no_column() {
+    let columns = |model: &str| {
+        let surface = r#"joints.b.clearance.surface={ "stiffness": 1e8, "damping": 2e3 }"#;
+        let model = format!("joints.b.clearance.model={model}");
+        let outcome = solve(&slider_crank(&["analysis.end=0.001", "analysis.outputs=11", surface, &model]));
+        outcome.trajectory.columns
+    };
+    let ideal = columns("ideal");
+    assert!(ideal.iter().any(|column| column.name == "joint.b.penetration"));
+    for model in ["massless_link", "two_state", "contact"] {
+        assert_eq!(columns(model), ideal, "{model}");
+    }
+}
+
+#[track_caller]
+fn complaints(model: &Value) -> String {
+    let loaded = match load(model.to_string().as_bytes(), &[]) {
+        Ok(loaded) => loaded,
+        Err(complaints) => return complaints.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"),
+    };
+    let complaints = run(&loaded.model, &Control::default()).expect_err("bad input");
+    complaints.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn a_start_in_the_wall_says_how_deep() {
+    let start = |x: f64| journal(lankarani(0.9), none(), json!({ "x": x, "y": 0.0 }), 1e-4, 2, 1e-8);
+    let said = complaints(&start(0.0125));
+    assert!(said.contains("joint \"pin\" starts with its journal 2.5000e-3 m deep"), "{said}");
+    assert!(said.contains("eccentricity 1.25") && said.contains("clearance 1e-2"), "{said}");
+    // A little is a contact like any other.
+    let outcome = completed(&start(0.0101));
+    assert!(column(&outcome, "joint.pin.normal_force")[0] > 0.0);
+}
+
+#[test]
+fn bad_parameters_are_bad_input() {
+    let start = || json!({});
+    let with = |normal: Value, friction: Value| complaints(&journal(normal, friction, start(), 1e-3, 2, 1e-8));
+    for (said, words) in [
+        (with(lankarani(1.5), none()), "restitution"),
+        (with(json!({ "law": "hertz", "stiffness": -1.0 }), none()), "stiffness"),
+        (with(json!({ "law": "hertz", "stiffness": 1e9, "exponent": 0.5 }), none()), "exponent"),
+        (
+            with(lankarani(0.9), json!({ "law": "coulomb", "coefficient": -0.1, "threshold_velocity": 0.01 })),
+            "coefficient",
+        ),
+        (
+            with(lankarani(0.9), json!({ "law": "coulomb", "coefficient": 0.1, "threshold_velocity": 0.0 })),
+            "threshold_velocity",
+        ),
+    ] {
+        assert!(said.contains(words), "{words} is not in {said}");
+    }
+    let mut wide = journal(lankarani(0.9), none(), start(), 1e-3, 2, 1e-8);
+    wide["joints"]["pin"]["clearance"]["bearing_radius"] = json!(0.01);
+    assert!(complaints(&wide).contains("bearing_radius"), "{}", complaints(&wide));
+    let mut massless = journal(lankarani(0.9), none(), start(), 1e-3, 2, 1e-8);
+    massless["bodies"]["disc"]["mass"] = json!(0.0);
+    let said = complaints(&massless);
+    assert!(said.contains("disc"), "{said}");
+}
