@@ -11,7 +11,7 @@
 //! of them. petgraph has no cycle basis, and its `bridges` takes two parallel joints
 //! for two bridges, so the tree is grown here, by joint and not by neighbour.
 
-use std::collections::VecDeque;
+use std::collections::{BTreeSet, VecDeque};
 
 use petgraph::graph::{NodeIndex, UnGraph};
 use petgraph::visit::EdgeRef;
@@ -113,6 +113,23 @@ impl Topology {
     /// Independent loops, in the order of their chords.
     pub fn loops(&self) -> &[Loop] {
         &self.loops
+    }
+
+    /// Joints of each biconnected part that has loops, in ascending order: those that loops share joints with one another in.
+    pub fn parts(&self) -> Vec<Vec<usize>> {
+        let mut parts: Vec<BTreeSet<usize>> = Vec::new();
+        for closed in &self.loops {
+            let mut part: BTreeSet<usize> = closed.joints.iter().copied().collect();
+            parts.retain(|other| {
+                let apart = part.is_disjoint(other);
+                if !apart {
+                    part.extend(other);
+                }
+                apart
+            });
+            parts.push(part);
+        }
+        parts.into_iter().map(|part| part.into_iter().collect()).collect()
     }
 
     /// Joint and body on the way from `body` to ground (or to its island's root); none at a root.

@@ -82,21 +82,24 @@ impl Osculating {
 
     /// q, q′, q″ at `s`.
     pub fn eval(&self, s: f64, q: &mut [f64], d: &mut [f64], dd: &mut [f64]) {
-        let x = (s - self.centre) / self.scale;
         for k in 0..self.n {
-            let mut jet = [0.0; 3];
-            for (i, node) in self.x.iter().enumerate().rev() {
-                let step = x - node;
-                jet = [
-                    jet[0] * step + self.coefficients[i * self.n + k],
-                    jet[1] * step + jet[0],
-                    jet[2] * step + 2.0 * jet[1],
-                ];
-            }
-            q[k] = jet[0];
-            d[k] = jet[1] / self.scale;
-            dd[k] = jet[2] / (self.scale * self.scale);
+            [q[k], d[k], dd[k]] = self.jet(k, s);
         }
+    }
+
+    /// q_k, q_k′, q_k″ at `s`.
+    pub fn jet(&self, k: usize, s: f64) -> [f64; 3] {
+        let x = (s - self.centre) / self.scale;
+        let mut jet = [0.0; 3];
+        for (i, node) in self.x.iter().enumerate().rev() {
+            let step = x - node;
+            jet = [
+                jet[0] * step + self.coefficients[i * self.n + k],
+                jet[1] * step + jet[0],
+                jet[2] * step + 2.0 * jet[1],
+            ];
+        }
+        [jet[0], jet[1] / self.scale, jet[2] / (self.scale * self.scale)]
     }
 }
 

@@ -12,6 +12,7 @@
 //! driven        positions, velocities, accelerations, multipliers at one instant
 //! reactive      forces that depend on multipliers, which depend on them: friction
 //! reduced       equations of motion in minimal coordinates
+//! parts         parts with one degree of freedom of a mechanism with more, across their change points
 //! held          the mechanism at rest in minimal coordinates: forces, stiffness, damping and mass
 //! equilibrium   where the forces at rest vanish, and whether that is stable
 //! eigen         eigenvalues of small symmetric matrices, and of M x″ + C x′ + K x = 0
@@ -32,6 +33,7 @@ pub mod hermite;
 pub mod lu;
 pub mod matching;
 pub mod order;
+pub mod parts;
 pub mod pattern;
 pub mod rank;
 pub mod reactive;

@@ -22,6 +22,7 @@
 use super::continuation::{End, HALF_TURN, Parameter, Path, SingularKind, Source, follow};
 use super::driven::{Driven, Failure};
 use super::hermite::{Node, quintic};
+use super::parts::{Part, Parts, Rewrite};
 use crate::system::{Inputs, System};
 
 /// A coordinate that moves this much more than the one pinned takes its place.
@@ -63,6 +64,8 @@ pub struct Reduced<'s> {
     bend: Vec<f64>,
     /// The point at hand is on a bridged stretch, where the equations have no trustworthy factors.
     bridged: bool,
+    /// Parts that have curves of their own, where the whole has none.
+    parts: Option<Parts<'s>>,
     /// When a step first passed a change point with forces that depend on multipliers, which have no bound there.
     passed: Option<f64>,
 }
@@ -99,10 +102,34 @@ impl<'s> Reduced<'s> {
             tangent: vec![0.0; n],
             bend: vec![0.0; n],
             bridged: false,
+            parts: None,
             passed: None,
         };
         reduced.choose(time)?;
         Ok(reduced)
+    }
+
+    /// Whether the positions are a curve of one coordinate.
+    pub fn has_curve(&self) -> bool {
+        self.still && self.freedom() == 1
+    }
+
+    /// Takes the change points of these parts by their smooth branches.
+    pub fn cross(&mut self, parts: Vec<Part<'s>>, rewrite: Box<dyn Rewrite<'s> + 's>) {
+        self.parts = (!parts.is_empty()).then(|| Parts::new(parts, rewrite));
+    }
+
+    /// Takes over the parts of a mechanism that was another one otherwise.
+    pub fn cross_as(&mut self, other: &mut Reduced<'s>, rewrite: Box<dyn Rewrite<'s> + 's>) {
+        self.parts = other.parts.take().map(|parts| parts.rewritten_by(rewrite));
+    }
+
+    /// The solver of the mechanism's own equations.
+    pub fn own(&mut self) -> &mut Driven<'s> {
+        match self.parts.as_mut().and_then(Parts::own) {
+            Some(own) => own,
+            None => &mut self.driven,
+        }
     }
 
     /// Degrees of freedom f.
@@ -194,7 +221,7 @@ impl<'s> Reduced<'s> {
         let system = self.driven.system;
         let f = self.freedom();
         self.at = None;
-        let source = if self.still && f == 1 { self.on_curve(y[0]) } else { None };
+        let source = if self.has_curve() { self.on_curve(y[0]) } else { None };
         self.inputs.set_time(system, time);
         for (k, pin) in self.driven.pins.iter_mut().enumerate() {
             pin.jet = [y[k], y[f + k], 0.0];
@@ -206,7 +233,12 @@ impl<'s> Reduced<'s> {
                 self.bridged = true;
                 return self.evaluate_bridged(time, y[1]);
             }
-            None => self.predict(time),
+            None => {
+                self.predict(time);
+                if let Some(parts) = &mut self.parts {
+                    parts.enter(&mut self.driven, &self.q, &self.here, &self.inputs)?;
+                }
+            }
         }
         let correction = self.driven.correct(&mut self.q, &self.inputs)?;
         if correction.contraction > CONTRACTION || correction.first_step > FARTHEST {
@@ -223,9 +255,7 @@ impl<'s> Reduced<'s> {
         }
         self.driven.acceleration(&self.inputs, &mut self.a);
         self.driven.evaluation.eval_force(system, &self.inputs, &mut self.force);
-        for (((b, q), a), m) in self.balance.iter_mut().zip(&self.force).zip(&self.a).zip(&system.mass) {
-            *b = q - m * a;
-        }
+        self.eval_balance();
         self.finish(time)
     }
 
@@ -252,9 +282,7 @@ impl<'s> Reduced<'s> {
         self.driven.evaluation.set_position(&self.q);
         self.driven.evaluation.set_velocity(&self.v);
         self.driven.evaluation.eval_force(system, &self.inputs, &mut self.force);
-        for (((b, q), a), m) in self.balance.iter_mut().zip(&self.force).zip(&self.a).zip(&system.mass) {
-            *b = q - m * a;
-        }
+        self.eval_balance();
         self.finish(time)
     }
 
@@ -443,7 +471,8 @@ impl<'s> Reduced<'s> {
 
     /// Multipliers λ (m) of the last evaluation; Q − M a is left in `balance`.
     ///
-    /// Near a change point, where they can't be computed, they are NaN.
+    /// Where a part's smooth branch stands for its joints, theirs mean nothing; see [`Reduced::reactions`]. Near a change
+    /// point of the whole, where they can't be computed, they are NaN.
     pub fn multipliers(&mut self, lambda: &mut [f64]) {
         if self.bridged {
             let ready = self.driven.prepare(&self.q, &self.inputs).is_ok() && self.driven.factor(&self.inputs).is_ok();
@@ -452,11 +481,28 @@ impl<'s> Reduced<'s> {
                 return;
             }
         }
+        self.eval_balance();
+        self.driven.multipliers(&self.balance, lambda);
+    }
+
+    /// The same for all joints; near a change point of a part, where they can't be computed, they are NaN.
+    pub fn reactions(&mut self, lambda: &mut [f64]) {
+        self.eval_balance();
+        let Some(own) = self.parts.as_mut().and_then(Parts::own) else { return self.multipliers(lambda) };
+        own.evaluation.set_position(&self.q);
+        if own.factor(&self.inputs).is_err() {
+            lambda.fill(f64::NAN);
+            return;
+        }
+        own.multipliers(&self.balance, lambda);
+    }
+
+    /// Q − M a.
+    fn eval_balance(&mut self) {
         let mass = &self.driven.system.mass;
         for (((b, q), a), m) in self.balance.iter_mut().zip(&self.force).zip(&self.a).zip(mass) {
             *b = q - m * a;
         }
-        self.driven.multipliers(&self.balance, lambda);
     }
 
     /// (t, (u, u̇)) is the end of an accepted step: it serves for predictions from now on.

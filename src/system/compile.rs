@@ -2,8 +2,8 @@
 
 use super::contact_parameters::{Words, friction_law, need};
 use super::{
-    Block, BodyData, ClearanceLink, DriverData, DriverId, JacobianEntry, JointData, JointFriction, JointId, Origin,
-    OutputPoint, Reactive, System,
+    Block, BodyData, ClearanceLink, DriverData, DriverId, JointData, JointFriction, JointId, Origin, OutputPoint,
+    Reactive, System,
 };
 use crate::contact::{friction, normal};
 use crate::element::coordinate::Coordinate;
@@ -332,13 +332,7 @@ impl<'a> Compiler<'a> {
     }
 
     fn push_block(&mut self, constraint: Box<dyn Constraint>, origin: Origin) {
-        let (row, entry) = (self.system.measures.len(), self.system.entries.len());
-        self.system.measures.extend_from_slice(constraint.rows());
-        for (block_row, body, axis) in constraint.entries() {
-            self.system.entries.push(JacobianEntry { row: (row + block_row) as u32, column: column(body, axis) });
-        }
-        let (rows, entries) = (self.system.measures.len() - row, self.system.entries.len() - entry);
-        self.system.blocks.push(Block { constraint, origin, row, rows, entry, entries });
+        self.system.push_block(constraint, origin);
     }
 
     fn add_joints(&mut self) {
@@ -521,9 +515,4 @@ impl<'a> Compiler<'a> {
             self.system.forces.push(element);
         }
     }
-}
-
-/// Global column of a body's coordinate; none for ground.
-fn column(body: BodyId, axis: Axis) -> Option<u32> {
-    (body != BodyId::GROUND).then(|| (3 * (body.0 - 1) + axis as usize) as u32)
 }

@@ -161,6 +161,30 @@ pub struct System {
 }
 
 impl System {
+    /// Adds the equations of a joint or driver behind those that are there.
+    pub fn push_block(&mut self, constraint: Box<dyn Constraint>, origin: Origin) {
+        let (row, entry) = (self.measures.len(), self.entries.len());
+        self.measures.extend_from_slice(constraint.rows());
+        for (block_row, body, axis) in constraint.entries() {
+            let column = (body != BodyId::GROUND).then(|| (3 * (body.0 - 1) + axis as usize) as u32);
+            self.entries.push(JacobianEntry { row: (row + block_row) as u32, column });
+        }
+        let (rows, entries) = (self.measures.len() - row, self.entries.len() - entry);
+        self.blocks.push(Block { constraint, origin, row, rows, entry, entries });
+    }
+
+    /// Puts other equations in the place of those of some blocks.
+    pub fn exchange(&mut self, constraints: Vec<(usize, Box<dyn Constraint>)>) {
+        for (block, constraint) in constraints {
+            self.blocks[block].constraint = constraint;
+        }
+        self.measures.clear();
+        self.entries.clear();
+        for block in std::mem::take(&mut self.blocks) {
+            self.push_block(block.constraint, block.origin);
+        }
+    }
+
     /// Number of coordinates n.
     pub fn n(&self) -> usize {
         3 * self.bodies.len()

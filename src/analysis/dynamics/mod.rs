@@ -13,7 +13,9 @@ mod integration;
 mod locate;
 pub mod motion;
 mod outputs;
+mod parts;
 mod start;
+mod variants;
 
 use super::assembly::{Assembled, is_singular_start};
 use super::instants::instants;
@@ -27,8 +29,9 @@ use crate::solve::driven::Failure;
 use crate::solve::reduced::Reduced;
 use crate::system::System;
 use integration::Integration;
-use motion::{Motion, Variants};
+use motion::Motion;
 use outputs::Outputs;
+use variants::Variants;
 
 /// Runs the analysis.
 ///
@@ -52,8 +55,12 @@ pub fn run(
     let assembling = watch.read();
 
     let watch = Stopwatch::start();
-    let reduced = start(system, &assembled, &v)?;
     let variants = Variants::new(model);
+    let mut reduced = start(system, &assembled, &v)?;
+    if !reduced.has_curve() {
+        let parts = parts::parts(&variants, system, &assembled.q);
+        reduced.cross(parts, variants.rewrite(&[]));
+    }
     let mut motion = Motion::new(&variants, reduced);
     let mut report = Report { mobility: assembled.mobility, warnings: assembled.warnings, ..Report::default() };
     report.assemble = assembling;

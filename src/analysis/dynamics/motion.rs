@@ -15,17 +15,15 @@
 //! Without contacts y is (u, u̇ | z) alone.
 
 use super::contact::worst_guard;
+use super::variants::Variants;
 use crate::analysis::assembly::ranks;
 use crate::element::journal::{Contact, ContactId, Journal, Phase, Reading, Surface};
-use crate::error::Complaint;
 use crate::integrate::{Ode, Refused, Tolerance};
-use crate::model::{Model, Solver};
+use crate::model::Solver;
 use crate::solve::driven::{Failure, LAST_STEP};
 use crate::solve::reduced::Reduced;
 use crate::system::Inputs;
 use crate::system::System;
-use crate::system::compile::{Lowering, recompile};
-use typed_arena::Arena;
 
 /// Quantities kept per contact.
 const PER_CONTACT: usize = 3;
@@ -39,27 +37,6 @@ const SHALLOW: f64 = 1e-2;
 
 /// An evaluation: its time, and the largest of all guards there, above zero where an event has passed.
 type Mark = (f64, f64);
-
-/// The systems of a model that differ in the rigid journals that follow their bearings.
-pub struct Variants<'m> {
-    model: &'m Model,
-    systems: Arena<System>,
-}
-
-impl<'m> Variants<'m> {
-    pub fn new(model: &'m Model) -> Self {
-        Variants { model, systems: Arena::new() }
-    }
-
-    /// The system in which the contacts of `following` are constraints.
-    ///
-    /// # Errors
-    /// Those of compiling, which has gone well for the same model before.
-    fn get(&self, following: &[bool]) -> Result<&System, Vec<Complaint>> {
-        let system = recompile(self.model, Lowering::Open { following })?;
-        Ok(self.systems.alloc(system))
-    }
-}
 
 /// A mechanism in motion.
 pub struct Motion<'s> {
@@ -177,7 +154,7 @@ impl<'s> Motion<'s> {
     /// # Errors
     /// Where the constraints of these contacts are singular.
     pub fn follow(&mut self, following: &[bool], time: f64) -> Result<(), Failure> {
-        let Ok(system) = self.variants.get(following) else { return Err(Failure::Singular) };
+        let Some(system) = self.variants.get(following, Vec::new()) else { return Err(Failure::Singular) };
         let inputs = Inputs::at_time(system, time);
         let (q, v) = (&self.reduced.q, &self.reduced.v);
         let (_, all) = ranks(system, q, &inputs);
@@ -188,6 +165,7 @@ impl<'s> Motion<'s> {
         }
         reduced.lag = self.reduced.lag;
         reduced.driven.done = self.reduced.driven.done;
+        reduced.cross_as(&mut self.reduced, self.variants.rewrite(following));
         self.reduced = reduced;
         self.lambda.resize(system.m(), 0.0);
         let rows = system.joints.iter().zip(&system.blocks).filter(|(joint, _)| joint.contact.is_some());

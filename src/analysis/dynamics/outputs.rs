@@ -56,14 +56,14 @@ impl<'a, 'r> Outputs<'a, 'r> {
         }
         let [dissipated, work] = solver.ledger(motion);
         let reduced = &mut motion.reduced;
-        let system = reduced.driven.system;
+        let system = reduced.own().system;
         let Sample { q, v, a, lambda, force, reactive, .. } = &mut self.sample;
         lambda.resize(system.m(), 0.0);
         q.copy_from_slice(&reduced.q);
         v.copy_from_slice(&reduced.v);
         a.copy_from_slice(&reduced.a);
         force.copy_from_slice(&reduced.force);
-        reduced.multipliers(lambda);
+        reduced.reactions(lambda);
         // Of a journal that follows its bearing the friction is told with the contact.
         let told = reactive.len();
         reactive.copy_from_slice(&reduced.driven.reactive.sizes()[..told]);

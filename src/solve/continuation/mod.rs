@@ -18,7 +18,7 @@ mod dead_centre;
 mod path;
 mod walk;
 
-pub use path::{HALF_TURN, Path, Source, Window};
+pub use path::{Branch, HALF_TURN, Path, Source, Window};
 
 use super::driven::{Driven, Failure};
 use crate::system::{Inputs, System};

@@ -38,6 +38,25 @@ pub struct Path {
     pub rejected: u64,
 }
 
+/// The smooth branch across a change point.
+#[derive(Debug, Clone)]
+pub struct Branch {
+    s: f64,
+    osculating: Osculating,
+    /// What a turn adds to q (n), where the path repeats itself.
+    shift: Option<Vec<f64>>,
+}
+
+impl Branch {
+    /// q_k, q_k′, q_k″ at `s`, of the turn that `s` is in.
+    pub fn jet(&self, k: usize, s: f64) -> [f64; 3] {
+        let Some(shift) = &self.shift else { return self.osculating.jet(k, s) };
+        let turns = ((s - self.s) / TAU).round();
+        let [q, d, dd] = self.osculating.jet(k, s - turns * TAU);
+        [q + turns * shift[k], d, dd]
+    }
+}
+
 /// Where a value of the path comes from.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Source {
@@ -138,6 +157,27 @@ impl Path {
     /// The stretch that was followed.
     pub fn covered(&self) -> (f64, f64) {
         (self.nodes[0].s, self.nodes[self.nodes.len() - 1].s)
+    }
+
+    /// The window that `s` is in.
+    pub fn window_at(&self, s: f64) -> Option<usize> {
+        let s = match &self.turn {
+            Some((centre, _)) => s - ((s - centre) / TAU).round() * TAU,
+            None => s,
+        };
+        self.windows.iter().position(|window| (s - window.s).abs() <= window.radius)
+    }
+
+    /// Whether `s` is on the stretch that was followed, or on one that repeats it.
+    pub fn holds(&self, s: f64) -> bool {
+        let (low, high) = self.covered();
+        self.turn.is_some() || (low..=high).contains(&s)
+    }
+
+    /// The smooth branch across the change point of a window.
+    pub fn branch(&self, window: usize) -> Branch {
+        let Window { s, branch, .. } = &self.windows[window];
+        Branch { s: *s, osculating: branch.clone(), shift: self.turn.as_ref().map(|(_, shift)| shift.clone()) }
     }
 
     /// The windows around change points.
