@@ -31,7 +31,10 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("figure", &["model", "output"]),
     ("bundled", &[]),
     // Besides numbers, the analyses know the words of the question: `model::Analysis`, and `Model` as what they compile.
-    ("analysis", &["integrate", "solve", "system", "element", "graph", "motion", "math", "model", "output", "error"]),
+    (
+        "analysis",
+        &["integrate", "solve", "system", "element", "graph", "motion", "contact", "math", "model", "output", "error"],
+    ),
     ("output", &[]),
     // Steps of y′ = f(t, y), of whatever that is.
     ("integrate", &["solve", "math"]),
