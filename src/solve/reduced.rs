@@ -49,6 +49,8 @@ pub struct Reduced<'s> {
     /// SᵀMS (f × f) and its factor; Sᵀ(Q − M a₀) and ü (f).
     mass: Vec<f64>,
     rhs: Vec<f64>,
+    /// M S of one motion, where it is not zero: column and value.
+    momenta: Vec<(usize, f64)>,
     /// The last accepted points, and S at the later one.
     here: Node,
     before: Option<Node>,
@@ -93,6 +95,7 @@ impl<'s> Reduced<'s> {
             motions: vec![0.0; f * n],
             mass: vec![0.0; f * f],
             rhs: vec![0.0; f],
+            momenta: Vec::with_capacity(n),
             here,
             before: None,
             here_motions: vec![0.0; f * n],
@@ -394,9 +397,13 @@ impl<'s> Reduced<'s> {
         for i in 0..f {
             let si = &self.motions[i * n..(i + 1) * n];
             self.rhs[i] = crate::math::dot(si, &self.balance);
+            // Motions of few bodies have few components.
+            self.momenta.clear();
+            let moved = si.iter().zip(mass).enumerate().filter(|(_, (s, _))| **s != 0.0);
+            self.momenta.extend(moved.map(|(column, (s, m))| (column, s * m)));
             for j in 0..=i {
                 let sj = &self.motions[j * n..(j + 1) * n];
-                self.mass[i * f + j] = si.iter().zip(sj).zip(mass).map(|((a, b), m)| a * b * m).sum();
+                self.mass[i * f + j] = self.momenta.iter().map(|&(column, momentum)| momentum * sj[column]).sum();
             }
         }
         for i in 0..f {
