@@ -129,3 +129,71 @@ fn a_following_disc_rubs() {
         assert!((normal[k] / pressing - 1.0).abs() < 1e-7, "{} for {pressing} at {}", normal[k], ex[k]);
     }
 }
+
+/// A disc hangs in a ring that hangs in the ground; dropped, both bounce, kick each other off their bearings, and come to rest,
+/// where the outer bearing carries both weights and the inner one the disc's.
+#[test]
+fn two_journals_in_a_row_come_to_rest() {
+    let clearance = |restitution: f64| {
+        json!({ "model": "three_state", "radius": CLEARANCE, "bearing_radius": CLEARANCE + JOURNAL,
+                "impact": { "restitution": restitution, "friction": 0.1 } })
+    };
+    let body =
+        |mass: f64| json!({ "mass": mass, "inertia": INERTIA, "com": [0.0, 0.0], "points": { "P": [0.0, 0.0] } });
+    for restitutions in [[0.3, 0.6], [0.6, 0.3], [0.0, 0.5], [0.5, 0.0]] {
+        let model = json!({ "format": "linkdyn/1", "units": "SI", "gravity": [0.0, -9.81],
+            "bodies": { "ground": { "points": { "O": [0.0, 0.0] } }, "ring": body(2.0), "disc": body(3.0) },
+            "joints": {
+                "outer": { "type": "revolute", "between": ["ground.O", "ring.P"], "clearance": clearance(restitutions[0]) },
+                "inner": { "type": "revolute", "between": ["ring.P", "disc.P"], "clearance": clearance(restitutions[1]) } },
+            "analysis": { "type": "dynamics", "end": 0.3, "outputs": 31, "solver": { "rtol": 1e-9 } } });
+        let outcome = completed(&model);
+        assert!(episodes(&outcome).len() > 10, "{restitutions:?}");
+        let last = |name: &str| *column(&outcome, name).last().expect("rows");
+        assert!((last("joint.outer.normal_force") - 5.0 * 9.81).abs() < 1e-9, "{}", last("joint.outer.normal_force"));
+        assert!((last("joint.inner.normal_force") - 3.0 * 9.81).abs() < 1e-9, "{}", last("joint.inner.normal_force"));
+        assert!((last("ring.y") + CLEARANCE).abs() < 1e-12 && (last("disc.y") + 2.0 * CLEARANCE).abs() < 1e-12);
+        // What fell is lost.
+        let lost = 9.81 * (2.0 * CLEARANCE + 3.0 * 2.0 * CLEARANCE);
+        assert!((last("energy.dissipated") / lost - 1.0).abs() < 1e-7, "{}", last("energy.dissipated"));
+    }
+}
+
+/// All joints of the loops' outer half of the lock: journals kick one another off again and again.
+#[test]
+fn many_rigid_journals_go_the_whole_way() {
+    let text = linkdyn::bundled::find("watt-i-lock").expect("bundled").text;
+    let clearance = |joint: &str| {
+        format!(
+            r#"joints.{joint}.clearance={{ "model": "three_state", "radius": "100 um", "bearing_radius": "10 mm",
+                "impact": {{ "restitution": 0.5, "friction": 0 }} }}"#
+        )
+    };
+    let model = linkdyn::model::load(text.as_bytes(), &["a", "b", "c", "g"].map(clearance)).expect("a model").model;
+    let outcome = run(&model, &Control::default()).expect("good input");
+    assert_eq!(outcome.report.status, Status::Completed, "{:?}", outcome.report.message);
+    let imbalance = outcome.report.quality.energy_imbalance.expect("of contacts");
+    assert!(imbalance < 1e-5, "{imbalance:e} of the energy missing");
+    let deepest = ["a", "b", "c", "g"]
+        .map(|joint| column(&outcome, &format!("joint.{joint}.penetration")).into_iter().fold(0.0, f64::max))
+        .into_iter()
+        .fold(0.0, f64::max);
+    assert!(deepest < 1e-12, "{deepest:e} m deep");
+}
+
+/// Where friction leaves no normal forces that answer the motion, the joints are named.
+#[test]
+fn jammed_journals_are_named() {
+    let text = linkdyn::bundled::find("watt-i-lock").expect("bundled").text;
+    let clearance = |joint: &str| {
+        format!(
+            r#"joints.{joint}.clearance={{ "model": "three_state", "radius": "100 um", "bearing_radius": "10 mm",
+                "impact": {{ "restitution": 0.5, "friction": 0.05 }} }}"#
+        )
+    };
+    let model = linkdyn::model::load(text.as_bytes(), &["d", "e", "f"].map(clearance)).expect("a model").model;
+    let outcome = run(&model, &Control::default()).expect("good input");
+    assert_eq!(outcome.report.status, Status::Singular);
+    let said = outcome.report.message.expect("why");
+    assert!(said.contains("jam in joints \"d\", \"e\", \"f\"") && outcome.trajectory.len() > 100, "{said}");
+}

@@ -60,16 +60,9 @@ impl Integration {
         Ok(())
     }
 
-    /// A follower leaves its bearing.
-    fn let_go(&mut self, motion: &mut Motion, contact: usize, time: f64) -> Result<(), Failure> {
-        let mut following = motion.followers();
-        following[contact] = false;
-        self.go_on(motion, &following, time)
-    }
-
     /// Journals that touch their bearings with speeds below `slow` lose what brings them nearer, all at once, and of those
     /// that stay the ones that press follow: with p, N ≥ 0 their impulses and normal forces, δ̇ = v − W p ≤ 0 and then
-    /// δ̈ = b − W N ≤ 0, in each pair one of the two zero.
+    /// δ̈ = b − W N − W_t T(N) ≤ 0, in each pair one of the two zero.
     fn settle(&mut self, motion: &mut Motion, slow: f64, time: f64) -> Result<(), Failure> {
         let were = motion.followers();
         self.go_on_as(motion, &vec![false; were.len()], time)?;
@@ -80,7 +73,7 @@ impl Integration {
             contacts.iter().map(|&contact| Point::new(motion, contact, &motion.reading(contact))).collect();
         let mass = DMatrix::from_fn(size, size, |i, j| dot(&points[i].forces[0], &points[j].changes[0]));
         let rates: Vec<f64> = contacts.iter().map(|&contact| motion.reading(contact).rate).collect();
-        let (stays, impulses) = complementary(&mass, &rates);
+        let (stays, impulses) = complementary(&mass, &rates).ok_or(Failure::Singular)?;
         for (k, point) in points.iter().enumerate() {
             if impulses[k] > 0.0 {
                 let held: f64 = (0..size).map(|j| mass[(k, j)] * impulses[j]).sum();
@@ -101,11 +94,18 @@ impl Integration {
             .zip(&points)
             .zip(&stays)
             .map(|((&contact, point), &stays)| {
-                let at_rest = stays || were[contact] && motion.reading(contact).rate.abs() <= slow;
+                let at_rest = stays || motion.reading(contact).rate.abs() <= if were[contact] { slow } else { AT_REST };
                 if at_rest { approach_acceleration(motion, contact, point) } else { f64::NEG_INFINITY }
             })
             .collect();
-        let (presses, _) = complementary(&mass, &free);
+        let ratios: Vec<f64> = contacts.iter().map(|&contact| rubbing(motion, contact)).collect();
+        let rubbed = DMatrix::from_fn(size, size, |i, j| {
+            mass[(i, j)] + ratios[j] * dot(&points[i].forces[0], &points[j].changes[1])
+        });
+        let Some((presses, _)) = complementary(&rubbed, &free) else {
+            self.jammed = contacts.into_iter().filter(|&contact| rubbing(motion, contact) != 0.0).collect();
+            return Err(Failure::Singular);
+        };
         let mut following = vec![false; were.len()];
         for (&contact, &presses) in contacts.iter().zip(&presses) {
             following[contact] = presses;
@@ -140,7 +140,13 @@ impl Integration {
     /// The equations with these followers.
     fn go_on_as(&mut self, motion: &mut Motion, following: &[bool], time: f64) -> Result<(), Failure> {
         let tail = self.y.split_off(2 * motion.reduced.freedom());
-        motion.follow(following, time)?;
+        if let Err(failure) = motion.follow(following, time) {
+            if let Failure::Locked { .. } = failure {
+                self.jammed = (0..following.len()).filter(|&contact| following[contact]).collect();
+            }
+            self.y.extend(tail);
+            return Err(failure);
+        }
         self.y.resize(2 * motion.reduced.freedom(), 0.0);
         self.y.extend(tail);
         motion.state(&mut self.y);
@@ -155,53 +161,59 @@ impl Integration {
         let point = Point::new(motion, contact, &reading);
         let plastic = Rigid { restitution: 0.0, ..rigid };
         let law = if round >= MANY { plastic } else { rigid };
-        let resolved = self.strike(motion, contact, &point, &law, &reading, time)?;
-        let Some((pushed, loss)) = resolved else { return Ok(()) };
+        let start = self.sums(motion, contact);
+        let angle = motion.contact_angle(contact, &reading);
+        let height = self.solver.rtol.max(LOWEST) * journal.clearance;
+        let strike = self.strike(motion, contact, &point, &law, &reading)?;
         // Where it comes back at once, it stays.
         let before = self.y.clone();
-        point.apply(&mut self.y, pushed);
+        point.apply(&mut self.y, strike.impulse);
         motion.evaluate(time, &self.y)?;
         let after = motion.reading(contact);
         let fall = approach_acceleration(motion, contact, &point);
-        let height = self.solver.rtol.max(LOWEST) * journal.clearance;
         let stays = round >= MANY || (fall > 0.0 && after.rate * after.rate < 2.0 * fall * height);
-        let start = self.sums(motion, contact);
-        let angle = motion.contact_angle(contact, &reading);
         self.histories[contact].begin(time, &reading, start, angle);
-        let (pushed, loss) = if stays {
+        let mut strike = strike;
+        if stays || strike.parts {
             self.y = before;
             motion.evaluate(time, &self.y)?;
-            let resolved = self.strike(motion, contact, &point, &plastic, &reading, time)?;
-            let Some(resolved) = resolved else { return Ok(()) };
-            point.apply(&mut self.y, resolved.0);
-            motion.evaluate(time, &self.y)?;
-            resolved
+        }
+        if stays {
+            strike = self.strike(motion, contact, &point, &plastic, &reading)?;
+        }
+        if strike.parts {
+            let restitution = if stays { 0.0 } else { law.restitution };
+            self.strike_all(motion, contact, restitution, strike.impulse[1] / strike.impulse[0], time)?;
         } else {
-            (pushed, loss)
-        };
-        let sums = motion.dissipated(contact);
-        self.y[sums] += loss;
-        self.y[sums + 1] += pushed[0];
-        let work = motion.work();
-        self.y[work] += motion.impulsive_work(&point.sum(&point.forces, pushed), &point.sum(&point.changes, pushed));
+            if stays {
+                point.apply(&mut self.y, strike.impulse);
+                motion.evaluate(time, &self.y)?;
+            }
+            let (sums, component) = (motion.dissipated(contact), motion.work());
+            self.y[sums] += strike.loss;
+            self.y[sums + 1] += strike.impulse[0];
+            self.y[component] += motion
+                .impulsive_work(&point.sum(&point.forces, strike.impulse), &point.sum(&point.changes, strike.impulse));
+        }
         if stays {
             motion.reduced.inputs.contacts[contact] =
                 Contact { phase: Phase::Contact, approach: reading.rate, ..Contact::default() };
-            let slow = (2.0 * fall.max(0.0) * height).sqrt().max(AT_REST);
-            self.settle(motion, slow, time)?;
-            if motion.followers()[contact] {
-                self.histories[contact].follow(time, height);
-            }
         } else {
             let (after, sums) = (motion.reading(contact), self.sums(motion, contact));
             self.histories[contact].rest(time, &after, sums);
             self.histories[contact].end();
         }
+        if stays || strike.parts {
+            let slow = if stays { (2.0 * fall.max(0.0) * height).sqrt().max(AT_REST) } else { AT_REST };
+            self.settle(motion, slow, time)?;
+            if motion.followers()[contact] {
+                self.histories[contact].follow(time, height);
+            }
+        }
         Ok(())
     }
 
-    /// Impulses of an impact and the energy that it takes [N·s, J]; none where a follower has to let go first, which it then
-    /// has.
+    /// Impulses of an impact and the energy that it takes [N·s, J], and whether a follower would be pulled by them.
     fn strike(
         &mut self,
         motion: &mut Motion,
@@ -209,8 +221,7 @@ impl Integration {
         point: &Point,
         law: &Rigid,
         reading: &Reading,
-        time: f64,
-    ) -> Result<Option<([f64; 2], f64)>, Failure> {
+    ) -> Result<Strike, Failure> {
         let velocity = [-reading.rate, reading.sliding];
         let found = resolve(point.mass, velocity, law.restitution, law.friction, law.sense);
         if found.wedged {
@@ -218,14 +229,72 @@ impl Integration {
         }
         let (impulse, change) = (point.sum(&point.forces, found.impulse), point.sum(&point.changes, found.impulse));
         let pulled = motion.pulled(&impulse, &change);
-        if let Some((follower, pull)) = pulled
-            && pull < -PULLED * found.impulse[0]
-            && follower != contact
-        {
-            self.let_go(motion, follower, time)?;
-            return Ok(None);
+        let parts = pulled.is_some_and(|(follower, pull)| follower != contact && pull < -PULLED * found.impulse[0]);
+        Ok(Strike { impulse: found.impulse, loss: found.loss, parts })
+    }
+
+    /// An impact from which followers part: they and the journal that strikes get their impulses p ≥ 0 all at once, so that
+    /// δ̇₊ ≤ −e δ̇₋ (e = 0 for followers), and δ̇₊ = −e δ̇₋ where p > 0 (Moreau 1988). `ratio` is p_t/p_n where it strikes.
+    fn strike_all(
+        &mut self,
+        motion: &mut Motion,
+        contact: usize,
+        restitution: f64,
+        ratio: f64,
+        time: f64,
+    ) -> Result<(), Failure> {
+        let were = motion.followers();
+        self.go_on_as(motion, &vec![false; were.len()], time)?;
+        let contacts: Vec<usize> = (0..were.len()).filter(|&other| were[other] || other == contact).collect();
+        let size = contacts.len();
+        let points: Vec<Point> =
+            contacts.iter().map(|&contact| Point::new(motion, contact, &motion.reading(contact))).collect();
+        let directions: Vec<[f64; 2]> =
+            contacts.iter().map(|&other| [1.0, if other == contact { ratio } else { 0.0 }]).collect();
+        let changes: Vec<Vec<f64>> =
+            points.iter().zip(&directions).map(|(point, &way)| point.sum(&point.changes, way)).collect();
+        let mass = DMatrix::from_fn(size, size, |i, j| dot(&points[i].forces[0], &changes[j]));
+        let wanted: Vec<f64> = contacts
+            .iter()
+            .map(|&other| {
+                let rate = motion.reading(other).rate;
+                if other == contact { (1.0 + restitution) * rate } else { rate }
+            })
+            .collect();
+        let (_, impulses) = complementary(&mass, &wanted).ok_or(Failure::Singular)?;
+        // Halfway between the velocities before and after: work is impulse times that.
+        let mut halfway = motion.reduced.v.clone();
+        for (change, impulse) in changes.iter().zip(&impulses) {
+            halfway.iter_mut().zip(change).for_each(|(v, change)| *v += 0.5 * impulse * change);
         }
-        Ok(Some((found.impulse, found.loss)))
+        for (k, point) in points.iter().enumerate() {
+            let pushed = directions[k].map(|part| part * impulses[k]);
+            let force = point.sum(&point.forces, pushed);
+            let work = motion.impulsive_work(&force, &point.sum(&point.changes, pushed));
+            let (sums, component) = (motion.dissipated(contacts[k]), motion.work());
+            self.y[sums] -= dot(&force, &halfway);
+            self.y[sums + 1] += impulses[k];
+            self.y[component] += work;
+            point.apply(&mut self.y, pushed);
+        }
+        motion.evaluate(time, &self.y)
+    }
+}
+
+/// What an impact does.
+struct Strike {
+    /// [N·s]
+    impulse: [f64; 2],
+    /// [J]
+    loss: f64,
+    parts: bool,
+}
+
+/// T/N of a rigid journal that begins to follow its bearing.
+fn rubbing(motion: &Motion, contact: usize) -> f64 {
+    match &motion.system().contacts[contact].surface {
+        Surface::Rigid(rigid) => rigid.friction_law().force(motion.reading(contact).sliding, 1.0, 0.0).force,
+        Surface::Compliant(_) => 0.0,
     }
 }
 
@@ -238,20 +307,19 @@ fn touches(motion: &Motion, contact: usize, slow: f64) -> bool {
         && reading.rate.abs() <= slow
 }
 
-/// x ≥ 0 with b − W x ≤ 0, complementary: which are not zero, and x.
+/// x ≥ 0 with b − W x ≤ 0, complementary: which are not zero, and x; none where there is no solution.
 ///
-/// Principal pivoting by least index (Murty 1974), which ends for a positive definite W; more rounds than it can need end it
-/// for a singular one.
-fn complementary(mass: &DMatrix<f64>, free: &[f64]) -> (Vec<bool>, Vec<f64>) {
+/// Principal pivoting by least index (Murty 1974), which ends for a positive definite W, in fewer rounds than there are
+/// choices. Friction can make W another one, and that without a solution (Painlevé 1895).
+fn complementary(mass: &DMatrix<f64>, free: &[f64]) -> Option<(Vec<bool>, Vec<f64>)> {
     let size = free.len();
-    let (mut pressing, mut x) = (vec![false; size], vec![0.0; size]);
+    let mut pressing = vec![false; size];
     let scale = free.iter().filter(|b| b.is_finite()).fold(0.0, |most: f64, b| most.max(b.abs()));
     for _ in 0..1usize << size.min(12) {
         let chosen: Vec<usize> = (0..size).filter(|&k| pressing[k]).collect();
         let part = DMatrix::from_fn(chosen.len(), chosen.len(), |i, j| mass[(chosen[i], chosen[j])]);
         let right = DVector::from_fn(chosen.len(), |i, _| free[chosen[i]]);
-        let solved = if chosen.is_empty() { Some(right) } else { part.lu().solve(&right) };
-        let Some(forces) = solved else { break };
+        let forces = if chosen.is_empty() { right } else { part.lu().solve(&right)? };
         let wrong = (0..size).find(|&k| match chosen.iter().position(|&other| other == k) {
             Some(place) => forces[place] < 0.0,
             None => {
@@ -260,12 +328,13 @@ fn complementary(mass: &DMatrix<f64>, free: &[f64]) -> (Vec<bool>, Vec<f64>) {
             }
         });
         let Some(wrong) = wrong else {
+            let mut x = vec![0.0; size];
             chosen.iter().zip(forces.iter()).for_each(|(&k, force)| x[k] = *force);
-            break;
+            return Some((pressing, x));
         };
         pressing[wrong] = !pressing[wrong];
     }
-    (pressing, x)
+    None
 }
 
 /// A rigid contact whose guard is positive.

@@ -53,6 +53,8 @@ pub struct Integration {
     last: Vec<Reading>,
     /// Elastic energy lost where a contact ended by its law while penetrated, per contact [J].
     released: Vec<f64>,
+    /// Rigid contacts, by number, that rub so that no normal forces answer the motion.
+    pub(super) jammed: Vec<usize>,
 }
 
 /// One number of a reading.
@@ -88,6 +90,7 @@ impl Integration {
             histories: names.map(History::new).collect(),
             last: vec![Reading::default(); contacts],
             released: vec![0.0; contacts],
+            jammed: Vec::new(),
         };
         for (contact, journal) in system.contacts.iter().enumerate() {
             let reading = motion.reading(contact);
@@ -151,12 +154,25 @@ impl Integration {
                             Status::Singular,
                             format!("at t = {now} s {}; the rows until there are kept", locked(motion.system(), force)),
                         ),
+                        None if !self.jammed.is_empty() => (Status::Singular, self.jam(motion, now)),
                         None => (Status::Singular, format!("{}{}", describe(failure, now), culprits(motion))),
                     },
                 });
             }
         }
         Ok(())
+    }
+
+    fn jam(&self, motion: &Motion, now: f64) -> String {
+        let joints = motion.system().joints.iter().filter(|joint| joint.contact.is_some());
+        let names: Vec<&str> = joints.map(|joint| joint.name.as_str()).collect();
+        let jammed: Vec<String> = self.jammed.iter().map(|&contact| format!("\"{}\"", names[contact])).collect();
+        format!(
+            "at t = {now} s the journals that slide on their bearings jam in {} {}: with this friction no normal forces answer the \
+             motion (Painlevé's paradox); a smaller coefficient, or the model \"contact\", goes on; the rows until there are kept",
+            if jammed.len() == 1 { "joint" } else { "joints" },
+            jammed.join(", ")
+        )
     }
 
     /// One step.
