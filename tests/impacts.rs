@@ -197,3 +197,23 @@ fn jammed_journals_are_named() {
     let said = outcome.report.message.expect("why");
     assert!(said.contains("jam in joints \"d\", \"e\", \"f\"") && outcome.trajectory.len() > 100, "{said}");
 }
+
+/// A disc that its last impact stops goes on along the wall, whichever way round-off leaves it: no further impact.
+#[test]
+fn the_last_impact_is_one() {
+    for restitution in [0.5, 0.6, 0.7, 0.75, 0.8, 0.85] {
+        let start = json!({ "x": 0.0005, "y": 0.0, "vx": 0.3, "vy": 0.4 });
+        let impact = json!({ "restitution": restitution, "friction": 0.0 });
+        let outcome = completed(&disc(&impact, [0.0, 0.0], &start, 0.1, 11));
+        let impacts = episodes(&outcome);
+        // The rebound from a speed e v is as high as c (e v/v_t)²/2; the last, below 1e-9 c, does not happen.
+        let lowest = 0.2 * 2e-9_f64.sqrt();
+        let mut across = (0.25_f64 - 0.04).sqrt();
+        let mut count = 1;
+        while restitution * across > lowest {
+            across *= restitution;
+            count += 1;
+        }
+        assert_eq!(impacts.len(), count, "{restitution}: {impacts:?}");
+    }
+}

@@ -94,7 +94,9 @@ impl Integration {
             .zip(&points)
             .zip(&stays)
             .map(|((&contact, point), &stays)| {
-                let at_rest = stays || motion.reading(contact).rate.abs() <= if were[contact] { slow } else { AT_REST };
+                // What an impact has stopped may leave by round-off.
+                let least = if were[contact] { slow } else { AT_REST };
+                let at_rest = stays || motion.reading(contact).rate.abs() <= least;
                 if at_rest { approach_acceleration(motion, contact, point) } else { f64::NEG_INFINITY }
             })
             .collect();
