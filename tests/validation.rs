@@ -62,6 +62,15 @@ fn the_slider_crank_with_clearance_agrees() {
     assert!(faults.is_empty(), "{}\n{faults:#?}", report.text);
 }
 
+#[test]
+fn the_journal_as_a_billiard_ball_agrees() {
+    let case = CASES.iter().find(|case| case.name == "journal-billiard").expect("bundled");
+    let report = case.run(None, &Control::default()).expect("runs");
+    assert_eq!(report.claims.len(), 29);
+    let faults: Vec<_> = report.claims.iter().filter(|claim| claim.verdict != Verdict::Agrees).collect();
+    assert!(faults.is_empty(), "{}\n{faults:#?}", report.text);
+}
+
 /// A tolerance that anything meets would make agreement worthless.
 #[test]
 fn no_case_is_lax() {

@@ -5,6 +5,7 @@
 //! not reproduced is a finding; only what must hold and does not is a fault.
 
 pub mod four_bar_spring;
+pub mod journal_billiard;
 pub mod lock;
 pub mod reference;
 pub mod restitution;
@@ -16,8 +17,9 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
-use crate::analysis::Control;
-use crate::output::{Directory, WriteError};
+use crate::analysis::{Control, Outcome};
+use crate::error::Complaint;
+use crate::output::{Directory, Status, WriteError};
 use reference::ReferenceCase;
 
 /// One case.
@@ -51,6 +53,10 @@ pub const CASES: &[Case] = &[
     Case {
         name: "slider-crank-clearance",
         kind: CaseKind::Coded { about: slider_crank_clearance::ABOUT, run: slider_crank_clearance::run },
+    },
+    Case {
+        name: "journal-billiard",
+        kind: CaseKind::Coded { about: journal_billiard::ABOUT, run: journal_billiard::run },
     },
     reference(
         "lock-ideal",
@@ -357,6 +363,36 @@ impl Case {
             page.push('\n');
         }
         page + "```\n"
+    }
+}
+
+/// A claim that a value does not exceed what is allowed.
+fn at_most(what: String, value: f64, most: f64) -> Claim {
+    Claim {
+        what,
+        reference: format!("at most {most:.0e}"),
+        ours: format!("{value:.1e}"),
+        difference: format!("{:.1e}", value - most),
+        verdict: verdict(value <= most),
+    }
+}
+
+/// Of what must hold.
+fn verdict(holds: bool) -> Verdict {
+    if holds { Verdict::Agrees } else { Verdict::Fault }
+}
+
+fn broken(what: impl Into<String>) -> CaseError {
+    CaseError::Broken(what.into())
+}
+
+/// A run that must have come to its end.
+fn finished(run: Result<Outcome, Vec<Complaint>>) -> Result<Outcome, CaseError> {
+    let outcome = run.map_err(|said| broken(format!("{said:?}")))?;
+    match outcome.report.status {
+        Status::Completed => Ok(outcome),
+        Status::Interrupted => Err(CaseError::Interrupted),
+        status => Err(broken(format!("{}: {:?}", status.word(), outcome.report.message))),
     }
 }
 

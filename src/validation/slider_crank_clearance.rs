@@ -6,10 +6,10 @@
 use std::fmt::Write as _;
 
 use super::table::Table;
-use super::{CaseError, CaseReport, Claim, Setting, Verdict};
+use super::{CaseError, CaseReport, Claim, Setting, at_most, broken, finished, verdict};
 use crate::analysis::{self, Outcome};
 use crate::model;
-use crate::output::{Episode, Status};
+use crate::output::Episode;
 
 /// A line about the case.
 pub const ABOUT: &str = "slider-crank at 5000 rpm with a worn piston pin, by contact forces: 24 impacts in two turns";
@@ -103,12 +103,7 @@ impl Rung {
     fn run(rtol: f64, reference: &Table, setting: &Setting) -> Result<Self, CaseError> {
         let loaded = model::load(MODEL.as_bytes(), &[format!("analysis.solver.rtol={rtol:e}")]);
         let loaded = loaded.map_err(|said| broken(format!("{said:?}")))?;
-        let outcome = analysis::run(&loaded.model, &setting.control).map_err(|said| broken(format!("{said:?}")))?;
-        match outcome.report.status {
-            Status::Completed => {}
-            Status::Interrupted => return Err(CaseError::Interrupted),
-            status => return Err(broken(format!("{}: {:?}", status.word(), outcome.report.message))),
-        }
+        let outcome = finished(analysis::run(&loaded.model, &setting.control))?;
         let imbalance = outcome.report.quality.energy_imbalance.ok_or_else(|| broken("no energy ledger"))?;
         let mut rung = Rung { rtol, error: 0.0, ledger: imbalance / rtol, outcome };
         let off = |name: &str| distance(&rung.values(name)?, &column(reference, name)?);
@@ -186,20 +181,6 @@ fn all_impacts(rung: &Rung, impacts: &Table) -> Result<Vec<Claim>, CaseError> {
     Ok(claims)
 }
 
-fn at_most(what: String, value: f64, most: f64) -> Claim {
-    Claim {
-        what,
-        reference: format!("at most {most:.0e}"),
-        ours: format!("{value:.1e}"),
-        difference: format!("{:.1e}", value - most),
-        verdict: verdict(value <= most),
-    }
-}
-
-fn verdict(holds: bool) -> Verdict {
-    if holds { Verdict::Agrees } else { Verdict::Fault }
-}
-
 /// Largest difference of two columns.
 fn distance(ours: &[f64], exact: &[f64]) -> Result<f64, CaseError> {
     if ours.len() != exact.len() {
@@ -216,8 +197,4 @@ fn column(table: &Table, name: &str) -> Result<Vec<f64>, CaseError> {
     let index = table.columns.iter().position(|column| column == name);
     let index = index.ok_or_else(|| broken(format!("no column {name}")))?;
     Ok(table.rows.iter().map(|row| row[index]).collect())
-}
-
-fn broken(what: impl Into<String>) -> CaseError {
-    CaseError::Broken(what.into())
 }
