@@ -192,6 +192,28 @@ fn a_body_with_nothing_but_a_contact_flies() {
     assert!(column(&outcome, "joint.pin.state").iter().all(|state| *state == 0.0));
 }
 
+/// Rows 20 ns apart show a peak to (ω dt)²/8, 2e-7 with the contact's ω of some 6e4 rad/s.
+#[test]
+fn peaks_are_those_of_dense_rows() {
+    let outcome =
+        solve(&slider_crank(&["analysis.end=0.0015", "analysis.outputs=75001", "analysis.solver.rtol=1e-10"]));
+    let impacts = episodes(&outcome);
+    assert_eq!(impacts.len(), 6);
+    let times = column(&outcome, "time");
+    for (name, of) in [
+        ("penetration", (|episode| episode.peak_penetration) as fn(&Episode) -> f64),
+        ("normal_force", |episode| episode.peak_force),
+    ] {
+        let values = column(&outcome, &format!("joint.b.{name}"));
+        for episode in &impacts {
+            let within = |time: &f64| (episode.start..=episode.end.expect("it leaves")).contains(time);
+            let rows = times.iter().zip(&values).filter(|(time, _)| within(time)).map(|(_, value)| *value);
+            let (ours, dense) = (of(episode), rows.fold(0.0, f64::max));
+            assert!((ours / dense - 1.0).abs() < 1e-6, "{name} at {}: {ours:e} for {dense:e}", episode.start);
+        }
+    }
+}
+
 /// Wear, impulse and loss against sums over the rows, which know nothing of how they were integrated.
 #[test]
 fn sums_of_a_joint_are_integrals_of_its_columns() {

@@ -25,8 +25,9 @@ const IMPACTS: f64 = 1e-2;
 const FINEST: f64 = 1e-13;
 /// Points within a step at which guards are looked at once one of them has been positive somewhere.
 const LOOKS: usize = 8;
-/// Points within a step at which peaks are looked for.
+/// Parts of a step at whose ends peaks are looked for, and how far inside at those of the step.
 const PEAK_LOOKS: usize = 16;
+const RISE: f64 = 1e-3;
 /// Parabolas that follow up a peak, each a tenth as wide as the one before.
 const PEAK_PARABOLAS: usize = 3;
 /// A step with an event is taken again to this part of it beyond the event, which is then near its end.
@@ -290,8 +291,11 @@ impl Integration {
         // Largest value so far, and where within the piece.
         let mut deepest = (a.penetration.max(b.penetration), None);
         let mut hardest = (a.normal.max(b.normal), None);
-        for k in 1..PEAK_LOOKS {
-            let s = k as f64 / PEAK_LOOKS as f64;
+        for k in 0..=PEAK_LOOKS {
+            let part = 1.0 / PEAK_LOOKS as f64;
+            // At the ends a little inside, which tells whether it rises from there.
+            let s = (k as f64 * part).clamp(RISE, 1.0 - RISE);
+            let place = s.clamp(0.5 * part, 1.0 - 0.5 * part);
             let (r, rest) = (s * s, 1.0 - s);
             let penetration = (1.0 + 2.0 * s) * rest * rest * a.penetration
                 + s * rest * rest * h * a.rate
@@ -303,7 +307,7 @@ impl Integration {
             let force = laws.normal.continued(penetration, rate, approach);
             for (largest, value) in [(&mut deepest, penetration), (&mut hardest, force)] {
                 if value > largest.0 {
-                    *largest = (value, Some(from + s * h));
+                    *largest = (value, Some(from + place * h));
                 }
             }
         }
@@ -313,7 +317,7 @@ impl Integration {
         let (depth, force): (Quantity, Quantity) = (|at| at.penetration, |at| at.normal);
         for (time, of) in [(deepest.1, depth), (hardest.1, force)] {
             if let Some(time) = time {
-                self.peak_near(motion, contact, (time, h / PEAK_LOOKS as f64), of)?;
+                self.peak_near(motion, contact, (time, 0.5 * h / PEAK_LOOKS as f64), of)?;
             }
         }
         Ok(deepest.1.is_some() || hardest.1.is_some())
