@@ -71,6 +71,25 @@ fn the_journal_as_a_billiard_ball_agrees() {
     assert!(faults.is_empty(), "{}\n{faults:#?}", report.text);
 }
 
+#[test]
+fn the_slider_crank_of_flores_has_no_fault() {
+    let case = CASES.iter().find(|case| case.name == "flores-slider-crank").expect("bundled");
+    let output = std::env::temp_dir().join(format!("linkdyn-flores-{}", std::process::id()));
+    let report = case.run(Some(&output), &Control::default()).expect("runs");
+    assert_eq!(report.claims.len(), 55);
+    let faults: Vec<_> = report.claims.iter().filter(|claim| claim.verdict == Verdict::Fault).collect();
+    assert!(faults.is_empty(), "{}\n{faults:#?}", report.text);
+    let read = |name: &str| std::fs::read_to_string(output.join("flores-slider-crank").join(name)).expect(name);
+    // Turns 10 to 60 at three clearances; the last five turns in 360 steps each.
+    assert_eq!(read("poincare.csv").lines().count(), 1 + 3 * 51);
+    for name in ["orbit-0.1mm", "orbit-0.2mm", "orbit-0.5mm"] {
+        assert_eq!(read(&format!("{name}.csv")).lines().count(), 1 + 5 * 360 + 1);
+        assert!(read(&format!("{name}.svg")).contains("clearance circle"), "{name}");
+    }
+    assert!(read("poincare.svg").matches("acceleration, c = 0.").count() == 3);
+    std::fs::remove_dir_all(output).expect("removed");
+}
+
 /// A tolerance that anything meets would make agreement worthless.
 #[test]
 fn no_case_is_lax() {

@@ -4,6 +4,7 @@
 //! `case.json`, `reference.csv` and `SOURCE.md` (see [`mod@reference`]). Both give claims with a verdict. A claim of a paper that is
 //! not reproduced is a finding; only what must hold and does not is a fault.
 
+pub mod flores_slider_crank;
 pub mod four_bar_spring;
 pub mod journal_billiard;
 pub mod lock;
@@ -53,6 +54,10 @@ pub const CASES: &[Case] = &[
     Case {
         name: "slider-crank-clearance",
         kind: CaseKind::Coded { about: slider_crank_clearance::ABOUT, run: slider_crank_clearance::run },
+    },
+    Case {
+        name: "flores-slider-crank",
+        kind: CaseKind::Coded { about: flores_slider_crank::ABOUT, run: flores_slider_crank::run },
     },
     Case {
         name: "journal-billiard",
