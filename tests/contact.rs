@@ -88,6 +88,145 @@ fn an_impact_is_that_of_the_closed_form() {
     }
 }
 
+/// A pair of steel cylinders and a disc, with the penetration under a force as its authors print it.
+mod cylinders {
+    use std::f64::consts::PI;
+
+    pub const LAWS: [&str; 4] = ["johnson", "radzimovsky", "dubowsky_freudenstein", "pereira"];
+    pub const BEARING: f64 = 0.01;
+    pub const CLEARANCE: f64 = 2e-4;
+    pub const LENGTH: f64 = 0.02;
+    /// h_b + h_j [1/Pa].
+    const FLEXIBILITY: f64 = 2.0 * (1.0 - 0.09) / 207e9;
+
+    /// δ(F) [m].
+    pub fn penetration(law: &str, force: f64) -> f64 {
+        let (modulus, journal) = (1.0 / FLEXIBILITY, BEARING - CLEARANCE);
+        let f = force / LENGTH;
+        match law {
+            "johnson" => f / (PI * modulus) * ((4.0 * PI * modulus * CLEARANCE / f).ln() - 1.0),
+            "radzimovsky" => {
+                let b = 1.6 * (f * BEARING * journal / (CLEARANCE * modulus)).sqrt();
+                f / (PI * modulus) * (2.0 / 3.0 + (4.0 * BEARING / b).ln() + (4.0 * journal / b).ln())
+            }
+            "dubowsky_freudenstein" => {
+                let h = FLEXIBILITY / PI;
+                f * h * ((LENGTH.powi(3) * CLEARANCE / (force * BEARING * journal * h)).ln() + 1.0)
+            }
+            // In millimetres and newtons; 0.2 mm is below 0.34954 mm.
+            _ => {
+                let (gap, length, modulus) = (0.2_f64, 20.0, 1e-6 * modulus);
+                let exponent = 1.51 * (1000.0 * gap).ln().powf(-0.151) * gap.powf(-0.005);
+                let stiffness = (0.965 * gap + 0.0965) * length * modulus / gap;
+                1e-3 * (force / stiffness).powf(1.0 / exponent)
+            }
+        }
+    }
+
+    /// ∫F dδ = F δ − ∫δ dF up to a force [J], by Simpson's rule in s, f = F s³.
+    pub fn energy(law: &str, force: f64) -> f64 {
+        const STEPS: usize = 1000;
+        let integrand = |k: usize| {
+            let s = k as f64 / STEPS as f64;
+            let slope = 3.0 * force * s * s;
+            if k == 0 { 0.0 } else { penetration(law, force * s.powi(3)) * slope }
+        };
+        let weight = |k: usize| if k == 0 || k == STEPS { 1.0 } else { 2.0 + 2.0 * (k % 2) as f64 };
+        let area = (0..=STEPS).map(|k| weight(k) * integrand(k)).sum::<f64>() / (3.0 * STEPS as f64);
+        force * penetration(law, force) - area
+    }
+
+    /// The force at which that much energy is stored [N], by bisection.
+    pub fn force_of(law: &str, energy: f64) -> f64 {
+        let (mut low, mut high) = (0.0, 1.0);
+        while self::energy(law, high) < energy {
+            high *= 2.0;
+        }
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if self::energy(law, middle) < energy { low = middle } else { high = middle }
+        }
+        low
+    }
+}
+
+/// A disc of 1 kg in such a bearing.
+fn cylinder(law: &str, restitution: f64, gravity: f64, initial: Value, end: f64, rtol: f64) -> Value {
+    let steel = json!({ "young_modulus": 207e9, "poisson_ratio": 0.3 });
+    let normal = json!({ "law": law, "restitution": restitution, "elastic": steel });
+    let mut model = journal(normal, none(), initial, end, 21, rtol);
+    let clearance = &mut model["joints"]["pin"]["clearance"];
+    clearance["radius"] = json!(cylinders::CLEARANCE);
+    clearance["bearing_radius"] = json!(cylinders::BEARING);
+    clearance["axial_length"] = json!(cylinders::LENGTH);
+    model["gravity"] = json!([0.0, -gravity]);
+    model
+}
+
+/// A heavy disc is dropped and comes to rest at δ(m g).
+#[test]
+fn a_disc_rests_where_its_law_says() {
+    let gravity = 1000.0;
+    for law in cylinders::LAWS {
+        let depth = cylinders::penetration(law, gravity);
+        let start = json!({ "x": 0.0, "y": 1e-6 - cylinders::CLEARANCE, "vx": 0.0, "vy": 0.0 });
+        let outcome = completed(&cylinder(law, 0.3, gravity, start, 0.5, 1e-10));
+        let last = |name: &str| *column(&outcome, name).last().expect("a row");
+        let ours = last("joint.pin.penetration");
+        println!("{law}: {ours:e} for {depth:e}, still {:e} m/s", last("disc.vy"));
+        // What is left of the oscillation, and 10 rtol of the clearance.
+        assert!((ours / depth - 1.0).abs() < 1e-8, "{law}: {ours:e} for {depth:e}");
+        assert!((last("joint.pin.normal_force") / gravity - 1.0).abs() < 1e-8, "{law}");
+        // At rest from the start it stays.
+        let start = json!({ "x": 0.0, "y": -cylinders::CLEARANCE - depth, "vx": 0.0, "vy": 0.0 });
+        let outcome = completed(&cylinder(law, 0.3, gravity, start, 0.01, 1e-10));
+        let depths = column(&outcome, "joint.pin.penetration");
+        let worst = depths.iter().map(|ours| (ours / depth - 1.0).abs()).fold(0.0, f64::max);
+        assert!(worst < 1e-8, "{law}: moves by {worst:e}");
+    }
+}
+
+/// An impact: m w dw = −F_e (1 + χ w/v) dδ, so that the rebound follows from χ alone, and the deepest point and the hardest force
+/// from the energy that the elastic part then holds, m v² G(w) with G = ∫_w^1 s/(1 + χ s) ds.
+#[test]
+fn a_cylinder_rebounds_as_by_quadrature() {
+    let (speed, asked) = (0.5_f64, 0.7_f64);
+    let chi = 0.75 * (1.0 - asked * asked);
+    let taken = |w: f64| (1.0 - w) / chi - ((1.0 + chi) / (1.0 + chi * w)).ln() / (chi * chi);
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..60 {
+        let e = 0.5 * (low + high);
+        // Of the way out less is given back than was taken.
+        if taken(-e) > 0.0 { low = e } else { high = e }
+    }
+    let rebound = low;
+    for law in cylinders::LAWS {
+        let start = json!({ "x": 1e-4, "y": 0.0, "vx": speed, "vy": 0.0, "angular_velocity": 0.0 });
+        let outcome = completed(&cylinder(law, asked, 0.0, start, 5e-4, 1e-10));
+        let [episode] = episodes(&outcome)[..] else { panic!("{law}: {:?}", outcome.report.events) };
+        let energy = |w: f64| speed * speed * taken(w);
+        let deepest = cylinders::penetration(law, cylinders::force_of(law, energy(0.0)));
+        let force = |w: f64| cylinders::force_of(law, energy(w)) * (1.0 + chi * w);
+        // The hardest force comes before the deepest point: by thirds.
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..40 {
+            let (left, right) = ((2.0 * low + high) / 3.0, (low + 2.0 * high) / 3.0);
+            if force(left) < force(right) { low = left } else { high = right }
+        }
+        let hardest = force(low);
+        for (what, ours, exact, relative) in [
+            ("rebound", episode.separation_speed.expect("it leaves"), rebound * speed, 1e-8),
+            ("loss", episode.energy_lost, 0.5 * speed * speed * (1.0 - rebound * rebound), 1e-8),
+            ("impulse", episode.impulse, (1.0 + rebound) * speed, 1e-8),
+            ("deepest", episode.peak_penetration, deepest, 1e-8),
+            ("hardest", episode.peak_force, hardest, 1e-8),
+        ] {
+            println!("{law}, {what}: {ours:e}, off by {:e}", ours / exact - 1.0);
+            assert!((ours / exact - 1.0).abs() < relative, "{law}, {what}: {ours:e} for {exact:e}");
+        }
+    }
+}
+
 /// A hundred and more impacts, elastic, damped, and with every law of friction.
 #[test]
 fn the_energy_ledger_closes_over_a_hundred_impacts() {
