@@ -536,6 +536,27 @@ fn a_start_in_the_wall_says_how_deep() {
     assert!(column(&outcome, "joint.pin.normal_force")[0] > 0.0);
 }
 
+/// Beyond its range a law's force is made up: the run says so once, with the number; within it says nothing.
+#[test]
+fn a_run_says_that_it_left_the_range_of_a_law() {
+    // Johnson's formula ends at 8 e⁻³ of the clearance.
+    let range = 8.0 * (-3.0_f64).exp() * cylinders::CLEARANCE;
+    for (speed, leaves) in [(0.5, false), (20.0, true)] {
+        let start = json!({ "x": 0.0, "y": 0.0, "vx": speed, "vy": 0.0 });
+        let outcome = completed(&cylinder("johnson", 0.9, 0.0, start, 0.002, 1e-8));
+        let impacts = episodes(&outcome);
+        let deepest = impacts.iter().map(|episode| episode.peak_penetration).fold(0.0, f64::max);
+        assert!(!impacts.is_empty() && (deepest > range) == leaves, "{deepest:e} {range:e}");
+        let said: Vec<&String> =
+            outcome.report.warnings.iter().filter(|warning| warning.contains("normal law")).collect();
+        assert_eq!(said.len(), usize::from(leaves), "{said:?}");
+        if let [said] = said[..] {
+            let numbers = [format!("{deepest:.3e} m"), format!("{range:.3e} m"), "\"pin\"".into()];
+            assert!(numbers.iter().all(|number| said.contains(number)), "{said}");
+        }
+    }
+}
+
 #[test]
 fn bad_parameters_are_bad_input() {
     let start = || json!({});

@@ -152,6 +152,8 @@ pub struct History {
     /// S by angle of the bearing [N·m].
     pub wear: Vec<f64>,
     pub episodes: u64,
+    /// Largest penetration of all of them [m].
+    pub most: f64,
     /// Changes between stick and slip.
     pub switches: u64,
     pub time_in_contact: f64,
@@ -167,6 +169,7 @@ impl History {
             last_angle: 0.0,
             wear: vec![0.0; WEAR_BINS],
             episodes: 0,
+            most: 0.0,
             switches: 0,
             time_in_contact: 0.0,
             events: Vec::new(),
@@ -230,6 +233,7 @@ impl History {
     pub fn end(&mut self) {
         let Some((episode, _)) = self.open.take() else { return };
         self.episodes += 1;
+        self.most = self.most.max(episode.peak_penetration);
         self.time_in_contact += episode.end.unwrap_or(episode.start) - episode.start;
         self.list(Event {
             kind: "contact",

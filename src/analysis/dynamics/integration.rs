@@ -5,7 +5,7 @@ use super::contact::{Change, History, Sums, change, first_phase};
 use super::locate::locate;
 use super::motion::Motion;
 use crate::analysis::{Control, Stop, locked};
-use crate::element::journal::{Phase, Reading, Surface};
+use crate::element::journal::{Journal, Phase, Reading, Surface};
 use crate::error::Complaint;
 use crate::integrate::{Limits, Method, Ode, Refused, StepFailure, Stepper};
 use crate::model::Solver;
@@ -453,6 +453,7 @@ impl Integration {
                 impulse: sums.impulse,
                 wear: std::mem::take(&mut history.wear),
             });
+            report.warnings.extend(beyond_range(joint.name.as_str(), &motion.system().contacts[contact], history.most));
             if history.unlisted() > 0 {
                 report.warnings.push(format!(
                     "joint \"{}\": {} further contacts and changes between stick and slip are counted but not listed",
@@ -464,6 +465,17 @@ impl Integration {
         }
         report.events.sort_by(|a, b| a.time.total_cmp(&b.time));
     }
+}
+
+/// What is said where the penetration was beyond what the law of the normal force was made for.
+fn beyond_range(joint: &str, journal: &Journal, deepest: f64) -> Option<String> {
+    let Surface::Compliant(laws) = &journal.surface else { return None };
+    let range = laws.normal.range().filter(|range| deepest > *range)?;
+    Some(format!(
+        "joint \"{joint}\": the penetration reached {deepest:.3e} m ({:.2} of the clearance), the formula of its normal law ends at \
+         {range:.3e} m: beyond, the force goes on straight, and is no more than a guess",
+        deepest / journal.clearance
+    ))
 }
 
 fn deep_start(system: &crate::system::System, contact: usize, reading: &Reading) -> Complaint {
