@@ -309,6 +309,16 @@ fn what_is_needed_and_what_is_refused() {
     let mut model = pendulum(0.3);
     model["joints"]["o"]["clearance"] = json!({ "model": "massless_link", "radius": 1e-4 });
     assert!(complaint(&model).contains("clearance link"));
+    // Taken for open, the rod would fall, or have a mode more.
+    for clearance in ["contact", "two_state", "three_state"] {
+        model["joints"]["o"]["clearance"] = json!({ "model": clearance, "radius": 1e-4, "bearing_radius": 0.01,
+            "normal": { "law": "hertz", "stiffness": 1e9, "restitution": 0.5 },
+            "surface": { "stiffness": 1e8, "damping": 1e3 } });
+        let small = modes(&loaded(&model).model, false, &Control::default()).expect_err("a journal that moves");
+        for said in [complaint(&model), small[0].to_string()] {
+            assert!(said.contains("joints.o.clearance.model: ") && said.contains("lies in its bearing"), "{said}");
+        }
+    }
     let mut model = pendulum(0.3);
     model["drivers"] = json!({ "m": { "type": "rotation", "body": "rod", "motion": { "type": "constant_velocity", "velocity": 1.0 } } });
     let said = modes(&loaded(&model).model, false, &Control::default()).expect_err("nothing is free");

@@ -13,7 +13,7 @@ use crate::output::{Equilibrium, Report, Status, Stopwatch, Trajectory};
 use crate::solve::driven::Failure;
 use crate::solve::equilibrium::{Balance, Lost, Stability, find};
 use crate::solve::held::Held;
-use crate::system::{Inputs, System};
+use crate::system::{Inputs, JointData, System};
 
 /// Runs the analysis.
 ///
@@ -50,18 +50,25 @@ pub fn run(system: &System, control: &Control) -> Result<(Trajectory, Report), S
 /// What statics can't do.
 ///
 /// # Errors
-/// Clearance links.
+/// Joints whose clearance is modelled, all of them.
 pub fn refuse(system: &System) -> Result<(), Stop> {
-    match system.joints.iter().find(|joint| joint.clearance.is_some()) {
-        Some(joint) => Err(Stop::Input(vec![
-            Complaint::new(
-                format!("joints.{}.clearance.model", joint.name),
-                "the equilibrium of a massless clearance link is not built yet in this version",
+    let complaint = |joint: &JointData| {
+        let path = format!("joints.{}.clearance.model", joint.name);
+        if joint.clearance.is_some() {
+            let message = "the equilibrium of a massless clearance link is not built yet in this version";
+            Some(Complaint::new(path, message).hint("use \"ideal\""))
+        } else if joint.contact.is_some() {
+            let message = "a journal that lies in its bearing is not built yet here: statics and modes would take the joint for open";
+            Some(
+                Complaint::new(path, message)
+                    .hint("use \"ideal\", or \"dynamics\" with losses until it has come to rest"),
             )
-            .hint("use \"ideal\""),
-        ])),
-        None => Ok(()),
-    }
+        } else {
+            None
+        }
+    };
+    let complaints: Vec<Complaint> = system.joints.iter().filter_map(complaint).collect();
+    if complaints.is_empty() { Ok(()) } else { Err(Stop::Input(complaints)) }
 }
 
 /// The mechanism at rest where it is assembled.
