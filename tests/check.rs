@@ -76,6 +76,15 @@ fn the_mobility_is_said_in_a_sentence() {
              need 1 driver more",
         ),
         (
+            &["slider-crank-clearance"],
+            "1 degree of freedom, driven by motor: kinematics and inverse dynamics are possible; forward dynamics has nothing free",
+        ),
+        (
+            &["slider-crank-clearance", "--set", "joints.wristpin.clearance.model=contact"],
+            "1 degree of freedom, driven by motor: kinematics, inverse dynamics and forward dynamics are possible; journals are \
+             free in their bearings",
+        ),
+        (
             &["hoeken"],
             "1 degree of freedom, driven by motor: kinematics and statics are possible; forward dynamics has nothing free; \
              inverse dynamics needs data that bodies lack",

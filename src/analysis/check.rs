@@ -134,17 +134,29 @@ fn undemanding(model: &Model) -> Model {
     model
 }
 
+/// Joints whose clearance is modelled.
+fn clearances(model: &Model) -> impl Iterator<Item = (&str, ClearanceModel)> {
+    model.joints.iter().filter_map(|(name, joint)| match &joint.kind {
+        JointKind::Revolute { clearance: Some(clearance), .. } if clearance.model != ClearanceModel::Ideal => {
+            Some((name.as_str(), clearance.model))
+        }
+        JointKind::Revolute { .. }
+        | JointKind::Prismatic { .. }
+        | JointKind::Slot { .. }
+        | JointKind::Gear { .. }
+        | JointKind::Fixed { .. } => None,
+    })
+}
+
+/// Whether journals move freely in their bearings, however the mechanism is driven.
+fn journals_move(model: &Model) -> bool {
+    clearances(model).any(|(_, model)| model != ClearanceModel::MasslessLink)
+}
+
 /// Data that bodies lack, and for what.
 fn lacks(model: &Model) -> Vec<Lack> {
     let heavy = model.gravity.iter().any(|g| *g != 0.0);
-    let linked = model.joints.values().any(|joint| match &joint.kind {
-        JointKind::Revolute { clearance, .. } => {
-            clearance.as_ref().is_some_and(|clearance| clearance.model == ClearanceModel::MasslessLink)
-        }
-        JointKind::Prismatic { .. } | JointKind::Slot { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => {
-            false
-        }
-    });
+    let linked = clearances(model).next().is_some();
     let mut lacks: Vec<Lack> = Vec::new();
     for (name, body) in model.bodies.iter().filter(|(name, _)| *name != GROUND) {
         let keys = [("mass", body.mass.is_none()), ("inertia", body.inertia.is_none())];
@@ -158,7 +170,7 @@ fn lacks(model: &Model) -> Vec<Lack> {
         }
         let statics = heavy && keys.contains(&"mass");
         let analyses = [
-            // The direction of a massless link is that of a force.
+            // The direction of a massless link is that of a force; a journal in contact moves by forces.
             (AnalysisKind::Kinematics, linked),
             (AnalysisKind::InverseDynamics, true),
             (AnalysisKind::Dynamics, true),
@@ -188,7 +200,7 @@ fn missing(
                 AnalysisKind::Kinematics | AnalysisKind::InverseDynamics,
                 Some(Undriven::TooFew(text) | Undriven::TooMany(text) | Undriven::Singular(text)),
             ) => missing.push(text.clone()),
-            (AnalysisKind::Dynamics, _) if freedom == model.drivers.len() => {
+            (AnalysisKind::Dynamics, _) if freedom == model.drivers.len() && !journals_move(model) => {
                 missing.push("every degree of freedom is driven: nothing is free to move".into());
             }
             (AnalysisKind::Dynamics | AnalysisKind::Statics, Some(Undriven::TooMany(text))) => {
@@ -196,6 +208,9 @@ fn missing(
             }
             (AnalysisKind::Kinematics | AnalysisKind::InverseDynamics, None)
             | (AnalysisKind::Assembly | AnalysisKind::Dynamics | AnalysisKind::Statics, _) => {}
+        }
+        if kind == AnalysisKind::Statics {
+            missing.extend(clearances(model).map(|(name, _)| format!("an ideal clearance of joint \"{name}\"")));
         }
         for lack in lacks.iter().filter(|lack| lack.analyses.contains(&kind)) {
             // At rest nothing is turned.
@@ -270,11 +285,12 @@ fn words(model: &Model, undriven: Option<&Undriven>, check: &Check) -> String {
         Some(Undriven::TooFew(said) | Undriven::Singular(said)) => text += &format!("; {said}"),
         None => {}
     }
+    let held = freedom == count && !journals_move(model);
     if freedom == count && freedom > 0 {
-        text += "; forward dynamics has nothing free";
+        text += if held { "; forward dynamics has nothing free" } else { "; journals are free in their bearings" };
     }
     let mut data: Vec<AnalysisKind> = check.lacks.iter().flat_map(|lack| lack.analyses.iter().copied()).collect();
-    data.retain(|kind| *kind != AnalysisKind::Dynamics || freedom != count);
+    data.retain(|kind| *kind != AnalysisKind::Dynamics || !held);
     let data: Vec<&str> = ANALYSES.into_iter().filter(|kind| data.contains(kind)).map(spoken).collect();
     if !data.is_empty() {
         text += &format!("; {} {} data that bodies lack", and(&data), if data.len() == 1 { "needs" } else { "need" });
