@@ -45,7 +45,12 @@ def model():
     at_e = add(at_s, turn(6, (300, 0)))
     pose = lambda k, p: {"position": [round(float(v), 1) for v in p], "angle": round(float(th[k]), 1)}
     third = lambda base, p: [float(1000 * (mpf(base) + mpf(p[0])) / 3 / 1000), float(mpf(p[1]) / 3)]
-    clearance = {"model": "ideal", "radius": "10 um"}
+    clearance = {
+        "model": "ideal", "radius": "10 um", "bearing_radius": "10 mm",
+        "normal": {"law": "lankarani_nikravesh", "restitution": 0.9, "elastic": {"young_modulus": "207 GPa", "poisson_ratio": 0.3}},
+        "surface": {"stiffness": "1e9 N/m", "damping": "2e3 N*s/m"},
+        "impact": {"restitution": 0.9, "friction": 0},
+    }
     pin = lambda first, second: {"type": "revolute", "between": [first, second], "clearance": dict(clearance)}
     return {
         "format": "linkdyn/1",
@@ -54,7 +59,10 @@ def model():
                  "clearances ready to be switched on. Passes a change point at 117.512 deg.",
         "source": PAPER,
         "note": "The paper's figures are not at hand: the layout is the one that follows from its loop equations and puts "
-                "a singular position at its 117.5 deg. Each frame has x along the paper's vector of that link.",
+                "a singular position at its 117.5 deg. Each frame has x along the paper's vector of that link. Of the clearances "
+                "the paper gives the radius (10 and 100 um) alone: bearing_radius, normal, surface and impact are our choice "
+                "(steel, restitution 0.9, no friction; surface: about the stiffness of normal at 1 kN, and the damping that "
+                "returns 0.9 of the speed to 1 kg).",
         "units": {"length": "mm", "angle": "deg", "inertia": "kg*mm^2"},
         "gravity": [0, -9.81],
         "bodies": {
@@ -217,6 +225,17 @@ def change_point(loops, path):
     return min((direction + s * inner + k * 2 * mp.pi for s in (1, -1) for k in (0, 1)), key=lambda x: abs(x - path[1675][6]))
 
 
+def other_branch(loops):
+    """theta6 where the branch that crosses at the change point, and is not followed, turns back: Newton's method on loops and determinant."""
+    names = (2, 3, 4, 5, 6)
+
+    def equations(*angles):
+        th = dict(zip(names, angles))
+        return [r * 10 for r in loops.residual(th)] + [mp.det(loops.matrix(th)[0]) * 1000]
+    start = [mpf(v) * DEG for v in ("-171", "6.5", "177", "157", "118.5")]
+    return mp.findroot(equations, start)[4]
+
+
 def dead_centre(loops, path):
     """theta6 where the branch turns back: determinant of the loop equations zero, by secant steps along theta2 as parameter."""
     def det(th2, th):
@@ -273,6 +292,7 @@ def facts(loops, path, machine):
     out.append(f"117.5 deg: omega2 = {num(row['link2.omega[rad/s]'])} rad/s, alpha2 = {num(row['link2.alpha[rad/s^2]'])} rad/s^2, "
                f"M_d = {num(row['driver.motor.effort[N*m]'])} N*m, |F12| = {num(f12)} N, |F12|*delta = {num(f12 * (at - th6), 6)} N*rad")
     out.append(f"dead centre: theta6 = {deg(dead_centre(loops, path), 12)} deg")
+    out.append(f"other branch beyond the change point: ends at theta6 = {deg(other_branch(loops), 15)} deg")
     forces = []
     for k in range(0, 701, 10):
         row = dict(zip(columns, machine.row(mp.sqrt(path[k][6] + 50 * DEG), coordinates(machine, path[k]))))
