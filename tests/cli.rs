@@ -262,7 +262,7 @@ fn check_tells_the_parameters() {
 
 #[test]
 fn validation_tells_its_tally() {
-    let told = done(&["validate"]);
+    let told = done(&["validate", "lock", "four-bar-spring", "restitution", "four-bar"]);
     assert!(told.contains("agreed") && told.contains("0 faults"), "{told}");
     refused(&["validate", "no-such-case"], 2, "no validation case of that name");
 }

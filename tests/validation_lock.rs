@@ -6,6 +6,67 @@ use std::path::Path;
 use linkdyn::analysis::Control;
 use linkdyn::validation::{CASES, CaseReport, Verdict};
 
+/// With contact in the clearances: strokes follow the smooth branch, and what must hold holds.
+#[test]
+fn the_lock_with_contact_is_validated_and_written() {
+    let output = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("validation-lock-contact-{}", std::process::id()));
+    let case = CASES.iter().find(|case| case.name == "lock-contact").expect("bundled");
+    let report = case.run(Some(&output), &Control::default()).expect("runs");
+    for claim in &report.claims {
+        assert_ne!(claim.verdict, Verdict::Fault, "{claim:?}");
+    }
+    let names: Vec<&str> = report.claims.iter().filter_map(|claim| claim.what.split_once(':')).map(|c| c.0).collect();
+    assert_eq!(names[names.len() - 5..], ["C2", "C3", "C4", "C5", "C6"]);
+    for name in &names[names.len() - 5..] {
+        let claim = report.claims.iter().find(|claim| claim.what.starts_with(name)).expect(name);
+        assert!(["reproduced:", "partly:", "not:"].iter().any(|word| claim.ours.starts_with(word)), "{claim:?}");
+    }
+    let agrees = |start: &str| {
+        let claim = report.claims.iter().find(|claim| claim.what.starts_with(start)).expect(start);
+        assert_eq!(claim.verdict, Verdict::Agrees, "{claim:?}");
+    };
+    agrees("theta2 at 125 deg");
+    agrees("mean difference of theta2");
+    agrees("numbers of the paper's table");
+    let widest = report.text.lines().max_by_key(|line| line.chars().count()).expect("lines");
+    assert!(widest.chars().count() <= 120, "{widest}");
+
+    let folder = output.join("lock-contact");
+    let read = |name: &str| fs::read_to_string(folder.join(name)).expect(name);
+    // Two clearances at three tolerances, seven single hinges, a header.
+    let strokes = read("strokes.csv");
+    assert_eq!(strokes.lines().count(), 1 + 2 * 3 + 7);
+    for line in strokes.lines().skip(1) {
+        let cells: Vec<&str> = line.split(',').collect();
+        let [last, theta2, ideal, between]: [f64; 4] = [5, 6, 7, 8].map(|cell| cells[cell].parse().expect("a number"));
+        match (cells[0], cells[4]) {
+            // The independent angle at the end of the stroke, on the other side of the change point.
+            (_, "smooth") => {
+                assert_eq!((cells[3], last), ("completed", 125.0), "{line}");
+                assert!((ideal - 196.503).abs() < 1e-3 && (theta2 - ideal).abs() < 1.0 && between > 190.0, "{line}");
+            }
+            // The first loop is ideal, and in line: 117.512207 deg by independent calculation, outputs are 0.1 deg apart.
+            ("d" | "e" | "f", "stops in line") => {
+                assert!((last - 117.512_207).abs() <= 0.2 && (between - 180.0).abs() <= 1.0, "{line}");
+            }
+            _ => panic!("{line}"),
+        }
+    }
+    // Two parts of the stroke, five quantities, two clearances, max and mean, four steps.
+    assert_eq!(read("table.csv").lines().count(), 1 + 2 * 5 * 2 * 2 * 4);
+    for figure in 4..=8 {
+        let text = read(&format!("figure{figure}.csv"));
+        assert_eq!(text.lines().count(), 1 + 1751, "-50 to 125 deg every 0.1 deg");
+        assert!(!text.contains("NaN") && !text.contains("inf"), "figure {figure}");
+        let svg = read(&format!("figure{figure}.svg"));
+        for part in [", massless", ", contact", "e = 100 µm", "change point 117.51°"] {
+            assert!(svg.contains(part), "figure {figure}: {part}");
+        }
+        assert!(read("report.md").contains(&format!("figure{figure}.svg")), "figure {figure} is not in the report");
+    }
+    fs::remove_dir_all(output).expect("removed");
+}
+
 fn run(output: &Path) -> CaseReport {
     let case = CASES.first().expect("a case");
     assert_eq!(case.name, "lock", "the founding paper comes first");

@@ -42,6 +42,7 @@ pub enum CaseKind {
 /// All bundled cases, in the order in which they are run; a test holds this against the folder `validation/`.
 pub const CASES: &[Case] = &[
     Case { name: "lock", kind: CaseKind::Coded { about: lock::ABOUT, run: lock::run } },
+    Case { name: "lock-contact", kind: CaseKind::Coded { about: lock::contact::ABOUT, run: lock::contact::run } },
     Case {
         name: "four-bar-spring",
         kind: CaseKind::Coded { about: four_bar_spring::ABOUT, run: four_bar_spring::run },

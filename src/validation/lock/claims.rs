@@ -6,7 +6,7 @@
 
 use super::models::{Centres, Quantity, RADII, STEPS, Stroke};
 use super::reversals::turn;
-use super::table::{DISTURBED, Deviation, NEAR_CHANGE_POINT, Runs};
+use super::table::{DISTURBED, Deviations, NEAR_CHANGE_POINT, Runs};
 use crate::validation::{CaseError, Claim, Verdict};
 
 /// What counts as "near" a position [deg].
@@ -14,7 +14,7 @@ pub const NEAR: f64 = 2.5;
 /// The paper's other singular configuration [deg].
 pub const NEAR_OTHER: f64 = -40.0;
 /// A change between neighbouring outputs this many times its median counts as abrupt.
-const ABRUPT: f64 = 10.0;
+pub const ABRUPT: f64 = 10.0;
 /// Largest change between neighbouring outputs at 0.1° by that at 1° up to which a curve counts as smooth (0.1 when it is
 /// differentiable, 1 when it jumps).
 const SMOOTH: f64 = 0.2;
@@ -52,13 +52,30 @@ impl Reproduced {
         }
     }
 
-    fn claim(self, what: &str, reference: &str, rule: String, figures: String) -> Claim {
+    fn judged(self, what: &str, reference: &str, rule: String, figures: String) -> Judged {
+        Judged { reproduced: self, what: what.into(), reference: reference.into(), rule, figures }
+    }
+}
+
+/// A claim of the paper, and what its rule says of it.
+#[derive(Debug, Clone)]
+pub struct Judged {
+    pub reproduced: Reproduced,
+    pub what: String,
+    pub reference: String,
+    pub rule: String,
+    pub figures: String,
+}
+
+impl Judged {
+    /// As a claim of the case.
+    pub fn claim(self) -> Claim {
         Claim {
-            what: what.into(),
-            reference: reference.into(),
-            ours: format!("{}: {figures}", self.word()),
-            difference: format!("rule: {rule}"),
-            verdict: match self {
+            what: self.what,
+            reference: self.reference,
+            ours: format!("{}: {}", self.reproduced.word(), self.figures),
+            difference: format!("rule: {}", self.rule),
+            verdict: match self.reproduced {
                 Reproduced::Yes => Verdict::Agrees,
                 Reproduced::Partly | Reproduced::No => Verdict::Finding,
             },
@@ -128,7 +145,8 @@ impl ForceNear {
         Ok(near)
     }
 
-    fn abrupt(&self) -> bool {
+    /// Whether it changes abruptly near −40°.
+    pub fn abrupt(&self) -> bool {
         self.change >= ABRUPT || self.turn_near >= ABRUPT
     }
 }
@@ -141,15 +159,22 @@ fn median(mut values: Vec<f64>) -> f64 {
 
 /// C1 to C6: `runs` of the bundled model, `forces` of all choices of centres of mass.
 pub fn claims(runs: &Runs, forces: &[ForceNear]) -> Vec<Claim> {
-    vec![smooth(runs), abrupt(forces), largest(runs), sensitive(runs), wider(runs), little(runs)]
+    let mut judged = vec![smooth(runs), abrupt(forces)];
+    judged.extend(of_deviations(&runs.deviations));
+    judged.into_iter().map(Judged::claim).collect()
 }
 
-fn smooth(runs: &Runs) -> Claim {
+/// C3 to C6.
+pub fn of_deviations(deviations: &Deviations) -> [Judged; 4] {
+    [largest(deviations), sensitive(deviations), wider(deviations), little(deviations)]
+}
+
+fn smooth(runs: &Runs) -> Judged {
     let ratio = |quantity: Quantity| jump(&runs.ideal[3], quantity) / jump(&runs.ideal[1], quantity);
     let ratios = Quantity::ALL[..4].iter().map(|&quantity| (quantity, ratio(quantity)));
     let held = ratios.clone().filter(|(_, ratio)| *ratio <= SMOOTH).count();
     let figures: Vec<String> = ratios.map(|(quantity, ratio)| format!("{} {ratio:.3}", quantity.symbol())).collect();
-    Reproduced::of(held, 4).claim(
+    Reproduced::of(held, 4).judged(
         "C1: at e = 0 theta2, omega2, alpha2, M_d are smooth over the stroke",
         "smooth curves",
         format!("largest change between outputs at {}° by that at {}° is at most {SMOOTH}", STEPS[3], STEPS[1]),
@@ -165,13 +190,13 @@ fn jump(stroke: &Stroke, quantity: Quantity) -> f64 {
     })
 }
 
-fn abrupt(forces: &[ForceNear]) -> Claim {
+fn abrupt(forces: &[ForceNear]) -> Judged {
     let held = forces.iter().filter(|near| near.abrupt()).count();
     let figures = forces.iter().map(|near| {
         format!("[{}] change {:.1}, turn {:.1} of the median", near.centres.words(), near.change, near.turn_near)
     });
     let figures: Vec<String> = figures.collect();
-    Reproduced::of(held, forces.len()).claim(
+    Reproduced::of(held, forces.len()).judged(
         "C2: at e = 0 F12 changes abruptly near theta6 = -40 deg",
         "abrupt change",
         format!(
@@ -182,9 +207,9 @@ fn abrupt(forces: &[ForceNear]) -> Claim {
     )
 }
 
-fn largest(runs: &Runs) -> Claim {
+fn largest(deviations: &Deviations) -> Judged {
     let count = |quantities: &[Quantity], position: f64| {
-        let rows = quantities.iter().flat_map(|&q| (0..RADII.len()).flat_map(move |radius| runs.row(radius, q)));
+        let rows = quantities.iter().flat_map(|&q| (0..RADII.len()).flat_map(move |radius| deviations.row(radius, q)));
         let places: Vec<f64> = rows.map(|deviation| deviation.at).collect();
         let held = places.iter().filter(|at| (*at - position).abs() <= NEAR).count();
         let (low, high) = places.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), at| (l.min(*at), h.max(*at)));
@@ -192,7 +217,7 @@ fn largest(runs: &Runs) -> Claim {
     };
     let first = count(&Quantity::ALL[..4], NEAR_CHANGE_POINT);
     let second = count(&[Quantity::Force], NEAR_OTHER);
-    Reproduced::of(first.0 + second.0, first.1 + second.1).claim(
+    Reproduced::of(first.0 + second.0, first.1 + second.1).judged(
         "C3: the largest deviations of theta2, omega2, alpha2, M_d are near 117.5 deg, that of F12 near -40 deg",
         "117.5 deg; -40 deg",
         format!("position within {NEAR}°, at both clearances and all four steps"),
@@ -225,19 +250,16 @@ fn by_step(figure: impl Fn(usize) -> String) -> String {
     (0..STEPS.len()).map(figure).collect::<Vec<_>>().join(" / ")
 }
 
-fn deviation(runs: &Runs, radius: usize, step: usize, quantity: Quantity) -> Deviation {
-    runs.deviations[radius][step][quantity.index()]
-}
-
-fn sensitive(runs: &Runs) -> Claim {
-    let share = |radius: usize, step: usize, q: Quantity| deviation(runs, radius, step, q).max / runs.ranges[q.index()];
+fn sensitive(deviations: &Deviations) -> Judged {
+    let share =
+        |radius: usize, step: usize, q: Quantity| deviations.at(radius, step, q).max / deviations.ranges[q.index()];
     let others = |step: usize| {
         let shares = Quantity::ALL[1..].iter().flat_map(|&q| (0..RADII.len()).map(move |radius| (radius, q)));
         shares.fold(f64::INFINITY, |least, (radius, q)| least.min(share(radius, step, q)))
     };
     let angle = |step: usize| share(0, step, Quantity::Theta2).max(share(1, step, Quantity::Theta2));
     let (reproduced, text) = at_steps(|step| angle(step) <= DISTURBED && others(step) > DISTURBED);
-    reproduced.claim(
+    reproduced.judged(
         "C4: theta2 is hardly affected by the clearance, omega2, alpha2, M_d, F12 strongly",
         "in words",
         format!(
@@ -252,15 +274,15 @@ fn sensitive(runs: &Runs) -> Claim {
     )
 }
 
-fn wider(runs: &Runs) -> Claim {
-    let mean = |radius, step, q| deviation(runs, radius, step, q).mean;
-    let width = |radius, step, q| deviation(runs, radius, step, q).disturbed;
+fn wider(deviations: &Deviations) -> Judged {
+    let mean = |radius, step, q| deviations.at(radius, step, q).mean;
+    let width = |radius, step, q| deviations.at(radius, step, q).disturbed;
     let (reproduced, text) = at_steps(|step| {
         Quantity::ALL.iter().all(|&q| mean(1, step, q) > mean(0, step, q))
             && Quantity::ALL[1..].iter().all(|&q| width(1, step, q) > width(0, step, q))
     });
     let widths = |radius| by_step(|step| format!("{:.0}", 100.0 * width(radius, step, Quantity::Alpha2)));
-    reproduced.claim(
+    reproduced.judged(
         "C5: the larger e, the larger the mean deviations and the wider the disturbed range",
         "in words",
         format!(
@@ -276,17 +298,17 @@ fn wider(runs: &Runs) -> Claim {
     )
 }
 
-fn little(runs: &Runs) -> Claim {
+fn little(deviations: &Deviations) -> Judged {
     let share = |step: usize| {
-        let shares = Quantity::ALL.iter().map(|&q| deviation(runs, 0, step, q).mean / runs.ranges[q.index()]);
+        let shares = Quantity::ALL.iter().map(|&q| deviations.at(0, step, q).mean / deviations.ranges[q.index()]);
         shares.fold(0.0, f64::max)
     };
     let more = |step: usize| {
-        let ratio = |q: Quantity| deviation(runs, 1, step, q).mean / deviation(runs, 0, step, q).mean;
+        let ratio = |q: Quantity| deviations.at(1, step, q).mean / deviations.at(0, step, q).mean;
         Quantity::ALL[1..].iter().fold(f64::INFINITY, |least, &q| least.min(ratio(q)))
     };
     let (reproduced, text) = at_steps(|step| share(step) <= LITTLE && more(step) >= CLEARLY_MORE);
-    reproduced.claim(
+    reproduced.judged(
         "C6: e = 10 um matters little, e = 100 um clearly more",
         "in words",
         format!(

@@ -41,15 +41,40 @@ pub fn write(directory: &Directory, runs: &Runs, facts: &[Fact]) -> Result<Vec<D
 
 /// The figure of a quantity, and a line about it.
 fn chart(runs: &Runs, quantity: Quantity, change_point: Option<f64>) -> (Chart, String) {
-    let Shown { name, is_magnitude } = shown(quantity);
-    let ideal = &runs.ideal[CURVES];
     let strokes: Vec<&Stroke> = runs.clearance.iter().map(|strokes| &strokes[CURVES]).collect();
+    let (panel, scale) = panel(quantity, "", [&runs.ideal[CURVES]].into_iter().chain(strokes.iter().copied()));
+    let gaps: Vec<String> = strokes.iter().map(|stroke| stroke.count(Found::Nothing).to_string()).collect();
+    let note = format!(
+        "Massless clearance links in all seven hinges, outputs {}° apart; {scale}. Gaps: no assembly ({} outputs).",
+        STEPS[CURVES],
+        gaps.join(" and ")
+    );
+    let chart = Chart {
+        x: Axis::new("θ6", "deg"),
+        panels: vec![panel],
+        marks: marks(change_point),
+        note,
+        size_mm: [None, Some(72.0)],
+        ..Chart::default()
+    };
+    (chart, format!("{} [{}] over theta6: {scale}", quantity.symbol(), quantity.unit()))
+}
+
+/// The line at the change point.
+pub fn marks(change_point: Option<f64>) -> Vec<Mark> {
+    change_point.map(|x| Mark { x, label: format!("change point {x:.2}°") }).into_iter().collect()
+}
+
+/// Curves of a quantity for e = 0, 10 and 100 µm in one panel, and a line about their axis, whose name ends with `of`.
+pub fn panel<'s>(quantity: Quantity, of: &str, strokes: impl Iterator<Item = &'s Stroke>) -> (Panel, String) {
+    let Shown { name, is_magnitude } = shown(quantity);
+    let name = format!("{name}{of}");
     let labels = ["ideal, e = 0".to_string()].into_iter().chain(RADII.map(|e| format!("e = {e} µm")));
     let curves: Vec<Curve> = labels
-        .zip([ideal].into_iter().chain(strokes.iter().copied()))
+        .zip(strokes)
         .map(|(label, stroke)| {
             let values = stroke.curve(quantity).iter().map(|value| if is_magnitude { value.abs() } else { *value });
-            Curve::new(label, ideal.theta6.clone(), values.collect())
+            Curve::new(label, stroke.theta6.clone(), values.collect())
         })
         .collect();
     let values = || curves.iter().flat_map(|curve| &curve.y).copied().filter(|value| value.is_finite());
@@ -67,21 +92,7 @@ fn chart(runs: &Runs, quantity: Quantity, change_point: Option<f64>) -> (Chart, 
     } else {
         (Axis::new(name, unit), "linear axis, all values".into())
     };
-    let gaps: Vec<String> = strokes.iter().map(|stroke| stroke.count(Found::Nothing).to_string()).collect();
-    let note = format!(
-        "Massless clearance links in all seven hinges, outputs {}° apart; {scale}. Gaps: no assembly ({} outputs).",
-        STEPS[CURVES],
-        gaps.join(" and ")
-    );
-    let chart = Chart {
-        x: Axis::new("θ6", "deg"),
-        panels: vec![Panel { axis, curves }],
-        marks: change_point.map(|x| Mark { x, label: format!("change point {x:.2}°") }).into_iter().collect(),
-        note,
-        size_mm: [None, Some(72.0)],
-        ..Chart::default()
-    };
-    (chart, format!("{} [{unit}] over theta6: {scale}", quantity.symbol()))
+    (Panel { axis, curves }, scale)
 }
 
 /// How a quantity is shown.

@@ -11,7 +11,7 @@ use crate::output::{Directory, WriteError};
 pub const CURVES: usize = 2;
 
 /// A cell; empty where there is no value.
-fn cell(value: f64) -> String {
+pub fn cell(value: f64) -> String {
     if value.is_finite() { format!("{value}") } else { String::new() }
 }
 

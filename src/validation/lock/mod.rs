@@ -7,6 +7,7 @@
 
 pub mod checks;
 pub mod claims;
+pub mod contact;
 pub mod equations;
 pub mod facts;
 pub mod figures;
@@ -24,7 +25,7 @@ use claims::ForceNear;
 use first_pass::{FirstPass, Sign};
 use models::{Centres, LINKS, Order, Quantity, RADII, Request, STEPS, Stroke, broken};
 use page::{Page, short};
-use table::{NEAR_CHANGE_POINT, Paper, Runs};
+use table::{Deviations, NEAR_CHANGE_POINT, Paper, Runs};
 
 /// A line about the case.
 pub const ABOUT: &str = "the founding paper's cargo-door lock, its figures and claims beside ours";
@@ -78,7 +79,7 @@ pub fn run(setting: &Setting) -> Result<CaseReport, CaseError> {
     let mut claims: Vec<Claim> = facts.iter().map(facts::Fact::claim).collect();
     claims.extend(equations(&tables)?);
     claims.push(same_angles(angles));
-    claims.extend(figures(base, &paper));
+    claims.extend(figures(&base.deviations, &paper));
     claims.push(first_pass_claim(&passes, &paper));
     claims.extend(claims::claims(base, &forces));
 
@@ -132,11 +133,11 @@ fn same_angles(difference: f64) -> Claim {
 }
 
 /// The paper's table, a claim per quantity, at the coarsest step, on whose outputs both its singular configurations lie.
-fn figures(runs: &Runs, paper: &Paper) -> Vec<Claim> {
+fn figures(deviations: &Deviations, paper: &Paper) -> Vec<Claim> {
     let claim = |quantity: Quantity| {
         let (mut printed, mut ours, mut factors) = (Vec::new(), Vec::new(), Vec::new());
         for radius in 0..RADII.len() {
-            let found = runs.row(radius, quantity)[0];
+            let found = deviations.at(radius, 0, quantity);
             for (theirs, value) in paper.deviation(radius, quantity).into_iter().zip([found.max, found.mean]) {
                 printed.push(format!("{theirs}"));
                 ours.push(short(value));

@@ -251,7 +251,11 @@ pub struct Stroke {
 }
 
 impl Stroke {
-    fn new(request: Request, model: Model, trajectory: Trajectory, report: Report) -> Result<Self, CaseError> {
+    /// From a run's results.
+    ///
+    /// # Errors
+    /// When columns are missing.
+    pub fn new(request: Request, model: Model, trajectory: Trajectory, report: Report) -> Result<Self, CaseError> {
         let column = |name: &str| trajectory.values(name).ok_or_else(|| broken(format!("no column {name}")));
         let forces = column("joint.a.fx")?.into_iter().zip(column("joint.a.fy")?).map(|(x, y)| x.hypot(y));
         let curves = [

@@ -58,11 +58,13 @@ impl Page {
         self.0
     }
 
-    fn line(&mut self, text: impl AsRef<str>) {
+    /// A line, or several.
+    pub fn line(&mut self, text: impl AsRef<str>) {
         let _ = writeln!(self.0, "{}", text.as_ref().trim_end());
     }
 
-    fn heading(&mut self, text: &str) {
+    /// The heading of a section.
+    pub fn heading(&mut self, text: &str) {
         let _ = writeln!(self.0, "\n## {text}\n");
     }
 

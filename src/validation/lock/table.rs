@@ -97,10 +97,28 @@ pub struct Runs {
     pub ideal: Vec<Stroke>,
     /// By radius and step.
     pub clearance: Vec<Vec<Stroke>>,
-    /// By radius, step and quantity.
-    pub deviations: Vec<Vec<[Deviation; 5]>>,
+    pub deviations: Deviations,
+}
+
+/// Deviations from the ideal mechanism.
+#[derive(Debug, Clone)]
+pub struct Deviations {
     /// Range of each ideal curve [its unit].
     pub ranges: [f64; 5],
+    /// By radius, step and quantity.
+    pub table: Vec<Vec<[Deviation; 5]>>,
+}
+
+impl Deviations {
+    /// Of a quantity at all steps.
+    pub fn row(&self, radius: usize, quantity: Quantity) -> Vec<Deviation> {
+        (0..STEPS.len()).map(|step| self.at(radius, step, quantity)).collect()
+    }
+
+    /// Of a quantity at one step.
+    pub fn at(&self, radius: usize, step: usize, quantity: Quantity) -> Deviation {
+        self.table[radius][step][quantity.index()]
+    }
 }
 
 impl Runs {
@@ -114,19 +132,19 @@ impl Runs {
         let by_step = |&radius: &f64| STEPS.iter().map(|&step| at(radius, step)).collect::<Result<Vec<_>, _>>();
         let clearance = RADII.iter().map(by_step).collect::<Result<Vec<_>, _>>()?;
         let ranges = Quantity::ALL.map(|quantity| range(&ideal[0], quantity));
-        let deviations = clearance
+        let table = clearance
             .iter()
             .map(|strokes: &Vec<Stroke>| {
                 let pairs = strokes.iter().zip(&ideal);
                 pairs.map(|(stroke, ideal)| deviations(stroke, ideal, &ranges)).collect()
             })
             .collect();
-        Ok(Runs { request, ideal, clearance, deviations, ranges })
+        Ok(Runs { request, ideal, clearance, deviations: Deviations { ranges, table } })
     }
 
     /// The deviations of a quantity at all steps.
     pub fn row(&self, radius: usize, quantity: Quantity) -> Vec<Deviation> {
-        self.deviations[radius].iter().map(|at_step| at_step[quantity.index()]).collect()
+        self.deviations.row(radius, quantity)
     }
 }
 
