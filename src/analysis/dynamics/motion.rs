@@ -32,6 +32,10 @@ const MARKS: usize = 24;
 /// Velocities are no worse resolved than this part of rtol [m/s, rad/s].
 const SLOW: f64 = 0.1;
 
+/// No step is bounded by less than this part of what it moves, for evaluations are no better.
+const ROUND_OFF: f64 = 1e-14;
+/// The same of contacts' lengths, which are differences of coordinates, and of coordinates in sizes.
+const LEAST: f64 = 1e-16;
 /// Lengths are measured against no less than this part of a clearance [–].
 const SHALLOW: f64 = 1e-2;
 
@@ -276,9 +280,9 @@ impl<'s> Motion<'s> {
     /// penetration is one of the energy, force times error. Rates near zero are measured against 1 m/s.
     pub fn tolerance(&self, solver: &Solver) -> Tolerance {
         let f = self.reduced.freedom();
-        let Solver { rtol, atol, .. } = *solver;
         let dimension = self.dimension();
         let system = self.system();
+        let (rtol, atol) = (solver.rtol.max(ROUND_OFF), solver.atol.max(ROUND_OFF * system.size.min(1.0)));
         let clearance = system.contacts.iter().map(|contact| contact.clearance).fold(f64::INFINITY, f64::min);
         let mut tolerance = if clearance.is_finite() {
             Tolerance { rtol, atol: vec![f64::MAX; dimension], cap: vec![f64::INFINITY; dimension] }
@@ -298,7 +302,7 @@ impl<'s> Motion<'s> {
         for (k, pin) in self.reduced.driven.pins.iter().enumerate() {
             let small = depth / system.size * system.column_scale(pin.column);
             tolerance.cap[k] = small;
-            tolerance.atol[k] = atol.min(rtol * small);
+            tolerance.atol[k] = atol.min(rtol * small).max(LEAST * system.column_scale(pin.column));
             tolerance.atol[f + k] = atol.min(SLOW * rtol);
         }
         for contact in 0..self.contacts() {
