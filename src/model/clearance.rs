@@ -24,7 +24,7 @@ pub enum ClearanceModel {
     Contact,
 }
 
-/// Clearance of a revolute joint. Parameters of the models that later versions run are kept as written.
+/// Clearance of a revolute joint; parameters of models other than the one in use are kept as written.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 pub struct Clearance {
     pub model: ClearanceModel,
