@@ -7,7 +7,7 @@ use super::page::{Page, count, names, number, seconds, shorten};
 use super::run::Written;
 use crate::analysis::Outcome;
 use crate::model::AnalysisKind;
-use crate::output::{Equilibrium, Event, Mobility, Quality, Stage, Status, Trajectory};
+use crate::output::{ClearanceSums, Equilibrium, Event, Mobility, Quality, Stage, Status, Trajectory};
 
 /// Digits of numbers.
 const DIGITS: usize = 4;
@@ -24,6 +24,7 @@ pub fn page(opened: &Opened, outcome: &Outcome, written: &Written) -> String {
     page.row("outputs", outputs(trajectory));
     page.row("quality", quality(&report.quality));
     page.rows("equilibrium", report.equilibrium.iter().map(equilibrium));
+    page.rows("contacts", shorten(report.clearances.iter().map(contacts).collect()));
     page.rows("events", shorten(report.events.iter().map(|event| event_words(event, trajectory)).collect()));
     page.rows("effort", efforts(trajectory));
     page.rows("largest force", forces(trajectory));
@@ -84,7 +85,11 @@ pub fn equilibrium(found: &Equilibrium) -> String {
 }
 
 fn quality(quality: &Quality) -> String {
-    let parts = [("power imbalance", quality.power_imbalance), ("energy drift", quality.energy_drift)];
+    let parts = [
+        ("power imbalance", quality.power_imbalance),
+        ("energy drift", quality.energy_drift),
+        ("energy imbalance", quality.energy_imbalance),
+    ];
     let mut text = format!("constraint residual {}", number(quality.constraint_residual, 2));
     for (what, value) in parts {
         text.extend(value.map(|value| format!(", {what} {}", number(value, 2))));
@@ -92,13 +97,27 @@ fn quality(quality: &Quality) -> String {
     text
 }
 
-/// One event: `change point at 1.7 s, motor = 2.051 rad (117.5°)`.
+/// A joint's contacts: `b: 24, 2.1 ms in all, 4.2 J lost`.
+fn contacts(sums: &ClearanceSums) -> String {
+    let ClearanceSums { joint, episodes, time_in_contact, energy_lost, .. } = sums;
+    format!("{joint}: {episodes}, {} in all, {} J lost", seconds(*time_in_contact), number(*energy_lost, DIGITS))
+}
+
+/// One event: `change point at 1.7 s, motor = 2.051 rad (117.5°)`, `impact at 0.01 s (joint b)`.
 fn event_words(event: &Event, trajectory: &Trajectory) -> String {
     let kind = event.kind.replace('_', " ");
-    let mut text = match event.end_time {
-        Some(end) => format!("{kind} from {} to {} s", number(event.time, 6), number(end, 6)),
-        None => format!("{kind} at {} s", number(event.time, 6)),
+    let start = number(event.time, 6);
+    let mut text = match (&event.episode, event.end_time) {
+        (Some(_), Some(end)) if end == event.time => format!("impact at {start} s"),
+        // Shorter than the digits shown.
+        (Some(_), Some(end)) if number(end, 6) == start => {
+            format!("{kind} at {start} s for {} s", number(end - event.time, 2))
+        }
+        (Some(_), None) => format!("{kind} from {start} s on"),
+        (_, Some(end)) => format!("{kind} from {start} to {} s", number(end, 6)),
+        (None, None) => format!("{kind} at {start} s"),
     };
+    text.extend(event.joint.iter().map(|joint| format!(" (joint {joint})")));
     if let (Some(driver), Some(start)) = (&event.driver, event.value) {
         let unit = trajectory.column_index(&format!("driver.{driver}.value")).map(|i| trajectory.columns[i].unit);
         let with_unit = |value: f64| match unit {
@@ -165,7 +184,7 @@ pub fn unit_words(unit: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::output::Column;
+    use crate::output::{Column, Episode};
 
     fn results() -> Trajectory {
         let columns = [
@@ -203,6 +222,21 @@ mod tests {
         assert_eq!(words(&event("slide", Some(2.0))), "change point from 1.7 to 2 s, slide = 2.05 m … 2.1 m");
         let noted = Event { driver: None, note: Some("here".into()), ..event("", None) };
         assert_eq!(words(&noted), "change point at 1.7 s: here");
+    }
+
+    #[test]
+    fn contacts_tell_their_joint_and_how_long_they_last() {
+        let of_pin = |kind: &'static str, end_time: Option<f64>, episode: Option<Episode>| {
+            let event =
+                Event { kind, time: 0.0100964, end_time, joint: Some("pin".into()), episode, ..Event::default() };
+            event_words(&event, &results())
+        };
+        let contact = |end_time: Option<f64>| of_pin("contact", end_time, Some(Episode::default()));
+        assert_eq!(contact(Some(0.0100964)), "impact at 0.0100964 s (joint pin)");
+        assert_eq!(contact(Some(0.0100964 + 2.5e-10)), "contact at 0.0100964 s for 2.5e-10 s (joint pin)");
+        assert_eq!(contact(Some(0.0101)), "contact from 0.0100964 to 0.0101 s (joint pin)");
+        assert_eq!(contact(None), "contact from 0.0100964 s on (joint pin)");
+        assert_eq!(of_pin("slip", None, None), "slip at 0.0100964 s (joint pin)");
     }
 
     #[test]
