@@ -128,6 +128,14 @@ fn differences_and_curves_are_those_of_the_runs() {
         }
     }
     assert_eq!(scratch.table("out/compare.csv").0[0], "time[s]");
+    // A figure per column, with a curve per model; the guided slider's vy is a flat line.
+    for column in ["joint.b.force", "slider.vx", "slider.vy"] {
+        let figure = fs::read_to_string(scratch.0.join(format!("out/{column}.svg"))).expect("readable");
+        for text in [">ideal<", ">contact<"] {
+            assert_eq!(figure.matches(text).count(), 1, "{column}: {text}");
+        }
+        assert!(figure.contains(column), "{column} is not named");
+    }
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! `linkdyn compare`: one model with each model of a joint's clearance, and how far their results are apart.
 
+mod figures;
 mod report;
 
 use std::path::{Path, PathBuf};
@@ -43,7 +44,8 @@ pub struct Options {
     /// the joints, motion of the last body that is not driven]
     #[arg(long, value_name = "PATTERN,…", value_delimiter = ',')]
     columns: Vec<String>,
-    /// Write each model's results into a directory of its name below this one, and compare.csv and compare.json
+    /// Write each model's results into a directory of its name below this one, and compare.csv, compare.json and a figure
+    /// of each column (SVG)
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
 }
@@ -94,6 +96,10 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     if let Some(directory) = &directory {
         written.push(directory.write_with(TABLE, |file| csv::write(&comparison.curves, file))?);
         written.push(directory.write(SUMMARY, format!("{:#}\n", report.json()).as_bytes())?);
+        let ran: Vec<&str> = rungs.iter().filter(|rung| rung.ran.is_ok()).map(|rung| rung.model).collect();
+        for (name, figure) in figures::figures(&comparison, &ran) {
+            written.push(directory.write(&name, figure.as_bytes())?);
+        }
     }
     print(&report.page(&written))?;
     for rung in &rungs {
