@@ -14,7 +14,7 @@ pub enum ClearanceModel {
     /// As if there were no clearance.
     #[default]
     Ideal,
-    /// The journal always touches the bearing, at the end of a massless link (Earles and Wu 1973).
+    /// The journal always touches the bearing, at the end of a massless link (Earles and Wu 1972).
     MasslessLink,
     /// Free flight, or contact with a linear surface of stiffness and damping (Dubowsky and Freudenstein 1971).
     TwoState,
