@@ -57,9 +57,9 @@
 
   // Events on the scrub bar.
   if (rows > 1) for (const event of summary.events.slice(0, 300)) {
-    const end = event.end_time ?? (event.duration ? event.time + event.duration : event.time);
-    const [from, to] = [event.time, end].map((instant) => 100 * player.rowAt(instant) / (rows - 1));
-    const mark = element("button", { type: "button", className: to > from ? "span" : "", title: `${words(event.type)} at ${units.number(event.time, 6)} s`, "aria-label": `${words(event.type)} at ${units.number(event.time, 6)} s`, tabindex: "-1", on: { click: () => { player.pause(); player.seek(player.rowAt(event.time)); } } });
+    const [from, to] = [event.time, linkdyn.eventEnd(event)].map((instant) => 100 * player.rowAt(instant) / (rows - 1));
+    const told = `${linkdyn.eventWord(event)} at ${units.number(event.time, 6)} s${event.joint === undefined ? "" : ` (joint ${plain(event.joint)})`}`;
+    const mark = element("button", { type: "button", className: to > from ? "span" : "", title: told, "aria-label": told, tabindex: "-1", on: { click: () => { player.pause(); player.seek(player.rowAt(event.time)); } } });
     mark.style.left = `${from}%`;
     if (to > from) mark.style.width = `${to - from}%`;
     id("marks").append(mark);

@@ -45,11 +45,17 @@ const linkdyn = {};
     return made;
   };
 
+  const time = byName.has("time") ? byName.get("time").values : new Float64Array(rows);
+  // Contacts: one that takes no time is an impact, one without end goes on when the run ends.
+  const ofContact = ({ type }) => ["contact", "stick", "slip", "following"].includes(type);
+  const eventWord = (event) => event.type === "contact" && event.duration === 0 ? "impact" : event.type.replaceAll("_", " ");
+  const eventEnd = (event) => event.end_time ?? (event.type === "contact" && rows ? Math.max(event.time, time[rows - 1]) : event.time);
+
   Object.assign(linkdyn, {
-    plain, element,
+    plain, element, ofContact, eventWord, eventEnd,
     summary: given.summary, about: given.about, source: given.source, mechanism: given.mechanism, notes: given.notes,
     rows, columns, byName,
     column: (name) => byName.get(name),
-    time: byName.has("time") ? byName.get("time").values : new Float64Array(rows),
+    time,
   });
 })();

@@ -2,6 +2,7 @@
 // One plot: curves of columns with at most two units, over time or a driver's value.
 (() => {
   const { player, units, element, rows, summary, drawing } = linkdyn;
+  const FOOT = 7;
   const DASHES = [[], [8, 4], [2, 3], [12, 3, 2, 3], [5, 5], [1, 4]];
   const HUES = [212, 18, 150, 285, 340, 190, 45];
   const stroke = (k) => {
@@ -117,7 +118,7 @@
       player.seek(this.plots.nearest(this.u.posToVal(left, "x") / units.of(this.plots.abscissa.unit).factor));
     }
 
-    // Events as dashed lines, intervals shaded.
+    // Events as dashed lines, intervals shaded; those of contacts, which may be many, as marks at the foot.
     events(u) {
       const { left, top, height, width } = u.bbox, pen = u.ctx;
       const colour = drawing.colour("warn");
@@ -128,11 +129,15 @@
         if (!Number.isFinite(from)) continue;
         pen.strokeStyle = pen.fillStyle = colour;
         pen.lineWidth = 1.2 * devicePixelRatio;
-        if (event.interval) { pen.globalAlpha = 0.16; pen.fillRect(Math.min(from, to), top, Math.max(Math.abs(to - from), 2), height); pen.globalAlpha = 1; } else {
+        if (event.low) {
+          pen.globalAlpha = event.interval ? 0.5 : 1;
+          pen.fillRect(Math.min(from, to), top + height - FOOT * devicePixelRatio, Math.max(Math.abs(to - from), devicePixelRatio), FOOT * devicePixelRatio);
+          pen.globalAlpha = 1;
+        } else if (event.interval) { pen.globalAlpha = 0.16; pen.fillRect(Math.min(from, to), top, Math.max(Math.abs(to - from), 2), height); pen.globalAlpha = 1; } else {
           pen.setLineDash([5 * devicePixelRatio, 4 * devicePixelRatio]);
           pen.beginPath(); pen.moveTo(from, top); pen.lineTo(from, top + height); pen.stroke();
         }
-        if (this.plots.events.length <= 4) {
+        if (!event.low && this.plots.events.length <= 4) {
           pen.font = `${11 * devicePixelRatio}px system-ui, sans-serif`;
           const wide = pen.measureText(event.word).width, gap = 4 * devicePixelRatio;
           pen.textBaseline = "top";

@@ -18,7 +18,6 @@
     return { monotone: up || down, reversed: !up && down };
   };
 
-  const word = (type) => type.replaceAll("_", " ");
   const plots = {
     list: [], abscissa: clock, order: orderOf(time), zoom: null, cut: false, events: [], shown,
 
@@ -83,9 +82,9 @@
     const at = (instant) => plots.abscissa === clock ? instant : plots.abscissa.values[player.rowAt(instant)];
     const driver = plots.abscissa === clock ? null : plots.abscissa.name.slice(7, -6);
     plots.events = summary.events.map((event) => {
-      const end = event.end_time ?? (event.duration > 0 ? event.time + event.duration : event.time);
+      const end = linkdyn.eventEnd(event);
       const exact = driver !== null && event.driver === driver;
-      return { word: word(event.type), interval: end > event.time, from: exact && event.value !== undefined ? event.value : at(event.time), to: exact && event.end_value !== undefined ? event.end_value : at(end) };
+      return { word: linkdyn.eventWord(event), low: linkdyn.ofContact(event), interval: end > event.time, from: exact && event.value !== undefined ? event.value : at(event.time), to: exact && event.end_value !== undefined ? event.end_value : at(end) };
     });
   };
 

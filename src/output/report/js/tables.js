@@ -46,9 +46,9 @@
   });
 
   const event = (event) => {
-    const what = element("span", {}, `${words(event.type)} `, jump(event.time));
-    const end = event.end_time ?? (event.duration ? event.time + event.duration : undefined);
-    if (end !== undefined) what.append(" … ", jump(end));
+    const what = element("span", {}, `${linkdyn.eventWord(event)} `, jump(event.time));
+    const end = linkdyn.eventEnd(event);
+    if (end > event.time) what.append(" … ", jump(end));
     const unit = event.driver === undefined ? undefined : column(`driver.${event.driver}.value`)?.unit;
     if (event.driver !== undefined && event.value !== undefined) what.append(", ", name(event.driver), ` = ${unit ? units.quantity(event.value, unit, 8) : units.number(event.value, 8)}`);
     if (event.joint !== undefined) what.append(", joint ", name(event.joint));
@@ -67,7 +67,8 @@
       ["status", words(summary.status)], ["why", summary.message],
       ["mobility", `${mobility.grubler} by Grübler, ${mobility.rank} by rank, drivers: ${mobility.drivers}`],
       ["redundant", mobility.redundant.join(", ")], ["reactions not unique", mobility.reactions_not_unique.join(", ")],
-      ["constraint residual", small(quality.constraint_residual)], ["power imbalance", small(quality.power_imbalance)], ["energy drift", small(quality.energy_drift)],
+      ["constraint residual", small(quality.constraint_residual)], ["power imbalance", small(quality.power_imbalance)], ["energy drift", small(quality.energy_drift)], ["energy imbalance", small(quality.energy_imbalance)],
+      ["contacts", summary.clearances && list(Object.entries(summary.clearances).map(([joint, sums]) => name(`${joint}: ${sums.contacts}, ${units.number(sums.time_in_contact, 4)} s in all, ${units.number(sums.energy_lost, 4)} J lost`)))],
       ["equilibrium", equilibrium && `${equilibrium.stability}; stiffness ${equilibrium.stiffness.map((k) => units.number(k, 4)).join(", ") || "–"}${equilibrium.coordinates.length ? ` by ${equilibrium.coordinates.join(", ")}` : ""}`],
       ["warnings", summary.warnings.length ? list(summary.warnings.map(name)) : "none"],
       ["events", summary.events.length ? list(summary.events.map(event)) : "none"],
