@@ -212,6 +212,29 @@ fn events_are_marked_where_they_are() {
     assert!(scratch.text("b.svg").contains("class=\"mark\""), "over time, too");
 }
 
+/// Few are named; of many only where contacts begin, without their names.
+#[test]
+fn contacts_are_marked_and_named_while_they_are_few() {
+    let scratch = Scratch::new("contacts");
+    for (model, end, words) in
+        [("three_state", "0.8 ms", "impact"), ("contact", "0.8 ms", "contact"), ("contact", "24 ms", "")]
+    {
+        let model = format!("joints.wristpin.clearance.model={model}");
+        let end = format!("analysis.end={end}");
+        scratch.done(&["run", "slider-crank-clearance", "--set", &model, "--set", &end, "-o", "run"]);
+        scratch.done(&["plot", "run", "--y", "slider.x", "--events", "-o", "a.svg", "--size", "180x90"]);
+        let svg = scratch.text("a.svg");
+        let document = Document::parse(&svg).expect("XML");
+        let labels: Vec<String> = of_class(&document, "mark-label").into_iter().map(label).collect();
+        let marks = of_class(&document, "mark").len();
+        if words.is_empty() {
+            assert_eq!((marks, labels.as_slice()), (24, [].as_slice()));
+        } else {
+            assert!(marks >= 3 && !labels.is_empty() && labels.iter().all(|label| label == words), "{labels:?}");
+        }
+    }
+}
+
 #[test]
 fn what_can_not_be_drawn_is_told() {
     let scratch = Scratch::new("refused");

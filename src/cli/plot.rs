@@ -18,6 +18,8 @@ use crate::output::trajectory::TIME;
 const MOST_VALUES: usize = 50_000_000;
 /// Events of a run that are marked, at most.
 const MOST_EVENTS: usize = 200;
+/// Contacts, sticks and slips that are marked with their names; of more only the beginnings of contacts, without.
+const MOST_NAMED: usize = 8;
 
 #[derive(Debug, Args)]
 #[command(after_help = PLOT_HELP)]
@@ -235,16 +237,33 @@ fn event_marks(run: &Results, x_name: &str, x_unit: &str) -> Vec<Mark> {
     let column = run.table.columns.iter().find(|column| column.name == x_name);
     let (Some(events), Some(column)) = (events, column) else { return Vec::new() };
     let driver = x_name.strip_prefix("driver.").and_then(|name| name.strip_suffix(".value"));
+    let many = events.iter().filter(|event| is_contact(event)).count() > MOST_NAMED;
     let mark = |event: &Value| -> Option<Mark> {
         let x = match driver {
             None if x_name == TIME => event.get("time")?.as_f64()?,
             Some(driver) if event.get("driver")?.as_str()? == driver => event.get("value")?.as_f64()?,
             None | Some(_) => return None,
         };
-        let label = event.get("type")?.as_str()?.replace('_', " ");
+        let label = if is_contact(event) && many { String::new() } else { event_word(event)? };
         Some(Mark { x: convert_one(x, &column.unit, x_unit)?, label })
     };
-    events.iter().take(MOST_EVENTS).filter_map(mark).collect()
+    // Others are not crowded out by contacts.
+    let others = events.iter().filter(|event| !is_contact(event));
+    let contacts = events.iter().filter(|event| is_contact(event)).filter(|event| !many || event["type"] == "contact");
+    others.chain(contacts).take(MOST_EVENTS).filter_map(mark).collect()
+}
+
+/// Whether an event is one of a journal in its bearing.
+fn is_contact(event: &Value) -> bool {
+    let kind = event["type"].as_str().unwrap_or_default();
+    ["contact", "stick", "slip", "following"].contains(&kind)
+}
+
+/// `change point`; a contact that takes no time is an impact.
+fn event_word(event: &Value) -> Option<String> {
+    let kind = event.get("type")?.as_str()?;
+    let is_impact = kind == "contact" && event["duration"].as_f64() == Some(0.0);
+    Some(if is_impact { "impact".into() } else { kind.replace('_', " ") })
 }
 
 /// Names of the columns to draw, in order, each once.
