@@ -94,6 +94,24 @@ fn the_ladder_is_run_as_far_as_there_are_parameters() {
     assert!(!told.contains("slider.angle"), "it does not turn: {told}");
 }
 
+/// What `new` writes has the parameters of all models; the pivoted rocker turns, and its pivot stays.
+#[test]
+fn the_starter_model_runs_the_whole_ladder() {
+    let scratch = Scratch::new("starter");
+    let linkdyn = |arguments: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_linkdyn"));
+        let output = command.args(arguments).current_dir(&scratch.0).output().expect("the binary runs");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8(output.stdout).expect("UTF-8")
+    };
+    linkdyn(&["new", "clearance", "-o", "mine.json"]);
+    let told = linkdyn(&["compare", "mine.json", "--joint", "b"]);
+    for model in ["ideal", "massless_link", "two_state", "three_state", "contact"] {
+        assert!(told.contains(&format!("{model:13} completed, 73 instants")), "{model}: {told}");
+    }
+    assert!(told.contains("rocker.angle [rad]") && !told.contains("rocker.x"), "{told}");
+}
+
 /// Worked out anew from the files of the single runs.
 #[test]
 fn differences_and_curves_are_those_of_the_runs() {

@@ -25,6 +25,8 @@ const TABLE: &str = "compare.csv";
 const SUMMARY: &str = "compare.json";
 /// All joints that have a clearance.
 const ALL: &str = "all";
+/// What changes by less than this is round-off [SI].
+const STILL: f64 = 1e-10;
 /// Quantities of the last body that are compared where no columns are asked for.
 const MOTION: [&str; 9] = ["x", "y", "angle", "vx", "vy", "omega", "ax", "ay", "alpha"];
 
@@ -256,8 +258,9 @@ fn compare(model: &Model, joints: &[String], rungs: &[Rung], patterns: &[String]
     if let Some(last) = last_body(model) {
         // A slider does not turn, a body on the ground's pin stays in place.
         let moves = |name: &String| {
-            let of = |run: &Run| run.trajectory.values(name).is_some_and(|values| values.iter().any(|x| *x != 0.0));
-            runs.iter().any(of)
+            let values = || runs.iter().filter_map(|run| run.trajectory.values(name)).flatten();
+            let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
+            high - low > STILL
         };
         usual.extend(MOTION.map(|quantity| format!("{last}.{quantity}")).into_iter().filter(moves));
     }
