@@ -77,7 +77,8 @@ fn the_mobility_is_said_in_a_sentence() {
         ),
         (
             &["slider-crank-clearance", "--set", "joints.wristpin.clearance.model=ideal"],
-            "1 degree of freedom, driven by motor: kinematics and inverse dynamics are possible; forward dynamics has nothing free",
+            "1 degree of freedom, driven by motor: kinematics, inverse dynamics and statics are possible; forward dynamics has nothing \
+             free",
         ),
         (
             &["slider-crank-clearance"],

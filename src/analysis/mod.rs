@@ -89,7 +89,7 @@ impl Stop {
 /// Runs the model's analysis.
 ///
 /// # Errors
-/// Faults of the input: no analysis, a clearance model that is not built yet, missing data, too few or too
+/// Faults of the input: no analysis, a clearance model that the analysis has no place for, missing data, too few or too
 /// many drivers. Everything else ends in the report's status, with what was computed until then.
 pub fn run(model: &Model, control: &Control) -> Result<Outcome, Vec<Complaint>> {
     let Some(analysis) = &model.analysis else {

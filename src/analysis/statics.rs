@@ -55,10 +55,10 @@ pub fn refuse(system: &System) -> Result<(), Stop> {
     let complaint = |joint: &JointData| {
         let path = format!("joints.{}.clearance.model", joint.name);
         if joint.clearance.is_some() {
-            let message = "the equilibrium of a massless clearance link is not built yet in this version";
+            let message = "a massless clearance link takes its direction from a force, so that its position at rest is not that of a mechanism: statics and modes have no place for it";
             Some(Complaint::new(path, message).hint("use \"ideal\""))
         } else if joint.contact.is_some() {
-            let message = "a journal that lies in its bearing is not built yet here: statics and modes would take the joint for open";
+            let message = "a journal in its bearing has its place at rest from the contact alone, which statics and modes do not solve for";
             Some(
                 Complaint::new(path, message)
                     .hint("use \"ideal\", or \"dynamics\" with losses until it has come to rest"),
