@@ -24,6 +24,7 @@ use crate::solve::driven::{Failure, LAST_STEP};
 use crate::solve::reduced::Reduced;
 use crate::system::Inputs;
 use crate::system::System;
+use std::collections::HashMap;
 
 /// Quantities kept per contact.
 const PER_CONTACT: usize = 3;
@@ -46,6 +47,8 @@ type Mark = (f64, f64);
 pub struct Motion<'s> {
     pub reduced: Reduced<'s>,
     variants: &'s Variants<'s>,
+    /// Systems by who follows, of those that there have been.
+    known: HashMap<Vec<bool>, &'s System>,
     /// First row of each contact that follows its bearing, and the normal force there [N].
     following: Vec<Option<usize>>,
     pressing: Vec<f64>,
@@ -86,6 +89,7 @@ impl<'s> Motion<'s> {
         Motion {
             reduced,
             variants,
+            known: HashMap::from([(vec![false; system.contacts.len()], system)]),
             following: vec![None; system.contacts.len()],
             pressing: vec![0.0; system.contacts.len()],
             rubbing: vec![None; system.contacts.len()],
@@ -158,7 +162,14 @@ impl<'s> Motion<'s> {
     /// # Errors
     /// Where the constraints of these contacts are singular.
     pub fn follow(&mut self, following: &[bool], time: f64) -> Result<(), Failure> {
-        let Some(system) = self.variants.get(following, Vec::new()) else { return Err(Failure::Singular) };
+        let system = match self.known.get(following) {
+            Some(system) => system,
+            None => {
+                let system = self.variants.get(following, Vec::new()).ok_or(Failure::Singular)?;
+                self.known.insert(following.to_vec(), system);
+                system
+            }
+        };
         let inputs = Inputs::at_time(system, time);
         let (q, v) = (&self.reduced.q, &self.reduced.v);
         let (_, all) = ranks(system, q, &inputs);

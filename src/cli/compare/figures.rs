@@ -9,6 +9,11 @@ const LONGEST: usize = 100;
 /// Width and height [mm]: a page's full width, since curves with impacts are dense.
 const SIZE: [f64; 2] = [180.0, 80.0];
 
+/// Part of all values, at each end, that a few peaks may be.
+const PEAKS: f64 = 0.005;
+/// Peaks are cut off where they would squeeze the rest to less than one part in this many of the axis.
+const SQUEEZED: f64 = 10.0;
+
 /// A file's name and content.
 pub type Figure = (String, String);
 
@@ -22,12 +27,18 @@ pub fn figures(comparison: &Comparison, models: &[&str]) -> Vec<Figure> {
             Curve::new(*model, times.clone(), y)
         };
         let unit = if column.unit == "1" { "" } else { column.unit };
+        let curves: Vec<Curve> = models.iter().map(curve).collect();
+        let mut axis = Axis::new(column.name.as_str(), unit);
+        let mut note = String::new();
+        if let Some((range, [least, most])) = without_peaks(&curves) {
+            axis.range = Some(range);
+            note = format!("peaks cut off: values from {} to {} {unit}", short(least), short(most));
+            note = note.trim_end().replace('-', "−");
+        }
         let chart = Chart {
+            note,
             x: Axis::new(TIME, "s"),
-            panels: vec![Panel {
-                axis: Axis::new(column.name.as_str(), unit),
-                curves: models.iter().map(curve).collect(),
-            }],
+            panels: vec![Panel { axis, curves }],
             size_mm: SIZE.map(Some),
             line_width: 0.8,
             ..Chart::default()
@@ -38,6 +49,27 @@ pub fn figures(comparison: &Comparison, models: &[&str]) -> Vec<Figure> {
         }
     }
     figures
+}
+
+/// A range that leaves out a few peaks, where they would squeeze the rest, and the range of all values.
+fn without_peaks(curves: &[Curve]) -> Option<([f64; 2], [f64; 2])> {
+    let mut values: Vec<f64> = curves.iter().flat_map(|curve| &curve.y).copied().filter(|y| y.is_finite()).collect();
+    values.sort_by(f64::total_cmp);
+    let all = [*values.first()?, *values.last()?];
+    let rank = (PEAKS * values.len() as f64) as usize;
+    let [low, high] = [values[rank], values[values.len() - 1 - rank]];
+    let margin = 0.25 * (high - low);
+    (margin > 0.0 && all[1] - all[0] > SQUEEZED * (high - low)).then_some(([low - margin, high + margin], all))
+}
+
+/// A number to four digits.
+fn short(x: f64) -> String {
+    if x == 0.0 || (1e-3..1e5).contains(&x.abs()) {
+        let digits = (3.0 - x.abs().max(1e-3).log10().floor()).clamp(0.0, 6.0) as usize;
+        if x == 0.0 { "0".into() } else { format!("{x:.digits$}") }
+    } else {
+        format!("{x:.3e}")
+    }
 }
 
 /// `joint.b.force.svg`: what no file system minds, and no other figure has.
@@ -53,6 +85,18 @@ fn file_name(column: &str, others: &[Figure]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_few_peaks_do_not_squeeze_the_rest() {
+        let times: Vec<f64> = (0..1001).map(f64::from).collect();
+        let mut y: Vec<f64> = times.iter().map(|t| (0.1 * t).sin()).collect();
+        assert_eq!(without_peaks(&[Curve::new("a", times.clone(), y.clone())]), None);
+        (y[500], y[700]) = (1e6, f64::NAN);
+        let (range, all) = without_peaks(&[Curve::new("a", times, y)]).expect("a peak");
+        assert!(all[1] == 1e6 && range[0] < -1.4 && range[1] > 1.4 && range[1] < 2.0, "{range:?} {all:?}");
+        assert_eq!(without_peaks(&[Curve::new("a", vec![0.0, 1.0], vec![0.0, 1e9])]), None);
+        assert_eq!(without_peaks(&[]), None);
+    }
 
     #[test]
     fn names_of_files_are_plain_and_different() {

@@ -52,16 +52,20 @@
 
   const names = (list) => {
     const taken = [];
+    // No name of a body covers a joint that is named.
+    const pins = list.filter(({ at, strong }) => at && !strong).map(({ at }) => at);
+    const covers = (x, y, wide) => pins.some((pin) => x - 6 < pin[0] && pin[0] < x + wide + 6 && Math.abs(y - pin[1]) < 13);
     pen.font = "12px system-ui, sans-serif";
     pen.textBaseline = "middle";
     for (const { text, at, colour, strong, beside } of list) {
       if (!at) continue;
       const label = linkdyn.plain(text).slice(0, 40), wide = pen.measureText(label).width;
       const gap = (beside || 6) + 5;
-      const places = strong ? [[-wide / 2, -14], [-wide / 2, 14], [10, -12], [-wide - 10, -12], [10, 14]]
+      const places = strong ? [[-wide / 2, -14], [-wide / 2, 14], [10, -12], [-wide - 10, -12], [10, 14], [-wide - 10, 14], [-wide / 2, -27], [-wide / 2, 27]]
         : [[gap, -gap], [-gap - wide, -gap], [gap, gap], [-gap - wide, gap], [gap, 0]];
       const free = places.map(([dx, dy]) => [at[0] + dx, at[1] + dy])
-        .find(([x, y]) => x > 2 && x + wide < width - 46 && y > 9 && y < height - 9 && !taken.some((t) => x < t[0] + t[2] && t[0] < x + wide && Math.abs(y - t[1]) < 14));
+        .find(([x, y]) => x > 2 && x + wide < width - 46 && y > 9 && y < height - 9 && !(strong && covers(x, y, wide))
+          && !taken.some((t) => x < t[0] + t[2] + 4 && t[0] < x + wide + 4 && Math.abs(y - t[1]) < 14));
       if (!free) continue;
       taken.push([...free, wide]);
       pen.lineWidth = 3.5; pen.strokeStyle = colours.card; pen.strokeText(label, ...free);
