@@ -33,6 +33,8 @@ const MARKS: usize = 24;
 /// Velocities are no worse resolved than this part of rtol [m/s, rad/s].
 const SLOW: f64 = 0.1;
 
+/// Errors of the energy ledger are bounded by this, times rtol, of the kinetic energy at the last event.
+const LEDGER: f64 = 10.0;
 /// No step is bounded by less than this part of what it moves, for evaluations are no better.
 const ROUND_OFF: f64 = 1e-14;
 /// The same of contacts' lengths, which are differences of coordinates, and of coordinates in sizes.
@@ -320,6 +322,13 @@ impl<'s> Motion<'s> {
             if let Some(component) = self.bristle(contact) {
                 tolerance.atol[component] = rtol * clearance;
             }
+            if energy > 0.0 {
+                tolerance.atol[self.dissipated(contact)] = LEDGER * rtol * energy;
+            }
+        }
+        // Where all is smooth the motion needs no steps as short as the work of its drivers.
+        if energy > 0.0 {
+            tolerance.atol[self.work()] = LEDGER * rtol * energy;
         }
         tolerance
     }
