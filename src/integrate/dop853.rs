@@ -330,6 +330,10 @@ impl Stepper for Dop853 {
             y.copy_from_slice(&self.y);
             return Ok(());
         }
+        if t == self.previous {
+            y.copy_from_slice(&self.y_previous);
+            return Ok(());
+        }
         if !self.dense_known {
             self.extend(ode)?;
         }

@@ -34,6 +34,8 @@ const PEAK_PARABOLAS: usize = 3;
 const BEYOND: f64 = 1e-3;
 /// Determinant of the friction's equations, 1 without friction, below which a joint is about to lock itself.
 const TIGHT: f64 = 0.1;
+/// How often a step is halved until all within it can be evaluated.
+const HALVINGS: usize = 20;
 /// Deepest penetration at the start, in parts of the clearance.
 const DEEPEST_START: f64 = 0.1;
 const DEEPEST_RIGID: f64 = 1e-9;
@@ -194,9 +196,28 @@ impl Integration {
         }
         self.stepper.step(motion, self.end)?;
         if !self.histories.is_empty() {
-            self.look(motion).map_err(refused)?;
+            self.look_closely(motion).map_err(refused)?;
         }
         Ok(())
+    }
+
+    /// Looks at the last step; where something within it can't be evaluated, at the first part of it alone, which the step
+    /// then is.
+    fn look_closely(&mut self, motion: &mut Motion) -> Result<(), Refused> {
+        for _ in 0..HALVINGS {
+            if self.look(motion).is_ok() {
+                return Ok(());
+            }
+            self.halve(motion, self.stepper.t())?;
+        }
+        self.look(motion)
+    }
+
+    /// Takes the last step again, to halfway between its beginning and `time`.
+    fn halve(&mut self, motion: &mut Motion, time: f64) -> Result<(), Refused> {
+        self.pending = None;
+        let from = self.stepper.previous();
+        self.step_again(motion, from, 0.5 * (from + time)).map_err(|_| Refused)
     }
 
     /// y and the mechanism at a time within the last step.
@@ -421,6 +442,26 @@ impl Integration {
     /// # Errors
     /// Where the position can't be solved.
     pub fn output(&mut self, motion: &mut Motion, time: f64) -> Result<(), Failure> {
+        for _ in 0..HALVINGS {
+            match self.point(motion, time) {
+                // Long steps of smooth motions have stages, or predictions, that are too far from it.
+                Err(Failure::Singular | Failure::Diverged { .. }) if time > self.stepper.previous() => {
+                    let refused = |_| Failure::Singular;
+                    self.halve(motion, time).map_err(refused)?;
+                    if !self.histories.is_empty() {
+                        self.look_closely(motion).map_err(refused)?;
+                    }
+                    while self.reached() < time {
+                        self.advance(motion).map_err(|_| Failure::Singular)?;
+                    }
+                }
+                result => return result,
+            }
+        }
+        self.point(motion, time)
+    }
+
+    fn point(&mut self, motion: &mut Motion, time: f64) -> Result<(), Failure> {
         self.y.resize(motion.dimension(), 0.0);
         if time == self.stepper.t() {
             self.y.copy_from_slice(self.stepper.y());
