@@ -14,6 +14,7 @@ mod locate;
 pub mod motion;
 mod outputs;
 mod parts;
+mod peaks;
 mod start;
 mod variants;
 

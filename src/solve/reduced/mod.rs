@@ -19,11 +19,15 @@
 //! ([`super::reactive`]), which then become part of Q. Bodies may lack mass as long as SᵀMS is regular. The choice of u
 //! is kept while it is good and changed between steps when another coordinate moves more.
 
-use super::continuation::{End, HALF_TURN, Parameter, Path, SingularKind, Source, follow};
+mod curve;
+mod mass;
+
+use super::continuation::{Path, SingularKind, Source};
 use super::driven::{Driven, Failure};
 use super::hermite::{Node, quintic};
 use super::parts::{Part, Parts, Rewrite};
 use crate::system::{Inputs, System};
+use mass::solve_factored;
 
 /// A coordinate that moves this much more than the one pinned takes its place.
 const EXCHANGE: f64 = 2.0;
@@ -272,69 +276,6 @@ impl<'s> Reduced<'s> {
         self.driven.evaluation.set_velocity(&self.v);
     }
 
-    /// The point at hand on the smooth branch near a change point.
-    fn evaluate_bridged(&mut self, time: f64, rate: f64) -> Result<(), Failure> {
-        let system = self.driven.system;
-        for (v, s) in self.v.iter_mut().zip(&self.tangent) {
-            *v = rate * s;
-        }
-        for (a, bend) in self.a.iter_mut().zip(&self.bend) {
-            *a = rate * rate * bend;
-        }
-        self.motions.copy_from_slice(&self.tangent);
-        self.driven.evaluation.set_position(&self.q);
-        self.driven.evaluation.set_velocity(&self.v);
-        self.driven.evaluation.eval_force(system, &self.inputs, &mut self.force);
-        self.eval_balance();
-        self.finish(time)
-    }
-
-    /// Position (and on bridged stretches S, S′) at u from the curve, which is followed farther where u needs it.
-    fn on_curve(&mut self, u: f64) -> Option<Source> {
-        for attempt in 0..2 {
-            if let Some(curve) = &self.curve {
-                if let Some(source) = curve.guess(u, &mut self.q, &mut self.tangent, &mut self.bend) {
-                    return Some(source);
-                }
-                // Beyond a dead centre of the pin there is no curve to follow.
-                let reached = if u < curve.covered().0 { curve.low } else { curve.high };
-                if reached != End::Reached {
-                    return None;
-                }
-            }
-            if attempt == 0 && !self.follow_curve(u) {
-                return None;
-            }
-        }
-        None
-    }
-
-    /// Follows the curve around the last accepted point, far enough to hold `u`; whether that was possible.
-    fn follow_curve(&mut self, u: f64) -> bool {
-        let system = self.driven.system;
-        let column = self.driven.pins[0].column;
-        let centre = self.here.q[column];
-        let angle = column % 3 == 2;
-        let reach = (if angle { HALF_TURN } else { system.size }).max(1.5 * (u - centre).abs());
-        let mut inputs = self.inputs.clone();
-        inputs.drive.iter_mut().for_each(|jet| jet[1..].fill(0.0));
-        let start = self.here.q.clone();
-        let found = follow(
-            &mut self.driven,
-            (Parameter::Pin, inputs),
-            (centre, &start),
-            (centre - reach, centre + reach),
-            &|_| false,
-        );
-        self.curve = found.ok();
-        if let Some(curve) = &mut self.curve
-            && angle
-        {
-            curve.close_turn(system, centre);
-        }
-        self.curve.is_some()
-    }
-
     /// ü, a and the marks of a finished evaluation.
     fn finish(&mut self, time: f64) -> Result<(), Failure> {
         let system = self.driven.system;
@@ -390,40 +331,6 @@ impl<'s> Reduced<'s> {
         solved
     }
 
-    /// ü in `rhs`, from SᵀMS ü = Sᵀ b by Cholesky.
-    fn solve_freedom(&mut self) -> Result<(), Failure> {
-        let mass = &self.driven.system.mass;
-        let (n, f) = (mass.len(), self.freedom());
-        for i in 0..f {
-            let si = &self.motions[i * n..(i + 1) * n];
-            self.rhs[i] = crate::math::dot(si, &self.balance);
-            // Motions of few bodies have few components.
-            self.momenta.clear();
-            let moved = si.iter().zip(mass).enumerate().filter(|(_, (s, _))| **s != 0.0);
-            self.momenta.extend(moved.map(|(column, (s, m))| (column, s * m)));
-            for j in 0..=i {
-                let sj = &self.motions[j * n..(j + 1) * n];
-                self.mass[i * f + j] = self.momenta.iter().map(|&(column, momentum)| momentum * sj[column]).sum();
-            }
-        }
-        for i in 0..f {
-            for j in 0..=i {
-                let sum: f64 = (0..j).map(|k| self.mass[i * f + k] * self.mass[j * f + k]).sum();
-                let rest = self.mass[i * f + j] - sum;
-                if i == j {
-                    if rest.is_nan() || rest <= MASSLESS * self.mass[i * f + i].abs() {
-                        return Err(Failure::Singular);
-                    }
-                    self.mass[i * f + i] = rest.sqrt();
-                } else {
-                    self.mass[i * f + j] = rest / self.mass[j * f + j];
-                }
-            }
-        }
-        solve_factored(&self.mass, &mut self.rhs);
-        Ok(())
-    }
-
     /// S of the last evaluation, one motion after the other (f × n).
     pub fn motions(&self) -> &[f64] {
         &self.motions
@@ -448,23 +355,6 @@ impl<'s> Reduced<'s> {
     /// ü of the last evaluation.
     pub fn accelerations(&self) -> &[f64] {
         &self.rhs
-    }
-
-    /// Change of the rates u̇ by a generalized impulse P (n) at the point of the last evaluation, SᵀMS Δu̇ = Sᵀ P.
-    pub fn kick(&self, impulse: &[f64], rates: &mut [f64]) {
-        let n = impulse.len();
-        for (rate, motion) in rates.iter_mut().zip(self.motions.chunks_exact(n.max(1))) {
-            *rate = crate::math::dot(motion, impulse);
-        }
-        solve_factored(&self.mass, rates);
-    }
-
-    /// Change of the velocities (n) by that of the rates.
-    pub fn spread(&self, rates: &[f64], change: &mut [f64]) {
-        change.fill(0.0);
-        for (motion, rate) in self.motions.chunks_exact(change.len().max(1)).zip(rates) {
-            change.iter_mut().zip(motion).for_each(|(v, s)| *v += rate * s);
-        }
     }
 
     /// Impulses of the constraints (m) that go with an impulse P and the change of the velocities that it brings about.
@@ -554,22 +444,6 @@ impl<'s> Reduced<'s> {
 const STRAINED: f64 = 0.1;
 /// Inverse iterations for that self-stress: near a singular position one is enough, three are safe.
 const STRAIN_ITERATIONS: usize = 3;
-/// A pivot of SᵀMS that loses more than this of its size means freedom without mass.
-const MASSLESS: f64 = 1e-13;
-
-/// x ← (L Lᵀ)⁻¹ x, with L in the lower half of `mass`.
-fn solve_factored(mass: &[f64], x: &mut [f64]) {
-    let f = x.len();
-    for i in 0..f {
-        let sum: f64 = (0..i).map(|k| mass[i * f + k] * x[k]).sum();
-        x[i] = (x[i] - sum) / mass[i * f + i];
-    }
-    for i in (0..f).rev() {
-        let sum: f64 = (i + 1..f).map(|k| mass[k * f + i] * x[k]).sum();
-        x[i] = (x[i] - sum) / mass[i * f + i];
-    }
-}
-
 /// A pin and the coordinate that moves more than it, where there is one; `motions` are ∂q/∂u, one after the other (f × n).
 pub(super) fn better_pin(driven: &Driven, motions: &[f64]) -> Option<(usize, usize)> {
     let system = driven.system;
