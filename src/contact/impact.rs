@@ -168,7 +168,8 @@ impl Rebound {
     }
 }
 
-/// Velocities and impulses of an impact with v_n < 0; without approach nothing happens.
+/// Velocities and impulses of an impact with v_n < 0, or v_n = 0 where sliding jams (the tangential impact: Lecornu 1905,
+/// Génot and Brogliato 1999); otherwise nothing happens.
 ///
 /// `inverse_mass` is W [1/kg], `velocity` (v_n, v_t) [m/s], `restitution` e from 0 to 1, `friction` μ at least 0, all finite.
 pub fn resolve(
@@ -187,7 +188,7 @@ pub fn resolve(
     };
     let mut walk = Walk { velocity, impulse: [0.0; 2], normal_work: 0.0, tangential_work: 0.0 };
     let mut rebound: Option<Rebound> = None;
-    let mut ended = velocity[0] >= 0.0;
+    let mut ended = velocity[0] > 0.0 || (velocity[0] == 0.0 && point.rates(direction).1[0] >= 0.0);
     let mut wedged = false;
     while !ended {
         let (ratio, rates) = point.rates(direction);

@@ -23,6 +23,7 @@
 //! A step loop holds one [`SparseLu`], factors once and then only refactors and solves, without allocating.
 
 pub mod closing;
+pub mod complementary;
 pub mod continuation;
 pub mod dense;
 pub mod driven;

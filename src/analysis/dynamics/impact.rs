@@ -13,14 +13,16 @@
 
 use super::contact::worst_guard;
 use super::integration::Integration;
+use super::jam::Jam;
 use super::motion::Motion;
 use crate::contact::impact::resolve;
 use crate::element::Constraint;
 use crate::element::journal::{Contact, Phase, Reading, Rigid, Surface};
 use crate::element::{Applied, Instant};
 use crate::math::dot;
+use crate::solve::complementary::complementary;
 use crate::solve::driven::Failure;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 /// Least height of a rebound, in parts of the clearance, whatever the tolerance.
 const LOWEST: f64 = 1e-9;
@@ -30,15 +32,13 @@ const MANY: usize = 100;
 const PULLED: f64 = 1e-9;
 
 /// Normal speed of a journal that stays where it is [m/s].
-const AT_REST: f64 = 1e-9;
-/// Acceleration, in parts of the largest, that is round-off.
-const EVEN: f64 = 1e-12;
+pub(super) const AT_REST: f64 = 1e-9;
 
 /// Directions of an impact and what unit impulses along them change.
-struct Point {
-    forces: [Vec<f64>; 2],
+pub(super) struct Point {
+    pub(super) forces: [Vec<f64>; 2],
     rates: [Vec<f64>; 2],
-    changes: [Vec<f64>; 2],
+    pub(super) changes: [Vec<f64>; 2],
     mass: [[f64; 2]; 2],
 }
 
@@ -51,7 +51,8 @@ impl Integration {
             if motion.reduced.inputs.contacts[contact].phase == Phase::Contact {
                 self.settle(motion, AT_REST, time)?;
             } else {
-                self.impact(motion, contact, time, round)?;
+                let reading = motion.reading(contact);
+                self.impact(motion, contact, &reading, time, round)?;
             }
             if round > 2 * MANY {
                 return Err(Failure::Singular);
@@ -63,7 +64,7 @@ impl Integration {
     /// Journals that touch their bearings with speeds below `slow` lose what brings them nearer, all at once, and of those
     /// that stay the ones that press follow: with p, N ≥ 0 their impulses and normal forces, δ̇ = v − W p ≤ 0 and then
     /// δ̈ = b − W N − W_t T(N) ≤ 0, in each pair one of the two zero.
-    fn settle(&mut self, motion: &mut Motion, slow: f64, time: f64) -> Result<(), Failure> {
+    pub(super) fn settle(&mut self, motion: &mut Motion, slow: f64, time: f64) -> Result<(), Failure> {
         let were = motion.followers();
         self.go_on_as(motion, &vec![false; were.len()], time)?;
         let contacts: Vec<usize> =
@@ -104,43 +105,46 @@ impl Integration {
         let rubbed = DMatrix::from_fn(size, size, |i, j| {
             mass[(i, j)] + ratios[j] * dot(&points[i].forces[0], &points[j].changes[1])
         });
+        let jam = Jam { were: &were, contacts: &contacts, points: &points };
         let Some((presses, _)) = complementary(&rubbed, &free) else {
-            self.jammed = contacts.into_iter().filter(|&contact| rubbing(motion, contact) != 0.0).collect();
-            return Err(Failure::Singular);
+            return self.unjam(motion, &jam, 0.0, time);
         };
         let mut following = vec![false; were.len()];
-        for (&contact, &presses) in contacts.iter().zip(&presses) {
-            following[contact] = presses;
-            if presses && motion.reduced.inputs.contacts[contact].phase == Phase::Flight {
-                let (reading, sums) = (motion.reading(contact), self.sums(motion, contact));
-                let angle = motion.contact_angle(contact, &reading);
-                self.histories[contact].begin(time, &reading, sums, angle);
-            }
+        contacts.iter().zip(&presses).for_each(|(&contact, &presses)| following[contact] = presses);
+        match self.go_on(motion, &following, time) {
+            // These forces answer the motion, but do not come of those without friction.
+            Err(Failure::Locked { .. }) => self.unjam(motion, &jam, 0.0, time),
+            gone => gone,
         }
-        self.go_on(motion, &following, time)
     }
 
     /// Other followers, from the position and velocities at hand; those that were and are not any more end their episodes.
-    fn go_on(&mut self, motion: &mut Motion, following: &[bool], time: f64) -> Result<(), Failure> {
+    pub(super) fn go_on(&mut self, motion: &mut Motion, following: &[bool], time: f64) -> Result<(), Failure> {
+        self.go_on_as(motion, following, time)?;
         for (contact, &follows) in following.iter().enumerate() {
-            let memory = &motion.reduced.inputs.contacts[contact];
             if matches!(motion.system().contacts[contact].surface, Surface::Compliant(_)) {
                 continue;
             }
-            if memory.phase == Phase::Contact && !follows {
-                let (reading, sums) = (motion.reading(contact), self.sums(motion, contact));
-                self.histories[contact].rest(time, &reading, sums);
-                self.histories[contact].end();
-                motion.reduced.inputs.contacts[contact] = Contact::default();
-            } else if follows {
-                motion.reduced.inputs.contacts[contact].phase = Phase::Contact;
+            let (reading, sums) = (motion.reading(contact), self.sums(motion, contact));
+            let history = &mut self.histories[contact];
+            match (motion.reduced.inputs.contacts[contact].phase == Phase::Contact, follows) {
+                (true, false) => {
+                    history.rest(time, &reading, sums);
+                    history.end();
+                    motion.reduced.inputs.contacts[contact] = Contact::default();
+                }
+                (false, true) => {
+                    history.begin(time, &reading, sums, motion.contact_angle(contact, &reading));
+                    motion.reduced.inputs.contacts[contact].phase = Phase::Contact;
+                }
+                (true, true) | (false, false) => {}
             }
         }
-        self.go_on_as(motion, following, time)
+        Ok(())
     }
 
     /// The equations with these followers.
-    fn go_on_as(&mut self, motion: &mut Motion, following: &[bool], time: f64) -> Result<(), Failure> {
+    pub(super) fn go_on_as(&mut self, motion: &mut Motion, following: &[bool], time: f64) -> Result<(), Failure> {
         let tail = self.y.split_off(2 * motion.reduced.freedom());
         if let Err(failure) = motion.follow(following, time) {
             if let Failure::Locked { .. } = failure {
@@ -155,33 +159,41 @@ impl Integration {
         motion.evaluate(time, &self.y)
     }
 
-    fn impact(&mut self, motion: &mut Motion, contact: usize, time: f64, round: usize) -> Result<(), Failure> {
+    /// An impact of `contact`, which is in flight, with the velocities of `reading`.
+    pub(super) fn impact(
+        &mut self,
+        motion: &mut Motion,
+        contact: usize,
+        reading: &Reading,
+        time: f64,
+        round: usize,
+    ) -> Result<(), Failure> {
         let system = motion.system();
         let journal = &system.contacts[contact];
         let Surface::Rigid(rigid) = journal.surface else { return Ok(()) };
-        let reading = motion.reading(contact);
-        let point = Point::new(motion, contact, &reading);
+        let point = Point::new(motion, contact, reading);
         let plastic = Rigid { restitution: 0.0, ..rigid };
         let law = if round >= MANY { plastic } else { rigid };
         let start = self.sums(motion, contact);
-        let angle = motion.contact_angle(contact, &reading);
+        let angle = motion.contact_angle(contact, reading);
         let height = self.solver.rtol.max(LOWEST) * journal.clearance;
-        let strike = self.strike(motion, contact, &point, &law, &reading)?;
+        let strike = self.strike(motion, contact, &point, &law, reading)?;
         // Where it comes back at once, it stays.
         let before = self.y.clone();
         point.apply(&mut self.y, strike.impulse);
-        motion.evaluate(time, &self.y)?;
+        // Followers that jam at the new velocities are free again before it goes on.
+        let jams = !answered(motion.evaluate(time, &self.y))?;
         let after = motion.reading(contact);
-        let fall = approach_acceleration(motion, contact, &point);
+        let fall = if jams { 0.0 } else { approach_acceleration(motion, contact, &point) };
         let stays = round >= MANY || (fall > 0.0 && after.rate * after.rate < 2.0 * fall * height);
-        self.histories[contact].begin(time, &reading, start, angle);
+        self.histories[contact].begin(time, reading, start, angle);
         let mut strike = strike;
         if stays || strike.parts {
             self.y = before;
             motion.evaluate(time, &self.y)?;
         }
         if stays {
-            strike = self.strike(motion, contact, &point, &plastic, &reading)?;
+            strike = self.strike(motion, contact, &point, &plastic, reading)?;
         }
         if strike.parts {
             let restitution = if stays { 0.0 } else { law.restitution };
@@ -189,7 +201,7 @@ impl Integration {
         } else {
             if stays {
                 point.apply(&mut self.y, strike.impulse);
-                motion.evaluate(time, &self.y)?;
+                answered(motion.evaluate(time, &self.y))?;
             }
             let (sums, component) = (motion.dissipated(contact), motion.work());
             self.y[sums] += strike.loss;
@@ -205,7 +217,7 @@ impl Integration {
             self.histories[contact].rest(time, &after, sums);
             self.histories[contact].end();
         }
-        if stays || strike.parts {
+        if stays || strike.parts || jams {
             let slow = if stays { (2.0 * fall.max(0.0) * height).sqrt().max(AT_REST) } else { AT_REST };
             self.settle(motion, slow, time)?;
             if motion.followers()[contact] {
@@ -215,7 +227,8 @@ impl Integration {
         Ok(())
     }
 
-    /// Impulses of an impact and the energy that it takes [N·s, J], and whether a follower would be pulled by them.
+    /// Impulses of an impact and the energy that it takes [N·s, J], and whether a follower would be pulled by them;
+    /// where there are none against the followers, their direction.
     fn strike(
         &mut self,
         motion: &mut Motion,
@@ -227,7 +240,9 @@ impl Integration {
         let velocity = [-reading.rate, reading.sliding];
         let found = resolve(point.mass, velocity, law.restitution, law.friction, law.sense);
         if found.wedged {
-            return Err(Failure::Singular);
+            // Nothing can move between the followers, or friction holds it there.
+            let ratio = -law.friction * if reading.sliding == 0.0 { 0.0 } else { reading.sliding.signum() };
+            return Ok(Strike { impulse: [1.0, ratio], loss: 0.0, parts: true });
         }
         let (impulse, change) = (point.sum(&point.forces, found.impulse), point.sum(&point.changes, found.impulse));
         let pulled = motion.pulled(&impulse, &change);
@@ -251,11 +266,6 @@ impl Integration {
         let size = contacts.len();
         let points: Vec<Point> =
             contacts.iter().map(|&contact| Point::new(motion, contact, &motion.reading(contact))).collect();
-        let directions: Vec<[f64; 2]> =
-            contacts.iter().map(|&other| [1.0, if other == contact { ratio } else { 0.0 }]).collect();
-        let changes: Vec<Vec<f64>> =
-            points.iter().zip(&directions).map(|(point, &way)| point.sum(&point.changes, way)).collect();
-        let mass = DMatrix::from_fn(size, size, |i, j| dot(&points[i].forces[0], &changes[j]));
         let wanted: Vec<f64> = contacts
             .iter()
             .map(|&other| {
@@ -263,24 +273,49 @@ impl Integration {
                 if other == contact { (1.0 + restitution) * rate } else { rate }
             })
             .collect();
-        let (_, impulses) = complementary(&mass, &wanted).ok_or(Failure::Singular)?;
-        // Halfway between the velocities before and after: work is impulse times that.
-        let mut halfway = motion.reduced.v.clone();
-        for (change, impulse) in changes.iter().zip(&impulses) {
-            halfway.iter_mut().zip(change).for_each(|(v, change)| *v += 0.5 * impulse * change);
-        }
-        for (k, point) in points.iter().enumerate() {
-            let pushed = directions[k].map(|part| part * impulses[k]);
-            let force = point.sum(&point.forces, pushed);
-            let work = motion.impulsive_work(&force, &point.sum(&point.changes, pushed));
-            let (sums, component) = (motion.dissipated(contacts[k]), motion.work());
-            self.y[sums] -= dot(&force, &halfway);
-            self.y[sums + 1] += impulses[k];
-            self.y[component] += work;
-            point.apply(&mut self.y, pushed);
-        }
+        // With friction there may be no such impulses, or some that give energy; without there are always some that take it.
+        let pushes = [ratio, 0.0].into_iter().find_map(|ratio| {
+            let directions: Vec<[f64; 2]> =
+                contacts.iter().map(|&other| [1.0, if other == contact { ratio } else { 0.0 }]).collect();
+            let changes: Vec<Vec<f64>> =
+                points.iter().zip(&directions).map(|(point, &way)| point.sum(&point.changes, way)).collect();
+            let mass = DMatrix::from_fn(size, size, |i, j| dot(&points[i].forces[0], &changes[j]));
+            let (_, impulses) = complementary(&mass, &wanted)?;
+            let pushes: Vec<[f64; 2]> =
+                directions.iter().zip(&impulses).map(|(way, impulse)| way.map(|part| part * impulse)).collect();
+            let halfway = halfway(motion, &points, &pushes);
+            let work: f64 =
+                points.iter().zip(&pushes).map(|(point, &push)| dot(&point.sum(&point.forces, push), &halfway)).sum();
+            (ratio == 0.0 || work <= 0.0).then_some(pushes)
+        });
+        let pushes = pushes.ok_or(Failure::Singular)?;
+        self.push_all(motion, &contacts, &points, &pushes);
         motion.evaluate(time, &self.y)
     }
+
+    /// Applies impulses at several contacts at once, none of which follows.
+    pub(super) fn push_all(&mut self, motion: &mut Motion, contacts: &[usize], points: &[Point], pushes: &[[f64; 2]]) {
+        let halfway = halfway(motion, points, pushes);
+        for ((&contact, point), &push) in contacts.iter().zip(points).zip(pushes) {
+            let force = point.sum(&point.forces, push);
+            let work = motion.impulsive_work(&force, &point.sum(&point.changes, push));
+            let (sums, component) = (motion.dissipated(contact), motion.work());
+            self.y[sums] -= dot(&force, &halfway);
+            self.y[sums + 1] += push[0];
+            self.y[component] += work;
+            point.apply(&mut self.y, push);
+        }
+    }
+}
+
+/// Velocities halfway between those before and after these impulses: work is impulse times that.
+fn halfway(motion: &Motion, points: &[Point], pushes: &[[f64; 2]]) -> Vec<f64> {
+    let mut halfway = motion.reduced.v.clone();
+    for (point, &push) in points.iter().zip(pushes) {
+        let change = point.sum(&point.changes, push);
+        halfway.iter_mut().zip(&change).for_each(|(v, change)| *v += 0.5 * change);
+    }
+    halfway
 }
 
 /// What an impact does.
@@ -292,8 +327,16 @@ struct Strike {
     parts: bool,
 }
 
+/// Whether forces answer the motion, where nothing else is wrong.
+fn answered(evaluated: Result<(), Failure>) -> Result<bool, Failure> {
+    match evaluated {
+        Err(Failure::Locked { .. }) => Ok(false),
+        other => other.map(|()| true),
+    }
+}
+
 /// T/N of a rigid journal that begins to follow its bearing.
-fn rubbing(motion: &Motion, contact: usize) -> f64 {
+pub(super) fn rubbing(motion: &Motion, contact: usize) -> f64 {
     match &motion.system().contacts[contact].surface {
         Surface::Rigid(rigid) => rigid.friction_law().force(motion.reading(contact).sliding, 1.0, 0.0).force,
         Surface::Compliant(_) => 0.0,
@@ -307,36 +350,6 @@ fn touches(motion: &Motion, contact: usize, slow: f64) -> bool {
     matches!(journal.surface, Surface::Rigid(_))
         && reading.penetration > -LOWEST * journal.clearance
         && reading.rate.abs() <= slow
-}
-
-/// x ≥ 0 with b − W x ≤ 0, complementary: which are not zero, and x; none where there is no solution.
-///
-/// Principal pivoting by least index (Murty 1974), which ends for a positive definite W, in fewer rounds than there are
-/// choices. Friction can make W another one, and that without a solution (Painlevé 1895).
-fn complementary(mass: &DMatrix<f64>, free: &[f64]) -> Option<(Vec<bool>, Vec<f64>)> {
-    let size = free.len();
-    let mut pressing = vec![false; size];
-    let scale = free.iter().filter(|b| b.is_finite()).fold(0.0, |most: f64, b| most.max(b.abs()));
-    for _ in 0..1usize << size.min(12) {
-        let chosen: Vec<usize> = (0..size).filter(|&k| pressing[k]).collect();
-        let part = DMatrix::from_fn(chosen.len(), chosen.len(), |i, j| mass[(chosen[i], chosen[j])]);
-        let right = DVector::from_fn(chosen.len(), |i, _| free[chosen[i]]);
-        let forces = if chosen.is_empty() { right } else { part.lu().solve(&right)? };
-        let wrong = (0..size).find(|&k| match chosen.iter().position(|&other| other == k) {
-            Some(place) => forces[place] < 0.0,
-            None => {
-                let held: f64 = chosen.iter().zip(forces.iter()).map(|(&other, force)| mass[(k, other)] * force).sum();
-                free[k] - held > EVEN * scale
-            }
-        });
-        let Some(wrong) = wrong else {
-            let mut x = vec![0.0; size];
-            chosen.iter().zip(forces.iter()).for_each(|(&k, force)| x[k] = *force);
-            return Some((pressing, x));
-        };
-        pressing[wrong] = !pressing[wrong];
-    }
-    None
 }
 
 /// A rigid contact whose guard is positive.
@@ -360,7 +373,7 @@ fn approach_acceleration(motion: &Motion, contact: usize, point: &Point) -> f64 
 }
 
 impl Point {
-    fn new(motion: &Motion, contact: usize, reading: &Reading) -> Self {
+    pub(super) fn new(motion: &Motion, contact: usize, reading: &Reading) -> Self {
         let system = motion.system();
         let reduced = &motion.reduced;
         let at = reduced.driven.evaluation.instant(&reduced.inputs);
@@ -386,7 +399,7 @@ impl Point {
     }
 
     /// What impulses make of `forces` or `changes`.
-    fn sum(&self, parts: &[Vec<f64>; 2], [normal, tangential]: [f64; 2]) -> Vec<f64> {
+    pub(super) fn sum(&self, parts: &[Vec<f64>; 2], [normal, tangential]: [f64; 2]) -> Vec<f64> {
         parts[0].iter().zip(&parts[1]).map(|(n, t)| normal * n + tangential * t).collect()
     }
 

@@ -28,7 +28,7 @@ const LOOKS: usize = 8;
 /// A step with an event is taken again to this part of it beyond the event, which is then near its end.
 const BEYOND: f64 = 1e-3;
 /// Determinant of the friction's equations, 1 without friction, below which a joint is about to lock itself.
-const TIGHT: f64 = 0.1;
+pub(super) const TIGHT: f64 = 0.1;
 /// How often a step is halved until all within it can be evaluated.
 const HALVINGS: usize = 20;
 /// Deepest penetration at the start, in parts of the clearance.
@@ -53,6 +53,8 @@ pub struct Integration {
     released: Vec<f64>,
     /// Rigid contacts, by number, that rub so that no normal forces answer the motion.
     pub(super) jammed: Vec<usize>,
+    /// When they did last, and how often then.
+    pub(super) last_jam: (f64, usize),
 }
 
 /// Why the loop ended before its time.
@@ -86,6 +88,7 @@ impl Integration {
             last: vec![Reading::default(); contacts],
             released: vec![0.0; contacts],
             jammed: Vec::new(),
+            last_jam: (f64::NEG_INFINITY, 0),
         };
         for (contact, journal) in system.contacts.iter().enumerate() {
             let reading = motion.reading(contact);
@@ -163,8 +166,8 @@ impl Integration {
         let names: Vec<&str> = joints.map(|joint| joint.name.as_str()).collect();
         let jammed: Vec<String> = self.jammed.iter().map(|&contact| format!("\"{}\"", names[contact])).collect();
         format!(
-            "at t = {now} s the journals that slide on their bearings jam in {} {}: with this friction no normal forces answer the \
-             motion (Painlevé's paradox); a smaller coefficient, or the model \"contact\", goes on; the rows until there are kept",
+            "at t = {now} s the journals that slide on their bearings jam in {} {}: with this friction neither normal forces nor \
+             impulses answer the motion (Painlevé's paradox); a smaller coefficient, or the model \"contact\", goes on; the rows until there are kept",
             if jammed.len() == 1 { "joint" } else { "joints" },
             jammed.join(", ")
         )
@@ -178,19 +181,30 @@ impl Integration {
             self.change(motion, time)?;
         }
         if motion.reduced.repin().map_err(|_: Failure| StepFailure::Refused { t: now })? {
-            let step = (self.stepper.t() - self.stepper.previous()).abs();
             self.y.copy_from_slice(self.stepper.y());
-            let mut y = std::mem::take(&mut self.y);
-            motion.state(&mut y);
-            let restarted = self.restart(motion, now, &y, (step > 0.0).then_some(step));
-            self.y = y;
-            restarted?;
+            motion.state(&mut self.y);
+            self.begin_again(motion, now)?;
         }
-        self.stepper.step(motion, self.end)?;
+        if let Err(failure) = self.stepper.step(motion, self.end) {
+            if !self.loosen(motion, now) {
+                return Err(failure);
+            }
+            self.begin_again(motion, now)?;
+            self.stepper.step(motion, self.end)?;
+        }
         if !self.histories.is_empty() {
             self.look_closely(motion).map_err(refused)?;
         }
         Ok(())
+    }
+
+    /// A new stepper at (time, y), as long steps as the last one was.
+    fn begin_again(&mut self, motion: &mut Motion, time: f64) -> Result<(), StepFailure> {
+        let y = std::mem::take(&mut self.y);
+        let step = (self.stepper.t() - self.stepper.previous()).abs();
+        let restarted = self.restart(motion, time, &y, (step > 0.0).then_some(step));
+        self.y = y;
+        restarted
     }
 
     /// Looks at the last step; where something within it can't be evaluated, at the first part of it alone, which the step
@@ -343,11 +357,7 @@ impl Integration {
             }
             self.last[contact] = motion.reading(contact);
         }
-        let y = std::mem::take(&mut self.y);
-        let step = self.stepper.t() - self.stepper.previous();
-        let restarted = self.restart(motion, time, &y, (step > 0.0).then_some(step));
-        self.y = y;
-        restarted
+        self.begin_again(motion, time)
     }
 
     /// The point of an output: y and the mechanism at `time`, within the last step.

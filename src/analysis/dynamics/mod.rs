@@ -10,6 +10,7 @@
 mod contact;
 mod impact;
 mod integration;
+mod jam;
 mod locate;
 pub mod motion;
 mod outputs;

@@ -154,6 +154,11 @@ impl<'s> Motion<'s> {
         self.following.iter().map(Option::is_some).collect()
     }
 
+    /// Whether a contact is one of rigid surfaces with friction.
+    pub fn rubs(&self, contact: usize) -> bool {
+        matches!(&self.system().contacts[contact].surface, Surface::Rigid(rigid) if rigid.friction > 0.0)
+    }
+
     /// First row of a contact that follows its bearing.
     pub fn following_row(&self, contact: usize) -> Option<usize> {
         self.following[contact]
@@ -190,7 +195,7 @@ impl<'s> Motion<'s> {
         let mut next = self.memories.len();
         for (contact, (_, block)) in rows.enumerate() {
             self.following[contact] = following[contact].then_some(block.row);
-            let rubs = matches!(&system.contacts[contact].surface, Surface::Rigid(rigid) if rigid.friction > 0.0);
+            let rubs = self.rubs(contact);
             self.rubbing[contact] = (following[contact] && rubs).then_some(next);
             next += usize::from(following[contact] && rubs);
         }

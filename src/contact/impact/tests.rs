@@ -163,6 +163,23 @@ fn small_steps_of_the_impulse_give_the_same() {
     assert_eq!(slips.len(), 5, "{slips:?}");
 }
 
+/// Without approach a jam is an impact all the same, the limit of one with a vanishing approach; without a jam there is none.
+#[test]
+fn a_jam_needs_no_approach() {
+    let mass = [[0.2, 0.5], [0.5, 1.5]];
+    let found = resolve(mass, [0.0, 2.0], 0.5, 1.0, Sense::Energetic);
+    assert_eq!((found.slip, found.wedged), (Slip::Stops, false));
+    // Sliding stops at p = 2 with v_n = −0.3·2; the rate of v_n is 1/30 from there, and the work until p_c = 2 + 0.6·30
+    // is 0.5·0.6·2 + 0.5·0.6·18, of which a quarter comes back.
+    near(found.velocity[0], (2.0 / 30.0 * 0.25 * (0.6 + 5.4_f64)).sqrt(), 1.0);
+    assert_eq!(found.velocity[1], 0.0);
+    let limit = resolve(mass, [-1e-9, 2.0], 0.5, 1.0, Sense::Energetic);
+    assert!((limit.impulse[0] - found.impulse[0]).abs() < 1e-7, "{limit:?} {found:?}");
+    for velocity in [[0.0, -2.0], [1e-9, 2.0], [0.0, 0.0]] {
+        assert_eq!(resolve(mass, velocity, 0.5, 1.0, Sense::Energetic).impulse, [0.0; 2], "{velocity:?}");
+    }
+}
+
 #[test]
 fn a_jam_ends_by_sticking() {
     // μ m_nt > m_nn: the rod's end digs in.
