@@ -1106,6 +1106,15 @@ const CASES: &[Case] = &[
         ],
     },
     Case {
+        what: "set: a list and an object that are none",
+        edits: &[],
+        sets: &["gravity=[0, -9.81", r#"joints.b.clearance={"model": "ideal", "radius": .5}"#],
+        complaints: &[
+            r#"--set gravity=[0, -9.81: not JSON at character 10 of the value: it ends where "," or "]" is expected; it seems cut short (a list or an object is given as JSON: [0, -9.81] or {"type": "fixed"})"#,
+            r#"--set joints.b.clearance={"model": "ideal", "radius": .5}: not JSON at character 30 of the value: '.' where a value is expected (a number begins with a digit or a minus sign, as in 0.5)"#,
+        ],
+    },
+    Case {
         what: "set: what it makes wrong elsewhere",
         edits: &[],
         sets: &["bodies.crank.points={}"],
@@ -1168,13 +1177,10 @@ fn what_is_no_model_at_all_gets_one_clear_complaint() {
         (b"\xEF\xBB\xBF", "the file is empty (a model is a JSON object)"),
         (b"[]", "line 1, column 1: a model is an object, { \u{2026} }, not a list"),
         (b"\"four-bar\"", "line 1, column 1: a model is an object, { \u{2026} }, not text"),
-        (
-            b"{\n  \"a\": 1",
-            "line 2, column 9: not JSON: the file ends where \",\" or \"}\" is expected; it seems cut short",
-        ),
-        (b"{\n  \"a\":", "line 2, column 7: not JSON: the file ends where a value is expected; it seems cut short"),
-        (b"{ \"a\": \"b", "line 1, column 8: not JSON: the text has no closing quote; the file seems cut short"),
-        (b"{} {}", "line 1, column 4: not JSON: '{' where the end of the file is expected"),
+        (b"{\n  \"a\": 1", "line 2, column 9: not JSON: it ends where \",\" or \"}\" is expected; it seems cut short"),
+        (b"{\n  \"a\":", "line 2, column 7: not JSON: it ends where a value is expected; it seems cut short"),
+        (b"{ \"a\": \"b", "line 1, column 8: not JSON: the text has no closing quote; it seems cut short"),
+        (b"{} {}", "line 1, column 4: not JSON: '{' where the end is expected"),
         (b"{ \"a\": 1e999 }", "line 1, column 8: not JSON: 1e999: the number is too large for a double"),
         (
             b"{ \"\xc3\xa9\": 'x' }",

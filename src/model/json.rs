@@ -46,7 +46,7 @@ pub fn parse(text: &str) -> Result<(Node, Vec<Repeat>), Fault> {
     let node = parser.value()?;
     parser.skip_blanks();
     if parser.at < text.len() {
-        return Err(parser.unexpected("the end of the file"));
+        return Err(parser.unexpected("the end"));
     }
     Ok((node, parser.repeats))
 }
@@ -84,7 +84,7 @@ impl Parser<'_> {
     /// Says what stands here instead of what is `wanted`.
     fn unexpected(&self, wanted: &str) -> Fault {
         let Some(found) = self.text[self.at..].chars().next() else {
-            return self.fault(self.at, format!("the file ends where {wanted} is expected; it seems cut short"));
+            return self.fault(self.at, format!("it ends where {wanted} is expected; it seems cut short"));
         };
         let hint = match found {
             '/' | '#' => Some("JSON has no comments; use \"note\""),
@@ -287,7 +287,7 @@ impl Parser<'_> {
                         self.fault(self.at, "a control character in a text; write a tab as \\t, another as \\u00XX")
                     );
                 }
-                None => return Err(self.fault(start, "the text has no closing quote; the file seems cut short")),
+                None => return Err(self.fault(start, "the text has no closing quote; it seems cut short")),
             }
         }
     }

@@ -4,6 +4,7 @@ use super::json;
 use super::node::{self, Kind, Member, Node, Origin};
 use super::source::Source;
 use crate::error::Complaint;
+use serde_json::Number;
 
 /// A step of a path.
 #[derive(Debug, PartialEq)]
@@ -36,10 +37,22 @@ fn apply_one(root: &mut Node, set: &str, index: usize) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// JSON where it is JSON, else a string.
+/// JSON where it is JSON, else a string; but what begins as a list or an object must be one.
 fn value(text: &str, index: usize) -> Result<Node, Refusal> {
-    let Ok((node, repeats)) = json::parse(text) else {
-        return Ok(Node { kind: Kind::String(text.to_owned()), origin: Origin::Set(index) });
+    let (node, repeats) = match json::parse(text) {
+        Ok(parsed) => parsed,
+        Err(fault) if text.trim_start().starts_with(['[', '{']) => {
+            let column = text[..fault.at].chars().count() + 1;
+            let hint =
+                fault.hint.unwrap_or("a list or an object is given as JSON: [0, -9.81] or {\"type\": \"fixed\"}");
+            return Err((format!("not JSON at character {column} of the value: {}", fault.message), hint.to_owned()));
+        }
+        // In a shell .5 is a number, though not in JSON.
+        Err(_) => {
+            let number = text.trim().parse::<f64>().ok().and_then(Number::from_f64);
+            let kind = number.map_or_else(|| Kind::String(text.to_owned()), Kind::Number);
+            return Ok(Node { kind, origin: Origin::Set(index) });
+        }
     };
     match repeats.first() {
         Some(repeat) => Err((format!("the key {:?} is given twice", repeat.key), "keep one of them".into())),
@@ -106,4 +119,20 @@ fn reach<'a>(root: &'a mut Node, steps: &[Step<'_>], index: usize) -> Result<&'a
         }
     }
     Ok(node)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_as_a_shell_has_them_are_numbers() {
+        for (text, number) in [("0.5", 0.5), (".5", 0.5), ("+3", 3.0), ("-.81", -0.81), ("2.", 2.0)] {
+            let kind = value(text, 0).expect("a value").kind;
+            assert!(matches!(&kind, Kind::Number(found) if found.as_f64() == Some(number)), "{text}: {kind:?}");
+        }
+        for text in ["10 um", "inf", "nan", "crank.A", ""] {
+            assert_eq!(value(text, 0).expect("a value").kind, Kind::String(text.into()));
+        }
+    }
 }
