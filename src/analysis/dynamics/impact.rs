@@ -26,7 +26,7 @@ use nalgebra::DMatrix;
 
 /// Least height of a rebound, in parts of the clearance, whatever the tolerance.
 const LOWEST: f64 = 1e-9;
-/// Impacts at one instant after which the rest are taken as plastic.
+/// Impacts one after the other at one instant after which the rest are one, without rebound.
 const MANY: usize = 100;
 /// Impulse by which a follower may be pulled, in parts of the impact's, before it lets go.
 const PULLED: f64 = 1e-9;
@@ -48,13 +48,17 @@ impl Integration {
     pub(super) fn collide(&mut self, motion: &mut Motion, time: f64) -> Result<(), Failure> {
         for round in 0.. {
             let Some(contact) = acting(motion) else { break };
-            if motion.reduced.inputs.contacts[contact].phase == Phase::Contact {
+            if round >= MANY {
+                self.settle(motion, f64::INFINITY, time)?;
+            } else if motion.reduced.inputs.contacts[contact].phase == Phase::Contact {
                 self.settle(motion, AT_REST, time)?;
             } else {
                 let reading = motion.reading(contact);
-                self.impact(motion, contact, &reading, time, round)?;
+                self.impact(motion, contact, &reading, time)?;
             }
             if round > 2 * MANY {
+                let touching = (0..self.histories.len()).filter(|&contact| touches(motion, contact, f64::INFINITY));
+                self.jammed = touching.filter(|&contact| motion.rubs(contact)).collect();
                 return Err(Failure::Singular);
             }
         }
@@ -166,18 +170,16 @@ impl Integration {
         contact: usize,
         reading: &Reading,
         time: f64,
-        round: usize,
     ) -> Result<(), Failure> {
         let system = motion.system();
         let journal = &system.contacts[contact];
         let Surface::Rigid(rigid) = journal.surface else { return Ok(()) };
         let point = Point::new(motion, contact, reading);
         let plastic = Rigid { restitution: 0.0, ..rigid };
-        let law = if round >= MANY { plastic } else { rigid };
         let start = self.sums(motion, contact);
         let angle = motion.contact_angle(contact, reading);
         let height = self.solver.rtol.max(LOWEST) * journal.clearance;
-        let strike = self.strike(motion, contact, &point, &law, reading)?;
+        let strike = self.strike(motion, contact, &point, &rigid, reading)?;
         // Where it comes back at once, it stays.
         let before = self.y.clone();
         point.apply(&mut self.y, strike.impulse);
@@ -185,7 +187,7 @@ impl Integration {
         let jams = !answered(motion.evaluate(time, &self.y))?;
         let after = motion.reading(contact);
         let fall = if jams { 0.0 } else { approach_acceleration(motion, contact, &point) };
-        let stays = round >= MANY || (fall > 0.0 && after.rate * after.rate < 2.0 * fall * height);
+        let stays = fall > 0.0 && after.rate * after.rate < 2.0 * fall * height;
         self.histories[contact].begin(time, reading, start, angle);
         let mut strike = strike;
         if stays || strike.parts {
@@ -196,7 +198,7 @@ impl Integration {
             strike = self.strike(motion, contact, &point, &plastic, reading)?;
         }
         if strike.parts {
-            let restitution = if stays { 0.0 } else { law.restitution };
+            let restitution = if stays { 0.0 } else { rigid.restitution };
             self.strike_all(motion, contact, restitution, strike.impulse[1] / strike.impulse[0], time)?;
         } else {
             if stays {

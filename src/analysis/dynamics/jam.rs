@@ -75,7 +75,7 @@ impl Integration {
             self.go_on(motion, &vec![false; jam.were.len()], time)?;
             let mut reading = motion.reading(leader);
             reading.rate = 0.0;
-            self.impact(motion, leader, &reading, time, 0)?;
+            self.impact(motion, leader, &reading, time)?;
         } else {
             let pushes = way.come_to_rest(motion, jam).ok_or(Failure::Singular)?;
             self.push_all(motion, contacts, jam.points, &pushes);
@@ -191,18 +191,33 @@ impl Way {
         stops.min_by(f64::total_cmp).map(|size| self.pushes(size))
     }
 
-    /// Pushes after which the contacts that press come no nearer, and those that stick creep so that their friction is ρ.
+    /// Pushes after which no contact comes nearer, and those that stick creep so that their friction is ρ.
     fn come_to_rest(&self, motion: &Motion, jam: &Jam) -> Option<Vec<[f64; 2]>> {
-        let press: Vec<usize> = (0..self.sizes.len()).filter(|&k| self.sizes[k] > 0.0).collect();
-        let sticks: Vec<Option<Rigid>> = jam.contacts.iter().map(|&contact| sticking(motion, contact)).collect();
-        // Contact, way of its push, ρ where friction goes with it; way of its velocity, and the change of that.
+        let mut press: Vec<bool> = self.sizes.iter().map(|&size| size > 0.0).collect();
+        loop {
+            let pushes = self.rest(motion, jam, &press)?;
+            let nearer = (0..press.len()).find(|&k| {
+                let pushed = jam.points.iter().zip(&pushes);
+                let change: f64 =
+                    pushed.map(|(point, &push)| dot(&jam.points[k].forces[0], &point.sum(&point.changes, push))).sum();
+                !press[k] && motion.reading(jam.contacts[k]).rate - change > AT_REST
+            });
+            let Some(nearer) = nearer else { return Some(pushes) };
+            press[nearer] = true;
+        }
+    }
+
+    /// Pushes at these contacts after which they come no nearer.
+    fn rest(&self, motion: &Motion, jam: &Jam, press: &[bool]) -> Option<Vec<[f64; 2]>> {
+        // Contact and its push; contact, way of its velocity, and the change of that.
         let mut unknowns: Vec<(usize, [f64; 2])> = Vec::new();
         let mut wanted: Vec<(usize, usize, f64)> = Vec::new();
-        for &k in &press {
+        for k in (0..press.len()).filter(|&k| press[k]) {
             let reading = motion.reading(jam.contacts[k]);
-            unknowns.push((k, [1.0, if sticks[k].is_some() { 0.0 } else { self.ratios[k] }]));
+            let sticks = sticking(motion, jam.contacts[k]);
+            unknowns.push((k, [1.0, if sticks.is_some() { 0.0 } else { self.ratios[k] }]));
             wanted.push((k, 0, reading.rate));
-            if let Some(rigid) = sticks[k] {
+            if let Some(rigid) = sticks {
                 let creeping = -self.ratios[k] / rigid.friction * rigid.threshold;
                 unknowns.push((k, [0.0, 1.0]));
                 wanted.push((k, 1, creeping - reading.sliding));
@@ -215,7 +230,7 @@ impl Way {
         });
         let found =
             mass.lu().solve(&DVector::from_iterator(wanted.len(), wanted.iter().map(|&(_, _, change)| change)))?;
-        let mut pushes = vec![[0.0; 2]; self.sizes.len()];
+        let mut pushes = vec![[0.0; 2]; press.len()];
         for (&(k, push), size) in unknowns.iter().zip(found.iter()) {
             pushes[k] = [pushes[k][0] + size * push[0], pushes[k][1] + size * push[1]];
         }
