@@ -1,5 +1,6 @@
 //! What `run` tells: how it went, and the numbers that are asked for first.
 
+use std::collections::HashMap;
 use std::f64::consts::PI;
 
 use super::open::Opened;
@@ -153,11 +154,15 @@ fn efforts(trajectory: &Trajectory) -> Vec<String> {
 fn forces(trajectory: &Trajectory) -> Vec<String> {
     let time = trajectory.column_index("time");
     let mut peaks: Vec<(f64, f64, &str)> = Vec::new();
-    for (fx, column) in trajectory.columns.iter().enumerate() {
-        let Some(joint) = column.name.strip_prefix("joint.").and_then(|name| name.strip_suffix(".fx")) else {
-            continue;
+    let named =
+        |ending: &'static str| {
+            trajectory.columns.iter().enumerate().filter_map(move |(index, column)| {
+                Some((column.name.strip_prefix("joint.")?.strip_suffix(ending)?, index))
+            })
         };
-        let Some(fy) = trajectory.column_index(&format!("joint.{joint}.fy")) else { continue };
+    let others: HashMap<&str, usize> = named(".fy").collect();
+    for (joint, fx) in named(".fx") {
+        let Some(&fy) = others.get(joint) else { continue };
         let magnitudes = trajectory.rows().map(|row| (row[fx].hypot(row[fy]), time.map_or(f64::NAN, |time| row[time])));
         let peak = magnitudes.filter(|(force, _)| force.is_finite()).max_by(|a, b| a.0.total_cmp(&b.0));
         peaks.extend(peak.map(|(force, time)| (force, time, joint)));

@@ -4,6 +4,7 @@
 //! points in the frames of their bodies; bodies are told by their place in `bodies`, of which the first is the ground.
 
 use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
 
 use super::Fault;
 use crate::model::{ForceKind, GROUND, JointKind, Model, PointRef};
@@ -63,10 +64,11 @@ impl Drawing {
         bodies.extend(
             moving.map(|(name, body)| Shape { name: name.clone(), points: body.points.values().copied().collect() }),
         );
-        let place = |name: &str| bodies.iter().position(|body| body.name == name);
+        let places: HashMap<&str, usize> =
+            bodies.iter().enumerate().map(|(place, body)| (body.name.as_str(), place)).collect();
         // The loader has seen to it that points exist.
         let point = |at: &PointRef| -> Option<BodyPoint> {
-            Some((place(&at.body)?, *model.bodies.get(&at.body)?.points.get(&at.point)?))
+            Some((*places.get(at.body.as_str())?, *model.bodies.get(&at.body)?.points.get(&at.point)?))
         };
         let pair = |between: &[PointRef; 2]| Some([point(&between[0])?, point(&between[1])?]);
         let joints = model.joints.values().filter_map(|joint| {
