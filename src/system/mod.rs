@@ -10,7 +10,6 @@
 //! that list by slots worked out once ([`Selection`](crate::solve::driven)).
 
 pub mod compile;
-pub mod contact_parameters;
 mod eval;
 
 pub use eval::{Evaluation, Inputs};

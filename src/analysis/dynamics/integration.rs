@@ -2,16 +2,14 @@
 //! again from there.
 
 use super::contact::{Change, History, Sums, change, first_phase};
-use super::locate::locate;
 use super::motion::Motion;
+use super::words::{beyond_range, culprits, deep_start, describe, jam, tight};
 use crate::analysis::{Control, Stop, locked};
-use crate::element::journal::{Journal, Phase, Reading, Surface};
-use crate::error::Complaint;
-use crate::integrate::{Limits, Method, Ode, Refused, StepFailure, Stepper};
+use crate::element::journal::{Phase, Reading, Surface};
+use crate::integrate::{Limits, Method, Ode, StepFailure, Stepper};
 use crate::model::Solver;
 use crate::output::{ClearanceSums, Report, Status};
 use crate::solve::driven::Failure;
-use crate::system::Origin;
 
 /// Newton's step, by rtol, below which the equations are taken for those of its end: a hundredth of what the step's error
 /// may be.
@@ -23,14 +21,8 @@ const CONTACT_LAG: f64 = 1e-10;
 const IMPACTS: f64 = 1e-2;
 /// No less than this, which is near round-off.
 const FINEST: f64 = 1e-13;
-/// Points within a step at which guards are looked at once one of them has been positive somewhere.
-const LOOKS: usize = 8;
-/// A step with an event is taken again to this part of it beyond the event, which is then near its end.
-const BEYOND: f64 = 1e-3;
-/// Determinant of the friction's equations, 1 without friction, below which a joint is about to lock itself.
-pub(super) const TIGHT: f64 = 0.1;
 /// How often a step is halved until all within it can be evaluated.
-const HALVINGS: usize = 20;
+pub(super) const HALVINGS: usize = 20;
 /// Deepest penetration at the start, in parts of the clearance.
 const DEEPEST_START: f64 = 0.1;
 const DEEPEST_RIGID: f64 = 1e-9;
@@ -42,9 +34,9 @@ pub struct Integration {
     pub(super) stepper: Box<dyn Stepper>,
     /// Work of steppers before.
     before: [u64; 3],
-    end: f64,
+    pub(super) end: f64,
     /// Where, within the last step, a contact changes its phase.
-    pending: Option<f64>,
+    pub(super) pending: Option<f64>,
     pub(super) y: Vec<f64>,
     pub histories: Vec<History>,
     /// Readings at the end of the last piece of a step.
@@ -115,12 +107,18 @@ impl Integration {
     }
 
     /// Time up to which the motion is known.
-    fn reached(&self) -> f64 {
+    pub(super) fn reached(&self) -> f64 {
         self.pending.unwrap_or(self.stepper.t())
     }
 
     /// A new stepper at (time, y).
-    fn restart(&mut self, motion: &mut Motion, time: f64, y: &[f64], step: Option<f64>) -> Result<(), StepFailure> {
+    pub(super) fn restart(
+        &mut self,
+        motion: &mut Motion,
+        time: f64,
+        y: &[f64],
+        step: Option<f64>,
+    ) -> Result<(), StepFailure> {
         let counters = self.stepper.counters();
         for (sum, part) in self.before.iter_mut().zip([counters.steps, counters.rejected, counters.evaluations]) {
             *sum += part;
@@ -152,25 +150,13 @@ impl Integration {
                             Status::Singular,
                             format!("at t = {now} s {}; the rows until there are kept", locked(motion.system(), force)),
                         ),
-                        None if !self.jammed.is_empty() => (Status::Singular, self.jam(motion, now)),
+                        None if !self.jammed.is_empty() => (Status::Singular, jam(motion, &self.jammed, now)),
                         None => (Status::Singular, format!("{}{}", describe(failure, now), culprits(motion))),
                     },
                 });
             }
         }
         Ok(())
-    }
-
-    fn jam(&self, motion: &Motion, now: f64) -> String {
-        let joints = motion.system().joints.iter().filter(|joint| joint.contact.is_some());
-        let names: Vec<&str> = joints.map(|joint| joint.name.as_str()).collect();
-        let jammed: Vec<String> = self.jammed.iter().map(|&contact| format!("\"{}\"", names[contact])).collect();
-        format!(
-            "at t = {now} s the journals that slide on their bearings jam in {} {}: with this friction neither normal forces nor \
-             impulses answer the motion (Painlevé's paradox); a smaller coefficient, or the model \"contact\", goes on; the rows until there are kept",
-            if jammed.len() == 1 { "joint" } else { "joints" },
-            jammed.join(", ")
-        )
     }
 
     /// One step.
@@ -205,97 +191,6 @@ impl Integration {
         let restarted = self.restart(motion, time, &y, (step > 0.0).then_some(step));
         self.y = y;
         restarted
-    }
-
-    /// Looks at the last step; where something within it can't be evaluated, at the first part of it alone, which the step
-    /// then is.
-    fn look_closely(&mut self, motion: &mut Motion) -> Result<(), Refused> {
-        for _ in 0..HALVINGS {
-            if self.look(motion).is_ok() {
-                return Ok(());
-            }
-            self.halve(motion, self.stepper.t())?;
-        }
-        self.look(motion)
-    }
-
-    /// Takes the last step again, to halfway between its beginning and `time`.
-    fn halve(&mut self, motion: &mut Motion, time: f64) -> Result<(), Refused> {
-        self.pending = None;
-        let from = self.stepper.previous();
-        self.step_again(motion, from, 0.5 * (from + time)).map_err(|_| Refused)
-    }
-
-    /// y and the mechanism at a time within the last step.
-    pub(super) fn evaluate_at(&mut self, motion: &mut Motion, time: f64) -> Result<(), Refused> {
-        self.stepper.interpolate(motion, time, &mut self.y)?;
-        motion.evaluate(time, &self.y).map_err(|_| Refused)
-    }
-
-    /// Finds the first event of the last step, and tells the histories what came before it.
-    fn look(&mut self, motion: &mut Motion) -> Result<(), Refused> {
-        let (mut from, mut to) = (self.stepper.previous(), self.stepper.t());
-        if motion.passed(from, to) {
-            self.pending = self.first_event(motion, from, to)?;
-        }
-        if let Some(time) = self.pending
-            && from + (1.0 + BEYOND) * (time - from) < to
-        {
-            self.step_again(motion, from, from + (1.0 + BEYOND) * (time - from)).map_err(|_| Refused)?;
-            (from, to) = (self.stepper.previous(), self.stepper.t());
-            self.pending = self.first_event(motion, from, to)?;
-        }
-        let until = self.reached();
-        let touching = motion.reduced.inputs.contacts.iter().any(|memory| memory.phase != Phase::Flight);
-        if !touching {
-            return Ok(());
-        }
-        self.evaluate_at(motion, until)?;
-        for contact in 0..self.histories.len() {
-            let reading = motion.reading(contact);
-            if motion.reduced.inputs.contacts[contact].phase == Phase::Contact {
-                if self.peaks(motion, contact, &reading, from, until)? {
-                    self.evaluate_at(motion, until)?;
-                }
-                let sums = self.sums(motion, contact);
-                let angle = motion.contact_angle(contact, &reading);
-                self.histories[contact].go_on(&reading, sums, angle);
-            }
-            self.last[contact] = reading;
-        }
-        Ok(())
-    }
-
-    /// The last step once more, from its beginning, to `to` within it: a method's continuous extension is less accurate than
-    /// the ends of its steps, and where the motion goes on after an event is such an end.
-    fn step_again(&mut self, motion: &mut Motion, from: f64, to: f64) -> Result<(), StepFailure> {
-        let mut y = std::mem::take(&mut self.y);
-        y.resize(motion.dimension(), 0.0);
-        let known = self.stepper.interpolate(motion, from, &mut y).map_err(|_| StepFailure::Refused { t: from });
-        let end = std::mem::replace(&mut self.end, to);
-        let restarted = known.and_then(|()| self.restart(motion, from, &y, Some(to - from)));
-        (self.y, self.end) = (y, end);
-        restarted?;
-        // Where it is rejected now, a shorter one takes its place.
-        self.stepper.step(motion, to)
-    }
-
-    /// The first instant in (from, to] at which a guard is positive, where there is one.
-    fn first_event(&mut self, motion: &mut Motion, from: f64, to: f64) -> Result<Option<f64>, Refused> {
-        let guard = |integration: &mut Self, motion: &mut Motion, time: f64| {
-            integration.evaluate_at(motion, time)?;
-            Ok::<f64, Refused>(motion.worst())
-        };
-        let mut low = (from, guard(self, motion, from)?.min(0.0));
-        for look in 1..=LOOKS {
-            let time = if look == LOOKS { to } else { from + (to - from) * look as f64 / LOOKS as f64 };
-            let high = (time, guard(self, motion, time)?);
-            if high.1 > 0.0 {
-                return locate(low, high, |time| guard(self, motion, time)).map(Some);
-            }
-            low = high;
-        }
-        Ok(None)
     }
 
     /// Sums of a contact at the point in `y`.
@@ -428,67 +323,5 @@ impl Integration {
             report.events.append(&mut history.events);
         }
         report.events.sort_by(|a, b| a.time.total_cmp(&b.time));
-    }
-}
-
-/// What is said where the penetration was beyond what the law of the normal force was made for.
-fn beyond_range(joint: &str, journal: &Journal, deepest: f64) -> Option<String> {
-    let Surface::Compliant(laws) = &journal.surface else { return None };
-    let range = laws.normal.range().filter(|range| deepest > *range)?;
-    Some(format!(
-        "joint \"{joint}\": the penetration reached {deepest:.3e} m ({:.2} of the clearance), the formula of its normal law ends at \
-         {range:.3e} m: beyond, the force goes on straight, and is no more than a guess",
-        deepest / journal.clearance
-    ))
-}
-
-fn deep_start(system: &crate::system::System, contact: usize, reading: &Reading) -> Complaint {
-    let joint = system.joints.iter().filter(|joint| joint.contact.is_some()).nth(contact);
-    let name = joint.map_or("", |joint| joint.name.as_str());
-    let clearance = system.contacts[contact].clearance;
-    Complaint::new(
-        "initial",
-        format!(
-            "joint \"{name}\" starts with its journal {:.4e} m deep in the bearing: eccentricity {:.6e} m, clearance {clearance:e} m",
-            reading.penetration,
-            reading.penetration + clearance,
-        ),
-    )
-    .hint("give initial values that leave the journal within its clearance, or a larger clearance")
-}
-
-/// The joints whose constraints come nearest to contradicting each other at the last accepted point.
-fn culprits(motion: &mut Motion) -> String {
-    let system = motion.system();
-    let mut joints: Vec<&str> = Vec::new();
-    for row in motion.reduced.strained_rows() {
-        if let Origin::Joint(id) = system.block_of_row(row).origin
-            && !joints.contains(&system.joints[id.0].name.as_str())
-        {
-            joints.push(&system.joints[id.0].name);
-        }
-    }
-    if joints.is_empty() { String::new() } else { format!(" (nearest to singular: the joints {})", joints.join(", ")) }
-}
-
-/// The joint that is about to lock itself by its friction, where one is.
-fn tight(motion: &Motion) -> String {
-    let (system, reactive) = (motion.system(), &motion.reduced.driven.reactive);
-    if system.reactive.is_empty() || reactive.margin() > TIGHT {
-        return String::new();
-    }
-    let block = &system.blocks[system.reactive[reactive.tightest()].block];
-    format!(" ({} is about to lock itself by its friction)", system.origin_name(&block.origin))
-}
-
-fn describe(failure: StepFailure, now: f64) -> String {
-    match failure {
-        StepFailure::TooSmall { t, h } => format!(
-            "step too small at t = {t} s: the tolerances ask for steps below {h:.1e} s; the rows until there are kept. \
-             Loosen rtol, or look for what changes so fast there"
-        ),
-        StepFailure::Refused { .. } => format!(
-            "the motion can't be followed beyond t = {now} s: the constraints are singular there; the rows until there are kept"
-        ),
     }
 }

@@ -18,8 +18,9 @@
 //! bounds, d → 0.
 
 use super::impact::{AT_REST, Point, rubbing};
-use super::integration::{Integration, TIGHT};
+use super::integration::Integration;
 use super::motion::Motion;
+use super::words::TIGHT;
 use crate::element::journal::{Rigid, Surface};
 use crate::math::dot;
 use crate::solve::complementary::complementary;

@@ -12,12 +12,14 @@ mod impact;
 mod integration;
 mod jam;
 mod locate;
+mod look;
 pub mod motion;
 mod outputs;
 mod parts;
 mod peaks;
 mod start;
 mod variants;
+mod words;
 
 use super::assembly::{Assembled, is_singular_start};
 use super::instants::instants;

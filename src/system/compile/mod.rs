@@ -1,17 +1,18 @@
 //! Words → numbers: the only place where a [`Model`] and a [`System`] meet.
 
-use super::contact_parameters::{Words, friction_law, need};
+mod contact_parameters;
+mod needs;
+
 use super::{
     Block, BodyData, ClearanceLink, DriverData, DriverId, JointData, JointFriction, JointId, Origin, OutputPoint,
     Reactive, System,
 };
-use crate::contact::{friction, normal};
 use crate::element::coordinate::Coordinate;
 use crate::element::driven::{DriveId, Rotation, Translation};
 use crate::element::fixed::Fixed;
 use crate::element::gear::Gear;
 use crate::element::joint_friction::{GuideFriction, PinFriction};
-use crate::element::journal::{Bearing, Compliant, ContactId, FollowingFriction, Free, Journal, Surface};
+use crate::element::journal::{Bearing, ContactId, FollowingFriction, Free, Journal, Surface};
 use crate::element::load::{PointLoad, Torque};
 use crate::element::prismatic::{Guide, Prismatic};
 use crate::element::revolute::{OffsetId, Revolute};
@@ -26,6 +27,7 @@ use crate::model::{
     Value,
 };
 use crate::motion::{Law, Spline};
+use needs::{Joints, bearing, clearance, missing};
 use std::collections::HashMap;
 
 /// Compiles a model for an analysis; for an assembly joints whose clearance is modelled by contact are closed.
@@ -52,22 +54,8 @@ pub fn recompile(model: &Model, lowering: Lowering) -> Result<System, Vec<Compla
 }
 
 fn lower(model: &Model, lowering: Lowering, mut complaints: Vec<Complaint>) -> Result<System, Vec<Complaint>> {
-    let joints = Joints {
-        carriers: carriers(model, &mut complaints),
-        surfaces: surfaces(model, &mut complaints),
-        frictions: frictions(model, &mut complaints),
-    };
+    let joints = Joints::new(model, &mut complaints);
     if complaints.is_empty() { Ok(Compiler::new(model, joints, lowering).build()) } else { Err(complaints) }
-}
-
-/// What joints need beyond their own words, by their names.
-struct Joints<'a> {
-    /// Of gears.
-    carriers: HashMap<&'a str, Carrier<'a>>,
-    /// Of clearances by contact.
-    surfaces: HashMap<&'a str, Surface>,
-    /// Of ideal joints.
-    frictions: HashMap<&'a str, friction::Law>,
 }
 
 /// What becomes of joints whose clearance is modelled by contact.
@@ -100,134 +88,6 @@ pub fn value_law(value: &Value) -> Law {
         Value::Constant(value) => Law::Polynomial(vec![*value]),
         Value::Motion(motion) => law(motion),
     }
-}
-
-/// The clearance of a joint, where it has one.
-fn clearance(kind: &JointKind) -> Option<&crate::model::Clearance> {
-    match kind {
-        JointKind::Revolute { clearance, .. } => clearance.as_deref(),
-        JointKind::Prismatic { .. } | JointKind::Slot { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => None,
-    }
-}
-
-/// Surfaces of the joints whose clearance is modelled by contact.
-fn surfaces<'a>(model: &'a Model, complaints: &mut Vec<Complaint>) -> HashMap<&'a str, Surface> {
-    let mut surfaces = HashMap::new();
-    for (name, joint) in &model.joints {
-        let Some(clearance) = clearance(&joint.kind) else { continue };
-        let path = format!("joints.{name}.clearance");
-        let words = Words { clearance, path: &path };
-        let compliant = |normal: Result<normal::Law, Complaint>| {
-            Ok(Surface::Compliant(Compliant { normal: normal?, friction: words.friction_law()? }))
-        };
-        let surface = match clearance.model {
-            ClearanceModel::Ideal | ClearanceModel::MasslessLink => continue,
-            ClearanceModel::TwoState => compliant(words.surface_law()),
-            ClearanceModel::Contact => compliant(words.normal_law()),
-            ClearanceModel::ThreeState => words.impact_parameters().map(Surface::Rigid),
-        };
-        match surface {
-            Ok(surface) => {
-                surfaces.insert(name.as_str(), surface);
-            }
-            Err(complaint) => complaints.push(complaint),
-        }
-    }
-    surfaces
-}
-
-/// Laws of the joints that rub though they are ideal.
-fn frictions<'a>(model: &'a Model, complaints: &mut Vec<Complaint>) -> HashMap<&'a str, friction::Law> {
-    let mut frictions = HashMap::new();
-    for (name, joint) in &model.joints {
-        let path = format!("joints.{name}");
-        let (words, pin) = match &joint.kind {
-            JointKind::Revolute { friction: Some(words), pin_radius, .. } => (words, Some(*pin_radius)),
-            JointKind::Prismatic { friction: Some(words), .. } => (words, None),
-            JointKind::Revolute { .. }
-            | JointKind::Prismatic { .. }
-            | JointKind::Slot { .. }
-            | JointKind::Gear { .. }
-            | JointKind::Fixed { .. } => continue,
-        };
-        let radius = pin.map_or(Ok(0.0), |radius| need(&path, "pin_radius", radius, |radius| radius > 0.0));
-        match friction_law(words, &path)
-            .and_then(|law| if law == friction::Law::None { Ok(law) } else { radius.map(|_| law) })
-        {
-            Ok(friction::Law::None) => {}
-            Ok(law) => {
-                frictions.insert(name.as_str(), law);
-            }
-            Err(complaint) => complaints.push(complaint),
-        }
-    }
-    frictions
-}
-
-/// Without a bearing radius the journal is taken for a point.
-fn bearing(clearance: &crate::model::Clearance) -> Bearing {
-    let radius = clearance.radius.unwrap_or(0.0);
-    Bearing { clearance: radius, bearing_radius: clearance.bearing_radius.unwrap_or(radius) }
-}
-
-/// What the analysis needs and the model lacks.
-fn missing(model: &Model, analysis: AnalysisKind) -> Vec<Complaint> {
-    let mut complaints = Vec::new();
-    let mut linked = None;
-    for (name, joint) in &model.joints {
-        let Some(clearance) = clearance(&joint.kind) else { continue };
-        match clearance.model {
-            ClearanceModel::Ideal => {}
-            ClearanceModel::MasslessLink => {
-                linked = linked.or(Some(format!(
-                    "the massless clearance link of joint \"{name}\", whose direction is that of the joint force,"
-                )));
-            }
-            ClearanceModel::TwoState | ClearanceModel::ThreeState | ClearanceModel::Contact => {
-                linked =
-                    linked.or(Some(format!("the journal of joint \"{name}\", which moves freely in its bearing,")));
-            }
-        }
-    }
-    let why = match (analysis, linked) {
-        (AnalysisKind::InverseDynamics, _) => Some("inverse dynamics".to_string()),
-        (AnalysisKind::Dynamics, _) => Some("dynamics".to_string()),
-        (AnalysisKind::Statics, _) if model.gravity.iter().any(|g| *g != 0.0) => {
-            Some("statics under gravity".to_string())
-        }
-        (AnalysisKind::Kinematics, Some(who)) => Some(who),
-        (AnalysisKind::Kinematics, None) | (AnalysisKind::Assembly | AnalysisKind::Statics, _) => None,
-    };
-    if let Some(why) = why {
-        for (name, body) in model.bodies.iter().filter(|(name, _)| *name != GROUND) {
-            // At rest nothing is turned.
-            let inertia = body.inertia.is_none() && analysis != AnalysisKind::Statics;
-            for (key, lacks) in [("mass", body.mass.is_none()), ("inertia", inertia)] {
-                if lacks {
-                    complaints.push(
-                        Complaint::new(format!("bodies.{name}"), format!("{why} needs the {key} of body \"{name}\""))
-                            .hint(format!("give \"{key}\"; 0 is allowed where the joints determine its motion")),
-                    );
-                }
-            }
-        }
-    }
-    complaints
-}
-
-/// The carrier of each gear.
-fn carriers<'a>(model: &'a Model, complaints: &mut Vec<Complaint>) -> HashMap<&'a str, Carrier<'a>> {
-    let mut carriers = HashMap::new();
-    for (name, joint) in &model.joints {
-        match model.carrier(name, joint) {
-            Some(Ok(carrier)) => {
-                carriers.insert(name.as_str(), carrier);
-            }
-            Some(Err(complaint)) => complaints.push(complaint),
-            None => {}
-        }
-    }
-    carriers
 }
 
 struct Compiler<'a> {

@@ -17,12 +17,12 @@
 //! A mechanism with freedom left is driven by **pins**: chosen coordinates that are given values, velocities and
 //! accelerations. Pin k adds the row m + k, φ = u_k − q_c, so its multiplier is the effort that holds the coordinate.
 
+mod reactions;
+mod rows;
+
 use super::lu::{Singular, SparseLu};
 use super::order::ColumnOrder;
-use super::pattern::{Pattern, square};
 use super::reactive::ReactiveForces;
-use super::redundancy::well_conditioned_rows;
-use crate::math::max_abs;
 use crate::system::{Evaluation, Inputs, System};
 
 /// Work done.
@@ -162,121 +162,6 @@ impl<'s> Driven<'s> {
         Ok(driven)
     }
 
-    fn select(system: &System, pins: &[Pin], evaluation: &Evaluation) -> Result<Selection, Failure> {
-        let n = system.n();
-        let m = system.m() + pins.len();
-        if m == n {
-            return Ok(Selection { active: (0..n).collect(), redundant: Vec::new() });
-        }
-        // Drivers and pins first: they are what moves the mechanism.
-        let mut dense = system.dense_scaled(&evaluation.jacobian);
-        dense.resize(m * n, 0.0);
-        for (k, pin) in pins.iter().enumerate() {
-            dense[(system.m() + k) * n + pin.column] = -1.0;
-        }
-        let first: Vec<usize> = (system.joint_rows()..m).collect();
-        let mut active = well_conditioned_rows(&dense, m, n, &first);
-        if active.len() < n {
-            return Err(Failure::Singular);
-        }
-        active.sort_unstable();
-        let redundant = (0..m).filter(|row| active.binary_search(row).is_err()).collect();
-        Ok(Selection { active, redundant })
-    }
-
-    /// Pattern of the active rows, slot of each system entry (the last cell for what has none), and the values with the
-    /// pins' constant entries in place.
-    fn layout(system: &System, pins: &[Pin], selection: &Selection) -> (Pattern, Vec<u32>, Vec<f64>) {
-        let mut entries = Vec::new();
-        let mut owners = Vec::new();
-        for (k, entry) in system.entries.iter().enumerate() {
-            if let (Some(column), Ok(row)) = (entry.column, selection.active.binary_search(&(entry.row as usize))) {
-                entries.push((row, column as usize));
-                owners.push(k);
-            }
-        }
-        for (k, pin) in pins.iter().enumerate() {
-            if let Ok(row) = selection.active.binary_search(&(system.m() + k)) {
-                entries.push((row, pin.column));
-            }
-        }
-        let (pattern, inner) = square(system.n(), &entries);
-        let mut slots = vec![pattern.entries() as u32; system.entries.len()];
-        for (&owner, &slot) in owners.iter().zip(&inner) {
-            slots[owner] = slot;
-        }
-        let mut values = vec![0.0; pattern.entries() + 1];
-        inner[owners.len()..].iter().for_each(|&slot| values[slot as usize] = -1.0);
-        (pattern, slots, values)
-    }
-
-    fn order(&mut self, pattern: &Pattern) -> Result<(), Failure> {
-        let order = ColumnOrder::paired(pattern, &self.values[..self.nnz]).map_err(|_| Failure::Singular)?;
-        self.lu = SparseLu::new(pattern.clone(), order);
-        self.done.factorisations += 1;
-        Ok(self.lu.factor(&self.values[..self.nnz])?)
-    }
-
-    /// Chooses independent rows anew at the position of the last solve; needed along a path only with redundancy.
-    ///
-    /// # Errors
-    /// When fewer than n rows are independent there.
-    pub fn reselect(&mut self, inputs: &Inputs) -> Result<(), Failure> {
-        if self.selection.redundant.is_empty() {
-            return Ok(());
-        }
-        self.evaluation.eval_jacobian(self.system, inputs);
-        let selection = Driven::select(self.system, &self.pins, &self.evaluation)?;
-        if selection != self.selection { self.adopt(selection) } else { Ok(()) }
-    }
-
-    /// With redundancy: chooses the rows for `q`, which may be anywhere on the path; so they depend on the position alone.
-    ///
-    /// # Errors
-    /// When fewer than n rows are independent there.
-    pub fn prepare(&mut self, q: &[f64], inputs: &Inputs) -> Result<(), Failure> {
-        if !self.is_redundant() {
-            return Ok(());
-        }
-        self.evaluation.set_position(q);
-        self.reselect(inputs)
-    }
-
-    fn adopt(&mut self, selection: Selection) -> Result<(), Failure> {
-        let (pattern, slots, values) = Driven::layout(self.system, &self.pins, &selection);
-        self.nnz = pattern.entries();
-        self.values = values;
-        self.selection = selection;
-        self.slots = slots;
-        self.scale_rows();
-        self.scatter();
-        self.order(&pattern)
-    }
-
-    /// Prescribes other coordinates from now on, as many as before; rows are chosen anew at the position last taken.
-    ///
-    /// # Errors
-    /// When fewer than n rows are independent there.
-    pub fn pin(&mut self, columns: &[usize], inputs: &Inputs) -> Result<(), Failure> {
-        for (pin, &column) in self.pins.iter_mut().zip(columns) {
-            pin.column = column;
-        }
-        self.evaluation.eval_jacobian(self.system, inputs);
-        let selection = Driven::select(self.system, &self.pins, &self.evaluation)?;
-        self.adopt(selection)
-    }
-
-    /// Notes the scales of the active rows, pins included.
-    fn scale_rows(&mut self) {
-        let (system, pins) = (self.system, &self.pins);
-        let scale = |&row: &usize| match row.checked_sub(system.m()) {
-            Some(pin) => system.column_scale(pins[pin].column),
-            None => system.row_scale(row),
-        };
-        self.row_scales.clear();
-        self.row_scales.extend(self.selection.active.iter().map(scale));
-    }
-
     /// Whether some constraints are redundant.
     pub fn is_redundant(&self) -> bool {
         !self.selection.redundant.is_empty()
@@ -409,85 +294,6 @@ impl<'s> Driven<'s> {
         self.solve_rows(s);
     }
 
-    /// Multipliers λ (m) with Jᵀ λ = `b` (n), of least norm where not unique; those of pins are left out (they vanish in
-    /// free motion).
-    pub fn multipliers(&mut self, b: &[f64], lambda: &mut [f64]) {
-        let mut g = std::mem::take(&mut self.work);
-        self.solve_transposed(b, &mut g);
-        lambda.fill(0.0);
-        for (g, &row) in g.iter().zip(&self.selection.active) {
-            if let Some(l) = lambda.get_mut(row) {
-                *l = *g;
-            }
-        }
-        self.work = g;
-        if self.is_redundant() {
-            let basis = self.self_stress();
-            project_out(&basis, lambda);
-        }
-    }
-
-    /// Multipliers λ (m) of a fully driven mechanism with Jᵀ λ = `balance` (n), together with the forces that depend on
-    /// them, which are added to `force` and `balance`; at the position and velocity last taken and its factors.
-    ///
-    /// # Errors
-    /// [`Failure::Locked`]; λ is then without these forces.
-    pub fn react(
-        &mut self,
-        inputs: &Inputs,
-        force: &mut [f64],
-        balance: &mut [f64],
-        lambda: &mut [f64],
-    ) -> Result<(), Failure> {
-        self.multipliers(balance, lambda);
-        if self.system.reactive.is_empty() {
-            return Ok(());
-        }
-        let mut reactive = std::mem::take(&mut self.reactive);
-        reactive.eval_units(self.system, &self.evaluation, inputs);
-        for (unit, response) in reactive.units_and_responses() {
-            self.multipliers(unit, response);
-        }
-        let solved = reactive.solve(self.system, &self.evaluation, inputs, lambda);
-        if solved.is_ok() {
-            reactive.add_forces(force);
-            reactive.add_forces(balance);
-            reactive.add_responses(lambda);
-        }
-        self.reactive = reactive;
-        solved
-    }
-
-    /// g (n) with J_Aᵀ g = b, unscaled.
-    fn solve_transposed(&mut self, b: &[f64], g: &mut [f64]) {
-        g.copy_from_slice(b);
-        self.system.scale_columns(g);
-        self.lu.solve_transposed(g);
-        g.iter_mut().zip(&self.row_scales).for_each(|(g, scale)| *g /= scale);
-    }
-
-    /// Basis of the self-stresses, {z (m): Jᵀ z = 0}, one vector per redundant row, at the last factors.
-    pub fn self_stress(&mut self) -> Vec<Vec<f64>> {
-        let (n, m) = (self.system.n(), self.system.m());
-        let mut basis = Vec::with_capacity(self.selection.redundant.len());
-        for k in 0..self.selection.redundant.len() {
-            let row = self.selection.redundant[k];
-            let mut z = vec![0.0; m];
-            z[row] = 1.0;
-            let mut pull = vec![0.0; n];
-            self.evaluation.transposed_product(self.system, &z, &mut pull);
-            let mut g = vec![0.0; n];
-            self.solve_transposed(&pull, &mut g);
-            for (g, &active) in g.iter().zip(&self.selection.active) {
-                if let Some(z) = z.get_mut(active) {
-                    *z = -g;
-                }
-            }
-            basis.push(z);
-        }
-        basis
-    }
-
     /// Sign of det J̃_A at the last factors.
     pub fn determinant_sign(&self) -> f64 {
         self.lu.determinant().0
@@ -504,31 +310,5 @@ impl<'s> Driven<'s> {
         self.work.copy_from_slice(left);
         self.lu.solve(&mut self.work);
         1.0 / crate::math::dot(right, &self.work)
-    }
-}
-
-/// λ minus its part in the span of `basis`: least norm among all λ that differ by self-stresses.
-fn project_out(basis: &[Vec<f64>], lambda: &mut [f64]) {
-    // Modified Gram–Schmidt, twice for orthogonality to round-off.
-    let mut done: Vec<Vec<f64>> = Vec::with_capacity(basis.len());
-    for z in basis {
-        let mut z = z.clone();
-        for _ in 0..2 {
-            for e in &done {
-                let along = crate::math::dot(e, &z);
-                z.iter_mut().zip(e).for_each(|(z, e)| *z -= along * e);
-            }
-        }
-        let norm = crate::math::dot(&z, &z).sqrt();
-        if norm > 0.0 && max_abs(&z).is_finite() {
-            z.iter_mut().for_each(|z| *z /= norm);
-            done.push(z);
-        }
-    }
-    for _ in 0..2 {
-        for e in &done {
-            let along = crate::math::dot(e, lambda);
-            lambda.iter_mut().zip(e).for_each(|(l, e)| *l -= along * e);
-        }
     }
 }

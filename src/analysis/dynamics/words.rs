@@ -1,0 +1,85 @@
+//! What is said of a run: where it ended and by whose fault, and what to doubt.
+
+use super::motion::Motion;
+use crate::element::journal::{Journal, Reading, Surface};
+use crate::error::Complaint;
+use crate::integrate::StepFailure;
+use crate::system::{Origin, System};
+
+/// Determinant of the friction's equations, 1 without friction, below which a joint is about to lock itself.
+pub(super) const TIGHT: f64 = 0.1;
+
+/// Rigid contacts, by number, that no forces answer.
+pub(super) fn jam(motion: &Motion, jammed: &[usize], now: f64) -> String {
+    let joints = motion.system().joints.iter().filter(|joint| joint.contact.is_some());
+    let names: Vec<&str> = joints.map(|joint| joint.name.as_str()).collect();
+    let jammed: Vec<String> = jammed.iter().map(|&contact| format!("\"{}\"", names[contact])).collect();
+    format!(
+        "at t = {now} s the journals that slide on their bearings jam in {} {}: with this friction neither normal forces nor \
+         impulses answer the motion (Painlevé's paradox); a smaller coefficient, or the model \"contact\", goes on; the rows until there are kept",
+        if jammed.len() == 1 { "joint" } else { "joints" },
+        jammed.join(", ")
+    )
+}
+
+/// What is said where the penetration was beyond what the law of the normal force was made for.
+pub(super) fn beyond_range(joint: &str, journal: &Journal, deepest: f64) -> Option<String> {
+    let Surface::Compliant(laws) = &journal.surface else { return None };
+    let range = laws.normal.range().filter(|range| deepest > *range)?;
+    Some(format!(
+        "joint \"{joint}\": the penetration reached {deepest:.3e} m ({:.2} of the clearance), the formula of its normal law ends at \
+         {range:.3e} m: beyond, the force goes on straight, and is no more than a guess",
+        deepest / journal.clearance
+    ))
+}
+
+pub(super) fn deep_start(system: &System, contact: usize, reading: &Reading) -> Complaint {
+    let joint = system.joints.iter().filter(|joint| joint.contact.is_some()).nth(contact);
+    let name = joint.map_or("", |joint| joint.name.as_str());
+    let clearance = system.contacts[contact].clearance;
+    Complaint::new(
+        "initial",
+        format!(
+            "joint \"{name}\" starts with its journal {:.4e} m deep in the bearing: eccentricity {:.6e} m, clearance {clearance:e} m",
+            reading.penetration,
+            reading.penetration + clearance,
+        ),
+    )
+    .hint("give initial values that leave the journal within its clearance, or a larger clearance")
+}
+
+/// The joints whose constraints come nearest to contradicting each other at the last accepted point.
+pub(super) fn culprits(motion: &mut Motion) -> String {
+    let system = motion.system();
+    let mut joints: Vec<&str> = Vec::new();
+    for row in motion.reduced.strained_rows() {
+        if let Origin::Joint(id) = system.block_of_row(row).origin
+            && !joints.contains(&system.joints[id.0].name.as_str())
+        {
+            joints.push(&system.joints[id.0].name);
+        }
+    }
+    if joints.is_empty() { String::new() } else { format!(" (nearest to singular: the joints {})", joints.join(", ")) }
+}
+
+/// The joint that is about to lock itself by its friction, where one is.
+pub(super) fn tight(motion: &Motion) -> String {
+    let (system, reactive) = (motion.system(), &motion.reduced.driven.reactive);
+    if system.reactive.is_empty() || reactive.margin() > TIGHT {
+        return String::new();
+    }
+    let block = &system.blocks[system.reactive[reactive.tightest()].block];
+    format!(" ({} is about to lock itself by its friction)", system.origin_name(&block.origin))
+}
+
+pub(super) fn describe(failure: StepFailure, now: f64) -> String {
+    match failure {
+        StepFailure::TooSmall { t, h } => format!(
+            "step too small at t = {t} s: the tolerances ask for steps below {h:.1e} s; the rows until there are kept. \
+             Loosen rtol, or look for what changes so fast there"
+        ),
+        StepFailure::Refused { .. } => format!(
+            "the motion can't be followed beyond t = {now} s: the constraints are singular there; the rows until there are kept"
+        ),
+    }
+}
