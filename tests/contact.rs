@@ -531,6 +531,67 @@ fn switching_the_model_changes_no_column() {
 }
 
 #[track_caller]
+/// A mass on a guide between stiff stops: steps that land far beyond a stop are taken again shorter. Each rebound has half the
+/// speed; the way between the stops is 2c less the depths.
+#[test]
+fn a_mass_on_a_guide_comes_off_a_stiff_stop() {
+    for stiffness in [1e6, 1e9, 1e11] {
+        let normal = json!({ "law": "gonthier", "restitution": 0.5, "stiffness": stiffness });
+        let outcome = completed(&json!({ "format": "linkdyn/1", "units": "SI",
+            "bodies": { "ground": { "points": { "O": [0.0, 0.0] } },
+                "block": { "mass": 1.3, "inertia": 0.0, "com": [0.0, 0.0], "points": { "P": [0.0, 0.0] } } },
+            "joints": { "guide": { "type": "prismatic", "between": ["ground.O", "block.P"], "axis": [1, 0] },
+                "stop": { "type": "revolute", "between": ["ground.O", "block.P"],
+                          "clearance": { "model": "contact", "radius": 0.002, "normal": normal } } },
+            "initial": { "block": { "vx": 1.0 } },
+            "analysis": { "type": "dynamics", "end": 0.1, "outputs": 6 } }));
+        let found = episodes(&outcome);
+        assert!(found.len() >= 3, "{stiffness:e}: {found:?}");
+        let mut speed = 1.0;
+        for episode in &found {
+            assert!((episode.approach_speed / speed - 1.0).abs() < 1e-6, "{stiffness:e}: {episode:?}");
+            speed *= 0.5;
+            if let Some(separation) = episode.separation_speed {
+                assert!((separation / speed - 1.0).abs() < 1e-6, "{stiffness:e}: {episode:?}");
+            }
+        }
+    }
+}
+
+/// A force D δ̇ is there at once: the hardest point of a contact may be its first.
+#[test]
+fn a_peak_may_be_the_beginning() {
+    let start = json!({ "x": 0.0, "y": 0.0, "vx": 0.5, "vy": 0.0 });
+    for damping in [2e4, 2e5] {
+        let normal = json!({ "law": "kelvin_voigt", "stiffness": 1e6, "damping": damping });
+        let outcome = completed(&journal(normal, none(), start.clone(), 0.04, 3, 1e-8));
+        let force = episodes(&outcome)[0].peak_force;
+        assert!((force / (0.5 * damping) - 1.0).abs() < 1e-9, "{force} for {}", 0.5 * damping);
+    }
+    let start = json!({ "x": 0.01001, "y": 0.0, "vx": -0.1, "vy": 0.0 });
+    let outcome = completed(&journal(json!({ "law": "hertz", "stiffness": 1e8 }), none(), start, 0.01, 3, 1e-8));
+    let (force, depth) = (1e8 * 1e-5_f64.powf(1.5), 1e-5);
+    let [episode] = episodes(&outcome)[..] else { panic!("{:?}", outcome.report.events) };
+    assert!((episode.peak_force / force - 1.0).abs() < 1e-9 && (episode.peak_penetration / depth - 1.0).abs() < 1e-9);
+}
+
+/// What a law leaves in the surface where it would pull is lost with the contact: ½ m (v² − v′²), in all.
+#[test]
+fn episodes_lose_what_the_joint_loses() {
+    let start = json!({ "x": 0.0, "y": 0.0, "vx": 0.5, "vy": 0.0 });
+    let normal = json!({ "law": "kelvin_voigt", "stiffness": 1e7, "damping": 200.0 });
+    let outcome = completed(&journal(normal, none(), start, 0.2, 3, 1e-9));
+    let found = episodes(&outcome);
+    assert!(found.len() > 2, "{found:?}");
+    for episode in &found {
+        let after = episode.separation_speed.expect("it leaves");
+        let lost = 0.5 * (episode.approach_speed.powi(2) - after * after);
+        assert!((episode.energy_lost / lost - 1.0).abs() < 1e-7, "{episode:?} for {lost}");
+    }
+    let sum: f64 = found.iter().map(|episode| episode.energy_lost).sum();
+    assert!((sum / outcome.report.clearances[0].energy_lost - 1.0).abs() < 1e-12);
+}
+
 fn complaints(model: &Value) -> String {
     let loaded = match load(model.to_string().as_bytes(), &[]) {
         Ok(loaded) => loaded,

@@ -256,3 +256,20 @@ fn a_free_start_in_a_flat_position_is_refused_with_the_reason() {
     assert!(run.report.message.as_deref().is_some_and(|m| m.contains("singular position")), "{:?}", run.report.message);
     assert!(run.trajectory.is_empty());
 }
+
+/// A body that falls along a guide gets far beyond the mechanism's own size: x = g t²/2.
+#[test]
+fn a_body_falls_far_along_its_guide() {
+    let bodies = json!({ "ground": { "points": { "O": [0.0, 0.0] } },
+        "block": { "mass": 1.3, "inertia": 0.0, "com": [0.0, 0.0], "points": { "P": [0.0, 0.0] } } });
+    let guide = json!({ "type": "prismatic", "between": ["ground.O", "block.P"], "axis": [1, 0] });
+    let mut falling = model(bodies, json!({ "guide": guide }), json!({}));
+    falling["gravity"] = json!([9.81, 0.0]);
+    falling["analysis"] = dynamics(300.0, 4, 1e-8);
+    let outcome = completed(&falling);
+    for (time, x) in column(&outcome, "time").into_iter().zip(column(&outcome, "block.x")) {
+        let wanted = 0.5 * 9.81 * time * time;
+        assert!((x - wanted).abs() <= 1e-10 * wanted.max(1.0), "{x} for {wanted}");
+    }
+    assert!(outcome.report.statistics.steps < 1000, "{:?}", outcome.report.statistics);
+}

@@ -104,6 +104,11 @@ fn friction_in_an_impact_takes_impulse_along_the_wall() {
         ] {
             assert!((last(name) / wanted - 1.0).abs() < 1e-9, "{name}: {} for {wanted}", last(name));
         }
+        // ∫|v_t| dp_n: v_t is straight in p_n, to the end or to where it stops.
+        let slides = (stops / friction).min(1.0) * (1.0 + restitution) * MASS * fall;
+        let wanted = slides * 0.5 * (sliding + (sliding - impulse / tangential_mass));
+        let wear: f64 = outcome.report.clearances[0].wear.iter().sum();
+        assert!((wear / wanted - 1.0).abs() < 1e-9, "{wear} for {wanted}");
     }
 }
 
@@ -128,6 +133,24 @@ fn a_following_disc_rubs() {
         let pressing = MASS * (vx[k] * vx[k] + vy[k] * vy[k]) / CLEARANCE - MASS * 9.81 * ey[k] / CLEARANCE;
         assert!((normal[k] / pressing - 1.0).abs() < 1e-7, "{} for {pressing} at {}", normal[k], ex[k]);
     }
+}
+
+/// A disc that spins slowly comes to roll on the wall: it sticks from where it slides no faster than the threshold, not before.
+#[test]
+fn a_following_disc_sticks_at_last() {
+    let start = json!({ "x": 0.0, "y": -0.0005, "vx": 0.0, "vy": 0.0, "angular_velocity": 30.0 });
+    let outcome = completed(&disc(&json!({ "restitution": 0.3, "friction": 0.2 }), [0.0, -9.81], &start, 1.0, 2001));
+    let [(state, sliding)] = [("state", "sliding_speed")]
+        .map(|(a, b)| (column(&outcome, &format!("joint.pin.{a}")), column(&outcome, &format!("joint.pin.{b}"))));
+    let events = |kind: &str| outcome.report.events.iter().filter(|event| event.kind == kind).collect::<Vec<_>>();
+    let (sticks, slips) = (events("stick"), events("slip"));
+    assert!(sticks.len() == slips.len() + 1, "{sticks:?} {slips:?}");
+    let mut stuck = 0;
+    for (state, sliding) in state.iter().zip(&sliding).filter(|(state, _)| **state > 0.0) {
+        assert_eq!(*state == 2.0, sliding.abs() <= 1e-3, "state {state} at {sliding} m/s");
+        stuck += usize::from(*state == 2.0);
+    }
+    assert!(stuck > 100, "{stuck}");
 }
 
 /// A disc hangs in a ring that hangs in the ground; dropped, both bounce, kick each other off their bearings, and come to rest,

@@ -63,6 +63,8 @@ pub struct Impulse {
     pub velocity: [f64; 2],
     /// Work lost, −∫v·dp [J].
     pub loss: f64,
+    /// Sliding under load, ∫|v_t| dp_n [N·m].
+    pub sliding: f64,
     pub slip: Slip,
     /// No finite impulse ends the approach; the other values are those where that shows.
     pub wedged: bool,
@@ -78,13 +80,18 @@ struct Walk {
     /// ∫v_n dp_n of the phase, ∫v_t dp_t of all [J].
     normal_work: f64,
     tangential_work: f64,
+    /// ∫|v_t| dp_n [N·m].
+    sliding: f64,
 }
 
 impl Walk {
     /// Goes on by p_n, with dp_t/dp_n and dv/dp_n constant.
     fn advance(&mut self, by: f64, ratio: f64, rates: [f64; 2]) {
         self.normal_work += by * (self.velocity[0] + 0.5 * rates[0] * by);
-        self.tangential_work += ratio * by * (self.velocity[1] + 0.5 * rates[1] * by);
+        let sliding = self.velocity[1] + 0.5 * rates[1] * by;
+        self.tangential_work += ratio * by * sliding;
+        // Its sign stays on the way.
+        self.sliding += by * sliding.abs();
         self.impulse[0] += by;
         self.impulse[1] += ratio * by;
         self.velocity[0] += rates[0] * by;
@@ -186,7 +193,7 @@ pub fn resolve(
         (false, Some(_)) => Slip::Starts,
         (false, None) => Slip::Sticks,
     };
-    let mut walk = Walk { velocity, impulse: [0.0; 2], normal_work: 0.0, tangential_work: 0.0 };
+    let mut walk = Walk { velocity, impulse: [0.0; 2], normal_work: 0.0, tangential_work: 0.0, sliding: 0.0 };
     let mut rebound: Option<Rebound> = None;
     let mut ended = velocity[0] > 0.0 || (velocity[0] == 0.0 && point.rates(direction).1[0] >= 0.0);
     let mut wedged = false;
@@ -220,7 +227,7 @@ pub fn resolve(
     }
     let compression = rebound.map_or(0.0, |rebound| rebound.work);
     let loss = compression - walk.normal_work - walk.tangential_work;
-    Impulse { impulse: walk.impulse, velocity: walk.velocity, loss, slip, wedged }
+    Impulse { impulse: walk.impulse, velocity: walk.velocity, loss, sliding: walk.sliding, slip, wedged }
 }
 
 #[cfg(test)]

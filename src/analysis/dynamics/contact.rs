@@ -12,10 +12,12 @@
 //! rigid surfaces:
 //! flight     min(δ, δ̇)                      an impact
 //! contact    −N                             the multiplier of the journal on the surface would pull
+//!            v_t − v_up,  v_low − v_t       the friction law goes over to its next piece
 //! ```
 //!
 //! Between events the equations are smooth; events are located on the step's continuous extension.
 
+use crate::contact::friction;
 use crate::element::journal::{Contact, Journal, Phase, Reading, Surface};
 use crate::output::{Episode, Event};
 
@@ -40,18 +42,27 @@ pub fn worst_guard(journal: &Journal, memory: &Contact, reading: &Reading) -> f6
         (Surface::Compliant(_), Phase::Flight) => reading.penetration,
         // On its way out it may still be where it touched.
         (Surface::Rigid(_), Phase::Flight) => reading.penetration.min((reading.rate - CREEP) * SECOND),
-        (Surface::Rigid(_), Phase::Contact) => -reading.normal - PULL,
+        (Surface::Rigid(rigid), Phase::Contact) => lets_go(reading).max(past(&rigid.friction_law(), memory, reading)),
         (Surface::Compliant(laws), Phase::Contact) => {
             let hold = laws.normal.hold(reading.penetration, reading.rate, memory.approach);
-            let (low, up) = laws.friction.bounds(memory.piece);
-            let slide = (reading.sliding - up).max(low - reading.sliding) - PAST;
-            gone(journal, reading).max(-hold).max(slide)
+            gone(journal, reading).max(-hold).max(past(&laws.friction, memory, reading))
         }
         (Surface::Compliant(laws), Phase::Released) => {
             gone(journal, reading).max(laws.normal.hold(reading.penetration, reading.rate, memory.approach))
         }
         (Surface::Rigid(_), Phase::Released) => f64::NEG_INFINITY,
     }
+}
+
+/// Positive where a rigid journal that follows its bearing would be pulled.
+pub fn lets_go(reading: &Reading) -> f64 {
+    -reading.normal - PULL
+}
+
+/// Positive beyond the ends of the friction law's piece.
+fn past(friction: &friction::Law, memory: &Contact, reading: &Reading) -> f64 {
+    let (low, up) = friction.bounds(memory.piece);
+    (reading.sliding - up).max(low - reading.sliding) - PAST
 }
 
 fn gone(journal: &Journal, reading: &Reading) -> f64 {
@@ -87,7 +98,18 @@ pub enum Change {
 
 /// Changes the memory where a guard has become positive.
 pub fn change(journal: &Journal, memory: &mut Contact, reading: &Reading) -> Option<Change> {
-    let Surface::Compliant(laws) = &journal.surface else { return None };
+    let next_piece = |friction: &friction::Law, memory: &mut Contact| {
+        (past(friction, memory, reading) > 0.0).then(|| {
+            memory.piece = friction.piece(reading.sliding);
+            Change::Piece
+        })
+    };
+    let laws = match &journal.surface {
+        Surface::Compliant(laws) => laws,
+        // All else that a rigid journal does comes with impulses.
+        Surface::Rigid(rigid) if memory.phase == Phase::Contact => return next_piece(&rigid.friction_law(), memory),
+        Surface::Rigid(_) => return None,
+    };
     match memory.phase {
         Phase::Flight => (reading.penetration > 0.0).then(|| {
             begin(journal, reading, memory);
@@ -98,15 +120,11 @@ pub fn change(journal: &Journal, memory: &mut Contact, reading: &Reading) -> Opt
             Some(Change::End)
         }
         Phase::Contact => {
-            let (low, up) = laws.friction.bounds(memory.piece);
             if laws.normal.hold(reading.penetration, reading.rate, memory.approach) < 0.0 {
                 memory.phase = Phase::Released;
                 Some(Change::Release)
-            } else if reading.sliding - up > PAST || low - reading.sliding > PAST {
-                memory.piece = laws.friction.piece(reading.sliding);
-                Some(Change::Piece)
             } else {
-                None
+                next_piece(&laws.friction, memory)
             }
         }
         Phase::Released => (laws.normal.hold(reading.penetration, reading.rate, memory.approach) > 0.0).then(|| {
@@ -121,8 +139,16 @@ pub fn change(journal: &Journal, memory: &mut Contact, reading: &Reading) -> Opt
 pub fn state(journal: &Journal, memory: &Contact) -> f64 {
     match (&journal.surface, memory.phase) {
         (_, Phase::Flight | Phase::Released) => 0.0,
-        (Surface::Compliant(laws), Phase::Contact) if laws.friction.sticks(memory.piece) => 2.0,
+        (_, Phase::Contact) if sticks(journal, memory) => 2.0,
         (_, Phase::Contact) => 1.0,
+    }
+}
+
+/// Whether a journal in contact sticks.
+pub fn sticks(journal: &Journal, memory: &Contact) -> bool {
+    match &journal.surface {
+        Surface::Compliant(laws) => laws.friction.sticks(memory.piece),
+        Surface::Rigid(rigid) => rigid.friction_law().sticks(memory.piece),
     }
 }
 
@@ -158,6 +184,8 @@ pub struct History {
     pub switches: u64,
     pub time_in_contact: f64,
     pub events: Vec<Event>,
+    /// How many more there were.
+    pub unlisted: u64,
 }
 
 impl History {
@@ -173,6 +201,7 @@ impl History {
             switches: 0,
             time_in_contact: 0.0,
             events: Vec::new(),
+            unlisted: 0,
         }
     }
 
@@ -263,7 +292,6 @@ impl History {
             format!("impacts lower than {height:.1e} m would follow: the journal stays on the bearing's surface");
         let (kind, joint, note) = ("following", Some(self.joint.clone()), Some(note));
         self.list(Event { kind, time, joint, note, ..Event::default() });
-        self.switches += 1;
     }
 
     /// The journal sticks or slips from now on.
@@ -276,12 +304,9 @@ impl History {
     fn list(&mut self, event: Event) {
         if self.events.len() < LISTED {
             self.events.push(event);
+        } else {
+            self.unlisted += 1;
         }
-    }
-
-    /// What is not listed.
-    pub fn unlisted(&self) -> u64 {
-        self.episodes + self.switches - self.events.len() as u64
     }
 
     /// Spreads a part of S over the bins from the last angle to this one, the shorter way.

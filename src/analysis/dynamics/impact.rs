@@ -11,7 +11,7 @@
 //! approaches. An impact whose rebound would come back after a flight lower than a small part of the clearance, v²/(2 δ̈), is
 //! one of infinitely many in a finite time: the journal loses its normal velocity and follows the surface.
 
-use super::contact::worst_guard;
+use super::contact::{lets_go, worst_guard};
 use super::integration::Integration;
 use super::jam::Jam;
 use super::motion::Motion;
@@ -79,20 +79,8 @@ impl Integration {
         let mass = DMatrix::from_fn(size, size, |i, j| dot(&points[i].forces[0], &points[j].changes[0]));
         let rates: Vec<f64> = contacts.iter().map(|&contact| motion.reading(contact).rate).collect();
         let (stays, impulses) = complementary(&mass, &rates).ok_or(Failure::Singular)?;
-        for (k, point) in points.iter().enumerate() {
-            if impulses[k] > 0.0 {
-                let held: f64 = (0..size).map(|j| mass[(k, j)] * impulses[j]).sum();
-                let sums = motion.dissipated(contacts[k]);
-                // From v to v − W p at a force that is p in all.
-                self.y[sums] += impulses[k] * (rates[k] - 0.5 * held);
-                self.y[sums + 1] += impulses[k];
-                let pushed = [impulses[k], 0.0];
-                let work = motion.impulsive_work(&point.sum(&point.forces, pushed), &point.sum(&point.changes, pushed));
-                let component = motion.work();
-                self.y[component] += work;
-                point.apply(&mut self.y, pushed);
-            }
-        }
+        let pushes: Vec<[f64; 2]> = impulses.iter().map(|&impulse| [impulse, 0.0]).collect();
+        self.push_all(motion, &contacts, &points, &pushes);
         motion.evaluate(time, &self.y)?;
         let free: Vec<f64> = contacts
             .iter()
@@ -126,20 +114,21 @@ impl Integration {
     pub(super) fn go_on(&mut self, motion: &mut Motion, following: &[bool], time: f64) -> Result<(), Failure> {
         self.go_on_as(motion, following, time)?;
         for (contact, &follows) in following.iter().enumerate() {
-            if matches!(motion.system().contacts[contact].surface, Surface::Compliant(_)) {
-                continue;
-            }
+            let Surface::Rigid(rigid) = motion.system().contacts[contact].surface else { continue };
             let (reading, sums) = (motion.reading(contact), self.sums(motion, contact));
             let history = &mut self.histories[contact];
             match (motion.reduced.inputs.contacts[contact].phase == Phase::Contact, follows) {
                 (true, false) => {
+                    history.go_on(&reading, sums, motion.contact_angle(contact, &reading));
                     history.rest(time, &reading, sums);
                     history.end();
                     motion.reduced.inputs.contacts[contact] = Contact::default();
                 }
                 (false, true) => {
                     history.begin(time, &reading, sums, motion.contact_angle(contact, &reading));
-                    motion.reduced.inputs.contacts[contact].phase = Phase::Contact;
+                    let memory = &mut motion.reduced.inputs.contacts[contact];
+                    memory.phase = Phase::Contact;
+                    memory.piece = rigid.friction_law().piece(reading.sliding);
                 }
                 (true, true) | (false, false) => {}
             }
@@ -208,6 +197,7 @@ impl Integration {
             let (sums, component) = (motion.dissipated(contact), motion.work());
             self.y[sums] += strike.loss;
             self.y[sums + 1] += strike.impulse[0];
+            self.y[sums + 2] += strike.sliding;
             self.y[component] += motion
                 .impulsive_work(&point.sum(&point.forces, strike.impulse), &point.sum(&point.changes, strike.impulse));
         }
@@ -216,6 +206,7 @@ impl Integration {
                 Contact { phase: Phase::Contact, approach: reading.rate, ..Contact::default() };
         } else {
             let (after, sums) = (motion.reading(contact), self.sums(motion, contact));
+            self.histories[contact].go_on(&after, sums, angle);
             self.histories[contact].rest(time, &after, sums);
             self.histories[contact].end();
         }
@@ -224,6 +215,8 @@ impl Integration {
             self.settle(motion, slow, time)?;
             if motion.followers()[contact] {
                 self.histories[contact].follow(time, height);
+                motion.reduced.inputs.contacts[contact].piece =
+                    rigid.friction_law().piece(motion.reading(contact).sliding);
             }
         }
         Ok(())
@@ -244,12 +237,12 @@ impl Integration {
         if found.wedged {
             // Nothing can move between the followers, or friction holds it there.
             let ratio = -law.friction * if reading.sliding == 0.0 { 0.0 } else { reading.sliding.signum() };
-            return Ok(Strike { impulse: [1.0, ratio], loss: 0.0, parts: true });
+            return Ok(Strike { impulse: [1.0, ratio], loss: 0.0, sliding: 0.0, parts: true });
         }
         let (impulse, change) = (point.sum(&point.forces, found.impulse), point.sum(&point.changes, found.impulse));
         let pulled = motion.pulled(&impulse, &change);
         let parts = pulled.is_some_and(|(follower, pull)| follower != contact && pull < -PULLED * found.impulse[0]);
-        Ok(Strike { impulse: found.impulse, loss: found.loss, parts })
+        Ok(Strike { impulse: found.impulse, loss: found.loss, sliding: found.sliding, parts })
     }
 
     /// An impact from which followers part: they and the journal that strikes get their impulses p ≥ 0 all at once, so that
@@ -304,6 +297,7 @@ impl Integration {
             let (sums, component) = (motion.dissipated(contact), motion.work());
             self.y[sums] -= dot(&force, &halfway);
             self.y[sums + 1] += push[0];
+            self.y[sums + 2] += (push[0] * dot(&point.forces[1], &halfway)).abs();
             self.y[component] += work;
             point.apply(&mut self.y, push);
         }
@@ -326,6 +320,8 @@ struct Strike {
     impulse: [f64; 2],
     /// [J]
     loss: f64,
+    /// ∫|v_t| dp_n [N·m]
+    sliding: f64,
     parts: bool,
 }
 
@@ -359,8 +355,11 @@ fn acting(motion: &Motion) -> Option<usize> {
     let system = motion.system();
     (0..system.contacts.len()).find(|&contact| {
         let journal = &system.contacts[contact];
-        matches!(journal.surface, Surface::Rigid(_))
-            && worst_guard(journal, &motion.reduced.inputs.contacts[contact], &motion.reading(contact)) > 0.0
+        let (memory, reading) = (&motion.reduced.inputs.contacts[contact], motion.reading(contact));
+        // What friction does asks for no impulse.
+        let guard =
+            if memory.phase == Phase::Contact { lets_go(&reading) } else { worst_guard(journal, memory, &reading) };
+        matches!(journal.surface, Surface::Rigid(_)) && guard > 0.0
     })
 }
 

@@ -1,7 +1,7 @@
 //! The loop of steps: chooses coordinates anew where that is better, finds what contacts do within each step, and starts
 //! again from there.
 
-use super::contact::{Change, History, Sums, change, first_phase};
+use super::contact::{Change, History, Sums, change, first_phase, sticks};
 use super::motion::Motion;
 use super::words::{beyond_range, culprits, deep_start, describe, jam, tight};
 use crate::analysis::{Control, Stop, locked};
@@ -96,7 +96,9 @@ impl Integration {
             if reading.penetration > 0.0 {
                 history.begin(0.0, &reading, Sums::default(), motion.contact_angle(contact, &reading));
             }
-            integration.last[contact] = motion.reading(contact);
+            let first = motion.reading(contact);
+            integration.histories[contact].peak(first.penetration, first.normal);
+            integration.last[contact] = first;
         }
         motion.state(&mut integration.y);
         let y = std::mem::take(&mut integration.y);
@@ -219,16 +221,19 @@ impl Integration {
             let reading = motion.reading(contact);
             let before = motion.reduced.inputs.contacts[contact];
             let journal = &system.contacts[contact];
-            let sums = self.sums(motion, contact);
             let mut memory = before;
             let Some(change) = change(journal, &mut memory, &reading) else { continue };
             let stored = |memory| motion.stored(contact, memory);
             self.released[contact] += stored(&before) - stored(&memory);
+            let sums = self.sums(motion, contact);
             motion.reduced.inputs.contacts[contact] = memory;
+            let now = motion.reading(contact);
             let history = &mut self.histories[contact];
             match change {
                 Change::Begin => {
                     history.begin(time, &reading, sums, motion.contact_angle(contact, &reading));
+                    // The force of some laws begins at once.
+                    history.peak(now.penetration, now.normal);
                     if let Some(component) = motion.bristle(contact) {
                         self.y[component] = 0.0;
                     }
@@ -242,15 +247,13 @@ impl Integration {
                     history.end();
                 }
                 Change::Piece => {
-                    if let Surface::Compliant(laws) = &journal.surface {
-                        let [was, is] = [before.piece, memory.piece].map(|piece| laws.friction.sticks(piece));
-                        if was != is {
-                            history.switch(time, is);
-                        }
+                    let is = sticks(journal, &memory);
+                    if is != sticks(journal, &before) {
+                        history.switch(time, is);
                     }
                 }
             }
-            self.last[contact] = motion.reading(contact);
+            self.last[contact] = now;
         }
         self.begin_again(motion, time)
     }
@@ -313,11 +316,10 @@ impl Integration {
                 wear: std::mem::take(&mut history.wear),
             });
             report.warnings.extend(beyond_range(joint.name.as_str(), &motion.system().contacts[contact], history.most));
-            if history.unlisted() > 0 {
+            if history.unlisted > 0 {
                 report.warnings.push(format!(
                     "joint \"{}\": {} further contacts and changes between stick and slip are counted but not listed",
-                    joint.name,
-                    history.unlisted()
+                    joint.name, history.unlisted
                 ));
             }
             report.events.append(&mut history.events);

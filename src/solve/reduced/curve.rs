@@ -4,6 +4,10 @@ use super::Reduced;
 use crate::solve::continuation::{End, HALF_TURN, Parameter, Source, follow};
 use crate::solve::driven::Failure;
 
+/// Farthest point that is looked for from the last accepted one: a stage that lies farther is one of a step that is far too long.
+/// In sizes of the mechanism, or radians.
+const FARTHEST: f64 = 100.0;
+
 impl Reduced<'_> {
     /// The point at hand on the smooth branch near a change point.
     pub(super) fn evaluate_bridged(&mut self, time: f64, rate: f64) -> Result<(), Failure> {
@@ -48,7 +52,12 @@ impl Reduced<'_> {
         let column = self.driven.pins[0].column;
         let centre = self.here.q[column];
         let angle = column % 3 == 2;
-        let reach = (if angle { HALF_TURN } else { system.size }).max(1.5 * (u - centre).abs());
+        let unit = if angle { 1.0 } else { system.size };
+        let distance = (u - centre).abs();
+        if distance.is_nan() || distance > FARTHEST * unit {
+            return false;
+        }
+        let reach = (if angle { HALF_TURN } else { system.size }).max(1.5 * distance);
         let mut inputs = self.inputs.clone();
         inputs.drive.iter_mut().for_each(|jet| jet[1..].fill(0.0));
         let start = self.here.q.clone();
