@@ -35,6 +35,61 @@ fn a_slider_crank_without_poses_assembles() {
     assert!((x - slider_position(0.1, 0.3, 0.5)).abs() < 1e-15, "{x}");
 }
 
+/// The bodies of a drawing without poses lie in a line, from which no way leads to the assembly: it is found all the same,
+/// and that is said.
+#[test]
+fn a_drawing_in_a_line_assembles() {
+    for [base, crank, coupler, rocker] in [[3.0, 1.0, 3.0, 2.5], [2.0, 0.7, 1.9, 2.1], [1.4, 0.5, 2.0, 2.3]] {
+        let ground = json!({ "points": { "O": [0.0, 0.0], "Q": [base, 0.0] } });
+        let link = |length: f64| json!({ "points": { "A": [0.0, 0.0], "B": [length, 0.0] } });
+        let bodies =
+            json!({ "ground": ground, "crank": link(crank), "coupler": link(coupler), "rocker": link(rocker) });
+        let joints = json!({ "a": pin("ground.O", "crank.A"), "b": pin("crank.B", "coupler.A"),
+            "c": pin("coupler.B", "rocker.B"), "d": pin("rocker.A", "ground.Q") });
+        let drivers = json!({ "motor": { "type": "rotation", "body": "crank", "motion": still(0.0) } });
+        let mut model = model(bodies, joints, drivers);
+        model["analysis"] = json!({ "type": "kinematics", "end": 1.0, "outputs": 2 });
+        let outcome = outcome(&model);
+        assert_eq!(outcome.report.status, Status::Completed, "{:?}", outcome.report.message);
+        assert!(
+            outcome.report.warnings.iter().any(|said| said.contains("lie in a line?")),
+            "{:?}",
+            outcome.report.warnings
+        );
+        // The law of cosines for the angle at the rocker's pin.
+        let reach = base - crank;
+        let cosine = (rocker * rocker + reach * reach - coupler * coupler) / (2.0 * rocker * reach);
+        let angle = column(&outcome, "rocker.angle")[0];
+        assert!((angle.cos() + cosine).abs() < 1e-12, "{angle} for {cosine}");
+    }
+}
+
+/// Of a mechanism that is not assembled there is no residual, and its drawing's own singularity is not told as redundancy.
+#[test]
+fn a_failed_assembly_has_no_residual() {
+    let mut model = slider_crank(0.1, 0.3, 0.5, false, &still(0.5));
+    for body in ["crank", "rod", "slider"] {
+        model["bodies"][body].as_object_mut().expect("a map").remove("pose");
+    }
+    model["bodies"]["ground"]["points"]["H"] = json!([0.0, 2.0]);
+    model["joints"]["g"]["between"][0] = json!("ground.H");
+    let outcome = outcome(&model);
+    assert_eq!(outcome.report.status, Status::AssemblyFailed, "{:?}", outcome.report.message);
+    assert!(outcome.report.quality.constraint_residual.is_nan());
+    assert_eq!((outcome.report.mobility.rank, outcome.report.mobility.redundant.len()), (1, 0));
+}
+
+#[test]
+fn lengths_that_overflow_are_refused() {
+    let mut model = slider_crank(0.1, 0.3, 0.5, false, &still(0.5));
+    let joint = model["joints"].as_object().expect("a map").keys().next().expect("one").clone();
+    let point = model["joints"][&joint]["between"][1].as_str().expect("text").to_string();
+    let (body, point) = point.split_once('.').expect("a point");
+    model["bodies"][body]["points"][point] = json!([1e160, 0.0]);
+    let said = complaint(&model);
+    assert!(said.contains("where numbers overflow"), "{said}");
+}
+
 #[test]
 fn rough_guesses_lead_to_the_branch_they_are_near() {
     for off in [-0.3, -0.1, 0.2, 0.35] {

@@ -22,6 +22,9 @@ pub struct Assembled {
 
 /// Change of the coordinates, in rad or mechanism sizes, by which a singular start is left to see its ranks from outside.
 const NUDGE: f64 = 1e-2;
+/// Turns of the bodies, largest in rad, by which a drawing is left that is singular itself: there the least gap may be a
+/// saddle, from which no way leads to the assembly.
+const KICKS: [f64; 6] = [0.02, -0.02, 0.2, -0.2, 0.7, -0.7];
 /// A null vector's component below this is round-off of the rank decision.
 const MOVES: f64 = 1e-6;
 
@@ -30,6 +33,9 @@ const MOVES: f64 = 1e-6;
 /// # Errors
 /// [`Stop::Failed`] with status `assembly_failed` and the loop or the values that do not fit.
 pub fn assemble(system: &System, inputs: &Inputs) -> Result<Assembled, Stop> {
+    if let Some(complaint) = too_long(system) {
+        return Err(Stop::Input(vec![complaint]));
+    }
     let all: Vec<&Block> = system.blocks.iter().chain(&system.initial).collect();
     let closed = close(system, &all, &system.guess, inputs);
     let (q, iterations, warnings) =
@@ -68,9 +74,21 @@ fn scaled_rows(system: &System, values: &[f64], rows: usize) -> SparseRows {
         .collect();
     match SparseRows::from_triplets(rows, system.n(), &entries) {
         Ok(rows) => rows,
-        // The loader lets no other numbers in, and angles have sines.
+        // `assemble` has seen to it that no number overflows.
         Err(bad) => panic!("the Jacobian's entry at row {}, column {} is not finite", bad.row, bad.column),
     }
+}
+
+/// Lengths up to which squares, and what is made of them, do not overflow [m].
+const LONGEST: f64 = 1e60;
+
+/// Complains of lengths that can't be computed with.
+fn too_long(system: &System) -> Option<Complaint> {
+    let far = system.guess.iter().chain([&system.size]).fold(0.0, |most: f64, x| most.max(x.abs()));
+    (far > LONGEST).then(|| {
+        Complaint::new("bodies", format!("the mechanism is larger than {LONGEST:e} m, where numbers overflow"))
+            .hint("look for a length with a wrong exponent or unit")
+    })
 }
 
 /// A direction in which nothing holds the mechanism at `q`, scaled; see [`free_direction`].
@@ -104,10 +122,27 @@ fn mobility(system: &System, joints: &RankReport) -> Mobility {
     }
 }
 
-/// Mobility of a mechanism that does not assemble or can't start: by rank at its guess.
+/// Mobility of a mechanism that does not assemble or can't start: by rank near its guess, which may be singular itself.
 pub fn counted(system: &System) -> Mobility {
     let inputs = Inputs::at_time(system, 0.0);
-    mobility(system, &ranks(system, &system.guess, &inputs).0)
+    mobility(system, &ranks(system, &kicked(system, KICKS[0]), &inputs).0)
+}
+
+/// The guess with its bodies turned by parts of `largest`, each by another.
+fn kicked(system: &System, largest: f64) -> Vec<f64> {
+    let mut q = system.guess.clone();
+    for (k, angle) in q.iter_mut().skip(2).step_by(3).enumerate() {
+        // Multiples of the golden ratio are spread evenly, and never alike.
+        let part = (0.618_033_988_749_895 * (k + 1) as f64).fract();
+        *angle += largest * (0.2 + 0.8 * part) * if k % 2 == 0 { 1.0 } else { -1.0 };
+    }
+    q
+}
+
+/// An assembly from where the guess is left a little.
+fn close_from_beside(system: &System, inputs: &Inputs) -> Option<Closed> {
+    let all: Vec<&Block> = system.blocks.iter().chain(&system.initial).collect();
+    KICKS.iter().map(|&kick| close(system, &all, &kicked(system, kick), inputs)).find(|closed| closed.converged)
 }
 
 fn joint_of(system: &System, row: usize) -> Option<usize> {
@@ -122,6 +157,13 @@ fn diagnose(system: &System, inputs: &Inputs, closed: Closed) -> Result<(Vec<f64
     let joints: Vec<&Block> = system.blocks.iter().filter(|b| matches!(b.origin, Origin::Joint(_))).collect();
     let undriven = close(system, &joints, &system.guess, inputs);
     if !undriven.converged {
+        if let Some(found) = close_from_beside(system, inputs) {
+            let warning = "assembled from a drawing with its bodies turned a little, since from the one given no way leads to an \
+                           assembly (its bodies lie in a line?); check that this is the assembly you want, or give poses \
+                           closer to it"
+                .to_string();
+            return Ok((found.q, closed.iterations + found.iterations, vec![warning]));
+        }
         return Err(Stop::failed(Status::AssemblyFailed, open_loop(system, &undriven)));
     }
     // The joints alone close: then it is a driver or an initial value.

@@ -25,7 +25,7 @@ pub struct Check {
     pub mobility: Mobility,
     /// What the mobility means for each analysis, in a sentence.
     pub words: String,
-    /// Largest constraint residual after assembly, divided by the mechanism's size [–].
+    /// Largest constraint residual after assembly, divided by the mechanism's size [–]; NaN where there is none.
     pub assembly_residual: f64,
     /// What each analysis that can't be run lacks; an analysis that is not listed can be run.
     pub missing: Vec<(AnalysisKind, Vec<String>)>,
@@ -87,6 +87,7 @@ pub fn check(model: &Model) -> Result<Check, Vec<Complaint>> {
             check.status = status;
             check.mobility = super::assembly::counted(&system);
             check.message = Some(message);
+            check.assembly_residual = f64::NAN;
             check.words = format!("{}; it can't be assembled", freedom_text(check.mobility.rank));
             return Ok(check);
         }

@@ -24,7 +24,7 @@ pub use suspicious::suspicious;
 
 use crate::error::Complaint;
 use crate::model::{AnalysisKind, Model};
-use crate::output::{Event, Report, Status, Stopwatch, Trajectory};
+use crate::output::{Event, Quality, Report, Status, Stopwatch, Trajectory};
 use crate::system::{Evaluation, Inputs, System, compile::compile};
 use record::{Contents, Recorder, Sample};
 use std::sync::Arc;
@@ -114,10 +114,10 @@ pub fn run(model: &Model, control: &Control) -> Result<Outcome, Vec<Complaint>> 
         Err(Stop::Input(complaints)) => return Err(complaints),
         Err(Stop::Failed { status, message }) => {
             let trajectory = Recorder::new(&system, contents(analysis.kind), 0).trajectory;
-            (
-                trajectory,
-                Report { status, message: Some(message), mobility: assembly::counted(&system), ..Report::default() },
-            )
+            // Of no position there is no residual.
+            let quality = Quality { constraint_residual: f64::NAN, ..Quality::default() };
+            let mobility = assembly::counted(&system);
+            (trajectory, Report { status, message: Some(message), mobility, quality, ..Report::default() })
         }
     };
     let (selected, warnings) = trajectory.select(&analysis.columns);

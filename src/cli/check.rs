@@ -59,7 +59,9 @@ fn page(opened: &Opened, check: &Check) -> String {
     page.rows("loops", if loops.is_empty() { vec!["none".to_string()] } else { folded(loops) });
     page.rows("mobility", wrapped(&check.words, WIDTH));
     page.row("", mobility(&check.mobility));
-    page.row("assembly", format!("constraint residual {}", number(check.assembly_residual, 2)));
+    let residual = check.assembly_residual;
+    let assembly = format!("constraint residual {}", number(residual, 2));
+    page.row("assembly", if residual.is_nan() { "none".to_string() } else { assembly });
     let parameters = &opened.loaded.parameters;
     let resolved = parameters.iter().map(|p| format!("{} = {} {}", p.name, number(p.value, 6), p.unit));
     page.rows("parameters", resolved.map(|text| text.trim_end().to_string()));

@@ -91,6 +91,9 @@ fn quality(quality: &Quality) -> String {
         ("energy drift", quality.energy_drift),
         ("energy imbalance", quality.energy_imbalance),
     ];
+    if quality.constraint_residual.is_nan() {
+        return "nothing is solved".into();
+    }
     let mut text = format!("constraint residual {}", number(quality.constraint_residual, 2));
     for (what, value) in parts {
         text.extend(value.map(|value| format!(", {what} {}", number(value, 2))));
