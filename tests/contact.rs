@@ -634,6 +634,20 @@ fn a_run_says_that_it_left_the_range_of_a_law() {
 }
 
 #[test]
+fn a_run_says_that_a_journal_sank_in() {
+    // The journal's radius is 40 mm.
+    for (stiffness, sinks) in [(1e8, false), (1e4, true)] {
+        let start = json!({ "x": 0.0, "y": 0.0, "vx": 2.0, "vy": 0.0 });
+        let outcome =
+            completed(&journal(json!({ "law": "hertz", "stiffness": stiffness }), none(), start, 0.1, 3, 1e-6));
+        let deepest = episodes(&outcome).iter().map(|episode| episode.peak_penetration).fold(0.0, f64::max);
+        assert_eq!(deepest > 0.004, sinks, "{deepest:e}");
+        let said = outcome.report.warnings.iter().any(|said| said.contains("of the journal's radius"));
+        assert_eq!(said, sinks, "{:?}", outcome.report.warnings);
+    }
+}
+
+#[test]
 fn bad_parameters_are_bad_input() {
     let start = || json!({});
     let with = |normal: Value, friction: Value| complaints(&journal(normal, friction, start(), 1e-3, 2, 1e-8));

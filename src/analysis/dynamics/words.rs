@@ -8,6 +8,8 @@ use crate::system::{Origin, System};
 
 /// Determinant of the friction's equations, 1 without friction, below which a joint is about to lock itself.
 pub(super) const TIGHT: f64 = 0.1;
+/// Penetration, in parts of the journal's radius, that is not small any more.
+const DEEP: f64 = 0.1;
 
 /// Rigid contacts, by number, that no forces answer.
 pub(super) fn jam(motion: &Motion, jammed: &[usize], now: f64) -> String {
@@ -25,8 +27,17 @@ pub(super) fn jam(motion: &Motion, jammed: &[usize], now: f64) -> String {
 /// What is said where the penetration was beyond what the law of the normal force was made for.
 pub(super) fn beyond_range(joint: &str, journal: &Journal, deepest: f64) -> Option<String> {
     let Surface::Compliant(laws) = &journal.surface else { return None };
-    let range = laws.normal.range().filter(|range| deepest > *range)?;
-    Some(format!(
+    let Some(range) = laws.normal.range() else {
+        let radius = journal.bearing_radius - journal.clearance;
+        return (radius > 0.0 && deepest > DEEP * radius).then(|| {
+            format!(
+                "joint \"{joint}\": the penetration reached {deepest:.3e} m, {:.2} of the journal's radius: laws of contact are made for \
+                 one that is small against it; is the surface stiff enough?",
+                deepest / radius
+            )
+        });
+    };
+    (deepest > range).then(|| format!(
         "joint \"{joint}\": the penetration reached {deepest:.3e} m ({:.2} of the clearance), the formula of its normal law ends at \
          {range:.3e} m: beyond, the force goes on straight, and is no more than a guess",
         deepest / journal.clearance
