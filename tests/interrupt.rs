@@ -191,6 +191,23 @@ mod terminal {
         fs::remove_dir_all(folder).expect("removed");
     }
 
+    /// The flag is that of all runs of a command, not of the first one only.
+    #[test]
+    fn a_comparison_is_interrupted_in_any_of_its_runs() {
+        let models = ["--models", "ideal,two_state,contact"];
+        let run = ["compare", "slider-crank-clearance", "--joint", "wristpin", "--set", "analysis.end=20"];
+        let (mut child, mut master) = spawn(&[&run[..], &models].concat());
+        let mut seen = String::new();
+        read(&mut master, &mut seen, |seen| seen.contains("two_state [") && seen.contains(" %"));
+        interrupt(&child);
+        read(&mut master, &mut seen, |_| false);
+        let mut told = String::new();
+        child.stdout.take().expect("piped").read_to_string(&mut told).expect("UTF-8");
+        assert_eq!(child.wait().expect("ends").code(), Some(130), "{seen:?}");
+        assert!(told.contains("ideal ") && told.contains("interrupted"), "{told}");
+        assert!(screen(&seen).contains("error: interrupted: contact left out"), "{seen:?}");
+    }
+
     #[test]
     fn a_short_run_on_a_terminal_shows_no_line() {
         let (mut child, mut master) = spawn(&["run", "four-bar", "--set", "analysis.outputs=3"]);

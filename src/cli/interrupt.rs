@@ -1,30 +1,39 @@
 //! Ctrl-C: the first one asks the run to stop and to write what it has, the second one ends the process.
 
 use std::io::{self, IsTerminal, Write};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, OnceLock};
 
 use super::Exit;
 
 /// Characters of a line of progress, at most.
 const WIDTH: usize = 78;
 
-/// A flag that Ctrl-C sets from now on.
+/// The flag that Ctrl-C sets, the same for all runs of a command: the process can have one handler only.
 pub fn watch() -> Arc<AtomicBool> {
-    let interrupted = Arc::new(AtomicBool::new(false));
-    let flag = Arc::clone(&interrupted);
-    let handler = move || {
-        if flag.swap(true, Ordering::SeqCst) {
-            std::process::exit(Exit::Interrupted.code().into());
-        }
-        // over a line of progress, where there may be one
-        let back = if io::stderr().is_terminal() { "\r" } else { "" };
-        let _ =
-            writeln!(io::stderr(), "{back}{:WIDTH$}", "interrupted: writing what there is; once more to stop at once");
+    static INTERRUPTED: OnceLock<Arc<AtomicBool>> = OnceLock::new();
+    let begin = || {
+        let interrupted = Arc::new(AtomicBool::new(false));
+        let flag = Arc::clone(&interrupted);
+        // Where no handler can be set, Ctrl-C ends the process as it always does.
+        let _ = ctrlc::set_handler(move || handle(&flag));
+        interrupted
     };
-    // Where no handler can be set, Ctrl-C ends the process as it always does.
-    let _ = ctrlc::set_handler(handler);
-    interrupted
+    Arc::clone(INTERRUPTED.get_or_init(begin))
+}
+
+/// Whether Ctrl-C was pressed.
+pub fn is_set() -> bool {
+    watch().load(Ordering::SeqCst)
+}
+
+fn handle(flag: &AtomicBool) {
+    if flag.swap(true, Ordering::SeqCst) {
+        std::process::exit(Exit::Interrupted.code().into());
+    }
+    // over a line of progress, where there may be one
+    let back = if io::stderr().is_terminal() { "\r" } else { "" };
+    let _ = writeln!(io::stderr(), "{back}{:WIDTH$}", "interrupted: writing what there is; once more to stop at once");
 }
 
 #[cfg(all(test, unix))]
@@ -43,5 +52,7 @@ mod tests {
             interrupted.load(Ordering::SeqCst)
         });
         assert!(is_set);
+        // The next run of the same command sees it too.
+        assert!(watch().load(Ordering::SeqCst));
     }
 }

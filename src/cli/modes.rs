@@ -56,6 +56,10 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     }
     print(&if options.json { format!("{json:#}\n") } else { page(&opened, options.pose, &found, &written) })?;
     let exit = Exit::from(found.status);
+    if exit == Exit::Done && interrupt::is_set() {
+        complain("interrupted; the modes are complete all the same");
+        return Ok(Exit::Interrupted);
+    }
     if exit != Exit::Done {
         complain(found.message.as_deref().unwrap_or(found.status.word()));
     }

@@ -71,7 +71,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let directory = options.output.as_deref().map(open_output).transpose()?;
     let mut rungs = Vec::new();
     let mut exit = Exit::Done;
-    for model in models {
+    for &model in &models {
         let rung = Rung { model, ran: run(options, &joints, model, directory.as_ref())? };
         let ended = match &rung.ran {
             Ok(outcome) => Exit::from(outcome.report.status),
@@ -80,7 +80,9 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         };
         exit = worse(exit, ended);
         rungs.push(rung);
-        if ended == Exit::Interrupted {
+        // Also between two runs, and where a run ended before it looked.
+        if interrupt::is_set() && rungs.len() < models.len() {
+            exit = Exit::Interrupted;
             break;
         }
     }
@@ -104,6 +106,9 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         }
     }
     print(&report.page(&written))?;
+    if rungs.len() < models.len() {
+        complain(&format!("interrupted: {} left out", models[rungs.len()..].join(", ")));
+    }
     for rung in &rungs {
         match &rung.ran {
             Err(why) if wanted => complain(&format!("{}: {why}", rung.model)),
