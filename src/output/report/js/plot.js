@@ -78,7 +78,7 @@
         width: this.width, height: 230, scales, axes, series, legend: { show: false }, pxAlign: 0,
         padding: [10, this.units.length > 1 ? 4 : 14, 0, 4],
         cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: false, setScale: false }, bind: { dblclick: () => () => { this.plots.setZoom(null); return null; } } },
-        hooks: { drawClear: [(u) => this.events(u)], draw: [() => this.mark()], setSelect: [(u) => this.select(u)] },
+        hooks: { drawClear: [(u) => this.events(u)], draw: [(u) => this.eventWords(u), () => this.mark()], setSelect: [(u) => this.select(u)] },
       }, data, this.holder);
       this.line = element("div", { className: "now-line" });
       this.dots = this.columns.map((column, k) => { const dot = element("div", { className: "now-dot" }); dot.style.background = stroke(k); return dot; });
@@ -124,7 +124,7 @@
       const colour = drawing.colour("warn");
       pen.save();
       pen.beginPath(); pen.rect(left, top, width, height); pen.clip();
-      for (const [number, event] of this.plots.events.entries()) {
+      for (const event of this.plots.events) {
         const [from, to] = [event.from, event.to].map((value) => u.valToPos(value * units.of(this.plots.abscissa.unit).factor, "x", true));
         if (!Number.isFinite(from)) continue;
         pen.strokeStyle = pen.fillStyle = colour;
@@ -137,12 +137,26 @@
           pen.setLineDash([5 * devicePixelRatio, 4 * devicePixelRatio]);
           pen.beginPath(); pen.moveTo(from, top); pen.lineTo(from, top + height); pen.stroke();
         }
-        if (!event.low && this.plots.events.length <= 4) {
-          pen.font = `${11 * devicePixelRatio}px system-ui, sans-serif`;
-          const wide = pen.measureText(event.word).width, gap = 4 * devicePixelRatio;
-          pen.textBaseline = "top";
-          pen.fillText(event.word, from + gap + wide > left + width ? from - gap - wide : from + gap, top + (2 + 14 * number) * devicePixelRatio);
-        }
+      }
+      pen.restore();
+    }
+
+    // Their words where they are few, in front of grid and curves.
+    eventWords(u) {
+      const { left, top, width } = u.bbox, pen = u.ctx, ratio = devicePixelRatio;
+      if (this.plots.events.length > 4) return;
+      pen.save();
+      pen.beginPath(); pen.rect(left, top, width, u.bbox.height); pen.clip();
+      pen.font = `${11 * ratio}px system-ui, sans-serif`;
+      pen.textBaseline = "top"; pen.textAlign = "left";
+      pen.lineWidth = 4 * ratio; pen.lineJoin = "round";
+      pen.strokeStyle = drawing.colour("card"); pen.fillStyle = drawing.colour("warn");
+      for (const [number, event] of this.plots.events.entries()) {
+        const from = u.valToPos(event.from * units.of(this.plots.abscissa.unit).factor, "x", true);
+        if (!Number.isFinite(from) || event.low) continue;
+        const wide = pen.measureText(event.word).width, gap = 4 * ratio;
+        const at = [from + gap + wide > left + width ? from - gap - wide : from + gap, top + (2 + 14 * number) * ratio];
+        pen.strokeText(event.word, ...at); pen.fillText(event.word, ...at);
       }
       pen.restore();
     }
