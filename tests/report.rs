@@ -291,6 +291,51 @@ fn hostile_names_do_nothing() {
     assert_eq!(told["bodies"], json!(["<!--<script>", "__proto__"]));
 }
 
+/// Names that wrap have lines of their own; lengths are in the unit that suits them; settings have units; columns are those of
+/// the file.
+#[test]
+fn what_stands_beside_the_drawing_can_be_read() {
+    let Some(browser) = find() else { return };
+    let scratch = Scratch::new("long-names");
+    let path = scratch.0.join("model.json");
+    let text = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/models/four-bar.json")).expect("bundled");
+    let long = text
+        .replace("\"P\"", "\"outer_ball_joint_front_left_point\"")
+        .replace("coupler.P", "coupler.outer_ball_joint_front_left_point");
+    fs::write(&path, long.replace("coupler", "left_upper_control_arm")).expect("written");
+    let sample = r#"analysis={"type":"inverse_dynamics","sample":{"driver":"motor","from":"60 deg","to":"160 deg","step":"1 deg"}}"#;
+    let (page, csv, _) = run(&[path.to_str().expect("UTF-8"), "--set", sample]);
+    let probe = "const boxes = [...document.querySelectorAll('#traces label')].map((label) => label.getBoundingClientRect()); \
+        const units = linkdyn.units, lengths = () => [1e-5, 2e-3, 0.5, 1, 10, 2000].map(units.length); \
+        const engineering = lengths(); units.system = 'si'; const si = lengths(); units.system = 'engineering'; \
+        const cell = (head) => [...document.querySelectorAll('#tables th')].find((th) => th.textContent === head)?.nextSibling.textContent; \
+        answer({ over: boxes.filter((box, k) => k && box.top < boxes[k - 1].bottom - 0.5).length, engineering, si, \
+        wrapped: boxes.filter((box) => box.height > 30).length, from: cell('sample from'), analysis: document.getElementById('analysis').textContent });";
+    let (told, visit) = ask(&browser, &page, probe, Some(1000));
+    assert!(visit.console.is_empty(), "{:#?}", visit.console);
+    assert!(told["wrapped"].as_u64() > Some(0) && told["over"] == 0, "{told:#}");
+    assert_eq!(told["engineering"], json!(["10 µm", "2 mm", "500 mm", "1 m", "10 m", "2000 m"]));
+    assert_eq!(told["si"], json!(["1e−5 m", "0.002 m", "0.5 m", "1 m", "10 m", "2000 m"]));
+    assert_eq!(told["from"], "60°");
+    let columns = format!(", {} columns", cells(&csv).0.len());
+    assert!(told["analysis"].as_str().is_some_and(|text| text.ends_with(&columns)), "{told:#}, {columns}");
+}
+
+#[test]
+fn a_page_without_results_says_so_where_the_drawing_would_be() {
+    let Some(browser) = find() else { return };
+    let (page, _, _) = run(&["four-bar", "--set", r#"bodies.coupler.points.B=["9 m", 0]"#]);
+    let probe = "const box = (name) => document.getElementById(name).getBoundingClientRect(); \
+        const [card, said] = [box('motion'), box('undrawn')]; answer({ text: document.getElementById('undrawn').textContent, \
+        high: said.height, inside: said.top >= card.top && said.bottom <= card.bottom, wide: card.width });";
+    let (told, _) = ask(&browser, &page, probe, Some(1000));
+    assert_eq!(told["text"], "There is no result to show: assembly failed, for the reason given above.");
+    assert!(
+        told["inside"] == true && told["high"].as_f64() > Some(15.0) && told["wide"].as_f64() > Some(1000.0),
+        "{told:#}"
+    );
+}
+
 /// The policy refuses what is not ours, even if it got in.
 #[test]
 fn foreign_scripts_are_refused() {

@@ -105,11 +105,12 @@ pub fn to_text(page: &Page) -> String {
     // Writing to a String can't fail.
     let _ = write!(
         data,
-        "{{\"summary\":{facts},\"about\":{},\"source\":{},\"mechanism\":{mechanism},\"notes\":{},\"rows\":{},\"bytes\":{},\"columns\":[{}]}}",
+        "{{\"summary\":{facts},\"about\":{},\"source\":{},\"mechanism\":{mechanism},\"notes\":{},\"rows\":{},\"width\":{},\"bytes\":{},\"columns\":[{}]}}",
         texts[0],
         texts[1],
         escaped(&json!(notes).to_string()),
         plan.rows.len(),
+        page.summary.trajectory.width(),
         if plan.binary64 { 8 } else { 4 },
         columns.join(",")
     );

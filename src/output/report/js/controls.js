@@ -17,16 +17,19 @@
   id("status").classList.add(ok ? "good" : summary.status === "completed_with_gaps" ? "warn" : "bad");
   const kind = words((summary.settings || {}).type || "");
   const range = rows > 1 ? `, ${units.number(time[0], 4)} … ${units.number(time[rows - 1], 6)} s` : "";
-  put("analysis", `${kind}: ${rows === 1 ? "1 instant" : `${rows} instants`}${range}, ${plots.shown.length} columns`);
+  put("analysis", `${kind}: ${rows === 1 ? "1 instant" : `${rows} instants`}${range}, ${linkdyn.width} columns`);
   const notes = [...(summary.message ? [summary.message] : []), ...summary.warnings.slice(0, 5), ...linkdyn.notes];
   notes.forEach((text) => id("notes").append(element("p", { text, className: "text" })));
   id("notes").hidden = !notes.length;
   put("foot", `linkdyn ${summary.engine}. All numbers are in results.csv beside this file, in SI units.`);
-  if (rows === 0) put("undrawn", "There is no result to show.");
+  if (rows === 0) put("undrawn", `There is no result to show: ${words(summary.status)}${summary.message ? ", for the reason given above" : ""}.`);
   else if (mechanism.bodies.length < 2) put("undrawn", "The drawing of this model is not in this page.");
   else if (!shapes.known) put("undrawn", "The poses of the bodies are not in this page, so that there is nothing to draw.");
 
-  if (rows === 0) for (const name of ["side", "view"]) id(name).hidden = true;
+  if (rows === 0) {
+    for (const name of ["side", "view", "canvas"]) id(name).hidden = true;
+    id("motion").classList.add("empty");
+  }
 
   // Transport.
   const scrub = id("scrub");

@@ -54,7 +54,7 @@ const linkdyn = {};
   Object.assign(linkdyn, {
     plain, element, ofContact, eventWord, eventEnd,
     summary: given.summary, about: given.about, source: given.source, mechanism: given.mechanism, notes: given.notes,
-    rows, columns, byName,
+    rows, columns, byName, width: given.width,
     column: (name) => byName.get(name),
     time,
   });

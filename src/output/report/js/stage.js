@@ -75,7 +75,7 @@
 
   // A length that is easy to read, as a bar.
   const ruler = () => {
-    const { factor, label } = units.of("m");
+    const { factor } = units.of("m");
     const about = Math.min(140, width * 0.25) / view.scale * factor;
     const power = 10 ** Math.floor(Math.log10(about));
     const nice = [5, 2, 1].map((n) => n * power).find((n) => n <= about) || power;
@@ -84,7 +84,7 @@
     drawing.path(pen, [[14, height - 20], [14, height - 14], [14 + long, height - 14], [14 + long, height - 20]]);
     pen.stroke();
     pen.font = "12px system-ui, sans-serif"; pen.textBaseline = "bottom";
-    pen.fillText(`${units.number(nice, 3)} ${label}`, 20, height - 17);
+    pen.fillText(units.length(nice / factor), 20, height - 17);
   };
 
   const arrows = (row, px) => {

@@ -58,6 +58,11 @@
   const list = (nodes) => { const box = element("div", { className: "scroll" }); nodes.forEach((node) => box.append(element("p", {}, node))); return box; };
 
   const { mobility, quality, statistics, timing, settings, equilibrium } = summary;
+  // A sample is in the unit of its driver, the rest that has one is time.
+  const settingUnit = ([key, inner]) => {
+    if (key === "sample") return mechanism.drivers.find(({ name }) => name === settings.sample.driver)?.joint === undefined ? "rad" : "m";
+    return key === "end" || ["max_step", "initial_step", "max_wall_time"].includes(inner) ? "s" : undefined;
+  };
   const small = (value) => value === null || value === undefined ? undefined : units.number(value, 3);
   let facts = null;
   const diagnosis = () => {
@@ -74,7 +79,11 @@
       ["events", summary.events.length ? list(summary.events.map(event)) : "none"],
     ]);
     const flat = (value, path) => value !== null && typeof value === "object" && !Array.isArray(value)
-      ? Object.entries(value).flatMap(([key, inner]) => flat(inner, [...path, words(key)])) : [[path.join(" "), Array.isArray(value) ? value.join(", ") : value === null ? undefined : String(value)]];
+      ? Object.entries(value).flatMap(([key, inner]) => flat(inner, [...path, key])) : [[words(path.join(" ")), setting(value, path)]];
+    const setting = (value, path) => {
+      if (typeof value === "number" && settingUnit(path)) return units.quantity(value, settingUnit(path), 10);
+      return Array.isArray(value) ? value.join(", ") : value === null ? undefined : String(value);
+    };
     pairs("Settings and work", [
       ["engine", `linkdyn ${summary.engine}`], ["model file, SHA-256", summary.model.sha256], ...flat(settings || {}, []),
       ...Object.entries(statistics).filter(([, count]) => count).map(([key, count]) => [words(key), String(count)]),

@@ -35,8 +35,16 @@
     return number(value * factor, digits) + (label === "–" ? "" : label === "°" ? "°" : " " + label);
   };
 
+  // A round length, as short as can be.
+  const length = (metres) => {
+    const known = system === "engineering" ? [[1, "m"], [1e-3, "mm"], [1e-6, "µm"]] : [[1, "m"]];
+    // Round-off of a metre is still a metre.
+    const [unit, label] = known.find(([unit]) => metres > unit * 0.999) || known[known.length - 1];
+    return `${number(metres / unit, 6)} ${label}`;
+  };
+
   linkdyn.units = {
-    of, number, quantity,
+    of, number, quantity, length,
     get system() { return system; },
     set system(name) { system = name; listeners.forEach((listen) => listen()); },
     onChange: (listen) => listeners.push(listen),
