@@ -81,7 +81,7 @@ pub struct Chart {
     pub panels: Vec<Panel>,
     pub marks: Vec<Mark>,
     pub grid: bool,
-    /// Width and height of the page [mm]; left out: one column wide, higher with more panels.
+    /// Width and height of the page [mm]; left out: one column wide, higher with more panels and longer legends.
     pub size_mm: [Option<f64>; 2],
     /// [pt]
     pub font_size: f64,
@@ -106,12 +106,20 @@ impl Default for Chart {
 }
 
 impl Chart {
-    /// Width and height of the page [pt].
-    pub(super) fn size(&self) -> [f64; 2] {
+    /// Width of the page [pt].
+    pub(super) fn width(&self) -> f64 {
+        self.size_mm[0].unwrap_or(COLUMN_MM) * POINTS_PER_MM
+    }
+
+    /// Height of the page where it is given [pt].
+    pub(super) fn height(&self) -> Option<f64> {
+        Some(self.size_mm[1]? * POINTS_PER_MM)
+    }
+
+    /// Height of a page of so many panels [pt].
+    pub(super) fn usual_height(&self) -> f64 {
         let further = self.panels.len().saturating_sub(1) as f64;
-        let width = self.size_mm[0].unwrap_or(COLUMN_MM);
-        let height = self.size_mm[1].unwrap_or(FIRST_MM + FURTHER_MM * further);
-        [width * POINTS_PER_MM, height * POINTS_PER_MM]
+        (FIRST_MM + FURTHER_MM * further) * POINTS_PER_MM
     }
 
     /// Lays the figure out.

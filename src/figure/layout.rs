@@ -19,12 +19,18 @@ const TICK: f64 = 0.35;
 const GAP: f64 = 0.35;
 const BETWEEN_PANELS: f64 = 1.1;
 const SAMPLE: f64 = 2.8;
+/// Longer labels of y axes are cut rather than given more height.
+const LONGEST_LABEL: f64 = 22.0;
+/// Size of the note.
+const NOTE: f64 = 0.85;
 /// Least distance of ticks on the axes.
 const X_TICKS: f64 = 4.2;
 const Y_TICKS: f64 = 2.2;
 /// Least size of a panel.
 const LEAST_PANEL: f64 = 4.0;
-/// Largest part of the page that the legend, and the note, may take.
+/// Rows of the legend that the usual height of a page has room for.
+const USUAL_ROWS: usize = 2;
+/// Largest part of a page of given height that the legend, and the note, may take.
 const MOST_OF_PAGE: f64 = 0.5;
 
 const AXIS_INK: Ink = Ink::grey(60);
@@ -40,9 +46,9 @@ struct Frame<'a> {
 
 /// Draws the chart.
 pub fn draw(chart: &Chart) -> Result<Scene, Fault> {
-    let [width, height] = chart.size();
+    let width = chart.width();
     let em = chart.font_size;
-    let mut scene = Scene::new(width, height);
+    let mut scene = Scene::new(width, 0.0);
     scene.title = printable(&chart.title);
     scene.about = printable(&chart.note);
 
@@ -55,16 +61,24 @@ pub fn draw(chart: &Chart) -> Result<Scene, Fault> {
         scene.label("title", at, vec![Run::plain(text)], 1.1 * em, Anchor::Middle);
         top += 1.1 * em * LINE;
     }
-    top = legend(chart, &labels, &mut scene, top)?;
+    let rows = legend(chart, &labels, &mut scene, top);
+    top += rows as f64 * LINE * em;
     if chart.marks.iter().any(|mark| !mark.label.is_empty()) {
         top += LINE * em;
     }
-    let mut bottom = height - EDGE * em;
-    bottom = note(chart, &mut scene, bottom)?;
-    let x_label_at = bottom - 0.25 * em;
-    let foot = (LINE + GAP + LINE) * em + TICK * em;
-    bottom -= foot;
     top += 0.5 * em;
+    let lines = note_lines(chart, width);
+    let above_foot = (LINE + GAP + LINE) * em + TICK * em;
+    let foot = EDGE * em + note_height(&lines, em) + above_foot;
+    let height = chart.height().unwrap_or_else(|| default_height(chart, rows, top + foot));
+    let most = MOST_OF_PAGE * height;
+    if chart.height().is_some() && (rows as f64 * LINE * em > most || note_height(&lines, em) > most) {
+        return Err(Fault::TooSmall);
+    }
+    scene.height = height;
+    let bottom = height - foot;
+    let x_label_at = bottom + above_foot - 0.25 * em;
+    note(&lines, em, &mut scene);
 
     // Heights of the panels give the ticks, their labels the left margin, and that the x axis.
     let count = chart.panels.len() as f64;
@@ -155,10 +169,23 @@ fn fit_runs(mut runs: Vec<Run>, size: f64, room: f64) -> Vec<Run> {
     runs
 }
 
-/// The legend in columns; returns where it ends. None for a single curve without a label.
-fn legend(chart: &Chart, labels: &[String], scene: &mut Scene, top: f64) -> Result<f64, Fault> {
+/// Height of a page that may have any: many rows of a legend do not take theirs from the curves, and labels of y axes are whole.
+/// `fixed` is what is above and below the panels.
+fn default_height(chart: &Chart, legend_rows: usize, fixed: f64) -> f64 {
+    let em = chart.font_size;
+    let count = chart.panels.len().max(1) as f64;
+    let usual = chart.usual_height() + legend_rows.saturating_sub(USUAL_ROWS) as f64 * LINE * em;
+    let rest = fixed + (count - 1.0) * BETWEEN_PANELS * em;
+    // A power of ten may come to each.
+    let label = |panel: &Panel| font::width_of_runs(&axis_label(&panel.axis, -6), em);
+    let longest = chart.panels.iter().map(label).fold(0.0, f64::max).min(LONGEST_LABEL * em);
+    usual.max(rest + count * longest)
+}
+
+/// The legend in columns; returns the number of its rows. None for a single curve without a label.
+fn legend(chart: &Chart, labels: &[String], scene: &mut Scene, top: f64) -> usize {
     if labels.iter().all(String::is_empty) {
-        return Ok(top);
+        return 0;
     }
     let em = chart.font_size;
     let room = scene.width - 2.0 * EDGE * em;
@@ -168,9 +195,6 @@ fn legend(chart: &Chart, labels: &[String], scene: &mut Scene, top: f64) -> Resu
     let columns = ((room + 1.2 * em) / widest).floor().clamp(1.0, texts.len() as f64) as usize;
     let rows = texts.len().div_ceil(columns);
     let columns = texts.len().div_ceil(rows);
-    if rows as f64 * LINE * em > MOST_OF_PAGE * scene.height {
-        return Err(Fault::TooSmall);
-    }
     let start = (scene.width - (columns as f64 * widest - 1.2 * em)) / 2.0;
     for (index, text) in texts.iter().enumerate() {
         let x = start + (index % columns) as f64 * widest;
@@ -181,16 +205,16 @@ fn legend(chart: &Chart, labels: &[String], scene: &mut Scene, top: f64) -> Resu
         let at = [x + before, middle + font::CAPITALS * em / 2.0];
         scene.label("legend", at, vec![Run::plain(text.as_str())], em, Anchor::Start);
     }
-    Ok(top + rows as f64 * LINE * em)
+    rows
 }
 
-/// The note, wrapped, at the foot of the page; returns where it begins.
-fn note(chart: &Chart, scene: &mut Scene, bottom: f64) -> Result<f64, Fault> {
+/// The note, wrapped.
+fn note_lines(chart: &Chart, width: f64) -> Vec<String> {
     if chart.note.is_empty() {
-        return Ok(bottom);
+        return Vec::new();
     }
-    let size = 0.85 * chart.font_size;
-    let room = scene.width - 2.0 * EDGE * chart.font_size;
+    let size = NOTE * chart.font_size;
+    let room = width - 2.0 * EDGE * chart.font_size;
     let mut lines = vec![String::new()];
     for word in printable(&chart.note).split_whitespace() {
         let line = lines.last_mut().map(std::mem::take).unwrap_or_default();
@@ -203,16 +227,22 @@ fn note(chart: &Chart, scene: &mut Scene, bottom: f64) -> Result<f64, Fault> {
             lines.extend([line, word.to_string()]);
         }
     }
-    let height = lines.len() as f64 * LINE * size;
-    if height > MOST_OF_PAGE * scene.height {
-        return Err(Fault::TooSmall);
-    }
+    lines.iter().map(|line| font::fit(line, size, room)).collect()
+}
+
+/// Height of the note with the gap above it.
+fn note_height(lines: &[String], em: f64) -> f64 {
+    if lines.is_empty() { 0.0 } else { (lines.len() as f64 * LINE * NOTE + 0.3) * em }
+}
+
+/// The note, at the foot of the page.
+fn note(lines: &[String], em: f64, scene: &mut Scene) {
+    let size = NOTE * em;
+    let start = scene.height - EDGE * em - lines.len() as f64 * LINE * size;
     for (index, line) in lines.iter().enumerate() {
-        let at = [EDGE * chart.font_size, bottom - height + (index as f64 + 0.8) * LINE * size];
-        let runs = vec![Run::plain(font::fit(line, size, room))];
-        scene.label("note", at, runs, size, Anchor::Start);
+        let at = [EDGE * em, start + (index as f64 + 0.8) * LINE * size];
+        scene.label("note", at, vec![Run::plain(line.as_str())], size, Anchor::Start);
     }
-    Ok(bottom - height - 0.3 * chart.font_size)
 }
 
 /// Scale and ticks of the x axis, labels with room between them.
@@ -318,9 +348,12 @@ fn y_axis(chart: &Chart, frame: &Frame, [left, right]: [f64; 2], scene: &mut Sce
     let runs = axis_label(&frame.panel.axis, frame.ticks.exponent);
     if !runs.is_empty() {
         let at: Place = [EDGE * em + 0.85 * em, (upper + lower) / 2.0];
-        let runs = fit_runs(runs, em, lower - upper + BETWEEN_PANELS * em);
+        // Labels of neighbouring panels keep a gap; where a unit alone is too long, its letters are smaller.
+        let room = lower - upper + (BETWEEN_PANELS - 0.7) * em;
+        let runs = fit_runs(runs, em, room);
+        let size = em * (room / font::width_of_runs(&runs, em)).min(1.0);
         let (class, ink) = ("y-label", Ink::grey(0));
-        scene.items.push(Item::Label { class, at, runs, size: em, anchor: Anchor::Middle, turned: true, ink });
+        scene.items.push(Item::Label { class, at, runs, size, anchor: Anchor::Middle, turned: true, ink });
     }
 }
 
