@@ -242,6 +242,18 @@ fn legends_and_many_panels_leave_room_for_the_curves() {
 }
 
 #[test]
+fn the_largest_numbers_are_read_off_as_they_are() {
+    let scratch = Scratch::new("largest");
+    scratch.write("r.csv", "time[s],a[m]\n0,-1e308\n1,1e308\n");
+    scratch.done(&["plot", "r.csv", "--y", "a", "-o", "a.svg"]);
+    let svg = scratch.text("a.svg");
+    let curves = read_off(&svg);
+    assert!((curves[0][0][1] + 100.0).abs() < 0.1 && (curves[0][1][1] - 100.0).abs() < 0.1, "{curves:?}");
+    let document = Document::parse(&svg).expect("XML");
+    assert_eq!(label(of_class(&document, "y-label")[0]), "a [10306 m]");
+}
+
+#[test]
 fn events_are_marked_where_they_are() {
     let scratch = Scratch::new("events");
     scratch.done(&["run", "lock", "--set", "analysis.sample.step=5 deg", "-o", "lock"]);

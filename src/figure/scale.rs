@@ -7,8 +7,8 @@ use super::words::minus;
 const PLAIN: std::ops::Range<i32> = -2..5;
 /// Most ticks of an axis, whatever its length.
 const MOST_TICKS: usize = 400;
-/// Largest end of an axis, so that sums and differences of ends are finite.
-pub const LARGEST: f64 = 1e300;
+/// Largest end of an axis. Differences of ends need not be finite: only parts of them are formed.
+pub const LARGEST: f64 = f64::MAX;
 
 /// An axis: `low` lies at `start`, `high` at `end` [pt].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,7 +35,8 @@ impl Scale {
         if self.log {
             (value.log10() - self.low.log10()) / (self.high.log10() - self.low.log10())
         } else {
-            (value - self.low) / (self.high - self.low)
+            let half = if (self.high - self.low).is_finite() { 1.0 } else { 0.5 };
+            (half * value - half * self.low) / (half * self.high - half * self.low)
         }
     }
 
@@ -53,7 +54,11 @@ impl Scale {
 
     fn linear_ticks(&self, most: f64, turns: bool) -> Ticks {
         let span = self.high - self.low;
-        let (step, parts) = round_step(span / most, turns);
+        let (raw, slack) = match span.is_finite() {
+            true => (span / most, 1e-9 * span),
+            false => (self.high / most - self.low / most, 1e-9 * self.high - 1e-9 * self.low),
+        };
+        let (step, parts) = round_step(raw, turns);
         let largest = self.low.abs().max(self.high.abs());
         let magnitude = order(largest);
         // Powers of a thousand, as for units.
@@ -71,7 +76,7 @@ impl Scale {
             let count = if last >= first { (last - first) as usize } else { 0 };
             (0..=count.min(MOST_TICKS)).map(move |k| (first + k as f64) * step).filter(|value| value.is_finite())
         };
-        let inside = |value: &f64| *value >= self.low - 1e-9 * span && *value <= self.high + 1e-9 * span;
+        let inside = |value: &f64| *value >= self.low - slack && *value <= self.high + slack;
         Ticks {
             major: within(step).filter(inside).map(|value| (value, label(value))).collect(),
             minor: within(step / f64::from(parts)).filter(inside).collect(),
@@ -163,13 +168,14 @@ pub fn range(values: impl Iterator<Item = f64>, log: bool, margin: f64) -> Optio
         return Some([(low / factor).max(f64::MIN_POSITIVE), (high * factor).min(LARGEST)]);
     }
     let size = low.abs().max(high.abs());
-    let span = high - low;
+    let half = 0.5 * high - 0.5 * low;
     // Round-off is no curve: a constant is shown as one.
-    if span <= 1e-12 * size || span < f64::MIN_POSITIVE {
+    if half <= 0.5e-12 * size || half < f64::MIN_POSITIVE {
         let room = if size > 1e-300 { 0.1 * size } else { 1.0 };
         return Some([(low - room).max(-LARGEST), (high + room).min(LARGEST)]);
     }
-    Some([(low - margin * span).max(-LARGEST), (high + margin * span).min(LARGEST)])
+    let room = 2.0 * margin * half;
+    Some([(low - room).max(-LARGEST), (high + room).min(LARGEST)])
 }
 
 #[cfg(test)]
@@ -228,6 +234,15 @@ mod tests {
         assert_eq!(range([0.0].into_iter(), false, 0.05), Some([-1.0, 1.0]));
         let [low, high] = range([-f64::MAX, f64::MAX].into_iter(), false, 0.05).expect("values");
         assert_eq!([low, high], [-LARGEST, LARGEST]);
+    }
+
+    #[test]
+    fn the_largest_numbers_have_ticks_where_they_are() {
+        let [low, high] = range([-1e308, 1e308].into_iter(), false, 0.05).expect("values");
+        assert!((low / -1.1e308 - 1.0).abs() < 1e-12 && high == -low, "{low} {high}");
+        let ticks = linear(low, high).ticks(35.0, false);
+        assert_eq!((labels(&ticks).join(" "), ticks.exponent), ("−100 −50 0 50 100".into(), 306));
+        assert_eq!(linear(low, high).place(0.0), Some(100.0));
     }
 
     #[test]
