@@ -1,6 +1,6 @@
 //! A figure per compared column: the curves of all models over time.
 
-use crate::figure::{Axis, Chart, Curve, Panel, svg};
+use crate::figure::{Axis, Chart, Curve, Panel, svg, words};
 use crate::output::Comparison;
 use crate::output::trajectory::TIME;
 
@@ -30,10 +30,9 @@ pub fn figures(comparison: &Comparison, models: &[&str]) -> Vec<Figure> {
         let curves: Vec<Curve> = models.iter().map(curve).collect();
         let mut axis = Axis::new(column.name.as_str(), unit);
         let mut note = String::new();
-        if let Some((range, [least, most])) = without_peaks(&curves) {
+        if let Some((range, ends)) = without_peaks(&curves) {
             axis.range = Some(range);
-            note = format!("peaks cut off: values from {} to {} {unit}", short(least), short(most));
-            note = note.trim_end().replace('-', "−");
+            note = cut_off(ends, unit);
         }
         let chart = Chart {
             note,
@@ -60,6 +59,12 @@ fn without_peaks(curves: &[Curve]) -> Option<([f64; 2], [f64; 2])> {
     let [low, high] = [values[rank], values[values.len() - 1 - rank]];
     let margin = 0.25 * (high - low);
     (margin > 0.0 && all[1] - all[0] > SQUEEZED * (high - low)).then_some(([low - margin, high + margin], all))
+}
+
+/// What is told of peaks.
+fn cut_off(ends: [f64; 2], unit: &str) -> String {
+    let [least, most] = ends.map(|value| words::minus(&short(value)));
+    format!("peaks cut off: values from {least} to {most} {}", words::unit(unit)).trim_end().to_string()
 }
 
 /// A number to four digits.
@@ -96,6 +101,12 @@ mod tests {
         assert!(all[1] == 1e6 && range[0] < -1.4 && range[1] > 1.4 && range[1] < 2.0, "{range:?} {all:?}");
         assert_eq!(without_peaks(&[Curve::new("a", vec![0.0, 1.0], vec![0.0, 1e9])]), None);
         assert_eq!(without_peaks(&[]), None);
+    }
+
+    #[test]
+    fn peaks_are_told_in_units_as_the_axis_writes_them() {
+        assert_eq!(cut_off([-134.6, 17730.0], "N*m"), "peaks cut off: values from −134.6 to 17730 N·m");
+        assert_eq!(cut_off([-1e-5, 2e9], ""), "peaks cut off: values from −1.000e−5 to 2.000e9");
     }
 
     #[test]
