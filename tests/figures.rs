@@ -254,6 +254,25 @@ fn the_largest_numbers_are_read_off_as_they_are() {
 }
 
 #[test]
+fn tables_of_others_are_read_or_refused_with_the_reason() {
+    let scratch = Scratch::new("foreign");
+    scratch.write("semicolon.csv", "time[s];x[m]\n0;1\n");
+    scratch.write("tab.csv", "time[s]\tx[m]\n0\t1\n");
+    scratch.write("blanks.csv", "time[s], x[m], y [m]\n0, 1, 2\n1, 2, 3\n");
+    scratch.write("mine.json", "{\n\"format\": \"linkdyn/1\" }");
+    for (file, said) in [
+        ("semicolon.csv", "semicolon.csv: its columns are separated by ';': commas are wanted"),
+        ("tab.csv", "tab.csv: its columns are separated by '\\t': commas are wanted"),
+        ("four-bar", "four-bar: a model, not its results (run it first: linkdyn run four-bar -o out; then name out)"),
+        ("mine.json", "mine.json: a model, not its results"),
+    ] {
+        scratch.refused(&["plot", file, "--y", "x", "-o", "a.svg"], said);
+    }
+    scratch.done(&["plot", "blanks.csv", "--y", "x", "y", "-o", "a.svg"]);
+    scratch.done(&["plot", "blanks.csv", "--y", "x*", "-o", "a.svg"]);
+}
+
+#[test]
 fn events_are_marked_where_they_are() {
     let scratch = Scratch::new("events");
     scratch.done(&["run", "lock", "--set", "analysis.sample.step=5 deg", "-o", "lock"]);

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 use super::BadInput;
+use crate::bundled;
 use crate::output::read::{ReadColumn, ReadError, read_file};
 use crate::output::trajectory::matches;
 use crate::output::{Directory, Table, WriteError};
@@ -38,7 +39,15 @@ impl Results {
     /// # Errors
     /// When there is no table, or one without rows.
     pub fn open(path: &Path) -> Result<Self, BadInput> {
-        let table = Table::read(path)?;
+        let table = Table::read(path).map_err(|error| match (&error, is_model(path)) {
+            (ReadError::Missing(_) | ReadError::NoHeader(_), true) => {
+                let path = path.display();
+                BadInput(vec![format!(
+                    "{path}: a model, not its results (run it first: linkdyn run {path} -o out; then name out)"
+                )])
+            }
+            _ => error.into(),
+        })?;
         if table.is_empty() {
             let path = table.path.display();
             return Err(BadInput(vec![format!("{path}: there is a header and no row: the run gave no result")]));
@@ -76,7 +85,7 @@ impl Results {
         if !name.contains(['*', '?']) {
             return Vec::new();
         }
-        self.table.columns.iter().filter(|column| matches(name, &column.name)).collect()
+        self.table.columns.iter().filter(|column| matches(name, column.name.trim())).collect()
     }
 
     /// What to say about a name or pattern that stands for nothing.
@@ -114,6 +123,12 @@ impl Results {
         };
         format!("{}: {option} {name}: no column of that name ({hint})", self.table.path.display())
     }
+}
+
+/// Whether a name is that of a model: a bundled one, or a file of JSON.
+fn is_model(path: &Path) -> bool {
+    let is_bundled = || path.to_str().is_some_and(|name| bundled::text(name).is_ok());
+    if path.exists() { extension(path) == "json" } else { is_bundled() }
 }
 
 /// Writes the one file that was asked for; its directory is made where missing.

@@ -24,6 +24,8 @@ pub enum ReadError {
     Empty(PathBuf),
     #[error("{}: not a table of results: its first line names no column as name[unit]", .0.display())]
     NoHeader(PathBuf),
+    #[error("{}: its columns are separated by {separator:?}: commas are wanted, and points in numbers", .path.display())]
+    Separator { path: PathBuf, separator: char },
     #[error("{}: not a table of results: it is not text in UTF-8", .0.display())]
     NotText(PathBuf),
     #[error("{}: line {line} has {cells} cells, the header has {columns}", .path.display())]
@@ -98,6 +100,11 @@ impl Table {
         let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(text.as_bytes());
         let header = reader.headers().map_err(|_| ReadError::NotText(path.clone()))?;
         let mut columns: Vec<ReadColumn> = header.iter().map(column).collect();
+        if let [only] = &columns[..]
+            && let Some(separator) = [';', '\t'].into_iter().find(|separator| only.label().contains(*separator))
+        {
+            return Err(ReadError::Separator { path, separator });
+        }
         if columns.iter().all(|column| column.unit.is_empty()) {
             return Err(ReadError::NoHeader(path));
         }
@@ -124,9 +131,11 @@ impl Table {
         self.len() == 0
     }
 
-    /// The column of that name, given with or without its `[unit]`.
+    /// The column of that name, given with or without its `[unit]`; blanks around it count only where they tell two apart.
     pub fn column(&self, name: &str) -> Option<&ReadColumn> {
-        self.columns.iter().find(|column| column.name == name || column.label() == name)
+        let exact = self.columns.iter().find(|column| column.name == name || column.label() == name);
+        let is_near = |column: &&ReadColumn| column.name.trim() == name.trim() || column.label().trim() == name.trim();
+        exact.or_else(|| self.columns.iter().find(is_near))
     }
 
     /// The values of a column.
@@ -148,7 +157,7 @@ impl Table {
 
 /// `name[unit]`, split.
 fn column(header: &str) -> ReadColumn {
-    let split = header.strip_suffix(']').and_then(|rest| rest.rsplit_once('['));
+    let split = header.trim_end().strip_suffix(']').and_then(|rest| rest.rsplit_once('['));
     let (name, unit) = split.unwrap_or((header, ""));
     ReadColumn { name: name.into(), unit: unit.into(), values: Vec::new(), odd: None }
 }
@@ -194,10 +203,21 @@ mod tests {
             ("", "r.csv: the file is empty"),
             ("\n \n", "r.csv: the file is empty"),
             ("a,b\n1,2\n", "r.csv: not a table of results: its first line names no column as name[unit]"),
+            (
+                "time[s];x[m]\n0,5;1\n",
+                "r.csv: its columns are separated by ';': commas are wanted, and points in numbers",
+            ),
+            (
+                "time[s]\tx[m]\n0\t1\n",
+                "r.csv: its columns are separated by '\\t': commas are wanted, and points in numbers",
+            ),
             ("a[m],b\n1,2\n1\n", "r.csv: line 3 has 1 cells, the header has 2"),
         ] {
             assert_eq!(parse(text), Err(said.to_string()));
         }
+        let spaced = parse("time[s], x [m] , y\n0,1,2\n").expect("blanks do no harm");
+        assert!(["x", " x", "x [m]", "y"].iter().all(|name| spaced.column(name).is_some()), "{spaced:?}");
+        assert_eq!((spaced.columns[1].unit.as_str(), spaced.column("z")), ("m", None));
         let table = parse("t[s],what[m]\n0,1\n1,none\n").expect("only one column is odd");
         assert!(table.values(&table.columns[0]).is_ok());
         let said = table.values(&table.columns[1]).expect_err("a word").to_string();
