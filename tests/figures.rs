@@ -505,6 +505,35 @@ fn what_is_drawn_has_the_proportions_of_the_model() {
     }
 }
 
+/// The bar of a slot in a moving body begins at the body's point, and does not float beside it.
+#[test]
+fn a_guide_on_a_moving_body_reaches_to_the_body() {
+    let scratch = Scratch::new("slot");
+    scratch.write(
+        "m.json",
+        r#"{ "format": "linkdyn/1", "units": "SI",
+        "bodies": { "ground": { "points": { "O": [0, 0], "Q": [0, -2] } }, "crank": { "points": { "O": [0, 0], "A": [1, 0] } },
+            "lever": { "points": { "Q": [0, 0] }, "pose": { "position": [0, -2], "angle": 1.1 } } },
+        "joints": { "o": { "type": "revolute", "between": ["ground.O", "crank.O"] },
+            "q": { "type": "revolute", "between": ["ground.Q", "lever.Q"] },
+            "s": { "type": "slot", "between": ["lever.Q", "crank.A"], "axis": [1, 0] } },
+        "drivers": { "d": { "type": "rotation", "body": "crank", "motion": { "type": "constant_velocity", "velocity": 1 } } },
+        "analysis": { "type": "kinematics", "end": 0.5, "outputs": 11 } }"#,
+    );
+    scratch.done(&["run", "m.json", "-o", "out"]);
+    let told = scratch.done(&["animate", "out", "-o", "a.svg", "--poses", "1"]);
+    assert!(told.contains(", 1 pose,"), "{told}");
+    let svg = scratch.text("a.svg");
+    let document = Document::parse(&svg).expect("XML");
+    let guide = points(of_class(&document, "guide")[0]);
+    let pins: Vec<[f64; 2]> = of_class(&document, "pin")
+        .into_iter()
+        .map(|pin| ["cx", "cy"].map(|key| pin.attribute(key).expect(key).parse().expect("a number")))
+        .collect();
+    let near = |end: [f64; 2]| pins.iter().any(|pin| (pin[0] - end[0]).hypot(pin[1] - end[1]) < 0.01);
+    assert!(guide.iter().any(|end| near(*end)), "{guide:?} and {pins:?}");
+}
+
 #[test]
 fn gaps_have_no_pose() {
     let scratch = Scratch::new("film-gaps");
@@ -535,7 +564,7 @@ fn what_can_not_be_animated_is_told() {
         let arguments = [&["animate", results], rest].concat();
         scratch.refused(&arguments, said);
     };
-    animate("bare", &["-o", "a.gif"], "name the model with --model");
+    animate("bare", &["-o", "a.gif"], "summary.json: no such file (name the model with --model");
     animate("bare", &["-o", "a.gif", "--model", "four-bar"], "no column crank.y, crank.angle");
     animate("bare", &["-o", "a.gif", "--model", "five-bar"], "no bundled model of that name");
     animate("bare", &["-o", "a.mp4"], "must end in .gif, .svg or .png");
@@ -545,8 +574,25 @@ fn what_can_not_be_animated_is_told() {
     animate("out", &["-o", "a.gif", "--width", "4000", "--duration", "600"], "pixels for all frames are too many");
     scratch.write("out/summary.json", r#"{"drawing":{"bodies":[],"joints":[],"springs":[],"traces":[[9,[0,0]]]}}"#);
     animate("out", &["-o", "a.gif"], "summary.json: the key \"drawing\" names a body that it does not have");
-    scratch.write("out/summary.json", r#"{"drawing":[1e999]}"#);
-    animate("out", &["-o", "a.gif"], "name the model with --model");
+    for (text, said) in [
+        (r#"{"drawing":[1e999]}"#, "summary.json: not JSON that can be read (name the model with --model"),
+        ("{}", "summary.json: has no key \"drawing\", which tells the shape"),
+    ] {
+        scratch.write("out/summary.json", text);
+        animate("out", &["-o", "a.gif"], said);
+    }
+    for rest in [&["-o", "a.gif", "--poses", "4"][..], &["-o", "a.gif", "--strip"], &["-o", "a.gif", "--dpi", "100"]] {
+        animate("out", rest, "only for poses, and a .gif is a film");
+    }
+    animate("out", &["-o", "a.svg", "--fps", "4"], "--fps: only for a film");
+    let ground = r#"{ "format": "linkdyn/1", "units": "SI", "bodies": { "ground": { "points": { "O": [0, 0] } } },
+        "analysis": { "type": "kinematics", "end": 1, "outputs": 3 } }"#;
+    scratch.write("ground.json", ground);
+    animate(
+        "bare",
+        &["-o", "a.gif", "--model", "ground.json"],
+        "nothing to draw: the model has no body but the ground",
+    );
     let columns = "analysis.columns=[\"crank.*\"]";
     scratch.done(&["run", "four-bar", "--set", "analysis.outputs=3", "--set", columns, "-o", "few"]);
     animate("few", &["-o", "a.gif"], "no column coupler.x, coupler.y, coupler.angle, rocker.x and 2 more");

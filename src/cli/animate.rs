@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::measures::{dpi, number_within};
 use super::open;
-use super::page::{Page, number};
+use super::page::{Page, count, number};
 use super::results::{Results, extension, write_file};
 use super::{BadInput, Exit, print};
 use crate::figure::drawing::Drawing;
@@ -24,6 +24,10 @@ const DURATION: [f64; 2] = [2.0, 12.0];
 const MOST_FRAMES: f64 = 5000.0;
 /// Frames that the palette is made from.
 const SAMPLES: usize = 8;
+/// Where none is asked for.
+const FPS: f64 = 25.0;
+const POSES: usize = 6;
+const DPI: f64 = 300.0;
 
 #[derive(Debug, Args)]
 #[command(after_help = HELP)]
@@ -40,21 +44,21 @@ pub struct Options {
     /// Width: of a film in pixels, of poses in millimetres
     #[arg(long, value_name = "PX|MM", value_parser = width)]
     width: Option<f64>,
-    /// Frames per second of a film
-    #[arg(long, value_name = "N", default_value_t = 25.0, value_parser = fps)]
-    fps: f64,
+    /// Frames per second of a film [default: 25]
+    #[arg(long, value_name = "N", value_parser = fps)]
+    fps: Option<f64>,
     /// Length of a film in seconds; left out: that of the motion, but 2 s at least and 12 s at most
     #[arg(long, value_name = "S", value_parser = duration)]
     duration: Option<f64>,
-    /// Number of poses, equally spaced in time
-    #[arg(long, value_name = "N", default_value_t = 6)]
-    poses: usize,
+    /// Number of poses, equally spaced in time [default: 6]
+    #[arg(long, value_name = "N")]
+    poses: Option<usize>,
     /// Poses side by side instead of over each other
     #[arg(long)]
     strip: bool,
-    /// Resolution of a PNG [dots per inch]
-    #[arg(long, value_name = "DPI", default_value_t = 300.0, value_parser = dpi)]
-    dpi: f64,
+    /// Resolution of a PNG [dots per inch] [default: 300]
+    #[arg(long, value_name = "DPI", value_parser = dpi)]
+    dpi: Option<f64>,
 }
 
 const HELP: &str = "  linkdyn run four-bar -o out
@@ -68,6 +72,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     if !["gif", "svg", "png"].contains(&format.as_str()) {
         return Err(BadInput(vec![format!("{file}: the name of the file must end in .gif, .svg or .png")]));
     }
+    idle(options, &format)?;
     let results = Results::open(&options.results)?;
     let fault = |fault: Fault| BadInput(vec![format!("{file}: {fault}")]);
     let drawing = drawing(options, &results)?;
@@ -84,60 +89,88 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     Ok(Exit::Done)
 }
 
+/// Refuses options that say nothing about a file of that format.
+fn idle(options: &Options, format: &str) -> Result<(), BadInput> {
+    let of_film = [("--fps", options.fps.is_some()), ("--duration", options.duration.is_some())];
+    let of_poses = [("--poses", options.poses.is_some()), ("--strip", options.strip), ("--dpi", options.dpi.is_some())];
+    let (given, what) = match format {
+        "gif" => (&of_poses[..], "poses, and a .gif is a film (write .svg or .png)"),
+        _ => (&of_film[..], "a film, and this is a picture of poses (write .gif)"),
+    };
+    let file = options.output.display();
+    let lines: Vec<String> = given
+        .iter()
+        .filter(|(_, is_given)| *is_given)
+        .map(|(option, _)| format!("{option}: only for {what}: {file}"))
+        .collect();
+    if lines.is_empty() { Ok(()) } else { Err(BadInput(lines)) }
+}
+
 /// The shape: of the model that was given, else as the run has kept it.
 fn drawing(options: &Options, results: &Results) -> Result<Drawing, BadInput> {
     if let Some(path) = &options.model {
         return Ok(Drawing::of_model(&open::model(path)?.model));
     }
     let path = results.table.path.with_file_name("summary.json");
-    match results.summary.as_ref().and_then(|summary| summary.get("drawing")) {
-        Some(json) => Drawing::from_json(json).map_err(|fault| BadInput(vec![format!("{}: {fault}", path.display())])),
-        None => Err(BadInput(vec![format!(
-            "{}: no such file, or it does not tell the shape of the mechanism (name the model with --model, or run it again)",
-            path.display()
-        )])),
+    if let Some(json) = results.summary.as_ref().and_then(|summary| summary.get("drawing")) {
+        return Drawing::from_json(json).map_err(|fault| BadInput(vec![format!("{}: {fault}", path.display())]));
     }
+    let why = match (path.exists(), &results.summary) {
+        (false, _) => "no such file",
+        (true, None) => "not JSON that can be read",
+        (true, Some(_)) => "has no key \"drawing\", which tells the shape of the mechanism",
+    };
+    Err(BadInput(vec![format!("{}: {why} (name the model with --model, or run it again)", path.display())]))
 }
 
 /// Poses in one picture.
 fn picture_of(options: &Options, mechanism: &Mechanism, format: &str) -> Result<(Vec<u8>, String), Fault> {
     let layout = if options.strip { Layout::Strip } else { Layout::Overlaid };
     let width = options.width.unwrap_or(chart::COLUMN_MM);
-    let scene = mechanism.picture(options.poses, layout, width)?;
-    let content = if format == "svg" { svg::write(&scene).into_bytes() } else { raster::png(&scene, options.dpi)? };
+    let poses = options.poses.unwrap_or(POSES);
+    let scene = mechanism.picture(poses, layout, width)?;
+    let content = if format == "svg" {
+        svg::write(&scene).into_bytes()
+    } else {
+        raster::png(&scene, options.dpi.unwrap_or(DPI))?
+    };
     let mm = |points: f64| number(points / POINTS_PER_MM, 4);
-    Ok((content, format!("{} × {} mm, {} poses", mm(scene.width), mm(scene.height), options.poses)))
+    Ok((content, format!("{} × {} mm, {}", mm(scene.width), mm(scene.height), count(poses, "pose"))))
 }
 
 /// A film.
 fn film_of(options: &Options, mechanism: &Mechanism) -> Result<(Vec<u8>, String), Fault> {
     let [first, last] = mechanism.span();
     let duration = options.duration.unwrap_or((last - first).clamp(DURATION[0], DURATION[1]));
-    let count = (duration * options.fps).round().max(1.0);
+    let frames = (duration * options.fps.unwrap_or(FPS)).round().max(1.0);
     let width = options.width.unwrap_or(f64::from(WIDTH)).round();
     // A still picture needs one frame.
-    let count = if last > first { count } else { 1.0 };
+    let frames = if last > first { frames } else { 1.0 };
     let draw = |frame: f64| {
-        let time = first + (last - first) * frame / (count - 1.0).max(1.0);
+        let time = first + (last - first) * frame / (frames - 1.0).max(1.0);
         raster::draw(&mechanism.frame(time, width / PIXELS_PER_POINT), PIXELS_PER_POINT)
     };
     let opening = draw(0.0)?;
     let [w, h] = [opening.width, opening.height].map(u64::from);
-    let pixels = (count * (w * h) as f64) as u64;
-    if pixels > film::MOST_PIXELS || count > MOST_FRAMES {
+    let pixels = (frames * (w * h) as f64) as u64;
+    if pixels > film::MOST_PIXELS || frames > MOST_FRAMES {
         return Err(Fault::TooMuchFilm(pixels));
     }
-    let samples = (0..SAMPLES).map(|index| draw((count - 1.0) * index as f64 / (SAMPLES - 1) as f64));
+    let samples = (0..SAMPLES).map(|index| draw((frames - 1.0) * index as f64 / (SAMPLES - 1) as f64));
     let mut film = Film::new(&samples.collect::<Result<Vec<_>, _>>()?)?;
     // Delays are whole hundredths; rounding the ends of frames, not their lengths, keeps the film as long as it should be.
-    let end = |frame: f64| (100.0 * frame * duration / count).round();
-    for index in 0..count as usize {
+    let end = |frame: f64| (100.0 * frame * duration / frames).round();
+    for index in 0..frames as usize {
         let frame = index as f64;
         film.push(draw(frame)?, (end(frame + 1.0) - end(frame)).clamp(2.0, 65535.0) as u16)?;
     }
     let speed = (last - first) / duration;
-    let about =
-        format!("{w} × {h} pixels, {count} frames in {} s, {} × real time", number(duration, 4), number(speed, 3));
+    let about = format!(
+        "{w} × {h} pixels, {} in {} s, {} × real time",
+        count(frames as usize, "frame"),
+        number(duration, 4),
+        number(speed, 3)
+    );
     Ok((film.finish()?, about))
 }
 

@@ -72,7 +72,7 @@ impl Mechanism {
             (0..count).step_by(stride).chain([count - 1]).map(|row| poses.row(row)).collect();
         let mut mechanism = Mechanism {
             traces: Vec::new(),
-            slides: vec![[f64::INFINITY, f64::NEG_INFINITY]; drawing.joints.len()],
+            slides: drawing.joints.iter().map(first_slide).collect(),
             extent: [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]],
             drawing,
             poses,
@@ -82,6 +82,11 @@ impl Mechanism {
         }
         mechanism.traces = mechanism.drawing.traces.iter().flat_map(|trace| path(*trace, &rows)).collect();
         let [low, high] = mechanism.extent;
+        if low[0] > high[0] {
+            let of_what =
+                if mechanism.drawing.bodies.len() < 2 { "no body but the ground" } else { "no point that moves" };
+            return Err(Fault::Nothing(format!("the model has {of_what}")));
+        }
         let sizes = [high[0] - low[0], high[1] - low[1]];
         let is_drawable = sizes.iter().all(|size| (0.0..1e12).contains(size)) && low.iter().all(|x| x.abs() < 1e12);
         if is_drawable { Ok(mechanism) } else { Err(Fault::Drawing("the mechanism is too large for a picture".into())) }
@@ -320,6 +325,11 @@ fn direction(joint: &Joint, pose: &[Pose]) -> [f64; 2] {
     let Kind::Guide { axis: [u, v] } = joint.kind else { return [1.0, 0.0] };
     let length = u.hypot(v).max(f64::MIN_POSITIVE);
     global([0.0, 0.0, pose[joint.between[0].0][2]], [u / length, v / length])
+}
+
+/// The slide before any is known. A guide on a moving body reaches to the body's point: else it would float beside the body.
+fn first_slide(joint: &Joint) -> [f64; 2] {
+    if joint.between[0].0 == 0 { [f64::INFINITY, f64::NEG_INFINITY] } else { [0.0, 0.0] }
 }
 
 /// Both ends of a guide in the frame of its body: as far as the other point comes.
