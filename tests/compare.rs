@@ -187,6 +187,23 @@ fn joints_and_models_that_do_not_fit_are_bad_input() {
     );
 }
 
+#[test]
+fn what_can_not_be_compared_is_told() {
+    let scratch = Scratch::new("nothing");
+    let told = scratch.done(&["--joint", "b", "--models", "contact,contact"]);
+    assert!(
+        told.contains("nothing to compare contact with: no other model was run") && !told.contains("RMS"),
+        "{told}"
+    );
+    let cranks = ["--joint", "b", "--models", "ideal,contact", "--set", "analysis.columns=[\"crank.*\"]"];
+    let told = scratch.done(&cranks);
+    assert!(told.contains("the results have none of the columns that are compared") && !told.contains("RMS"), "{told}");
+    // Told after the first run, not after all of them.
+    let ran = scratch.refused(&["--joint", "b", "--columns", "slider.x,nope.*", "-o", "out"], 2, "\"nope.*\"");
+    assert_eq!((ran.stdout.as_str(), scratch.0.join("out/ideal").exists()), ("", true));
+    assert!(!scratch.0.join("out/massless_link").exists());
+}
+
 /// A free mechanism has no massless link; the others are run.
 #[test]
 fn a_free_mechanism_has_no_massless_link() {

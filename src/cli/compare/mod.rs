@@ -80,6 +80,13 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         };
         exit = worse(exit, ended);
         rungs.push(rung);
+        // All runs have the columns of the first one, so that the others need not be waited for.
+        if rungs.iter().filter(|rung| rung.ran.is_ok()).count() == 1 {
+            let unmatched = compare(&opened.loaded.model, &joints, &rungs, &options.columns).unmatched;
+            if !unmatched.is_empty() {
+                return Err(BadInput(unmatched.iter().map(|pattern| no_column(pattern)).collect()));
+            }
+        }
         // Also between two runs, and where a run ended before it looked.
         if interrupt::is_set() && rungs.len() < models.len() {
             exit = Exit::Interrupted;
@@ -92,10 +99,6 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     }
     let comparison = compare(&opened.loaded.model, &joints, &rungs, &options.columns);
     let report = Report { opened: &opened, joints: &joints, rungs: &rungs, wanted, comparison: &comparison };
-    for pattern in &comparison.unmatched {
-        complain(&format!("--columns {pattern:?}: matches no column (names without [unit], as in results.csv)"));
-        exit = worse(exit, Exit::BadInput);
-    }
     let mut written = Vec::new();
     if let Some(directory) = &directory {
         written.push(directory.write_with(TABLE, |file| csv::write(&comparison.curves, file))?);
@@ -120,6 +123,10 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         }
     }
     Ok(exit)
+}
+
+fn no_column(pattern: &str) -> String {
+    format!("--columns {pattern:?}: matches no column (names without [unit], as in results.csv)")
 }
 
 /// What to tell of two ends: an interruption, then a stop, then bad input.

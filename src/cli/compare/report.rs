@@ -41,11 +41,27 @@ impl Report<'_> {
                 }
             }
         }
-        if let Some(first) = self.reference() {
-            let heads = ["max", "at t [s]", "mean", "RMS"].map(String::from);
-            page.line(table_row(&format!("difference from {first}"), heads));
-        }
-        for column in &comparison.columns {
+        let ran: Vec<&str> = self.rungs.iter().filter(|rung| rung.ran.is_ok()).map(|rung| rung.model).collect();
+        let compared = match ran[..] {
+            [] => &[],
+            [only] => {
+                page.line(format!("  nothing to compare {only} with: no other model was run"));
+                &[]
+            }
+            [first, ..] if comparison.columns.is_empty() => {
+                page.line(format!(
+                    "  nothing to compare with {first}: the results have none of the columns that are compared"
+                ));
+                page.line("  unless --columns names others (efforts, forces in the joints, motion of the last body)");
+                &[]
+            }
+            [first, ..] => {
+                let heads = ["max", "at t [s]", "mean", "RMS"].map(String::from);
+                page.line(table_row(&format!("difference from {first}"), heads));
+                comparison.columns.as_slice()
+            }
+        };
+        for column in compared {
             page.line(format!("  {} [{}]", column.name, unit_words(column.unit)));
             for difference in comparison.differences.iter().filter(|difference| difference.column == *column) {
                 let numbers = difference.numbers.map_or([f64::NAN; 4], |n| [n.max, n.max_time, n.mean, n.rms]);
