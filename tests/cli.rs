@@ -118,6 +118,7 @@ fn the_row_of_four_bars_comes_in_any_size() {
     let model: Value = serde_json::from_str(&done(&["models", "a02", "--n", "40"])).expect("valid JSON");
     assert_eq!(model["bodies"].as_object().map(|bodies| bodies.len()), Some(82));
     assert!(done(&["run", "nfourbar:3"]).contains("N = 3 (nfourbar:3): dynamics, completed"));
+    refused(&["models", "nfourbar:7", "--n", "3"], 2, "nfourbar:7: --n 3 beside the size 7 (give one: nfourbar:3,");
     refused(&["models", "nfourbar", "--n", "0"], 2, "a whole number from 1 to 50000, as in \"nfourbar:40\"");
     refused(&["check", "nfourbar:many"], 2, "nfourbar:many: the size of \"nfourbar\" is its number of loops");
     refused(&["models", "jansen", "--n", "3"], 2, "the model \"jansen-leg\" has one size");
@@ -152,6 +153,12 @@ fn a_new_model_overwrites_nothing_unasked() {
     done(&["new", "-o", &file, "--force"]);
     assert_eq!(json(&file)["name"], "My four-bar");
     refused(&["new", "-o", &scratch.path("none/mine.json")], 2, "its folder does not exist");
+    for force in [&[][..], &["--force"]] {
+        refused(&[&["new", "-o", &scratch.path("")], force].concat(), 2, ": a directory (name a file, such as ");
+    }
+    if Path::new("/proc/self").is_dir() {
+        refused(&["new", "-o", "/proc/x.json"], 2, "/proc/x.json: can't be written: ");
+    }
     refused(&["new", "fourbar"], 2, "no template of that name (did you mean \"four-bar\"?)");
     // Where no file is named it is called after the template, here.
     let ran: Ran = command(&["new", "pendulum"]).current_dir(&scratch.0).output().expect("runs").into();
@@ -163,6 +170,12 @@ fn a_new_model_overwrites_nothing_unasked() {
 fn the_schema_is_json() {
     let schema: Value = serde_json::from_str(&done(&["schema"])).expect("valid JSON");
     assert!(schema.get("$schema").is_some(), "{schema}");
+}
+
+#[test]
+fn an_unknown_command_is_bad_input_with_a_suggestion() {
+    refused(&["rnu"], 2, "did you mean \"run\"?");
+    refused(&["valdate"], 2, "validate");
 }
 
 #[test]

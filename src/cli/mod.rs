@@ -25,7 +25,8 @@ mod validate;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::error::{ContextKind, ContextValue};
+use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::output::{Status, WriteError};
 use page::plain;
@@ -127,6 +128,9 @@ pub fn main() -> ExitCode {
         Err(error) => {
             // Help and version come this way too; a closed stream is no reason to fail.
             let _ = error.print();
+            if let Some(near) = misspelt(&error) {
+                let _ = writeln!(io::stderr(), "\n  tip: did you mean {near:?}?");
+            }
             return if error.use_stderr() { Exit::BadInput.code().into() } else { ExitCode::SUCCESS };
         }
     };
@@ -147,6 +151,19 @@ pub fn main() -> ExitCode {
         Exit::BadInput
     });
     exit.code().into()
+}
+
+/// The command that was meant by an unknown one of which two letters have changed places or so, which clap does not see.
+fn misspelt(error: &clap::Error) -> Option<String> {
+    let (Some(ContextValue::String(typed)), None) =
+        (error.get(ContextKind::InvalidSubcommand), error.get(ContextKind::SuggestedSubcommand))
+    else {
+        return None;
+    };
+    let commands = Arguments::command();
+    let names = commands.get_subcommands().map(clap::Command::get_name);
+    let near = names.map(|name| (strsim::osa_distance(typed, name), name)).min()?;
+    (near.0 <= typed.len() / 3).then(|| near.1.to_string())
 }
 
 /// Writes one line to standard error; there is nobody to tell if that fails.
@@ -183,7 +200,6 @@ fn nearest<'a>(name: &str, known: impl Iterator<Item = &'a str> + Clone) -> Opti
 #[cfg(test)]
 mod tests {
     use super::*;
-    use clap::CommandFactory;
 
     #[test]
     fn arguments_are_consistent() {

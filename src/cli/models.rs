@@ -25,6 +25,11 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         print(&list())?;
         return Ok(Exit::Done);
     };
+    if let (Some((stem, size)), Some(n)) = (name.split_once(':'), &options.n) {
+        return Err(BadInput(vec![format!(
+            "{name}: --n {n} beside the size {size} (give one: {stem}:{n}, or {name} without --n)"
+        )]));
+    }
     let sized = options.n.as_ref().map_or_else(|| name.clone(), |n| format!("{name}:{n}"));
     match bundled::text(&sized) {
         Ok(text) => print(&text)?,

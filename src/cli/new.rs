@@ -2,7 +2,7 @@
 
 use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
@@ -51,8 +51,13 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let written = how.open(&path).and_then(|mut file| file.write_all(text.as_bytes()));
     written.map_err(|error| {
         BadInput(vec![match error.kind() {
+            _ if path.is_dir() => {
+                format!("{shown}: a directory (name a file, such as {})", path.join(format!("{name}.json")).display())
+            }
             ErrorKind::AlreadyExists => format!("{shown}: there is such a file already (--force overwrites it)"),
-            ErrorKind::NotFound => format!("{shown}: its folder does not exist (make it first)"),
+            ErrorKind::NotFound if !folder_of(&path).is_dir() => {
+                format!("{shown}: its folder does not exist (make it first)")
+            }
             _ => format!("{shown}: can't be written: {error}"),
         }])
     })?;
@@ -63,6 +68,11 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     page.line(format!("  linkdyn run {file} -o out"));
     print(page.text())?;
     Ok(Exit::Done)
+}
+
+/// The folder that a file is in.
+fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
 /// The path as one word for a shell.
