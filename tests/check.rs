@@ -174,7 +174,7 @@ fn single_slips_among_sound_values_are_found() {
         (
             "hoeken",
             &["bodies.rocker.points={\"O4\": [0, 0], \"B\": [62.5, 0], \"far\": [50000, 0]}"],
-            "the body is 50 m long, most others are near 0.125 m",
+            "the points are 50.0000 m apart, much longer than most lengths of the mechanism, near 0.0500 m",
         ),
         ("hoeken", &["bodies.crank.pose.angle=1.5708"], "the angle is 1.571 deg, which looks like radians"),
         (
@@ -199,6 +199,91 @@ fn single_slips_among_sound_values_are_found() {
         let told: Value = serde_json::from_str(&stdout).unwrap_or_else(|_| panic!("{model} {sets:?}: {stderr}"));
         let said = told["suspicious"].as_array().expect("a list");
         assert!(said.len() == 1 && said[0].as_str().is_some_and(|said| said.contains(wanted)), "{sets:?}: {said:#?}");
+    }
+}
+
+/// Plain numbers in millimetres and degrees.
+const MILLIMETRES: &str = r#"{ "format": "linkdyn/1", "units": { "length": "mm", "angle": "deg", "inertia": "kg*mm^2", "stiffness": "N/mm", "angular_velocity": "deg/s" },
+  "bodies": { "ground": { "points": { "O": [0, 0] } },
+    "crank": { "mass": 1, "inertia": 500, "com": [25, 0], "points": { "O": [0, 0], "A": [50, 0] } },
+    "rod": { "mass": 2, "inertia": 7000, "com": [100, 0], "points": { "A": [0, 0], "B": [200, 0] }, "pose": { "position": [50, 0] } },
+    "slider": { "mass": 1, "inertia": 100, "com": [0, 0], "points": { "P": [0, 0] }, "pose": { "position": [250, 0] } } },
+  "joints": { "a": { "type": "revolute", "between": ["ground.O", "crank.O"] },
+    "b": { "type": "revolute", "between": ["crank.A", "rod.A"] },
+    "c": { "type": "revolute", "between": ["rod.B", "slider.P"] },
+    "d": { "type": "prismatic", "between": ["ground.O", "slider.P"], "axis": [1, 0] } },
+  "drivers": { "motor": { "type": "rotation", "body": "crank", "motion": { "type": "polynomial", "coefficients": [0, 360] } } },
+  "forces": { "s": { "type": "spring", "between": ["ground.O", "slider.P"], "stiffness": 1, "free_length": 240 } },
+  "analysis": { "type": "kinematics", "end": 1, "outputs": 101 } }
+"#;
+
+#[test]
+fn lengths_and_angles_that_do_not_fit_the_mechanism_are_found() {
+    let file = File::new("millimetres", MILLIMETRES);
+    let motion = "drivers.motor.motion=";
+    let radians = |number: &str, key: &str, per: &str| {
+        let goes = if key == "points" { "the motion goes over" } else { "this is" };
+        format!(
+            "drivers.motor.motion.{key}: {goes} {number} deg{per}, which looks like radians (plain numbers are in degrees here; write degrees, or text with the unit rad{per})"
+        )
+    };
+    let lengths = |body: &str, than: &str| {
+        format!(
+            "bodies.{body}.points: the points are {than} than most lengths of the mechanism, near 0.0500 m (check its points and their unit)"
+        )
+    };
+    let com = "check its numbers and their unit; \"com\" is in the body's frame";
+    let free = |than: &str, length: &str| {
+        format!(
+            "forces.s.free_length: the free length is very {than}, {length}: the two points are 0.2500 m apart at the start (check its unit)"
+        )
+    };
+    let cases = [
+        (r#"{"type": "polynomial", "coefficients": [0, 6.2832]}"#, motion, radians("6.2832", "coefficients[1]", "/s")),
+        (r#"{"type": "polynomial", "coefficients": [0, 104.72]}"#, motion, radians("104.72", "coefficients[1]", "/s")),
+        (r#"{"type": "harmonic", "amplitude": 0.5236, "frequency": 1}"#, motion, radians("0.5236", "amplitude", "")),
+        (r#"{"type": "table", "points": [[0, 0], [1, 6.2832]]}"#, motion, radians("6.2832", "points", "")),
+        (r#"{"type": "constant_velocity", "velocity": 3.14}"#, motion, radians("3.14", "velocity", "/s")),
+        (
+            "[100000, 0]",
+            "bodies.rod.com=",
+            format!(
+                "bodies.rod.com: the centre of mass is 99.8000 m from the nearest point, B, in a mechanism of 0.2000 m ({com})"
+            ),
+        ),
+        (
+            "[0.1, 0]",
+            "bodies.rod.com=",
+            format!(
+                "bodies.rod.com: the centre of mass is beside point A, 1.000e-4 m off it, in a body of 0.2000 m ({com})"
+            ),
+        ),
+        ("[0.2, 0]", "bodies.rod.points.B=", lengths("rod", "2.000e-4 m apart, much shorter")),
+        ("[200000, 0]", "bodies.rod.points.B=", lengths("rod", "200.0000 m apart, much longer")),
+        ("0.25", "forces.s.free_length=", free("short", "2.500e-4 m")),
+        ("250000", "forces.s.free_length=", free("long", "250.0000 m")),
+    ];
+    for (value, path, wanted) in cases {
+        let set = format!("{path}{value}");
+        let (_, stdout, stderr) = linkdyn(&["check", "--json", file.path(), "--set", &set]);
+        let told: Value = serde_json::from_str(&stdout).unwrap_or_else(|_| panic!("{set}: {stderr}"));
+        let said = told["suspicious"].as_array().expect("a list");
+        let fits = said.len() == 1 && said[0].as_str().is_some_and(|said| said.ends_with(&wanted));
+        // A --set that says the whole path is not followed by it once more.
+        let fits = fits
+            || (said.len() == 1 && said[0] == *format!("--set {set}: {}", wanted.split_once(": ").expect("a path").1));
+        assert!(fits, "{set}: {said:#?}, not {wanted}");
+    }
+    // What is no slip: a turn and 355 degrees, text in radians, a centre of mass on a pin or a little off it.
+    for set in [
+        "drivers.motor.motion.coefficients=[0, 360]",
+        "drivers.motor.motion.coefficients=[0, 355, 22]",
+        "drivers.motor.motion.coefficients=[0, \"6.2832 rad/s\"]",
+        "bodies.rod.com=[0, 0]",
+        "bodies.rod.com=[-0.01, 0.02]",
+        "forces.s.free_length=0",
+    ] {
+        assert_eq!(checked(&[file.path(), "--set", set])["suspicious"], json!([]), "{set}");
     }
 }
 

@@ -1,10 +1,14 @@
 //! Diagnosis of a model without running it.
 
+mod slips;
+
+pub use slips::slips;
+
 use super::Stop;
-use super::assembly::{assemble, check_driven, listed, topology};
+use super::assembly::{assemble, check_driven, length_text, listed, topology};
 use crate::error::Complaint;
 use crate::math::Vec2;
-use crate::model::{AnalysisKind, ClearanceModel, ForceKind, GROUND, JointKind, Model, PointRef, Pose};
+use crate::model::{AnalysisKind, ClearanceModel, ForceKind, GROUND, JointKind, Model, PointRef, Pose, Value};
 use crate::output::{Mobility, Status};
 use crate::system::{Evaluation, Inputs, System, compile::compile};
 
@@ -114,7 +118,7 @@ pub fn check(model: &Model) -> Result<Check, Vec<Complaint>> {
     check.missing = missing(model, undriven.as_ref(), &check.lacks, check.mobility.rank as usize);
     check.words = words(model, undriven.as_ref(), &check);
     check.suspicious = turned_over(model, &system, &assembled.q);
-    check.suspicious.extend(closed_springs(model, &system, &assembled.q));
+    check.suspicious.extend(odd_springs(model, &system, &assembled.q));
     Ok(check)
 }
 
@@ -314,8 +318,8 @@ fn turned_over(model: &Model, system: &System, q: &[f64]) -> Vec<Complaint> {
     found
 }
 
-/// Springs whose ends coincide at the assembled position, or belong to one body.
-fn closed_springs(model: &Model, system: &System, q: &[f64]) -> Vec<Complaint> {
+/// Springs whose ends coincide at the assembled position or belong to one body, or whose free length is another by far.
+fn odd_springs(model: &Model, system: &System, q: &[f64]) -> Vec<Complaint> {
     let place = |end: &PointRef| -> Option<Vec2> {
         let point = Vec2::from(*model.bodies.get(&end.body)?.points.get(&end.point)?);
         let Some(k) = system.bodies.iter().position(|body| body.name == end.body) else { return Some(point) };
@@ -324,7 +328,7 @@ fn closed_springs(model: &Model, system: &System, q: &[f64]) -> Vec<Complaint> {
     };
     let mut found = Vec::new();
     for (name, force) in &model.forces {
-        let ForceKind::Spring { between, .. } = &force.kind else { continue };
+        let ForceKind::Spring { between, free_length, .. } = &force.kind else { continue };
         let path = format!("forces.{name}.between");
         if between[0].body == between[1].body {
             let message = format!("both ends are on {:?}: the spring moves nothing", between[0].body);
@@ -336,10 +340,25 @@ fn closed_springs(model: &Model, system: &System, q: &[f64]) -> Vec<Complaint> {
         if length <= CLOSED * system.size {
             let message = "the spring's ends coincide at the start: it has no direction there";
             found.push(Complaint::new(path, message).hint("check its two points"));
+            continue;
         }
+        let Value::Constant(free) = *free_length else { continue };
+        let odd = if free > STRETCHED * length.max(system.size) {
+            Some("long")
+        } else {
+            (free > 0.0 && free * STRETCHED < length).then_some("short")
+        };
+        found.extend(odd.map(|than| {
+            let (free, length) = (length_text(free), length_text(length));
+            let message =
+                format!("the free length is very {than}, {free}: the two points are {length} apart at the start");
+            Complaint::new(format!("forces.{name}.free_length"), message).hint("check its unit")
+        }));
     }
     found
 }
 
 /// A spring shorter than this times the mechanism's size has no length [–].
 const CLOSED: f64 = 1e-9;
+/// No spring is stretched or pressed together to this many times its length [–].
+const STRETCHED: f64 = 100.0;
