@@ -373,3 +373,37 @@ fn ten_thousand_bodies_with_wild_names_are_told_of_in_few_words() {
     // Some seconds on a slow machine; what grows with the square or cube of 10 000 takes minutes or hours.
     assert!(started.elapsed() < Duration::from_secs(60), "{:?}", started.elapsed());
 }
+
+/// What `run` refuses as bad input `check` refuses in the same words.
+#[test]
+fn outputs_that_can_not_be_are_refused_by_check_as_by_run() {
+    let file = File::new("samples", MILLIMETRES);
+    let sample = |from: &str, to: &str, step: &str| {
+        let sample = format!("{{\"driver\": \"motor\", \"from\": {from}, \"to\": {to}, \"step\": {step}}}");
+        format!("\"type\": \"kinematics\", \"sample\": {sample}")
+    };
+    let cases = [
+        (
+            r#""type": "kinematics", "end": 1, "outputs": 1000000000000"#.to_string(),
+            "line 12, column 60: analysis.outputs: 1000000000000: must not be greater than 10000000",
+        ),
+        (
+            sample("0", "360", "1e-9"),
+            "line 12, column 99: analysis.sample.step: 1e-9: more than 10000000 outputs between \"from\" and \"to\" (take a \
+             larger step)",
+        ),
+        (
+            sample("360", "0", "1"),
+            "line 12, column 49: analysis.sample: driver \"motor\" passes the values in the other order (exchange from and to)",
+        ),
+    ];
+    for (analysis, wanted) in cases {
+        let text = MILLIMETRES.replace(r#""type": "kinematics", "end": 1, "outputs": 101"#, &analysis);
+        fs::write(file.path(), text).expect("written");
+        for command in ["check", "run"] {
+            let (status, _, stderr) = linkdyn(&[command, file.path()]);
+            assert_eq!(status, Some(2), "{command} {analysis}");
+            assert_eq!(stderr.trim_end(), format!("error: {}: {wanted}", file.path()), "{command} {analysis}");
+        }
+    }
+}

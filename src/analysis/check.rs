@@ -6,9 +6,10 @@ pub use slips::slips;
 
 use super::Stop;
 use super::assembly::{assemble, check_driven, length_text, listed, topology};
+use super::instants::instants;
 use crate::error::Complaint;
 use crate::math::Vec2;
-use crate::model::{AnalysisKind, ClearanceModel, ForceKind, GROUND, JointKind, Model, PointRef, Pose, Value};
+use crate::model::{AnalysisKind, ClearanceModel, ForceKind, GROUND, JointKind, Model, PointRef, Pose, Sample, Value};
 use crate::output::{Mobility, Status};
 use crate::system::{Evaluation, Inputs, System, compile::compile};
 
@@ -83,6 +84,7 @@ pub fn check(model: &Model) -> Result<Check, Vec<Complaint>> {
     if !unheld.is_empty() {
         check.warnings.push(format!("nothing holds {}", listed(&unheld, ", ")));
     }
+    reach_sample(model, &system)?;
     let inputs = Inputs::at_time(&system, 0.0);
     let assembled = match assemble(&system, &inputs) {
         Ok(assembled) => assembled,
@@ -120,6 +122,19 @@ pub fn check(model: &Model) -> Result<Check, Vec<Complaint>> {
     check.suspicious = turned_over(model, &system, &assembled.q);
     check.suspicious.extend(odd_springs(model, &system, &assembled.q));
     Ok(check)
+}
+
+/// Whether the driver that is sampled passes the first and the last value, in this order, as a run needs it.
+fn reach_sample(model: &Model, system: &System) -> Result<(), Vec<Complaint>> {
+    let Some(analysis) = &model.analysis else { return Ok(()) };
+    let Some(sample) = &analysis.sample else { return Ok(()) };
+    if matches!(analysis.kind, AnalysisKind::Assembly | AnalysisKind::Statics) {
+        return Ok(());
+    }
+    let mut ends = analysis.clone();
+    let whole = sample.to - sample.from;
+    ends.sample = Some(Sample { step: if whole == 0.0 { sample.step } else { whole }, ..sample.clone() });
+    instants(system, &ends).map(drop)
 }
 
 fn moving_names(system: &System, bodies: &[usize]) -> Vec<String> {

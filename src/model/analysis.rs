@@ -5,6 +5,9 @@ use serde::Deserialize;
 
 use super::schema;
 
+/// More rows than anybody can read or store.
+pub(super) const MOST_OUTPUTS: usize = 10_000_000;
+
 /// Kind of analysis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -32,7 +35,7 @@ pub struct Analysis {
     pub end: Option<f64>,
     /// Number of equally spaced output instants, both ends included.
     #[serde(default)]
-    #[schemars(schema_with = "schema::count", extend("minimum" = 2))]
+    #[schemars(schema_with = "schema::count", extend("minimum" = 2, "maximum" = MOST_OUTPUTS))]
     pub outputs: Option<usize>,
     /// Instead of both: outputs equally spaced in a driver's value.
     #[serde(default)]

@@ -7,6 +7,7 @@ use std::collections::HashMap;
 use serde_json::{Map, Value};
 
 use super::GROUND;
+use super::analysis::MOST_OUTPUTS;
 use super::check_clearance;
 use super::check_forces;
 use super::node::join;
@@ -40,6 +41,7 @@ pub(super) fn check<'a>(model: &'a Value, references: &[Reference], source: &Sou
     checked.wanted_points();
     checked.transmission();
     checked.analysis();
+    checked.sample();
     checked
 }
 
@@ -276,6 +278,17 @@ impl Checked<'_> {
             let message = format!("\"driver\" is missing, the model has {drivers} of them");
             self.complain("analysis.transmission", message).hint =
                 Some("name the driver from which the transmission leads".into());
+        }
+    }
+
+    /// Not more samples than fit.
+    fn sample(&mut self) {
+        let sample = &self.model["analysis"]["sample"];
+        let [from, to, step] = ["from", "to", "step"].map(|key| sample[key].as_f64());
+        let (Some(from), Some(to), Some(step)) = (from, to, step) else { return };
+        if ((to - from) / step).abs() > MOST_OUTPUTS as f64 {
+            let message = format!("more than {MOST_OUTPUTS} outputs between \"from\" and \"to\"");
+            self.complain("analysis.sample.step", message).hint = Some("take a larger step".into());
         }
     }
 
