@@ -82,8 +82,14 @@ fn the_mobility_is_said_in_a_sentence() {
         ),
         (
             &["slider-crank-clearance"],
-            "1 degree of freedom, driven by motor: kinematics, inverse dynamics and forward dynamics are possible; journals are \
-             free in their bearings",
+            "with ideal pins 1 degree of freedom, driven by motor: kinematics, inverse dynamics and forward dynamics are \
+             possible; the journal of wristpin is free in its bearing: 3 degrees of freedom in motion",
+        ),
+        // Free journals are integrated, driven or not.
+        (
+            &["slider-crank-clearance", "--set", "drivers={}"],
+            "with ideal pins 1 degree of freedom, none driven: kinematics, inverse dynamics and forward dynamics are \
+             possible; the journal of wristpin is free in its bearing: 3 degrees of freedom in motion",
         ),
         (
             &["hoeken"],
@@ -406,4 +412,38 @@ fn outputs_that_can_not_be_are_refused_by_check_as_by_run() {
             assert_eq!(stderr.trim_end(), format!("error: {}: {wanted}", file.path()), "{command} {analysis}");
         }
     }
+}
+
+/// A block on a guide between stops.
+const STOP: &str = r#"{ "format": "linkdyn/1", "units": "SI", "gravity": [0, -9.81],
+  "bodies": { "ground": { "points": { "O": [0, 0] } },
+    "block": { "mass": 1, "inertia": 0.01, "com": [0, 0], "points": { "P": [0, 0] } } },
+  "joints": { "guide": { "type": "prismatic", "between": ["ground.O", "block.P"], "axis": [0, 1] },
+    "j": { "type": "revolute", "between": ["ground.O", "block.P"], "clearance": { "model": "contact", "radius": 0.05, "bearing_radius": 0.1,
+      "normal": { "law": "kelvin_voigt", "stiffness": 1e5, "damping": 100 }, "surface": { "stiffness": 1e5, "damping": 100 },
+      "impact": { "restitution": 0.5 } } } },
+  "analysis": { "type": "dynamics", "end": 0.1, "outputs": 11 } }
+"#;
+
+#[test]
+fn a_stop_leaves_its_body_free() {
+    let file = File::new("stop", STOP);
+    let driver =
+        r#"drivers.m={"type":"translation","joint":"guide","motion":{"type":"constant_velocity","velocity":0.01}}"#;
+    let possible = "kinematics, inverse dynamics and forward dynamics are possible";
+    for model in ["contact", "two_state", "three_state"] {
+        let model = format!("joints.j.clearance.model={model}");
+        let told = checked(&[file.path(), "--set", &model]);
+        let free = "the journal of j is free in its bearing: 1 degree of freedom in motion";
+        assert_eq!(told["mobility"]["words"], format!("with ideal pins no degree of freedom: {possible}; {free}"));
+        assert_eq!(told["mobility"]["free_journals"], json!({ "joints": ["j"], "grubler": 1, "rank": 1 }));
+        // What run says of it.
+        let (status, stdout, _) = linkdyn(&["run", file.path(), "--set", &model]);
+        assert!(status == Some(0) && stdout.contains("1 by Grübler, 1 by rank"), "{stdout}");
+    }
+    // A driver of what only ideal pins hold is none too many.
+    let told = checked(&[file.path(), "--set", driver]);
+    let words = told["mobility"]["words"].as_str().expect("words");
+    assert!(words.contains("kinematics") && words.contains("possible") && !words.contains("take"), "{words}");
+    assert_eq!(linkdyn(&["run", file.path(), "--set", driver, "--set", "analysis.type=kinematics"]).0, Some(0));
 }

@@ -5,13 +5,13 @@ mod slips;
 pub use slips::slips;
 
 use super::Stop;
-use super::assembly::{assemble, check_driven, length_text, listed, topology};
+use super::assembly::{Assembled, assemble, check_driven, length_text, listed, ranked, topology};
 use super::instants::instants;
 use crate::error::Complaint;
 use crate::math::Vec2;
 use crate::model::{AnalysisKind, ClearanceModel, ForceKind, GROUND, JointKind, Model, PointRef, Pose, Sample, Value};
 use crate::output::{Mobility, Status};
-use crate::system::{Evaluation, Inputs, System, compile::compile};
+use crate::system::{Evaluation, Inputs, System, compile::Lowering, compile::compile, compile::recompile};
 
 /// What `check` finds.
 #[derive(Debug, Clone, Default)]
@@ -27,7 +27,10 @@ pub struct Check {
     pub loops: Vec<String>,
     /// The bodies that each loop goes through, ground left out.
     pub loop_bodies: Vec<Vec<String>>,
+    /// With ideal pins.
     pub mobility: Mobility,
+    /// With journals free in their bearings, where some are.
+    pub open: Option<Open>,
     /// What the mobility means for each analysis, in a sentence.
     pub words: String,
     /// Largest constraint residual after assembly, divided by the mechanism's size [–]; NaN where there is none.
@@ -41,6 +44,14 @@ pub struct Check {
     pub warnings: Vec<String>,
     /// Faults of the model that do not keep it from being read (exit status 1).
     pub faults: Vec<String>,
+}
+
+/// A mechanism whose journals move freely in their bearings.
+#[derive(Debug, Clone)]
+pub struct Open {
+    /// The joints of these journals.
+    pub joints: Vec<String>,
+    pub mobility: Mobility,
 }
 
 /// Bodies that lack the same data.
@@ -67,7 +78,7 @@ enum Undriven {
 /// # Errors
 /// Faults of the input.
 pub fn check(model: &Model) -> Result<Check, Vec<Complaint>> {
-    let system = compile(&undemanding(model), AnalysisKind::Assembly)?;
+    let system = compile(&with_clearances(model, |_| false), AnalysisKind::Assembly)?;
     let topology = topology(&system);
     let names: Vec<&str> = system.joints.iter().map(|joint| joint.name.as_str()).collect();
     let mut check = Check {
@@ -104,7 +115,25 @@ pub fn check(model: &Model) -> Result<Check, Vec<Complaint>> {
     check.assembly_residual = system.scaled_residual(&evaluation.phi);
     check.mobility = assembled.mobility.clone();
     check.warnings.extend(assembled.warnings.iter().cloned());
-    let undriven = match check_driven(&system, &assembled, &inputs) {
+    let q = assembled.q.clone();
+    let undriven = if journals_move(model) {
+        let (open, undriven) = open(model, assembled)?;
+        check.open = Some(open);
+        undriven
+    } else {
+        undriven(&system, &assembled, &inputs)
+    };
+    check.lacks = lacks(model);
+    check.missing = missing(model, undriven.as_ref(), &check.lacks, check.mobility.rank as usize);
+    check.words = words(model, undriven.as_ref(), &check);
+    check.suspicious = turned_over(model, &system, &q);
+    check.suspicious.extend(odd_springs(model, &system, &q));
+    Ok(check)
+}
+
+/// Why the drivers do not prescribe the motion.
+fn undriven(system: &System, assembled: &Assembled, inputs: &Inputs) -> Option<Undriven> {
+    match check_driven(system, assembled, inputs) {
         Ok(()) => None,
         Err(Stop::Input(complaints)) => complaints.first().map(|complaint| {
             let message = complaint.message.clone();
@@ -115,13 +144,18 @@ pub fn check(model: &Model) -> Result<Check, Vec<Complaint>> {
             }
         }),
         Err(Stop::Failed { message, .. }) => Some(Undriven::Singular(message)),
-    };
-    check.lacks = lacks(model);
-    check.missing = missing(model, undriven.as_ref(), &check.lacks, check.mobility.rank as usize);
-    check.words = words(model, undriven.as_ref(), &check);
-    check.suspicious = turned_over(model, &system, &assembled.q);
-    check.suspicious.extend(odd_springs(model, &system, &assembled.q));
-    Ok(check)
+    }
+}
+
+/// The mechanism with its journals free, at the position that it has with ideal pins, as a run has it. Its motion is
+/// integrated whatever the analysis, so that only too many drivers are in the way.
+fn open(model: &Model, closed: Assembled) -> Result<(Open, Option<Undriven>), Vec<Complaint>> {
+    let system = recompile(&with_clearances(model, is_open), Lowering::Open { following: &[] })?;
+    let inputs = Inputs::at_time(&system, 0.0);
+    let assembled = ranked(&system, closed, &inputs);
+    let undriven = undriven(&system, &assembled, &inputs).filter(|why| matches!(why, Undriven::TooMany(_)));
+    let joints = clearances(model).filter(|(_, model)| is_open(*model)).map(|(name, _)| name.to_string()).collect();
+    Ok((Open { joints, mobility: assembled.mobility }, undriven))
 }
 
 /// Whether the driver that is sampled passes the first and the last value, in this order, as a run needs it.
@@ -141,12 +175,14 @@ fn moving_names(system: &System, bodies: &[usize]) -> Vec<String> {
     bodies.iter().filter(|&&body| body > 0).map(|&body| system.bodies[body - 1].name.clone()).collect()
 }
 
-/// The model with every clearance ideal: what is diagnosed here does not depend on it.
-fn undemanding(model: &Model) -> Model {
+/// The model with the clearances of some models only, the others ideal.
+fn with_clearances(model: &Model, kept: fn(ClearanceModel) -> bool) -> Model {
     let mut model = model.clone();
     for joint in model.joints.values_mut() {
         match &mut joint.kind {
-            JointKind::Revolute { clearance, .. } => *clearance = None,
+            JointKind::Revolute { clearance, .. } => {
+                *clearance = clearance.take().filter(|clearance| kept(clearance.model));
+            }
             JointKind::Prismatic { .. } | JointKind::Slot { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => {
             }
         }
@@ -168,9 +204,17 @@ fn clearances(model: &Model) -> impl Iterator<Item = (&str, ClearanceModel)> {
     })
 }
 
+/// Whether journals move freely in their bearings with this model.
+fn is_open(model: ClearanceModel) -> bool {
+    match model {
+        ClearanceModel::Ideal | ClearanceModel::MasslessLink => false,
+        ClearanceModel::TwoState | ClearanceModel::ThreeState | ClearanceModel::Contact => true,
+    }
+}
+
 /// Whether journals move freely in their bearings, however the mechanism is driven.
 fn journals_move(model: &Model) -> bool {
-    clearances(model).any(|(_, model)| model != ClearanceModel::MasslessLink)
+    clearances(model).any(|(_, model)| is_open(model))
 }
 
 /// Data that bodies lack, and for what.
@@ -276,8 +320,10 @@ fn words(model: &Model, undriven: Option<&Undriven>, check: &Check) -> String {
     let freedom = check.mobility.rank;
     let drivers: Vec<&str> = model.drivers.keys().map(String::as_str).collect();
     let count = drivers.len() as i64;
-    let mut text = freedom_text(freedom);
+    let mut text = if check.open.is_some() { "with ideal pins ".to_string() } else { String::new() };
+    text += &freedom_text(freedom);
     text += &match (count, freedom) {
+        (0, 0) if check.open.is_some() => String::new(),
         (0, 0) => ", a structure: nothing in it can move".into(),
         (0, _) => ", none driven".into(),
         (_, _) if count > freedom => {
@@ -300,14 +346,22 @@ fn words(model: &Model, undriven: Option<&Undriven>, check: &Check) -> String {
             text += &format!("; kinematics and inverse dynamics need {more}");
         }
         Some(Undriven::TooMany(_)) => {
+            let freedom = check.open.as_ref().map_or(freedom, |open| open.mobility.rank);
             text += &format!("; take {} of the drivers out", (count - freedom).max(1));
         }
         Some(Undriven::TooFew(said) | Undriven::Singular(said)) => text += &format!("; {said}"),
         None => {}
     }
     let held = freedom == count && !journals_move(model);
-    if freedom == count && freedom > 0 {
-        text += if held { "; forward dynamics has nothing free" } else { "; journals are free in their bearings" };
+    if held && freedom > 0 {
+        text += "; forward dynamics has nothing free";
+    }
+    if let Some(Open { joints, mobility }) = &check.open {
+        let free = match joints.as_slice() {
+            [joint] => format!("the journal of {joint} is free in its bearing"),
+            joints => format!("the journals of {} are free in their bearings", and(joints)),
+        };
+        text += &format!("; {free}: {} in motion", freedom_text(mobility.rank));
     }
     let mut data: Vec<AnalysisKind> = check.lacks.iter().flat_map(|lack| lack.analyses.iter().copied()).collect();
     data.retain(|kind| *kind != AnalysisKind::Dynamics || !held);

@@ -9,7 +9,7 @@ use super::summary::{analysis_words, mobility, status_words};
 use super::{BadInput, Exit, complain, print};
 use crate::analysis::{self, Check, Lack};
 use crate::model::AnalysisKind;
-use crate::output::Status;
+use crate::output::{Mobility, Status};
 
 /// Width of long texts on the page.
 const WIDTH: usize = 96;
@@ -58,7 +58,13 @@ fn page(opened: &Opened, check: &Check) -> String {
         loops.map(|(joints, bodies)| format!("{joints}  (through {})", bodies.join(", "))).collect();
     page.rows("loops", if loops.is_empty() { vec!["none".to_string()] } else { folded(loops) });
     page.rows("mobility", wrapped(&check.words, WIDTH));
-    page.row("", mobility(&check.mobility));
+    match &check.open {
+        None => page.row("", mobility(&check.mobility)),
+        Some(open) => {
+            page.row("", format!("ideal pins: {}", mobility(&check.mobility)));
+            page.row("", format!("free journals: {}", mobility(&open.mobility)));
+        }
+    }
     let residual = check.assembly_residual;
     let assembly = format!("constraint residual {}", number(residual, 2));
     page.row("assembly", if residual.is_nan() { "none".to_string() } else { assembly });
@@ -120,6 +126,10 @@ fn to_json(opened: &Opened, check: &Check, suspicious: &[String]) -> Value {
         let kinds: Vec<String> = lack.analyses.iter().map(|kind| words(*kind)).collect();
         json!({ "bodies": lack.bodies, "keys": lack.keys, "for": kinds })
     });
+    let open = check.open.as_ref().map(|open| {
+        let Mobility { grubler, rank, .. } = open.mobility;
+        json!({ "joints": open.joints, "grubler": grubler, "rank": rank })
+    });
     json!({
         "status": check.status.word(),
         "message": check.message,
@@ -138,6 +148,7 @@ fn to_json(opened: &Opened, check: &Check, suspicious: &[String]) -> Value {
             "drivers": check.mobility.drivers,
             "redundant": check.mobility.redundant,
             "reactions_not_unique": check.mobility.reactions_not_unique,
+            "free_journals": open,
         },
         "assembly_residual": check.assembly_residual,
         "missing": missing.collect::<Map<String, Value>>(),
