@@ -111,7 +111,7 @@ const CASES: &[Case] = &[
         edits: &[(r#""length": "mm""#, r#""length": "millimetres""#)],
         sets: &[],
         complaints: &[
-            r#"line 4, column 24: units.length: "millimetres": unknown unit "millimetres" (length is wanted, such as "m")"#,
+            r#"line 4, column 24: units.length: "millimetres": unknown unit "millimetres" (did you mean "mm"?)"#,
         ],
     },
     Case {
@@ -1094,6 +1094,44 @@ const CASES: &[Case] = &[
         ],
     },
     Case {
+        what: "units that are written out",
+        edits: &[
+            (r#""length": "mm", "angle": "deg""#, r#""length": "inch", "angle": "degrees""#),
+            ("[100, 0]", r#"["5 inches", "1 millimeter"]"#),
+            (r#""vector": [0, 5]"#, r#""vector": [0, "5 Newton"]"#),
+        ],
+        sets: &[],
+        complaints: &[
+            r#"line 4, column 24: units.length: "inch": unknown unit "inch" (did you mean "in"?)"#,
+            r#"line 4, column 41: units.angle: "degrees": unknown unit "degrees" (did you mean "deg"?)"#,
+            r#"line 9, column 38: bodies.crank.points.A[0]: "5 inches": unknown unit "inches" (did you mean "in"?)"#,
+            r#"line 9, column 50: bodies.crank.points.A[1]: "1 millimeter": unknown unit "millimeter" (did you mean "mm"?)"#,
+            r#"line 28, column 65: forces.load.vector[1]: "5 Newton": unknown unit "Newton" (did you mean "N"?)"#,
+        ],
+    },
+    Case {
+        what: "no units of angular velocity",
+        edits: &[
+            (r#""10 rad/s""#, r#""360 deg""#),
+            (r#""crank": { "angle": 60 }"#, r#""crank": { "angle": 60, "angular_velocity": "6 1/s" }"#),
+        ],
+        sets: &[],
+        complaints: &[
+            r#"line 23, column 108: drivers.motor.motion.coefficients[1]: "360 deg": "deg" is not a unit of angular velocity (such as "rad/s", "deg/s" or "rpm")"#,
+            r#"line 30, column 60: initial.crank.angular_velocity: "6 1/s": "1/s" is not a unit of angular velocity (such as "rad/s", "deg/s" or "rpm")"#,
+        ],
+    },
+    Case {
+        what: "decimal commas in texts",
+        edits: &[(r#""free_length": 150"#, r#""free_length": "1,5 mm""#)],
+        sets: &["bodies.crank.mass=0,5", "analysis.solver.rtol=0,001"],
+        complaints: &[
+            r#"line 27, column 106: forces.return.free_length: "1,5 mm": a number has no comma (a decimal point is a point: "1.5 mm")"#,
+            r#"--set bodies.crank.mass=0,5: a number has no comma (a decimal point is a point: "0.5")"#,
+            r#"--set analysis.solver.rtol=0,001: a number has no comma (a decimal point is a point: "0.001")"#,
+        ],
+    },
+    Case {
         what: "set: no value, no path, no entry, no object",
         edits: &[],
         sets: &["gravity", "a..b=3", "gravity[2]=1", "gravity.y=1", "name.x=1"],
@@ -1171,7 +1209,7 @@ fn every_bad_model_is_refused_in_these_words() {
 #[test]
 fn what_is_no_model_at_all_gets_one_clear_complaint() {
     let deep = "[".repeat(100_000);
-    let cases: [(&[u8], &str); 15] = [
+    let cases: [(&[u8], &str); 17] = [
         (b"", "the file is empty (a model is a JSON object)"),
         (b" \n\t", "the file is empty (a model is a JSON object)"),
         (b"\xEF\xBB\xBF", "the file is empty (a model is a JSON object)"),
@@ -1180,7 +1218,18 @@ fn what_is_no_model_at_all_gets_one_clear_complaint() {
         (b"{\n  \"a\": 1", "line 2, column 9: not JSON: it ends where \",\" or \"}\" is expected; it seems cut short"),
         (b"{\n  \"a\":", "line 2, column 7: not JSON: it ends where a value is expected; it seems cut short"),
         (b"{ \"a\": \"b", "line 1, column 8: not JSON: the text has no closing quote; it seems cut short"),
-        (b"{} {}", "line 1, column 4: not JSON: '{' where the end is expected"),
+        (
+            b"{} {}",
+            "line 1, column 4: not JSON: '{' where the end is expected (it is complete before this: take out what follows)",
+        ),
+        (
+            b"{} that is all",
+            "line 1, column 4: not JSON: 't' where the end is expected (it is complete before this: take out what follows)",
+        ),
+        (
+            b"{} }",
+            "line 1, column 4: not JSON: '}' where the end is expected (there is one closing bracket too many, here or before)",
+        ),
         (b"{ \"a\": 1e999 }", "line 1, column 8: not JSON: 1e999: the number is too large for a double"),
         (
             b"{ \"\xc3\xa9\": 'x' }",

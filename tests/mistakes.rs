@@ -198,7 +198,7 @@ const MISTAKES: &[Mistake] = &[
         edits: &[(r#""60 rpm""#, r#""60 mm/s""#)],
         status: 2,
         said: &[
-            r#"line 17, column 119: drivers.motor.motion.velocity: "60 mm/s": "mm/s" is not a unit of angular velocity (such as "rad/s")"#,
+            r#"line 17, column 119: drivers.motor.motion.velocity: "60 mm/s": "mm/s" is not a unit of angular velocity (such as "rad/s", "deg/s" or "rpm")"#,
         ],
     },
     Mistake {

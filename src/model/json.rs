@@ -87,7 +87,9 @@ impl Parser<'_> {
             return self.fault(self.at, format!("it ends where {wanted} is expected; it seems cut short"));
         };
         let hint = match found {
+            '}' | ']' if wanted == "the end" => Some("there is one closing bracket too many, here or before"),
             '/' | '#' => Some("JSON has no comments; use \"note\""),
+            _ if wanted == "the end" => Some("it is complete before this: take out what follows"),
             '\'' => Some("text stands in double quotes"),
             'N' | 'I' => Some("JSON knows neither NaN nor Infinity"),
             '“' | '”' | '„' | '‘' | '’' | '«' | '»' => Some("text stands in straight double quotes"),

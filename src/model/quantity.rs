@@ -5,7 +5,7 @@ use super::dimension::{Dimension, Powers};
 use super::expression::{Misfit, Pure, Quantity, is_expression, with_article};
 use super::node::{Kind, Node};
 use super::source::Source;
-use super::units::{Unit, UnitFault, split_quantity};
+use super::units::{Unit, UnitFault, split_quantity, with_decimal_point};
 use super::validate::{Walk, wrong_kind};
 use crate::error::Complaint;
 
@@ -150,6 +150,9 @@ impl Walk<'_> {
                 self.fit(node, result, &wanted?, path)
             }
             Kind::String(text) => {
+                if self.decimal_comma(node, text, path) {
+                    return None;
+                }
                 let wanted = wanted?;
                 let Some((number, unit)) = split_quantity(text) else {
                     let hint = format!("a number, or text such as \"5 {}\"", wanted.si);
@@ -182,11 +185,20 @@ impl Walk<'_> {
                 self.complain(node, complaint.hint(format!("divide it by 1 {}", result.unit())));
                 None
             }
+            Kind::String(text) if self.decimal_comma(node, text, path) => None,
             Kind::Null | Kind::Bool(_) | Kind::String(_) | Kind::Array(_) | Kind::Object(_) => {
                 self.complain(node, wrong_kind(path, "a plain number", node));
                 None
             }
         }
+    }
+
+    /// Complains about a decimal comma, where there is one.
+    fn decimal_comma(&mut self, node: &Node, text: &str, path: &str) -> bool {
+        let Some(meant) = with_decimal_point(text) else { return false };
+        let hint = format!("a decimal point is a point: {:?}", super::node::excerpt(&meant));
+        self.complain(node, Complaint::new(path, "a number has no comma").hint(hint));
+        true
     }
 
     /// Complains about a unit of plain numbers, where it is none.
@@ -197,7 +209,11 @@ impl Walk<'_> {
 
     fn checked_unit(&mut self, node: &Node, text: &str, wanted: &Wanted, path: &str) -> Option<Unit> {
         let text = super::node::excerpt(text);
-        let such = format!("such as {:?}", wanted.si);
+        let such = if wanted.powers == Dimension::AngularVelocity.powers() {
+            "such as \"rad/s\", \"deg/s\" or \"rpm\"".to_owned()
+        } else {
+            format!("such as {:?}", wanted.si)
+        };
         let (message, hint) = match Unit::parse(&text) {
             Ok(unit) if wanted.powers.accepts(unit.powers) => return Some(unit),
             Ok(_) => (format!("{text:?} is not a unit of {}", wanted.name), such),

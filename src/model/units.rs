@@ -108,6 +108,42 @@ const SYMBOLS: [Row; 58] = [
     ("rpm", 1.0, 30.0, 0, 1, powers(0, 0, -1, 1)),
 ];
 
+/// Names of units that are written out, and the symbols that are meant; a plural s is left out.
+const NAMES: [(&str, &str); 32] = [
+    ("meter", "m"),
+    ("metre", "m"),
+    ("millimeter", "mm"),
+    ("millimetre", "mm"),
+    ("centimeter", "cm"),
+    ("centimetre", "cm"),
+    ("kilometer", "km"),
+    ("kilometre", "km"),
+    ("micrometer", "um"),
+    ("micrometre", "um"),
+    ("micron", "um"),
+    ("inch", "in"),
+    ("inche", "in"),
+    ("foot", "ft"),
+    ("feet", "ft"),
+    ("radian", "rad"),
+    ("degree", "deg"),
+    ("revolution", "rev"),
+    ("kilogram", "kg"),
+    ("gram", "g"),
+    ("ton", "t"),
+    ("tonne", "t"),
+    ("pound", "lb"),
+    ("sec", "s"),
+    ("second", "s"),
+    ("minute", "min"),
+    ("hour", "h"),
+    ("newton", "N"),
+    ("joule", "J"),
+    ("pascal", "Pa"),
+    ("hertz", "Hz"),
+    ("lb", "lb"),
+];
+
 /// Highest power, number of factors and depth of brackets that a unit text may have.
 const MOST: i32 = 12;
 
@@ -237,6 +273,14 @@ pub fn split_quantity(text: &str) -> Option<(&str, &str)> {
     Some((&text[..end], text[end..].trim()))
 }
 
+/// The same text with a decimal point, where it begins with a number that has a decimal comma.
+pub fn with_decimal_point(text: &str) -> Option<String> {
+    let (number, rest) = split_quantity(text)?;
+    let rest = rest.strip_prefix(',').filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))?;
+    let is_whole = !number.contains(['.', 'e', 'E']);
+    is_whole.then(|| format!("{number}.{rest}"))
+}
+
 /// Reads products, quotients, powers and brackets.
 struct Reader<'a> {
     rest: &'a str,
@@ -320,8 +364,13 @@ impl Reader<'_> {
     }
 }
 
-/// The symbol most like this one.
+/// The symbol of a unit that is written out, or the one most like this one.
 fn nearest(symbol: &str) -> Option<&'static str> {
+    let lower = symbol.to_lowercase();
+    let singular = lower.strip_suffix('s').unwrap_or(&lower);
+    if let Some((_, meant)) = NAMES.iter().find(|(name, _)| *name == lower || *name == singular) {
+        return Some(meant);
+    }
     super::suggest::nearest(symbol, SYMBOLS.iter().map(|row| row.0))
 }
 
@@ -410,6 +459,24 @@ mod tests {
         }
         for text in ["m^99", "m^99999999999", "m*m*m*m*m*m*m*m*m*m*m*m*m", &"(".repeat(1000)] {
             assert_eq!(Unit::parse(text), Err(UnitFault::TooLarge), "{text}");
+        }
+    }
+
+    #[test]
+    fn units_that_are_written_out_have_their_symbol() {
+        for (name, meant) in [
+            ("inch", "in"),
+            ("inches", "in"),
+            ("degree", "deg"),
+            ("Degrees", "deg"),
+            ("millimeter", "mm"),
+            ("millimetres", "mm"),
+            ("Newton", "N"),
+            ("lbs", "lb"),
+            ("seconds", "s"),
+            ("RPM", "rpm"),
+        ] {
+            assert_eq!(nearest(name), Some(meant), "{name}");
         }
     }
 

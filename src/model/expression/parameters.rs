@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::super::node::{Kind, Node, Origin, excerpt};
 use super::super::suggest;
-use super::super::units::{Unit, UnitFault, split_quantity};
+use super::super::units::{Unit, UnitFault, split_quantity, with_decimal_point};
 use super::{Expression, FUNCTIONS, Fault, Misfit, PI, Quantity, is_expression};
 use crate::error::Complaint;
 
@@ -234,6 +234,10 @@ fn refused_name(name: &str) -> Option<(String, &'static str)> {
 
 /// Text with a unit.
 fn quantity(text: &str) -> Result<Quantity, Fault> {
+    if let Some(meant) = with_decimal_point(text) {
+        let hint = format!("a decimal point is a point: {:?}", excerpt(&meant));
+        return Err(Fault::new("a number has no comma").hint(hint));
+    }
     let Some((number, unit)) = split_quantity(text) else {
         let fault = Fault::new("this does not begin with a number");
         return Err(fault.hint("a number, text with a unit such as \"5 mm\", or an expression such as \"=2*r\""));
