@@ -98,7 +98,9 @@ const CASES: &[Case] = &[
         what: "units in lower case",
         edits: &[(r#"{ "length": "mm", "angle": "deg" }"#, r#""si""#)],
         sets: &[],
-        complaints: &[r#"line 4, column 12: units: "si": unknown units ("SI" is expected)"#],
+        complaints: &[
+            r#"line 4, column 12: units: "si": unknown units (write "units": "SI", or name other units: {"length": "mm", "angle": "deg"})"#,
+        ],
     },
     Case {
         what: "unit of no dimension",
@@ -156,13 +158,17 @@ const CASES: &[Case] = &[
         what: "wrong type: object",
         edits: &[(r#""initial": { "crank": { "angle": 60 } }"#, r#""initial": []"#)],
         sets: &[],
-        complaints: &["line 30, column 14: initial: an object is expected, not a list"],
+        complaints: &[
+            r#"line 30, column 14: initial: an object is expected, not a list (as in "initial": { "crank": { "angle": "60 deg" } })"#,
+        ],
     },
     Case {
         what: "wrong type: list",
         edits: &[(r#""gravity": [0, -9.81]"#, r#""gravity": -9.81"#)],
         sets: &[],
-        complaints: &["line 5, column 14: gravity: -9.81: a list is expected, not a number"],
+        complaints: &[
+            r#"line 5, column 14: gravity: -9.81: a list is expected, not a number (as in "gravity": [0, -9.81])"#,
+        ],
     },
     Case {
         what: "wrong length",
@@ -410,7 +416,7 @@ const CASES: &[Case] = &[
         edits: &[(r#""bodies": {"#, r#""parts": {"#)],
         sets: &[],
         complaints: &[
-            r#"line 1, column 1: "bodies" is missing"#,
+            r#"line 1, column 1: "bodies" is missing (as in "bodies": { "crank": { "points": { "A": [0, 0], "B": [50, 0] } } })"#,
             r#"line 6, column 3: parts: "parts": unknown key (known keys: format, units, parameters, name, about, source, gravity, bodies, joints, drivers, forces, initial, points, analysis, note)"#,
         ],
     },
@@ -832,7 +838,7 @@ const CASES: &[Case] = &[
         edits: &[(r#""polynomial""#, r#""sine""#)],
         sets: &[],
         complaints: &[
-            r#"line 23, column 73: drivers.motor.motion.type: "sine": unknown type (one of "polynomial", "harmonic", "table", "constant_velocity" or "constant_acceleration")"#,
+            r#"line 23, column 73: drivers.motor.motion.type: "sine": unknown type (did you mean "harmonic"?)"#,
         ],
     },
     Case {
@@ -1129,6 +1135,76 @@ const CASES: &[Case] = &[
             r#"line 27, column 106: forces.return.free_length: "1,5 mm": a number has no comma (a decimal point is a point: "1.5 mm")"#,
             r#"--set bodies.crank.mass=0,5: a number has no comma (a decimal point is a point: "0.5")"#,
             r#"--set analysis.solver.rtol=0,001: a number has no comma (a decimal point is a point: "0.001")"#,
+        ],
+    },
+    Case {
+        what: "units of no map",
+        edits: &[(r#"{ "length": "mm", "angle": "deg" }"#, r#""metric""#)],
+        sets: &[],
+        complaints: &[
+            r#"line 4, column 12: units: "metric": unknown units (write "units": "SI", or name other units: {"length": "mm", "angle": "deg"})"#,
+        ],
+    },
+    Case {
+        what: "lists and objects that are something else, each with an example",
+        edits: &[
+            ("[0, -9.81]", "-9.81"),
+            (r#""pose": { "angle": 60 }"#, r#""pose": [50, 0, 0]"#),
+            (r#"["ground.O", "crank.O"]"#, r#""ground.O, crank.O""#),
+            (r#"{ "model": "massless_link", "radius": 0.1 }"#, "0.1"),
+            (r#"["ground.Q", "rocker.Q"]"#, r#"["ground.Q", "rocker.Q"], "friction": 0.1"#),
+            ("[1, 0]", r#""x""#),
+            (r#"{ "type": "polynomial", "coefficients": [60, "10 rad/s"] }"#, "60"),
+            ("[0, 5] }\n", "5 }\n"),
+            (r#""outputs": 401"#, r#""outputs": 401, "columns": "crank.*""#),
+        ],
+        sets: &[],
+        complaints: &[
+            r#"line 5, column 14: gravity: -9.81: a list is expected, not a number (as in "gravity": [0, -9.81])"#,
+            r#"line 9, column 57: bodies.crank.pose: an object is expected, not a list (as in "pose": { "position": [50, 0], "angle": "60 deg" })"#,
+            r#"line 15, column 43: joints.a.between: "ground.O, crank.O": a list is expected, not text (as in "between": ["ground.A", "crank.A"])"#,
+            r#"line 17, column 20: joints.b.clearance: 0.1: an object is expected, not a number (as in "clearance": { "model": "massless_link", "radius": "0.1 mm" })"#,
+            r#"line 19, column 81: joints.d.friction: 0.1: an object is expected, not a number (as in "friction": { "law": "coulomb", "coefficient": 0.1, "threshold_velocity": "1 mm/s" })"#,
+            r#"line 20, column 78: joints.e.axis: "x": a list is expected, not text (as in "axis": [1, 0])"#,
+            r#"line 23, column 63: drivers.motor.motion: 60: an object is expected, not a number (as in "motion": { "type": "constant_velocity", "velocity": "60 rpm" })"#,
+            r#"line 28, column 61: forces.load.vector: 5: a list is expected, not a number (as in "vector": [0, -10])"#,
+            r#"line 32, column 84: analysis.columns: "crank.*": a list is expected, not text (as in "columns": ["crank.*", "joint.b.f?"])"#,
+        ],
+    },
+    Case {
+        what: "forces as a list",
+        edits: &[],
+        sets: &[r#"forces=[{"type": "force"}]"#],
+        complaints: &[
+            r#"--set forces=[{"type": "force"}]: an object is expected, not a list (as in "forces": { "load": { "type": "force", "at": "crank.A", "vector": [0, -10] } })"#,
+        ],
+    },
+    Case {
+        what: "what a driver misses",
+        edits: &[
+            (
+                r#""body": "crank", "motion": { "type": "polynomial", "coefficients": [60, "10 rad/s"] }"#,
+                r#""motion": { "type": "harmonic", "amplitude": 1 }"#,
+            ),
+            (r#"{ "type": "table", "points": [[0, 0], [1, 5]] }"#, r#"{ "type": "constant_velocity" }"#),
+        ],
+        sets: &[],
+        complaints: &[
+            r#"line 23, column 14: drivers.motor: "body" is missing (the name of a body, as in "body": "crank")"#,
+            r#"line 23, column 46: drivers.motor.motion: "frequency" is missing (as in "frequency": "2 Hz")"#,
+            r#"line 24, column 64: drivers.pusher.motion: "velocity" is missing (as in "velocity": "60 rpm", or "10 mm/s" of a slide)"#,
+        ],
+    },
+    Case {
+        what: "drivers called as joints",
+        edits: &[
+            (r#""type": "rotation""#, r#""type": "revolute""#),
+            (r#""type": "translation""#, r#""type": "prismatic""#),
+        ],
+        sets: &[],
+        complaints: &[
+            r#"line 23, column 24: drivers.motor.type: "revolute": unknown type (did you mean "rotation"?)"#,
+            r#"line 24, column 25: drivers.pusher.type: "prismatic": unknown type (did you mean "translation"?)"#,
         ],
     },
     Case {

@@ -345,9 +345,7 @@ const MISTAKES: &[Mistake] = &[
         what: "pin instead of revolute",
         edits: &[(r#""revolute", "between": ["ground.O""#, r#""pin", "between": ["ground.O""#)],
         status: 2,
-        said: &[
-            r#"line 11, column 20: joints.a.type: "pin": unknown type (one of "revolute", "prismatic", "slot", "gear" or "fixed")"#,
-        ],
+        said: &[r#"line 11, column 20: joints.a.type: "pin": unknown type (did you mean "revolute"?)"#],
     },
     Mistake {
         what: "number as text",
@@ -367,7 +365,9 @@ const MISTAKES: &[Mistake] = &[
         what: "analysis as text",
         edits: &[(r#"{ "type": "inverse_dynamics", "end": 1, "outputs": 101 }"#, r#""kinematics""#)],
         status: 2,
-        said: &[r#"line 19, column 15: analysis: "kinematics": an object is expected, not text"#],
+        said: &[
+            r#"line 19, column 15: analysis: "kinematics": an object is expected, not text (as in "analysis": { "type": "kinematics", "end": 1, "outputs": 101 })"#,
+        ],
     },
     Mistake {
         what: "spring without stiffness",

@@ -14,6 +14,7 @@ mod check;
 mod check_clearance;
 mod check_forces;
 mod dimension;
+mod examples;
 mod expression;
 mod json;
 mod load;

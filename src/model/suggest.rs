@@ -27,6 +27,34 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .map(|(_, candidate)| candidate)
 }
 
+/// Words of other programs, and those that stand for them here.
+const SYNONYMS: [(&str, &str); 17] = [
+    ("revolute", "rotation"),
+    ("prismatic", "translation"),
+    ("rotational", "rotation"),
+    ("angle", "rotation"),
+    ("translational", "translation"),
+    ("linear", "translation"),
+    ("slider", "prismatic"),
+    ("sliding", "prismatic"),
+    ("pin", "revolute"),
+    ("hinge", "revolute"),
+    ("weld", "fixed"),
+    ("rigid", "fixed"),
+    ("sine", "harmonic"),
+    ("spline", "table"),
+    ("constant", "constant_velocity"),
+    ("damper", "spring"),
+    ("moment", "torque"),
+];
+
+/// The choice that was probably meant: the same in other words, or nearly the same word.
+pub fn meant<'a>(word: &str, choices: &[&'a str]) -> Option<&'a str> {
+    let synonyms = SYNONYMS.iter().filter(|(other, _)| other.eq_ignore_ascii_case(word));
+    let known = synonyms.filter_map(|(_, here)| choices.iter().find(|choice| *choice == here)).next();
+    known.copied().or_else(|| nearest(word, choices.iter().copied()))
+}
+
 /// `"a", "b" or "c"`.
 pub fn any_of<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
     let words: Vec<String> = words.into_iter().map(|word| format!("{word:?}")).collect();

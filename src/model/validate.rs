@@ -6,6 +6,7 @@ use indexmap::IndexMap;
 use serde_json::{Map, Value, json};
 
 use super::dimension::Dimension;
+use super::examples;
 use super::expression::{Parameter, Parameters};
 use super::node::{Kind, Member, Node, Origin, join};
 use super::quantity::{Driven, Units};
@@ -219,7 +220,8 @@ impl Walk<'_> {
             return Value::from(text);
         }
         let word = path.rsplit(['.', ']']).next().unwrap_or(path);
-        let hint = match (choices, suggest::nearest(text, choices.iter().copied())) {
+        let hint = match (choices, suggest::meant(text, choices)) {
+            (["SI"], _) => format!("write {}", examples::UNITS),
             ([only], _) if word != "type" => format!("{only:?} is expected"),
             (_, Some(near)) => format!("did you mean {near:?}?"),
             (_, None) => format!("one of {}", suggest::any_of(choices.iter().copied())),
@@ -259,7 +261,7 @@ impl Walk<'_> {
         let required = schema.get("required").and_then(Value::as_array).into_iter().flatten().filter_map(Value::as_str);
         for key in required.filter(|key| !out.contains_key(*key)).collect::<Vec<_>>() {
             let mut complaint = Complaint::new(path, format!("{key:?} is missing"));
-            complaint.hint = missing_hint(key).map(str::to_owned).or_else(|| {
+            complaint.hint = examples::of_missing(path, key).or_else(|| {
                 let choices = choices(target(properties.get(key)?))?;
                 Some(format!("one of {}", suggest::any_of(choices)))
             });
@@ -410,19 +412,6 @@ fn is_zero(value: &Value) -> bool {
 
 /// Something else is expected here.
 pub(super) fn wrong_kind(path: &str, wanted: &str, node: &Node) -> Complaint {
-    Complaint::new(path, format!("{wanted} is expected, not {}", node.kind_name()))
-}
-
-/// How to write a key whose absence needs more than its name.
-fn missing_hint(key: &str) -> Option<&'static str> {
-    match key {
-        "format" => Some("write \"format\": \"linkdyn/1\""),
-        "units" => Some("write \"units\": \"SI\", or name other units: {\"length\": \"mm\", \"angle\": \"deg\"}"),
-        "between" => Some("the two ends, as in \"between\": [\"ground.A\", \"crank.A\"]"),
-        "axis" => Some("a direction in the first body, as in \"axis\": [1, 0]"),
-        "ratio" => {
-            Some("turns of the second wheel per turn of the first, as in \"ratio\": -2; negative for an external mesh")
-        }
-        _ => None,
-    }
+    let hint = examples::example(path).map(|example| format!("as in {example}"));
+    Complaint { hint, ..Complaint::new(path, format!("{wanted} is expected, not {}", node.kind_name())) }
 }
