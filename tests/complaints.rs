@@ -1092,12 +1092,34 @@ const CASES: &[Case] = &[
         complaints: &[r#"--set joints.b.between[1]=coupler.Z: body "coupler" has no point "Z" (its points: A, B)"#],
     },
     Case {
-        what: "set: makes a joint that lacks everything",
+        what: "set: what does not exist",
         edits: &[],
-        sets: &["joints.f.clearance.radius=1"],
-        complaints: &[
-            r#"--set joints.f.clearance.radius=1: joints.f: "type" is missing (one of "revolute", "prismatic", "slot", "gear" or "fixed")"#,
+        sets: &[
+            "joints.f.clearance.radius=1",
+            "joints.bearing.clearance.model=contact",
+            "bodies.krank.inertia=3",
+            "drivers.moter.motion.coefficients[1]=3",
+            "drivers.moter.motion.start=3",
+            "forces.retrun.stiffness=3",
         ],
+        complaints: &[
+            r#"--set bodies.krank.inertia=3: there is no body "krank" (did you mean "crank"?)"#,
+            r#"--set joints.f.clearance.radius=1: there is no joint "f" (the joints: a, b, c, d, e; a new one needs "type" and "between")"#,
+            r#"--set joints.bearing.clearance.model=contact: there is no joint "bearing" (the joints: a, b, c, d, e; a new one needs "type" and "between")"#,
+            r#"--set drivers.moter.motion.coefficients[1]=3: there is no driver "moter" (did you mean "motor"?)"#,
+            r#"--set forces.retrun.stiffness=3: there is no force "retrun" (did you mean "return"?)"#,
+        ],
+    },
+    Case {
+        what: "set: what is new and whole, at once or in parts",
+        edits: &[],
+        sets: &[
+            r#"bodies.weight={"points": {"C": [0, 0]}}"#,
+            "bodies.weight.mass=0",
+            "joints.w.type=fixed",
+            r#"joints.w.between=["slider.C", "weight.C"]"#,
+        ],
+        complaints: &[],
     },
     Case {
         what: "units that are written out",

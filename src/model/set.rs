@@ -3,6 +3,7 @@
 use super::json;
 use super::node::{self, Kind, Member, Node, Origin};
 use super::source::Source;
+use super::{GROUND, suggest};
 use crate::error::Complaint;
 use serde_json::Number;
 
@@ -16,11 +17,73 @@ enum Step<'a> {
 /// Puts every `--set` over the model, in order.
 pub(super) fn apply(source: &mut Source, complaints: &mut Vec<Complaint>) {
     let sets = source.sets.clone();
+    let given = names(&source.root);
+    let mut refused = Vec::new();
     for (index, set) in sets.iter().enumerate() {
         if let Err((message, hint)) = apply_one(&mut source.root, set, index) {
-            complaints.push(Complaint::new("", message).found(format!("--set {}", node::excerpt(set))).hint(hint));
+            refused.push((set, Complaint::new("", message).found(format!("--set {}", node::excerpt(set))).hint(hint)));
         }
     }
+    for (kind, known) in KINDS.iter().zip(&given) {
+        for (path, complaint) in take_fragments(&mut source.root, kind, known, &sets) {
+            // What else is wrong in what does not exist need not be known.
+            refused.retain(|(set, _)| !is_inside(set, &path));
+            complaints.push(complaint);
+        }
+    }
+    complaints.extend(refused.into_iter().map(|(_, complaint)| complaint));
+}
+
+/// Whether a `--set` changes something inside of what is at a path.
+fn is_inside(set: &str, path: &str) -> bool {
+    set.trim_start().strip_prefix(path).is_some_and(|rest| rest.starts_with(['.', '[']))
+}
+
+/// Maps of named things, what one is called, and what makes a new one whole.
+const KINDS: [(&str, &str, &[&str]); 4] = [
+    ("bodies", "body", &["points"]),
+    ("joints", "joint", &["type", "between"]),
+    ("drivers", "driver", &["type", "motion"]),
+    ("forces", "force", &["type"]),
+];
+
+/// The names in each of these maps.
+fn names(root: &Node) -> [Vec<String>; KINDS.len()] {
+    KINDS.map(|(map, ..)| match root.get(map).map(|node| &node.kind) {
+        Some(Kind::Object(members)) => members.keys().cloned().collect(),
+        Some(Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) | Kind::Array(_)) | None => Vec::new(),
+    })
+}
+
+/// Takes out what a `--set` made by a name that does not exist, where that is not a whole thing: it was to change one.
+fn take_fragments(
+    root: &mut Node,
+    (map, what, whole): &(&str, &str, &[&str]),
+    known: &[String],
+    sets: &[String],
+) -> Vec<(String, Complaint)> {
+    let Kind::Object(members) = &mut root.kind else { return Vec::new() };
+    let Some(Kind::Object(members)) = members.get_mut(*map).map(|member| &mut member.node.kind) else {
+        return Vec::new();
+    };
+    let mut complaints = Vec::new();
+    members.retain(|name, member| {
+        let (Origin::Set(index), Kind::Object(_)) = (member.key, &member.node.kind) else { return true };
+        // What was given whole is complained about like anything in a file.
+        let path = node::join(map, name);
+        if !is_inside(&sets[index], &path) || *name == GROUND || whole.iter().all(|key| member.node.get(key).is_some())
+        {
+            return true;
+        }
+        let hint = match suggest::nearest(name, known.iter().map(String::as_str)) {
+            Some(near) => format!("did you mean {near:?}?"),
+            None => format!("the {map}: {}; a new one needs {}", suggest::list(known.iter()), suggest::all_of(whole)),
+        };
+        let found = format!("--set {}", node::excerpt(&sets[index]));
+        complaints.push((path, Complaint::new("", format!("there is no {what} {name:?}")).found(found).hint(hint)));
+        false
+    });
+    complaints
 }
 
 type Refusal = (String, String);

@@ -65,6 +65,11 @@ pub fn any_of<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
     }
 }
 
+/// `"a" and "b"`.
+pub fn all_of(words: &[&str]) -> String {
+    words.iter().map(|word| format!("{word:?}")).collect::<Vec<_>>().join(" and ")
+}
+
 /// `A, B, C`, as many as anybody reads.
 pub fn list<'a>(names: impl Iterator<Item = &'a String>) -> String {
     const MOST: usize = 12;
