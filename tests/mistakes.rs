@@ -140,6 +140,25 @@ const MISTAKES: &[Mistake] = &[
         ],
     },
     Mistake {
+        what: "a body without mass that no joint holds",
+        edits: &[("    \"rod\":", "    \"arm\": { \"inertia\": 0 },\n    \"rod\":")],
+        status: 2,
+        said: &[
+            r#"line 7, column 12: bodies.arm: inverse dynamics needs the mass of body "arm", which no joint holds (give "mass"; 0 is allowed where the joints determine its motion; or take the body out, or connect it by a joint)"#,
+        ],
+    },
+    Mistake {
+        what: "a body that no joint holds",
+        edits: &[
+            ("    \"rod\":", "    \"arm\": { \"inertia\": 1, \"mass\": 1, \"com\": [0, 0] },\n    \"rod\":"),
+            (r#""inverse_dynamics""#, r#""dynamics""#),
+        ],
+        status: 0,
+        said: &[
+            r#"line 7, column 12: bodies.arm: no joint holds it (connect it by a joint or take it out, unless it is to move freely)"#,
+        ],
+    },
+    Mistake {
         what: "two grounds",
         edits: &[("    \"crank\":", "    \"ground\": { \"points\": { \"P\": [0, 0] } },\n    \"crank\":")],
         status: 2,

@@ -92,9 +92,11 @@ pub fn check(model: &Model) -> Result<Check, Vec<Complaint>> {
     check.mobility.drivers = system.drivers.len();
     let unheld: Vec<&str> =
         topology.unheld_bodies().iter().map(|&body| system.bodies[body - 1].name.as_str()).collect();
-    if !unheld.is_empty() {
-        check.warnings.push(format!("nothing holds {}", listed(&unheld, ", ")));
-    }
+    check.suspicious.extend(unheld.first().map(|first| {
+        let others = if unheld.len() > 1 { format!(", nor {}", listed(&unheld[1..], ", ")) } else { String::new() };
+        Complaint::new(format!("bodies.{first}"), format!("no joint holds it{others}"))
+            .hint("connect it by a joint or take it out, unless it is to move freely")
+    }));
     reach_sample(model, &system)?;
     let inputs = Inputs::at_time(&system, 0.0);
     let assembled = match assemble(&system, &inputs) {
@@ -126,7 +128,7 @@ pub fn check(model: &Model) -> Result<Check, Vec<Complaint>> {
     check.lacks = lacks(model);
     check.missing = missing(model, undriven.as_ref(), &check.lacks, check.mobility.rank as usize);
     check.words = words(model, undriven.as_ref(), &check);
-    check.suspicious = turned_over(model, &system, &q);
+    check.suspicious.extend(turned_over(model, &system, &q));
     check.suspicious.extend(odd_springs(model, &system, &q));
     Ok(check)
 }

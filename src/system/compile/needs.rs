@@ -5,7 +5,7 @@ use crate::contact::{friction, normal};
 use crate::element::journal::{Bearing, Compliant, Surface};
 use crate::error::Complaint;
 use crate::model::{AnalysisKind, Carrier, ClearanceModel, GROUND, JointKind, Model};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// What joints need beyond their own words, by their names.
 pub(super) struct Joints<'a> {
@@ -124,14 +124,24 @@ pub(super) fn missing(model: &Model, analysis: AnalysisKind) -> Vec<Complaint> {
         (AnalysisKind::Kinematics, None) | (AnalysisKind::Assembly | AnalysisKind::Statics, _) => None,
     };
     if let Some(why) = why {
+        let ends = model.joints.values().flat_map(|joint| &joint.between);
+        let held: HashSet<&str> = ends.map(|end| end.body.as_str()).collect();
         for (name, body) in model.bodies.iter().filter(|(name, _)| *name != GROUND) {
+            let (stray, hint) = if held.contains(name.as_str()) {
+                ("", "")
+            } else {
+                (", which no joint holds", "; or take the body out, or connect it by a joint")
+            };
             // At rest nothing is turned.
             let inertia = body.inertia.is_none() && analysis != AnalysisKind::Statics;
             for (key, lacks) in [("mass", body.mass.is_none()), ("inertia", inertia)] {
                 if lacks {
                     complaints.push(
-                        Complaint::new(format!("bodies.{name}"), format!("{why} needs the {key} of body \"{name}\""))
-                            .hint(format!("give \"{key}\"; 0 is allowed where the joints determine its motion")),
+                        Complaint::new(
+                            format!("bodies.{name}"),
+                            format!("{why} needs the {key} of body \"{name}\"{stray}"),
+                        )
+                        .hint(format!("give \"{key}\"; 0 is allowed where the joints determine its motion{hint}")),
                     );
                 }
             }
