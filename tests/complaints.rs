@@ -1484,6 +1484,30 @@ fn warnings_are_no_faults() {
         edited(", \"free_length\": 150", ""),
         ["line 27, column 15: forces.return: \"free_length\" is left out and taken as 0 (write it, even if it is 0)"]
     );
+    assert_eq!(
+        edited("\"at\": \"coupler.B\"", "\"at\": \"ground.O\""),
+        [
+            "line 28, column 38: forces.load.at: \"ground.O\": ground is fixed: the force moves nothing (name a body that it is to \
+          move)"
+        ]
+    );
+}
+
+#[test]
+fn torques_on_what_can_not_move_are_warned_of() {
+    let torque = |ends: &str| {
+        let set = format!("forces.t={{\"type\": \"torque\", {ends}, \"value\": 5}}");
+        model::load(BASE.as_bytes(), &[set]).unwrap().warnings
+    };
+    let none = Vec::<String>::new();
+    assert_eq!(torque(r#""body": "crank""#), none);
+    assert_eq!(torque(r#""body": "ground", "relative_to": "crank""#), none);
+    for ends in [r#""body": "ground""#, r#""body": "ground", "relative_to": "ground""#] {
+        let said = torque(ends);
+        assert!(said.len() == 1 && said[0].contains("ground is fixed: the torque moves nothing"), "{said:?}");
+    }
+    let said = torque(r#""body": "crank", "relative_to": "crank""#);
+    assert!(said.len() == 1 && said[0].contains("the same body takes the opposite"), "{said:?}");
 }
 
 #[test]

@@ -2,15 +2,20 @@
 
 use serde_json::Value;
 
+use super::GROUND;
 use super::check::{Checked, members};
 use super::node::join;
 use crate::error::Complaint;
 
-/// Springs have a stiffness or a damping; a free length of zero should be meant.
+/// Springs have a stiffness or a damping; a free length of zero should be meant. Loads act on what can move.
 pub(super) fn forces(checked: &mut Checked<'_>) {
     let model = checked.model;
     for (name, force) in members(&model["forces"]) {
         let path = join("forces", name);
+        if let Some((key, message)) = idle(force) {
+            let warning = Complaint::new(format!("{path}.{key}"), message);
+            checked.warnings.push(warning.hint("name a body that it is to move"));
+        }
         let Some(kind @ ("spring" | "torsion_spring")) = force["type"].as_str() else { continue };
         if force.get("stiffness").is_none() && force.get("damping").is_none() {
             checked.complain(path, "\"stiffness\" is missing").hint =
@@ -22,6 +27,28 @@ pub(super) fn forces(checked: &mut Checked<'_>) {
             let warning = Complaint::new(path, "\"free_length\" is left out and taken as 0");
             checked.warnings.push(warning.hint("write it, even if it is 0"));
         }
+    }
+}
+
+/// Where a force or a torque acts on nothing that can move.
+fn idle(force: &Value) -> Option<(&'static str, &'static str)> {
+    let text = |key: &str| force[key].as_str();
+    match text("type")? {
+        "force" => {
+            let (body, _) = text("at")?.split_once('.')?;
+            (body == GROUND).then_some(("at", "ground is fixed: the force moves nothing"))
+        }
+        "torque" => {
+            let other = if force.get("relative_to").is_some() { text("relative_to")? } else { GROUND };
+            (text("body")? == other).then_some((
+                "body",
+                match other {
+                    GROUND => "ground is fixed: the torque moves nothing",
+                    _ => "the same body takes the opposite: the torque moves nothing",
+                },
+            ))
+        }
+        _ => None,
     }
 }
 
