@@ -73,6 +73,49 @@ fn a_law_says_what_it_lacks() {
 }
 
 #[test]
+fn the_stiffness_of_a_linear_law_may_have_a_unit() {
+    let kelvin = |stiffness: &str| format!(r#""law": "kelvin_voigt", "damping": 100, "stiffness": {stiffness}"#);
+    let stiffness = |stiffness: &str, units: &str| {
+        let text = file(&contact(&kelvin(stiffness), "")).replace(r#""SI""#, units);
+        let loaded = model::load(text.as_bytes(), &[]).expect("a sound model");
+        let model::JointKind::Revolute { clearance: Some(clearance), .. } = &loaded.model.joints["pin"].kind else {
+            panic!("a revolute joint with clearance")
+        };
+        clearance.normal.as_ref().and_then(|normal| normal.stiffness)
+    };
+    assert_eq!(stiffness(r#""1e6 N/m""#, r#""SI""#), Some(1e6));
+    assert_eq!(stiffness(r#""1e3 N/mm""#, r#""SI""#), Some(1e6));
+    assert_eq!(stiffness(r#""=2*500 N/mm""#, r#""SI""#), Some(1e6));
+    // A plain number is in SI whatever the springs' are in.
+    assert_eq!(stiffness("1e6", r#"{ "stiffness": "N/mm" }"#), Some(1e6));
+    let said_of = |stiffness: &str| said(&contact(&kelvin(stiffness), ""));
+    assert_eq!(
+        said_of(r#""1e6 N""#),
+        [r#".normal.stiffness: "1e6 N": "N" is not a unit of stiffness (such as "N/m")"#]
+    );
+    assert_eq!(said_of("0"), [".normal.stiffness: 0: must be greater than 0"]);
+    let hertz = r#""law": "hertz", "stiffness": "1e6 N/m""#;
+    assert_eq!(
+        said(&contact(hertz, "")),
+        [
+            r#".normal.stiffness: "1e6 N/m": a plain number is expected, not text (as in "stiffness": 1e9, in N/m^exponent; only "kelvin_voigt" takes a unit)"#
+        ]
+    );
+}
+
+#[test]
+fn the_radii_and_the_length_stand_in_the_clearance() {
+    let normal = format!(r#""law": "johnson", {STEEL}, "axial_length": 0.02"#);
+    assert_eq!(
+        said(&contact(&normal, r#", "bearing_radius": 0.01"#)),
+        [
+            r#": "axial_length" is missing (the law "johnson" needs it)"#,
+            r#".normal.axial_length: "axial_length": it belongs to the clearance, beside "radius""#,
+        ]
+    );
+}
+
+#[test]
 fn numbers_out_of_their_range_are_refused() {
     for (words, refused) in [
         (r#""law": "hertz", "stiffness": 0"#, ".normal.stiffness: 0: must be greater than 0"),

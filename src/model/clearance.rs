@@ -94,11 +94,16 @@ pub enum NormalLaw {
 
 /// Normal force of a contact; where a law dissipates by a hysteresis factor χ, F = K δⁿ + χ δⁿ δ̇.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[schemars(extend("x-refused" = {
+    "axial_length": "it belongs to the clearance, beside \"radius\"",
+    "bearing_radius": "it belongs to the clearance, beside \"radius\"",
+    "radius": "it belongs to the clearance, beside \"model\""
+}))]
 pub struct Normal {
     pub law: NormalLaw,
-    /// Stiffness K [N/m^exponent], a plain SI number; left out, it follows from `elastic`. Not used by the cylindrical laws.
+    /// Stiffness K [N/m^exponent], a plain SI number, for `kelvin_voigt` also text with a unit; left out, it follows from `elastic`. Not used by the cylindrical laws.
     #[serde(default)]
-    #[schemars(schema_with = "schema::number", extend("exclusiveMinimum" = 0))]
+    #[schemars(schema_with = "schema::contact_stiffness", extend("exclusiveMinimum" = 0))]
     pub stiffness: Option<f64>,
     /// Exponent n of Kδⁿ [–], at least 1, default 3/2 (Hertz); `kelvin_voigt` has 1, the cylindrical laws their own.
     #[serde(default)]

@@ -61,7 +61,10 @@ fn row(path: &str) -> Option<(&'static str, &'static str)> {
         ["points"] => Some(("", r#""points": ["coupler.P"]"#)),
         ["bodies", _, "points"] => Some(("", r#""points": { "A": [0, 0], "B": [50, 0] }"#)),
         [.., "points"] => Some(("", r#""points": [[0, 0], [1, "90 deg"]]"#)),
-        [.., "normal", "stiffness"] => None,
+        // In SI with the law's exponent; only that of a linear law has a unit that can be written.
+        [.., "normal", "stiffness"] => {
+            Some(("", r#""stiffness": 1e9, in N/m^exponent; only "kelvin_voigt" takes a unit"#))
+        }
         _ => EXAMPLES.iter().find(|row| row.0 == key).map(|row| (row.1, row.2)),
     }
 }

@@ -95,6 +95,11 @@ impl Units {
 
     /// What a keyword `x-dimension` wants here; none where that is not known.
     fn wanted(&self, keyword: &str, driven: Driven) -> Option<Wanted> {
+        if keyword == "linear stiffness" {
+            // A plain stiffness of a contact is in SI whatever `units` names for springs.
+            let plain = Unit::si(Dimension::Stiffness.powers());
+            return Some(Wanted { plain, dimension: None, ..self.derivative(Dimension::Stiffness, 0) });
+        }
         let (dimension, order) = match (keyword, driven) {
             ("driven", Driven::Dimension(dimension)) => (dimension, 0),
             ("driven velocity", Driven::Dimension(dimension)) => return Some(self.rate(dimension, 1)),

@@ -9,6 +9,7 @@
 //! | `x-unit-of`   | text              | the dimension that this names a unit for                               |
 //! | `x-reference` | text              | names a `point`, `body`, `joint` or `driver` of the model              |
 //! | `x-plain`     | number or text    | a number without unit, `number` or `integer`                           |
+//! | `x-linear`    | plain number      | `x-dimension` of it where the `law` beside it is `kelvin_voigt`        |
 //! | `x-parameters` | object           | the parameters, which are read before everything else                  |
 //! | `x-refused`   | object            | keys that have a reason of their own for not being allowed             |
 
@@ -184,6 +185,11 @@ pub(super) fn bodies(generator: &mut SchemaGenerator) -> Schema {
 /// A plain number.
 pub(super) fn number(_: &mut SchemaGenerator) -> Schema {
     json_schema!({ "type": "number" })
+}
+
+/// A plain number; where the law is linear it has a unit, which text may name.
+pub(super) fn contact_stiffness(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "type": ["number", "string"], "pattern": QUANTITY_PATTERN, "x-plain": "number", "x-linear": "linear stiffness" })
 }
 
 /// A whole number.

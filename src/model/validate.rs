@@ -244,6 +244,11 @@ impl Walk<'_> {
             match (properties.get(key), additional) {
                 // in a map, `note` is a remark if it is text, else a name like any other
                 (Some(_), Some(_)) if key == "note" && member.node.as_str().is_some() => {}
+                (Some(property), _) if is_linear(property, members) => {
+                    let number = self.quantity(&member.node, "linear stiffness", &here, driven);
+                    let number = number.and_then(|number| self.bounded(&member.node, number, property, &here));
+                    out.insert(key.clone(), number.map_or(Value::Null, Value::from));
+                }
                 (Some(property), _) => {
                     out.insert(key.clone(), self.value(&member.node, property, &here, driven));
                 }
@@ -399,6 +404,12 @@ fn branch<'s>(node: &Node, branches: &'s [Value]) -> &'s Value {
     let wanted = matches!(node.kind, Kind::Object(_));
     let fitting = branches.iter().filter(|branch| is_object(branch) == wanted);
     fitting.rev().max_by_key(|branch| keys(branch)).unwrap_or(&branches[0])
+}
+
+/// Whether this is the stiffness of a law that is linear, so that it has a unit of its own.
+fn is_linear(property: &Value, members: &IndexMap<String, Member>) -> bool {
+    let law = || members.get("law").and_then(|member| member.node.as_str());
+    property.get("x-linear").is_some() && law() == Some("kelvin_voigt")
 }
 
 /// Whether this is zero, or a list of zeros.
