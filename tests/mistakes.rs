@@ -75,9 +75,14 @@ const MISTAKES: &[Mistake] = &[
         status: 0,
         said: &[
             r#"line 7, column 71: bodies.rod.points: the bodies are very long, this one 250 m (check the unit of length: "units": { "length": "mm" } reads plain numbers as millimetres)"#,
-            r#"line 6, column 40: bodies.crank.inertia: 700: the inertia is small: that of the mass at 0.02958 m, where the body reaches 50 m (check the unit: a plain inertia is in kg*m^2 unless "units" names another)"#,
-            r#"line 7, column 38: bodies.rod.inertia: 9000: the inertia is small: that of the mass at 0.06882 m, where the body reaches 125 m (check the unit: a plain inertia is in kg*m^2 unless "units" names another)"#,
-            r#"line 8, column 41: bodies.rocker.inertia: 5000: the inertia is small: that of the mass at 0.05774 m, where the body reaches 100 m (check the unit: a plain inertia is in kg*m^2 unless "units" names another)"#,
+        ],
+    },
+    Mistake {
+        what: "inertia in kg*m^2 written in kg*mm^2",
+        edits: &[(r#""inertia": 9000"#, r#""inertia": 0.009"#)],
+        status: 0,
+        said: &[
+            r#"line 7, column 38: bodies.rod.inertia: 0.009: the inertia is small: that of the mass at 6.882e-5 m, where the body reaches 0.125 m (check the unit: a plain inertia is in kg*m^2 unless "units" names another)"#,
         ],
     },
     Mistake {

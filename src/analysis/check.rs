@@ -1,9 +1,5 @@
 //! Diagnosis of a model without running it.
 
-mod slips;
-
-pub use slips::slips;
-
 use super::Stop;
 use super::assembly::{Assembled, assemble, check_driven, length_text, listed, ranked, topology};
 use super::instants::instants;

@@ -90,19 +90,12 @@ fn lack_words(lack: &Lack) -> String {
 /// What looks like a slip, with its place.
 fn suspicious(opened: &Opened, check: &mut Check) -> Vec<String> {
     let degrees = opened.loaded.document.pointer("/units/angle").and_then(Value::as_str) == Some("deg");
-    let slips = analysis::check::slips(&opened.loaded.model, degrees);
     let mut found = analysis::suspicious(&opened.loaded.model, degrees);
-    found.append(&mut check.suspicious);
-    // A body of doubtful lengths is not blamed for its inertia, nor told twice to be long, nor are springs for theirs.
-    let doubtful = |path: &str| {
-        if path.ends_with(".free_length") {
-            return slips.iter().any(|slip| slip.path.ends_with(".points"));
-        }
-        let body = path.strip_suffix(".points").or(path.strip_suffix(".inertia"));
-        body.is_some_and(|body| slips.iter().any(|slip| slip.path.rsplit_once('.').is_some_and(|(of, _)| of == body)))
-    };
-    found.retain(|complaint| !doubtful(&complaint.path));
-    found.extend(slips);
+    // In a mechanism of doubtful lengths springs are not blamed for theirs.
+    let doubtful = found.iter().any(|complaint| complaint.path.ends_with(".points"));
+    let mut others = std::mem::take(&mut check.suspicious);
+    others.retain(|complaint| !(doubtful && complaint.path.ends_with(".free_length")));
+    found.extend(others);
     found.into_iter().map(|complaint| opened.loaded.source.place(complaint).to_string()).collect()
 }
 

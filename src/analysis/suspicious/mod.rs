@@ -2,62 +2,50 @@
 //!
 //! Each bound is generous: what lies beyond it is rarely meant, what lies within it may be wrong all the same.
 
-use std::f64::consts::{PI, TAU};
+mod angles;
+mod lengths;
+
+use std::f64::consts::TAU;
 
 use crate::error::Complaint;
 use crate::model::{Analysis, AnalysisKind, Body, DriverKind, ForceKind, GROUND, JointKind, Model, Motion, Value};
 use crate::system::compile::law;
+use lengths::extent;
 
-/// Longer links are few, and millimetres taken for metres are longer [m].
-const LONGEST: f64 = 30.0;
-/// Shorter links are few, too [m].
-const SHORTEST: f64 = 1e-6;
-/// One link of all may be this times longer or shorter than the middle one [–].
-const LENGTH_SPREAD: f64 = 200.0;
 /// One mass of all may be this times larger or smaller than the middle one [–].
 const MASS_SPREAD: f64 = 300.0;
 /// Radius of gyration against the distance of the points, squared: kg·mm² taken for kg·cm² lie within, for kg·m² do not [–].
 const INERTIA_SPREAD: f64 = 1000.0;
 /// Gravity from that of a small moon to that of a large planet [m/s²].
 const GRAVITY: [f64; 2] = [0.05, 30.0];
-/// Angles of a drawing beyond this are degrees taken for radians [rad].
-const MOST_TURNED: f64 = 4.0 * PI;
 /// Outputs per turn or period below this show another motion than there is.
 const LEAST_OUTPUTS: f64 = 8.0;
-/// How near to a fraction of π a number of degrees must be to look like radians [–].
-const NEAR_PI: f64 = 6e-4;
 
 /// What looks like a slip in the model; `degrees`: plain angles are in degrees.
 pub fn suspicious(model: &Model, degrees: bool) -> Vec<Complaint> {
+    let whole = lengths::whole(model);
+    let all_doubtful = whole.is_some();
+    let lengths = whole.map_or_else(|| lengths::lengths(model), |complaint| vec![complaint]);
     let mut found = Vec::new();
-    lengths(model, &mut found);
     masses(model, &mut found);
     inertias(model, &mut found);
     gravity(model, &mut found);
-    angles(model, degrees, &mut found);
+    angles::angles(model, degrees, &mut found);
     clearances(model, &mut found);
     if let Some(analysis) = &model.analysis {
         speeds(model, analysis, &mut found);
     }
-    found
+    // A body of doubtful lengths is not blamed for its inertia.
+    let doubtful = |body: &str| {
+        all_doubtful || lengths.iter().any(|slip| slip.path.rsplit_once('.').is_some_and(|(of, _)| of == body))
+    };
+    found.retain(|complaint| !complaint.path.strip_suffix(".inertia").is_some_and(doubtful));
+    [lengths, found].concat()
 }
 
 /// Moving bodies with their names.
 fn moving(model: &Model) -> impl Iterator<Item = (&String, &Body)> {
     model.bodies.iter().filter(|(name, _)| *name != GROUND)
-}
-
-/// Largest distance of two points of a body [m]; zero where it has one or none.
-fn extent(body: &Body) -> f64 {
-    let mut low = [f64::INFINITY; 2];
-    let mut high = [f64::NEG_INFINITY; 2];
-    for point in body.points.values() {
-        for axis in 0..2 {
-            low[axis] = low[axis].min(point[axis]);
-            high[axis] = high[axis].max(point[axis]);
-        }
-    }
-    if body.points.len() < 2 { 0.0 } else { (high[0] - low[0]).hypot(high[1] - low[1]) }
 }
 
 /// The middle one of some positive values.
@@ -70,37 +58,6 @@ fn middle(mut values: Vec<f64>) -> Option<f64> {
 fn text(value: f64, unit: &str) -> String {
     let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
     if (1e-3..1e6).contains(&rounded.abs()) { format!("{rounded} {unit}") } else { format!("{rounded:e} {unit}") }
-}
-
-fn lengths(model: &Model, found: &mut Vec<Complaint>) {
-    let extents: Vec<(&String, f64)> =
-        moving(model).map(|(name, body)| (name, extent(body))).filter(|(_, extent)| *extent > 0.0).collect();
-    let Some(middle) = middle(extents.iter().map(|(_, extent)| *extent).collect()) else { return };
-    let longest = extents.iter().max_by(|a, b| a.1.total_cmp(&b.1));
-    if !(SHORTEST..=LONGEST).contains(&middle) {
-        let whole = if middle > LONGEST { "long" } else { "small" };
-        found.extend(longest.map(|(name, extent)| {
-            Complaint::new(
-                format!("bodies.{name}.points"),
-                format!("the bodies are very {whole}, this one {}", text(*extent, "m")),
-            )
-            .hint("check the unit of length: \"units\": { \"length\": \"mm\" } reads plain numbers as millimetres")
-        }));
-        return;
-    }
-    for (name, extent) in extents.iter().filter(|_| extents.len() > 2) {
-        let ratio = extent / middle;
-        if !(1.0 / LENGTH_SPREAD..=LENGTH_SPREAD).contains(&ratio) {
-            let than = if ratio > 1.0 { "long" } else { "short" };
-            found.push(
-                Complaint::new(
-                    format!("bodies.{name}.points"),
-                    format!("the body is {} {than}, most others are near {}", text(*extent, "m"), text(middle, "m")),
-                )
-                .hint("check its lengths and their unit"),
-            );
-        }
-    }
 }
 
 fn masses(model: &Model, found: &mut Vec<Complaint>) {
@@ -160,55 +117,6 @@ fn gravity(model: &Model, found: &mut Vec<Complaint>) {
         found.push(Complaint::new("gravity", message).hint(
             "a plain number is in m/s^2 whatever the unit of length; write 9.81, or its unit, as in \"9810 mm/s^2\"",
         ));
-    }
-}
-
-fn angles(model: &Model, degrees: bool, found: &mut Vec<Complaint>) {
-    let mut look = |path: String, angle: f64| {
-        let shown = angle * 180.0 / PI;
-        // 1.5708, 0.7854 … in degrees: no drawing needs such small odd angles.
-        let fraction = [6.0, 4.0, 3.0, 2.0, 1.5, 4.0 / 3.0, 1.0, 2.0 / 3.0, 0.5].map(|part| PI / part);
-        let near = fraction.iter().any(|f| (shown.abs() - f).abs() <= NEAR_PI * f);
-        if angle.abs() > MOST_TURNED {
-            let message = format!("the angle is {}, {} turns", text(angle, "rad"), text(angle.abs() / TAU, "").trim());
-            let hint = "for degrees write \"60 deg\", or name \"angle\": \"deg\" in units";
-            found.push(Complaint::new(path, message).hint(hint));
-        } else if degrees && near {
-            let message = format!("the angle is {}, which looks like radians", text(shown, "deg"));
-            found.push(Complaint::new(path, message).hint("plain angles are in degrees here; write \"1.5708 rad\""));
-        }
-    };
-    for (name, body) in moving(model) {
-        look(format!("bodies.{name}.pose.angle"), body.pose.angle);
-    }
-    for (name, joint) in &model.joints {
-        match joint.kind {
-            JointKind::Prismatic { angle, .. } | JointKind::Fixed { angle } => {
-                look(format!("joints.{name}.angle"), angle)
-            }
-            JointKind::Revolute { .. } | JointKind::Slot { .. } | JointKind::Gear { .. } => {}
-        }
-    }
-    for (name, initial) in &model.initial {
-        if let Some(angle) = initial.angle {
-            look(format!("initial.{name}.angle"), angle);
-        }
-    }
-    for (name, driver) in &model.drivers {
-        let start = match (&driver.kind, &driver.motion) {
-            (DriverKind::Translation { .. }, _) => continue,
-            (DriverKind::Rotation { .. }, Motion::Polynomial { coefficients }) => {
-                coefficients.first().map(|start| ("coefficients[0]", *start))
-            }
-            (
-                DriverKind::Rotation { .. },
-                Motion::ConstantVelocity { start, .. } | Motion::ConstantAcceleration { start, .. },
-            ) => Some(("start", *start)),
-            (DriverKind::Rotation { .. }, Motion::Harmonic { .. } | Motion::Table { .. }) => None,
-        };
-        if let Some((key, start)) = start {
-            look(format!("drivers.{name}.motion.{key}"), start);
-        }
     }
 }
 
