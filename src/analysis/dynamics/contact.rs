@@ -31,6 +31,9 @@ const PULL: f64 = 1e-9;
 const SECOND: f64 = 1.0;
 /// Sliding velocity past the end of a piece of the friction law from which the next piece holds [m/s].
 const PAST: f64 = 1e-12;
+/// The same for journals that follow rigid bearings, in parts of the threshold: their forces are large where they wedge, and
+/// round-off in their velocities too.
+const PAST_RIGID: f64 = 1e-4;
 /// Bins of the bearing's circumference in which sliding under load is summed.
 pub const WEAR_BINS: usize = 72;
 /// Episodes, and changes between stick and slip, that are listed at most; all are counted.
@@ -42,10 +45,12 @@ pub fn worst_guard(journal: &Journal, memory: &Contact, reading: &Reading) -> f6
         (Surface::Compliant(_), Phase::Flight) => reading.penetration,
         // On its way out it may still be where it touched.
         (Surface::Rigid(_), Phase::Flight) => reading.penetration.min((reading.rate - CREEP) * SECOND),
-        (Surface::Rigid(rigid), Phase::Contact) => lets_go(reading).max(past(&rigid.friction_law(), memory, reading)),
+        (Surface::Rigid(rigid), Phase::Contact) => {
+            lets_go(reading).max(past(&rigid.friction_law(), memory, reading) - PAST_RIGID * rigid.threshold)
+        }
         (Surface::Compliant(laws), Phase::Contact) => {
             let hold = laws.normal.hold(reading.penetration, reading.rate, memory.approach);
-            gone(journal, reading).max(-hold).max(past(&laws.friction, memory, reading))
+            gone(journal, reading).max(-hold).max(past(&laws.friction, memory, reading) - PAST)
         }
         (Surface::Compliant(laws), Phase::Released) => {
             gone(journal, reading).max(laws.normal.hold(reading.penetration, reading.rate, memory.approach))
@@ -62,7 +67,7 @@ pub fn lets_go(reading: &Reading) -> f64 {
 /// Positive beyond the ends of the friction law's piece.
 fn past(friction: &friction::Law, memory: &Contact, reading: &Reading) -> f64 {
     let (low, up) = friction.bounds(memory.piece);
-    (reading.sliding - up).max(low - reading.sliding) - PAST
+    (reading.sliding - up).max(low - reading.sliding)
 }
 
 fn gone(journal: &Journal, reading: &Reading) -> f64 {
@@ -98,8 +103,8 @@ pub enum Change {
 
 /// Changes the memory where a guard has become positive.
 pub fn change(journal: &Journal, memory: &mut Contact, reading: &Reading) -> Option<Change> {
-    let next_piece = |friction: &friction::Law, memory: &mut Contact| {
-        (past(friction, memory, reading) > 0.0).then(|| {
+    let next_piece = |friction: &friction::Law, memory: &mut Contact, slack: f64| {
+        (past(friction, memory, reading) > slack).then(|| {
             memory.piece = friction.piece(reading.sliding);
             Change::Piece
         })
@@ -107,7 +112,9 @@ pub fn change(journal: &Journal, memory: &mut Contact, reading: &Reading) -> Opt
     let laws = match &journal.surface {
         Surface::Compliant(laws) => laws,
         // All else that a rigid journal does comes with impulses.
-        Surface::Rigid(rigid) if memory.phase == Phase::Contact => return next_piece(&rigid.friction_law(), memory),
+        Surface::Rigid(rigid) if memory.phase == Phase::Contact => {
+            return next_piece(&rigid.friction_law(), memory, PAST_RIGID * rigid.threshold);
+        }
         Surface::Rigid(_) => return None,
     };
     match memory.phase {
@@ -124,7 +131,7 @@ pub fn change(journal: &Journal, memory: &mut Contact, reading: &Reading) -> Opt
                 memory.phase = Phase::Released;
                 Some(Change::Release)
             } else {
-                next_piece(&laws.friction, memory)
+                next_piece(&laws.friction, memory, PAST)
             }
         }
         Phase::Released => (laws.normal.hold(reading.penetration, reading.rate, memory.approach) > 0.0).then(|| {
