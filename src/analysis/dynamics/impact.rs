@@ -73,10 +73,8 @@ impl Integration {
         self.go_on_as(motion, &vec![false; were.len()], time)?;
         let contacts: Vec<usize> =
             (0..were.len()).filter(|&contact| were[contact] || touches(motion, contact, slow)).collect();
-        let size = contacts.len();
-        let points: Vec<Point> =
-            contacts.iter().map(|&contact| Point::new(motion, contact, &motion.reading(contact))).collect();
-        let mass = DMatrix::from_fn(size, size, |i, j| dot(&points[i].forces[0], &points[j].changes[0]));
+        let points = Point::of(motion, &contacts);
+        let mass = inverse_mass(&points, &vec![0.0; contacts.len()]);
         let rates: Vec<f64> = contacts.iter().map(|&contact| motion.reading(contact).rate).collect();
         let (stays, impulses) = complementary(&mass, &rates).ok_or(Failure::Singular)?;
         let pushes: Vec<[f64; 2]> = impulses.iter().map(|&impulse| [impulse, 0.0]).collect();
@@ -94,9 +92,7 @@ impl Integration {
             })
             .collect();
         let ratios: Vec<f64> = contacts.iter().map(|&contact| rubbing(motion, contact)).collect();
-        let rubbed = DMatrix::from_fn(size, size, |i, j| {
-            mass[(i, j)] + ratios[j] * dot(&points[i].forces[0], &points[j].changes[1])
-        });
+        let rubbed = inverse_mass(&points, &ratios);
         let jam = Jam { were: &were, contacts: &contacts, points: &points };
         let Some((presses, _)) = complementary(&rubbed, &free) else {
             return self.unjam(motion, &jam, 0.0, time);
@@ -258,9 +254,7 @@ impl Integration {
         let were = motion.followers();
         self.go_on_as(motion, &vec![false; were.len()], time)?;
         let contacts: Vec<usize> = (0..were.len()).filter(|&other| were[other] || other == contact).collect();
-        let size = contacts.len();
-        let points: Vec<Point> =
-            contacts.iter().map(|&contact| Point::new(motion, contact, &motion.reading(contact))).collect();
+        let points = Point::of(motion, &contacts);
         let wanted: Vec<f64> = contacts
             .iter()
             .map(|&other| {
@@ -270,14 +264,10 @@ impl Integration {
             .collect();
         // With friction there may be no such impulses, or some that give energy; without there are always some that take it.
         let pushes = [ratio, 0.0].into_iter().find_map(|ratio| {
-            let directions: Vec<[f64; 2]> =
-                contacts.iter().map(|&other| [1.0, if other == contact { ratio } else { 0.0 }]).collect();
-            let changes: Vec<Vec<f64>> =
-                points.iter().zip(&directions).map(|(point, &way)| point.sum(&point.changes, way)).collect();
-            let mass = DMatrix::from_fn(size, size, |i, j| dot(&points[i].forces[0], &changes[j]));
-            let (_, impulses) = complementary(&mass, &wanted)?;
+            let ratios: Vec<f64> = contacts.iter().map(|&other| if other == contact { ratio } else { 0.0 }).collect();
+            let (_, impulses) = complementary(&inverse_mass(&points, &ratios), &wanted)?;
             let pushes: Vec<[f64; 2]> =
-                directions.iter().zip(&impulses).map(|(way, impulse)| way.map(|part| part * impulse)).collect();
+                ratios.iter().zip(&impulses).map(|(ratio, impulse)| [*impulse, ratio * impulse]).collect();
             let halfway = halfway(motion, &points, &pushes);
             let work: f64 =
                 points.iter().zip(&pushes).map(|(point, &push)| dot(&point.sum(&point.forces, push), &halfway)).sum();
@@ -350,6 +340,14 @@ fn touches(motion: &Motion, contact: usize, slow: f64) -> bool {
         && reading.rate.abs() <= slow
 }
 
+/// W̃ (k, k) of contacts whose impulses or forces along t are `ratios` of those along −n: what each does to δ̇ of the others.
+pub(super) fn inverse_mass(points: &[Point], ratios: &[f64]) -> DMatrix<f64> {
+    DMatrix::from_fn(points.len(), points.len(), |i, j| {
+        let [normal, tangential] = points[j].changes.each_ref().map(|change| dot(&points[i].forces[0], change));
+        normal + ratios[j] * tangential
+    })
+}
+
 /// A rigid contact whose guard is positive.
 fn acting(motion: &Motion) -> Option<usize> {
     let system = motion.system();
@@ -374,7 +372,12 @@ fn approach_acceleration(motion: &Motion, contact: usize, point: &Point) -> f64 
 }
 
 impl Point {
-    pub(super) fn new(motion: &Motion, contact: usize, reading: &Reading) -> Self {
+    /// Of some contacts, as they are at the last evaluation.
+    pub(super) fn of(motion: &Motion, contacts: &[usize]) -> Vec<Point> {
+        contacts.iter().map(|&contact| Point::new(motion, contact, &motion.reading(contact))).collect()
+    }
+
+    fn new(motion: &Motion, contact: usize, reading: &Reading) -> Self {
         let system = motion.system();
         let reduced = &motion.reduced;
         let at = reduced.driven.evaluation.instant(&reduced.inputs);

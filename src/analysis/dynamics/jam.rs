@@ -17,7 +17,7 @@
 //! (see [`crate::contact::impact`]); several at once give nothing back. The same ends a motion in which N grows beyond all
 //! bounds, d → 0.
 
-use super::impact::{AT_REST, Point, rubbing};
+use super::impact::{AT_REST, Point, inverse_mass, rubbing};
 use super::integration::Integration;
 use super::motion::Motion;
 use super::words::TIGHT;
@@ -98,8 +98,7 @@ impl Integration {
         let ended = motion.evaluate(time, &self.y).and_then(|()| {
             self.go_on_as(motion, &vec![false; were.len()], time)?;
             let contacts: Vec<usize> = (0..were.len()).filter(|&contact| were[contact]).collect();
-            let points: Vec<Point> =
-                contacts.iter().map(|&contact| Point::new(motion, contact, &motion.reading(contact))).collect();
+            let points = Point::of(motion, &contacts);
             self.unjam(motion, &Jam { were: &were, contacts: &contacts, points: &points }, TIGHT, time)?;
             self.collide(motion, time)
         });
@@ -145,10 +144,7 @@ impl Way {
     /// That with the least d at these ρ.
     fn with(jam: &Jam, ratios: &[f64]) -> Option<Way> {
         let (points, size) = (jam.points, jam.points.len());
-        let rubbed = DMatrix::from_fn(size, size, |i, j| {
-            let [normal, tangential] = points[j].changes.each_ref().map(|change| dot(&points[i].forces[0], change));
-            normal + ratios[j] * tangential
-        });
+        let rubbed = inverse_mass(points, ratios);
         let ways = (0..size).map(|leader| {
             let others: Vec<usize> = (0..size).filter(|&other| other != leader).collect();
             let part = DMatrix::from_fn(others.len(), others.len(), |i, j| rubbed[(others[i], others[j])]);
