@@ -10,7 +10,7 @@
 //! Rows are taken one by one and eliminated by those kept before, left-looking as in [`super::lu`], so that the
 //! earliest rows stay and a culprit is the later of two that quarrel. Among coordinates with at least half the largest
 //! entry left, the one that fewest rows use becomes the pivot: that keeps L as sparse as the linkage and its entries at
-//! most 2. Time and memory follow the sparsity, a chain of a thousand bodies takes about a millisecond, so one method
+//! most 2. Where that leaves doubt, because little was left of a row that was kept, strong rows are taken first. Time and memory follow the sparsity, a chain of a thousand bodies takes about a millisecond, so one method
 //! serves all sizes. Checked against singular values on random linkages.
 //!
 //! The verdict depends on units: scale lengths by that of the mechanism first.
@@ -25,6 +25,13 @@ use super::triangle::{Entry, NONE, Search, Triangle};
 /// Rounding leaves 1e-16 to 1e-13 of a dependent row. Models are written with some nine digits, so what is smaller than
 /// that is meant as dependent; independent rows of linkages away from dead points leave more than 1e-3.
 pub const DEPENDENCE_TOLERANCE: f64 = 1e-9;
+
+/// What must be left of a row for it to be taken before others, where a first pass in order of precedence leaves doubt [-].
+///
+/// Of a loop near a flat position little is left of its last row, though rows behind may hold what it holds, and better.
+/// Kept nevertheless, it multiplies the rounding of the rows that depend on it by the inverse of what was left, until
+/// these look independent. With strong rows first, weak ones are judged by what all strong ones leave of them.
+const LEVELS: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-8];
 
 /// Pivots may be this times smaller than the largest candidate [-].
 const PIVOT_THRESHOLD: f64 = 0.5;
@@ -161,6 +168,23 @@ impl SparseRows {
 /// # Ok::<(), linkdyn::solve::rank::BadEntry>(())
 /// ```
 pub fn independent_rows(rows: &SparseRows, tolerance: f64) -> RankReport {
+    decide(rows, tolerance).1
+}
+
+/// The verdict, and the elimination that leads to it.
+fn decide(rows: &SparseRows, tolerance: f64) -> (Elimination<'_>, RankReport) {
+    let first = keep_by_levels(rows, &[tolerance]);
+    if first.1.smallest_kept > LEVELS[0] {
+        return first;
+    }
+    let levels: Vec<f64> = LEVELS.into_iter().filter(|level| *level > tolerance).chain([tolerance]).collect();
+    let certain = keep_by_levels(rows, &levels);
+    // Where both agree, the earliest rows stay.
+    if certain.1.rank == first.1.rank { first } else { certain }
+}
+
+/// Keeps, level by level, the rows of which more than that is left.
+fn keep_by_levels<'a>(rows: &'a SparseRows, levels: &[f64]) -> (Elimination<'a>, RankReport) {
     let mut elimination = Elimination::new(rows);
     let mut report = RankReport {
         rank: 0,
@@ -170,22 +194,33 @@ pub fn independent_rows(rows: &SparseRows, tolerance: f64) -> RankReport {
         smallest_kept: f64::INFINITY,
         largest_dropped: 0.0,
     };
-    for row in 0..rows.rows() {
-        let ratio = elimination.eliminate(row);
-        if ratio > tolerance {
-            elimination.keep();
-            report.independent.push(row);
-            report.smallest_kept = report.smallest_kept.min(ratio);
-        } else {
-            let combination = elimination.combination(row, &report.independent);
+    // In the order of the elimination.
+    let mut kept = Vec::new();
+    let mut left: Vec<usize> = (0..rows.rows()).collect();
+    for (k, &level) in levels.iter().enumerate() {
+        let last = k + 1 == levels.len();
+        left.retain(|&row| {
+            let ratio = elimination.eliminate(row);
+            if ratio > level {
+                elimination.keep();
+                kept.push(row);
+                report.smallest_kept = report.smallest_kept.min(ratio);
+                return false;
+            }
+            if last {
+                let combination = elimination.combination(row, &kept);
+                report.dependent.push(Dependent { row, ratio, combination });
+                report.largest_dropped = report.largest_dropped.max(ratio);
+            }
             elimination.drop_row();
-            report.dependent.push(Dependent { row, ratio, combination });
-            report.largest_dropped = report.largest_dropped.max(ratio);
-        }
+            true
+        });
     }
-    report.rank = report.independent.len();
+    report.rank = kept.len();
+    kept.sort_unstable();
+    report.independent = kept;
     report.free_columns = (0..rows.columns()).filter(|&column| elimination.position[column] == NONE).collect();
-    report
+    (elimination, report)
 }
 
 /// A direction that none of the rows forbids, largest component 1, as general as such directions are: what stands still in
@@ -194,14 +229,7 @@ pub fn independent_rows(rows: &SparseRows, tolerance: f64) -> RankReport {
 /// With Jᵀ = L U and U regular, J x = 0 is Lᵀ x = 0: the free columns' components are chosen, the others follow from the
 /// last pivot to the first.
 pub fn free_direction(rows: &SparseRows, tolerance: f64) -> Option<Vec<f64>> {
-    let mut elimination = Elimination::new(rows);
-    for row in 0..rows.rows() {
-        if elimination.eliminate(row) > tolerance {
-            elimination.keep();
-        } else {
-            elimination.drop_row();
-        }
-    }
+    let (elimination, _) = decide(rows, tolerance);
     let mut coordinates = vec![0; elimination.pivot.len()];
     let mut x = vec![0.0; rows.columns()];
     for (column, &position) in elimination.position.iter().enumerate() {
@@ -234,6 +262,8 @@ struct Elimination<'a> {
     /// Row being eliminated, by coordinates; zero between rows.
     work: Vec<f64>,
     search: Search,
+    /// Number of eliminations, of which a row may take several.
+    searches: u32,
 }
 
 impl<'a> Elimination<'a> {
@@ -255,6 +285,7 @@ impl<'a> Elimination<'a> {
             scale: Vec::new(),
             work: vec![0.0; n],
             search: Search::new(n),
+            searches: 0,
         }
     }
 
@@ -265,7 +296,8 @@ impl<'a> Elimination<'a> {
     /// Subtracts the rows kept; gives the largest entry left over the largest there was.
     fn eliminate(&mut self, row: usize) -> f64 {
         let coordinates = self.rows.transposed.column(row);
-        self.search.find(row as u32, coordinates, &self.position, &self.lower);
+        self.search.find(self.searches, coordinates, &self.position, &self.lower);
+        self.searches += 1;
         let x = &mut self.work;
         for (&coordinate, &value) in coordinates.iter().zip(&self.rows.values[self.rows.transposed.span(row)]) {
             x[coordinate as usize] = value;
@@ -329,7 +361,9 @@ impl<'a> Elimination<'a> {
         }
         let noise = SHARE_TOLERANCE * self.row_scale(row);
         let counts = |&k: &usize| (c[k] * self.scale[k]).abs() > noise;
-        (0..c.len()).filter(counts).map(|k| (kept[k], c[k])).collect()
+        let mut shares: Vec<(usize, f64)> = (0..c.len()).filter(counts).map(|k| (kept[k], c[k])).collect();
+        shares.sort_unstable_by_key(|&(row, _)| row);
+        shares
     }
 
     /// Forgets the row just eliminated.

@@ -137,3 +137,22 @@ fn long_chain_and_grid_stay_sparse() {
         assert!(smallest > 1e-6 && fill < 40 * matrix.entries.len(), "{smallest} {fill}");
     }
 }
+
+#[test]
+fn what_is_left_of_a_weak_row_makes_no_dependent_row_independent() {
+    // Row 1 is row 0 and a ten-thousandth of row 2 less row 3, but for rounding in the last column.
+    let dense = [1.0, 0.0, 0.0, 0.0, 1.0, 1e-4, 0.0, 1e-12, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+    let report = independent_rows(&SparseRows::from_dense(4, 4, &dense).unwrap(), DEPENDENCE_TOLERANCE);
+    assert_eq!((report.rank, report.free_columns), (3, vec![3]));
+    assert_eq!(report.dependent[0].row, 1);
+    let shares = &report.dependent[0].combination;
+    assert!(
+        shares.len() == 3 && shares.iter().map(|s| s.0).eq([0, 2, 3]) && (shares[1].1 - 1e-4).abs() < 1e-15,
+        "{shares:?}"
+    );
+
+    // Where nothing but the order is in question, the earliest rows stay.
+    let dense = [1.0, 0.0, 0.0, 1.0, 1e-4, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
+    let report = independent_rows(&SparseRows::from_dense(4, 3, &dense).unwrap(), DEPENDENCE_TOLERANCE);
+    assert_eq!((report.independent, report.dependent[0].row), (vec![0, 1, 3], 2));
+}
