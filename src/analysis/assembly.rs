@@ -346,33 +346,13 @@ pub fn check_driven(system: &System, assembled: &Assembled, inputs: &Inputs) -> 
 /// A position a little beside, along a null direction of all rows, with the joints closed again.
 fn nudged(system: &System, assembled: &Assembled, direction: &[f64], inputs: &Inputs) -> Option<Vec<f64>> {
     let joints: Vec<&Block> = system.blocks.iter().filter(|b| matches!(b.origin, Origin::Joint(_))).collect();
-    beside(system, &assembled.q, direction, &joints, inputs)
-}
-
-/// `q` moved a little along a scaled direction, with `blocks` closed again.
-fn beside(system: &System, q: &[f64], direction: &[f64], blocks: &[&Block], inputs: &Inputs) -> Option<Vec<f64>> {
     let largest = crate::math::max_abs(direction);
-    let mut q = q.to_vec();
+    let mut q = assembled.q.clone();
     for (k, (q, d)) in q.iter_mut().zip(direction).enumerate() {
         *q += NUDGE * d / largest * system.column_scale(k);
     }
-    let closed = close(system, blocks, &q, inputs);
+    let closed = close(system, &joints, &q, inputs);
     closed.converged.then_some(closed.q)
-}
-
-/// Whether constraints that depend on others at an assembled position with freedom left are independent beside it: then
-/// the position is singular, and there is no saying which of the motions that lead away from it is meant. `motions` are
-/// the directions (n each, one after the other) in which the mechanism can move there.
-pub fn is_singular_start(system: &System, assembled: &Assembled, motions: &[f64], inputs: &Inputs) -> bool {
-    if assembled.all.dependent.is_empty() {
-        return false;
-    }
-    let blocks: Vec<&Block> = system.blocks.iter().collect();
-    motions.chunks_exact(system.n().max(1)).any(|motion| {
-        let scaled: Vec<f64> = motion.iter().enumerate().map(|(k, s)| s / system.column_scale(k)).collect();
-        beside(system, &assembled.q, &scaled, &blocks, inputs)
-            .is_some_and(|q| ranks(system, &q, inputs).1.rank > assembled.all.rank)
-    })
 }
 
 fn under_driven(system: &System, freedom: usize, direction: &[f64]) -> Complaint {

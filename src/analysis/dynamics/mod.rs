@@ -21,7 +21,7 @@ mod start;
 mod variants;
 mod words;
 
-use super::assembly::{Assembled, is_singular_start};
+use super::assembly::Assembled;
 use super::instants::instants;
 use super::record::Contents;
 use super::{Control, Stop, locked, unsure_friction};
@@ -143,7 +143,7 @@ fn start<'s>(system: &'s System, assembled: &Assembled, v: &[f64]) -> Result<Red
         )
     };
     let columns = &assembled.all.free_columns;
-    let reduced = Reduced::new(system, columns, &assembled.q, v, 0.0).map_err(|failure| {
+    let mut reduced = Reduced::new(system, columns, &assembled.q, v, 0.0).map_err(|failure| {
         let massless: Vec<&str> = system
             .bodies
             .iter()
@@ -164,7 +164,7 @@ fn start<'s>(system: &'s System, assembled: &Assembled, v: &[f64]) -> Result<Red
             Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. } => singular(),
         }
     })?;
-    if is_singular_start(system, assembled, reduced.motions(), &reduced.inputs) {
+    if reduced.is_bifurcation() {
         return Err(singular());
     }
     Ok(reduced)

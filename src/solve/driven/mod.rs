@@ -14,9 +14,15 @@
 //!
 //! All matrices are scaled, lengths by the mechanism's size, so that pivots mean the same for every model.
 //!
+//! Which rows are independent changes along a motion: of a doubled bar the row that says its length twice is another one
+//! when it lies along x and when it lies along y. With C (redundant by active rows) the choice is good while no |C_ra| is
+//! much larger than 1; where one is, rows r and a change places, which multiplies |det J_A| by |C_ra| (the volume of the
+//! rows, Goreinov et al. 2010), so that exchanges come to an end.
+//!
 //! A mechanism with freedom left is driven by **pins**: chosen coordinates that are given values, velocities and
 //! accelerations. Pin k adds the row m + k, φ = u_k − q_c, so its multiplier is the effort that holds the coordinate.
 
+mod bifurcation;
 mod reactions;
 mod rows;
 
@@ -104,6 +110,8 @@ pub struct Driven<'s> {
     nnz: usize,
     lu: SparseLu,
     work: Vec<f64>,
+    /// A row as a column, or a guess that is still needed; only with redundancy (n).
+    spare: Vec<f64>,
     rows: Vec<f64>,
     /// Newton step after which no further one is made, scaled [–]; by default what leaves nothing above round-off.
     pub last_step: f64,
@@ -151,6 +159,7 @@ impl<'s> Driven<'s> {
             nnz,
             lu: SparseLu::new(pattern.clone(), ColumnOrder::natural(n)),
             work: vec![0.0; n],
+            spare: vec![0.0; n],
             rows: vec![0.0; rows],
             last_step: LAST_STEP,
             done: Work::default(),

@@ -1,11 +1,16 @@
 //! Which rows are independent, and where their entries go in the matrix.
 
-use super::{Driven, Failure, Pin, Selection};
+use super::{Correction, Driven, Failure, Pin, Selection};
 use crate::solve::lu::SparseLu;
 use crate::solve::order::ColumnOrder;
 use crate::solve::pattern::{Pattern, square};
 use crate::solve::redundancy::well_conditioned_rows;
 use crate::system::{Evaluation, Inputs, System};
+
+/// Contraction of Newton from which other rows are tried.
+const CONTRACTION: f64 = 0.1;
+/// A row that is redundant takes the place of one that it holds more than this part of.
+const OUTGROWN: f64 = 2.0;
 
 impl Driven<'_> {
     pub(super) fn select(system: &System, pins: &[Pin], evaluation: &Evaluation) -> Result<Selection, Failure> {
@@ -86,6 +91,70 @@ impl Driven<'_> {
         }
         self.evaluation.set_position(q);
         self.reselect(inputs)
+    }
+
+    /// As [`Driven::correct`], with rows chosen anew at the guess where those at hand fail.
+    ///
+    /// # Errors
+    /// See [`Failure`]; `q` is then wherever the iteration was.
+    pub fn correct_by_any_rows(&mut self, q: &mut [f64], inputs: &Inputs) -> Result<Correction, Failure> {
+        if !self.is_redundant() {
+            return self.correct(q, inputs);
+        }
+        self.spare.copy_from_slice(q);
+        let corrected = self.correct(q, inputs);
+        if corrected.is_ok_and(|correction| correction.contraction <= CONTRACTION) {
+            return corrected;
+        }
+        q.copy_from_slice(&self.spare);
+        self.evaluation.set_position(q);
+        self.evaluation.eval_jacobian(self.system, inputs);
+        let selection = Driven::select(self.system, &self.pins, &self.evaluation)?;
+        self.adopt(selection)?;
+        self.correct(q, inputs)
+    }
+
+    /// Exchanges independent rows for redundant ones until none of those depends on one of these by more than
+    /// [`OUTGROWN`]; at the position of the last factors.
+    ///
+    /// # Errors
+    /// When fewer than n rows are independent there.
+    pub fn exchange_rows(&mut self) -> Result<(), Failure> {
+        for _ in 0..10 * (self.selection.redundant.len() + 1) {
+            let Some((redundant, active)) = self.outgrown() else { break };
+            let mut selection = self.selection.clone();
+            std::mem::swap(&mut selection.redundant[redundant], &mut selection.active[active]);
+            selection.active.sort_unstable();
+            selection.redundant.sort_unstable();
+            self.adopt(selection)?;
+        }
+        Ok(())
+    }
+
+    /// Places of the redundant row that depends most on one active row, and of that, where it does so too much.
+    fn outgrown(&mut self) -> Option<(usize, usize)> {
+        let (system, m) = (self.system, self.system.m());
+        let mut most: (f64, Option<(usize, usize)>) = (OUTGROWN, None);
+        let (mut pull, mut shares) = (std::mem::take(&mut self.spare), std::mem::take(&mut self.work));
+        for (k, &row) in self.selection.redundant.iter().enumerate() {
+            pull.fill(0.0);
+            for (entry, value) in system.entries.iter().zip(&self.evaluation.jacobian) {
+                if let (true, Some(column)) = (entry.row as usize == row, entry.column) {
+                    pull[column as usize] += value / system.row_scale(row);
+                }
+            }
+            shares.copy_from_slice(&pull);
+            system.scale_columns(&mut shares);
+            self.lu.solve_transposed(&mut shares);
+            for (at, share) in shares.iter().enumerate() {
+                // Pins stay: nothing redundant depends on them but by round-off.
+                if share.abs() > most.0 && self.selection.active[at] < m {
+                    most = (share.abs(), Some((k, at)));
+                }
+            }
+        }
+        (self.spare, self.work) = (pull, shares);
+        most.1
     }
 
     fn adopt(&mut self, selection: Selection) -> Result<(), Failure> {

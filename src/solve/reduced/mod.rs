@@ -247,7 +247,7 @@ impl<'s> Reduced<'s> {
                 }
             }
         }
-        let correction = self.driven.correct(&mut self.q, &self.inputs)?;
+        let correction = self.driven.correct_by_any_rows(&mut self.q, &self.inputs)?;
         if correction.contraction > CONTRACTION || correction.first_step > FARTHEST {
             return Err(Failure::Diverged { residual: correction.residual });
         }
@@ -437,6 +437,17 @@ impl<'s> Reduced<'s> {
         self.here.d.copy_from_slice(&self.v);
         self.here.dd.copy_from_slice(&self.a);
         self.here_motions.copy_from_slice(&self.motions);
+        if !self.bridged && self.driven.is_redundant() {
+            // Where that fails, the next evaluation chooses rows anew.
+            let _ = self.driven.exchange_rows();
+        }
+    }
+
+    /// Whether more than one motion leads away from the last accepted point.
+    pub fn is_bifurcation(&mut self) -> bool {
+        let bifurcation = !self.bridged && self.driven.is_bifurcation(&self.here_motions, &self.inputs);
+        self.driven.evaluation.set_velocity(&self.v);
+        bifurcation
     }
 }
 
