@@ -2,6 +2,7 @@
 
 mod applied;
 pub mod assembly;
+mod branch;
 pub mod check;
 pub mod clearance_link;
 pub mod derived;

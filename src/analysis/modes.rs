@@ -81,7 +81,7 @@ pub fn modes(model: &Model, pose: bool, control: &Control) -> Result<Linearised,
 
 fn linearise(system: &System, pose: bool, control: &Control) -> Result<Linearised, Stop> {
     refuse(system)?;
-    let (assembled, mut held) = start(system)?;
+    let (assembled, mut held) = start(system, pose)?;
     if held.freedom() == 0 {
         return Err(Stop::Input(vec![
             Complaint::new("drivers", "modes need something that is free to move; drivers and joints hold everything")

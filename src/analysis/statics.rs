@@ -5,6 +5,7 @@
 //! efforts are the multipliers of Jᵀλ = Q there. The one row at t = 0 has no velocities and no accelerations.
 
 use super::assembly::{Assembled, assemble, check_driven};
+use super::branch::{leave, singularity};
 use super::record::{Recorder, Sample};
 use super::{Control, Stop, contents, friction_left_out};
 use crate::error::Complaint;
@@ -22,7 +23,7 @@ use crate::system::{Inputs, JointData, System};
 pub fn run(system: &System, control: &Control) -> Result<(Trajectory, Report), Stop> {
     refuse(system)?;
     let watch = Stopwatch::start();
-    let (assembled, mut held) = start(system)?;
+    let (assembled, mut held) = start(system, false)?;
     let mut report = Report { mobility: assembled.mobility, warnings: assembled.warnings, ..Report::default() };
     report.assemble = watch.read();
 
@@ -71,15 +72,26 @@ pub fn refuse(system: &System) -> Result<(), Stop> {
     if complaints.is_empty() { Ok(()) } else { Err(Stop::Input(complaints)) }
 }
 
-/// The mechanism at rest where it is assembled.
+/// The mechanism at rest where it is assembled or, where that is a singular position, a little beside it on the branch that
+/// the forces drive most; a pose that must not be left can't be singular.
 ///
 /// # Errors
-/// When it does not assemble, has too many drivers, or is in a singular position.
-pub fn start(system: &System) -> Result<(Assembled, Held<'_>), Stop> {
+/// When it does not assemble, has too many drivers, or is in a singular position that it can't leave.
+pub fn start(system: &System, pose: bool) -> Result<(Assembled, Held<'_>), Stop> {
     let inputs = Inputs::at_time(system, 0.0);
-    let assembled = assemble(system, &inputs)?;
+    let mut assembled = assemble(system, &inputs)?;
     if assembled.all.rank == system.n() || system.drivers.len() > system.n() - assembled.joints.rank {
         check_driven(system, &assembled, &inputs)?;
+    }
+    if !pose {
+        assembled = leave(system, assembled, &inputs)?;
+    } else if singularity(system, &assembled, &inputs)?.is_some() {
+        return Err(Stop::failed(
+            Status::Singular,
+            "the pose is a singular position (the constraints lose rank there): several motions lead away from it, or none, so \
+             that small motions about it have no linear equations; take a pose a little beside it"
+                .into(),
+        ));
     }
     let held = Held::new(system, &assembled.all.free_columns, &assembled.q).map_err(singular)?;
     Ok((assembled, held))

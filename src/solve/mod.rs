@@ -14,6 +14,7 @@
 //! reduced       equations of motion in minimal coordinates
 //! parts         parts with one degree of freedom of a mechanism with more, across their change points
 //! held          the mechanism at rest in minimal coordinates: forces, stiffness, damping and mass
+//! branching     singular positions, and the branches that cross there
 //! equilibrium   where the forces at rest vanish, and whether that is stable
 //! eigen         eigenvalues of small symmetric matrices, and of M x″ + C x′ + K x = 0
 //! hermite       osculating polynomials
@@ -22,6 +23,7 @@
 //!
 //! A step loop holds one [`SparseLu`], factors once and then only refactors and solves, without allocating.
 
+pub mod branching;
 pub mod closing;
 pub mod complementary;
 pub mod continuation;
