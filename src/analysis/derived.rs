@@ -24,7 +24,10 @@ pub fn derived(model: &Model, results: &Trajectory) -> (Trajectory, Vec<String>)
         parts.push(Trajectory { columns: columns.into(), data: wrenches.concat() });
     }
     match analysis.transmission.as_ref().map(|wanted| transmission(model, &system, wanted, results)) {
-        Some(Ok(part)) => parts.push(part),
+        Some(Ok((part, said))) => {
+            parts.push(part);
+            notes.extend(said);
+        }
         Some(Err(note)) => notes.push(format!("analysis.transmission: {note}")),
         None => {}
     }

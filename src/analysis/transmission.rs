@@ -10,11 +10,13 @@
 //! body's point there. Where one two-force coupler drives the output, f lies along it, and μ is Alt's transmission angle
 //! between coupler and output link; with a slider, between coupler and the normal of the guide. For ternary links the same definition
 //! holds (90° − pressure angle). i is found from J S = e, f from Jᵀ λ = b, by the factors of one Jacobian per row, so that
-//! a driver at rest has a ratio, too.
+//! a driver at rest has a ratio, too. Where the point stands still (its carrier is welded to ground, held by another driver, or the
+//! output turns back) or the joint carries nothing, v or f has no direction and μ does not exist: the cell is empty, and a note says why.
+//! Checked against triangles, and against the same mechanism on ground, in `tests/transmission.rs` and `tests/report.rs`.
 
 use super::rows::{Columns, Frame};
 use super::shaking::axis;
-use crate::element::{BodyId, Measure};
+use crate::element::{BodyId, Instant, Measure};
 use crate::math::{Vec2, perp};
 use crate::model::{GROUND, JointKind, Model, Transmission};
 use crate::output::{Column, Trajectory};
@@ -23,6 +25,8 @@ use crate::system::{Inputs, System};
 
 /// Forces below this part of the largest are none: round-off of the solve.
 const NO_FORCE: f64 = 1e-9;
+/// Velocities below this part of the mechanism's largest are none, for the same reason.
+const NO_MOTION: f64 = 1e-9;
 
 /// Coordinate of the output: its angle, or its slide along a direction fixed in the ground.
 #[derive(Debug, Clone, Copy)]
@@ -36,9 +40,13 @@ struct Drawn<'m> {
     name: &'m str,
     joint: usize,
     side: usize,
+    /// Rows in which the output's point there stands still.
+    still: usize,
+    /// Rows in which the joint carries nothing.
+    idle: usize,
 }
 
-/// Columns and rows of the transmission that the analysis names.
+/// Columns and rows of the transmission that the analysis names, and what there is to say about empty cells.
 ///
 /// # Errors
 /// Why there is none, in a sentence.
@@ -47,7 +55,7 @@ pub fn transmission(
     system: &System,
     wanted: &Transmission,
     table: &Trajectory,
-) -> Result<Trajectory, String> {
+) -> Result<(Trajectory, Vec<String>), String> {
     let undetermined = || "the drivers alone do not determine the motion, so that there is no transmission".to_string();
     let driver = match &wanted.driver {
         Some(name) => system.drivers.iter().position(|driver| driver.name == *name),
@@ -62,7 +70,7 @@ pub fn transmission(
     let columns = Columns::of(table);
     let frames: Option<Vec<Frame>> = system.bodies.iter().map(|body| Frame::of(&columns, &body.name)).collect();
     let Some(frames) = frames else { return Err(undetermined()) };
-    let drawn: Vec<Drawn> = model
+    let mut drawn: Vec<Drawn> = model
         .joints
         .iter()
         .zip(&system.joints)
@@ -70,7 +78,13 @@ pub fn transmission(
         .filter_map(|(joint, ((name, words), data))| {
             let carries = matches!(words.kind, JointKind::Revolute { .. } | JointKind::Slot { .. });
             let side = data.bodies.iter().position(|&body| body == BodyId(output.body + 1))?;
-            (carries && data.bodies[1 - side] != BodyId::GROUND).then_some(Drawn { name, joint, side })
+            (carries && data.bodies[1 - side] != BodyId::GROUND).then_some(Drawn {
+                name,
+                joint,
+                side,
+                still: 0,
+                idle: 0,
+            })
         })
         .collect();
     let mut result = Trajectory::new(headings(system, driver, output, &drawn));
@@ -106,7 +120,7 @@ pub fn transmission(
             };
             driven.multipliers(&load, &mut lambda);
             line.extend([ratio, 1.0 / ratio]);
-            angles(system, driven, &drawn, &lambda, &mut line);
+            angles(system, driven, &mut drawn, &lambda, &mut line);
         }
         line.iter_mut().filter(|value| !value.is_finite()).for_each(|value| *value = f64::NAN);
         line.resize(result.width(), f64::NAN);
@@ -114,8 +128,37 @@ pub fn transmission(
     }
     match solver {
         None if !table.is_empty() => Err(undetermined()),
-        _ => Ok(result),
+        _ => {
+            let notes = notes(&drawn, &wanted.output, &system.drivers[driver].name, result.len());
+            Ok((result, notes))
+        }
     }
+}
+
+/// Why cells of the angles are empty.
+fn notes(drawn: &[Drawn], output: &str, driver: &str, rows: usize) -> Vec<String> {
+    let within = |empty: usize| match empty {
+        1 => format!("in 1 of {rows} rows"),
+        _ if empty == rows => "in all rows".to_string(),
+        _ => format!("in {empty} of {rows} rows"),
+    };
+    let mut notes = Vec::new();
+    for Drawn { name, still, idle, .. } in drawn {
+        if *still > 0 {
+            notes.push(format!(
+                "transmission.{name}.angle is empty {}: {output} stands still at this joint while {driver} alone moves, so that \
+                 its velocity there has no direction",
+                within(*still)
+            ));
+        }
+        if *idle > 0 {
+            notes.push(format!(
+                "transmission.{name}.angle is empty {}: a load on {output} puts no force into this joint",
+                within(*idle)
+            ));
+        }
+    }
+    notes
 }
 
 /// Factors J at `q`; whether it is regular there.
@@ -132,8 +175,8 @@ fn factored<'s>(solver: &mut Option<Driven<'s>>, system: &'s System, q: &[f64], 
     }
 }
 
-/// Appends μ of each joint.
-fn angles(system: &System, driven: &Driven, drawn: &[Drawn], lambda: &[f64], line: &mut Vec<f64>) {
+/// Appends μ of each joint, and counts those that have none.
+fn angles(system: &System, driven: &Driven, drawn: &mut [Drawn], lambda: &[f64], line: &mut Vec<f64>) {
     let still = Inputs::still(system);
     let at = driven.evaluation.instant(&still);
     let force = |joint: usize| {
@@ -141,17 +184,31 @@ fn angles(system: &System, driven: &Driven, drawn: &[Drawn], lambda: &[f64], lin
         block.constraint.reaction(&at, &lambda[block.row..block.row + block.rows]).0
     };
     let largest = (0..system.joints.len()).map(|joint| force(joint).norm()).fold(0.0, f64::max);
-    for Drawn { joint, side, .. } in drawn {
+    let fastest = fastest(system, &at);
+    for Drawn { joint, side, still, idle, .. } in drawn {
         let data = &system.joints[*joint];
         // The second body's point is where the force acts; the output's velocity there.
         let output = data.bodies[*side].0;
         let place = data.points[1].place(&at);
         let velocity = at.twists[output].v + perp(place - at.poses[output].r) * at.twists[output].omega;
         let force = force(*joint);
-        let scale = force.norm() * velocity.norm();
-        let none = force.norm() <= NO_FORCE * largest || scale == 0.0;
-        line.push(if none { f64::NAN } else { (force.dot(&velocity).abs() / scale).min(1.0).asin() });
+        line.push(if force.norm() <= NO_FORCE * largest {
+            *idle += 1;
+            f64::NAN
+        } else if velocity.norm() <= NO_MOTION * fastest {
+            *still += 1;
+            f64::NAN
+        } else {
+            (force.dot(&velocity).abs() / (force.norm() * velocity.norm())).min(1.0).asin()
+        });
     }
+}
+
+/// Largest velocity of the motion: of joints, and of bodies that turn, at the distance of the mechanism's size.
+fn fastest(system: &System, at: &Instant) -> f64 {
+    let joints = system.joints.iter().flat_map(|joint| &joint.points).map(|point| point.velocity(at).norm());
+    let turning = at.twists.iter().map(|twist| twist.omega.abs() * system.size);
+    joints.chain(turning).fold(0.0, f64::max)
 }
 
 /// The output's coordinate: the slide on ground of a body that a prismatic joint holds there, the angle of any other.
