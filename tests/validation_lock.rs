@@ -73,6 +73,33 @@ fn run(output: &Path) -> CaseReport {
     case.run(Some(output), &Control::default()).expect("runs")
 }
 
+/// The map of F12 over the centres of mass, against Newton and Euler on the paper's loops (`validation/generate/lock_centres.py`):
+/// θ6 of the least |F12|, turn of its direction and change of the vector near −40° by their medians.
+fn expect_map(text: &str) {
+    let rows: Vec<Vec<&str>> = text.lines().skip(1).map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows.len(), 49);
+    for (link3, link4, expected, abrupt) in [
+        ("mean", "mean", [-8.9, 0.209, 3.597], "no"),
+        ("l3", "mean", [-44.1, 13.927, 1.743], "yes"),
+        ("l3", "l4a", [-42.3, 15.578, 1.757], "yes"),
+        ("l3", "l4b", [-36.0, 15.522, 2.000], "yes"),
+        ("l3", "c", [-47.7, 7.197, 1.708], "no"),
+        ("l3a", "l4a", [-17.3, 0.475, 3.392], "no"),
+        ("l3a", "g", [-34.8, 11.042, 2.569], "yes"),
+        ("l3a", "d", [-5.4, 0.381, 3.680], "no"),
+        ("l3b", "l4b", [47.8, 0.518, 2.387], "no"),
+        ("b", "d", [-50.0, 0.203, 1.174], "no"),
+        ("c", "d", [26.6, 0.910, 3.416], "no"),
+        ("f", "c", [42.0, 0.455, 1.808], "no"),
+    ] {
+        let row = rows.iter().find(|row| row[..2] == [link3, link4]).expect("all choices are there");
+        let found = [3, 6, 7].map(|cell| row[cell].parse::<f64>().expect("a number"));
+        let is_same = found.iter().zip(expected).all(|(ours, theirs)| (ours - theirs).abs() <= 6e-4);
+        assert!(is_same && row[8] == abrupt, "{row:?}, expected {expected:?}");
+    }
+    assert_eq!(rows.iter().filter(|row| row[8] == "yes").count(), 4);
+}
+
 #[test]
 fn the_lock_is_validated_and_written() {
     let output = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("validation-lock-{}", std::process::id()));
@@ -82,6 +109,9 @@ fn the_lock_is_validated_and_written() {
     }
     let names: Vec<&str> = report.claims.iter().filter_map(|claim| claim.what.split_once(':')).map(|c| c.0).collect();
     assert_eq!(names, ["C1", "C2", "C3", "C4", "C5", "C6"]);
+    let c2 = report.claims.iter().find(|claim| claim.what.starts_with("C2:")).expect("judged");
+    let said = "possible for some centres of mass, which the paper does not give: 4 of 49 choices";
+    assert!(c2.ours.starts_with(said) && c2.verdict == Verdict::Finding, "{c2:?}");
     let change = report.claims.iter().find(|claim| claim.what.starts_with("change_point")).expect("located");
     let ours: f64 = change.ours.parse().expect("a number");
     // 50 digits, validation/generate/lock.py.
@@ -90,6 +120,8 @@ fn the_lock_is_validated_and_written() {
     let folder = output.join("lock");
     let read = |name: &str| fs::read_to_string(folder.join(name)).expect(name);
     assert!(read("report.md").contains("C6:"));
+    assert!(read("report.md").contains("4 of 49 choices change abruptly near -40°"));
+    expect_map(&read("centres.csv"));
     // 10 rows in 4 tables, max and mean, and a header.
     assert_eq!(read("table.csv").lines().count(), 1 + 4 * 10 * 2);
     assert!(read("table.csv").contains(",47.7671,"), "the paper's figures stand as printed");

@@ -1,8 +1,11 @@
-//! Files of the case: the curves of figures 4 to 8, the table, the singular positions, what has no solution.
+//! Files of the case: the curves of figures 4 to 8, the table, the singular positions, F12 by centres of mass, what has no
+//! solution.
 
 use std::fmt::Write;
 
+use super::centres::Ternary;
 use super::facts::Fact;
+use super::forces::ForceNear;
 use super::models::{Found, Order, Quantity, RADII, STEPS};
 use super::table::{Paper, Runs, settles};
 use crate::output::{Directory, WriteError};
@@ -85,6 +88,25 @@ pub fn singular(directory: &Directory, facts: &[Fact]) -> Result<(), WriteError>
         let _ = writeln!(text, "{what},{reference},{},{},{tolerance}", cell(*ours), cell(ours - reference));
     }
     directory.write("singular.csv", text.as_bytes()).map(|_| ())
+}
+
+/// `centres.csv`: F12 of the ideal lock for every choice of centres of mass.
+///
+/// # Errors
+/// When it can't be written.
+pub fn centres(directory: &Directory, map: &[ForceNear]) -> Result<(), WriteError> {
+    let mut text = String::from(
+        "link 3,link 4,least F12[N],theta6[deg] of the least,fastest turn by the median,theta6[deg] of the fastest,\
+         turn near -40 deg by the median,change near -40 deg by the median,abrupt near -40 deg\n",
+    );
+    for near in map {
+        let [third, fourth] = [Ternary::Link3.symbol(near.centres.link3), Ternary::Link4.symbol(near.centres.link4)];
+        let ([least, at], [_, turns_at]) = (near.least, near.turn);
+        let numbers = [least, at, near.turn_most, turns_at, near.turn_near, near.change].map(cell).join(",");
+        let abrupt = if near.abrupt() { "yes" } else { "no" };
+        let _ = writeln!(text, "{third},{fourth},{numbers},{abrupt}");
+    }
+    directory.write("centres.csv", text.as_bytes()).map(|_| ())
 }
 
 /// `intervals.csv`: without assembly, without a fixed point.

@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use super::centres::Centres;
 use crate::analysis::{self, Control};
 use crate::bundled;
 use crate::error::Complaint;
@@ -17,30 +18,6 @@ pub const LINKS: [&str; 5] = ["link2", "link3", "link4", "link5", "link6"];
 pub const RADII: [f64; 2] = [10.0, 100.0];
 /// Output steps [deg].
 pub const STEPS: [f64; 4] = [2.5, 1.0, 0.5, 0.1];
-
-/// Where the centres of mass of the ternary links are taken; binary links have theirs at mid-length.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Centres {
-    /// Mean of the three joints: the bundled model's choice.
-    Joints,
-    /// Middle of the side in the first loop, b–c and g–c (l3 and l4).
-    FirstLoop,
-    /// Middle of the longest side, b–f and g–d (l3a and l4a).
-    LongSide,
-}
-
-impl Centres {
-    pub const ALL: [Centres; 3] = [Centres::Joints, Centres::FirstLoop, Centres::LongSide];
-
-    /// In words.
-    pub fn words(self) -> &'static str {
-        match self {
-            Centres::Joints => "mean of the three joints (the model's)",
-            Centres::FirstLoop => "middle of l3 and l4",
-            Centres::LongSide => "middle of l3a and l4a",
-        }
-    }
-}
 
 /// Which of links 5 and 6 hangs on link 3.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,7 +42,7 @@ pub struct Request {
 impl Request {
     /// The bundled model as it is.
     pub fn ideal(step: f64) -> Self {
-        Request { centres: Centres::Joints, order: Order::SixOnThree, radius: 0.0, step }
+        Request { centres: Centres::MODEL, order: Order::SixOnThree, radius: 0.0, step }
     }
 
     /// The bundled model with clearance links of `radius` [µm].
@@ -80,7 +57,7 @@ impl Request {
     pub fn document(&self) -> Result<Value, CaseError> {
         let bundled = bundled::find("watt-i-lock").ok_or_else(|| broken("no bundled model watt-i-lock"))?;
         let mut document: Value = serde_json::from_str(bundled.text).map_err(broken)?;
-        place_centres(&mut document, self.centres)?;
+        self.centres.place(&mut document)?;
         match self.order {
             Order::SixOnThree => {}
             Order::FiveOnThree => exchange_links(&mut document)?,
@@ -100,7 +77,21 @@ impl Request {
     /// # Errors
     /// When the model can't be loaded, or the run did not come to the end of the stroke.
     pub fn run(&self, control: &Control) -> Result<Stroke, CaseError> {
-        let (model, outcome) = run(&self.document()?, control)?;
+        self.stroke(&self.document()?, control)
+    }
+
+    /// Runs it from the start of the stroke to `theta6` [deg].
+    ///
+    /// # Errors
+    /// As [`Request::run`].
+    pub fn run_to(&self, theta6: f64, control: &Control) -> Result<Stroke, CaseError> {
+        let mut document = self.document()?;
+        document["analysis"]["sample"]["to"] = json!(format!("{theta6} deg"));
+        self.stroke(&document, control)
+    }
+
+    fn stroke(&self, document: &Value, control: &Control) -> Result<Stroke, CaseError> {
+        let (model, outcome) = run(document, control)?;
         match outcome.report.status {
             Status::Completed | Status::CompletedWithGaps => {}
             Status::DeadCentre
@@ -146,21 +137,8 @@ pub fn broken(what: impl std::fmt::Display) -> CaseError {
 }
 
 /// A body's point in the file [mm].
-fn point(document: &Value, body: &str, name: &str) -> Result<[f64; 2], CaseError> {
+pub fn point(document: &Value, body: &str, name: &str) -> Result<[f64; 2], CaseError> {
     serde_json::from_value(document["bodies"][body]["points"][name].clone()).map_err(broken)
-}
-
-fn place_centres(document: &mut Value, centres: Centres) -> Result<(), CaseError> {
-    let ends = match centres {
-        Centres::Joints => return Ok(()),
-        Centres::FirstLoop => [("link3", "b", "c"), ("link4", "g", "c")],
-        Centres::LongSide => [("link3", "b", "f"), ("link4", "g", "d")],
-    };
-    for (body, from, to) in ends {
-        let (from, to) = (point(document, body, from)?, point(document, body, to)?);
-        document["bodies"][body]["com"] = json!([0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])]);
-    }
-    Ok(())
 }
 
 /// Links 5 and 6 change places between S (hinge f, on link 3) and T (hinge d, on link 4); both keep their direction.

@@ -2,10 +2,12 @@
 
 use std::fmt::Write;
 
-use super::claims::{CLEAR, ForceNear};
+use super::centres::{Centre, Centres, Ternary};
+use super::claims::{ABRUPT, CLEAR, NEAR};
 use super::facts::Fact;
 use super::figures::Drawn;
 use super::first_pass::{self, FirstPass, Sign};
+use super::forces::ForceNear;
 use super::models::{Found, JOINTS, Order, Quantity, RADII, STEPS, Stroke};
 use super::reversals::{FAST, Turn};
 use super::table::{Paper, Runs, SETTLED, settles};
@@ -224,14 +226,39 @@ impl Page {
         );
     }
 
-    /// F12 of the ideal lock near −40°.
-    pub fn forces(&mut self, forces: &[ForceNear]) {
-        self.heading(&format!("F12 of the ideal lock clear of the change point (theta6 up to {CLEAR}°)"));
+    /// F12 of the ideal lock near −40°: the map over all choices of centres of mass, and some of them in more detail.
+    pub fn forces(&mut self, map: &[ForceNear]) {
+        self.heading(&format!(
+            "F12 of the ideal lock clear of the change point (theta6 up to {CLEAR}°), by centres of mass"
+        ));
+        self.line(format!(
+            "Largest turn of the direction of F12 within {NEAR}° of -40° by its median, and theta6 of the least |F12|. Rows: centre\n\
+             of mass of link 3, columns: of link 4, at the mean of the three joints, the middle of a side or a joint. The paper\n\
+             gives none of them. * marks an abrupt change near -40° ({ABRUPT} times the median, of the direction or the vector)."
+        ));
+        let columns = Centre::ALL.map(|centre| format!(" {:>14}", Ternary::Link4.symbol(centre)));
+        self.line(format!("{:5}{}", "", columns.concat()));
+        for link3 in Centre::ALL {
+            let row = map.iter().filter(|near| near.centres.link3 == link3);
+            let cells = row.map(|near| {
+                let mark = if near.abrupt() { "*" } else { " " };
+                format!(" {:>5.1}{mark}{:>8}", near.turn_near, format!("{:.1}°", near.least[1]))
+            });
+            self.line(format!("{:5}{}", Ternary::Link3.symbol(link3), cells.collect::<String>()));
+        }
+        let [near, anywhere] = [
+            map.iter().filter(|near| near.abrupt()).count(),
+            map.iter().filter(|near| near.turn_most >= ABRUPT).count(),
+        ];
+        self.line(format!(
+            "{near} of {} choices change abruptly near -40°, {anywhere} somewhere up to {CLEAR}°: where it is follows from the centres of mass.\n",
+            map.len()
+        ));
         self.line(format!(
             "{:40} {:>9} {:>17} {:>20} {:>27}",
             "centres of mass", "at -40°", "least", "fastest turn", "near -40° by the median"
         ));
-        for near in forces {
+        for near in map.iter().filter(|near| near.abrupt() || Centres::TABLES.contains(&near.centres)) {
             let least = format!("{:.2} N at {:.1}°", near.least[0], near.least[1]);
             let turn = format!("{:.1}°/° at {:.1}°", near.turn[0], near.turn[1]);
             let ratio = format!("change {:.1}, turn {:.2}", near.change, near.turn_near);

@@ -14,8 +14,9 @@ pub mod strokes;
 
 use std::fmt::Write;
 
-use super::claims::{self, ABRUPT, CLEAR, ForceNear, Judged, NEAR, Reproduced};
+use super::claims::{self, ABRUPT, CLEAR, Judged, NEAR, Reproduced};
 use super::facts;
+use super::forces::ForceNear;
 use super::models::{Quantity, RADII, Request, STEPS, Stroke, broken};
 use super::page::{Page, short};
 use super::table::{Paper, Runs};
