@@ -22,6 +22,7 @@ mod variants;
 mod words;
 
 use super::assembly::Assembled;
+use super::branch::singularity;
 use super::instants::instants;
 use super::record::Contents;
 use super::{Control, Stop, locked, unsure_friction};
@@ -143,7 +144,7 @@ fn start<'s>(system: &'s System, assembled: &Assembled, v: &[f64]) -> Result<Red
         )
     };
     let columns = &assembled.all.free_columns;
-    let mut reduced = Reduced::new(system, columns, &assembled.q, v, 0.0).map_err(|failure| {
+    let reduced = Reduced::new(system, columns, &assembled.q, v, 0.0).map_err(|failure| {
         let massless: Vec<&str> = system
             .bodies
             .iter()
@@ -164,7 +165,7 @@ fn start<'s>(system: &'s System, assembled: &Assembled, v: &[f64]) -> Result<Red
             Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. } => singular(),
         }
     })?;
-    if reduced.is_bifurcation() {
+    if singularity(system, assembled, &reduced.inputs)?.is_some() {
         return Err(singular());
     }
     Ok(reduced)

@@ -22,7 +22,6 @@
 //! A mechanism with freedom left is driven by **pins**: chosen coordinates that are given values, velocities and
 //! accelerations. Pin k adds the row m + k, φ = u_k − q_c, so its multiplier is the effort that holds the coordinate.
 
-mod bifurcation;
 mod reactions;
 mod rows;
 

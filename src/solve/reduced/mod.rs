@@ -442,13 +442,6 @@ impl<'s> Reduced<'s> {
             let _ = self.driven.exchange_rows();
         }
     }
-
-    /// Whether more than one motion leads away from the last accepted point.
-    pub fn is_bifurcation(&mut self) -> bool {
-        let bifurcation = !self.bridged && self.driven.is_bifurcation(&self.here_motions, &self.inputs);
-        self.driven.evaluation.set_velocity(&self.v);
-        bifurcation
-    }
 }
 
 /// Part, relative to the largest, from which a row belongs to a near self-stress.
