@@ -440,3 +440,41 @@ fn the_worn_piston_pin_strikes_when_another_program_says() {
         close(impact.approach_speed, speed, 0.5e-5);
     }
 }
+
+/// Twice the lengths: twice every arm and centre of mass, four times the square of the radius of gyration.
+#[test]
+fn bundled_models_change_size_as_a_whole() {
+    let mut resized = 0;
+    for bundled in bundled::MODELS {
+        let document: serde_json::Value = serde_json::from_str(bundled.text).expect("JSON");
+        let Some(parameters) = document["parameters"].as_object() else { continue };
+        let lengths = parameters.iter().filter_map(|(name, value)| {
+            let (number, unit) = value.as_str().filter(|_| name != "note")?.split_once(' ')?;
+            let number: f64 = number.parse().ok()?;
+            ["m", "cm", "mm"].contains(&unit).then(|| format!("parameters.{name}={} {unit}", 2.0 * number))
+        });
+        let sets: Vec<String> = lengths.collect();
+        assert!(!sets.is_empty(), "{}", bundled.name);
+        let small = model::load(bundled.text.as_bytes(), &[]).expect("sound").model;
+        let loaded = model::load(bundled.text.as_bytes(), &sets).expect("sound");
+        assert!(loaded.warnings.is_empty(), "{}: {:?}", bundled.name, loaded.warnings);
+        for (name, body) in small.bodies.iter().filter(|(name, _)| *name != "ground") {
+            let (what, large) = (format!("{} {name}", bundled.name), &loaded.model.bodies[name]);
+            let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs();
+            let twice = |a: [f64; 2], b: [f64; 2]| near(a[0], 2.0 * b[0]) && near(a[1], 2.0 * b[1]);
+            assert!(body.points.iter().all(|(point, at)| twice(large.points[point], *at)), "{what}");
+            let arm = body.points.values().fold(0.0, |arm: f64, at| arm.max(at[0].hypot(at[1])));
+            let (Some(mass), Some(inertia), Some(com)) = (body.mass, body.inertia, body.com) else { continue };
+            // A body of one point, such as a piston, is the same at every stroke.
+            if arm > 0.0 {
+                let (m, j) = (large.mass.expect("mass"), large.inertia.expect("inertia"));
+                assert!(twice(large.com.expect("com"), com), "{what}");
+                // A point mass is as heavy as it was.
+                assert!(inertia == 0.0 || m >= 2.0 * mass, "{what}: {m} kg and {mass} kg");
+                assert!(near(j / m, 4.0 * inertia / mass), "{what}: {j} kg m^2 and {inertia} kg m^2");
+            }
+        }
+        resized += 1;
+    }
+    assert!(resized >= 16, "{resized}");
+}
