@@ -444,5 +444,90 @@ fn a_stop_leaves_its_body_free() {
     let told = checked(&[file.path(), "--set", driver]);
     let words = told["mobility"]["words"].as_str().expect("words");
     assert!(words.contains("kinematics") && words.contains("possible") && !words.contains("take"), "{words}");
+
+/// A chain of bodies none of which is fixed, and those that something holds.
+#[test]
+fn a_mechanism_that_nothing_holds_is_said_to_be_loose() {
+    let model = |fixed: &str, mass: &str, forces: &str| {
+        format!(
+            r#"{{ "format": "linkdyn/1", "units": "SI", "bodies": {{
+  "{fixed}": {{ {mass} "points": {{ "O": [0, 0] }} }},
+  "arm": {{ "mass": 1, "inertia": 0.1, "com": [0.5, 0], "points": {{ "O": [0, 0], "A": [1, 0] }} }} }},
+  "joints": {{ "o": {{ "type": "revolute", "between": ["{fixed}.O", "arm.O"] }} }}, "forces": {{ {forces} }},
+  "analysis": {{ "type": "dynamics", "end": 1, "outputs": 3 }} }}"#
+        )
+    };
+    let warned = |name: &str, text: &str| {
+        let file = File::new(name, text);
+        let told = checked(&[file.path()]);
+        assert_eq!(told["mobility"]["rank"], if text.contains("ground\": {") { 1 } else { 4 });
+        told["warnings"]
+            .as_array()
+            .expect("a list")
+            .iter()
+            .map(|text| text.as_str().expect("text").to_string())
+            .collect::<Vec<_>>()
+    };
+    let heavy = r#""mass": 10, "inertia": 1, "com": [0, 0],"#;
+    let loose = |hint: &str| {
+        vec![format!(
+            "line 1, column 51: bodies: nothing holds the mechanism: no body is called \"ground\", which is the name of the fixed one \
+             (rename the fixed body{hint} to \"ground\", unless all of it is to move freely)"
+        )]
+    };
+    assert_eq!(warned("frame", &model("machine_frame", heavy, "")), loose(", probably \"machine_frame\","));
+    assert_eq!(warned("massless", &model("block", "", "")), loose(", probably \"block\","));
+    assert_eq!(warned("heavy", &model("block", heavy, "")), loose(""));
+    assert_eq!(warned("ground", &model("ground", "", "")), Vec::<String>::new());
+    // A spring holds it, too, though nothing stays where it is.
+    let spring = r#""s": { "type": "torsion_spring", "between": ["ground", "arm"], "stiffness": 1 }"#;
+    assert_eq!(warned("spring", &model("block", heavy, spring)), Vec::<String>::new());
+    // There is a ground, and nothing on it.
+    let text =
+        model("base", heavy, "").replace(r#""bodies": {"#, r#""bodies": { "ground": { "points": { "O": [0, 0] } },"#);
+    let file = File::new("untouched", &text);
+    let told = checked(&[file.path()])["warnings"].to_string();
+    assert!(
+        told.contains("no joint or spring is on \\\"ground\\\" (rename the fixed body, probably \\\"base\\\""),
+        "{told}"
+    );
+}
+
+/// A body of another length keeps its old mass, if nobody says otherwise.
+#[test]
+fn a_point_moved_by_set_leaves_the_mass_behind() {
+    let cases: &[(&[&str], &[&str])] = &[
+        (
+            &["bodies.crank.points.A=[120, 0]"],
+            &[
+                "--set bodies.crank.points.A=[120, 0]: \"com\", \"mass\" and \"inertia\" of \"crank\" stay as they were, those of the old shape \
+               (set them, too, or change a parameter from which all of them follow)",
+            ],
+        ),
+        (
+            &["bodies.crank.points.A[0]=120", "bodies.crank.com=[60, 0]", "bodies.crank.mass=1"],
+            &["--set bodies.crank.points.A[0]=120: \"inertia\" of \"crank\" stays as it was, that of the old shape \
+               (set them, too, or change a parameter from which all of them follow)"],
+        ),
+        // All is set, through parameters or one by one; or the point only draws a curve.
+        (&["parameters.crank=120 mm"], &[]),
+        (
+            &[
+                "bodies.crank.points.A=[120, 0]",
+                "bodies.crank.com=[60, 0]",
+                "bodies.crank.mass=1",
+                "bodies.crank.inertia=1200",
+            ],
+            &[],
+        ),
+        (&["bodies.coupler.points.P=[120, 90]"], &[]),
+        (&["bodies.ground.points.O4=[310, 0]", "parameters.base=300 mm"], &[]),
+    ];
+    for (sets, expected) in cases {
+        let arguments: Vec<&str> = sets.iter().flat_map(|set| ["--set", set]).collect();
+        let told = checked(&[&["four-bar"], arguments.as_slice()].concat());
+        assert_eq!(told["warnings"], json!(expected), "{sets:?}");
+    }
+}
     assert_eq!(linkdyn(&["run", file.path(), "--set", driver, "--set", "analysis.type=kinematics"]).0, Some(0));
 }

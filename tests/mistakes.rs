@@ -42,6 +42,39 @@ struct Mistake {
 
 const MISTAKES: &[Mistake] = &[
     Mistake {
+        what: "fixed body called base",
+        edits: &[("ground", "base"), ("inverse_dynamics", "kinematics")],
+        status: 2,
+        said: &[
+            r#"line 16, column 14: drivers: too few drivers: the joints leave 4 degrees of freedom, 1 driven; "base", "crank", "rod", "rocker" can still move (drive what is free, or hold it by a joint)"#,
+            r#"line 4, column 13: bodies: nothing holds the mechanism: no body is called "ground", which is the name of the fixed one (rename the fixed body, probably "base", to "ground", unless all of it is to move freely)"#,
+        ],
+    },
+    Mistake {
+        what: "fixed body called base, which has no mass",
+        edits: &[("ground", "base")],
+        status: 2,
+        said: &[
+            r#"line 5, column 13: bodies.base: inverse dynamics needs the mass of body "base" (give "mass"; 0 is allowed where the joints determine its motion)"#,
+            r#"line 5, column 13: bodies.base: inverse dynamics needs the inertia of body "base" (give "inertia"; 0 is allowed where the joints determine its motion)"#,
+            r#"line 4, column 13: bodies: nothing holds the mechanism: no body is called "ground", which is the name of the fixed one (rename the fixed body, probably "base", to "ground", unless all of it is to move freely)"#,
+        ],
+    },
+    Mistake {
+        what: "table over crank degrees instead of seconds",
+        edits: &[
+            (
+                r#"{ "type": "constant_velocity", "start": 60, "velocity": "60 rpm" }"#,
+                r#"{ "type": "table", "points": [[0, 60], [360, 420], [720, 780]] }"#,
+            ),
+            (r#""end": 1,"#, r#""end": 0.16,"#),
+        ],
+        status: 0,
+        said: &[
+            r#"line 17, column 92: drivers.motor.motion.points: the table ends at t = 720 s, the run at t = 0.16 s: only its beginning is used (check the unit of its times: they are in s unless "units" names another "time", never in crank angle)"#,
+        ],
+    },
+    Mistake {
         what: "misspelt body",
         edits: &[(r#""rod.B", "rocker.B""#, r#""rod.B", "roker.B""#)],
         status: 2,

@@ -1,8 +1,8 @@
 //! Diagnosis of a model without running it.
 
-use super::Stop;
 use super::assembly::{Assembled, assemble, check_driven, length_text, listed, ranked, topology};
 use super::instants::instants;
+use super::{Stop, suspicious};
 use crate::error::Complaint;
 use crate::math::Vec2;
 use crate::model::{AnalysisKind, ClearanceModel, ForceKind, GROUND, JointKind, Model, PointRef, Pose, Sample, Value};
@@ -93,7 +93,8 @@ pub fn check(model: &Model) -> Result<Check, Vec<Complaint>> {
         Complaint::new(format!("bodies.{first}"), format!("no joint holds it{others}"))
             .hint("connect it by a joint or take it out, unless it is to move freely")
     }));
-    reach_sample(model, &system)?;
+    let end = end_of_run(model, &system)?;
+    check.suspicious.extend(end.into_iter().flat_map(|end| suspicious::tables(model, end)));
     let inputs = Inputs::at_time(&system, 0.0);
     let assembled = match assemble(&system, &inputs) {
         Ok(assembled) => assembled,
@@ -156,17 +157,17 @@ fn open(model: &Model, closed: Assembled) -> Result<(Open, Option<Undriven>), Ve
     Ok((Open { joints, mobility: assembled.mobility }, undriven))
 }
 
-/// Whether the driver that is sampled passes the first and the last value, in this order, as a run needs it.
-fn reach_sample(model: &Model, system: &System) -> Result<(), Vec<Complaint>> {
-    let Some(analysis) = &model.analysis else { return Ok(()) };
-    let Some(sample) = &analysis.sample else { return Ok(()) };
+/// When the run that the model asks for ends [s]; where a driver is sampled, it must pass the first and the last value, in this order.
+fn end_of_run(model: &Model, system: &System) -> Result<Option<f64>, Vec<Complaint>> {
+    let Some(analysis) = &model.analysis else { return Ok(None) };
     if matches!(analysis.kind, AnalysisKind::Assembly | AnalysisKind::Statics) {
-        return Ok(());
+        return Ok(None);
     }
+    let Some(sample) = &analysis.sample else { return Ok(analysis.end) };
     let mut ends = analysis.clone();
     let whole = sample.to - sample.from;
     ends.sample = Some(Sample { step: if whole == 0.0 { sample.step } else { whole }, ..sample.clone() });
-    instants(system, &ends).map(drop)
+    instants(system, &ends).map(|instants| instants.last().map(|last| last.time))
 }
 
 fn moving_names(system: &System, bodies: &[usize]) -> Vec<String> {

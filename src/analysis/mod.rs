@@ -24,7 +24,7 @@ pub use progress::Progress;
 pub use suspicious::suspicious;
 
 use crate::error::Complaint;
-use crate::model::{AnalysisKind, Model};
+use crate::model::{AnalysisKind, Model, unheld};
 use crate::output::{Event, Quality, Report, Status, Stopwatch, Trajectory};
 use crate::system::{Evaluation, Inputs, System, compile::compile};
 use record::{Contents, Recorder, Sample};
@@ -98,7 +98,12 @@ pub fn run(model: &Model, control: &Control) -> Result<Outcome, Vec<Complaint>> 
             "add \"analysis\": { \"type\": \"kinematics\", \"end\": 1, \"outputs\": 101 }, or use `linkdyn check`",
         )]);
     };
-    let system = compile(model, analysis.kind)?;
+    // Data or drivers may be missing only because the fixed body has another name.
+    let loose = |mut complaints: Vec<Complaint>| {
+        complaints.extend(unheld(model));
+        complaints
+    };
+    let system = compile(model, analysis.kind).map_err(loose)?;
     let outcome = match analysis.kind {
         AnalysisKind::Assembly => run_assembly(&system),
         // Journals that move freely in their bearings leave the mechanism free to move, however it is driven.
@@ -112,7 +117,7 @@ pub fn run(model: &Model, control: &Control) -> Result<Outcome, Vec<Complaint>> 
     };
     let (trajectory, mut report) = match outcome {
         Ok(found) => found,
-        Err(Stop::Input(complaints)) => return Err(complaints),
+        Err(Stop::Input(complaints)) => return Err(loose(complaints)),
         Err(Stop::Failed { status, message }) => {
             let trajectory = Recorder::new(&system, contents(analysis.kind), 0).trajectory;
             // Of no position there is no residual.

@@ -10,8 +10,9 @@ use super::json;
 use super::node::{self, Kind};
 use super::set;
 use super::source::Source;
+use super::stale;
 use super::validate::validate;
-use super::{FORMAT, Model};
+use super::{FORMAT, Model, hold};
 use crate::error::Complaint;
 
 /// Largest file that is read [bytes].
@@ -123,6 +124,8 @@ pub fn load(text: &[u8], sets: &[String]) -> Result<Loaded, Vec<Complaint>> {
     match serde_json::from_value(findings.value) {
         Ok(model) => {
             let complaints = gears(&model, &source);
+            let said = hold::unheld(&model).into_iter().chain(stale::stale(&source.root, sets));
+            warnings.extend(said.take(MOST_COMPLAINTS).map(|warning| source.place(warning).to_string()));
             if complaints.is_empty() {
                 Ok(Loaded {
                     model,

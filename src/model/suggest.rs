@@ -65,9 +65,13 @@ pub fn any_of<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
     }
 }
 
-/// `"a" and "b"`.
+/// `"a", "b" and "c"`.
 pub fn all_of(words: &[&str]) -> String {
-    words.iter().map(|word| format!("{word:?}")).collect::<Vec<_>>().join(" and ")
+    let words: Vec<String> = words.iter().map(|word| format!("{word:?}")).collect();
+    match words.split_last() {
+        Some((last, before)) if before.len() > 1 => format!("{} and {last}", before.join(", ")),
+        _ => words.join(" and "),
+    }
 }
 
 /// `A, B, C`, as many as anybody reads.

@@ -4,6 +4,7 @@
 
 mod angles;
 mod lengths;
+mod times;
 
 use std::f64::consts::TAU;
 
@@ -11,6 +12,7 @@ use crate::error::Complaint;
 use crate::model::{Analysis, AnalysisKind, Body, DriverKind, ForceKind, GROUND, JointKind, Model, Motion, Value};
 use crate::system::compile::law;
 use lengths::extent;
+pub(super) use times::tables;
 
 /// One mass of all may be this times larger or smaller than the middle one [–].
 const MASS_SPREAD: f64 = 300.0;
