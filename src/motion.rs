@@ -110,41 +110,47 @@ impl Law {
         }
     }
 
-    /// Times in (0, end) where f′ changes sign, ascending: f is monotone between them.
-    pub fn turning_times(&self, end: f64) -> Vec<f64> {
-        let mut marks = self.marks(end);
-        marks.push(end);
+    /// Times in (0, end) where f′ changes sign, ascending: f is monotone between them. Each is looked for when it is asked for, since a
+    /// law may have millions.
+    pub fn turning_times(&self, end: f64) -> impl Iterator<Item = f64> {
         // Between marks f′ has at most a few roots; a fine subdivision of each stretch brackets them.
-        let mut turns = Vec::new();
-        let mut left = 0.0;
         let speed = self.jet(0.0)[1];
         let mut sign = speed.signum() * f64::from(u8::from(speed != 0.0));
-        for mark in marks {
-            for k in 1..=SUBDIVISIONS {
-                let right = if k == SUBDIVISIONS { mark } else { left + (mark - left) / (SUBDIVISIONS + 1 - k) as f64 };
-                let slope = self.jet(right)[1];
-                if slope != 0.0 {
-                    if sign != 0.0 && slope.signum() != sign {
-                        turns.push(bisect(|t| self.jet(t)[1] * sign, left, right));
-                    }
-                    sign = slope.signum();
+        let mut left = 0.0;
+        let pieces = self.marks(end).chain([end]).flat_map(|mark| (1..=SUBDIVISIONS).map(move |k| (mark, k)));
+        let turns = pieces.filter_map(move |(mark, k)| {
+            let right = if k == SUBDIVISIONS { mark } else { left + (mark - left) / (SUBDIVISIONS + 1 - k) as f64 };
+            let slope = self.jet(right)[1];
+            let mut turn = None;
+            if slope != 0.0 {
+                if sign != 0.0 && slope.signum() != sign {
+                    turn = Some(bisect(|t| self.jet(t)[1] * sign, left, right));
                 }
-                left = right;
+                sign = slope.signum();
             }
-        }
-        turns.retain(|&t| t > 0.0 && t < end);
-        turns
+            left = right;
+            turn
+        });
+        turns.filter(move |&t| t > 0.0 && t < end)
     }
 
     /// Natural subdivision of (0, end): knots of a table, quarter periods of a harmonic.
-    fn marks(&self, end: f64) -> Vec<f64> {
+    fn marks(&self, end: f64) -> Box<dyn Iterator<Item = f64> + '_> {
         match self {
-            Law::Polynomial(_) => Vec::new(),
+            Law::Polynomial(_) => Box::new(std::iter::empty()),
             Law::Harmonic { frequency, .. } => {
-                let quarters = (end * frequency.abs() * 4.0).ceil().min(1e6) as usize;
-                (1..quarters).map(|k| end * k as f64 / quarters as f64).collect()
+                let quarters = (end * frequency.abs() * 4.0).ceil().min(MOST_QUARTERS) as u64;
+                Box::new((1..quarters).map(move |k| end * k as f64 / quarters as f64))
             }
-            Law::Spline(s) => s.t.iter().copied().filter(|&t| t > 0.0 && t < end).collect(),
+            Law::Spline(s) => Box::new(s.t.iter().copied().filter(move |&t| t > 0.0 && t < end)),
+        }
+    }
+
+    /// Turning points after which all has been seen that the law does; none of a law that goes on to new values.
+    pub fn repeats_after(&self) -> Option<usize> {
+        match self {
+            Law::Harmonic { .. } => Some(REPEATS),
+            Law::Polynomial(_) | Law::Spline(_) => None,
         }
     }
 
@@ -156,7 +162,7 @@ impl Law {
 
     /// The law up to its first turning point, or to `latest`.
     pub fn first_stretch(&self, latest: f64) -> Stretch<'_> {
-        let end = self.turning_times(latest).first().copied().unwrap_or(latest);
+        let end = self.turning_times(latest).next().unwrap_or(latest);
         Stretch { law: self, end, from: self.jet(0.0)[0], to: self.jet(end)[0] }
     }
 }
@@ -206,6 +212,12 @@ impl Stretch<'_> {
 
 /// Stretches a law's natural pieces are cut into when its turning points are looked for.
 const SUBDIVISIONS: usize = 64;
+
+/// More quarter periods can't be told apart by their times.
+const MOST_QUARTERS: f64 = 1e15;
+
+/// Turning points of a harmonic that stand for all: extremes of more of them differ by round-off alone.
+const REPEATS: usize = 10_000;
 
 /// The place in [a, b] where `f` goes from positive to not positive.
 pub(crate) fn bisect(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
@@ -273,10 +285,21 @@ mod tests {
     #[test]
     fn turning_times_of_a_wave() {
         let wave = Law::Harmonic { offset: 0.0, amplitude: 2.0, frequency: 1.0, phase: 0.0 };
-        let turns = wave.turning_times(2.0);
+        let turns: Vec<f64> = wave.turning_times(2.0).collect();
         assert_eq!(turns.len(), 4, "{turns:?}");
         for (turn, want) in turns.iter().zip([0.25, 0.75, 1.25, 1.75]) {
             assert!((turn - want).abs() < 1e-12);
         }
+    }
+
+    /// Ten million periods: only those that are asked for are looked for.
+    #[test]
+    fn turning_times_of_a_fast_wave_are_those_of_every_period() {
+        let wave = Law::Harmonic { offset: 0.0, amplitude: 2.0, frequency: 1e7, phase: 0.0 };
+        for (k, turn) in wave.turning_times(1.0).take(5000).enumerate() {
+            let exact = (k as f64 + 0.5) / 2e7;
+            assert!((turn - exact).abs() < 1e-9 * exact, "turn {k}: {turn} instead of {exact}");
+        }
+        assert!((wave.invert(1.0, 1.0).expect("reached") * 1e7 - 1.0 / 12.0).abs() < 1e-12);
     }
 }

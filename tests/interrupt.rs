@@ -87,6 +87,41 @@ fn a_time_that_is_over_is_a_time_limit_in_every_analysis() {
     }
 }
 
+/// Ten million cycles of a driver: with one driver its path is gone once, of several it is followed in time until the limit.
+#[test]
+fn a_fast_driver_does_not_outlast_its_time() {
+    let second =
+        r#", "still": { "type": "rotation", "body": "b", "motion": { "type": "constant_velocity", "velocity": 1 } }"#;
+    for (drivers, limit) in [("", false), (second, true)] {
+        let joint = if limit { "" } else { r#", "k": { "type": "fixed", "between": ["ground.Q", "b.B"] }"# };
+        let text = format!(
+            r#"{{ "format": "linkdyn/1", "units": "SI", "bodies": {{ "ground": {{ "points": {{ "O": [0, 0], "Q": [2, 0] }} }},
+            "a": {{ "points": {{ "O": [0, 0] }} }}, "b": {{ "points": {{ "B": [0, 0] }}, "pose": {{ "position": [2, 0] }} }} }},
+            "joints": {{ "o": {{ "type": "revolute", "between": ["ground.O", "a.O"] }}
+                {} {joint} }},
+            "drivers": {{ "fast": {{ "type": "rotation", "body": "a", "motion": {{ "type": "harmonic", "amplitude": 0.3, "frequency": 1e7 }} }} {drivers} }},
+            "analysis": {{ "type": "kinematics", "end": 1, "outputs": 11 }} }}"#,
+            if limit { r#", "q": { "type": "revolute", "between": ["ground.Q", "b.B"] }"# } else { "" }
+        );
+        let model = model::load(text.as_bytes(), &[]).expect("a sound model").model;
+        let start = Instant::now();
+        let control = Control { deadline: start.checked_add(Duration::from_millis(500)), ..Control::default() };
+        let outcome = run(&model, &control).expect("sound");
+        assert!(start.elapsed() < Duration::from_millis(1500), "{:?}", start.elapsed());
+        if limit {
+            assert_eq!(outcome.report.status, Status::TimeLimit);
+            continue;
+        }
+        assert_eq!(outcome.report.status, Status::Completed, "{:?}", outcome.report.message);
+        for row in outcome.trajectory.rows() {
+            // 0.3 sin ωt: ωt is known to round-off of some 6e7.
+            let exact = 0.3 * (std::f64::consts::TAU * 1e7 * row[0]).sin();
+            let angle = row[outcome.trajectory.column_index("a.angle").expect("a column")];
+            assert!((angle - exact).abs() < 1e-12, "{angle} instead of {exact}");
+        }
+    }
+}
+
 #[cfg(unix)]
 mod terminal {
     use std::fs::{self, File};

@@ -100,7 +100,7 @@ fn horizon(law: &crate::motion::Law, values: &[f64]) -> Option<f64> {
         if values.iter().all(|&value| law.invert(value, end).is_some()) {
             return Some(end);
         }
-        if !law.turning_times(end).is_empty() {
+        if law.turning_times(end).next().is_some() {
             return None;
         }
         end *= 2.0;

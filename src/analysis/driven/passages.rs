@@ -12,7 +12,8 @@ pub(super) fn range(system: &System, instants: &[OutputInstant]) -> (f64, f64) {
         Parameter::Time | Parameter::Pin => (0.0, end),
         Parameter::DriverValue => {
             let law = &system.drivers[0].law;
-            let turns = law.turning_times(end).into_iter().chain([0.0, end]).map(|t| law.jet(t)[0]);
+            let enough = law.repeats_after().unwrap_or(usize::MAX);
+            let turns = law.turning_times(end).take(enough).chain([0.0, end]).map(|t| law.jet(t)[0]);
             let sampled = instants.iter().filter_map(|instant| instant.exact.map(|(_, value)| value));
             turns.chain(sampled).fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), s| (low.min(s), high.max(s)))
         }
@@ -39,7 +40,8 @@ const MOST_PASSAGES: usize = 1000;
 fn passages(law: &Law, value: f64, end: f64) -> Vec<f64> {
     let mut times: Vec<f64> = Vec::new();
     let mut left = 0.0;
-    for right in law.turning_times(end).into_iter().chain([end]) {
+    let enough = law.repeats_after().unwrap_or(usize::MAX);
+    for (turn, right) in law.turning_times(end).chain([end]).enumerate() {
         let (from, to) = (law.jet(left)[0], law.jet(right)[0]);
         let (a, b) = (from - value, to - value);
         let edge = ON_THE_EDGE * (to - from).abs();
@@ -57,7 +59,7 @@ fn passages(law: &Law, value: f64, end: f64) -> Vec<f64> {
         {
             times.push(time);
         }
-        if times.len() >= MOST_PASSAGES {
+        if times.len() >= MOST_PASSAGES || (times.is_empty() && turn > enough) {
             break;
         }
         left = right;
