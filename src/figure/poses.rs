@@ -61,14 +61,38 @@ impl Poses {
                 missing.join(", ")
             )));
         }
-        if time.windows(2).any(|pair| pair[1] < pair[0]) || time.iter().any(|time| !time.is_finite()) {
+        let mut poses = Poses { time, bodies };
+        poses.empty_rows_without_time();
+        if poses.time.windows(2).any(|pair| pair[1] < pair[0]) {
             return Err(fault(format!("{}: time does not ascend", table.path.display())));
         }
-        let poses = Poses { time, bodies };
         if (0..poses.time.len()).all(|row| poses.row(row).is_none()) {
             return Err(Fault::Nothing("no instant has the poses of all bodies".into()));
         }
         Ok(poses)
+    }
+
+    /// Makes a gap of each row without a time, between its neighbours; leaves out those at the ends.
+    fn empty_rows_without_time(&mut self) {
+        let has_time = |time: &f64| time.is_finite();
+        let first = self.time.iter().position(has_time).unwrap_or(self.time.len());
+        let end = self.time.iter().rposition(has_time).map_or(first, |last| last + 1);
+        let missing: Vec<usize> =
+            (first..end).filter(|&row| !self.time[row].is_finite()).map(|row| row - first).collect();
+        for column in self.columns() {
+            column.truncate(end);
+            column.drain(..first.min(column.len()));
+        }
+        for row in missing {
+            self.columns().for_each(|column| column[row] = f64::NAN);
+            self.time[row] = self.time[row - 1];
+        }
+    }
+
+    /// Time, and values and rates of all bodies.
+    fn columns(&mut self) -> impl Iterator<Item = &mut Vec<f64>> {
+        let coordinates = self.bodies.iter_mut().flatten().flat_map(|(values, rates)| [Some(values), rates.as_mut()]);
+        std::iter::once(&mut self.time).chain(coordinates.flatten())
     }
 
     /// Poses of all bodies, the ground first, at an output.
@@ -171,6 +195,21 @@ mod tests {
             poses.at(1.5).is_none() && poses.at(2.0).is_none() && poses.at(0.5).is_some() && poses.at(3.0).is_some()
         );
         assert_eq!(poses.span(), [0.0, 4.0]);
+    }
+
+    #[test]
+    fn a_row_without_time_is_a_gap() {
+        let mut table = table(true);
+        table.columns[0].values = vec![f64::NAN, 1.0, f64::NAN, 3.0, 4.0];
+        let poses = Poses::read(&table, &drawing()).expect("sound");
+        assert_eq!((poses.span(), poses.time.as_slice()), ([1.0, 4.0], [1.0, 1.0, 3.0, 4.0].as_slice()));
+        assert!(poses.at(1.5).is_none() && poses.at(2.9).is_none());
+        for t in [1.0, 3.0, 3.5, 4.0] {
+            assert!((poses.at(t).expect("no gap")[1][2] - t * t).abs() < 1e-12, "{t}");
+        }
+        table.columns[0].values.fill(f64::NAN);
+        let said = Poses::read(&table, &drawing()).expect_err("no time at all").to_string();
+        assert!(said.contains("no instant has the poses of all bodies"), "{said}");
     }
 
     #[test]
