@@ -271,6 +271,24 @@ fn the_controls_move_the_mechanism() {
     assert_eq!(told["arrows"], true, "the arrows are not drawn");
 }
 
+/// A run that came to its end begins at the beginning, one that is stuck shows where.
+#[test]
+fn a_page_opens_where_the_run_is_stuck() {
+    let Some(browser) = find() else { return };
+    let stuck = ["lock", "--set", "analysis.sample.to=135 deg", "--set", "analysis.sample.step=1 deg"];
+    for (arguments, early) in [(&["lock", "--set", "analysis.sample.step=1 deg"][..], false), (&stuck, true)] {
+        let (page, csv, summary) = run(arguments);
+        assert_eq!(summary["status"] == "dead_centre", early);
+        let probe = "setTimeout(() => { const { player, rows } = linkdyn; const row = player.row, scrub = Number(document.getElementById('scrub').value); \
+            player.toggle(); const played = player.row; player.pause(); answer({ row, rows, scrub, played }); }, 300);";
+        let (told, visit) = ask(&browser, &page, probe, Some(2000));
+        assert!(visit.console.is_empty(), "{:#?}", visit.console);
+        let last = csv.lines().count() - 2;
+        let opened = if early { last } else { 0 };
+        assert_eq!(told, json!({ "row": opened, "rows": last + 1, "scrub": opened, "played": 0 }));
+    }
+}
+
 #[test]
 fn hostile_names_do_nothing() {
     let Some(browser) = find() else { return };

@@ -4,7 +4,9 @@
   const { rows, time } = linkdyn;
   const listeners = [];
   const stateListeners = [];
-  let row = 0, playing = false, speed = 1, repeat = true;
+  // A run that ended early is opened where it is stuck.
+  const early = !["completed", "completed_with_gaps"].includes(linkdyn.summary.status);
+  let row = early ? Math.max(rows - 1, 0) : 0, playing = false, speed = 1, repeat = true;
   let last = null, clock = 0;
 
   const span = rows > 1 ? time[rows - 1] - time[0] : 0;
