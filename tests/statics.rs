@@ -324,3 +324,17 @@ fn what_is_needed_and_what_is_refused() {
     let said = modes(&loaded(&model).model, false, &Control::default()).expect_err("nothing is free");
     assert!(said[0].to_string().contains("free to move"), "{said:?}");
 }
+
+/// Rows that are independent where it is drawn are not where it hangs.
+#[test]
+fn a_third_crank_takes_no_part_in_how_the_others_swing() {
+    for start in [-2.8, -1.0, 0.6, 2.0, 3.0] {
+        let mut model = parallelogram(1, true, start, &json!({ "type": "polynomial", "coefficients": [start] }));
+        model["drivers"] = json!({});
+        let found = linearised(&model, false);
+        assert_eq!((found.status, found.modes.len()), (Status::Completed, 1), "{:?}", found.message);
+        // K = g r (½·3 + 1), J = r² (⅓·3 + 1).
+        close(found.modes[0].frequency(), (G * 2.5 / 0.1 / 2.0).sqrt(), 1e-11);
+        assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+    }
+}

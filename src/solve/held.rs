@@ -135,6 +135,8 @@ impl<'s> Held<'s> {
 
     /// Solves the position from the prediction in `q`, and evaluates Q and S there.
     fn place(&mut self) -> Result<(), Failure> {
+        // Rows that are independent at one position need not be so at another.
+        self.driven.prepare(&self.q, &self.inputs)?;
         let correction = self.driven.correct(&mut self.q, &self.inputs)?;
         if correction.contraction > CONTRACTION || correction.first_step > FARTHEST {
             return Err(Failure::Diverged { residual: correction.residual });
