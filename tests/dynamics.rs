@@ -273,3 +273,23 @@ fn a_body_falls_far_along_its_guide() {
     }
     assert!(outcome.report.statistics.steps < 1000, "{:?}", outcome.report.statistics);
 }
+
+/// A wheel that turns evenly about its centre of mass, driven or free: no power flows, and what is left of it is round-off of
+/// the powers that its motion could have.
+#[test]
+fn round_off_is_no_imbalance_where_no_power_flows() {
+    let bodies = json!({ "ground": { "points": { "O": [0.3, 0.7] } },
+        "wheel": { "mass": 3.0, "inertia": 0.2, "com": [0.1, 0.05], "points": { "O": [0.1, 0.05], "A": [0.4, 0.3] },
+                   "pose": { "position": [0.2, 0.65], "angle": 0.0 } } });
+    let joints = json!({ "o": pin("ground.O", "wheel.O") });
+    let turning = json!({ "type": "constant_velocity", "start": 0.3, "velocity": 7.0 });
+    let wheel = model(bodies, joints, json!({ "motor": { "type": "rotation", "body": "wheel", "motion": turning } }));
+    let mut free = wheel.clone();
+    free["drivers"] = json!({});
+    free["initial"] = json!({ "wheel": { "angular_velocity": 7.0 } });
+    free["analysis"] = dynamics(1.0, 101, 1e-9);
+    for model in [wheel, free] {
+        let quality = completed(&model).report.quality;
+        assert!(quality.power_imbalance.expect("forces are known") < 1e-8, "{quality:?}");
+    }
+}

@@ -10,6 +10,7 @@ pub mod driven;
 pub mod dynamics;
 mod instants;
 pub mod modes;
+mod power;
 mod progress;
 pub mod record;
 mod rows;

@@ -2,6 +2,7 @@
 
 use super::super::clearance_link::{ClearanceLinks, Fixpoint, balance, carried};
 use super::super::instants::OutputInstant;
+use super::super::power::Powers;
 use super::super::record::{Contents, Recorder, Sample};
 use super::super::{Control, Interval, locked, unsure_friction};
 use super::passages::{ON_THE_EDGE, range, times_of};
@@ -9,7 +10,7 @@ use crate::element::Measure;
 use crate::output::{Event, Report, Status, Trajectory};
 use crate::solve::continuation::{End, Parameter, Path, SingularKind, Source};
 use crate::solve::driven::{Driven, Failure};
-use crate::system::{Evaluation, Inputs, System};
+use crate::system::{Inputs, System};
 
 /// A joint belongs to a self-stress when its part is above this, relative to the largest.
 const STRESSED: f64 = 1e-6;
@@ -29,9 +30,7 @@ pub(super) struct Outputs<'a, 'r> {
     pub sample: Sample,
     pub scratch: Sample,
     report: &'r mut Report,
-    /// Largest power that flows, and largest imbalance [W].
-    power: f64,
-    imbalance: f64,
+    powers: Powers,
     gap: Interval,
     wavering: Interval,
     locking: Interval,
@@ -51,8 +50,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
             sample: Sample::new(system),
             scratch: Sample::new(system),
             report,
-            power: 0.0,
-            imbalance: 0.0,
+            powers: Powers::default(),
             gap: Interval::default(),
             wavering: Interval::default(),
             locking: Interval::default(),
@@ -275,14 +273,11 @@ impl<'a, 'r> Outputs<'a, 'r> {
     fn account(&mut self) {
         let Sample { v, a, lambda, force, .. } = &self.sample;
         let efforts = &lambda[self.system.joint_rows()..];
-        let driven: f64 = efforts.iter().zip(&self.inputs.drive).map(|(effort, jet)| effort * jet[1]).sum();
-        if !driven.is_finite() {
+        if efforts.iter().any(|effort| !effort.is_finite()) {
             return;
         }
-        let applied = Evaluation::power(force, v);
-        let kinetic: f64 = v.iter().zip(a).zip(&self.system.mass).map(|((v, a), m)| v * a * m).sum();
-        self.power = self.power.max(driven.abs()).max(applied.abs()).max(kinetic.abs());
-        self.imbalance = self.imbalance.max((driven + applied - kinetic).abs());
+        let drivers = efforts.iter().zip(&self.inputs.drive).map(|(effort, jet)| (*effort, jet[1]));
+        self.powers.note(self.system, [v, a, force], drivers);
     }
 
     /// What is left to say at the end.
@@ -292,8 +287,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
         self.locking.close(&mut self.report.events);
         self.report.events.sort_by(|a, b| a.time.total_cmp(&b.time));
         if self.reactions {
-            let balance = if self.power > 0.0 { self.imbalance / self.power } else { 0.0 };
-            self.report.quality.power_imbalance = Some(balance);
+            self.report.quality.power_imbalance = Some(self.powers.relative_imbalance());
         }
         if !self.missing.is_empty() {
             self.report.warnings.push(format!(

@@ -3,8 +3,8 @@
 use super::contact::state;
 use super::integration::Integration;
 use super::motion::Motion;
+use crate::analysis::power::Powers;
 use crate::analysis::record::{ContactSample, Contents, Recorder, Sample};
-use crate::math::dot;
 use crate::output::{Report, Trajectory};
 use crate::solve::driven::Failure;
 use crate::system::System;
@@ -14,8 +14,7 @@ pub struct Outputs<'a, 'r> {
     recorder: Recorder,
     sample: Sample,
     pub report: &'r mut Report,
-    power: f64,
-    imbalance: f64,
+    powers: Powers,
     /// Least and largest energy, and largest kinetic energy [J].
     energy: Option<[f64; 3]>,
     ledger: Option<Ledger>,
@@ -36,8 +35,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
             recorder: Recorder::new(system, contents, rows),
             sample: Sample::new(system),
             report,
-            power: 0.0,
-            imbalance: 0.0,
+            powers: Powers::default(),
             energy: None,
             ledger: None,
         }
@@ -73,11 +71,8 @@ impl<'a, 'r> Outputs<'a, 'r> {
         let residual = system.scaled_residual(&evaluation.phi);
         self.report.quality.constraint_residual = self.report.quality.constraint_residual.max(residual);
         let efforts = &lambda[system.joint_rows()..];
-        let driven: f64 = efforts.iter().zip(&reduced.inputs.drive).map(|(effort, jet)| effort * jet[1]).sum();
-        let applied = dot(force, v);
-        let kinetic: f64 = v.iter().zip(a.iter()).zip(&self.system.mass).map(|((v, a), m)| v * a * m).sum();
-        self.power = self.power.max(driven.abs()).max(applied.abs()).max(kinetic.abs());
-        self.imbalance = self.imbalance.max((driven + applied - kinetic).abs());
+        let drivers = efforts.iter().zip(&reduced.inputs.drive).map(|(effort, jet)| (*effort, jet[1]));
+        self.powers.note(self.system, [v, a, force], drivers);
         let moving = evaluation.kinetic_energy(self.system, v);
         let potential = evaluation.potential_energy(self.system, &reduced.inputs);
         let elastic = evaluation.contact_energy(self.system, &reduced.inputs);
@@ -99,7 +94,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
     pub fn finish(self) -> Trajectory {
         let part = |imbalance: f64, whole: f64| if whole > 0.0 { imbalance / whole } else { 0.0 };
         let quality = &mut self.report.quality;
-        quality.power_imbalance = Some(part(self.imbalance, self.power));
+        quality.power_imbalance = Some(self.powers.relative_imbalance());
         quality.energy_imbalance = self.ledger.map(|ledger| part(ledger.imbalance, ledger.largest));
         if self.system.is_conservative()
             && let Some([least, most, largest]) = self.energy
