@@ -528,3 +528,26 @@ fn what_has_no_history_has_no_bristles_and_rest_no_friction() {
     close(last(&run, "bar.angle"), -std::f64::consts::FRAC_PI_2, 1e-9);
     assert!(run.trajectory.values("joint.o.friction").is_none());
 }
+
+const LOCKING: &str = include_str!("cases/friction-lock.json");
+
+/// A parallelogram that swings into its flat position: its pins' friction grows as 1/(t* − t) towards the lock before it, so
+/// that no step reaches it. Whatever the tolerance, the run ends there and names the joint.
+#[test]
+fn a_lock_that_no_step_reaches_ends_as_one() {
+    let mut ends = Vec::new();
+    for rtol in [1e-4, 1e-6, 1e-8, 1e-10] {
+        let mut model: Value = serde_json::from_str(LOCKING).expect("JSON");
+        model["analysis"] = dynamics(1.0, 10_001, rtol);
+        let run = outcome(&model);
+        assert_eq!(run.report.status, Status::Singular, "{rtol}: {:?}", run.report.message);
+        let message = run.report.message.as_deref().expect("a message");
+        assert!(message.contains("joint \"b\" locks itself") && !message.contains("oosen"), "{message}");
+        assert!(message.starts_with("at t = 0.49") && message.contains("the rows until there are kept"), "{message}");
+        let (forces, times) = (column(&run, "joint.b.fx"), column(&run, "time"));
+        let end = times[times.len() - 1];
+        assert!(forces.iter().all(|force| force.is_finite()));
+        ends.push(end);
+    }
+    assert!(ends.iter().all(|end| (end - ends[3]).abs() <= 1.01e-4 * (1.0 + ends[3])), "{ends:?}");
+}

@@ -146,6 +146,22 @@ fn a_slider_driven_past_its_dead_centre_is_refused_there() {
     assert!(run.trajectory.data.iter().all(|v| v.is_finite()));
 }
 
+/// A pendulum that hangs on the slider leaves a freedom, so that the motion is integrated; it ends there all the same.
+#[test]
+fn a_dead_centre_of_a_motion_that_is_integrated_tells_what_is_in_line() {
+    let start = PI / 6.0;
+    let motion = json!({ "type": "polynomial", "coefficients": [slider_position(0.1, 0.3, start), 0.1] });
+    let mut model = slider_crank(0.1, 0.3, start, true, &motion);
+    model["bodies"]["bob"] = rod(0.2, [slider_position(0.1, 0.3, start), 0.0], -1.0);
+    model["joints"]["hang"] = pin("slider.B", "bob.A");
+    model["analysis"] = json!({ "type": "dynamics", "end": 1.0, "outputs": 101 });
+    let run = outcome(&model);
+    assert_eq!(run.report.status, Status::Singular);
+    let message = run.report.message.expect("a message");
+    assert!(message.contains("the motion can't be followed beyond t = 0.1"), "{message}");
+    assert!(message.contains("\"crank\" and \"rod\" are in line"), "{message}");
+}
+
 #[test]
 fn a_slider_that_turns_just_before_its_dead_centre_goes_on() {
     let start = PI / 6.0;

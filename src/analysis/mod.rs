@@ -8,6 +8,8 @@ pub mod clearance_link;
 pub mod derived;
 pub mod driven;
 pub mod dynamics;
+mod figures;
+mod in_line;
 mod instants;
 pub mod modes;
 mod power;

@@ -3,8 +3,8 @@
 
 use super::contact::{Change, History, Sums, change, first_phase, sticks};
 use super::motion::Motion;
-use super::words::{beyond_range, culprits, deep_start, describe, jam, tight};
-use crate::analysis::{Control, Stop, locked};
+use super::words::{TIGHT, beyond_range, culprits, deep_start, describe, jam, tight};
+use crate::analysis::{Control, Stop, figures, locked};
 use crate::element::journal::{Phase, Reading, Surface};
 use crate::integrate::{Limits, Method, Ode, StepFailure, Stepper};
 use crate::model::Solver;
@@ -47,7 +47,22 @@ pub struct Integration {
     pub(super) jammed: Vec<usize>,
     /// When they did last, and how often then.
     pub(super) last_jam: (f64, usize),
+    /// How far the friction of ideal joints was from locking them at the ends of the last two steps.
+    margins: [Margin; 2],
 }
+
+/// How far the equations of friction are from having no solution.
+#[derive(Debug, Clone, Copy)]
+struct Margin {
+    time: f64,
+    /// Their determinant: 1 without friction, 0 where a joint locks itself.
+    left: f64,
+    /// The force that feeds on itself most.
+    force: usize,
+}
+
+/// A lock that lies ahead by less than this many rounding units of the time is where the steps end.
+const LOCK_AHEAD: f64 = 1e6;
 
 /// Why the loop ended before its time.
 pub type Ended = (Status, String);
@@ -81,6 +96,7 @@ impl Integration {
             released: vec![0.0; contacts],
             jammed: Vec::new(),
             last_jam: (f64::NEG_INFINITY, 0),
+            margins: [Margin { time: f64::NEG_INFINITY, left: 1.0, force: 0 }; 2],
         };
         for (contact, journal) in system.contacts.iter().enumerate() {
             let reading = motion.reading(contact);
@@ -104,7 +120,7 @@ impl Integration {
         let y = std::mem::take(&mut integration.y);
         let started = integration.stepper.start(motion, 0.0, &y, end);
         integration.y = y;
-        started.map_err(|failure| Stop::failed(Status::Singular, describe(failure, 0.0)))?;
+        started.map_err(|failure| Stop::failed(Status::Singular, describe(failure, 0.0, "")))?;
         Ok(integration)
     }
 
@@ -143,22 +159,51 @@ impl Integration {
             }
             let now = self.reached();
             if let Err(failure) = self.advance(motion) {
-                return Err(match failure {
-                    StepFailure::TooSmall { .. } => {
-                        (Status::StepTooSmall, format!("{}{}", describe(failure, now), tight(motion)))
-                    }
-                    StepFailure::Refused { .. } => match motion.reduced.driven.reactive.locked() {
-                        Some(force) => (
-                            Status::Singular,
-                            format!("at t = {now} s {}; the rows until there are kept", locked(motion.system(), force)),
-                        ),
-                        None if !self.jammed.is_empty() => (Status::Singular, jam(motion, &self.jammed, now)),
-                        None => (Status::Singular, format!("{}{}", describe(failure, now), culprits(motion))),
-                    },
-                });
+                return Err(self.ended(motion, failure, now));
             }
         }
         Ok(())
+    }
+
+    /// What a step that can't be taken means.
+    fn ended(&self, motion: &mut Motion, failure: StepFailure, now: f64) -> Ended {
+        let refused = matches!(failure, StepFailure::Refused { .. });
+        let lock = motion.reduced.driven.reactive.locked().filter(|_| refused).or_else(|| self.lock_ahead());
+        if let Some(force) = lock {
+            let who = locked(motion.system(), force);
+            return (Status::Singular, format!("at {} {who}; the rows until there are kept", figures::time(now)));
+        }
+        match failure {
+            StepFailure::TooSmall { .. } => {
+                (Status::StepTooSmall, format!("{}{}", describe(failure, now, ""), tight(motion)))
+            }
+            StepFailure::Refused { .. } if !self.jammed.is_empty() => {
+                (Status::Singular, jam(motion, &self.jammed, now))
+            }
+            StepFailure::Refused { .. } => (Status::Singular, describe(failure, now, &culprits(motion))),
+        }
+    }
+
+    /// Notes how far the friction is from locking a joint at the end of the step just taken.
+    fn note_margin(&mut self, motion: &Motion) {
+        let reactive = &motion.reduced.driven.reactive;
+        if motion.system().reactive.is_empty() || reactive.locked().is_some() {
+            return;
+        }
+        let here = Margin { time: self.stepper.t(), left: reactive.margin(), force: reactive.tightest() };
+        if here.time > self.margins[1].time {
+            self.margins = [self.margins[1], here];
+        }
+    }
+
+    /// The force that locks its joint within the next few of the shortest steps, where its margin goes to zero: friction
+    /// grows there as 1/(t* − t), or with its root, so that every step goes a part of the way only.
+    fn lock_ahead(&self) -> Option<usize> {
+        let [before, here] = self.margins;
+        let fall = (before.left - here.left) / (here.time - before.time);
+        let ahead = here.left / fall;
+        let near = LOCK_AHEAD * f64::EPSILON * here.time.abs();
+        (here.left < TIGHT && fall > 0.0 && ahead <= near).then_some(here.force)
     }
 
     /// One step.
@@ -180,6 +225,7 @@ impl Integration {
             self.begin_again(motion, now)?;
             self.stepper.step(motion, self.end)?;
         }
+        self.note_margin(motion);
         if !self.histories.is_empty() {
             self.look_closely(motion).map_err(refused)?;
         }

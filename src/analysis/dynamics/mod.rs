@@ -25,7 +25,7 @@ use super::assembly::Assembled;
 use super::branch::singularity;
 use super::instants::instants;
 use super::record::Contents;
-use super::{Control, Stop, locked, unsure_friction};
+use super::{Control, Stop, figures, locked, unsure_friction};
 use crate::error::Complaint;
 use crate::integrate::Method;
 use crate::model::{Analysis, Model, Solver};
@@ -82,9 +82,13 @@ pub fn run(
         if let Err(failure) = outputs.record(&mut solver, &mut motion, instant.time) {
             outputs.report.status = Status::Singular;
             outputs.report.message = Some(match failure {
-                Failure::Locked { force } => format!("at t = {} s {}", instant.time, locked(system, force)),
+                Failure::Locked { force } => format!(
+                    "at {} {}; the rows until there are kept",
+                    figures::time(instant.time),
+                    locked(system, force)
+                ),
                 Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. } => {
-                    format!("the position at t = {} s can't be solved", instant.time)
+                    format!("the position at {} can't be solved", figures::time(instant.time))
                 }
             });
             break;

@@ -1,10 +1,12 @@
 //! What is said of a run: where it ended and by whose fault, and what to doubt.
 
 use super::motion::Motion;
+use crate::analysis::figures;
+use crate::analysis::in_line::singular_text;
 use crate::element::journal::{Journal, Reading, Surface};
 use crate::error::Complaint;
 use crate::integrate::StepFailure;
-use crate::system::{Origin, System};
+use crate::system::System;
 
 /// Determinant of the friction's equations, 1 without friction, below which a joint is about to lock itself.
 pub(super) const TIGHT: f64 = 0.1;
@@ -59,18 +61,10 @@ pub(super) fn deep_start(system: &System, contact: usize, reading: &Reading) -> 
     .hint("give initial values that leave the journal within its clearance, or a larger clearance")
 }
 
-/// The joints whose constraints come nearest to contradicting each other at the last accepted point.
+/// What comes nearest to being singular at the last accepted point: ` (…)`, bodies in line or joints that lose rank.
 pub(super) fn culprits(motion: &mut Motion) -> String {
-    let system = motion.system();
-    let mut joints: Vec<&str> = Vec::new();
-    for row in motion.reduced.strained_rows() {
-        if let Origin::Joint(id) = system.block_of_row(row).origin
-            && !joints.contains(&system.joints[id.0].name.as_str())
-        {
-            joints.push(&system.joints[id.0].name);
-        }
-    }
-    if joints.is_empty() { String::new() } else { format!(" (nearest to singular: the joints {})", joints.join(", ")) }
+    let rows = motion.reduced.strained_rows();
+    singular_text(motion.system(), &rows).map_or_else(String::new, |what| format!(" ({what})"))
 }
 
 /// The joint that is about to lock itself by its friction, where one is.
@@ -83,14 +77,17 @@ pub(super) fn tight(motion: &Motion) -> String {
     format!(" ({} is about to lock itself by its friction)", system.origin_name(&block.origin))
 }
 
-pub(super) fn describe(failure: StepFailure, now: f64) -> String {
+/// What a failed step means; `what` says what is singular.
+pub(super) fn describe(failure: StepFailure, now: f64, what: &str) -> String {
     match failure {
         StepFailure::TooSmall { t, h } => format!(
-            "step too small at t = {t} s: the tolerances ask for steps below {h:.1e} s; the rows until there are kept. \
-             Loosen rtol, or look for what changes so fast there"
+            "step too small at {}: the tolerances ask for steps below {h:.1e} s; the rows until there are kept. \
+             Loosen rtol, or look for what changes so fast there",
+            figures::time(t)
         ),
         StepFailure::Refused { .. } => format!(
-            "the motion can't be followed beyond t = {now} s: the constraints are singular there; the rows until there are kept"
+            "the motion can't be followed beyond {}: the constraints are singular there{what}; the rows until there are kept",
+            figures::time(now)
         ),
     }
 }
