@@ -144,6 +144,13 @@ fn a_slider_driven_past_its_dead_centre_is_refused_there() {
     assert!((event.time - time).abs() < 1e-10, "{event:?} {time}");
     assert!(column(&run, "time").iter().all(|t| *t < time));
     assert!(run.trajectory.data.iter().all(|v| v.is_finite()));
+    let message = run.report.message.expect("a message");
+    assert!(
+        message.starts_with("dead centre: driver \"motor\" can't go on beyond 0.4 m, t = ")
+            && message.contains("\"crank\" and \"rod\" are in line")
+            && message.ends_with("Turn back before it, go the other way, or drive another body"),
+        "{message}"
+    );
 }
 
 /// A pendulum that hangs on the slider leaves a freedom, so that the motion is integrated; it ends there all the same.
@@ -160,6 +167,61 @@ fn a_dead_centre_of_a_motion_that_is_integrated_tells_what_is_in_line() {
     let message = run.report.message.expect("a message");
     assert!(message.contains("the motion can't be followed beyond t = 0.1"), "{message}");
     assert!(message.contains("\"crank\" and \"rod\" are in line"), "{message}");
+}
+
+const TWO_AT_ONCE: &str = include_str!("cases/dead-centre-called-singular.json");
+
+/// Two equal dyads between the driven slider and ground fold at one instant, where even the arc's equations are singular.
+#[test]
+fn a_dead_centre_of_two_parts_at_once_is_located() {
+    let model: serde_json::Value = serde_json::from_str(TWO_AT_ONCE).expect("JSON");
+    let run = outcome(&model);
+    assert_eq!(run.report.status, Status::DeadCentre, "{:?}", run.report.message);
+    let event = run.report.events.iter().find(|e| e.kind == "dead_centre").expect("an event");
+    // |s u + w − p2| = |b1| − |b2| by hand, u the guide's direction, w the crank's p1 from its p0.
+    let known = -0.125_439_957_264_526_4;
+    assert!((event.value.expect("one driver") - known).abs() < 1e-12, "{event:?}");
+    let time = (known + 0.019_814_300_027_219_29) / -1.690_682_280_178_789;
+    assert!((event.time - time).abs() < 1e-12, "{event:?}");
+    let message = run.report.message.expect("a message");
+    assert!(message.contains("\"b1\" and \"b2\" are in line, \"b5\" and \"b6\" are in line"), "{message}");
+    assert!(!message.ends_with(','), "{message}");
+}
+
+/// A block between a fixed guide and one that turns, x = h cot θ: at θ = 0 they are parallel, and it is at infinity.
+#[test]
+fn guides_that_become_parallel_are_a_dead_centre() {
+    let (h, start) = (0.3, PI / 3.0);
+    let bodies = json!({
+        "ground": { "points": { "O": [0.0, 0.0], "H": [0.0, h] } },
+        "crank": { "mass": 1.0, "inertia": 0.01, "com": [0.1, 0.0], "points": { "O": [0.0, 0.0] },
+                   "pose": { "angle": start } },
+        "block": { "mass": 1.0, "inertia": 0.01, "com": [0.0, 0.0], "points": { "C": [0.0, 0.0] },
+                   "pose": { "position": [h / start.tan(), h] } },
+    });
+    let joints = json!({
+        "o": pin("ground.O", "crank.O"),
+        "g": { "type": "prismatic", "between": ["ground.H", "block.C"], "axis": [1.0, 0.0] },
+        "s": { "type": "slot", "between": ["crank.O", "block.C"], "axis": [1.0, 0.0] },
+    });
+    let motor = json!({ "motor": { "type": "rotation", "body": "crank",
+        "motion": { "type": "constant_velocity", "start": start, "velocity": -1.0 } } });
+    let mut model = model(bodies, joints, motor);
+    // Rows on both sides of the parallel position, nearer than the path's own steps go.
+    for sample in [[0.1, -0.1, -0.001], [1e-4, -1e-4, -1e-6]] {
+        let [from, to, step] = sample;
+        model["analysis"] = json!({ "type": "inverse_dynamics",
+            "sample": { "driver": "motor", "from": from, "to": to, "step": step } });
+        let run = outcome(&model);
+        assert_eq!(run.report.status, Status::DeadCentre, "{:?}", run.report.message);
+        let event = run.report.events.iter().find(|e| e.kind == "dead_centre").expect("an event");
+        assert!(event.value.expect("one driver").abs() < 1e-9, "{event:?}");
+        let message = run.report.message.as_deref().expect("a message");
+        assert!(message.contains("the guides \"g\", \"s\" are parallel") && !message.contains("NaN"), "{message}");
+        for (x, angle) in column(&run, "block.x").iter().zip(column(&run, "crank.angle")) {
+            assert!((x * angle.tan() / h - 1.0).abs() < 1e-9, "{angle}: {x}");
+        }
+    }
 }
 
 #[test]

@@ -1,12 +1,13 @@
 //! The loop over the output instants, and what it reports.
 
 use super::super::clearance_link::{ClearanceLinks, Fixpoint, balance, carried};
+use super::super::figures;
+use super::super::in_line::{singular_text, stressed_rows};
 use super::super::instants::OutputInstant;
 use super::super::power::Powers;
 use super::super::record::{Contents, Recorder, Sample};
 use super::super::{Control, Interval, locked, unsure_friction};
 use super::passages::{ON_THE_EDGE, range, times_of};
-use crate::element::Measure;
 use crate::output::{Event, Report, Status, Trajectory};
 use crate::solve::continuation::{End, Parameter, Path, SingularKind, Source};
 use crate::solve::driven::{Driven, Failure};
@@ -72,8 +73,14 @@ impl<'a, 'r> Outputs<'a, 'r> {
         self.events(path, range(self.system, instants), limit.as_ref().map_or(end, |(time, ..)| *time));
         for instant in instants {
             control.progress.note(end + instant.time, 2.0 * end);
+            instant.drive(self.system, &mut self.inputs.drive);
+            let beyond = !path.holds(match path.parameter {
+                Parameter::DriverValue => self.inputs.drive[0][0],
+                Parameter::Time | Parameter::Pin => instant.time,
+            });
+            // Between the path's last node and its end nothing is solved.
             if let Some((time, status, message)) = &limit
-                && instant.time >= *time
+                && (instant.time >= *time || beyond)
             {
                 self.report.status = *status;
                 self.report.message = Some(message.clone());
@@ -81,16 +88,15 @@ impl<'a, 'r> Outputs<'a, 'r> {
             }
             if let Some(status) = control.stop() {
                 self.report.status = status;
-                let at = format!("at t = {} s; the rows until then are kept", instant.time);
+                let at = format!("at {}; the rows until then are kept", figures::time(instant.time));
                 self.report.message = Some(stopped(status, &at));
                 return;
             }
             self.inputs.time = instant.time;
-            instant.drive(self.system, &mut self.inputs.drive);
             if let Err(failure) = self.solve(driven, path) {
                 self.report.status = Status::Singular;
                 self.report.message =
-                    Some(format!("no solution at t = {} s: {}", instant.time, describe(self.system, failure)));
+                    Some(format!("no solution at {}: {}", figures::time(instant.time), describe(self.system, failure)));
                 return;
             }
         }
@@ -102,33 +108,50 @@ impl<'a, 'r> Outputs<'a, 'r> {
             End::Reached | End::Interrupted => None,
             End::DeadCentre { s } => {
                 let time = times_of(self.system, s, end).first().copied()?;
-                let what = format!(
-                    "dead centre: {} can't go on; the results until there are kept",
-                    self.position_text(s, time)
-                );
-                Some((time, Status::DeadCentre, what))
+                Some((time, Status::DeadCentre, self.dead_centre_text(path, s, time)))
             }
             End::Stuck { s } => {
                 let time = times_of(self.system, s, end).first().copied()?;
-                let what = format!("the motion can't be followed beyond {}", self.position_text(s, time));
+                let what = format!(
+                    "{} can't be followed beyond {}; the results until there are kept",
+                    self.drivers_text(),
+                    self.position_text(s, time)
+                );
                 Some((time, Status::Singular, what))
             }
         });
         ends.min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
+    /// Where and when the path ends: `2.31681 rad (132.743°), t = 0.22 s`, or the time alone.
     fn position_text(&self, s: f64, time: f64) -> String {
         match Parameter::of(self.system) {
-            Parameter::Time | Parameter::Pin => format!("t = {time} s"),
+            Parameter::Time | Parameter::Pin => figures::time(time),
             Parameter::DriverValue => {
-                let driver = &self.system.drivers[0];
-                let value = match driver.measure {
-                    Measure::Angle => format!("{s} rad ({:.9}°)", s.to_degrees()),
-                    Measure::Length => format!("{s} m"),
-                };
-                format!("driver \"{}\" at {value}, t = {time} s,", driver.name)
+                format!("{}, {}", figures::value(self.system.drivers[0].measure, s), figures::time(time))
             }
         }
+    }
+
+    /// Who drives: `driver "motor"`, or `the drivers`.
+    fn drivers_text(&self) -> String {
+        match &self.system.drivers[..] {
+            [driver] => format!("driver \"{}\"", driver.name),
+            _ => "the drivers".into(),
+        }
+    }
+
+    /// `driver "motor" can't go on beyond …, where "coupler" and "rocker" are in line`, and what to try.
+    fn dead_centre_text(&self, path: &Path, s: f64, time: f64) -> String {
+        let stress = path.singular_at(s).map(|position| stressed_rows(self.system, &position.self_stress));
+        let what = singular_text(self.system, &stress.unwrap_or_default());
+        let what = what.map_or_else(String::new, |what| format!(", where {what}"));
+        format!(
+            "dead centre: {} can't go on beyond {}{what}; the results until there are kept. Turn back before it, go the other \
+             way, or drive another body",
+            self.drivers_text(),
+            self.position_text(s, time)
+        )
     }
 
     /// Passages of singular positions within the run, by time; a dead centre ends it.
@@ -167,7 +190,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
         };
         self.inputs.offset.iter_mut().for_each(|offset| offset.fill(crate::math::Vec2::zeros()));
         let Sample { q, v, a, .. } = &mut self.sample;
-        let Some(source) = path.guess(s, q, v, a) else { return Err(Failure::Diverged { residual: f64::NAN }) };
+        let Some(source) = path.guess(s, q, v, a) else { return Err(Failure::Singular) };
         let mut residual;
         match source {
             Source::Regular => {

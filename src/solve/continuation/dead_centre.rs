@@ -22,26 +22,62 @@ impl Walker<'_, '_> {
         let mut arc = Arc::new(self, border, last);
         // Secant on ds/dp from the last two nodes.
         let offset: Vec<f64> = before.q.iter().zip(&last.q).map(|(a, b)| a - b).collect();
-        let mut p0 = dot(&arc.border, &scaled(&offset));
-        let mut g0 = direction / dot(&arc.border, &scaled(&before.d)).abs();
-        let (mut p1, mut g1) = (0.0, direction / length.abs());
+        let g = direction / dot(&arc.border, &scaled(&before.d)).abs();
+        let ends = [
+            Point { p: dot(&arc.border, &scaled(&offset)), s: before.s, g },
+            Point { p: 0.0, s: last.s, g: direction / length.abs() },
+        ];
+        let [mut earlier, mut here] = ends;
         let (mut q, mut s) = (last.q.clone(), last.s);
         for _ in 0..60 {
-            let step = -g1 * (p1 - p0) / (g1 - g0);
-            let limit = 4.0 * (p1 - p0).abs().max(1e-9);
+            let step = -here.g * (here.p - earlier.p) / (here.g - earlier.g);
+            let limit = 4.0 * (here.p - earlier.p).abs().max(1e-9);
             let step = if step.is_finite() { step.clamp(-limit, limit) } else { limit };
-            (p0, g0) = (p1, g1);
-            p1 += step;
-            g1 = arc.solve(p1, &mut q, &mut s)?;
+            let p = here.p + step;
+            // Where several parts have their dead centres at once the bordered matrix is singular there, too.
+            let Some(g) = arc.solve(p, &mut q, &mut s) else { break };
+            (earlier, here) = (here, Point { p, s, g });
             if (s - last.s).abs() > 1e-3 * (1.0 + last.s.abs()) {
-                return None;
+                break;
             }
-            if g1.abs() <= 1e-11 * (1.0 + g0.abs()) || step.abs() <= 1e-13 {
-                return (g1.abs() < 1e-6 * (direction / length).abs().max(1.0)).then_some(s);
+            if g.abs() <= 1e-11 * (1.0 + earlier.g.abs()) || step.abs() <= 1e-13 {
+                if g.abs() >= 1e-6 * (direction / length).abs().max(1.0) {
+                    break;
+                }
+                return Some(if p.abs() > RUNS_OFF { asymptote(earlier, here) } else { s });
             }
         }
-        None
+        fold(ends)
     }
+}
+
+/// A point of the path with p as its parameter, g = ds/dp.
+#[derive(Debug, Clone, Copy)]
+struct Point {
+    p: f64,
+    s: f64,
+    g: f64,
+}
+
+/// A position that has moved by more than this, in rad or sizes, while s hardly did runs off to infinity.
+const RUNS_OFF: f64 = 1e3;
+/// Largest difference between two extrapolations of a dead centre, by the way to it.
+const FOLDS: f64 = 1e-3;
+
+/// The s of a dead centre just ahead of two points, s = s* − c (p − p*)²; none where they do not lie so. The path ends some
+/// 1e-9 of a step before it, so that higher powers have no part in it.
+fn fold([before, last]: [Point; 2]) -> Option<f64> {
+    let centre = last.p - last.g * (last.p - before.p) / (last.g - before.g);
+    let ahead = |point: Point| 0.5 * point.g * (centre - point.p);
+    let s = last.s + ahead(last);
+    let agree = (before.s + ahead(before) - s).abs() <= FOLDS * ahead(last).abs().max(f64::EPSILON * s.abs() / FOLDS);
+    (agree && before.g.abs() > last.g.abs()).then_some(s)
+}
+
+/// The s at which a position lies at infinity: there p ≈ c/(s − s*), so that √|g| is linear in s.
+fn asymptote(before: Point, last: Point) -> f64 {
+    let (root, other) = (last.g.abs().sqrt(), before.g.abs().sqrt());
+    last.s + root * (last.s - before.s) / (other - root)
 }
 
 /// The path with p = borderᵀ (q̃ − q̃₀) as its parameter: bordered Newton in (q̃, s).

@@ -74,7 +74,8 @@ pub enum SingularKind {
 pub struct SingularPosition {
     pub kind: SingularKind,
     pub s: f64,
-    /// Left null vector over all rows (m): the self-stress whose multipliers have no bound there.
+    /// Left null vector over all rows (m): the self-stress whose multipliers have no bound there. Empty at the dead centre of
+    /// a pin, or where it is not known.
     pub self_stress: Vec<f64>,
 }
 
@@ -140,9 +141,10 @@ pub fn follow(
         steps: walker.steps,
         rejected: walker.rejected,
     };
-    for end in [low, high] {
+    for (end, node) in [(low, 0), (high, path.nodes.len() - 1)] {
         if let End::DeadCentre { s: dead } = end {
-            path.singular.push(SingularPosition { kind: SingularKind::DeadCentre, s: dead, self_stress: Vec::new() });
+            let self_stress = walker.self_stress_beside(&path.nodes[node]);
+            path.singular.push(SingularPosition { kind: SingularKind::DeadCentre, s: dead, self_stress });
         }
     }
     for gap in crossings {

@@ -121,6 +121,11 @@ impl Path {
         found
     }
 
+    /// The singular position at `s` on the stretch that was followed.
+    pub fn singular_at(&self, s: f64) -> Option<&SingularPosition> {
+        self.singular.iter().find(|position| position.s == s)
+    }
+
     /// The self-stress of the change point that a window bridges.
     pub fn self_stress(&self, window: usize) -> &[f64] {
         let s = self.windows[window].s;

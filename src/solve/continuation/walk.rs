@@ -74,6 +74,24 @@ impl Walker<'_, '_> {
         Condition { sign: self.driven.determinant_sign(), right, left, test }
     }
 
+    /// The self-stress (m) of the dead centre that a node lies beside, by a solver of its own, so that it moves nothing; empty
+    /// with a pin, or where it can't be had.
+    pub(super) fn self_stress_beside(&mut self, node: &Node) -> Vec<f64> {
+        if self.parameter == Parameter::Pin {
+            return Vec::new();
+        }
+        self.set(node.s);
+        let system = self.driven.system;
+        let Ok(mut driven) = Driven::new(system, &node.q, &self.inputs) else { return Vec::new() };
+        let (mut right, mut left) = (vec![1.0; system.n()], vec![1.0; system.n()]);
+        driven.smallest_singular(FIRST_ITERATIONS, &mut right, &mut left);
+        let mut self_stress = vec![0.0; system.m()];
+        for (value, &row) in left.iter().zip(driven.active_rows()) {
+            self_stress[row] = *value;
+        }
+        self_stress
+    }
+
     /// Steps from `start` to `target` and a little beyond.
     pub(super) fn march(&mut self, start: &Node, target: f64, direction: f64) -> (Vec<Mark>, End) {
         let system = self.driven.system;
