@@ -218,3 +218,41 @@ fn missing_masses_are_named_for_the_analysis_that_needs_them() {
     model["analysis"]["type"] = json!("kinematics");
     assert_eq!(outcome(&model).report.status, Status::Completed);
 }
+
+const CONTRADICTING: &str = include_str!("cases/drivers-contradict.json");
+
+/// Three bars in a chain: the second turns by itself, and against the first, which turns by itself, too.
+#[test]
+fn drivers_that_prescribe_one_motion_are_named_whatever_they_say() {
+    let contradicting: Value = serde_json::from_str(CONTRADICTING).expect("JSON");
+    // The sum of the two others, and nothing like it.
+    let mut agreeing = contradicting.clone();
+    for (driver, start, rate) in [("d1", 0.1, 1.0), ("d2", 0.2, -3.0), ("d3", 0.3, -2.0)] {
+        agreeing["drivers"][driver]["motion"] = json!({ "type": "polynomial", "coefficients": [start, rate] });
+    }
+    for mut model in [contradicting, agreeing] {
+        for kind in ["kinematics", "inverse_dynamics", "dynamics", "statics", "assembly"] {
+            model["analysis"]["type"] = json!(kind);
+            let said = complaint(&model);
+            assert!(
+                said.contains("drivers.d3: drivers \"d1\", \"d2\", \"d3\" prescribe the same motion")
+                    && said.contains("take one of them out"),
+                "{kind}: {said}"
+            );
+        }
+        let small = linkdyn::analysis::modes(&loaded(&model).model, false, &Control::default());
+        assert!(small.expect_err("bad input")[0].to_string().contains("prescribe the same motion"));
+    }
+    // Two of three, beside freedom that nobody drives.
+    let mut model: Value = serde_json::from_str(CONTRADICTING).expect("JSON");
+    model["analysis"]["type"] = json!("dynamics");
+    model["drivers"].as_object_mut().expect("a map").remove("d2");
+    assert_eq!(outcome(&model).report.status, Status::Completed);
+    model["joints"]["j2"] = json!({ "type": "fixed", "between": ["a.A", "b.O"], "angle": 0.0 });
+    assert!(complaint(&model).contains("drivers.d3: drivers \"d1\", \"d3\" prescribe the same motion"));
+    // What the joints hold can't be driven.
+    model["joints"]["j1"]["type"] = json!("fixed");
+    model["drivers"] = json!({ "d": { "type": "rotation", "body": "b", "motion": still(0.2) } });
+    let said = complaint(&model);
+    assert!(said.contains("drivers.d: the joints leave no room for what driver \"d\" prescribes"), "{said}");
+}

@@ -1,6 +1,6 @@
 //! Assembly with its diagnosis: what does not close, what is over- or underdetermined, and by whose fault.
 
-use super::Stop;
+use super::{Stop, overlap};
 use crate::error::Complaint;
 use crate::graph::Topology;
 use crate::output::{Mobility, Status};
@@ -41,6 +41,9 @@ pub fn assemble(system: &System, inputs: &Inputs) -> Result<Assembled, Stop> {
     let (q, iterations, warnings) =
         if closed.converged { (closed.q, closed.iterations, Vec::new()) } else { diagnose(system, inputs, closed)? };
     let (joints, all) = ranks(system, &q, inputs);
+    if all.dependent.iter().any(|dependent| dependent.row >= system.joint_rows()) {
+        overlap::refuse(system, &q, inputs)?;
+    }
     let mobility = mobility(system, &joints);
     Ok(Assembled { q, joints, all, mobility, iterations, warnings })
 }
@@ -130,13 +133,24 @@ pub fn counted(system: &System) -> Mobility {
 
 /// The guess with its bodies turned by parts of `largest`, each by another.
 fn kicked(system: &System, largest: f64) -> Vec<f64> {
-    let mut q = system.guess.clone();
+    kicked_from(&system.guess, largest)
+}
+
+fn kicked_from(q: &[f64], largest: f64) -> Vec<f64> {
+    let mut q = q.to_vec();
     for (k, angle) in q.iter_mut().skip(2).step_by(3).enumerate() {
         // Multiples of the golden ratio are spread evenly, and never alike.
         let part = (0.618_033_988_749_895 * (k + 1) as f64).fract();
         *angle += largest * (0.2 + 0.8 * part) * if k % 2 == 0 { 1.0 } else { -1.0 };
     }
     q
+}
+
+/// A position a little beside `q` that the joints allow, drivers or not.
+pub fn beside_by_joints(system: &System, q: &[f64], inputs: &Inputs) -> Option<Vec<f64>> {
+    let joints: Vec<&Block> = system.blocks.iter().filter(|b| matches!(b.origin, Origin::Joint(_))).collect();
+    let closed = KICKS.iter().map(|&kick| close(system, &joints, &kicked_from(q, kick), inputs));
+    closed.into_iter().find(|closed| closed.converged).map(|closed| closed.q)
 }
 
 /// An assembly from where the guess is left a little.
@@ -172,6 +186,7 @@ fn diagnose(system: &System, inputs: &Inputs, closed: Closed) -> Result<(Vec<f64
     if system.drivers.len() > freedom {
         return Err(Stop::Input(vec![over_driven(system, freedom)]));
     }
+    overlap::refuse(system, &undriven.q, inputs)?;
     let driven: Vec<&Block> = system.blocks.iter().collect();
     if !system.initial.is_empty() && close(system, &driven, &system.guess, inputs).converged {
         return Err(Stop::failed(Status::AssemblyFailed, conflicting(system, inputs)));

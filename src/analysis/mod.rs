@@ -12,6 +12,7 @@ mod figures;
 mod in_line;
 mod instants;
 pub mod modes;
+mod overlap;
 mod power;
 mod progress;
 pub mod record;
