@@ -7,6 +7,7 @@
 
 use super::Stop;
 use super::assembly::{Assembled, listed, ranked};
+use super::in_line::singular_text;
 use crate::output::Status;
 use crate::solve::branching::{Branch, Singularity};
 use crate::solve::closing::close;
@@ -50,7 +51,9 @@ pub fn leave(system: &System, assembled: Assembled, inputs: &Inputs) -> Result<A
     let branches = singular.branches(&pull);
     let beside =
         branches.iter().take(MOST).find_map(|branch| Some((branch, beside(system, &assembled.q, branch, inputs)?)));
-    let Some((taken, q)) = beside else { return Err(Stop::failed(Status::Singular, held_fast(system))) };
+    let Some((taken, q)) = beside else {
+        return Err(Stop::failed(Status::Singular, held_fast(system, &assembled)));
+    };
     if branches.iter().all(|branch| branch.along <= BALANCED * crate::math::max_abs(&pull)) {
         return Err(Stop::failed(Status::Singular, balanced(system, &branches)));
     }
@@ -105,12 +108,22 @@ fn choice(system: &System, taken: &Branch, other: Option<&Branch>) -> String {
 }
 
 /// What to say where a singular position can't be left.
-fn held_fast(system: &System) -> String {
-    let by = if system.drivers.is_empty() { "joints hold" } else { "joints and drivers hold" };
+fn held_fast(system: &System, assembled: &Assembled) -> String {
+    let rows: Vec<usize> = assembled
+        .all
+        .dependent
+        .iter()
+        .flat_map(|dependent| dependent.combination.iter().map(|(row, _)| *row).chain([dependent.row]))
+        .collect();
+    let what = singular_text(system, &rows).map_or_else(String::new, |what| format!(", {what}"));
+    let (by, driver) = if system.drivers.is_empty() {
+        ("joints hold", "")
+    } else {
+        ("joints and drivers hold", ", or drive another body")
+    };
     format!(
-        "the start is a singular position (the constraints lose rank there), in which {by} the mechanism only as at a dead \
-         centre: a little play moves it, and what they carry has no bound; start beside it{}",
-        if system.drivers.is_empty() { "" } else { ", or drive another body" }
+        "the start is a singular position: a dead centre{what}, where {by} the mechanism with play and with forces that have \
+         no bound; start beside it{driver}"
     )
 }
 

@@ -88,7 +88,7 @@ fn linearise(system: &System, pose: bool, control: &Control) -> Result<Linearise
                 .hint("leave out a driver"),
         ]));
     }
-    let balance = if pose { judge(&mut held) } else { balance(&mut held, control)? };
+    let balance = if pose { judge(&mut held) } else { balance(&mut held, &assembled, control)? };
     let (mass, damping, stiffness) = (held.mass(), held.damping(), held.stiffness());
     let f = held.freedom();
     let pairs = quadratic(&mass, &damping, &stiffness, f).map_err(|fault| match fault {

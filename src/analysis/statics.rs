@@ -4,8 +4,9 @@
 //! position, `initial` values included, and goes where the forces pull (see [`crate::solve::equilibrium`]). Reactions and
 //! efforts are the multipliers of Jᵀλ = Q there. The one row at t = 0 has no velocities and no accelerations.
 
-use super::assembly::{Assembled, assemble, check_driven};
+use super::assembly::{Assembled, assemble, check_driven, ranks};
 use super::branch::{leave, singularity};
+use super::in_line::singular_text;
 use super::record::{Recorder, Sample};
 use super::{Control, Stop, contents, friction_left_out};
 use crate::error::Complaint;
@@ -24,11 +25,12 @@ pub fn run(system: &System, control: &Control) -> Result<(Trajectory, Report), S
     refuse(system)?;
     let watch = Stopwatch::start();
     let (assembled, mut held) = start(system, false)?;
-    let mut report = Report { mobility: assembled.mobility, warnings: assembled.warnings, ..Report::default() };
+    let mut report =
+        Report { mobility: assembled.mobility.clone(), warnings: assembled.warnings.clone(), ..Report::default() };
     report.assemble = watch.read();
 
     let watch = Stopwatch::start();
-    let balance = balance(&mut held, control)?;
+    let balance = balance(&mut held, &assembled, control)?;
     let mut recorder = Recorder::new(system, contents(AnalysisKind::Statics), 1);
     let mut sample = Sample::new(system);
     sample.q.copy_from_slice(&held.q);
@@ -107,34 +109,65 @@ fn singular(_: Failure) -> Stop {
 /// Moves the mechanism into equilibrium.
 ///
 /// # Errors
-/// When there is none, or it is time to stop.
-pub fn balance(held: &mut Held, control: &Control) -> Result<Balance, Stop> {
-    find(held, &|| control.stop().is_some()).map_err(|lost| match lost {
+/// When there is none or a singular one, or it is time to stop.
+pub fn balance(held: &mut Held, assembled: &Assembled, control: &Control) -> Result<Balance, Stop> {
+    let found = find(held, &|| control.stop().is_some());
+    let singular = |message: String| Stop::failed(Status::Singular, message);
+    let lost = match found {
+        Ok(_) | Err(Lost::Blocked | Lost::Failed(_) | Lost::Unbalanced { .. })
+            if rests_in_singular(held, assembled) =>
+        {
+            return Err(singular(
+                "the equilibrium is itself a singular position (the constraints lose rank there), from which several motions \
+                 lead away, each with a stiffness of its own; there is no one answer, move something a little to leave it"
+                    .into(),
+            ));
+        }
+        Ok(balance) => return Ok(balance),
+        Err(lost) => lost,
+    };
+    Err(match lost {
         Lost::Stopped => {
             let status = control.stop().unwrap_or(Status::Interrupted);
             Stop::failed(status, format!("{} before an equilibrium was found", status.word().replace('_', " ")))
         }
-        Lost::Unbalanced { residual } => Stop::failed(
-            Status::Singular,
-            format!(
-                "no equilibrium found: something still pulls at {} (residual {residual:.1e}) however far it moves; look for a \
-                 load that nothing balances",
-                pulled(held)
-            ),
-        ),
-        Lost::Blocked => Stop::failed(
-            Status::Singular,
-            format!(
-                "no equilibrium found: the forces pull {} against a dead centre or change point, where its way ends; start \
-                 on the other side, or drive it",
-                pulled(held)
-            ),
-        ),
-        Lost::Failed(_) => Stop::failed(
-            Status::Singular,
-            "no equilibrium found: the search came to a singular position; start closer to the equilibrium".into(),
-        ),
+        Lost::Unbalanced { residual } => singular(format!(
+            "no equilibrium found: something still pulls at {} (residual {residual:.1e}) however far it moves; look for a \
+             load that nothing balances",
+            pulled(held)
+        )),
+        Lost::Blocked => singular(format!(
+            "no equilibrium found: the forces pull {} against a dead centre or change point{}, where its way ends; start \
+             on the other side, or drive it",
+            pulled(held),
+            what(held),
+        )),
+        Lost::Failed(_) => singular(format!(
+            "no equilibrium found: the search came to a singular position{}; start closer to the equilibrium",
+            what(held)
+        )),
     })
+}
+
+/// ` (…)`: what is nearest to being singular.
+fn what(held: &mut Held) -> String {
+    let rows = held.strained_rows();
+    singular_text(held.driven.system, &rows).map_or_else(String::new, |what| format!(" ({what})"))
+}
+
+/// Remainder of a row by that at the start, and pull by the largest force, below which the mechanism rests in a singular
+/// position.
+const RESTS: f64 = 1e-4;
+
+/// Whether the search ended where nothing pulls any more and constraints lose rank.
+fn rests_in_singular(held: &Held, start: &Assembled) -> bool {
+    let system = held.driven.system;
+    let rows = ranks(system, &held.q, &held.inputs).1;
+    let near = rows.rank + held.freedom() < system.n() || rows.smallest_kept < RESTS * start.all.smallest_kept.min(1.0);
+    let scaled = |k: usize, force: f64| (force * system.column_scale(k)).abs();
+    let largest = held.force.iter().enumerate().fold(0.0, |most: f64, (k, force)| most.max(scaled(k, *force)));
+    let pull = held.pull().iter().enumerate().fold(0.0, |most: f64, (k, g)| most.max((g * held.scale(k)).abs()));
+    near && pull <= RESTS * largest
 }
 
 /// The coordinate that is pulled at most.

@@ -177,8 +177,15 @@ impl<'s> Singularity<'s> {
             if max_abs(&forms) <= ROOT {
                 return Some(u);
             }
-            let gradient = self.gradient(&u);
-            let step = least_norm_solve(&gradient, &forms, TANGENT * TANGENT).ok()?.x;
+            // Across u alone: along it b = C u asks for nothing but a shorter u.
+            let mut across = self.gradient(&u);
+            for row in 0..across.rows() {
+                let part = dot(across.row(row), &u);
+                for (column, x) in u.iter().enumerate() {
+                    across.set(row, column, across.get(row, column) - part * x);
+                }
+            }
+            let step = least_norm_solve(&across, &forms, TANGENT * TANGENT).ok()?.x;
             // b is quadratic: its derivative is 2 C.
             u.iter_mut().zip(&step).for_each(|(x, d)| *x -= 0.5 * d);
         }

@@ -25,6 +25,10 @@ const FARTHEST: f64 = 0.3;
 const DIFFERENCE: f64 = 0.02;
 const HALVINGS: usize = 11;
 
+/// Part, relative to the largest, from which a row belongs to a near self-stress, and inverse iterations for that.
+const STRAINED: f64 = 1e-2;
+const STRAIN_ITERATIONS: usize = 3;
+
 /// A mechanism held at its minimal coordinates.
 pub struct Held<'s> {
     pub driven: Driven<'s>,
@@ -89,6 +93,21 @@ impl<'s> Held<'s> {
     /// g (f) [N or N·m].
     pub fn pull(&self) -> Vec<f64> {
         (0..self.freedom()).map(|k| dot(self.motion(k), &self.force)).collect()
+    }
+
+    /// Rows (of joints and drivers) that take part in what is nearest to a self-stress; none where that can't be had.
+    pub fn strained_rows(&mut self) -> Vec<usize> {
+        let n = self.q.len();
+        self.driven.evaluation.set_position(&self.q);
+        if self.driven.factor(&self.inputs).is_err() {
+            return Vec::new();
+        }
+        let (mut right, mut left) = (vec![1.0; n], vec![1.0; n]);
+        self.driven.smallest_singular(STRAIN_ITERATIONS, &mut right, &mut left);
+        let largest = max_abs(&left);
+        let m = self.driven.system.m();
+        let rows = self.driven.active_rows().iter().zip(&left);
+        rows.filter(|(row, part)| **row < m && part.abs() > STRAINED * largest).map(|(row, _)| *row).collect()
     }
 
     /// Moves u by `d`, or leaves everything as it is.
