@@ -37,6 +37,7 @@ pub mod bundled;
 #[doc(hidden)]
 pub mod cli;
 pub mod contact;
+pub mod display;
 pub mod element;
 pub mod error;
 pub mod figure;

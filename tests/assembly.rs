@@ -160,7 +160,7 @@ fn an_open_loop_is_named_with_its_gap() {
     model["analysis"] = json!({ "type": "assembly" });
     assert_eq!(
         failure(&model),
-        "can't assemble: the loop o – a – b – q does not close; it lacks 0.2000 m at the best position found; change a \
+        "can't assemble: the loop o – a – b – q does not close; it lacks 0.2 m at the best position found; change a \
          length in it, or draw the guess closer to the assembly"
     );
 }
@@ -170,7 +170,7 @@ fn a_driver_value_out_of_reach_names_the_loop_and_the_gap() {
     assert_eq!(
         failure(&slider_crank(0.1, 0.3, 0.5, true, &still(0.5))),
         "can't assemble: the joints alone close, but with the drivers at their first values the loop o – a – b – g does \
-         not close; it lacks 0.1000 m at the best position found; change the start of a driver, or the lengths that keep \
+         not close; it lacks 0.1 m at the best position found; change the start of a driver, or the lengths that keep \
          it from there"
     );
 }

@@ -164,7 +164,7 @@ fn slips_are_named_with_place_and_mend() {
         r#"line 10, column 109: joints.c.clearance.radius: 500: the radial clearance, 500 m, is longer than the link, 200 m (check its unit: clearances are mostly some micrometres)"#,
         r#"line 12, column 74: drivers.motor.motion: 6 outputs per turn, one every 0.01667 s: they show another motion than there is (take "outputs" of 82 or more, a shorter "end", or check the unit of the motion)"#,
         r#"line 16, column 10: forces.u: 3 outputs per period, one every 0.01667 s: they show another motion than there is (take "outputs" of 163 or more, a shorter "end", or check the unit of the motion)"#,
-        r#"line 4, column 114: bodies.crank.pose: it assembles turned by -138 deg from this drawing, perhaps on the other branch (draw the pose nearer to the assembly that you want)"#,
+        r#"line 4, column 114: bodies.crank.pose: it assembles turned by -2.4 rad (-138°) from this drawing, perhaps on the other branch (draw the pose nearer to the assembly that you want)"#,
         r#"line 14, column 41: forces.s.between: the spring's ends coincide at the start: it has no direction there (check its two points)"#,
         r#"line 15, column 41: forces.t.between: both ends are on "ground": the spring moves nothing (a spring acts between two bodies)"#,
     ];
@@ -179,13 +179,13 @@ fn single_slips_among_sound_values_are_found() {
         (
             "hoeken",
             &["bodies.rocker.points={\"O4\": [0, 0], \"B\": [62.5, 0], \"far\": [50000, 0]}"],
-            "the points are 50.0000 m apart, much longer than most lengths of the mechanism, near 0.0500 m",
+            "the points are 50000 mm apart, much longer than most lengths of the mechanism, near 50 mm",
         ),
         ("hoeken", &["bodies.crank.pose.angle=1.5708"], "the angle is 1.571 deg, which looks like radians"),
         (
             "four-bar",
             &["bodies.coupler.inertia=9000 kg*m^2"],
-            "the inertia is large: that of the mass at 68.82 m, where the body reaches 0.2625 m",
+            "the inertia is large: that of the mass at 68820 mm, where the body reaches 262.5 mm",
         ),
         ("four-bar", &["gravity=[0, -0.00981]"], "gravity is 0.00981 m/s^2"),
         (
@@ -234,13 +234,13 @@ fn lengths_and_angles_that_do_not_fit_the_mechanism_are_found() {
     };
     let lengths = |body: &str, than: &str| {
         format!(
-            "bodies.{body}.points: the points are {than} than most lengths of the mechanism, near 0.0500 m (check its points and their unit)"
+            "bodies.{body}.points: the points are {than} than most lengths of the mechanism, near 50 mm (check its points and their unit)"
         )
     };
     let com = "check its numbers and their unit; \"com\" is in the body's frame";
     let free = |than: &str, length: &str| {
         format!(
-            "forces.s.free_length: the free length is very {than}, {length}: the two points are 0.2500 m apart at the start (check its unit)"
+            "forces.s.free_length: the free length is very {than}, {length}: the two points are 250 mm apart at the start (check its unit)"
         )
     };
     let cases = [
@@ -253,20 +253,18 @@ fn lengths_and_angles_that_do_not_fit_the_mechanism_are_found() {
             "[100000, 0]",
             "bodies.rod.com=",
             format!(
-                "bodies.rod.com: the centre of mass is 99.8000 m from the nearest point, B, in a mechanism of 0.2000 m ({com})"
+                "bodies.rod.com: the centre of mass is 99800 mm from the nearest point, B, in a mechanism of 200 mm ({com})"
             ),
         ),
         (
             "[0.1, 0]",
             "bodies.rod.com=",
-            format!(
-                "bodies.rod.com: the centre of mass is beside point A, 1.000e-4 m off it, in a body of 0.2000 m ({com})"
-            ),
+            format!("bodies.rod.com: the centre of mass is beside point A, 0.1 mm off it, in a body of 200 mm ({com})"),
         ),
-        ("[0.2, 0]", "bodies.rod.points.B=", lengths("rod", "2.000e-4 m apart, much shorter")),
-        ("[200000, 0]", "bodies.rod.points.B=", lengths("rod", "200.0000 m apart, much longer")),
-        ("0.25", "forces.s.free_length=", free("short", "2.500e-4 m")),
-        ("250000", "forces.s.free_length=", free("long", "250.0000 m")),
+        ("[0.2, 0]", "bodies.rod.points.B=", lengths("rod", "0.2 mm apart, much shorter")),
+        ("[200000, 0]", "bodies.rod.points.B=", lengths("rod", "200000 mm apart, much longer")),
+        ("0.25", "forces.s.free_length=", free("short", "0.25 mm")),
+        ("250000", "forces.s.free_length=", free("long", "250000 mm")),
     ];
     for (value, path, wanted) in cases {
         let set = format!("{path}{value}");
@@ -444,6 +442,8 @@ fn a_stop_leaves_its_body_free() {
     let told = checked(&[file.path(), "--set", driver]);
     let words = told["mobility"]["words"].as_str().expect("words");
     assert!(words.contains("kinematics") && words.contains("possible") && !words.contains("take"), "{words}");
+    assert_eq!(linkdyn(&["run", file.path(), "--set", driver, "--set", "analysis.type=kinematics"]).0, Some(0));
+}
 
 /// A chain of bodies none of which is fixed, and those that something holds.
 #[test]
@@ -529,5 +529,19 @@ fn a_point_moved_by_set_leaves_the_mass_behind() {
         assert_eq!(told["warnings"], json!(expected), "{sets:?}");
     }
 }
-    assert_eq!(linkdyn(&["run", file.path(), "--set", driver, "--set", "analysis.type=kinematics"]).0, Some(0));
+
+/// The lock's dead centre at 132.743310°, and t² = 182.743310° by its motion; six digits of both.
+#[test]
+fn messages_speak_the_units_of_the_file_with_six_digits() {
+    let (status, _, stderr) = linkdyn(&["run", "lock", "--set", "analysis.sample.to=135 deg"]);
+    assert!(status == Some(3) && stderr.contains("\"motor\" at 132.743°, t = 1.78591 s"), "{stderr}");
+    let late = ["run", "lock", "--set", "analysis.sample.to=135 deg", "--set", "units.time=ms"];
+    let (_, _, stderr) = linkdyn(&late);
+    assert!(stderr.contains("\"motor\" at 132.743°, t = 1785.91 ms"), "{stderr}");
+    // However late it is.
+    for command in ["run", "check"] {
+        let (_, stdout, stderr) = linkdyn(&[command, "four-bar", "--set", "analysis.end=1e300"]);
+        let longest = format!("{stdout}{stderr}").split(|c: char| !c.is_ascii_digit()).map(str::len).max();
+        assert!(longest < Some(10), "{stdout}{stderr}");
+    }
 }

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 /// Layers from top to bottom, each with the layers it may use; a layer may only use what stands below it.
 const LAYERS: &[(&str, &[&str])] = &[
     ("main", &[]),
-    ("cli", &["validation", "figure", "analysis", "bundled", "model", "output", "error"]),
+    ("cli", &["validation", "figure", "analysis", "bundled", "model", "output", "display", "error"]),
     // `integrate`, `solve` and `system` to see single steps.
     (
         "validation",
@@ -33,7 +33,20 @@ const LAYERS: &[(&str, &[&str])] = &[
     // Besides numbers, the analyses know the words of the question: `model::Analysis`, and `Model` as what they compile.
     (
         "analysis",
-        &["integrate", "solve", "system", "element", "graph", "motion", "contact", "math", "model", "output", "error"],
+        &[
+            "integrate",
+            "solve",
+            "system",
+            "element",
+            "graph",
+            "motion",
+            "contact",
+            "math",
+            "model",
+            "output",
+            "display",
+            "error",
+        ],
     ),
     ("output", &[]),
     // Steps of y′ = f(t, y), of whatever that is.
@@ -41,14 +54,15 @@ const LAYERS: &[(&str, &[&str])] = &[
     // Constraints as the contract of `element` shows them, no joint; see `solve_knows_no_joint`; of `motion` a value with its derivatives.
     ("solve", &["system", "element", "motion", "math"]),
     // `compile` also sees `model`; see `EXCEPTIONS`.
-    ("system", &["element", "motion", "contact", "math", "error"]),
+    ("system", &["element", "motion", "contact", "math", "display", "error"]),
     ("graph", &[]),
     ("element", &["motion", "contact", "math"]),
     ("motion", &["math"]),
     // Laws of contact: pure functions of numbers.
     ("contact", &["math"]),
     ("math", &[]),
-    ("model", &["error"]),
+    ("model", &["display", "error"]),
+    ("display", &[]),
     ("error", &[]),
     ("guide", &[]),
     ("lib", &[]),

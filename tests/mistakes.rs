@@ -99,7 +99,7 @@ const MISTAKES: &[Mistake] = &[
             r#"line 7, column 144: bodies.rod.pose.angle: 20: the angle is 20 rad, 3.183 turns (for degrees write "60 deg", or name "angle": "deg" in units)"#,
             r#"line 8, column 147: bodies.rocker.pose.angle: 95: the angle is 95 rad, 15.12 turns (for degrees write "60 deg", or name "angle": "deg" in units)"#,
             r#"line 17, column 103: drivers.motor.motion.start: 60: the angle is 60 rad, 9.549 turns (for degrees write "60 deg", or name "angle": "deg" in units)"#,
-            r#"line 8, column 114: bodies.rocker.pose: it assembles turned by 109 deg from this drawing, perhaps on the other branch (draw the pose nearer to the assembly that you want)"#,
+            r#"line 8, column 114: bodies.rocker.pose: it assembles turned by 1.91 rad (109°) from this drawing, perhaps on the other branch (draw the pose nearer to the assembly that you want)"#,
         ],
     },
     Mistake {
@@ -115,7 +115,7 @@ const MISTAKES: &[Mistake] = &[
         edits: &[(r#""inertia": 9000"#, r#""inertia": 0.009"#)],
         status: 0,
         said: &[
-            r#"line 7, column 38: bodies.rod.inertia: 0.009: the inertia is small: that of the mass at 6.882e-5 m, where the body reaches 0.125 m (check the unit: a plain inertia is in kg*m^2 unless "units" names another)"#,
+            r#"line 7, column 38: bodies.rod.inertia: 0.009: the inertia is small: that of the mass at 0.06882 mm, where the body reaches 125 mm (check the unit: a plain inertia is in kg*m^2 unless "units" names another)"#,
         ],
     },
     Mistake {
@@ -123,8 +123,8 @@ const MISTAKES: &[Mistake] = &[
         edits: &[(r#""position": [50, 87], "angle": 20"#, r#""position": [50, 87], "angle": 200"#)],
         status: 0,
         said: &[
-            r#"line 7, column 111: bodies.rod.pose: it assembles turned by 95 deg from this drawing, perhaps on the other branch (draw the pose nearer to the assembly that you want)"#,
-            r#"line 8, column 114: bodies.rocker.pose: it assembles turned by 129 deg from this drawing, perhaps on the other branch (draw the pose nearer to the assembly that you want)"#,
+            r#"line 7, column 111: bodies.rod.pose: it assembles turned by 95.3° from this drawing, perhaps on the other branch (draw the pose nearer to the assembly that you want)"#,
+            r#"line 8, column 114: bodies.rocker.pose: it assembles turned by 129° from this drawing, perhaps on the other branch (draw the pose nearer to the assembly that you want)"#,
         ],
     },
     Mistake {
@@ -132,7 +132,7 @@ const MISTAKES: &[Mistake] = &[
         edits: &[(r#""B": [250, 0]"#, r#""B": [25, 0]"#)],
         status: 3,
         said: &[
-            r#"can't assemble: the joints alone close, but with the drivers at their first values the loop a – b – c – d does not close; it lacks 0.0396 m at the best position found; change the start of a driver, or the lengths that keep it from there"#,
+            r#"can't assemble: the joints alone close, but with the drivers at their first values the loop a – b – c – d does not close; it lacks 39.58 mm at the best position found; change the start of a driver, or the lengths that keep it from there"#,
         ],
     },
     Mistake {
@@ -140,7 +140,7 @@ const MISTAKES: &[Mistake] = &[
         edits: &[(r#""A": [100, 0]"#, r#""A": [250, 0]"#), (r#""start": 60"#, r#""start": 170"#)],
         status: 3,
         said: &[
-            r#"can't assemble: the joints alone close, but with the drivers at their first values the loop a – b – c – d does not close; it lacks 0.0979 m at the best position found; change the start of a driver, or the lengths that keep it from there"#,
+            r#"can't assemble: the joints alone close, but with the drivers at their first values the loop a – b – c – d does not close; it lacks 97.92 mm at the best position found; change the start of a driver, or the lengths that keep it from there"#,
         ],
     },
     Mistake {
@@ -285,7 +285,7 @@ const MISTAKES: &[Mistake] = &[
         )],
         status: 2,
         said: &[
-            r#"line 19, column 84: analysis.sample.from: 0: driver "motor" does not reach 0 (SI) on its first monotone stretch from 1.0471975511965976 (sample within the values the motion passes before it first turns back)"#,
+            r#"line 19, column 84: analysis.sample.from: 0: driver "motor" does not reach 0° on its first monotone stretch from 60° (sample within the values the motion passes before it first turns back)"#,
         ],
     },
     Mistake {

@@ -89,8 +89,11 @@ const LONGEST: f64 = 1e60;
 fn too_long(system: &System) -> Option<Complaint> {
     let far = system.guess.iter().chain([&system.size]).fold(0.0, |most: f64, x| most.max(x.abs()));
     (far > LONGEST).then(|| {
-        Complaint::new("bodies", format!("the mechanism is larger than {LONGEST:e} m, where numbers overflow"))
-            .hint("look for a length with a wrong exponent or unit")
+        Complaint::new(
+            "bodies",
+            format!("the mechanism is larger than {}, where numbers overflow", system.display.length(LONGEST)),
+        )
+        .hint("look for a length with a wrong exponent or unit")
     })
 }
 
@@ -251,6 +254,9 @@ fn open_loop(system: &System, closed: &Closed) -> String {
     )
 }
 
+/// Digits of a gap: of a compromise that drivers are met in to a millionth.
+const GAP_DIGITS: usize = 4;
+
 /// The loop with the largest gap, and that gap: in the least-squares compromise it is shared out evenly among the loop's
 /// joints, so their gaps add up to it.
 fn gap_text(system: &System, closed: &Closed) -> String {
@@ -264,21 +270,16 @@ fn gap_text(system: &System, closed: &Closed) -> String {
     match widest {
         Some((cycle, gap)) => {
             let names: Vec<&str> = cycle.joints.iter().map(|&joint| system.joints[joint].name.as_str()).collect();
-            let gap = length_text(gap * system.size);
+            let gap = system.display.length_to(gap * system.size, GAP_DIGITS);
             format!("the loop {} does not close; it lacks {gap} at the best position found", listed(&names, " – "))
         }
         None => {
             let worst = (0..system.joints.len()).max_by(|&a, &b| gap(a).total_cmp(&gap(b)));
             let name = worst.map_or("no joint", |joint| system.joints[joint].name.as_str());
-            let gap = length_text(worst.map_or(0.0, gap) * system.size);
+            let gap = system.display.length_to(worst.map_or(0.0, gap) * system.size, GAP_DIGITS);
             format!("joint \"{name}\" is open by {gap} at the best position found")
         }
     }
-}
-
-/// A length with four digits, in metres.
-pub fn length_text(length: f64) -> String {
-    if (1e-3..1e4).contains(&length) { format!("{length:.4} m") } else { format!("{length:.3e} m") }
 }
 
 /// The initial values that can't be met together: each that the others leave no room for.

@@ -1,6 +1,8 @@
 //! Diagnosis of a model without running it.
 
-use super::assembly::{Assembled, assemble, check_driven, length_text, listed, ranked, topology};
+use std::f64::consts::FRAC_PI_2;
+
+use super::assembly::{Assembled, assemble, check_driven, listed, ranked, topology};
 use super::instants::instants;
 use super::{Stop, suspicious};
 use crate::error::Complaint;
@@ -376,9 +378,10 @@ fn turned_over(model: &Model, system: &System, q: &[f64]) -> Vec<Complaint> {
     let mut found = Vec::new();
     for (body, q) in system.bodies.iter().zip(q.chunks_exact(3)) {
         let Some(pose) = model.bodies.get(&body.name).map(|body| body.pose) else { continue };
-        let off = (q[2] - pose.angle).sin().atan2((q[2] - pose.angle).cos()).to_degrees();
-        if pose != Pose::default() && off.abs() > 90.0 {
-            let message = format!("it assembles turned by {off:.0} deg from this drawing, perhaps on the other branch");
+        let off = (q[2] - pose.angle).sin().atan2((q[2] - pose.angle).cos());
+        if pose != Pose::default() && off.abs() > FRAC_PI_2 {
+            let off = model.display.angle_to(off, 3);
+            let message = format!("it assembles turned by {off} from this drawing, perhaps on the other branch");
             let hint = "draw the pose nearer to the assembly that you want";
             found.push(Complaint::new(format!("bodies.{}.pose", body.name), message).hint(hint));
         }
@@ -417,7 +420,7 @@ fn odd_springs(model: &Model, system: &System, q: &[f64]) -> Vec<Complaint> {
             (free > 0.0 && free * STRETCHED < length).then_some("short")
         };
         found.extend(odd.map(|than| {
-            let (free, length) = (length_text(free), length_text(length));
+            let [free, length] = [free, length].map(|length| model.display.length_to(length, LENGTH_DIGITS));
             let message =
                 format!("the free length is very {than}, {free}: the two points are {length} apart at the start");
             Complaint::new(format!("forces.{name}.free_length"), message).hint("check its unit")
@@ -428,5 +431,7 @@ fn odd_springs(model: &Model, system: &System, q: &[f64]) -> Vec<Complaint> {
 
 /// A spring shorter than this times the mechanism's size has no length [–].
 const CLOSED: f64 = 1e-9;
+/// Digits of lengths in messages that compare them.
+const LENGTH_DIGITS: usize = 4;
 /// No spring is stretched or pressed together to this many times its length [–].
 const STRETCHED: f64 = 100.0;

@@ -46,7 +46,7 @@ pub fn instants(system: &System, analysis: &Analysis) -> Result<Vec<OutputInstan
 }
 
 /// More rows than anybody can read or store.
-const MOST_OUTPUTS: usize = 10_000_000;
+pub(super) const MOST_OUTPUTS: usize = 10_000_000;
 
 fn sampled(system: &System, sample: &Sample) -> Result<Vec<OutputInstant>, Complaint> {
     let driver = system.drivers.iter().position(|d| d.name == sample.driver);
@@ -70,11 +70,11 @@ fn sampled(system: &System, sample: &Sample) -> Result<Vec<OutputInstant>, Compl
     for k in 0..=count {
         let value = if k == count { sample.to } else { sample.from + step * k as f64 };
         let Some(time) = stretch.and_then(|stretch| stretch.invert(value, guess)) else {
-            let start = law.jet(0.0)[0];
+            let [value, start] = [value, law.jet(0.0)[0]].map(|value| system.driver_value(driver, value));
             return Err(Complaint::new(
                 if k == 0 { "analysis.sample.from" } else { "analysis.sample.to" },
                 format!(
-                    "driver \"{}\" does not reach {value} (SI) on its first monotone stretch from {start}",
+                    "driver \"{}\" does not reach {value} on its first monotone stretch from {start}",
                     sample.driver
                 ),
             )

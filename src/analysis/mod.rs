@@ -8,7 +8,6 @@ pub mod clearance_link;
 pub mod derived;
 pub mod driven;
 pub mod dynamics;
-mod figures;
 mod in_line;
 mod instants;
 pub mod modes;

@@ -3,6 +3,8 @@
 use std::borrow::Cow;
 use std::fmt::Write;
 
+pub use crate::display::number;
+
 /// Width of the label column.
 const LABEL_WIDTH: usize = 14;
 /// Rows of a list before the rest is only counted.
@@ -97,29 +99,6 @@ pub fn plain(text: &str) -> Cow<'_, str> {
     Cow::Owned(spelt)
 }
 
-/// A number with `digits` significant digits, trailing zeros dropped: `0.1235`, `12.3`, `1.5e-9`.
-pub fn number(value: f64, digits: usize) -> String {
-    if !value.is_finite() {
-        return "–".into();
-    }
-    if value == 0.0 {
-        return "0".into();
-    }
-    let scientific = format!("{value:.*e}", digits.saturating_sub(1));
-    let Some((mantissa, exponent)) = scientific.split_once('e') else { return scientific };
-    let exponent: i32 = exponent.parse().unwrap_or(0);
-    if !(-4..7).contains(&exponent) {
-        return format!("{}e{exponent}", trim(mantissa));
-    }
-    let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
-    trim(&format!("{value:.decimals$}")).to_string()
-}
-
-/// Without trailing zeros behind a decimal point.
-fn trim(number: &str) -> &str {
-    if number.contains('.') { number.trim_end_matches('0').trim_end_matches('.') } else { number }
-}
-
 /// A time of day-to-day size: `0.31 ms`, `12 ms`, `3.2 s`.
 pub fn seconds(value: f64) -> String {
     if value < 1.0 { format!("{} ms", number(value * 1e3, 2)) } else { format!("{} s", number(value, 3)) }
@@ -133,23 +112,6 @@ pub fn count(n: usize, what: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn numbers_have_the_digits_asked_for() {
-        for (value, text) in [
-            (0.0, "0"),
-            (2.0, "2"),
-            (117.512_206_5, "117.5"),
-            (0.123_456, "0.1235"),
-            (-12_345.6, "-12346"),
-            (999.96, "1000"),
-            (1.5e-9, "1.5e-9"),
-            (1.0e7, "1e7"),
-            (f64::NAN, "–"),
-        ] {
-            assert_eq!(number(value, 4), text);
-        }
-    }
 
     #[test]
     fn tricks_are_spelt_out_and_the_rest_is_kept() {

@@ -1,12 +1,12 @@
 //! What `run` tells: how it went, and the numbers that are asked for first.
 
 use std::collections::HashMap;
-use std::f64::consts::PI;
 
 use super::open::Opened;
 use super::page::{Page, count, names, number, seconds, shorten};
 use super::run::Written;
 use crate::analysis::Outcome;
+use crate::display::DisplayUnits;
 use crate::model::AnalysisKind;
 use crate::output::{ClearanceSums, Equilibrium, Event, Mobility, Quality, Stage, Status, Trajectory};
 
@@ -26,7 +26,12 @@ pub fn page(opened: &Opened, outcome: &Outcome, written: &Written) -> String {
     page.row("quality", quality(&report.quality));
     page.rows("equilibrium", report.equilibrium.iter().map(equilibrium));
     page.rows("contacts", shorten(report.clearances.iter().map(contacts).collect()));
-    page.rows("events", shorten(report.events.iter().map(|event| event_words(event, trajectory)).collect()));
+    page.rows(
+        "events",
+        shorten(
+            report.events.iter().map(|event| event_words(event, trajectory, &opened.loaded.model.display)).collect(),
+        ),
+    );
     page.rows("effort", efforts(trajectory));
     page.rows("largest force", forces(trajectory));
     page.rows("warnings", shorten(report.warnings.clone()));
@@ -107,25 +112,26 @@ fn contacts(sums: &ClearanceSums) -> String {
     format!("{joint}: {episodes}, {} in all, {} J lost", seconds(*time_in_contact), number(*energy_lost, DIGITS))
 }
 
-/// One event: `change point at 1.7 s, motor = 2.051 rad (117.5°)`, `impact at 0.01 s (joint b)`.
-fn event_words(event: &Event, trajectory: &Trajectory) -> String {
+/// One event: `change point at 1.7 s, motor = 117.5°`, `impact at 0.01 s (joint b)`.
+fn event_words(event: &Event, trajectory: &Trajectory, display: &DisplayUnits) -> String {
     let kind = event.kind.replace('_', " ");
-    let start = number(event.time, 6);
+    let start = display.time(event.time);
     let mut text = match (&event.episode, event.end_time) {
-        (Some(_), Some(end)) if end == event.time => format!("impact at {start} s"),
+        (Some(_), Some(end)) if end == event.time => format!("impact at {start}"),
         // Shorter than the digits shown.
-        (Some(_), Some(end)) if number(end, 6) == start => {
-            format!("{kind} at {start} s for {} s", number(end - event.time, 2))
+        (Some(_), Some(end)) if display.time(end) == start => {
+            format!("{kind} at {start} for {}", display.time_to(end - event.time, 2))
         }
-        (Some(_), None) => format!("{kind} from {start} s on"),
-        (_, Some(end)) => format!("{kind} from {start} to {} s", number(end, 6)),
-        (None, None) => format!("{kind} at {start} s"),
+        (Some(_), None) => format!("{kind} from {start} on"),
+        (_, Some(end)) => format!("{kind} from {}", display.times(event.time, end)),
+        (None, None) => format!("{kind} at {start}"),
     };
     text.extend(event.joint.iter().map(|joint| format!(" (joint {joint})")));
     if let (Some(driver), Some(start)) = (&event.driver, event.value) {
         let unit = trajectory.column_index(&format!("driver.{driver}.value")).map(|i| trajectory.columns[i].unit);
         let with_unit = |value: f64| match unit {
-            Some("rad") => format!("{} rad ({}°)", number(value, 6), number(value * 180.0 / PI, 6)),
+            Some("rad") => display.angle(value),
+            Some("m") => display.length(value),
             Some(unit) => format!("{} {unit}", number(value, 6)),
             None => number(value, 6),
         };
@@ -225,7 +231,7 @@ mod tests {
 
     #[test]
     fn events_tell_angles_in_degrees_too() {
-        let words = |event: &Event| event_words(event, &results());
+        let words = |event: &Event| event_words(event, &results(), &DisplayUnits::default());
         assert_eq!(words(&event("motor", None)), "change point at 1.7 s, motor = 2.05 rad (117.456°)");
         assert_eq!(words(&event("slide", Some(2.0))), "change point from 1.7 to 2 s, slide = 2.05 m … 2.1 m");
         let noted = Event { driver: None, note: Some("here".into()), ..event("", None) };
@@ -237,7 +243,7 @@ mod tests {
         let of_pin = |kind: &'static str, end_time: Option<f64>, episode: Option<Episode>| {
             let event =
                 Event { kind, time: 0.0100964, end_time, joint: Some("pin".into()), episode, ..Event::default() };
-            event_words(&event, &results())
+            event_words(&event, &results(), &DisplayUnits::default())
         };
         let contact = |end_time: Option<f64>| of_pin("contact", end_time, Some(Episode::default()));
         assert_eq!(contact(Some(0.0100964)), "impact at 0.0100964 s (joint pin)");

@@ -8,6 +8,7 @@ use super::check;
 use super::expression::Parameter;
 use super::json;
 use super::node::{self, Kind};
+use super::quantity::display;
 use super::set;
 use super::source::Source;
 use super::stale;
@@ -121,8 +122,9 @@ pub fn load(text: &[u8], sets: &[String]) -> Result<Loaded, Vec<Complaint>> {
     }
 
     // words → types; the schema comes from these types, so nothing is left to go wrong
-    match serde_json::from_value(findings.value) {
-        Ok(model) => {
+    match serde_json::from_value::<Model>(findings.value) {
+        Ok(mut model) => {
+            model.display = display(source.root.get("units"));
             let complaints = gears(&model, &source);
             let said = hold::unheld(&model).into_iter().chain(stale::stale(&source.root, sets));
             warnings.extend(said.take(MOST_COMPLAINTS).map(|warning| source.place(warning).to_string()));

@@ -46,6 +46,7 @@ pub use schema::schema;
 pub use source::Source;
 pub use units::Unit;
 
+use crate::display::DisplayUnits;
 use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -95,4 +96,8 @@ pub struct Model {
     #[serde(default)]
     #[schemars(with = "Analysis")]
     pub analysis: Option<Analysis>,
+    /// How messages speak of it: the units that the file names.
+    #[serde(skip)]
+    #[schemars(skip)]
+    pub display: DisplayUnits,
 }

@@ -7,6 +7,7 @@ use super::node::{Kind, Node};
 use super::source::Source;
 use super::units::{Unit, UnitFault, split_quantity, with_decimal_point};
 use super::validate::{Walk, wrong_kind};
+use crate::display::{DisplayUnits, Shown};
 use crate::error::Complaint;
 
 /// What a motion drives, or a sample samples.
@@ -36,6 +37,27 @@ pub(super) struct Units {
     named: [Option<Unit>; Dimension::NAMED.len()],
     /// First plain number, other than zero, of each dimension.
     plain: [Option<String>; Dimension::NAMED.len()],
+}
+
+/// The units in which messages speak: those of plain numbers.
+pub(super) fn display(node: Option<&Node>) -> DisplayUnits {
+    let shown = |dimension: Dimension, otherwise: Shown| {
+        let text = node.and_then(|node| node.get(dimension.name())?.as_str()).map(str::trim);
+        let unit = text.and_then(|text| Unit::parse(text).ok()).filter(|unit| unit.powers == dimension.powers());
+        let size = unit.and_then(|unit| unit.convert(1.0, Unit::si(dimension.powers())));
+        match (text, size) {
+            (Some("deg"), Some(size)) => Shown::new("°", size),
+            (Some(text), Some(size)) => Shown::new(text, size),
+            (_, None) | (None, Some(_)) => otherwise,
+        }
+    };
+    let DisplayUnits { length, angle, mass, time } = DisplayUnits::default();
+    DisplayUnits {
+        length: shown(Dimension::Length, length),
+        angle: shown(Dimension::Angle, angle),
+        mass: shown(Dimension::Mass, mass),
+        time: shown(Dimension::Time, time),
+    }
 }
 
 /// What is expected at one place.

@@ -14,6 +14,7 @@ mod eval;
 
 pub use eval::{Evaluation, Inputs};
 
+use crate::display::DisplayUnits;
 use crate::element::journal::{Bearing, ContactId, Journal};
 use crate::element::{BodyId, Constraint, Force, Marker, Measure, ReactiveForce};
 use crate::math::Vec2;
@@ -157,6 +158,8 @@ pub struct System {
     pub guess: Vec<f64>,
     /// Characteristic length of the mechanism [m].
     pub size: f64,
+    /// How messages speak of it.
+    pub display: DisplayUnits,
 }
 
 impl System {
@@ -202,6 +205,14 @@ impl System {
     /// Rows of driver `id`.
     pub fn driver_row(&self, id: DriverId) -> usize {
         self.joint_rows() + id.0
+    }
+
+    /// A value of driver `id` [rad or m] as messages say it.
+    pub fn driver_value(&self, id: usize, value: f64) -> String {
+        match self.drivers[id].measure {
+            Measure::Angle => self.display.angle(value),
+            Measure::Length => self.display.length(value),
+        }
     }
 
     /// The name a row's origin goes by in messages.

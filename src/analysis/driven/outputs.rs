@@ -1,7 +1,6 @@
 //! The loop over the output instants, and what it reports.
 
 use super::super::clearance_link::{ClearanceLinks, Fixpoint, balance, carried};
-use super::super::figures;
 use super::super::in_line::{singular_text, stressed_rows};
 use super::super::instants::OutputInstant;
 use super::super::power::Powers;
@@ -88,15 +87,18 @@ impl<'a, 'r> Outputs<'a, 'r> {
             }
             if let Some(status) = control.stop() {
                 self.report.status = status;
-                let at = format!("at {}; the rows until then are kept", figures::time(instant.time));
+                let at = format!("at t = {}; the rows until then are kept", self.system.display.time(instant.time));
                 self.report.message = Some(stopped(status, &at));
                 return;
             }
             self.inputs.time = instant.time;
             if let Err(failure) = self.solve(driven, path) {
                 self.report.status = Status::Singular;
-                self.report.message =
-                    Some(format!("no solution at {}: {}", figures::time(instant.time), describe(self.system, failure)));
+                self.report.message = Some(format!(
+                    "no solution at t = {}: {}",
+                    self.system.display.time(instant.time),
+                    describe(self.system, failure)
+                ));
                 return;
             }
         }
@@ -125,10 +127,11 @@ impl<'a, 'r> Outputs<'a, 'r> {
 
     /// Where and when the path ends: `2.31681 rad (132.743°), t = 0.22 s`, or the time alone.
     fn position_text(&self, s: f64, time: f64) -> String {
+        let time = self.system.display.time(time);
         match Parameter::of(self.system) {
-            Parameter::Time | Parameter::Pin => figures::time(time),
+            Parameter::Time | Parameter::Pin => format!("t = {time}"),
             Parameter::DriverValue => {
-                format!("{}, {}", figures::value(self.system.drivers[0].measure, s), figures::time(time))
+                format!("{}, t = {time}", self.system.driver_value(0, s))
             }
         }
     }
@@ -347,6 +350,9 @@ fn describe(system: &System, failure: Failure) -> String {
     match failure {
         Failure::Locked { force } => locked(system, force),
         Failure::Singular => "the constraints are singular there".into(),
+        Failure::Diverged { residual } if !residual.is_finite() => {
+            "Newton's iteration does not converge (there is no finite residual)".into()
+        }
         Failure::Diverged { residual } => {
             format!("Newton's iteration does not converge (residual {residual:.1e} of the size)")
         }

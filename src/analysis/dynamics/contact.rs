@@ -293,10 +293,9 @@ impl History {
         }
     }
 
-    /// Impacts have become so low that the journal follows the surface from now on.
-    pub fn follow(&mut self, time: f64, height: f64) {
-        let note =
-            format!("impacts lower than {height:.1e} m would follow: the journal stays on the bearing's surface");
+    /// Impacts have become so low, `height` in words, that the journal follows the surface from now on.
+    pub fn follow(&mut self, time: f64, height: &str) {
+        let note = format!("impacts lower than {height} would follow: the journal stays on the bearing's surface");
         let (kind, joint, note) = ("following", Some(self.joint.clone()), Some(note));
         self.list(Event { kind, time, joint, note, ..Event::default() });
     }

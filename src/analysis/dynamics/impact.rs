@@ -210,7 +210,7 @@ impl Integration {
             let slow = if stays { (2.0 * fall.max(0.0) * height).sqrt().max(AT_REST) } else { AT_REST };
             self.settle(motion, slow, time)?;
             if motion.followers()[contact] {
-                self.histories[contact].follow(time, height);
+                self.histories[contact].follow(time, &motion.system().display.length_to(height, 2));
                 motion.reduced.inputs.contacts[contact].piece =
                     rigid.friction_law().piece(motion.reading(contact).sliding);
             }

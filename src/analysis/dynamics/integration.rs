@@ -4,7 +4,7 @@
 use super::contact::{Change, History, Sums, change, first_phase, sticks};
 use super::motion::Motion;
 use super::words::{TIGHT, beyond_range, culprits, deep_start, describe, jam, tight};
-use crate::analysis::{Control, Stop, figures, locked};
+use crate::analysis::{Control, Stop, locked};
 use crate::element::journal::{Phase, Reading, Surface};
 use crate::integrate::{Limits, Method, Ode, StepFailure, Stepper};
 use crate::model::Solver;
@@ -120,7 +120,8 @@ impl Integration {
         let y = std::mem::take(&mut integration.y);
         let started = integration.stepper.start(motion, 0.0, &y, end);
         integration.y = y;
-        started.map_err(|failure| Stop::failed(Status::Singular, describe(failure, 0.0, "")))?;
+        started
+            .map_err(|failure| Stop::failed(Status::Singular, describe(failure, 0.0, "", &motion.system().display)))?;
         Ok(integration)
     }
 
@@ -153,7 +154,7 @@ impl Integration {
             if let Some(status) = control.stop() {
                 let why = match status {
                     Status::Interrupted => "interrupted".to_string(),
-                    _ => format!("max_wall_time is over at t = {} s", self.stepper.t()),
+                    _ => format!("max_wall_time is over at t = {}", motion.system().display.time(self.stepper.t())),
                 };
                 return Err((status, format!("{why}; the rows until then are kept")));
             }
@@ -171,16 +172,18 @@ impl Integration {
         let lock = motion.reduced.driven.reactive.locked().filter(|_| refused).or_else(|| self.lock_ahead());
         if let Some(force) = lock {
             let who = locked(motion.system(), force);
-            return (Status::Singular, format!("at {} {who}; the rows until there are kept", figures::time(now)));
+            let when = motion.system().display.time(now);
+            return (Status::Singular, format!("at t = {when} {who}; the rows until there are kept"));
         }
+        let display = &motion.system().display;
         match failure {
             StepFailure::TooSmall { .. } => {
-                (Status::StepTooSmall, format!("{}{}", describe(failure, now, ""), tight(motion)))
+                (Status::StepTooSmall, format!("{}{}", describe(failure, now, "", display), tight(motion)))
             }
             StepFailure::Refused { .. } if !self.jammed.is_empty() => {
                 (Status::Singular, jam(motion, &self.jammed, now))
             }
-            StepFailure::Refused { .. } => (Status::Singular, describe(failure, now, &culprits(motion))),
+            StepFailure::Refused { .. } => (Status::Singular, describe(failure, now, &culprits(motion), display)),
         }
     }
 
@@ -361,7 +364,8 @@ impl Integration {
                 impulse: sums.impulse,
                 wear: std::mem::take(&mut history.wear),
             });
-            report.warnings.extend(beyond_range(joint.name.as_str(), &motion.system().contacts[contact], history.most));
+            let (display, journal) = (&motion.system().display, &motion.system().contacts[contact]);
+            report.warnings.extend(beyond_range(display, joint.name.as_str(), journal, history.most));
             if history.unlisted > 0 {
                 report.warnings.push(format!(
                     "joint \"{}\": {} further contacts and changes between stick and slip are counted but not listed",

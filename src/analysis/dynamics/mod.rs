@@ -25,7 +25,7 @@ use super::assembly::Assembled;
 use super::branch::singularity;
 use super::instants::instants;
 use super::record::Contents;
-use super::{Control, Stop, figures, locked, unsure_friction};
+use super::{Control, Stop, locked, unsure_friction};
 use crate::error::Complaint;
 use crate::integrate::Method;
 use crate::model::{Analysis, Model, Solver};
@@ -83,12 +83,12 @@ pub fn run(
             outputs.report.status = Status::Singular;
             outputs.report.message = Some(match failure {
                 Failure::Locked { force } => format!(
-                    "at {} {}; the rows until there are kept",
-                    figures::time(instant.time),
+                    "at t = {} {}; the rows until there are kept",
+                    system.display.time(instant.time),
                     locked(system, force)
                 ),
                 Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. } => {
-                    format!("the position at {} can't be solved", figures::time(instant.time))
+                    format!("the position at t = {} can't be solved", system.display.time(instant.time))
                 }
             });
             break;
@@ -98,8 +98,9 @@ pub fn run(
     report.warnings.extend(unsure_friction(system, &report.mobility.reactions_not_unique));
     report.warnings.extend(motion.reduced.passed_change_point().map(|time| {
         format!(
-            "at t = {time:.6} s or a little before the motion passes a change point: friction from reactions that have no bound \
-             there may hold or brake the mechanism more than the steps see"
+            "at t = {} or a little before the motion passes a change point: friction from reactions that have no bound \
+             there may hold or brake the mechanism more than the steps see",
+            system.display.time(time)
         )
     }));
     solver.account(&motion, &mut report);

@@ -1,8 +1,8 @@
 //! What is said of a run: where it ended and by whose fault, and what to doubt.
 
 use super::motion::Motion;
-use crate::analysis::figures;
 use crate::analysis::in_line::singular_text;
+use crate::display::DisplayUnits;
 use crate::element::journal::{Journal, Reading, Surface};
 use crate::error::Complaint;
 use crate::integrate::StepFailure;
@@ -12,6 +12,8 @@ use crate::system::System;
 pub(super) const TIGHT: f64 = 0.1;
 /// Penetration, in parts of the journal's radius, that is not small any more.
 const DEEP: f64 = 0.1;
+/// Digits of penetrations: of the deepest that steps and outputs have met.
+const PENETRATION_DIGITS: usize = 4;
 
 /// Rigid contacts, by number, that no forces answer.
 pub(super) fn jam(motion: &Motion, jammed: &[usize], now: f64) -> String {
@@ -19,30 +21,34 @@ pub(super) fn jam(motion: &Motion, jammed: &[usize], now: f64) -> String {
     let names: Vec<&str> = joints.map(|joint| joint.name.as_str()).collect();
     let jammed: Vec<String> = jammed.iter().map(|&contact| format!("\"{}\"", names[contact])).collect();
     format!(
-        "at t = {now} s the journals that slide on their bearings jam in {} {}: with this friction neither normal forces nor \
+        "at t = {} the journals that slide on their bearings jam in {} {}: with this friction neither normal forces nor \
          impulses answer the motion (Painlevé's paradox); a smaller coefficient, or the model \"contact\", goes on; the rows until there are kept",
+        motion.system().display.time(now),
         if jammed.len() == 1 { "joint" } else { "joints" },
         jammed.join(", ")
     )
 }
 
 /// What is said where the penetration was beyond what the law of the normal force was made for.
-pub(super) fn beyond_range(joint: &str, journal: &Journal, deepest: f64) -> Option<String> {
+pub(super) fn beyond_range(display: &DisplayUnits, joint: &str, journal: &Journal, deepest: f64) -> Option<String> {
     let Surface::Compliant(laws) = &journal.surface else { return None };
     let Some(range) = laws.normal.range() else {
         let radius = journal.bearing_radius - journal.clearance;
         return (radius > 0.0 && deepest > DEEP * radius).then(|| {
             format!(
-                "joint \"{joint}\": the penetration reached {deepest:.3e} m, {:.2} of the journal's radius: laws of contact are made for \
+                "joint \"{joint}\": the penetration reached {}, {:.2} of the journal's radius: laws of contact are made for \
                  one that is small against it; is the surface stiff enough?",
+                display.length_to(deepest, PENETRATION_DIGITS),
                 deepest / radius
             )
         });
     };
     (deepest > range).then(|| format!(
-        "joint \"{joint}\": the penetration reached {deepest:.3e} m ({:.2} of the clearance), the formula of its normal law ends at \
-         {range:.3e} m: beyond, the force goes on straight, and is no more than a guess",
-        deepest / journal.clearance
+        "joint \"{joint}\": the penetration reached {} ({:.2} of the clearance), the formula of its normal law ends at \
+         {}: beyond, the force goes on straight, and is no more than a guess",
+        display.length_to(deepest, PENETRATION_DIGITS),
+        deepest / journal.clearance,
+        display.length_to(range, PENETRATION_DIGITS)
     ))
 }
 
@@ -53,9 +59,10 @@ pub(super) fn deep_start(system: &System, contact: usize, reading: &Reading) -> 
     Complaint::new(
         "initial",
         format!(
-            "joint \"{name}\" starts with its journal {:.4e} m deep in the bearing: eccentricity {:.6e} m, clearance {clearance:e} m",
-            reading.penetration,
-            reading.penetration + clearance,
+            "joint \"{name}\" starts with its journal {} deep in the bearing: eccentricity {}, clearance {}",
+            system.display.length(reading.penetration),
+            system.display.length(reading.penetration + clearance),
+            system.display.length(clearance),
         ),
     )
     .hint("give initial values that leave the journal within its clearance, or a larger clearance")
@@ -78,16 +85,17 @@ pub(super) fn tight(motion: &Motion) -> String {
 }
 
 /// What a failed step means; `what` says what is singular.
-pub(super) fn describe(failure: StepFailure, now: f64, what: &str) -> String {
+pub(super) fn describe(failure: StepFailure, now: f64, what: &str, display: &DisplayUnits) -> String {
     match failure {
         StepFailure::TooSmall { t, h } => format!(
-            "step too small at {}: the tolerances ask for steps below {h:.1e} s; the rows until there are kept. \
+            "step too small at t = {}: the tolerances ask for steps below {}; the rows until there are kept. \
              Loosen rtol, or look for what changes so fast there",
-            figures::time(t)
+            display.time(t),
+            display.time_to(h, 2)
         ),
         StepFailure::Refused { .. } => format!(
-            "the motion can't be followed beyond {}: the constraints are singular there{what}; the rows until there are kept",
-            figures::time(now)
+            "the motion can't be followed beyond t = {}: the constraints are singular there{what}; the rows until there are kept",
+            display.time(now)
         ),
     }
 }

@@ -2,7 +2,8 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::{moving, text};
+use super::{DIGITS, moving};
+use crate::display::number;
 use crate::error::Complaint;
 use crate::model::{DriverKind, JointKind, Model, Motion};
 
@@ -22,11 +23,12 @@ pub(super) fn angles(model: &Model, degrees: bool, found: &mut Vec<Complaint>) {
     let mut look = |path: String, angle: f64| {
         let shown = angle * 180.0 / PI;
         if angle.abs() > MOST_TURNED {
-            let message = format!("the angle is {}, {} turns", text(angle, "rad"), text(angle.abs() / TAU, "").trim());
+            let message =
+                format!("the angle is {} rad, {} turns", number(angle, DIGITS), number(angle.abs() / TAU, DIGITS));
             let hint = "for degrees write \"60 deg\", or name \"angle\": \"deg\" in units";
             found.push(Complaint::new(path, message).hint(hint));
         } else if degrees && FRACTIONS.iter().any(|part| near(shown.abs() / PI, *part, NEAR_FRACTION)) {
-            let message = format!("the angle is {}, which looks like radians", text(shown, "deg"));
+            let message = format!("the angle is {} deg, which looks like radians", number(shown, DIGITS));
             found.push(Complaint::new(path, message).hint("plain angles are in degrees here; write \"1.5708 rad\""));
         }
     };

@@ -1,7 +1,6 @@
 //! Slips that show beside the rest of the mechanism: a length or a centre of mass a hundred times off.
 
-use super::{moving, text};
-use crate::analysis::assembly::length_text;
+use super::{DIGITS, moving};
 use crate::error::Complaint;
 use crate::math::Vec2;
 use crate::model::{Body, GROUND, Model};
@@ -54,6 +53,7 @@ fn middle(model: &Model) -> Option<f64> {
 pub(super) fn lengths(model: &Model) -> Vec<Complaint> {
     let mut found = Vec::new();
     let Some(middle) = middle(model) else { return found };
+    let text = |length: f64| model.display.length_to(length, DIGITS);
     for (name, body) in &model.bodies {
         let extent = extent(body);
         let long = extent > LENGTH_SPREAD * middle;
@@ -61,13 +61,13 @@ pub(super) fn lengths(model: &Model) -> Vec<Complaint> {
         if long || (extent > 0.0 && extent * LENGTH_SPREAD < middle && name != GROUND) {
             let message = format!(
                 "the points are {} apart, {} than most lengths of the mechanism, near {}",
-                length_text(extent),
+                text(extent),
                 if long { "much longer" } else { "much shorter" },
-                length_text(middle)
+                text(middle)
             );
             let hint = "check its points and their unit";
             found.push(Complaint::new(format!("bodies.{name}.points"), message).hint(hint));
-        } else if let Some(message) = body.com.and_then(|com| stray_com(body, Vec2::from(com), extent, middle)) {
+        } else if let Some(message) = body.com.and_then(|com| stray_com(body, Vec2::from(com), extent, middle, text)) {
             let hint = "check its numbers and their unit; \"com\" is in the body's frame";
             found.push(Complaint::new(format!("bodies.{name}.com"), message).hint(hint));
         }
@@ -76,7 +76,7 @@ pub(super) fn lengths(model: &Model) -> Vec<Complaint> {
 }
 
 /// What is odd about a centre of mass.
-fn stray_com(body: &Body, com: Vec2, extent: f64, middle: f64) -> Option<String> {
+fn stray_com(body: &Body, com: Vec2, extent: f64, middle: f64, text: impl Fn(f64) -> String) -> Option<String> {
     let (point, nearest) = body
         .points
         .iter()
@@ -84,14 +84,14 @@ fn stray_com(body: &Body, com: Vec2, extent: f64, middle: f64) -> Option<String>
         .min_by(|a, b| a.1.total_cmp(&b.1))?;
     let reach = extent.max(middle);
     if nearest > LENGTH_SPREAD * reach {
-        let (far, reach) = (length_text(nearest), length_text(reach));
+        let (far, reach) = (text(nearest), text(reach));
         return Some(format!("the centre of mass is {far} from the nearest point, {point}, in a mechanism of {reach}"));
     }
     // A balanced crank has its centre of mass near its pin, but hardly at a thousandth of a place amid its points.
     let amid = points(body).sum::<Vec2>() / body.points.len() as f64;
     let within = (com * THOUSAND - amid).norm() <= 0.25 * extent;
     if nearest > 0.0 && nearest < COM_BESIDE * extent && within {
-        let (near, extent) = (length_text(nearest), length_text(extent));
+        let (near, extent) = (text(nearest), text(extent));
         return Some(format!("the centre of mass is beside point {point}, {near} off it, in a body of {extent}"));
     }
     None
@@ -108,7 +108,7 @@ pub(super) fn whole(model: &Model) -> Option<Complaint> {
     (!(SHORTEST..=LONGEST).contains(middle)).then(|| {
         Complaint::new(
             format!("bodies.{name}.points"),
-            format!("the bodies are very {size}, this one {}", text(*extent, "m")),
+            format!("the bodies are very {size}, this one {}", model.display.length_to(*extent, DIGITS)),
         )
         .hint("check the unit of length: \"units\": { \"length\": \"mm\" } reads plain numbers as millimetres")
     })

@@ -8,6 +8,8 @@ mod times;
 
 use std::f64::consts::TAU;
 
+use crate::analysis::instants::MOST_OUTPUTS;
+use crate::display::number;
 use crate::error::Complaint;
 use crate::model::{Analysis, AnalysisKind, Body, DriverKind, ForceKind, GROUND, JointKind, Model, Motion, Value};
 use crate::system::compile::law;
@@ -56,16 +58,14 @@ fn middle(mut values: Vec<f64>) -> Option<f64> {
     values.get(values.len().checked_sub(1)? / 2).copied()
 }
 
-/// `1234 m`, `0.012 kg`.
-fn text(value: f64, unit: &str) -> String {
-    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
-    if (1e-3..1e6).contains(&rounded.abs()) { format!("{rounded} {unit}") } else { format!("{rounded:e} {unit}") }
-}
+/// Significant digits: enough to see a slip.
+const DIGITS: usize = 4;
 
 fn masses(model: &Model, found: &mut Vec<Complaint>) {
     let masses: Vec<(&String, f64)> =
         moving(model).filter_map(|(name, body)| Some((name, body.mass?))).filter(|(_, mass)| *mass > 0.0).collect();
     let Some(middle) = middle(masses.iter().map(|(_, mass)| *mass).collect()) else { return };
+    let text = |mass: f64| model.display.mass_to(mass, DIGITS);
     for (name, mass) in masses {
         let ratio = mass / middle;
         if !(1.0 / MASS_SPREAD..=MASS_SPREAD).contains(&ratio) {
@@ -73,7 +73,7 @@ fn masses(model: &Model, found: &mut Vec<Complaint>) {
             found.push(
                 Complaint::new(
                     format!("bodies.{name}.mass"),
-                    format!("the body is {than}, {}, where others weigh near {}", text(mass, "kg"), text(middle, "kg")),
+                    format!("the body is {than}, {}, where others weigh near {}", text(mass), text(middle)),
                 )
                 .hint("check the unit: a plain mass is in kg unless \"units\" names another"),
             );
@@ -103,8 +103,8 @@ fn inertias(model: &Model, found: &mut Vec<Complaint>) {
                 format!("bodies.{name}.inertia"),
                 format!(
                     "the inertia is {than}: that of the mass at {}, where the body reaches {}",
-                    text(gyration, "m"),
-                    text(of, "m")
+                    model.display.length_to(gyration, DIGITS),
+                    model.display.length_to(of, DIGITS)
                 ),
             )
             .hint("check the unit: a plain inertia is in kg*m^2 unless \"units\" names another"),
@@ -115,7 +115,7 @@ fn inertias(model: &Model, found: &mut Vec<Complaint>) {
 fn gravity(model: &Model, found: &mut Vec<Complaint>) {
     let g = model.gravity[0].hypot(model.gravity[1]);
     if g > 0.0 && !(GRAVITY[0]..=GRAVITY[1]).contains(&g) {
-        let message = format!("gravity is {}, that of the earth is 9.81 m/s^2", text(g, "m/s^2"));
+        let message = format!("gravity is {} m/s^2, that of the earth is 9.81 m/s^2", number(g, DIGITS));
         found.push(Complaint::new("gravity", message).hint(
             "a plain number is in m/s^2 whatever the unit of length; write 9.81, or its unit, as in \"9810 mm/s^2\"",
         ));
@@ -123,27 +123,22 @@ fn gravity(model: &Model, found: &mut Vec<Complaint>) {
 }
 
 fn clearances(model: &Model, found: &mut Vec<Complaint>) {
+    let text = |length: f64| model.display.length_to(length, DIGITS);
     for (name, joint) in &model.joints {
         let JointKind::Revolute { clearance: Some(clearance), .. } = &joint.kind else { continue };
         let Some(radius) = clearance.radius else { continue };
         let path = format!("joints.{name}.clearance.radius");
         if let Some(bearing) = clearance.bearing_radius.filter(|bearing| radius >= *bearing) {
-            let message = format!(
-                "the radial clearance, {}, leaves no journal in a bearing of {}",
-                text(radius, "m"),
-                text(bearing, "m")
-            );
+            let message =
+                format!("the radial clearance, {}, leaves no journal in a bearing of {}", text(radius), text(bearing));
             found.push(Complaint::new(path, message).hint("radius is the bearing's radius minus the journal's"));
             continue;
         }
         let ends = joint.between.iter().filter(|end| end.body != GROUND).filter_map(|end| model.bodies.get(&end.body));
         let shortest = ends.map(extent).filter(|extent| *extent > 0.0).fold(f64::INFINITY, f64::min);
         if radius >= shortest {
-            let message = format!(
-                "the radial clearance, {}, is longer than the link, {}",
-                text(radius, "m"),
-                text(shortest, "m")
-            );
+            let message =
+                format!("the radial clearance, {}, is longer than the link, {}", text(radius), text(shortest));
             found.push(Complaint::new(path, message).hint("check its unit: clearances are mostly some micrometres"));
         }
     }
@@ -158,7 +153,7 @@ fn speeds(model: &Model, analysis: &Analysis, found: &mut Vec<Complaint>) {
         let turns = model.drivers.get(&sample.driver).is_some_and(|d| matches!(d.kind, DriverKind::Rotation { .. }));
         let per_turn = TAU / sample.step.abs();
         if turns && per_turn < LEAST_OUTPUTS {
-            let message = format!("{} outputs per turn show another motion than there is", text(per_turn, "").trim());
+            let message = format!("{} outputs per turn show another motion than there is", number(per_turn, DIGITS));
             found.push(Complaint::new("analysis.sample.step", message).hint("take a smaller step"));
         }
         return;
@@ -169,13 +164,17 @@ fn speeds(model: &Model, analysis: &Analysis, found: &mut Vec<Complaint>) {
         if per_turn < LEAST_OUTPUTS {
             let message = format!(
                 "{} outputs per {what}, one every {}: they show another motion than there is",
-                text(per_turn, "").trim(),
-                text(step, "s")
+                number(per_turn, DIGITS),
+                model.display.time_to(step, DIGITS)
             );
-            let enough = (LEAST_OUTPUTS / per_turn * outputs as f64).ceil().min(1e15);
-            found.push(Complaint::new(path, message).hint(format!(
-                "take \"outputs\" of {enough} or more, a shorter \"end\", or check the unit of the motion"
-            )));
+            let enough = (LEAST_OUTPUTS / per_turn * outputs as f64).ceil();
+            let more = if enough <= MOST_OUTPUTS as f64 {
+                format!("\"outputs\" of {enough} or more, ")
+            } else {
+                String::new()
+            };
+            let hint = format!("take {more}a shorter \"end\", or check the unit of the motion");
+            found.push(Complaint::new(path, message).hint(hint));
         }
     };
     for (name, driver) in &model.drivers {

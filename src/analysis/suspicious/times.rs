@@ -1,6 +1,6 @@
 //! Tables of another time than the run.
 
-use super::text;
+use super::DIGITS;
 use crate::error::Complaint;
 use crate::model::{ForceKind, Model, Motion, Value};
 
@@ -15,7 +15,7 @@ pub(in crate::analysis) fn tables(model: &Model, end: f64) -> Vec<Complaint> {
         let Motion::Table { points } = motion else { return };
         let last = points.last().map_or(0.0, |point| point[0]);
         if end > 0.0 && end < LEAST_PART * last {
-            let [last, end] = [last, end].map(|time| text(time, "s"));
+            let [last, end] = [last, end].map(|time| model.display.time_to(time, DIGITS));
             let message = format!("the table ends at t = {last}, the run at t = {end}: only its beginning is used");
             let hint = "check the unit of its times: they are in s unless \"units\" names another \"time\", never in crank angle";
             found.push(Complaint::new(format!("{path}.points"), message).hint(hint));

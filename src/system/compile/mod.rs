@@ -127,6 +127,7 @@ impl<'a> Compiler<'a> {
             links: 0,
             guess: Vec::new(),
             size: 1.0,
+            display: model.display.clone(),
         };
         Compiler { model, joints, lowering, ids, com, system }
     }
