@@ -22,6 +22,8 @@ mod schema;
 mod summary;
 mod validate;
 
+use std::cell::RefCell;
+use std::ffi::OsString;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
@@ -123,16 +125,35 @@ impl From<io::Error> for BadInput {
 
 /// Runs the command that the process was started with.
 pub fn main() -> ExitCode {
-    let arguments = match Arguments::try_parse() {
+    execute(std::env::args_os()).into()
+}
+
+/// What a command left that another program ran.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Said {
+    /// The exit status.
+    pub status: u8,
+    pub stdout: String,
+    pub stderr: String,
+}
+
+thread_local! {
+    /// Takes the place of both streams while [`captured`] runs.
+    static SAID: RefCell<Option<Said>> = const { RefCell::new(None) };
+}
+
+/// Runs a command in this process, its streams kept; the first argument is the program's name.
+pub fn captured(arguments: impl IntoIterator<Item = OsString>) -> Said {
+    SAID.set(Some(Said::default()));
+    let status = execute(arguments);
+    Said { status, ..SAID.take().unwrap_or_default() }
+}
+
+/// Runs a command; its exit status.
+fn execute(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    let arguments = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
-        Err(error) => {
-            // Help and version come this way too; a closed stream is no reason to fail.
-            let _ = error.print();
-            if let Some(near) = misspelt(&error) {
-                let _ = writeln!(io::stderr(), "\n  tip: did you mean {near:?}?");
-            }
-            return if error.use_stderr() { Exit::BadInput.code().into() } else { ExitCode::SUCCESS };
-        }
+        Err(error) => return refuse(&error),
     };
     let exit = match arguments.command {
         Command::New(options) => new::execute(&options),
@@ -150,7 +171,34 @@ pub fn main() -> ExitCode {
         lines.iter().for_each(|line| complain(line));
         Exit::BadInput
     });
-    exit.code().into()
+    exit.code()
+}
+
+/// What clap has to say: a fault of the arguments, or the help or version that was asked for.
+fn refuse(error: &clap::Error) -> u8 {
+    let tip = misspelt(error).map(|near| format!("\n  tip: did you mean {near:?}?\n"));
+    let is_kept = kept(|said| {
+        let text = error.render().to_string();
+        if error.use_stderr() {
+            said.stderr += &text
+        } else {
+            said.stdout += &text
+        }
+        said.stderr += tip.as_deref().unwrap_or_default();
+    });
+    if !is_kept {
+        // A closed stream is no reason to fail.
+        let _ = error.print();
+        if let Some(tip) = tip {
+            let _ = write!(io::stderr(), "{tip}");
+        }
+    }
+    if error.use_stderr() { Exit::BadInput.code() } else { Exit::Done.code() }
+}
+
+/// Lets `put` have the streams that are kept; whether they are.
+fn kept(put: impl FnOnce(&mut Said)) -> bool {
+    SAID.with_borrow_mut(|said| said.as_mut().map(put).is_some())
 }
 
 /// The command that was meant by an unknown one of which two letters have changed places or so, which clap does not see.
@@ -168,11 +216,17 @@ fn misspelt(error: &clap::Error) -> Option<String> {
 
 /// Writes one line to standard error; there is nobody to tell if that fails.
 fn complain(line: &str) {
-    let _ = writeln!(io::stderr(), "error: {}", plain(line));
+    let line = format!("error: {}\n", plain(line));
+    if !kept(|said| said.stderr += &line) {
+        let _ = io::stderr().write_all(line.as_bytes());
+    }
 }
 
 /// Writes to standard output; a reader that has gone away (`| head`) is no error.
 fn print(text: &str) -> io::Result<()> {
+    if kept(|said| said.stdout += text) {
+        return Ok(());
+    }
     let mut stdout = io::stdout().lock();
     match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
