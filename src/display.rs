@@ -23,12 +23,17 @@ impl Shown {
 
     fn number(&self, value: f64, digits: usize) -> String {
         let value = value / self.size;
-        let rounded = format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value);
+        let rounded = format!("{value:.*e}", digits.saturating_sub(1)).parse().ok();
+        // The largest numbers have none with so few digits above them.
+        let rounded = rounded.filter(|rounded: &f64| rounded.is_finite()).unwrap_or(value);
         number(rounded, digits)
     }
 
     fn text(&self, value: f64, digits: usize) -> String {
         let gap = if self.symbol == "°" { "" } else { " " };
+        if value.is_infinite() {
+            return format!("more than {}{gap}{}", self.number(f64::MAX, digits), self.symbol);
+        }
         format!("{}{gap}{}", self.number(value, digits), self.symbol)
     }
 }

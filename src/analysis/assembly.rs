@@ -33,7 +33,7 @@ const MOVES: f64 = 1e-6;
 /// # Errors
 /// [`Stop::Failed`] with status `assembly_failed` and the loop or the values that do not fit.
 pub fn assemble(system: &System, inputs: &Inputs) -> Result<Assembled, Stop> {
-    if let Some(complaint) = too_long(system) {
+    if let Some(complaint) = too_long(system).or_else(|| too_far(system, inputs)) {
         return Err(Stop::Input(vec![complaint]));
     }
     let all: Vec<&Block> = system.blocks.iter().chain(&system.initial).collect();
@@ -87,7 +87,7 @@ const LONGEST: f64 = 1e60;
 
 /// Complains of lengths that can't be computed with.
 fn too_long(system: &System) -> Option<Complaint> {
-    let far = system.guess.iter().chain([&system.size]).fold(0.0, |most: f64, x| most.max(x.abs()));
+    let far = system.guess.iter().chain([&system.size, &system.reach]).fold(0.0, |most: f64, x| most.max(x.abs()));
     (far > LONGEST).then(|| {
         Complaint::new(
             "bodies",
@@ -95,6 +95,31 @@ fn too_long(system: &System) -> Option<Complaint> {
         )
         .hint("look for a length with a wrong exponent or unit")
     })
+}
+
+/// Complains of a joint, driver or initial value that is further from the drawing than can be computed with.
+fn too_far(system: &System, inputs: &Inputs) -> Option<Complaint> {
+    let mut evaluation = Evaluation::new(system);
+    evaluation.set_position(&system.guess);
+    let at = evaluation.instant(inputs);
+    let is_far = |block: &&Block| {
+        let mut phi = vec![0.0; block.rows];
+        block.constraint.position(&at, &mut phi);
+        phi.iter().any(|x| x.is_nan() || x.abs() > LONGEST)
+    };
+    let block = system.blocks.iter().chain(&system.initial).find(is_far)?;
+    let path = match &block.origin {
+        Origin::Joint(id) => format!("joints.{}", system.joints[id.0].name),
+        Origin::Driver(id) => format!("drivers.{}", system.drivers[id.0].name),
+        Origin::Initial(name) => format!("initial.{name}"),
+    };
+    Some(
+        Complaint::new(
+            path,
+            format!("it wants bodies further than {LONGEST:e} m or rad from the drawing, where numbers overflow"),
+        )
+        .hint("look for an angle or a length with a wrong exponent or unit"),
+    )
 }
 
 /// A direction in which nothing holds the mechanism at `q`, scaled; see [`free_direction`].

@@ -160,6 +160,8 @@ pub struct System {
     pub size: f64,
     /// How messages speak of it.
     pub display: DisplayUnits,
+    /// Largest coordinate of a point or centre of mass in the frame of its body [m].
+    pub reach: f64,
 }
 
 impl System {

@@ -21,7 +21,7 @@ use crate::element::spring::Spring;
 use crate::element::torsion_spring::TorsionSpring;
 use crate::element::{Axis, BodyId, Constraint, Force as ForceElement, Marker, Measure, Pose, ReactiveForce};
 use crate::error::Complaint;
-use crate::math::Vec2;
+use crate::math::{Vec2, unit};
 use crate::model::{
     AnalysisKind, Carrier, ClearanceModel, DriverKind, ForceKind, Frame, GROUND, JointKind, Model, Motion, PointRef,
     Value,
@@ -128,6 +128,7 @@ impl<'a> Compiler<'a> {
             guess: Vec::new(),
             size: 1.0,
             display: model.display.clone(),
+            reach: 0.0,
         };
         Compiler { model, joints, lowering, ids, com, system }
     }
@@ -135,6 +136,7 @@ impl<'a> Compiler<'a> {
     fn build(mut self) -> System {
         self.add_bodies();
         self.system.size = self.size();
+        self.system.reach = self.reach();
         self.add_joints();
         self.add_drivers();
         self.add_initial();
@@ -192,6 +194,12 @@ impl<'a> Compiler<'a> {
         [largest, spread(&of_guess), 1.0].into_iter().find(|&length| length > 0.0).unwrap_or(1.0)
     }
 
+    /// Largest coordinate in a body's own frame.
+    fn reach(&self) -> f64 {
+        let places = self.model.bodies.values().flat_map(|body| body.points.values().chain(&body.com));
+        places.flatten().fold(0.0, |most: f64, x| most.max(x.abs()))
+    }
+
     fn push_block(&mut self, constraint: Box<dyn Constraint>, origin: Origin) {
         self.system.push_block(constraint, origin);
     }
@@ -230,11 +238,11 @@ impl<'a> Compiler<'a> {
                     _ => (Box::new(Revolute { first, second, offset: None }), false),
                 },
                 JointKind::Prismatic { axis, angle, .. } => {
-                    let guide = Guide { first, second, axis: Vec2::from(*axis).normalize() };
+                    let guide = Guide { first, second, axis: unit(Vec2::from(*axis)) };
                     (Box::new(Prismatic { guide, angle: *angle }), true)
                 }
                 JointKind::Slot { axis } => {
-                    let guide = Guide { first, second, axis: Vec2::from(*axis).normalize() };
+                    let guide = Guide { first, second, axis: unit(Vec2::from(*axis)) };
                     (Box::new(Slot { guide }), false)
                 }
                 JointKind::Gear { ratio, angle, .. } => {
@@ -268,7 +276,7 @@ impl<'a> Compiler<'a> {
                 (Box::new(PinFriction { first: first.body, second: second.body, radius, law }), Measure::Angle)
             }
             JointKind::Prismatic { axis, guide_length, .. } => {
-                let guide = Guide { first, second, axis: Vec2::from(*axis).normalize() };
+                let guide = Guide { first, second, axis: unit(Vec2::from(*axis)) };
                 (Box::new(GuideFriction { guide, length: *guide_length, law }), Measure::Length)
             }
             JointKind::Slot { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => return None,
@@ -286,7 +294,7 @@ impl<'a> Compiler<'a> {
         let drawn = |body: BodyId| if body == BodyId::GROUND { 0.0 } else { self.system.guess[3 * (body.0 - 1) + 2] };
         let from_carrier = |wheel: Marker| drawn(wheel.body) - drawn(carrier);
         let angle = angle.unwrap_or_else(|| from_carrier(second) - ratio * from_carrier(first));
-        Gear { first, second, carrier, axis: span.normalize(), distance: span.norm(), ratio, angle }
+        Gear { first, second, carrier, axis: unit(span), distance: span.norm(), ratio, angle }
     }
 
     fn add_drivers(&mut self) {
@@ -300,7 +308,7 @@ impl<'a> Compiler<'a> {
                 DriverKind::Translation { joint } => {
                     let joint = &self.model.joints[joint];
                     let axis = match &joint.kind {
-                        JointKind::Prismatic { axis, .. } | JointKind::Slot { axis } => Vec2::from(*axis).normalize(),
+                        JointKind::Prismatic { axis, .. } | JointKind::Slot { axis } => unit(Vec2::from(*axis)),
                         // The loader lets translations drive prismatic joints and slots only.
                         JointKind::Revolute { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => Vec2::x(),
                     };
