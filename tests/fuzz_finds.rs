@@ -1,0 +1,141 @@
+//! What the fuzzer (`cargo bench --bench fuzz`) has found, and what must hold instead.
+
+use std::ffi::OsString;
+use std::path::Path;
+
+use linkdyn::analysis::{Control, check, run};
+use linkdyn::cli::{Said, captured};
+use linkdyn::error::Complaint;
+use linkdyn::model::{self, Model};
+use serde_json::{Value, json};
+
+/// A driven slider-crank.
+fn slider_crank() -> Value {
+    json!({
+        "format": "linkdyn/1", "units": "SI", "gravity": [0, -9.81],
+        "bodies": {
+            "ground": { "points": { "O": [0, 0] } },
+            "crank": { "mass": 1, "inertia": 0.01, "com": [0.05, 0], "points": { "O": [0, 0], "A": [0.1, 0] } },
+            "rod": { "mass": 1, "inertia": 0.02, "com": [0.15, 0], "points": { "A": [0, 0], "B": [0.3, 0] },
+                     "pose": { "position": [0.1, 0] } },
+            "slider": { "mass": 2, "inertia": 0.01, "com": [0, 0], "points": { "B": [0, 0] },
+                        "pose": { "position": [0.4, 0] } },
+        },
+        "joints": {
+            "o": { "type": "revolute", "between": ["ground.O", "crank.O"] },
+            "a": { "type": "revolute", "between": ["crank.A", "rod.A"] },
+            "b": { "type": "revolute", "between": ["rod.B", "slider.B"] },
+            "guide": { "type": "prismatic", "between": ["ground.O", "slider.B"], "axis": [1, 0] },
+        },
+        "drivers": { "motor": { "type": "rotation", "body": "crank",
+                                "motion": { "type": "constant_velocity", "start": 0.5, "velocity": 3 } } },
+        "analysis": { "type": "inverse_dynamics", "end": 1, "outputs": 11 },
+    })
+}
+
+/// The slider-crank with other values at some places (JSON pointers).
+fn with(changes: &[(&str, Value)]) -> Value {
+    let mut json = slider_crank();
+    for (place, value) in changes {
+        let (parent, key) = place.rsplit_once('/').expect("a pointer");
+        match json.pointer_mut(parent).expect("there") {
+            Value::Object(map) => drop(map.insert(key.to_string(), value.clone())),
+            Value::Array(list) => list[key.parse::<usize>().expect("an index")] = value.clone(),
+            other => panic!("{other}"),
+        }
+    }
+    json
+}
+
+fn load(json: &Value) -> Model {
+    model::load(json.to_string().as_bytes(), &[]).unwrap_or_else(|said| panic!("{said:?}")).model
+}
+
+/// What `check` and `run` complain of, which must be the same.
+fn refused(json: &Value) -> Complaint {
+    let model = load(json);
+    let of_check = check(&model).expect_err("refused");
+    let of_run = run(&model, &Control::default()).expect_err("refused");
+    assert_eq!(of_check, of_run);
+    of_run.into_iter().next().expect("a complaint")
+}
+
+/// Runs a command on a model in a file.
+fn command(name: &str, words: &[&str], json: &Value) -> Said {
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("finds-{}-{name}.json", std::process::id()));
+    std::fs::write(&file, json.to_string()).expect("written");
+    let (command, options) = words.split_first().expect("a command");
+    let words = ["linkdyn", command].into_iter().chain(file.to_str()).chain(options.iter().copied());
+    let said = captured(words.map(OsString::from));
+    std::fs::remove_file(file).expect("removed");
+    said
+}
+
+/// The square of such an axis vanishes or overflows, its direction does not: panicked.
+#[test]
+fn an_axis_of_any_length_is_a_direction() {
+    let reference = run(&load(&slider_crank()), &Control::default()).expect("runs").trajectory;
+    for length in [5e-324, 1e-200, 1e-160, 1e160, 1e200, 1e308] {
+        let other = with(&[("/joints/guide/axis", json!([length, 0]))]);
+        let found = run(&load(&other), &Control::default()).expect("runs").trajectory;
+        assert!(found.rows().eq(reference.rows()), "axis of length {length:e}");
+    }
+}
+
+/// "The loop does not close; it lacks inf m" of a ground that is 1e155 m away: it is a slip, and has a place.
+#[test]
+fn points_further_than_numbers_reach_are_refused() {
+    for (place, x) in
+        [("/bodies/ground/points/O/1", 1e155), ("/bodies/slider/points/B/0", -1e200), ("/bodies/rod/com/0", 1e61)]
+    {
+        let said = refused(&with(&[(place, json!(x))]));
+        assert_eq!(said.path, "bodies", "{said}");
+        assert!(said.message.contains("larger than 1e60 m"), "{said}");
+    }
+}
+
+/// The same of an angle or the start of a driver.
+#[test]
+fn joints_and_drivers_further_than_numbers_reach_are_named() {
+    for (place, path) in [
+        ("/joints/guide/angle", "joints.guide"),
+        ("/drivers/motor/motion/start", "drivers.motor"),
+        ("/initial", "initial.crank.angle"),
+    ] {
+        let value = if place == "/initial" { json!({ "crank": { "angle": 1e200 } }) } else { json!(1e200) };
+        let said = refused(&with(&[(place, value)]));
+        assert_eq!(said.path, path, "{said}");
+        assert!(said.hint.as_ref().is_some_and(|hint| hint.contains("wrong exponent")), "{said}");
+    }
+}
+
+/// "The body is heavy, inf kg": rounded to four digits the largest numbers are none any more, and ratios of large and small ones overflow.
+#[test]
+fn warnings_of_very_large_numbers_name_numbers() {
+    let largest = f64::MAX;
+    for (name, changes) in [
+        ("mass", vec![("/bodies/rod/mass", json!(largest))]),
+        ("inertia", vec![("/bodies/rod/mass", json!(1e-320)), ("/bodies/rod/inertia", json!(1.0))]),
+        ("gravity", vec![("/gravity", json!([largest, largest]))]),
+    ] {
+        let said = command(name, &["check"], &with(&changes));
+        assert!(said.stdout.contains("e308"), "{name}: {}", said.stdout);
+        let odd = said.stdout.split(|c: char| !c.is_alphanumeric()).find(|word| ["inf", "NaN"].contains(word));
+        assert_eq!(odd, None, "{name}: {}", said.stdout);
+    }
+}
+
+/// A command that another program runs says what it says to the streams of a process.
+#[test]
+fn a_captured_command_keeps_its_streams() {
+    let said = command("sound", &["check", "--json"], &slider_crank());
+    assert_eq!((said.status, said.stderr.as_str()), (0, ""));
+    assert_eq!(serde_json::from_str::<Value>(&said.stdout).expect("valid JSON")["status"], "completed");
+    let said = command("unsound", &["run", "--set", "joints.a.type=hinge"], &slider_crank());
+    assert_eq!((said.status, said.stdout.as_str()), (2, ""));
+    assert!(said.stderr.starts_with("error: ") && said.stderr.contains("joints.a.type"), "{}", said.stderr);
+    let said = captured(["linkdyn", "rnu"].map(OsString::from));
+    assert!(said.status == 2 && said.stderr.contains("did you mean \"run\"?"), "{said:?}");
+    let said = captured(["linkdyn", "--version"].map(OsString::from));
+    assert!(said.status == 0 && said.stdout.starts_with("linkdyn "), "{said:?}");
+}
