@@ -1,7 +1,8 @@
 //! Numbers as compact text: base64 (RFC 4648) of little-endian floats, column by column; an empty cell is a NaN.
 //!
 //! All columns go in as they are while there is room. Else, in this order: 7 digits instead of 16 (binary32), then only every
-//! k-th row as long as [`FEW_ROWS`] remain, then columns are left out from the least important on, and at last rows again.
+//! k-th row as long as [`FEW_ROWS`] remain, then columns are left out from the least important on, and at last rows again. Rows
+//! in which columns have their extremes stay, in up to half of the room for rows.
 
 use super::super::{Column, Trajectory};
 
@@ -44,6 +45,9 @@ pub struct Plan {
     pub binary64: bool,
     /// Rows, ascending.
     pub rows: Vec<usize>,
+    /// From one row to the next, but for those with extremes; and whether all of these are there.
+    pub step: usize,
+    pub all_extremes: bool,
     /// The least worth that is still in.
     pub worth: Worth,
 }
@@ -62,7 +66,10 @@ pub fn plan(sources: &[Source], rows: usize, room: usize, heading: impl Fn(&Sour
         free / (bytes * upto(&count, k).max(1))
     };
     let last = WORTHS.len() - 1;
-    let all = |binary64| Plan { binary64, rows: (0..rows).collect(), worth: WORTHS[last] };
+    let all = |binary64| {
+        let rows = (0..rows).collect();
+        Plan { binary64, rows, step: 1, all_extremes: true, worth: WORTHS[last] }
+    };
     if fitting(last, 8) >= rows {
         return all(true);
     }
@@ -73,7 +80,42 @@ pub fn plan(sources: &[Source], rows: usize, room: usize, heading: impl Fn(&Sour
     let k = (pose..=last).rev().find(|&k| fitting(k, 4) >= rows.min(FEW_ROWS)).unwrap_or(pose);
     // Without room for two instants of all poses there is no animation.
     let k = if fitting(k, 4) < rows.min(2) { 0 } else { k };
-    Plan { binary64: false, rows: thinned(rows, fitting(k, 4)), worth: WORTHS[k] }
+    let most = fitting(k, 4);
+    if most >= rows {
+        return Plan { worth: WORTHS[k], ..all(false) };
+    }
+    let (extremes, all_extremes) = extremes(sources, WORTHS[k], most / 2);
+    let mut kept = thinned(rows, most - extremes.len());
+    let step = kept.get(1).copied().unwrap_or(rows);
+    kept.extend(extremes);
+    kept.sort_unstable();
+    kept.dedup();
+    Plan { binary64: false, rows: kept, step, all_extremes, worth: WORTHS[k] }
+}
+
+/// Rows in which columns of no less worth have their extremes, the worthiest first, `most` at most; and whether that is all.
+fn extremes(sources: &[Source], least: Worth, most: usize) -> (Vec<usize>, bool) {
+    let mut rows: Vec<usize> = Vec::new();
+    let worthy = |worth: Worth| sources.iter().filter(move |source| source.worth == worth && worth <= least);
+    for source in WORTHS.into_iter().flat_map(worthy) {
+        let values = source.table.column(source.index).enumerate().filter(|(_, value)| value.is_finite());
+        let ends = values.fold([None; 2], |[low, high]: [Option<(usize, f64)>; 2], (row, value)| {
+            let keep = |known: Option<(usize, f64)>, beats: fn(f64, f64) -> bool| match known {
+                Some((_, best)) if !beats(value, best) => known,
+                Some(_) | None => Some((row, value)),
+            };
+            [keep(low, |a, b| a < b), keep(high, |a, b| a > b)]
+        });
+        for (row, _) in ends.into_iter().flatten() {
+            if !rows.contains(&row) {
+                if rows.len() >= most {
+                    return (rows, false);
+                }
+                rows.push(row);
+            }
+        }
+    }
+    (rows, true)
 }
 
 /// Every k-th of `rows` rows, and the last one, at most `most` in all.
@@ -152,7 +194,9 @@ mod tests {
     fn with_room_everything_goes_in_as_it_is() {
         let table = table(10, 3);
         let plan = plan(&sources(&table, &[Worth::Asked; 3]), 10, 1000, |_| 5);
-        assert_eq!(plan, Plan { binary64: true, rows: (0..10).collect(), worth: Worth::Acceleration });
+        let rows = (0..10).collect();
+        let expected = Plan { binary64: true, rows, step: 1, all_extremes: true, worth: Worth::Acceleration };
+        assert_eq!(plan, expected);
     }
 
     #[test]
@@ -184,11 +228,21 @@ mod tests {
     }
 
     #[test]
+    fn rows_with_extremes_stay() {
+        let mut table = table(4000, 3);
+        // A peak and a dip where no k-th row is.
+        (table.data[3 * 1235 + 1], table.data[3 * 2111 + 2]) = (1e6, -1e6);
+        let plan = plan(&sources(&table, &[Worth::Asked, Worth::Pose, Worth::Overall]), 4000, 12_000, |_| 5);
+        assert!(plan.rows.contains(&1235) && plan.rows.contains(&2111) && plan.all_extremes, "{plan:?}");
+        assert!(plan.rows.len() < 900 && plan.rows.windows(2).all(|pair| pair[0] < pair[1]), "{plan:?}");
+    }
+
+    #[test]
     fn cells_without_value_stay_empty() {
         let mut table = table(1, 2);
         table.data = vec![f64::INFINITY, 1e300];
         let sources = sources(&table, &[Worth::Asked; 2]);
-        let plan = Plan { binary64: false, rows: vec![0], worth: Worth::Asked };
+        let plan = Plan { binary64: false, rows: vec![0], step: 1, all_extremes: true, worth: Worth::Asked };
         // 1e300 has no binary32.
         assert_eq!(values(sources.iter(), &plan), base64(&[f32::NAN.to_le_bytes(), f32::NAN.to_le_bytes()].concat()));
     }

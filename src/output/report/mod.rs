@@ -82,10 +82,14 @@ pub fn to_text(page: &Page) -> String {
     let plan = plan(&sources, rows, LIMIT.saturating_sub(used + MARGIN), |source| heading(source).len() + 1);
     let kept: Vec<&Source> = sources.iter().filter(|source| source.worth <= plan.worth).collect();
     if plan.rows.len() < rows {
+        let extremes = match plan.all_extremes {
+            true => "All extremes are among them",
+            false => "What lies between does not count among the extremes below",
+        };
         notes.push(format!(
-            "Of {rows} instants every {}th is in this page, {} in all, so that it stays below 5 MB: what lies between does not \
-             count among the extremes below. results.csv has all.",
-            plan.rows.get(1).copied().unwrap_or(rows),
+            "Of {rows} instants every {}th is in this page, and some with extremes, {} in all, so that it stays below 5 MB. \
+             {extremes}; results.csv has all outputs.",
+            plan.step,
             plan.rows.len()
         ));
     }
