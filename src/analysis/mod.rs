@@ -27,10 +27,11 @@ pub use progress::Progress;
 pub use suspicious::suspicious;
 
 use crate::error::Complaint;
-use crate::model::{AnalysisKind, Model, unheld};
+use crate::model::{AnalysisKind, Model, OutputsAt, unheld};
 use crate::output::{Event, Quality, Report, Status, Stopwatch, Trajectory};
 use crate::system::{Evaluation, Inputs, System, compile::compile};
 use record::{Contents, Recorder, Sample};
+use std::borrow::Cow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -63,6 +64,9 @@ pub struct Outcome {
     pub trajectory: Trajectory,
     /// All columns, where `analysis.columns` leaves some out.
     pub complete: Option<Trajectory>,
+    /// Rows between the outputs, by time, all columns: of motions with contacts those where columns have extremes, and where
+    /// contacts begin, press most and end.
+    pub peaks: Trajectory,
     pub report: Report,
     /// The analysis as resolved, for the summary.
     pub settings: serde_json::Value,
@@ -72,6 +76,21 @@ impl Outcome {
     /// All columns that were computed, wanted or not.
     pub fn all(&self) -> &Trajectory {
         self.complete.as_ref().unwrap_or(&self.trajectory)
+    }
+
+    /// The columns that are wanted, with the rows of peaks among the outputs: what extremes and curves come from.
+    pub fn curves(&self) -> Cow<'_, Trajectory> {
+        self.trajectory.with_rows(&self.peaks)
+    }
+
+    /// The rows of peaks, with the columns that are wanted.
+    pub fn wanted_peaks(&self) -> Trajectory {
+        Trajectory::new(self.trajectory.columns.clone()).with_rows(&self.peaks).into_owned()
+    }
+
+    /// All columns, with the rows of peaks among the outputs.
+    pub fn all_curves(&self) -> Cow<'_, Trajectory> {
+        self.all().with_rows(&self.peaks)
     }
 }
 
@@ -107,18 +126,19 @@ pub fn run(model: &Model, control: &Control) -> Result<Outcome, Vec<Complaint>> 
         complaints
     };
     let system = compile(model, analysis.kind).map_err(loose)?;
+    let without_peaks = |(trajectory, report)| (trajectory, Trajectory::default(), report);
     let outcome = match analysis.kind {
-        AnalysisKind::Assembly => run_assembly(&system),
+        AnalysisKind::Assembly => run_assembly(&system).map(without_peaks),
         // Journals that move freely in their bearings leave the mechanism free to move, however it is driven.
         AnalysisKind::Kinematics | AnalysisKind::InverseDynamics if system.contacts.is_empty() => {
-            driven::run(&system, analysis, control)
+            driven::run(&system, analysis, control).map(without_peaks)
         }
         AnalysisKind::Kinematics | AnalysisKind::InverseDynamics | AnalysisKind::Dynamics => {
             dynamics::run(model, &system, analysis, contents(analysis.kind), control)
         }
-        AnalysisKind::Statics => statics::run(&system, control),
+        AnalysisKind::Statics => statics::run(&system, control).map(without_peaks),
     };
-    let (trajectory, mut report) = match outcome {
+    let (trajectory, peaks, mut report) = match outcome {
         Ok(found) => found,
         Err(Stop::Input(complaints)) => return Err(loose(complaints)),
         Err(Stop::Failed { status, message }) => {
@@ -126,7 +146,10 @@ pub fn run(model: &Model, control: &Control) -> Result<Outcome, Vec<Complaint>> 
             // Of no position there is no residual.
             let quality = Quality { constraint_residual: f64::NAN, ..Quality::default() };
             let mobility = assembly::counted(&system);
-            (trajectory, Report { status, message: Some(message), mobility, quality, ..Report::default() })
+            without_peaks((
+                trajectory,
+                Report { status, message: Some(message), mobility, quality, ..Report::default() },
+            ))
         }
     };
     let (selected, warnings) = trajectory.select(&analysis.columns);
@@ -135,7 +158,7 @@ pub fn run(model: &Model, control: &Control) -> Result<Outcome, Vec<Complaint>> 
         Some(selected) => (selected, Some(trajectory)),
         None => (trajectory, None),
     };
-    Ok(Outcome { trajectory, complete, report, settings: settings(analysis) })
+    Ok(Outcome { trajectory, complete, peaks, report, settings: settings(analysis) })
 }
 
 /// Whether joint forces are among the results.
@@ -177,6 +200,7 @@ fn settings(analysis: &crate::model::Analysis) -> serde_json::Value {
         "sample": analysis.sample.as_ref().map(|sample| serde_json::json!({
             "driver": sample.driver, "from": sample.from, "to": sample.to, "step": sample.step,
         })),
+        "outputs_at": (analysis.outputs_at == OutputsAt::Events).then_some("events"),
         "solver": {
             "method": solver.method, "rtol": solver.rtol, "atol": solver.atol, "max_step": solver.max_step,
             "initial_step": solver.initial_step, "max_wall_time": solver.max_wall_time,

@@ -119,7 +119,8 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         let file = options.output.display();
         return Err(BadInput(vec![format!("{file}: the name of the file must end in .svg or .png")]));
     }
-    let runs = options.results.iter().map(|path| Results::open(path)).collect::<Result<Vec<_>, _>>()?;
+    let mut runs = options.results.iter().map(|path| Results::open(path)).collect::<Result<Vec<_>, _>>()?;
+    runs.iter_mut().for_each(Results::take_peaks);
     let (chart, unused) = chart(options, &runs)?;
     let fault = |fault: crate::figure::Fault| BadInput(vec![format!("{}: {fault}", options.output.display())]);
     let scene = chart.draw().map_err(fault)?;

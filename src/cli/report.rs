@@ -16,23 +16,32 @@ const MANY: usize = 2000;
 /// The text of the page.
 pub fn text(opened: &Opened, outcome: &Outcome) -> String {
     let model = &opened.loaded.model;
+    let (curves, complete) = (outcome.curves(), outcome.all_curves());
     let summary = Summary {
         model_name: &opened.name,
         model_sha256: &opened.sha256,
         settings: &outcome.settings,
         report: &outcome.report,
-        trajectory: &outcome.trajectory,
+        trajectory: &curves,
         drawing: serde_json::Value::Null,
         load: opened.time,
         write: Stage::default(),
     };
-    let (derived, notes) = derived(model, outcome.all());
+    let (derived, mut notes) = derived(model, &complete);
+    if !outcome.peaks.is_empty() {
+        notes.push(format!(
+            "Besides the {} outputs this page has {} instants between them: where columns have their smallest or largest value, \
+             and where contacts begin, press most and end.",
+            outcome.trajectory.len(),
+            outcome.peaks.len()
+        ));
+    }
     report::to_text(&report::Page {
         summary: &summary,
         about: model.about.as_deref(),
         source: model.source.as_deref(),
         mechanism: &mechanism(model),
-        complete: outcome.all(),
+        complete: &complete,
         derived: &derived,
         notes,
     })

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 use super::BadInput;
+use super::run::PEAKS;
 use crate::bundled;
 use crate::output::read::{ReadColumn, ReadError, read_file};
 use crate::output::trajectory::matches;
@@ -55,6 +56,16 @@ impl Results {
         let summary = read_file(&table.path.with_file_name("summary.json"), "");
         let summary = summary.ok().and_then(|(_, bytes)| serde_json::from_slice(&bytes).ok());
         Ok(Results { table, path: path.to_owned(), summary })
+    }
+
+    /// Puts the rows of `peaks.csv` beside `results.csv` among its own, where there is such a file and it has the same columns:
+    /// curves pass through peaks between the outputs then.
+    pub fn take_peaks(&mut self) {
+        if self.table.path.file_name().is_some_and(|name| name == "results.csv")
+            && let Ok(peaks) = Table::read(&self.table.path.with_file_name(PEAKS))
+        {
+            self.table.insert(&peaks);
+        }
     }
 
     /// The model's name, from the summary.

@@ -14,6 +14,8 @@ use crate::model::Model;
 use crate::output::{Directory, Stage, Stopwatch, Summary, WriteError, csv};
 
 const RESULTS: &str = "results.csv";
+/// Rows between those of the results, where columns have their peaks.
+pub const PEAKS: &str = "peaks.csv";
 const SUMMARY: &str = "summary.json";
 const REPORT: &str = "report.html";
 
@@ -21,7 +23,8 @@ const REPORT: &str = "report.html";
 pub struct Options {
     #[command(flatten)]
     model: ModelOptions,
-    /// Write results.csv, summary.json and report.html into this directory (made where missing)
+    /// Write results.csv, summary.json and report.html into this directory (made where missing); of motions with contacts
+    /// also peaks.csv
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
 }
@@ -66,6 +69,7 @@ pub fn deadline(model: &Model, started: Instant) -> Option<Instant> {
 pub fn open_directory(path: &std::path::Path) -> Result<Directory, WriteError> {
     let directory = Directory::open(path)?;
     directory.expect_free(RESULTS)?;
+    directory.expect_free(PEAKS)?;
     directory.expect_free(SUMMARY)?;
     directory.expect_free(REPORT)?;
     Ok(directory)
@@ -75,17 +79,27 @@ pub fn open_directory(path: &std::path::Path) -> Result<Directory, WriteError> {
 pub fn write(directory: &Directory, opened: &Opened, outcome: &Outcome) -> Result<Written, WriteError> {
     let watch = Stopwatch::start();
     let results = directory.write_with(RESULTS, |file| csv::write(&outcome.trajectory, file))?;
+    let peaks = outcome.wanted_peaks();
+    let peaks = if peaks.is_empty() {
+        // Those of an older run are not those of these results.
+        directory.remove(PEAKS)?;
+        None
+    } else {
+        Some(directory.write_with(PEAKS, |file| csv::write(&peaks, file))?)
+    };
+    let curves = outcome.curves();
     let report = directory.write(REPORT, report::text(opened, outcome).as_bytes())?;
     let summary = Summary {
         model_name: &opened.name,
         model_sha256: &opened.sha256,
         settings: &outcome.settings,
         report: &outcome.report,
-        trajectory: &outcome.trajectory,
+        trajectory: &curves,
         drawing: Drawing::of_model(&opened.loaded.model).to_json(),
         load: opened.time,
         write: watch.read(),
     };
     let summary = directory.write(SUMMARY, crate::output::summary::to_text(&summary).as_bytes())?;
-    Ok(Written { paths: vec![results, summary, report], time: watch.read() })
+    let paths = [Some(results), peaks, Some(summary), Some(report)].into_iter().flatten().collect();
+    Ok(Written { paths, time: watch.read() })
 }

@@ -19,6 +19,7 @@ const FORCES: usize = 3;
 pub fn page(opened: &Opened, outcome: &Outcome, written: &Written) -> String {
     let Outcome { trajectory, report, .. } = outcome;
     let kind = opened.loaded.model.analysis.as_ref().map_or("", |analysis| analysis_words(analysis.kind));
+    let curves = outcome.curves();
     let mut page = Page::default();
     page.line(format!("{} ({}): {kind}, {}", opened.name, opened.label, status_words(report.status)));
     page.row("mobility", mobility(&report.mobility));
@@ -32,8 +33,8 @@ pub fn page(opened: &Opened, outcome: &Outcome, written: &Written) -> String {
             report.events.iter().map(|event| event_words(event, trajectory, &opened.loaded.model.display)).collect(),
         ),
     );
-    page.rows("effort", efforts(trajectory));
-    page.rows("largest force", forces(trajectory));
+    page.rows("effort", efforts(&curves));
+    page.rows("largest force", forces(&curves));
     page.rows("warnings", shorten(report.warnings.clone()));
     page.rows("written", written.paths.iter().map(|path| path.display().to_string()));
     let mut stages = vec![("load", opened.time), ("assemble", report.assemble), ("solve", report.solve)];

@@ -24,6 +24,17 @@ pub enum AnalysisKind {
     Statics,
 }
 
+/// Which instants are outputs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum OutputsAt {
+    /// Equally spaced ones.
+    #[default]
+    Equidistant,
+    /// These, and those of located events.
+    Events,
+}
+
 /// The wanted analysis.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 pub struct Analysis {
@@ -41,6 +52,9 @@ pub struct Analysis {
     #[serde(default)]
     #[schemars(with = "Sample")]
     pub sample: Option<Sample>,
+    /// Which instants are outputs: equally spaced ones alone, or those of located events, too.
+    #[serde(default)]
+    pub outputs_at: OutputsAt,
     #[serde(default)]
     pub solver: Solver,
     /// Patterns of the result columns to keep; `*` and `?` match the name without its `[unit]`; none means all.

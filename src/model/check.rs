@@ -298,6 +298,10 @@ impl Checked<'_> {
         let Some(kind) = analysis["type"].as_str() else { return };
         let [end, outputs, sample] = ["end", "outputs", "sample"].map(|key| analysis.get(key).is_some());
         let needed = !matches!(kind, "assembly" | "statics");
+        if !needed && analysis["outputs_at"] == "events" {
+            self.complain("analysis.outputs_at", format!("{kind} has one instant and no events")).hint =
+                Some("leave it out, or choose an analysis of a motion".into());
+        }
         let (path, message, hint) = match (end, outputs, sample) {
             (true, _, true) => ("analysis.end", "\"end\" and \"sample\" exclude each other", "keep one of them"),
             (false, true, true) => {

@@ -29,7 +29,7 @@ mod suggest;
 mod units;
 mod validate;
 
-pub use analysis::{Analysis, AnalysisKind, Sample, Solver, Transmission};
+pub use analysis::{Analysis, AnalysisKind, OutputsAt, Sample, Solver, Transmission};
 pub use body::{Body, Initial, Pose};
 pub use carrier::Carrier;
 pub use clearance::{

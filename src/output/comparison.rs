@@ -41,7 +41,7 @@ pub struct Numbers {
 pub struct Comparison {
     /// The compared columns, as the runs call them.
     pub columns: Vec<Column>,
-    /// Time, then per column each run; rows of the longest run, empty where a run has no value.
+    /// Time, then per column each run; rows of all runs' instants, empty where a run has no value.
     pub curves: Trajectory,
     /// Column after column, run after run.
     pub differences: Vec<Difference>,
@@ -53,7 +53,7 @@ impl Comparison {
     /// Compares the columns of the first run that match one of `patterns` (`*` any text, `?` one character, names without
     /// `[unit]`), in the order of the patterns.
     ///
-    /// The runs have the same output instants, as far as they got.
+    /// Runs are compared at instants that both have: with equally spaced outputs all, as far as both got.
     pub fn new(runs: &[Run], patterns: &[String]) -> Self {
         let Some(first) = runs.first() else { return Comparison::default() };
         let mut comparison = Comparison::default();
@@ -71,10 +71,10 @@ impl Comparison {
         }
         comparison.draw(runs);
         for column in &comparison.columns {
-            let values = |run: &Run| run.trajectory.values(&column.label()).unwrap_or_default();
-            let (times, reference) = (first.trajectory.values(TIME).unwrap_or_default(), values(first));
+            let times = first.trajectory.values(TIME).unwrap_or_default();
+            let reference = values_at(first.trajectory, column, &times);
             for run in &runs[1..] {
-                let (instants, numbers) = differences(&times, &reference, &values(run));
+                let (instants, numbers) = differences(&times, &reference, &values_at(run.trajectory, column, &times));
                 let (run, column) = (run.name.to_string(), column.clone());
                 comparison.differences.push(Difference { run, column, instants, numbers });
             }
@@ -84,14 +84,15 @@ impl Comparison {
 
     /// Fills the curves.
     fn draw(&mut self, runs: &[Run]) {
-        let Some(longest) = runs.iter().map(|run| run.trajectory).max_by_key(|table| table.len()) else { return };
-        let times = longest.values(TIME).unwrap_or_default();
+        let mut times: Vec<f64> = runs.iter().flat_map(|run| run.trajectory.values(TIME).unwrap_or_default()).collect();
+        times.sort_by(f64::total_cmp);
+        times.dedup();
         let mut columns = vec![Column::new(TIME, "s")];
         let mut values = vec![times.clone()];
         for column in &self.columns {
             for run in runs {
                 columns.push(Column::new(format!("{}:{}", run.name, column.name), column.unit));
-                values.push(run.trajectory.values(&column.label()).unwrap_or_default());
+                values.push(values_at(run.trajectory, column, &times));
             }
         }
         self.curves = Trajectory::new(columns);
@@ -101,6 +102,20 @@ impl Comparison {
             self.curves.push_row(&row);
         }
     }
+}
+
+/// Values of a column at these times, which stand in order; NaN where the table has no such row.
+fn values_at(table: &Trajectory, column: &Column, times: &[f64]) -> Vec<f64> {
+    let known = table.values(TIME).unwrap_or_default();
+    let Some(values) = table.values(&column.label()) else { return vec![f64::NAN; times.len()] };
+    let mut next = 0;
+    let at = |time: &f64| {
+        while known.get(next).is_some_and(|known| known < time) {
+            next += 1;
+        }
+        if known.get(next) == Some(time) { values[next] } else { f64::NAN }
+    };
+    times.iter().map(at).collect()
 }
 
 /// Instants with both values, and the numbers over them.

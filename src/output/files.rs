@@ -85,6 +85,18 @@ impl Directory {
         Ok(path)
     }
 
+    /// Removes a file of that name, where there is one.
+    ///
+    /// # Errors
+    /// When the system refuses.
+    pub fn remove(&self, name: &str) -> Result<(), WriteError> {
+        let path = self.path.join(name);
+        match fs::remove_file(&path) {
+            Err(source) if source.kind() != io::ErrorKind::NotFound => Err(WriteError::Write { path, source }),
+            Ok(()) | Err(_) => Ok(()),
+        }
+    }
+
     /// A name nobody else uses at the same time.
     fn temporary(&self, name: &str) -> PathBuf {
         self.path.join(format!(".{name}.{}.part", std::process::id()))
@@ -107,6 +119,9 @@ mod tests {
         let directory = Directory::open(&path.join("deep/er")).expect("made");
         directory.write("a.csv", b"one").expect("written");
         directory.write("a.csv", b"two").expect("written again");
+        directory.write("b.csv", b"").expect("written");
+        directory.remove("b.csv").expect("removed");
+        directory.remove("b.csv").expect("nothing to remove");
         assert_eq!(fs::read(path.join("deep/er/a.csv")).expect("there"), b"two");
         assert_eq!(fs::read_dir(directory.path()).expect("a directory").count(), 1);
         fs::remove_dir_all(&path).expect("removed");

@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
+use super::trajectory::TIME;
+
 /// Largest file that is read [bytes].
 const LARGEST: u64 = 1 << 30;
 
@@ -121,6 +123,35 @@ impl Table {
         Ok(Table { path, columns })
     }
 
+    /// Puts another table's rows among its own, both by time, where the two have the same columns and nothing but numbers; of
+    /// the same instant the others come last.
+    pub fn insert(&mut self, others: &Table) {
+        let is_same = self.columns.len() == others.columns.len()
+            && self.columns.iter().zip(&others.columns).all(|(own, other)| {
+                own.name == other.name && own.unit == other.unit && own.odd.is_none() && other.odd.is_none()
+            });
+        let (Some(times), Some(between)) = (self.column(TIME), others.column(TIME)) else { return };
+        if !is_same || others.is_empty() {
+            return;
+        }
+        // Rows of this table, and of the other one, in the order of the result.
+        let mut order: Vec<(bool, usize)> = Vec::with_capacity(self.len() + others.len());
+        let mut next = 0;
+        for (row, time) in times.values.iter().enumerate() {
+            while between.values.get(next).is_some_and(|other| other < time) {
+                order.push((true, next));
+                next += 1;
+            }
+            order.push((false, row));
+        }
+        order.extend((next..others.len()).map(|row| (true, row)));
+        for (column, other) in self.columns.iter_mut().zip(&others.columns) {
+            let value =
+                |&(is_other, row): &(bool, usize)| if is_other { other.values[row] } else { column.values[row] };
+            column.values = order.iter().map(value).collect();
+        }
+    }
+
     /// Number of rows.
     pub fn len(&self) -> usize {
         self.columns.first().map_or(0, |column| column.values.len())
@@ -195,6 +226,19 @@ mod tests {
         assert!(read.columns[1].values[0].is_nan());
         assert_eq!((read.columns[0].values[1], read.columns[1].values[1]), (1.0 / 3.0, -5e-324));
         assert!(read.column("time").is_some() && read.column("time[s]").is_some() && read.column("time[ms]").is_none());
+    }
+
+    #[test]
+    fn rows_of_another_table_go_between_by_time() {
+        let mut table = parse("time[s],a.x[m]\n0,1\n1,2\n").expect("sound");
+        table.insert(&parse("time[s],a.x[m]\n0,3\n0.5,\n2,4\n").expect("sound"));
+        assert_eq!(table.columns[0].values, [0.0, 0.0, 0.5, 1.0, 2.0]);
+        assert_eq!(table.columns[1].values[..2], [1.0, 3.0]);
+        assert!(table.columns[1].values[2].is_nan() && table.columns[1].values[3..] == [2.0, 4.0]);
+        for strange in ["time[s],a.x[mm]\n0.5,3\n", "time[s]\n0.5\n", "time[s],a.x[m]\n0.5,word\n"] {
+            table.insert(&parse(strange).expect("a table"));
+            assert_eq!(table.len(), 5, "{strange}");
+        }
     }
 
     #[test]

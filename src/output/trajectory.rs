@@ -1,5 +1,7 @@
 //! The output table: building it row by row, finding columns, keeping some of them.
 
+use std::borrow::Cow;
+
 use super::{Column, Trajectory};
 
 /// Name of the column that is always first and always kept.
@@ -172,6 +174,38 @@ impl Trajectory {
         (selected, warnings)
     }
 
+    /// This table with the rows of another one, which has at least its columns; both stand by time, and do so together. Of
+    /// the same instant the others come last.
+    pub fn with_rows(&self, others: &Trajectory) -> Cow<'_, Trajectory> {
+        let times = (self.column_index(TIME), others.column_index(TIME));
+        let from: Option<Vec<usize>> = self.columns.iter().map(|column| others.column_index(&column.label())).collect();
+        let ((Some(time), Some(other_time)), Some(from)) = (times, from) else { return Cow::Borrowed(self) };
+        if others.is_empty() {
+            return Cow::Borrowed(self);
+        }
+        let mut together = Trajectory::new(self.columns.clone());
+        together.reserve(self.len() + others.len());
+        let mut between = others.rows().peekable();
+        for row in self.rows() {
+            while let Some(other) = between.next_if(|other| other[other_time] < row[time]) {
+                together.data.extend(from.iter().map(|&column| other[column]));
+            }
+            together.data.extend_from_slice(row);
+        }
+        between.for_each(|other| together.data.extend(from.iter().map(|&column| other[column])));
+        Cow::Owned(together)
+    }
+
+    /// Smallest and largest value of one column.
+    pub fn extremes_of(&self, column: usize) -> Option<Extremes> {
+        let time = self.column_index(TIME);
+        let mut found = None;
+        for row in self.rows() {
+            note(&mut found, row[column], time.map_or(f64::NAN, |time| row[time]));
+        }
+        found
+    }
+
     /// Smallest and largest value of every column, in one pass over the table.
     pub fn extremes(&self) -> Vec<Option<Extremes>> {
         let time = self.column_index(TIME);
@@ -179,18 +213,23 @@ impl Trajectory {
         for row in self.rows() {
             let time = time.map_or(f64::NAN, |column| row[column]);
             for (extremes, &value) in found.iter_mut().zip(row) {
-                if !value.is_finite() {
-                    continue;
-                }
-                match extremes {
-                    None => *extremes = Some(Extremes { min: value, min_time: time, max: value, max_time: time }),
-                    Some(known) if value < known.min => (known.min, known.min_time) = (value, time),
-                    Some(known) if value > known.max => (known.max, known.max_time) = (value, time),
-                    Some(_) => {}
-                }
+                note(extremes, value, time);
             }
         }
         found
+    }
+}
+
+/// Takes a value for an extreme where it is one.
+fn note(extremes: &mut Option<Extremes>, value: f64, time: f64) {
+    if !value.is_finite() {
+        return;
+    }
+    match extremes {
+        None => *extremes = Some(Extremes { min: value, min_time: time, max: value, max_time: time }),
+        Some(known) if value < known.min => (known.min, known.min_time) = (value, time),
+        Some(known) if value > known.max => (known.max, known.max_time) = (value, time),
+        Some(_) => {}
     }
 }
 
@@ -275,6 +314,26 @@ mod tests {
         let extremes = table.extremes();
         assert_eq!(extremes[1], Some(Extremes { min: -1.0, min_time: 2.0, max: 3.0, max_time: 1.0 }));
         assert_eq!(extremes[2], None);
+    }
+
+    #[test]
+    fn rows_of_another_table_go_between_by_time() {
+        let mut table = Trajectory::new(columns(&["time", "a.y"]));
+        let mut others = Trajectory::new(columns(&["time", "a.x", "a.y"]));
+        assert!(matches!(table.with_rows(&others), Cow::Borrowed(_)));
+        for time in [0.0, 1.0] {
+            table.push_row(&[time, 10.0 * time]);
+        }
+        for time in [-1.0, 0.0, 0.5, 2.0] {
+            others.push_row(&[time, 7.0, time]);
+        }
+        let together = table.with_rows(&others);
+        let expected = [[-1.0, -1.0], [0.0, 0.0], [0.0, 0.0], [0.5, 0.5], [1.0, 10.0], [2.0, 2.0]];
+        assert_eq!(together.data, expected.concat());
+        let most = together.extremes()[1].expect("values");
+        assert_eq!((most.min, most.min_time, most.max, most.max_time), (-1.0, -1.0, 10.0, 1.0));
+        let strange = Trajectory { columns: columns(&["time"]), data: vec![0.5] };
+        assert!(matches!(table.with_rows(&strange), Cow::Borrowed(_)), "without its columns they are none of its rows");
     }
 
     #[test]

@@ -11,7 +11,7 @@ use super::record::Sample;
 use super::{Control, Stop};
 use crate::element::Measure;
 use crate::error::Complaint;
-use crate::model::Analysis;
+use crate::model::{Analysis, OutputsAt};
 use crate::output::{Report, Status, Stopwatch, Trajectory};
 use crate::solve::continuation::{HALF_TURN, Parameter, Path, follow};
 use crate::solve::driven::{Driven, Failure};
@@ -26,7 +26,8 @@ use passages::range;
 pub fn run(system: &System, analysis: &Analysis, control: &Control) -> Result<(Trajectory, Report), Stop> {
     let clock = Stopwatch::start();
     let reactions = super::has_reactions(analysis.kind);
-    refuse(system, reactions)?;
+    let at_events = analysis.outputs_at == OutputsAt::Events;
+    refuse(system, reactions, at_events)?;
     let instants = instants(system, analysis).map_err(Stop::Input)?;
     let start = Inputs::at_time(system, 0.0);
     let assembled = assemble(system, &start)?;
@@ -54,7 +55,7 @@ pub fn run(system: &System, analysis: &Analysis, control: &Control) -> Result<(T
     report.statistics.steps = path.steps;
     report.statistics.rejected = path.rejected;
     let mut outputs = Outputs::new(system, reactions, instants.len(), &mut report);
-    outputs.march(&mut driven, &path, &instants, control);
+    outputs.march(&mut driven, &path, &instants, at_events, control);
     let trajectory = outputs.finish();
     let done = driven.done;
     report.statistics.newton_iterations += done.newton_iterations;
@@ -65,7 +66,17 @@ pub fn run(system: &System, analysis: &Analysis, control: &Control) -> Result<(T
 }
 
 /// What a prescribed motion can't do.
-fn refuse(system: &System, reactions: bool) -> Result<(), Stop> {
+fn refuse(system: &System, reactions: bool, at_events: bool) -> Result<(), Stop> {
+    if at_events && system.links > 0 {
+        return Err(Stop::Input(vec![
+            Complaint::new(
+                "analysis.outputs_at",
+                "a massless clearance link turns by differences between outputs, which rows at events would change",
+            )
+            .found("\"events\"")
+            .hint("use \"equidistant\""),
+        ]));
+    }
     let remembers = |force: usize| system.reactive[force].force.memory_scale().is_some();
     let bristles = |joint: &&JointData| joint.friction.is_some_and(|friction| remembers(friction.force));
     match system.joints.iter().find(bristles).filter(|_| reactions || system.links > 0) {

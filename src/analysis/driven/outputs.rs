@@ -59,8 +59,15 @@ impl<'a, 'r> Outputs<'a, 'r> {
         }
     }
 
-    /// Solves and records every instant, as far as the path goes.
-    pub fn march(&mut self, driven: &mut Driven, path: &Path, instants: &[OutputInstant], control: &Control) {
+    /// Solves and records every instant, as far as the path goes; with `at_events` also those of passages.
+    pub fn march(
+        &mut self,
+        driven: &mut Driven,
+        path: &Path,
+        instants: &[OutputInstant],
+        at_events: bool,
+        control: &Control,
+    ) {
         let end = instants.last().map_or(0.0, |last| last.time);
         if [path.low, path.high].contains(&End::Interrupted) {
             let status = control.stop().unwrap_or(Status::Interrupted);
@@ -70,7 +77,8 @@ impl<'a, 'r> Outputs<'a, 'r> {
         }
         let limit = self.limits(path, end);
         self.events(path, range(self.system, instants), limit.as_ref().map_or(end, |(time, ..)| *time));
-        for instant in instants {
+        let passages: &[Event] = if at_events { &self.report.events } else { &[] };
+        for instant in &with_passages(instants, passages) {
             control.progress.note(end + instant.time, 2.0 * end);
             instant.drive(self.system, &mut self.inputs.drive);
             let beyond = !path.holds(match path.parameter {
@@ -344,6 +352,18 @@ impl<'a, 'r> Outputs<'a, 'r> {
         }
         self.recorder.trajectory
     }
+}
+
+/// The instants, with those of events between them.
+fn with_passages(instants: &[OutputInstant], events: &[Event]) -> Vec<OutputInstant> {
+    let mut all = instants.to_vec();
+    let end = instants.last().map_or(0.0, |last| last.time);
+    let is_near = |time: f64| instants.iter().any(|instant| (instant.time - time).abs() <= ON_THE_EDGE * end);
+    let between = events.iter().filter(|event| !is_near(event.time));
+    // By value there is one driver that counts.
+    all.extend(between.map(|event| OutputInstant { time: event.time, exact: event.value.map(|value| (0, value)) }));
+    all.sort_by(|a, b| a.time.total_cmp(&b.time));
+    all
 }
 
 fn describe(system: &System, failure: Failure) -> String {

@@ -1,6 +1,7 @@
 //! The loop of steps: chooses coordinates anew where that is better, finds what contacts do within each step, and starts
 //! again from there.
 
+use super::closer::Looking;
 use super::contact::{Change, History, Sums, change, first_phase, sticks};
 use super::motion::Motion;
 use super::words::{TIGHT, beyond_range, culprits, deep_start, describe, jam, tight};
@@ -49,6 +50,8 @@ pub struct Integration {
     pub(super) last_jam: (f64, usize),
     /// How far the friction of ideal joints was from locking them at the ends of the last two steps.
     margins: [Margin; 2],
+    /// What looks for the extremes of columns, in motions with contacts.
+    pub(super) looking: Option<Box<Looking>>,
 }
 
 /// How far the equations of friction are from having no solution.
@@ -97,6 +100,7 @@ impl Integration {
             jammed: Vec::new(),
             last_jam: (f64::NEG_INFINITY, 0),
             margins: [Margin { time: f64::NEG_INFINITY, left: 1.0, force: 0 }; 2],
+            looking: None,
         };
         for (contact, journal) in system.contacts.iter().enumerate() {
             let reading = motion.reading(contact);
@@ -231,6 +235,7 @@ impl Integration {
         self.note_margin(motion);
         if !self.histories.is_empty() {
             self.look_closely(motion).map_err(refused)?;
+            self.watch_step(motion);
         }
         Ok(())
     }
@@ -304,7 +309,9 @@ impl Integration {
             }
             self.last[contact] = now;
         }
-        self.begin_again(motion, time)
+        self.begin_again(motion, time)?;
+        self.watch_from(motion, time);
+        Ok(())
     }
 
     /// The point of an output: y and the mechanism at `time`, within the last step.

@@ -37,10 +37,12 @@ impl Integration {
         motion.evaluate(time, &self.y).map_err(|_| Refused)
     }
 
-    /// Finds the first event of the last step, and tells the histories what came before it.
+    /// Finds the first event of the last step, and tells the histories what came before it. The mechanism is evaluated at the
+    /// event, or the step's end, then.
     fn look(&mut self, motion: &mut Motion) -> Result<(), Refused> {
         let (mut from, mut to) = (self.stepper.previous(), self.stepper.t());
-        if motion.passed(from, to) {
+        let has_passed = motion.passed(from, to);
+        if has_passed {
             self.pending = self.first_event(motion, from, to)?;
         }
         if let Some(time) = self.pending
@@ -52,7 +54,10 @@ impl Integration {
         }
         let until = self.reached();
         let touching = motion.reduced.inputs.contacts.iter().any(|memory| memory.phase != Phase::Flight);
-        if !touching {
+        if !touching && !has_passed {
+            // The step's last evaluation was at its end.
+            self.y.resize(motion.dimension(), 0.0);
+            self.y.copy_from_slice(self.stepper.y());
             return Ok(());
         }
         self.evaluate_at(motion, until)?;

@@ -7,7 +7,9 @@
 //! Joints with clearance by contact are open: journals fly and press (`contact`), and the instants at which they begin
 //! and cease to are located within the steps (`integration`).
 
+mod closer;
 mod contact;
+mod episodes;
 mod impact;
 mod integration;
 mod jam;
@@ -17,8 +19,11 @@ pub mod motion;
 mod outputs;
 mod parts;
 mod peaks;
+mod sampling;
 mod start;
 mod variants;
+mod watch;
+mod within;
 mod words;
 
 use super::assembly::Assembled;
@@ -28,17 +33,18 @@ use super::record::Contents;
 use super::{Control, Stop, locked, unsure_friction};
 use crate::error::Complaint;
 use crate::integrate::Method;
-use crate::model::{Analysis, Model, Solver};
+use crate::model::{Analysis, Model, OutputsAt, Solver};
 use crate::output::{Report, Status, Stopwatch, Trajectory};
 use crate::solve::driven::Failure;
 use crate::solve::reduced::Reduced;
 use crate::system::System;
+use closer::Looking;
 use integration::Integration;
 use motion::Motion;
 use outputs::Outputs;
 use variants::Variants;
 
-/// Runs the analysis.
+/// Runs the analysis: the outputs, and rows of peaks between them.
 ///
 /// # Errors
 /// Faults of the input, and a start that is impossible.
@@ -48,12 +54,13 @@ pub fn run(
     analysis: &Analysis,
     contents: Contents,
     control: &Control,
-) -> Result<(Trajectory, Report), Stop> {
+) -> Result<(Trajectory, Trajectory, Report), Stop> {
     let watch = Stopwatch::start();
     let (assembled, v) = start::start(model, system)?;
     if assembled.all.rank == system.n() {
         // Nothing is free: the motion is that of the drivers.
-        return super::driven::run(system, analysis, control);
+        let (trajectory, report) = super::driven::run(system, analysis, control)?;
+        return Ok((trajectory, Trajectory::default(), report));
     }
     refuse(system, analysis)?;
     let method = method(&analysis.solver)?;
@@ -72,6 +79,11 @@ pub fn run(
     let instants = instants(system, analysis).map_err(Stop::Input)?;
     let end = instants.last().map_or(0.0, |last| last.time);
     let mut solver = Integration::new(method, &analysis.solver, &mut motion, end)?;
+    if !system.contacts.is_empty() {
+        let all = analysis.outputs_at == OutputsAt::Events;
+        solver.looking = Some(Box::new(Looking::new(&motion, contents, &analysis.columns, all)));
+        solver.watch_from(&mut motion, 0.0);
+    }
     let mut outputs = Outputs::new(system, contents, instants.len(), &mut report);
     for instant in &instants {
         if let Err((status, message)) = solver.reach(&mut motion, instant.time, control) {
@@ -94,7 +106,8 @@ pub fn run(
             break;
         }
     }
-    let trajectory = outputs.finish();
+    let mut trajectory = outputs.finish();
+    let peaks = solver.looking.take().map(|looking| looking.finish(&mut trajectory)).unwrap_or_default();
     report.warnings.extend(unsure_friction(system, &report.mobility.reactions_not_unique));
     report.warnings.extend(motion.reduced.passed_change_point().map(|time| {
         format!(
@@ -108,7 +121,7 @@ pub fn run(
     report.statistics.newton_iterations += done.newton_iterations + assembled.iterations;
     report.statistics.factorisations += done.factorisations;
     report.solve = watch.read();
-    Ok((trajectory, report))
+    Ok((trajectory, peaks, report))
 }
 
 /// What forward dynamics can't do.

@@ -1,18 +1,17 @@
 //! The loop's results: rows, and how good they are.
 
-use super::contact::state;
 use super::integration::Integration;
 use super::motion::Motion;
+use super::sampling::Sampling;
 use crate::analysis::power::Powers;
-use crate::analysis::record::{ContactSample, Contents, Recorder, Sample};
+use crate::analysis::record::{Contents, Sample};
 use crate::output::{Report, Trajectory};
 use crate::solve::driven::Failure;
 use crate::system::System;
 
 pub struct Outputs<'a, 'r> {
     system: &'a System,
-    recorder: Recorder,
-    sample: Sample,
+    sampling: Sampling,
     pub report: &'r mut Report,
     powers: Powers,
     /// Least and largest energy, and largest kinetic energy [J].
@@ -32,8 +31,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
     pub fn new(system: &'a System, contents: Contents, rows: usize, report: &'r mut Report) -> Self {
         Outputs {
             system,
-            recorder: Recorder::new(system, contents, rows),
-            sample: Sample::new(system),
+            sampling: Sampling::new(system, contents, rows),
             report,
             powers: Powers::default(),
             energy: None,
@@ -47,24 +45,11 @@ impl<'a, 'r> Outputs<'a, 'r> {
     /// Where the position can't be solved.
     pub fn record(&mut self, solver: &mut Integration, motion: &mut Motion, time: f64) -> Result<(), Failure> {
         solver.output(motion, time)?;
-        for (contact, journal) in self.system.contacts.iter().enumerate() {
-            let memory = &motion.reduced.inputs.contacts[contact];
-            self.sample.contacts[contact] =
-                ContactSample { reading: motion.reading(contact), state: state(journal, memory) };
-        }
+        self.sampling.take(motion);
         let [dissipated, work] = solver.ledger(motion);
         let reduced = &mut motion.reduced;
         let system = reduced.own().system;
-        let Sample { q, v, a, lambda, force, reactive, .. } = &mut self.sample;
-        lambda.resize(system.m(), 0.0);
-        q.copy_from_slice(&reduced.q);
-        v.copy_from_slice(&reduced.v);
-        a.copy_from_slice(&reduced.a);
-        force.copy_from_slice(&reduced.force);
-        reduced.reactions(lambda);
-        // Of a journal that follows its bearing the friction is told with the contact.
-        let told = reactive.len();
-        reactive.copy_from_slice(&reduced.driven.reactive.sizes()[..told]);
+        let Sample { q, v, a, lambda, force, .. } = &self.sampling.sample;
         let evaluation = &mut reduced.driven.evaluation;
         evaluation.set_position(q);
         evaluation.eval_phi(system, &reduced.inputs);
@@ -85,8 +70,8 @@ impl<'a, 'r> Outputs<'a, 'r> {
             ledger.imbalance = ledger.imbalance.max((sum - ledger.start).abs());
             ledger.largest = [moving, elastic, dissipated, work.abs()].into_iter().fold(ledger.largest, f64::max);
         }
-        self.sample.contact_energy = [elastic, dissipated];
-        self.recorder.push(system, &reduced.driven.evaluation, &reduced.inputs, &self.sample);
+        self.sampling.sample.contact_energy = [elastic, dissipated];
+        self.sampling.push(motion);
         Ok(())
     }
 
@@ -101,6 +86,6 @@ impl<'a, 'r> Outputs<'a, 'r> {
         {
             quality.energy_drift = Some(part(most - least, largest));
         }
-        self.recorder.trajectory
+        self.sampling.recorder.trajectory
     }
 }

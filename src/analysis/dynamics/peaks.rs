@@ -78,9 +78,11 @@ impl Integration {
         for _ in 0..PEAK_PARABOLAS {
             let mut values = [0.0; 3];
             for (value, side) in values.iter_mut().zip([-1.0, 0.0, 1.0]) {
-                self.evaluate_at(motion, time + side * width)?;
+                let at = time + side * width;
+                self.evaluate_at(motion, at)?;
                 let reading = motion.reading(contact);
                 self.histories[contact].peak(reading.penetration, reading.normal);
+                self.watch_peak(motion, contact, reading.normal, at);
                 *value = of(&reading);
             }
             let [before, here, after] = values;

@@ -1,8 +1,8 @@
 //! A figure per compared column: the curves of all models over time.
 
 use crate::figure::{Axis, Chart, Curve, Panel, svg, words};
-use crate::output::Comparison;
 use crate::output::trajectory::TIME;
+use crate::output::{Column, Trajectory};
 
 /// Letters of a file's name, without its ending, at most.
 const LONGEST: usize = 100;
@@ -17,14 +17,13 @@ const SQUEEZED: f64 = 10.0;
 /// A file's name and content.
 pub type Figure = (String, String);
 
-/// The figures; a column that no model has a value of has none.
-pub fn figures(comparison: &Comparison, models: &[&str]) -> Vec<Figure> {
-    let times = comparison.curves.values(TIME).unwrap_or_default();
+/// The figures of columns, each with a curve per model; a column that no model has a value of has none.
+pub fn figures(columns: &[Column], models: &[(&str, Trajectory)]) -> Vec<Figure> {
     let mut figures: Vec<Figure> = Vec::new();
-    for column in &comparison.columns {
-        let curve = |model: &&str| {
-            let y = comparison.curves.values(&format!("{model}:{}", column.label())).unwrap_or_default();
-            Curve::new(*model, times.clone(), y)
+    for column in columns {
+        let curve = |(model, table): &(&str, Trajectory)| {
+            let values = |name: &str| table.values(name).unwrap_or_else(|| vec![f64::NAN; table.len()]);
+            Curve::new(*model, values(TIME), values(&column.label()))
         };
         let unit = if column.unit == "1" { "" } else { column.unit };
         let curves: Vec<Curve> = models.iter().map(curve).collect();

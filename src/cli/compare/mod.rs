@@ -98,13 +98,14 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         return Err(BadInput(reasons.map(|(model, why)| format!("{}: {model}: {why}", opened.label)).collect()));
     }
     let comparison = compare(&opened.loaded.model, &joints, &rungs, &options.columns);
-    let report = Report { opened: &opened, joints: &joints, rungs: &rungs, wanted, comparison: &comparison };
+    let curves = curves(&joints, &rungs);
+    let report =
+        Report { opened: &opened, joints: &joints, rungs: &rungs, wanted, comparison: &comparison, curves: &curves };
     let mut written = Vec::new();
     if let Some(directory) = &directory {
         written.push(directory.write_with(TABLE, |file| csv::write(&comparison.curves, file))?);
         written.push(directory.write(SUMMARY, format!("{:#}\n", report.json()).as_bytes())?);
-        let ran: Vec<&str> = rungs.iter().filter(|rung| rung.ran.is_ok()).map(|rung| rung.model).collect();
-        for (name, figure) in figures::figures(&comparison, &ran) {
+        for (name, figure) in figures::figures(&comparison.columns, &curves) {
             written.push(directory.write(&name, figure.as_bytes())?);
         }
     }
@@ -278,6 +279,12 @@ fn compare(model: &Model, joints: &[String], rungs: &[Rung], patterns: &[String]
     }
     // Kinematics has no forces, `analysis.columns` may have left out any.
     Comparison { unmatched: Vec::new(), ..Comparison::new(&runs, &usual) }
+}
+
+/// What each model's curves are drawn from: its outputs, and the rows of peaks between them.
+fn curves(joints: &[String], rungs: &[Rung]) -> Vec<(&'static str, Trajectory)> {
+    let ran = rungs.iter().filter_map(|rung| Some((rung.model, rung.ran.as_ref().ok()?)));
+    ran.map(|(model, outcome)| (model, with_forces(outcome.curves().into_owned(), joints))).collect()
 }
 
 /// The last body that no driver turns by itself, or the last.

@@ -9,8 +9,8 @@ use super::super::page::{Page, count, number, seconds, shorten};
 use super::super::summary::{status_words, unit_words};
 use super::Rung;
 use crate::analysis::Outcome;
-use crate::output::Column;
 use crate::output::comparison::{Comparison, Difference};
+use crate::output::{Column, Extremes, Trajectory};
 
 /// Digits of numbers in the table.
 const DIGITS: usize = 4;
@@ -23,6 +23,8 @@ pub struct Report<'a> {
     /// Whether the models were asked for by name.
     pub wanted: bool,
     pub comparison: &'a Comparison,
+    /// Of each model that ran: its outputs and peaks.
+    pub curves: &'a [(&'static str, Trajectory)],
 }
 
 impl Report<'_> {
@@ -68,8 +70,26 @@ impl Report<'_> {
                 page.line(table_row(&format!("  {}", difference.run), numbers.map(|value| number(value, DIGITS))));
             }
         }
+        if !compared.is_empty() {
+            page.line(table_row("smallest and largest", ["min", "at t [s]", "max", "at t [s]"].map(String::from)));
+        }
+        for column in compared {
+            page.line(format!("  {} [{}]", column.name, unit_words(column.unit)));
+            for (model, extremes) in self.extremes(column) {
+                let numbers = extremes.map_or([f64::NAN; 4], |e| [e.min, e.min_time, e.max, e.max_time]);
+                page.line(table_row(&format!("  {model}"), numbers.map(|value| number(value, DIGITS))));
+            }
+        }
         page.rows("written", written.iter().map(|path| path.display().to_string()));
         page.text().to_string()
+    }
+
+    /// Smallest and largest value of a column by model, peaks between the outputs included.
+    fn extremes(&self, column: &Column) -> impl Iterator<Item = (&'static str, Option<Extremes>)> {
+        self.curves.iter().map(|(model, table)| {
+            let index = table.column_index(&column.label());
+            (*model, index.and_then(|index| table.extremes_of(index)))
+        })
     }
 
     /// How a run went.
@@ -112,6 +132,18 @@ impl Report<'_> {
                 "instants": instants,
             });
         }
+        let mut extremes = Map::new();
+        for column in &self.comparison.columns {
+            let of_column = extremes.entry(column.label()).or_insert_with(|| json!({}));
+            for (model, found) in self.extremes(column) {
+                of_column[model] = json!({
+                    "min": found.map(|e| e.min),
+                    "min_time": found.map(|e| e.min_time),
+                    "max": found.map(|e| e.max),
+                    "max_time": found.map(|e| e.max_time),
+                });
+            }
+        }
         json!({
             "engine": env!("CARGO_PKG_VERSION"),
             "model": { "name": self.opened.name, "sha256": self.opened.sha256 },
@@ -120,6 +152,7 @@ impl Report<'_> {
             "models": self.rungs.iter().map(rung).collect::<Value>(),
             "columns": self.comparison.columns.iter().map(Column::label).collect::<Vec<_>>(),
             "differences": differences,
+            "extremes": extremes,
         })
     }
 
