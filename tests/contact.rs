@@ -605,8 +605,8 @@ fn complaints(model: &Value) -> String {
 fn a_start_in_the_wall_says_how_deep() {
     let start = |x: f64| journal(lankarani(0.9), none(), json!({ "x": x, "y": 0.0 }), 1e-4, 2, 1e-8);
     let said = complaints(&start(0.0125));
-    assert!(said.contains("joint \"pin\" starts with its journal 2.5000e-3 m deep"), "{said}");
-    assert!(said.contains("eccentricity 1.25") && said.contains("clearance 1e-2"), "{said}");
+    assert!(said.contains("joint \"pin\" starts with its journal 0.0025 m deep"), "{said}");
+    assert!(said.contains("eccentricity 0.0125 m") && said.contains("clearance 0.01 m"), "{said}");
     // A little is a contact like any other.
     let outcome = completed(&start(0.0101));
     assert!(column(&outcome, "joint.pin.normal_force")[0] > 0.0);
@@ -627,7 +627,8 @@ fn a_run_says_that_it_left_the_range_of_a_law() {
             outcome.report.warnings.iter().filter(|warning| warning.contains("normal law")).collect();
         assert_eq!(said.len(), usize::from(leaves), "{said:?}");
         if let [said] = said[..] {
-            let numbers = [format!("{deepest:.3e} m"), format!("{range:.3e} m"), "\"pin\"".into()];
+            let si = linkdyn::display::DisplayUnits::default();
+            let numbers = [si.length_to(deepest, 4), si.length_to(range, 4), "\"pin\"".into()];
             assert!(numbers.iter().all(|number| said.contains(number)), "{said}");
         }
     }
