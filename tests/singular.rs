@@ -259,6 +259,10 @@ fn a_start_in_a_flat_position_is_refused_with_the_reason() {
     let run = outcome(&parallelogram(1, false, 0.0, &motion));
     assert_eq!(run.report.status, Status::Singular);
     assert!(run.report.message.as_deref().is_some_and(|m| m.contains("singular position")), "{:?}", run.report.message);
+    // A slider at the end of its stroke goes nowhere.
+    let motion = json!({ "type": "polynomial", "coefficients": [0.4, -0.1] });
+    let said = outcome(&slider_crank(0.1, 0.3, 0.0, true, &motion)).report.message.expect("a message");
+    assert!(said.contains("singular position") && said.contains("\"crank\" and \"rod\" are in line"), "{said}");
 }
 
 #[test]

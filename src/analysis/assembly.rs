@@ -1,5 +1,6 @@
 //! Assembly with its diagnosis: what does not close, what is over- or underdetermined, and by whose fault.
 
+use super::in_line::singular_text;
 use super::{Stop, overlap};
 use crate::error::Complaint;
 use crate::graph::Topology;
@@ -376,11 +377,14 @@ pub fn check_driven(system: &System, assembled: &Assembled, inputs: &Inputs) -> 
     if all.rank < n {
         return Err(Stop::Input(vec![under_driven(system, freedom, &direction)]));
     }
+    let what = singular_text(system, &assembled.all.dependent_rows());
+    let what = what.map_or_else(String::new, |what| format!(": {what}"));
     Err(Stop::failed(
         Status::Singular,
-        "the start is a singular position (the constraints lose rank there), so that more than one motion leads away from \
-         it; start a little beside it"
-            .into(),
+        format!(
+            "the start is a singular position (the constraints lose rank there{what}), so that more than one motion leads away \
+             from it, or none; start a little beside it"
+        ),
     ))
 }
 

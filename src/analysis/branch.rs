@@ -109,13 +109,8 @@ fn choice(system: &System, taken: &Branch, other: Option<&Branch>) -> String {
 
 /// What to say where a singular position can't be left.
 fn held_fast(system: &System, assembled: &Assembled) -> String {
-    let rows: Vec<usize> = assembled
-        .all
-        .dependent
-        .iter()
-        .flat_map(|dependent| dependent.combination.iter().map(|(row, _)| *row).chain([dependent.row]))
-        .collect();
-    let what = singular_text(system, &rows).map_or_else(String::new, |what| format!(", {what}"));
+    let what =
+        singular_text(system, &assembled.all.dependent_rows()).map_or_else(String::new, |what| format!(", {what}"));
     let (by, driver) = if system.drivers.is_empty() {
         ("joints hold", "")
     } else {

@@ -156,6 +156,17 @@ impl SparseRows {
     }
 }
 
+impl RankReport {
+    /// Rows that depend on each other: those dropped, and those that they are combinations of.
+    pub fn dependent_rows(&self) -> Vec<usize> {
+        let together = |dependent: &Dependent| {
+            let kept = dependent.combination.iter().map(|(row, _)| *row);
+            kept.chain([dependent.row]).collect::<Vec<_>>()
+        };
+        self.dependent.iter().flat_map(together).collect()
+    }
+}
+
 /// Keeps each row that is independent of the rows kept before it, and tells how the others depend on those.
 ///
 /// # Examples
