@@ -109,6 +109,24 @@ fn joints_and_drivers_further_than_numbers_reach_are_named() {
     }
 }
 
+/// "Newton's iteration does not converge (residual NaN of the size)": an output right at a dead centre, and a driver whose value
+/// overflows. The message has a reason in words, and what was computed until then is kept.
+#[test]
+fn an_end_of_the_motion_has_a_reason_in_words() {
+    let mut chebyshev: Value =
+        serde_json::from_str(linkdyn::bundled::find("chebyshev").expect("bundled").text).expect("JSON");
+    chebyshev["bodies"]["coupler"]["points"]["B"] = json!([125, 0]);
+    chebyshev["bodies"]["left"]["points"]["A"] = json!([-25, 0]);
+    let polynomial = json!({ "type": "polynomial", "coefficients": [0.5, 3, 1.5, -0.25] });
+    let far = with(&[("/drivers/motor/motion", polynomial), ("/analysis/end", json!(1e155))]);
+    for (json, rows) in [(chebyshev, 30), (far, 1)] {
+        let outcome = run(&load(&json), &Control::default()).expect("runs");
+        let message = outcome.report.message.expect("it ends early");
+        assert!(!message.contains("NaN") && !message.contains("inf"), "{message}");
+        assert!(outcome.trajectory.len() >= rows, "{} rows: {message}", outcome.trajectory.len());
+    }
+}
+
 /// "The body is heavy, inf kg": rounded to four digits the largest numbers are none any more, and ratios of large and small ones overflow.
 #[test]
 fn warnings_of_very_large_numbers_name_numbers() {

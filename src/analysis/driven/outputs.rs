@@ -371,7 +371,7 @@ fn describe(system: &System, failure: Failure) -> String {
         Failure::Locked { force } => locked(system, force),
         Failure::Singular => "the constraints are singular there".into(),
         Failure::Diverged { residual } if !residual.is_finite() => {
-            "Newton's iteration does not converge (there is no finite residual)".into()
+            "Newton's iteration does not converge (it leaves the range of numbers)".into()
         }
         Failure::Diverged { residual } => {
             format!("Newton's iteration does not converge (residual {residual:.1e} of the size)")
