@@ -45,7 +45,10 @@ pub fn keep_panics() {
                 return print(info);
             }
             let place = info.location().map(|at| format!("{}:{}", at.file(), at.line())).unwrap_or_default();
-            let words = info.payload_as_str().unwrap_or("no words").lines().next().unwrap_or_default().to_string();
+            let payload = info.payload();
+            let words =
+                payload.downcast_ref::<String>().map(String::as_str).or(payload.downcast_ref::<&str>().copied());
+            let words = words.unwrap_or("no words").lines().next().unwrap_or_default();
             PANIC.set(Some(format!("{place}: {words}")));
         }));
     });
