@@ -6,7 +6,7 @@
 use super::episodes::{Episodes, by_time, insert};
 use super::integration::Integration;
 use super::motion::Motion;
-use super::watch::{Node, SIDES, Suspicion, Watch};
+use super::watch::{Node, SIDES, Watch};
 use super::within::{self, POINTS};
 use crate::analysis::record::Contents;
 use crate::element::journal::{Phase, Surface};
@@ -179,25 +179,20 @@ impl Integration {
         from: f64,
         until: f64,
     ) -> Result<(), Refused> {
-        let mut suspicion = looking.watch.suspicion();
         // All of a piece within one step: its ends tell nothing.
-        if !looking.watch.has_before() && self.pending.is_some() {
-            suspicion = suspicion.max(Suspicion::Unsure);
-        }
-        if suspicion == Suspicion::None {
+        let is_all = !looking.watch.has_before() && self.pending.is_some();
+        if !is_all && !looking.watch.is_suspicious() {
             return Ok(());
         }
         let places = within::points();
         let middle = POINTS / 2;
-        if suspicion == Suspicion::Unsure {
-            self.look_at(motion, looking, from + places[middle] * (until - from), Some(middle))?;
-            if looking.watch.suspicion_with(&looking.inner[middle]) == Suspicion::None {
-                return Ok(());
-            }
+        // One point within tells most steps from those that matter.
+        self.look_at(motion, looking, from + places[middle] * (until - from), Some(middle))?;
+        if !looking.watch.is_within(&looking.inner[middle]) {
+            return Ok(());
         }
-        let known = suspicion == Suspicion::Unsure;
         for (k, place) in places.iter().enumerate().take(POINTS - 1).skip(1) {
-            if !(known && k == middle) {
+            if k != middle {
                 self.look_at(motion, looking, from + place * (until - from), Some(k))?;
             }
         }

@@ -78,16 +78,6 @@ impl Node {
     }
 }
 
-/// What a step's ends tell.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Suspicion {
-    None,
-    /// Too little is known: its middle has to be looked at.
-    Unsure,
-    /// A quantity may have its extreme within.
-    Within,
-}
-
 /// The sides that an extreme can be on: least and largest.
 pub const SIDES: [f64; 2] = [-1.0, 1.0];
 
@@ -217,19 +207,12 @@ impl Watch {
     }
 
     /// Whether anything may have its extreme within the last step.
-    pub fn suspicion(&self) -> Suspicion {
-        let mut worst = Suspicion::None;
-        for quantity in 0..self.len() {
-            worst = worst.max(self.suspicion_of(quantity));
-            if worst == Suspicion::Within {
-                break;
-            }
-        }
-        worst
+    pub fn is_suspicious(&self) -> bool {
+        (0..self.len()).any(|quantity| self.may_exceed(quantity))
     }
 
     /// The same from a point within the step, in the place of the end before it.
-    pub fn suspicion_with(&self, middle: &Node) -> Suspicion {
+    pub fn is_within(&self, middle: &Node) -> bool {
         let times = [self.start.time(), middle.time(), self.end.time()];
         let is_within = |quantity: usize| {
             let values = [&self.start, middle, &self.end].map(|node| node.values[quantity]);
@@ -239,23 +222,22 @@ impl Watch {
                 estimate([times[1], times[0], times[2]], [m, a, b]).is_some_and(|estimate| estimate > most)
             })
         };
-        if (0..self.len()).any(is_within) { Suspicion::Within } else { Suspicion::None }
+        (0..self.len()).any(is_within)
     }
 
-    fn suspicion_of(&self, quantity: usize) -> Suspicion {
+    fn may_exceed(&self, quantity: usize) -> bool {
         let (a, b) = (self.start.values[quantity], self.end.values[quantity]);
         let times = [&self.before, &self.start, &self.end].map(Node::time);
         let [t0, t1, t2] = times;
         let watched = &self.watched[quantity];
         // A value above this, times the side's sign, would be an extreme.
         let bound = |side: usize| SIDES[side] * self.extreme(quantity, side) + self.near[quantity];
-        let within = |is_within: bool| if is_within { Suspicion::Within } else { Suspicion::None };
         if let Some(rate) = watched.rate {
             let rates = [&self.start, &self.end].map(|node| node.row[rate]);
             let side = usize::from(rates[0] > 0.0);
             let sign = SIDES[side];
             let top = tangents([sign * a, sign * b], rates.map(|rate| sign * rate), t2 - t1);
-            return within(top.is_some_and(|top| top > bound(side)));
+            return top.is_some_and(|top| top > bound(side));
         }
         if self.has_before() {
             let z = self.before.values[quantity];
@@ -266,10 +248,10 @@ impl Watch {
             // Most are far from it.
             let is_far = (sign * a).max(sign * b) + (1.0 + HIGHER) * rise <= bound(side);
             let top = || estimate(times, [sign * z, sign * a, sign * b]);
-            return within(!is_far && top().is_some_and(|top| top > bound(side)));
+            return !is_far && top().is_some_and(|top| top > bound(side));
         }
         let rises = |side: usize| (SIDES[side] * a).max(SIDES[side] * b) + FIRST_RISE * (b - a).abs() > bound(side);
-        if !watched.steady && (0..2).any(rises) { Suspicion::Unsure } else { Suspicion::None }
+        !watched.steady && (0..2).any(rises)
     }
 
     /// Rows with extremes that no row of `table` has, or is near.
