@@ -31,9 +31,6 @@ impl Shown {
 
     fn text(&self, value: f64, digits: usize) -> String {
         let gap = if self.symbol == "°" { "" } else { " " };
-        if value.is_infinite() {
-            return format!("more than {}{gap}{}", self.number(f64::MAX, digits), self.symbol);
-        }
         format!("{}{gap}{}", self.number(value, digits), self.symbol)
     }
 }
@@ -102,7 +99,10 @@ impl DisplayUnits {
 
 /// A number with `digits` significant digits, trailing zeros dropped: `0.1235`, `12.3`, `1.5e-9`.
 pub fn number(value: f64, digits: usize) -> String {
-    if !value.is_finite() {
+    if value.is_infinite() {
+        return format!("more than {}", number(f64::MAX.copysign(value), digits));
+    }
+    if value.is_nan() {
         return "–".into();
     }
     if value == 0.0 {

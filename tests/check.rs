@@ -534,10 +534,10 @@ fn a_point_moved_by_set_leaves_the_mass_behind() {
 #[test]
 fn messages_speak_the_units_of_the_file_with_six_digits() {
     let (status, _, stderr) = linkdyn(&["run", "lock", "--set", "analysis.sample.to=135 deg"]);
-    assert!(status == Some(3) && stderr.contains("\"motor\" at 132.743°, t = 1.78591 s"), "{stderr}");
+    assert!(status == Some(3) && stderr.contains("\"motor\" can't go on beyond 132.743°, t = 1.78591 s,"), "{stderr}");
     let late = ["run", "lock", "--set", "analysis.sample.to=135 deg", "--set", "units.time=ms"];
     let (_, _, stderr) = linkdyn(&late);
-    assert!(stderr.contains("\"motor\" at 132.743°, t = 1785.91 ms"), "{stderr}");
+    assert!(stderr.contains("beyond 132.743°, t = 1785.91 ms,"), "{stderr}");
     // However late it is.
     for command in ["run", "check"] {
         let (_, stdout, stderr) = linkdyn(&[command, "four-bar", "--set", "analysis.end=1e300"]);
