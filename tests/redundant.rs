@@ -113,12 +113,12 @@ fn pair(seed: u64) -> Pair {
     }
     let (anchor, stiffness, omega) = (maker.place(1.0), maker.within(5.0, 50.0), maker.within(-8.0, 8.0));
     for model in [&mut pair.redundant, &mut pair.regular] {
-        if seed % 3 == 0 {
+        if seed.is_multiple_of(3) {
             model["bodies"]["ground"]["points"]["S"] = json!(anchor);
             model["forces"]["spring"] = json!({ "type": "spring", "between": ["ground.S", "hung0.E"], "stiffness": stiffness, "free_length": 0.3 });
         }
         // Whatever else moves at the start is what has least energy, by the twin's sums as well.
-        if seed % 2 == 0 {
+        if seed.is_multiple_of(2) {
             model["initial"]["hung0"] = json!({ "angular_velocity": omega });
         }
     }
