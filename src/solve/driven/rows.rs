@@ -114,8 +114,8 @@ impl Driven<'_> {
         self.correct(q, inputs)
     }
 
-    /// Exchanges independent rows for redundant ones until none of those depends on one of these by more than
-    /// [`OUTGROWN`]; at the position of the last factors.
+    /// Exchanges independent rows for redundant ones until none of those is more than twice one of these, with others
+    /// added; at the position of the last factors.
     ///
     /// # Errors
     /// When fewer than n rows are independent there.
