@@ -26,6 +26,10 @@ use super::triangle::{Entry, NONE, Search, Triangle};
 /// that is meant as dependent; independent rows of linkages away from dead points leave more than 1e-3.
 pub const DEPENDENCE_TOLERANCE: f64 = 1e-9;
 
+/// What is left of a row that is kept, below which it may be rounding, multiplied by weak rows before it [-]. Long chains
+/// leave little more.
+const DOUBTFUL: f64 = 1e-5;
+
 /// What must be left of a row for it to be taken before others, where a first pass in order of precedence leaves doubt [-].
 ///
 /// Of a loop near a flat position little is left of its last row, though rows behind may hold what it holds, and better.
@@ -185,7 +189,7 @@ pub fn independent_rows(rows: &SparseRows, tolerance: f64) -> RankReport {
 /// The verdict, and the elimination that leads to it.
 fn decide(rows: &SparseRows, tolerance: f64) -> (Elimination<'_>, RankReport) {
     let first = keep_by_levels(rows, &[tolerance]);
-    if first.1.smallest_kept > LEVELS[0] {
+    if first.1.smallest_kept > DOUBTFUL {
         return first;
     }
     let levels: Vec<f64> = LEVELS.into_iter().filter(|level| *level > tolerance).chain([tolerance]).collect();
