@@ -157,3 +157,36 @@ fn a_captured_command_keeps_its_streams() {
     let said = captured(["linkdyn", "--version"].map(OsString::from));
     assert!(said.status == 0 && said.stdout.starts_with("linkdyn "), "{said:?}");
 }
+
+/// A place, or a rate, of 1e308 in a table of results is none that a picture has: `r="inf"`, `points="NaN,NaN"`.
+#[test]
+fn pictures_of_places_further_than_they_reach_have_gaps() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("finds-{}-far", std::process::id()));
+    let out = folder.to_str().expect("UTF-8");
+    let said = command("far", &["run", "-o", out], &slider_crank());
+    assert_eq!(said.status, 0, "{}", said.stderr);
+    let table = std::fs::read_to_string(folder.join("results.csv")).expect("readable");
+    let header: Vec<&str> = table.lines().next().expect("a header").split(',').collect();
+    for column in ["rod.x[m]", "rod.vx[m/s]", "slider.angle[rad]"] {
+        let at = header.iter().position(|name| *name == column).expect("a column");
+        let spoilt: Vec<String> = table
+            .lines()
+            .enumerate()
+            .map(|(row, line)| {
+                let mut cells: Vec<&str> = line.split(',').collect();
+                if row == 4 {
+                    cells[at] = "1e308";
+                }
+                cells.join(",")
+            })
+            .collect();
+        std::fs::write(folder.join("results.csv"), spoilt.join("\n")).expect("written");
+        let picture = folder.join("motion.svg");
+        let words = ["linkdyn", "animate", out, "-o", picture.to_str().expect("UTF-8"), "--poses", "9"];
+        let said = captured(words.map(OsString::from));
+        assert_eq!(said.status, 0, "{column}: {}", said.stderr);
+        let text = std::fs::read_to_string(&picture).expect("readable");
+        assert!(!text.contains("inf") && !text.contains("NaN"), "{column}");
+    }
+    std::fs::remove_dir_all(folder).expect("removed");
+}

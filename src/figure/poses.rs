@@ -13,6 +13,13 @@ pub type Pose = [f64; 3];
 /// Values of a coordinate, and its rates where the table has them.
 type Coordinate = (Vec<f64>, Option<Vec<f64>>);
 
+/// What lies farther is no place [m, rad]: tables of others may hold any number, and pictures can't.
+const FARTHEST: f64 = 1e60;
+
+fn is_place(value: &f64) -> bool {
+    value.abs() <= FARTHEST
+}
+
 /// Poses of all bodies over time.
 #[derive(Debug, Clone)]
 pub struct Poses {
@@ -99,7 +106,7 @@ impl Poses {
     pub fn row(&self, row: usize) -> Option<Vec<Pose>> {
         let one = |body: &[Coordinate; 3]| -> Option<Pose> {
             let pose: Pose = std::array::from_fn(|axis| body[axis].0.get(row).copied().unwrap_or(f64::NAN));
-            pose.iter().all(|value| value.is_finite()).then_some(pose)
+            pose.iter().all(is_place).then_some(pose)
         };
         let ground = std::iter::once(Some([0.0; 3]));
         ground.chain(self.bodies.iter().map(one)).collect()
@@ -119,7 +126,7 @@ impl Poses {
         let part = (time - self.time[after - 1]) / span;
         let rate = |body: usize, axis: usize, row: usize| -> Option<f64> {
             let rates = self.bodies[body].get(axis)?.1.as_ref()?;
-            rates.get(row).copied().filter(|rate| rate.is_finite())
+            rates.get(row).copied().filter(is_place)
         };
         let between = |body: usize, axis: usize| {
             let (a, b) = (from[body][axis], to[body][axis]);
@@ -130,7 +137,7 @@ impl Poses {
                 let bend = rest * (va * span - (b - a)) - part * (vb * span - (b - a));
                 straight + part * rest * bend
             });
-            curved.filter(|value| value.is_finite()).unwrap_or(straight)
+            curved.filter(is_place).unwrap_or(straight)
         };
         Some((0..from.len()).map(|body| std::array::from_fn(|axis| between(body, axis))).collect())
     }
