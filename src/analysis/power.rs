@@ -8,13 +8,17 @@
 //! ```
 //!
 //! with ℓ_k the scale of a coordinate and |ṽ| the fastest scaled rate [1/s]. Where no power flows, as in a balanced wheel that
-//! turns evenly, the first three are round-off of the last, which is what the imbalance is measured against then.
+//! turns evenly, the first three are round-off of the last, which is what the imbalance is measured against then; it is worked out at
+//! instants at which they are not balanced.
 
 use crate::math::dot;
 use crate::system::System;
 
 /// Part of the gross power below which a power is none.
 const FLOWS: f64 = 1e-6;
+
+/// Imbalance by the flowing power above which the gross power is worth its cost.
+const BALANCED: f64 = 1e-9;
 
 /// Largest powers of a run so far [W].
 #[derive(Debug, Clone, Copy, Default)]
@@ -38,13 +42,10 @@ impl Powers {
         let kinetic: f64 = v.iter().zip(a).zip(&system.mass).map(|((v, a), m)| v * a * m).sum();
         self.flowing = self.flowing.max(driven.abs()).max(applied.abs()).max(kinetic.abs());
         self.imbalance = self.imbalance.max((driven + applied - kinetic).abs());
-        let mut gross: f64 = drivers.map(|(effort, rate)| (effort * rate).abs()).sum();
-        let mut acting = 0.0;
-        for (k, ((v, a), (force, mass))) in v.iter().zip(a).zip(force.iter().zip(&system.mass)).enumerate() {
-            gross += (force * v).abs() + mass * (v * a).abs();
-            acting += force.abs() * system.column_scale(k) + mass * v * v;
+        // Where powers flow they are balanced far better than this, and what could flow does not matter.
+        if self.imbalance > BALANCED * self.flowing {
+            self.gross = self.gross.max(gross(system, [v, a, force], drivers));
         }
-        self.gross = self.gross.max(gross + acting * system.scaled_norm(v));
     }
 
     /// The largest imbalance by the largest power [–].
@@ -52,4 +53,15 @@ impl Powers {
         let whole = self.flowing.max(FLOWS * self.gross);
         if whole > 0.0 { self.imbalance / whole } else { 0.0 }
     }
+}
+
+/// The gross power of an instant [W].
+fn gross(system: &System, [v, a, force]: [&[f64]; 3], drivers: impl Iterator<Item = (f64, f64)>) -> f64 {
+    let mut gross: f64 = drivers.map(|(effort, rate)| (effort * rate).abs()).sum();
+    let mut acting = 0.0;
+    for (k, ((v, a), (force, mass))) in v.iter().zip(a).zip(force.iter().zip(&system.mass)).enumerate() {
+        gross += (force * v).abs() + mass * (v * a).abs();
+        acting += force.abs() * system.column_scale(k) + mass * v * v;
+    }
+    gross + acting * system.scaled_norm(v)
 }
