@@ -125,7 +125,8 @@ proptest! {
         let (bodies, pins) = linkage::random_linkage(bodies, loops.min(bodies / 3), &mut random);
         let jac = linkage::jacobian(bodies, &pins, &[]);
         let a = DMatrix::from_row_slice(jac.rows, jac.columns, &jac.dense());
-        prop_assume!(jac.rows <= jac.columns && a.singular_values().min() > 1e-5);
+        // The determinant loses the digits of the inverse square of the smallest one, in both factorisations.
+        prop_assume!(jac.rows <= jac.columns && a.singular_values().min() > 1e-4);
         let (mut lu, values) = paired(&linkage::kkt(&jac, &mut random));
         lu.refactor(&values).unwrap();
         check_solves(&mut lu, &values, 1e-12);
