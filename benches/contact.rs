@@ -26,28 +26,46 @@ const LOCK: &str = r#"{ "model": "contact", "radius": "100 um", "bearing_radius"
 const LOCK_JOINTS: [&str; 7] = ["a", "b", "c", "d", "e", "f", "g"];
 
 fn load(text: &str, sets: &[String]) -> Model {
-    model::load(text.as_bytes(), sets).unwrap_or_else(|said| panic!("{said:?}")).model
+    model::load(text.as_bytes(), sets)
+        .unwrap_or_else(|said| panic!("{said:?}"))
+        .model
 }
 
 fn run(model: &Model) -> Outcome {
-    let outcome = analysis::run(black_box(model), &Control::default()).unwrap_or_else(|said| panic!("{said:?}"));
-    assert_eq!(outcome.report.status, Status::Completed, "{:?}", outcome.report.message);
+    let outcome = analysis::run(black_box(model), &Control::default())
+        .unwrap_or_else(|said| panic!("{said:?}"));
+    assert_eq!(
+        outcome.report.status,
+        Status::Completed,
+        "{:?}",
+        outcome.report.message
+    );
     outcome
 }
 
 /// Least CPU of the solve in some runs, and the last of them.
 fn least(model: &Model, repetitions: usize) -> (f64, Outcome) {
-    let runs = (0..repetitions).map(|_| run(model)).map(|outcome| (outcome.report.solve.cpu, outcome));
-    runs.reduce(|best, next| (best.0.min(next.0), next.1)).expect("at least one")
+    let runs = (0..repetitions)
+        .map(|_| run(model))
+        .map(|outcome| (outcome.report.solve.cpu, outcome));
+    runs.reduce(|best, next| (best.0.min(next.0), next.1))
+        .expect("at least one")
 }
 
 /// Error of the slider and of the rod's end, as a part of the clearance.
 fn error(outcome: &Outcome, reference: &Table) -> f64 {
     let off = |name: &str| {
-        let index = reference.columns.iter().position(|column| column == name).expect("a column");
+        let index = reference
+            .columns
+            .iter()
+            .position(|column| column == name)
+            .expect("a column");
         let ours = outcome.trajectory.values(name).expect("a column");
         assert_eq!(ours.len(), reference.rows.len());
-        ours.iter().zip(&reference.rows).map(|(a, row)| (a - row[index]).abs()).fold(0.0, f64::max)
+        ours.iter()
+            .zip(&reference.rows)
+            .map(|(a, row)| (a - row[index]).abs())
+            .fold(0.0, f64::max)
     };
     off("slider.x[m]").max(ROD * off("rod.angle[rad]")) / CLEARANCE
 }
@@ -55,10 +73,15 @@ fn error(outcome: &Outcome, reference: &Table) -> f64 {
 fn slider_crank(wanted: f64, goal: f64, reference: &Table) {
     let at = |half: u32| {
         let rtol = 10f64.powf(-0.5 * f64::from(half));
-        (rtol, load(MODEL, &[format!("analysis.solver.rtol={rtol:e}")]))
+        (
+            rtol,
+            load(MODEL, &[format!("analysis.solver.rtol={rtol:e}")]),
+        )
     };
     let meets = |half: u32| error(&run(&at(half).1), reference) <= wanted;
-    let half = (6..24).find(|half| meets(*half) && meets(half + 1)).expect("an error that is met");
+    let half = (6..24)
+        .find(|half| meets(*half) && meets(half + 1))
+        .expect("an error that is met");
     let (rtol, model) = at(half);
     let (cpu, outcome) = least(&model, 11);
     let error = error(&outcome, reference);
@@ -75,11 +98,21 @@ fn slider_crank(wanted: f64, goal: f64, reference: &Table) {
 /// The whole motion of the bundled model, from rest.
 fn lock() {
     let text = bundled::find("watt-i-lock").expect("bundled").text;
-    let clearances = LOCK_JOINTS.map(|joint| format!("joints.{joint}.clearance={}", LOCK.replace('\n', " ")));
+    let clearances =
+        LOCK_JOINTS.map(|joint| format!("joints.{joint}.clearance={}", LOCK.replace('\n', " ")));
     for rtol in ["1e-4", "1e-6"] {
-        let sets = [clearances.as_slice(), &[format!("analysis.solver.rtol={rtol}")]].concat();
+        let sets = [
+            clearances.as_slice(),
+            &[format!("analysis.solver.rtol={rtol}")],
+        ]
+        .concat();
         let outcome = run(&load(text, &sets));
-        let contacts: u64 = outcome.report.clearances.iter().map(|sums| sums.episodes).sum();
+        let contacts: u64 = outcome
+            .report
+            .clearances
+            .iter()
+            .map(|sums| sums.episodes)
+            .sum();
         println!(
             "lock, seven contacts, rtol {rtol}: {:.1} s, {} steps, {} evaluations, {contacts} contacts, {:.0e} of the energy missing",
             outcome.report.solve.cpu,

@@ -37,15 +37,51 @@ struct Case {
 }
 
 const CASES: [Case; 9] = [
-    Case { problem: Problem::Pendulum, error: 1e-6, goal: 1.0 },
-    Case { problem: Problem::FourBars(1), error: 1e-4, goal: 1.5 },
-    Case { problem: Problem::FourBars(1), error: 1e-6, goal: 3.0 },
-    Case { problem: Problem::FourBars(10), error: 1e-4, goal: 6.0 },
-    Case { problem: Problem::FourBars(40), error: 1e-4, goal: 30.0 },
-    Case { problem: Problem::FourBars(100), error: 1e-4, goal: 80.0 },
-    Case { problem: Problem::FourBars(1000), error: 1e-3, goal: 1000.0 },
-    Case { problem: Problem::Squeezer, error: 1e-3, goal: 2.0 },
-    Case { problem: Problem::Squeezer, error: 1e-6, goal: 5.0 },
+    Case {
+        problem: Problem::Pendulum,
+        error: 1e-6,
+        goal: 1.0,
+    },
+    Case {
+        problem: Problem::FourBars(1),
+        error: 1e-4,
+        goal: 1.5,
+    },
+    Case {
+        problem: Problem::FourBars(1),
+        error: 1e-6,
+        goal: 3.0,
+    },
+    Case {
+        problem: Problem::FourBars(10),
+        error: 1e-4,
+        goal: 6.0,
+    },
+    Case {
+        problem: Problem::FourBars(40),
+        error: 1e-4,
+        goal: 30.0,
+    },
+    Case {
+        problem: Problem::FourBars(100),
+        error: 1e-4,
+        goal: 80.0,
+    },
+    Case {
+        problem: Problem::FourBars(1000),
+        error: 1e-3,
+        goal: 1000.0,
+    },
+    Case {
+        problem: Problem::Squeezer,
+        error: 1e-3,
+        goal: 2.0,
+    },
+    Case {
+        problem: Problem::Squeezer,
+        error: 1e-6,
+        goal: 5.0,
+    },
 ];
 
 impl Problem {
@@ -70,30 +106,55 @@ impl Problem {
         let values = |name: &str| outcome.trajectory.values(name).expect("a column");
         let distance = |point: &str, exact: &dyn Fn(f64) -> [f64; 2]| {
             let (x, y) = (values(&format!("{point}.x")), values(&format!("{point}.y")));
-            let off = |((t, x), y): ((&f64, &f64), &f64)| (x - exact(*t)[0]).hypot(y - exact(*t)[1]);
-            values("time").iter().zip(&x).zip(&y).map(off).fold(0.0, f64::max)
+            let off =
+                |((t, x), y): ((&f64, &f64), &f64)| (x - exact(*t)[0]).hypot(y - exact(*t)[1]);
+            values("time")
+                .iter()
+                .zip(&x)
+                .zip(&y)
+                .map(off)
+                .fold(0.0, f64::max)
         };
         match self {
             Problem::Pendulum => distance("rod.P", &benchmarks::pendulum_place()),
             Problem::FourBars(loops) => distance("rocker0.B", &benchmarks::four_bars_place(loops)),
             Problem::Squeezer => {
                 let last = |body: usize| *values(&format!("k{body}.angle")).last().expect("a row");
-                let angles =
-                    [last(1), last(2) - last(1), last(3), last(4) - last(5), last(5), last(6) - last(7), last(7)];
+                let angles = [
+                    last(1),
+                    last(2) - last(1),
+                    last(3),
+                    last(4) - last(5),
+                    last(5),
+                    last(6) - last(7),
+                    last(7),
+                ];
                 let relative = |(ours, exact): (&f64, &f64)| ((ours - exact) / exact).abs();
-                angles.iter().zip(&benchmarks::SQUEEZER_END).map(relative).fold(0.0, f64::max)
+                angles
+                    .iter()
+                    .zip(&benchmarks::SQUEEZER_END)
+                    .map(relative)
+                    .fold(0.0, f64::max)
             }
         }
     }
 }
 
 fn load(json: &Value) -> Model {
-    model::load(json.to_string().as_bytes(), &[]).unwrap_or_else(|said| panic!("{said:?}")).model
+    model::load(json.to_string().as_bytes(), &[])
+        .unwrap_or_else(|said| panic!("{said:?}"))
+        .model
 }
 
 fn run(model: &Model) -> Outcome {
-    let outcome = analysis::run(black_box(model), &Control::default()).unwrap_or_else(|said| panic!("{said:?}"));
-    assert_eq!(outcome.report.status, Status::Completed, "{:?}", outcome.report.message);
+    let outcome = analysis::run(black_box(model), &Control::default())
+        .unwrap_or_else(|said| panic!("{said:?}"));
+    assert_eq!(
+        outcome.report.status,
+        Status::Completed,
+        "{:?}",
+        outcome.report.message
+    );
     outcome
 }
 
@@ -135,16 +196,29 @@ fn measure(case: &Case) -> Row {
             met = Some((tolerance, error));
         }
     }
-    let (tolerance, error) = taken.unwrap_or_else(|| panic!("{} never meets {}", case.problem.name(), case.error));
+    let (tolerance, error) =
+        taken.unwrap_or_else(|| panic!("{} never meets {}", case.problem.name(), case.error));
     set_tolerance(&mut model, tolerance);
     let first = run(&model);
     let repetitions = ((0.5 / first.report.solve.cpu.max(1e-4)) as usize).clamp(3, 200);
-    let runs: Vec<Outcome> = (0..repetitions).map(|_| run(&model)).map(without_rows).collect();
+    let runs: Vec<Outcome> = (0..repetitions)
+        .map(|_| run(&model))
+        .map(without_rows)
+        .collect();
     Row {
         tolerance,
         error,
-        solve: spread(runs.iter().map(|outcome| outcome.report.solve.cpu).collect()),
-        assemble: spread(runs.iter().map(|outcome| outcome.report.assemble.cpu).collect()).0,
+        solve: spread(
+            runs.iter()
+                .map(|outcome| outcome.report.solve.cpu)
+                .collect(),
+        ),
+        assemble: spread(
+            runs.iter()
+                .map(|outcome| outcome.report.assemble.cpu)
+                .collect(),
+        )
+        .0,
         load,
         steps: first.report.statistics.steps,
         evaluations: first.report.statistics.evaluations,
@@ -171,7 +245,15 @@ fn per_step(loops: usize) -> f64 {
     let mut run_to = |end: f64| {
         model.analysis.as_mut().expect("an analysis").end = Some(end);
         let runs: Vec<Outcome> = (0..3).map(|_| run(&model)).map(without_rows).collect();
-        (spread(runs.iter().map(|outcome| outcome.report.solve.cpu).collect()).0, runs[0].report.statistics.steps)
+        (
+            spread(
+                runs.iter()
+                    .map(|outcome| outcome.report.solve.cpu)
+                    .collect(),
+            )
+            .0,
+            runs[0].report.statistics.steps,
+        )
     };
     let (short, long) = (run_to(0.2), run_to(1.2));
     (long.0 - short.0) / (long.1 - short.1) as f64
@@ -182,18 +264,30 @@ fn driven_instant() -> (f64, f64) {
     const INSTANTS: usize = 2000;
     let range = (-50f64.to_radians(), 110f64.to_radians());
     let text = bundled::find("watt-i-lock").expect("bundled").text;
-    let model = model::load(text.as_bytes(), &[]).expect("a sound model").model;
+    let model = model::load(text.as_bytes(), &[])
+        .expect("a sound model")
+        .model;
     let system = compile(&model, AnalysisKind::InverseDynamics).expect("compiles");
     let start = Inputs::at_time(&system, 0.0);
     let mut q = assembly::assemble(&system, &start).expect("assembles").q;
     let mut solver = Driven::new(&system, &q, &start).expect("regular");
     solver.correct(&mut q, &start).expect("converges");
     let parameter = Parameter::of(&system);
-    let path = follow(&mut solver, (parameter, start.clone()), (range.0, &q), range, &|_| false).expect("a path");
+    let path = follow(
+        &mut solver,
+        (parameter, start.clone()),
+        (range.0, &q),
+        range,
+        &|_| false,
+    )
+    .expect("a path");
     let inputs: Vec<Inputs> = (0..INSTANTS)
         .map(|k| range.0 + (range.1 - range.0) * k as f64 / INSTANTS as f64)
         .map(|value| {
-            let time = system.drivers[0].law.invert(value, 10.0).expect("within the range");
+            let time = system.drivers[0]
+                .law
+                .invert(value, 10.0)
+                .expect("within the range");
             let mut inputs = Inputs::at_time(&system, time);
             inputs.drive[0][0] = value;
             inputs
@@ -212,7 +306,9 @@ fn driven_instant() -> (f64, f64) {
 }
 
 fn print_json(name: &str) {
-    let case = CASES.iter().find(|case| format!("{}-{:e}", case.problem.name(), case.error) == name);
+    let case = CASES
+        .iter()
+        .find(|case| format!("{}-{:e}", case.problem.name(), case.error) == name);
     let case = case.unwrap_or_else(|| panic!("no row is called {name}"));
     let row = measure(case);
     let json = json!({ "case": name, "error": row.error, "cpu": row.solve.0, "tolerance": row.tolerance,
@@ -221,7 +317,10 @@ fn print_json(name: &str) {
 }
 
 fn main() {
-    let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
+    let arguments: Vec<String> = std::env::args()
+        .skip(1)
+        .filter(|argument| argument != "--bench")
+        .collect();
     if let [flag, names @ ..] = arguments.as_slice()
         && flag == "--json"
     {
@@ -230,11 +329,25 @@ fn main() {
     }
     println!(
         "{:<12} {:>7} {:>8} {:>9} {:>9} {:>9} {:>8} {:>6} {:>7} {:>9} {:>8}",
-        "row", "wanted", "rtol", "error", "min ms", "med. ms", "goal ms", "steps", "evals", "assemble", "load ms"
+        "row",
+        "wanted",
+        "rtol",
+        "error",
+        "min ms",
+        "med. ms",
+        "goal ms",
+        "steps",
+        "evals",
+        "assemble",
+        "load ms"
     );
     for case in &CASES {
         let row = measure(case);
-        let verdict = if row.solve.0 * 1e3 <= case.goal { "" } else { "  missed" };
+        let verdict = if row.solve.0 * 1e3 <= case.goal {
+            ""
+        } else {
+            "  missed"
+        };
         println!(
             "{:<12} {:>7.0e} {:>8.1e} {:>9.1e} {:>9.3} {:>9.3} {:>8} {:>6} {:>7} {:>9.3} {:>8.3}{verdict}",
             case.problem.name(),
@@ -257,12 +370,17 @@ fn main() {
     for loops in [10, 100, 1000, 10_000] {
         let time = per_step(loops);
         let exponent = |(n, t): (usize, f64)| (time / t).ln() / (loops as f64 / n as f64).ln();
-        let growth = before.map_or(String::new(), |before| format!(", growing as N^{:.2}", exponent(before)));
+        let growth = before.map_or(String::new(), |before| {
+            format!(", growing as N^{:.2}", exponent(before))
+        });
         println!("A02 N = {loops}: {:.1} µs per step{growth}", time * 1e6);
         before = Some((loops, time));
         let (n, t) = *first.get_or_insert((loops, time));
         if loops == 10_000 {
-            println!("from N = {n} to {loops}: N^{:.2}, goal 1.12", exponent((n, t)));
+            println!(
+                "from N = {n} to {loops}: N^{:.2}, goal 1.12",
+                exponent((n, t))
+            );
         }
     }
 }

@@ -40,19 +40,33 @@ struct Options {
 }
 
 fn options() -> Result<Options, String> {
-    let mut options =
-        Options { mutants: 1000, seed: 1, first: 0, limit: 0.3, only: None, process: false, output: None };
+    let mut options = Options {
+        mutants: 1000,
+        seed: 1,
+        first: 0,
+        limit: 0.3,
+        only: None,
+        process: false,
+        output: None,
+    };
     let mut words = std::env::args().skip(1);
     while let Some(word) = words.next() {
         let mut value = || words.next().ok_or(format!("{word} wants a value"));
-        let number = |text: String| text.parse::<u64>().map_err(|error| format!("{text}: {error}"));
+        let number = |text: String| {
+            text.parse::<u64>()
+                .map_err(|error| format!("{text}: {error}"))
+        };
         match word.as_str() {
             // Cargo says that this is a benchmark.
             "--bench" => {}
             "--mutants" => options.mutants = number(value()?)?,
             "--seed" => options.seed = number(value()?)?,
             "--first" => options.first = number(value()?)?,
-            "--limit" => options.limit = value()?.parse().map_err(|error| format!("--limit: {error}"))?,
+            "--limit" => {
+                options.limit = value()?
+                    .parse()
+                    .map_err(|error| format!("--limit: {error}"))?
+            }
             "--only" => options.only = Some(value()?),
             "--process" => options.process = true,
             "--output" => options.output = Some(value()?.into()),
@@ -71,7 +85,11 @@ fn main() -> ExitCode {
         }
     };
     let scratch = std::env::temp_dir().join(format!("linkdyn-fuzz-{}", std::process::id()));
-    let runner = if options.process { Runner::Process(env!("CARGO_BIN_EXE_linkdyn").into()) } else { Runner::Inside };
+    let runner = if options.process {
+        Runner::Process(env!("CARGO_BIN_EXE_linkdyn").into())
+    } else {
+        Runner::Inside
+    };
     let fuzzer = Fuzzer::new(options.seed, options.limit, &scratch, runner);
     fuzz::watch(HANG);
     let start = Instant::now();
@@ -79,7 +97,11 @@ fn main() -> ExitCode {
     let mut tried = [0_usize; 5];
     for number in options.first..options.first + options.mutants {
         let mutant = fuzzer.mutant(number);
-        if options.only.as_ref().is_some_and(|only| only != mutant.class.word()) {
+        if options
+            .only
+            .as_ref()
+            .is_some_and(|only| only != mutant.class.word())
+        {
             continue;
         }
         tried[mutant.class as usize] += 1;
@@ -92,31 +114,48 @@ fn main() -> ExitCode {
             }
         }
     }
-    let counts: Vec<String> =
-        Class::ALL.iter().zip(tried).map(|(class, count)| format!("{} {count}", class.word())).collect();
+    let counts: Vec<String> = Class::ALL
+        .iter()
+        .zip(tried)
+        .map(|(class, count)| format!("{} {count}", class.word()))
+        .collect();
     println!(
         "{} mutants ({}) in {:.1} s",
         tried.iter().sum::<usize>(),
         counts.join(", "),
         start.elapsed().as_secs_f64()
     );
-    let ends = [0, 1, 2, 3].map(|status| format!("{} × {status}", fuzz::ENDS[status].load(Ordering::Relaxed)));
+    let ends = [0, 1, 2, 3]
+        .map(|status| format!("{} × {status}", fuzz::ENDS[status].load(Ordering::Relaxed)));
     println!("commands by exit status: {}", ends.join(", "));
     for (signature, count) in &seen {
         println!("{count:6} × {signature}");
     }
     let _ = fs::remove_dir_all(scratch);
-    if seen.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+    if seen.is_empty() {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    }
 }
 
 /// A line that repeats the find, and its input.
 fn tell(options: &Options, number: u64, mutant: &Mutant, find: &Find) {
-    let Find { kind, command, what } = find;
+    let Find {
+        kind,
+        command,
+        what,
+    } = find;
     let (seed, class, of) = (options.seed, mutant.class.word(), &mutant.of);
-    println!("FIND {kind}: {what}\n     --seed {seed} --first {number} --mutants 1 ({class} of {of}): {command}");
-    let Some(output) = &options.output else { return };
+    println!(
+        "FIND {kind}: {what}\n     --seed {seed} --first {number} --mutants 1 ({class} of {of}): {command}"
+    );
+    let Some(output) = &options.output else {
+        return;
+    };
     let write = |name: String, content: &[u8]| {
-        let written = fs::create_dir_all(output).and_then(|()| fs::write(Path::new(output).join(name), content));
+        let written = fs::create_dir_all(output)
+            .and_then(|()| fs::write(Path::new(output).join(name), content));
         if let Err(error) = written {
             eprintln!("{}: {error}", output.display());
         }
@@ -126,7 +165,12 @@ fn tell(options: &Options, number: u64, mutant: &Mutant, find: &Find) {
             write(format!("{number}-results.csv"), &mutant.bytes);
             write(format!("{number}-summary.json"), &mutant.summary);
         }
-        Class::Structure | Class::Tokens | Class::Bytes | Class::Sets => write(format!("{number}.json"), &mutant.bytes),
+        Class::Structure | Class::Tokens | Class::Bytes | Class::Sets => {
+            write(format!("{number}.json"), &mutant.bytes)
+        }
     }
-    write(format!("{number}.txt"), format!("{kind}: {what}\n{command}\nsets: {:?}\n", mutant.sets).as_bytes());
+    write(
+        format!("{number}.txt"),
+        format!("{kind}: {what}\n{command}\nsets: {:?}\n", mutant.sets).as_bytes(),
+    );
 }

@@ -28,9 +28,15 @@ fn integrate(criterion: &mut Criterion) {
     for method in [Method::Dop853, Method::Radau5] {
         for n in [2, 10] {
             let mut ode = Oscillators(n);
-            let tolerance = Tolerance { rtol: 1e-6, atol: vec![1e-9; n], cap: Vec::new() };
+            let tolerance = Tolerance {
+                rtol: 1e-6,
+                atol: vec![1e-9; n],
+                cap: Vec::new(),
+            };
             let mut stepper = method.stepper(tolerance, Limits::default());
-            stepper.start(&mut ode, 0.0, &vec![1.0; n], f64::MAX).expect("starts");
+            stepper
+                .start(&mut ode, 0.0, &vec![1.0; n], f64::MAX)
+                .expect("starts");
             criterion.bench_function(&format!("{}, step/{n}", method.name()), |bencher| {
                 bencher.iter(|| {
                     stepper.step(&mut ode, f64::MAX).expect("steps");
@@ -38,13 +44,18 @@ fn integrate(criterion: &mut Criterion) {
                 });
             });
             let mut y = vec![0.0; n];
-            criterion.bench_function(&format!("{}, step with output/{n}", method.name()), |bencher| {
-                bencher.iter(|| {
-                    stepper.step(&mut ode, f64::MAX).expect("steps");
-                    stepper.interpolate(&mut ode, stepper.previous(), &mut y).expect("interpolates");
-                    black_box(&y);
-                });
-            });
+            criterion.bench_function(
+                &format!("{}, step with output/{n}", method.name()),
+                |bencher| {
+                    bencher.iter(|| {
+                        stepper.step(&mut ode, f64::MAX).expect("steps");
+                        stepper
+                            .interpolate(&mut ode, stepper.previous(), &mut y)
+                            .expect("interpolates");
+                        black_box(&y);
+                    });
+                },
+            );
         }
     }
 }

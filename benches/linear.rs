@@ -11,7 +11,8 @@ mod linkage;
 /// Factors for the matrix, and two sets of values to alternate between.
 fn prepare(matrices: [linkage::Matrix; 2]) -> (SparseLu, [Vec<f64>; 2]) {
     let [first, _] = &matrices;
-    let (pattern, slots) = Pattern::from_entries(first.rows, first.columns, &first.positions()).expect("sound pattern");
+    let (pattern, slots) = Pattern::from_entries(first.rows, first.columns, &first.positions())
+        .expect("sound pattern");
     let values = matrices.map(|matrix| {
         let mut values = vec![0.0; pattern.entries()];
         for (&slot, &(_, _, value)) in slots.iter().zip(&matrix.entries) {
@@ -31,7 +32,11 @@ fn measure(criterion: &mut Criterion, name: &str, matrices: [linkage::Matrix; 2]
     let rhs: Vec<f64> = (0..n).map(|i| 1.0 + (i % 7) as f64).collect();
     let mut x = rhs.clone();
     let mut turn = 0;
-    println!("{name}: n = {n}, {} entries, {} in L and U", lu.pattern().entries(), lu.fill());
+    println!(
+        "{name}: n = {n}, {} entries, {} in L and U",
+        lu.pattern().entries(),
+        lu.fill()
+    );
     criterion.bench_function(&format!("{name}/{n}"), |bencher| {
         bencher.iter(|| {
             turn ^= 1;
@@ -55,13 +60,25 @@ fn measure(criterion: &mut Criterion, name: &str, matrices: [linkage::Matrix; 2]
 
 fn linear(criterion: &mut Criterion) {
     measure(criterion, "six-bar", [0.7, 0.8].map(linkage::six_bar));
-    let kkt =
-        |(bodies, pins): (usize, Vec<_>)| linkage::kkt(&linkage::jacobian(bodies, &pins, &[]), &mut linkage::Random(1));
+    let kkt = |(bodies, pins): (usize, Vec<_>)| {
+        linkage::kkt(
+            &linkage::jacobian(bodies, &pins, &[]),
+            &mut linkage::Random(1),
+        )
+    };
     for cells in [1, 10, 100, 1000] {
-        measure(criterion, "four-bar chain", [0.7, 0.8].map(|angle| kkt(linkage::four_bar_chain(cells, angle))));
+        measure(
+            criterion,
+            "four-bar chain",
+            [0.7, 0.8].map(|angle| kkt(linkage::four_bar_chain(cells, angle))),
+        );
     }
     for cells in [4, 16] {
-        measure(criterion, "grid", [(); 2].map(|()| kkt(linkage::grid(cells))));
+        measure(
+            criterion,
+            "grid",
+            [(); 2].map(|()| kkt(linkage::grid(cells))),
+        );
     }
 }
 

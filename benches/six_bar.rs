@@ -25,13 +25,18 @@ const TO: f64 = 125.0;
 
 fn load(name: &str, sets: &[String]) -> Model {
     let text = bundled::find(name).expect("bundled").text;
-    model::load(text.as_bytes(), sets).expect("a sound model").model
+    model::load(text.as_bytes(), sets)
+        .expect("a sound model")
+        .model
 }
 
 /// The lock with 2000 instants over its range.
 fn lock() -> Model {
     let step = (TO - FROM) / (INSTANTS - 1) as f64;
-    load("watt-i-lock", &[format!("analysis.sample.step=\"{step} deg\"")])
+    load(
+        "watt-i-lock",
+        &[format!("analysis.sample.step=\"{step} deg\"")],
+    )
 }
 
 /// Inputs when the driver has this value [rad].
@@ -57,14 +62,28 @@ fn prepare(system: &System) -> (Driven<'_>, Path) {
 }
 
 /// Largest difference by unit, relative to the largest value of its column or 1 in SI.
-fn largest_differences(reference: &Table, ours: impl Fn(f64, &str) -> Option<f64>) -> Vec<(String, f64)> {
-    let time = reference.columns.iter().position(|column| column == "time[s]").expect("a time");
+fn largest_differences(
+    reference: &Table,
+    ours: impl Fn(f64, &str) -> Option<f64>,
+) -> Vec<(String, f64)> {
+    let time = reference
+        .columns
+        .iter()
+        .position(|column| column == "time[s]")
+        .expect("a time");
     let mut worst: Vec<(String, f64)> = Vec::new();
     for (index, label) in reference.columns.iter().enumerate() {
-        let scale = reference.rows.iter().fold(1.0, |scale: f64, row| scale.max(row[index].abs()));
-        let unit = label.rsplit_once('[').map_or("", |(_, unit)| unit.trim_end_matches(']'));
+        let scale = reference
+            .rows
+            .iter()
+            .fold(1.0, |scale: f64, row| scale.max(row[index].abs()));
+        let unit = label
+            .rsplit_once('[')
+            .map_or("", |(_, unit)| unit.trim_end_matches(']'));
         for row in &reference.rows {
-            let Some(ours) = ours(row[time], label) else { continue };
+            let Some(ours) = ours(row[time], label) else {
+                continue;
+            };
             let difference = (ours - row[index]).abs() / scale;
             match worst.iter_mut().find(|(known, _)| known == unit) {
                 Some((_, largest)) => *largest = largest.max(difference),
@@ -76,12 +95,21 @@ fn largest_differences(reference: &Table, ours: impl Fn(f64, &str) -> Option<f64
 }
 
 fn words(differences: &[(String, f64)]) -> String {
-    differences.iter().map(|(unit, largest)| format!("{largest:.1e} [{unit}]")).collect::<Vec<_>>().join(", ")
+    differences
+        .iter()
+        .map(|(unit, largest)| format!("{largest:.1e} [{unit}]"))
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 fn reference() -> Table {
-    let case = CASES.iter().find(|case| case.name == "lock-ideal").expect("bundled");
-    let CaseKind::Reference(reference) = case.kind else { panic!("a reference case") };
+    let case = CASES
+        .iter()
+        .find(|case| case.name == "lock-ideal")
+        .expect("bundled");
+    let CaseKind::Reference(reference) = case.kind else {
+        panic!("a reference case")
+    };
     Table::parse(reference.reference).expect("a table")
 }
 
@@ -91,18 +119,35 @@ fn error_of_run(table: &Table) {
     let trajectory: &Trajectory = &outcome.trajectory;
     let times = trajectory.values("time").expect("a time");
     let differences = largest_differences(table, |time, label| {
-        let row = times.iter().position(|ours| (ours - time).abs() < 1e-9).expect("a common instant");
-        trajectory.column_index(label).map(|column| trajectory.row(row)[column])
+        let row = times
+            .iter()
+            .position(|ours| (ours - time).abs() < 1e-9)
+            .expect("a common instant");
+        trajectory
+            .column_index(label)
+            .map(|column| trajectory.row(row)[column])
     });
-    println!("run, {} instants: error {}", trajectory.len(), words(&differences));
+    println!(
+        "run, {} instants: error {}",
+        trajectory.len(),
+        words(&differences)
+    );
 }
 
 /// Error of the loop at the instants of the reference: angles, their derivatives, reactions and the torque.
 fn error_of_instants(table: &Table, system: &System, driven: &mut Driven, path: &Path) {
     let mut sample = Sample::new(system);
     let mut solved: Vec<(f64, Sample)> = Vec::new();
-    let value = table.columns.iter().position(|column| column == "driver.motor.value[rad]").expect("a value");
-    let time = table.columns.iter().position(|column| column == "time[s]").expect("a time");
+    let value = table
+        .columns
+        .iter()
+        .position(|column| column == "driver.motor.value[rad]")
+        .expect("a value");
+    let time = table
+        .columns
+        .iter()
+        .position(|column| column == "time[s]")
+        .expect("a time");
     for row in &table.rows {
         let inputs = inputs_at(system, row[value]);
         driven::solve_instant(driven, path, &inputs, &mut sample).expect("regular");
@@ -121,7 +166,11 @@ fn error_of_instants(table: &Table, system: &System, driven: &mut Driven, path: 
             };
             return Some(coordinates[3 * body + 2]);
         }
-        if let Some(joint) = system.joints.iter().position(|joint| owner == format!("joint.{}", joint.name)) {
+        if let Some(joint) = system
+            .joints
+            .iter()
+            .position(|joint| owner == format!("joint.{}", joint.name))
+        {
             let row = system.blocks[joint].row;
             return match quantity {
                 "fx" => Some(sample.lambda[row]),
@@ -162,7 +211,9 @@ fn six_bar(criterion: &mut Criterion) {
     let (mut driven, path) = prepare(&system);
     error_of_instants(&table, &system, &mut driven, &path);
     let values = (0..INSTANTS).map(|k| FROM + (TO - FROM) * k as f64 / (INSTANTS - 1) as f64);
-    let inputs: Vec<Inputs> = values.map(|value| inputs_at(&system, value.to_radians())).collect();
+    let inputs: Vec<Inputs> = values
+        .map(|value| inputs_at(&system, value.to_radians()))
+        .collect();
     let mut sample = Sample::new(&system);
     let mut instants = || {
         for inputs in &inputs {

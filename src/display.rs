@@ -18,14 +18,21 @@ pub struct Shown {
 impl Shown {
     /// A unit that is `size` SI units.
     pub fn new(symbol: impl Into<String>, size: f64) -> Self {
-        Shown { symbol: symbol.into(), size }
+        Shown {
+            symbol: symbol.into(),
+            size,
+        }
     }
 
     fn number(&self, value: f64, digits: usize) -> String {
         let value = value / self.size;
-        let rounded = format!("{value:.*e}", digits.saturating_sub(1)).parse().ok();
+        let rounded = format!("{value:.*e}", digits.saturating_sub(1))
+            .parse()
+            .ok();
         // The largest numbers have none with so few digits above them.
-        let rounded = rounded.filter(|rounded: &f64| rounded.is_finite()).unwrap_or(value);
+        let rounded = rounded
+            .filter(|rounded: &f64| rounded.is_finite())
+            .unwrap_or(value);
         number(rounded, digits)
     }
 
@@ -47,8 +54,14 @@ pub struct DisplayUnits {
 impl Default for DisplayUnits {
     /// SI.
     fn default() -> Self {
-        let [length, angle, mass, time] = ["m", "rad", "kg", "s"].map(|symbol| Shown::new(symbol, 1.0));
-        DisplayUnits { length, angle, mass, time }
+        let [length, angle, mass, time] =
+            ["m", "rad", "kg", "s"].map(|symbol| Shown::new(symbol, 1.0));
+        DisplayUnits {
+            length,
+            angle,
+            mass,
+            time,
+        }
     }
 }
 
@@ -71,7 +84,11 @@ impl DisplayUnits {
     /// An angle [rad] that is known to fewer digits.
     pub fn angle_to(&self, value: f64, digits: usize) -> String {
         match self.angle.symbol.as_str() {
-            "rad" => format!("{} ({}°)", self.angle.text(value, digits), number(value.to_degrees(), digits)),
+            "rad" => format!(
+                "{} ({}°)",
+                self.angle.text(value, digits),
+                number(value.to_degrees(), digits)
+            ),
             _ => self.angle.text(value, digits),
         }
     }
@@ -109,7 +126,9 @@ pub fn number(value: f64, digits: usize) -> String {
         return "0".into();
     }
     let scientific = format!("{value:.*e}", digits.saturating_sub(1));
-    let Some((mantissa, exponent)) = scientific.split_once('e') else { return scientific };
+    let Some((mantissa, exponent)) = scientific.split_once('e') else {
+        return scientific;
+    };
     let exponent: i32 = exponent.parse().unwrap_or(0);
     if !(-4..7).contains(&exponent) {
         return format!("{}e{exponent}", trim(mantissa));
@@ -120,7 +139,11 @@ pub fn number(value: f64, digits: usize) -> String {
 
 /// Without trailing zeros behind a decimal point.
 fn trim(number: &str) -> &str {
-    if number.contains('.') { number.trim_end_matches('0').trim_end_matches('.') } else { number }
+    if number.contains('.') {
+        number.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        number
+    }
 }
 
 #[cfg(test)]
@@ -158,9 +181,17 @@ mod tests {
             mass: Shown::new("g", 1e-3),
             time: Shown::new("ms", 1e-3),
         };
-        let told = [units.length(0.003_12), units.angle(angle), units.mass_to(0.8, 4), units.time(0.221)];
+        let told = [
+            units.length(0.003_12),
+            units.angle(angle),
+            units.mass_to(0.8, 4),
+            units.time(0.221),
+        ];
         assert_eq!(told, ["3.12 mm", "117.512°", "800 g", "221 ms"]);
         assert_eq!(units.times(1.7, 2.0), "1700 to 2000 ms");
-        assert_eq!([units.length_to(1.0 / 3.0, 2), units.time_to(1e-9 / 3.0, 2)], ["330 mm", "3.3e-7 ms"]);
+        assert_eq!(
+            [units.length_to(1.0 / 3.0, 2), units.time_to(1e-9 / 3.0, 2)],
+            ["330 mm", "3.3e-7 ms"]
+        );
     }
 }

@@ -27,7 +27,13 @@ pub struct Complaint {
 impl Complaint {
     /// A fault at `path`; the place is looked up later.
     pub fn new(path: impl Into<String>, message: impl Into<String>) -> Self {
-        Complaint { path: path.into(), place: None, found: None, message: message.into(), hint: None }
+        Complaint {
+            path: path.into(),
+            place: None,
+            found: None,
+            message: message.into(),
+            hint: None,
+        }
     }
 
     /// Adds what would mend it.
@@ -47,8 +53,13 @@ impl fmt::Display for Complaint {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut text = String::new();
         // a fault has a place in the file, or in a --set, which says its path itself
-        let set = self.found.as_deref().filter(|found| self.place.is_none() && found.starts_with("--set "));
-        let said = set.and_then(|set| set["--set ".len()..].split_once('=')).is_some_and(|(path, _)| path == self.path);
+        let set = self
+            .found
+            .as_deref()
+            .filter(|found| self.place.is_none() && found.starts_with("--set "));
+        let said = set
+            .and_then(|set| set["--set ".len()..].split_once('='))
+            .is_some_and(|(path, _)| path == self.path);
         if let Some(place) = self.place {
             text += &format!("line {}, column {}: ", place.line, place.column);
         } else if let Some(set) = set {

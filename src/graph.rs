@@ -70,7 +70,11 @@ impl Topology {
             graph.add_node(());
         }
         for &(first, second, constraints) in joints {
-            graph.add_edge(NodeIndex::new(first), NodeIndex::new(second), Joint { constraints });
+            graph.add_edge(
+                NodeIndex::new(first),
+                NodeIndex::new(second),
+                Joint { constraints },
+            );
         }
         let mut topology = Topology {
             graph,
@@ -129,7 +133,10 @@ impl Topology {
             });
             parts.push(part);
         }
-        parts.into_iter().map(|part| part.into_iter().collect()).collect()
+        parts
+            .into_iter()
+            .map(|part| part.into_iter().collect())
+            .collect()
     }
 
     /// Joint and body on the way from `body` to ground (or to its island's root); none at a root.
@@ -140,17 +147,23 @@ impl Topology {
     /// Whether the joint is in the spanning tree.
     pub fn is_tree_joint(&self, joint: usize) -> bool {
         let (first, second) = self.ends(joint);
-        [first, second].iter().any(|&body| self.parents[body].is_some_and(|(parent_joint, _)| parent_joint == joint))
+        [first, second]
+            .iter()
+            .any(|&body| self.parents[body].is_some_and(|(parent_joint, _)| parent_joint == joint))
     }
 
     /// Moving bodies that no joint holds.
     pub fn unheld_bodies(&self) -> Vec<usize> {
-        (1..self.body_count()).filter(|&body| self.joints_at(body).is_empty()).collect()
+        (1..self.body_count())
+            .filter(|&body| self.joints_at(body).is_empty())
+            .collect()
     }
 
     /// Number of joints between the body and ground; none where no way leads there.
     pub fn distance(&self, body: usize) -> Option<usize> {
-        self.islands[self.island_of[body]].grounded.then(|| self.depths[body])
+        self.islands[self.island_of[body]]
+            .grounded
+            .then(|| self.depths[body])
     }
 
     /// Joints by their distance from ground (that of the nearer body), then in file order; those that no way leads to last.
@@ -169,19 +182,30 @@ impl Topology {
 
     /// Grübler's mobility 3·(moving bodies) − Σ constraints, drivers not counted.
     pub fn mobility(&self) -> i64 {
-        let constraints: usize = self.graph.edge_weights().map(|joint| joint.constraints).sum();
+        let constraints: usize = self
+            .graph
+            .edge_weights()
+            .map(|joint| joint.constraints)
+            .sum();
         3 * (self.body_count().saturating_sub(1) as i64) - constraints as i64
     }
 
     /// A loop as text, by the names of its joints: `a – b – c – d`.
     pub fn loop_name<S: AsRef<str>>(&self, one: &Loop, joint_names: &[S]) -> String {
-        let names: Vec<&str> = one.joints.iter().map(|&joint| joint_names[joint].as_ref()).collect();
+        let names: Vec<&str> = one
+            .joints
+            .iter()
+            .map(|&joint| joint_names[joint].as_ref())
+            .collect();
         names.join(" – ")
     }
 
     /// All loops as text, by the names of the joints.
     pub fn loop_names<S: AsRef<str>>(&self, joint_names: &[S]) -> Vec<String> {
-        self.loops.iter().map(|one| self.loop_name(one, joint_names)).collect()
+        self.loops
+            .iter()
+            .map(|one| self.loop_name(one, joint_names))
+            .collect()
     }
 
     /// The two bodies of a joint, first and second.
@@ -193,7 +217,9 @@ impl Topology {
     /// Joints at a body, each with the body at its other end, in file order.
     fn joints_at(&self, body: usize) -> Vec<(usize, usize)> {
         let edges = self.graph.edges(NodeIndex::new(body));
-        let mut joints: Vec<_> = edges.map(|edge| (edge.id().index(), edge.target().index())).collect();
+        let mut joints: Vec<_> = edges
+            .map(|edge| (edge.id().index(), edge.target().index()))
+            .collect();
         joints.sort_unstable();
         joints
     }
@@ -220,22 +246,33 @@ impl Topology {
         // Every joint was met from both its ends.
         joints.sort_unstable();
         joints.dedup();
-        self.islands.push(Island { bodies, joints, grounded: root == GROUND });
+        self.islands.push(Island {
+            bodies,
+            joints,
+            grounded: root == GROUND,
+        });
     }
 
     /// The shortest loop that `chord` closes with the tree and the chords before it.
     fn close_loop(&self, chord: usize) -> Loop {
         let (from, to) = self.ends(chord);
-        let mut joints = self.shortest_way(from, to, |joint| joint < chord || self.is_tree_joint(joint));
+        let mut joints =
+            self.shortest_way(from, to, |joint| joint < chord || self.is_tree_joint(joint));
         joints.push(chord);
         // Start at the body nearest to the root.
         let bodies = self.walk(from, &joints);
-        let start = (0..bodies.len()).min_by_key(|&i| self.depths[bodies[i]]).unwrap_or(0);
+        let start = (0..bodies.len())
+            .min_by_key(|&i| self.depths[bodies[i]])
+            .unwrap_or(0);
         joints.rotate_left(start);
         if joints.first() > joints.last() {
             joints.reverse();
         }
-        Loop { bodies: self.walk(bodies[start], &joints), joints, chord }
+        Loop {
+            bodies: self.walk(bodies[start], &joints),
+            joints,
+            chord,
+        }
     }
 
     /// Joints of a shortest way between two bodies over allowed joints, breadth-first; none where they are the same.
@@ -253,8 +290,9 @@ impl Topology {
                 }
             }
         }
-        let mut joints: Vec<usize> =
-            std::iter::successors(back[to], |&(_, body)| back[body]).map(|step| step.0).collect();
+        let mut joints: Vec<usize> = std::iter::successors(back[to], |&(_, body)| back[body])
+            .map(|step| step.0)
+            .collect();
         joints.reverse();
         joints
     }
@@ -285,7 +323,10 @@ mod tests {
         let topology = four_bar();
         assert_eq!(topology.mobility(), 1);
         assert_eq!(topology.islands().len(), 1);
-        assert_eq!(topology.loop_names(&["a", "b", "c", "d"]), ["a – b – c – d"]);
+        assert_eq!(
+            topology.loop_names(&["a", "b", "c", "d"]),
+            ["a – b – c – d"]
+        );
         assert_eq!(topology.loops()[0].bodies, [0, 1, 2, 3]);
         assert_eq!(topology.loops()[0].chord, 2);
         assert_eq!(topology.joints_by_distance(), [0, 3, 1, 2]);
@@ -296,7 +337,15 @@ mod tests {
     #[test]
     fn watt_six_bar_has_two_loops_and_mobility_one() {
         // Bodies 0 … 5 stand for the links 1 … 6: a 1–2, b 2–3, c 3–4, g 1–4, d 4–5, e 5–6, f 3–6.
-        let joints = [(0, 1, 2), (1, 2, 2), (2, 3, 2), (3, 4, 2), (4, 5, 2), (2, 5, 2), (0, 3, 2)];
+        let joints = [
+            (0, 1, 2),
+            (1, 2, 2),
+            (2, 3, 2),
+            (3, 4, 2),
+            (4, 5, 2),
+            (2, 5, 2),
+            (0, 3, 2),
+        ];
         let topology = Topology::new(6, &joints);
         assert_eq!(topology.mobility(), 1);
         let names = topology.loop_names(&["a", "b", "c", "d", "e", "f", "g"]);
@@ -308,19 +357,36 @@ mod tests {
     fn two_joints_between_the_same_bodies_form_a_loop() {
         let topology = Topology::new(2, &[(0, 1, 2), (1, 0, 2)]);
         assert_eq!(topology.mobility(), -1);
-        assert_eq!(topology.loops(), [Loop { joints: vec![0, 1], bodies: vec![0, 1], chord: 1 }]);
+        assert_eq!(
+            topology.loops(),
+            [Loop {
+                joints: vec![0, 1],
+                bodies: vec![0, 1],
+                chord: 1
+            }]
+        );
     }
 
     #[test]
     fn three_joints_between_the_same_bodies_form_two_loops() {
         let topology = Topology::new(3, &[(0, 1, 2), (1, 2, 1), (1, 2, 1), (2, 1, 1)]);
-        assert_eq!(topology.loop_names(&["p", "q", "r", "s"]), ["q – r", "q – s"]);
+        assert_eq!(
+            topology.loop_names(&["p", "q", "r", "s"]),
+            ["q – r", "q – s"]
+        );
     }
 
     #[test]
     fn a_joint_of_a_body_with_itself_is_a_loop_of_one() {
         let topology = Topology::new(2, &[(0, 1, 2), (1, 1, 2)]);
-        assert_eq!(topology.loops(), [Loop { joints: vec![1], bodies: vec![1], chord: 1 }]);
+        assert_eq!(
+            topology.loops(),
+            [Loop {
+                joints: vec![1],
+                bodies: vec![1],
+                chord: 1
+            }]
+        );
     }
 
     #[test]
@@ -328,7 +394,14 @@ mod tests {
         let topology = Topology::new(3, &[(0, 1, 2)]);
         assert_eq!(topology.mobility(), 4);
         assert_eq!(topology.unheld_bodies(), [2]);
-        assert_eq!(topology.islands()[1], Island { bodies: vec![2], joints: vec![], grounded: false });
+        assert_eq!(
+            topology.islands()[1],
+            Island {
+                bodies: vec![2],
+                joints: vec![],
+                grounded: false
+            }
+        );
         assert_eq!(topology.distance(2), None);
     }
 
@@ -339,7 +412,14 @@ mod tests {
         assert_eq!(topology.mobility(), 4);
         assert_eq!(topology.islands().len(), 2);
         assert_eq!(topology.islands()[0].joints, [1]);
-        assert_eq!(topology.islands()[1], Island { bodies: vec![2, 3, 4], joints: vec![0, 2, 3], grounded: false });
+        assert_eq!(
+            topology.islands()[1],
+            Island {
+                bodies: vec![2, 3, 4],
+                joints: vec![0, 2, 3],
+                grounded: false
+            }
+        );
         assert_eq!(topology.loops().len(), 1);
         assert_eq!(topology.loops()[0].joints, [0, 2, 3]);
         assert_eq!(topology.joints_by_distance(), [1, 0, 2, 3]);
@@ -349,7 +429,14 @@ mod tests {
     #[test]
     fn ground_alone_is_a_topology() {
         let topology = Topology::new(1, &[]);
-        assert_eq!((topology.mobility(), topology.loops().len(), topology.islands().len()), (0, 0, 1));
+        assert_eq!(
+            (
+                topology.mobility(),
+                topology.loops().len(),
+                topology.islands().len()
+            ),
+            (0, 0, 1)
+        );
     }
 
     #[test]
@@ -357,20 +444,31 @@ mod tests {
         // A grid of parallel and crossing joints from a small fixed congruential sequence.
         let mut seed = 12345_u64;
         let mut next = |bound: usize| {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            seed = seed
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             (seed >> 33) as usize % bound
         };
         for _ in 0..200 {
             let bodies = 1 + next(12);
-            let joints: Vec<_> = (0..next(25)).map(|_| (next(bodies), next(bodies), 2)).collect();
+            let joints: Vec<_> = (0..next(25))
+                .map(|_| (next(bodies), next(bodies), 2))
+                .collect();
             let topology = Topology::new(bodies, &joints);
-            assert_eq!(topology.loops().len(), joints.len() + topology.islands().len() - bodies, "{joints:?}");
+            assert_eq!(
+                topology.loops().len(),
+                joints.len() + topology.islands().len() - bodies,
+                "{joints:?}"
+            );
             for one in topology.loops() {
                 // Every walk is closed.
                 for (i, &joint) in one.joints.iter().enumerate() {
                     let (here, there) = (one.bodies[i], one.bodies[(i + 1) % one.bodies.len()]);
                     let (first, second) = (joints[joint].0, joints[joint].1);
-                    assert!([(here, there), (there, here)].contains(&(first, second)), "{one:?} of {joints:?}");
+                    assert!(
+                        [(here, there), (there, here)].contains(&(first, second)),
+                        "{one:?} of {joints:?}"
+                    );
                 }
             }
         }

@@ -11,12 +11,22 @@ pub fn perp(a: Vec2) -> Vec2 {
 /// The vector by its length, also where the squares of its components overflow or vanish.
 pub fn unit(a: Vec2) -> Vec2 {
     let squared = a.norm_squared();
-    if squared.is_normal() { a.normalize() } else { (a / a.amax()).normalize() }
+    if squared.is_normal() {
+        a.normalize()
+    } else {
+        (a / a.amax()).normalize()
+    }
 }
 
 /// Largest magnitude of a slice; NaN where one entry is NaN, so that nothing bad hides.
 pub fn max_abs(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |m: f64, &v| if v.abs() > m || v.is_nan() { v.abs() } else { m })
+    values.iter().fold(0.0, |m: f64, &v| {
+        if v.abs() > m || v.is_nan() {
+            v.abs()
+        } else {
+            m
+        }
+    })
 }
 
 /// Σ aᵢ bᵢ.
@@ -34,7 +44,10 @@ mod tests {
             let found = unit(Vec2::new(0.6 * size, -0.8 * size));
             // 1e-320 is a multiple of the least double: two digits are left of it
             let digits = if size < 1e-307 { 1e-2 } else { 1e-15 };
-            assert!((found - Vec2::new(0.6, -0.8)).norm() < digits, "{size:e}: {found}");
+            assert!(
+                (found - Vec2::new(0.6, -0.8)).norm() < digits,
+                "{size:e}: {found}"
+            );
         }
     }
 }

@@ -21,7 +21,12 @@ pub type Jet = [f64; 3];
 #[derive(Debug, Clone, PartialEq)]
 pub enum Law {
     Polynomial(Vec<f64>),
-    Harmonic { offset: f64, amplitude: f64, frequency: f64, phase: f64 },
+    Harmonic {
+        offset: f64,
+        amplitude: f64,
+        frequency: f64,
+        phase: f64,
+    },
     Spline(Spline),
 }
 
@@ -74,7 +79,8 @@ impl Spline {
         let (m0, m1) = (self.curvature[k], self.curvature[k + 1]);
         let slope = (self.f[k + 1] - self.f[k]) / h;
         [
-            self.f[k] + slope * b - (m0 * (h * h - a * a) * a + m1 * (h * h - b * b) * b) / (6.0 * h),
+            self.f[k] + slope * b
+                - (m0 * (h * h - a * a) * a + m1 * (h * h - b * b) * b) / (6.0 * h),
             slope + (m1 * (3.0 * b * b - h * h) - m0 * (3.0 * a * a - h * h)) / (6.0 * h),
             (m0 * a + m1 * b) / h,
         ]
@@ -88,14 +94,27 @@ impl Law {
             Law::Polynomial(c) => {
                 let mut jet = [0.0; 3];
                 for &ck in c.iter().rev() {
-                    jet = [jet[0] * t + ck, jet[1] * t + jet[0], jet[2] * t + 2.0 * jet[1]];
+                    jet = [
+                        jet[0] * t + ck,
+                        jet[1] * t + jet[0],
+                        jet[2] * t + 2.0 * jet[1],
+                    ];
                 }
                 jet
             }
-            Law::Harmonic { offset, amplitude, frequency, phase } => {
+            Law::Harmonic {
+                offset,
+                amplitude,
+                frequency,
+                phase,
+            } => {
                 let w = TAU * frequency;
                 let (s, c) = (w * t + phase).sin_cos();
-                [offset + amplitude * s, amplitude * w * c, -amplitude * w * w * s]
+                [
+                    offset + amplitude * s,
+                    amplitude * w * c,
+                    -amplitude * w * w * s,
+                ]
             }
             Law::Spline(s) => s.jet(t),
         }
@@ -105,7 +124,11 @@ impl Law {
     pub fn is_constant(&self) -> bool {
         match self {
             Law::Polynomial(c) => c.iter().skip(1).all(|&ck| ck == 0.0),
-            Law::Harmonic { amplitude, frequency, .. } => *amplitude == 0.0 || *frequency == 0.0,
+            Law::Harmonic {
+                amplitude,
+                frequency,
+                ..
+            } => *amplitude == 0.0 || *frequency == 0.0,
             Law::Spline(s) => s.f.iter().all(|&f| f == s.f[0]),
         }
     }
@@ -117,9 +140,16 @@ impl Law {
         let speed = self.jet(0.0)[1];
         let mut sign = speed.signum() * f64::from(u8::from(speed != 0.0));
         let mut left = 0.0;
-        let pieces = self.marks(end).chain([end]).flat_map(|mark| (1..=SUBDIVISIONS).map(move |k| (mark, k)));
+        let pieces = self
+            .marks(end)
+            .chain([end])
+            .flat_map(|mark| (1..=SUBDIVISIONS).map(move |k| (mark, k)));
         let turns = pieces.filter_map(move |(mark, k)| {
-            let right = if k == SUBDIVISIONS { mark } else { left + (mark - left) / (SUBDIVISIONS + 1 - k) as f64 };
+            let right = if k == SUBDIVISIONS {
+                mark
+            } else {
+                left + (mark - left) / (SUBDIVISIONS + 1 - k) as f64
+            };
             let slope = self.jet(right)[1];
             let mut turn = None;
             if slope != 0.0 {
@@ -163,7 +193,12 @@ impl Law {
     /// The law up to its first turning point, or to `latest`.
     pub fn first_stretch(&self, latest: f64) -> Stretch<'_> {
         let end = self.turning_times(latest).next().unwrap_or(latest);
-        Stretch { law: self, end, from: self.jet(0.0)[0], to: self.jet(end)[0] }
+        Stretch {
+            law: self,
+            end,
+            from: self.jet(0.0)[0],
+            to: self.jet(end)[0],
+        }
     }
 }
 
@@ -189,7 +224,11 @@ impl Stretch<'_> {
         }
         // Newton, kept within a bracket that bisection would use.
         let (mut low, mut high) = (0.0, self.end);
-        let mut t = if guess > low && guess < high { guess } else { 0.5 * self.end };
+        let mut t = if guess > low && guess < high {
+            guess
+        } else {
+            0.5 * self.end
+        };
         for _ in 0..200 {
             let [f, speed, _] = self.law.jet(t);
             if (value - f) * side > 0.0 {
@@ -199,7 +238,11 @@ impl Stretch<'_> {
             }
             let newton = t - (f - value) / speed;
             // Round-off at the turning point itself may point outside.
-            let next = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
+            let next = if newton >= low && newton <= high {
+                newton
+            } else {
+                0.5 * (low + high)
+            };
             let done = (next - t).abs() <= f64::EPSILON * t.abs() || f == value;
             t = next;
             if done {
@@ -226,7 +269,11 @@ pub(crate) fn bisect(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
         if middle <= a || middle >= b {
             break;
         }
-        if f(middle) > 0.0 { a = middle } else { b = middle }
+        if f(middle) > 0.0 {
+            a = middle
+        } else {
+            b = middle
+        }
     }
     0.5 * (a + b)
 }
@@ -238,8 +285,18 @@ mod tests {
     fn laws() -> Vec<Law> {
         vec![
             Law::Polynomial(vec![1.0, -2.0, 0.5, 0.25]),
-            Law::Harmonic { offset: 0.3, amplitude: 1.2, frequency: 0.7, phase: 0.4 },
-            Law::Spline(Spline::natural(&[[0.0, 1.0], [0.5, 2.0], [1.25, -1.0], [2.0, 0.0]])),
+            Law::Harmonic {
+                offset: 0.3,
+                amplitude: 1.2,
+                frequency: 0.7,
+                phase: 0.4,
+            },
+            Law::Spline(Spline::natural(&[
+                [0.0, 1.0],
+                [0.5, 2.0],
+                [1.25, -1.0],
+                [2.0, 0.0],
+            ])),
         ]
     }
 
@@ -249,8 +306,14 @@ mod tests {
             for t in [-0.3, 0.1, 0.49, 0.9, 1.6, 2.5] {
                 let h = 1e-4;
                 let (lo, mid, hi) = (law.jet(t - h), law.jet(t), law.jet(t + h));
-                assert!(((hi[0] - lo[0]) / (2.0 * h) - mid[1]).abs() < 1e-5, "{law:?} at {t}");
-                assert!(((hi[1] - lo[1]) / (2.0 * h) - mid[2]).abs() < 1e-4, "{law:?} at {t}");
+                assert!(
+                    ((hi[0] - lo[0]) / (2.0 * h) - mid[1]).abs() < 1e-5,
+                    "{law:?} at {t}"
+                );
+                assert!(
+                    ((hi[1] - lo[1]) / (2.0 * h) - mid[2]).abs() < 1e-4,
+                    "{law:?} at {t}"
+                );
             }
         }
     }
@@ -276,7 +339,12 @@ mod tests {
             assert!((t - (u + 0.5_f64).sqrt()).abs() < 1e-12, "{u}: {t}");
         }
         assert!(law.invert(-0.6, 10.0).is_none());
-        let wave = Law::Harmonic { offset: 0.0, amplitude: 2.0, frequency: 1.0, phase: 0.0 };
+        let wave = Law::Harmonic {
+            offset: 0.0,
+            amplitude: 2.0,
+            frequency: 1.0,
+            phase: 0.0,
+        };
         assert!((wave.invert(2.0, 5.0).expect("reached") - 0.25).abs() < 1e-7);
         assert!(wave.invert(2.1, 5.0).is_none());
         assert!((wave.invert(1.0, 5.0).expect("reached") - 1.0 / 12.0).abs() < 1e-14);
@@ -284,7 +352,12 @@ mod tests {
 
     #[test]
     fn turning_times_of_a_wave() {
-        let wave = Law::Harmonic { offset: 0.0, amplitude: 2.0, frequency: 1.0, phase: 0.0 };
+        let wave = Law::Harmonic {
+            offset: 0.0,
+            amplitude: 2.0,
+            frequency: 1.0,
+            phase: 0.0,
+        };
         let turns: Vec<f64> = wave.turning_times(2.0).collect();
         assert_eq!(turns.len(), 4, "{turns:?}");
         for (turn, want) in turns.iter().zip([0.25, 0.75, 1.25, 1.75]) {
@@ -295,10 +368,18 @@ mod tests {
     /// Ten million periods: only those that are asked for are looked for.
     #[test]
     fn turning_times_of_a_fast_wave_are_those_of_every_period() {
-        let wave = Law::Harmonic { offset: 0.0, amplitude: 2.0, frequency: 1e7, phase: 0.0 };
+        let wave = Law::Harmonic {
+            offset: 0.0,
+            amplitude: 2.0,
+            frequency: 1e7,
+            phase: 0.0,
+        };
         for (k, turn) in wave.turning_times(1.0).take(5000).enumerate() {
             let exact = (k as f64 + 0.5) / 2e7;
-            assert!((turn - exact).abs() < 1e-9 * exact, "turn {k}: {turn} instead of {exact}");
+            assert!(
+                (turn - exact).abs() < 1e-9 * exact,
+                "turn {k}: {turn} instead of {exact}"
+            );
         }
         assert!((wave.invert(1.0, 1.0).expect("reached") * 1e7 - 1.0 / 12.0).abs() < 1e-12);
     }

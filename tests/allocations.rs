@@ -58,8 +58,12 @@ fn allocations(work: impl FnOnce()) -> usize {
 fn refactor_and_solves_allocate_nothing() {
     let values_at = |angle: f64| {
         let (bodies, pins) = linkage::four_bar_chain(20, angle);
-        let matrix = linkage::kkt(&linkage::jacobian(bodies, &pins, &[]), &mut linkage::Random(2));
-        let (pattern, slots) = Pattern::from_entries(matrix.rows, matrix.columns, &matrix.positions()).unwrap();
+        let matrix = linkage::kkt(
+            &linkage::jacobian(bodies, &pins, &[]),
+            &mut linkage::Random(2),
+        );
+        let (pattern, slots) =
+            Pattern::from_entries(matrix.rows, matrix.columns, &matrix.positions()).unwrap();
         let mut values = vec![0.0; pattern.entries()];
         for (&slot, &(_, _, value)) in slots.iter().zip(&matrix.entries) {
             values[slot as usize] += value;
@@ -89,7 +93,10 @@ fn refactor_and_solves_allocate_nothing() {
     // Choosing the same pivots again finds its space, too.
     let count = allocations(|| lu.factor(&second).unwrap());
     assert_eq!(count, 0);
-    assert!(allocations(|| drop(std::hint::black_box(vec![1]))) > 0, "the counter counts");
+    assert!(
+        allocations(|| drop(std::hint::black_box(vec![1]))) > 0,
+        "the counter counts"
+    );
 }
 
 #[test]
@@ -102,11 +109,19 @@ fn steps_and_dense_output_allocate_nothing() {
         let mut stepper = method.stepper(ode::tolerance(2, 1e-6), Limits::default());
         let mut problem = ode::Problem::new(2, f);
         let mut y = [2.0, 0.0];
-        stepper.start(&mut problem, 0.0, &[2.0, 0.0], 1000.0).unwrap();
+        stepper
+            .start(&mut problem, 0.0, &[2.0, 0.0], 1000.0)
+            .unwrap();
         let count = allocations(|| {
             while stepper.t() != 1000.0 {
                 stepper.step(&mut problem, 1000.0).unwrap();
-                stepper.interpolate(&mut problem, 0.5 * (stepper.previous() + stepper.t()), &mut y).unwrap();
+                stepper
+                    .interpolate(
+                        &mut problem,
+                        0.5 * (stepper.previous() + stepper.t()),
+                        &mut y,
+                    )
+                    .unwrap();
             }
         });
         assert_eq!(count, 0, "{method:?}");
@@ -116,7 +131,9 @@ fn steps_and_dense_output_allocate_nothing() {
 
 /// A model's equations of motion at their assembled start, and what integrates them.
 fn compiled(json: &serde_json::Value) -> System {
-    let model = linkdyn::model::load(json.to_string().as_bytes(), &[]).expect("a sound model").model;
+    let model = linkdyn::model::load(json.to_string().as_bytes(), &[])
+        .expect("a sound model")
+        .model;
     compile(&model, AnalysisKind::Dynamics).expect("compiles")
 }
 
@@ -124,7 +141,8 @@ fn start(system: &System) -> (Reduced<'_>, Vec<f64>) {
     let inputs = Inputs::at_time(system, 0.0);
     let assembled = assembly::assemble(system, &inputs).expect("assembles");
     let v = assembly::velocities(system, &assembled.q, &inputs).expect("velocities");
-    let mut reduced = Reduced::new(system, &assembled.all.free_columns, &assembled.q, &v, 0.0).expect("regular");
+    let mut reduced =
+        Reduced::new(system, &assembled.all.free_columns, &assembled.q, &v, 0.0).expect("regular");
     reduced.lag = 1e-8;
     let mut y = vec![0.0; 2 * reduced.freedom()];
     reduced.state(&mut y);
@@ -150,8 +168,7 @@ fn double_pendulum() -> serde_json::Value {
 fn rubbing_pendulum() -> serde_json::Value {
     let mut pendulum = double_pendulum();
     for joint in ["o", "p"] {
-        pendulum["joints"][joint]["friction"] =
-            serde_json::json!({ "law": "threlfall", "coefficient": 0.1, "threshold_velocity": 0.01 });
+        pendulum["joints"][joint]["friction"] = serde_json::json!({ "law": "threlfall", "coefficient": 0.1, "threshold_velocity": 0.01 });
         pendulum["joints"][joint]["pin_radius"] = serde_json::json!(0.01);
     }
     pendulum
@@ -172,7 +189,11 @@ fn steps_of_forward_dynamics_allocate_nothing_and_repeat_bit_by_bit() {
         let system = compiled(&json);
         let run = || {
             let (mut reduced, y) = start(&system);
-            let tolerance = Tolerance { rtol: 1e-6, atol: vec![1e-6; y.len()], cap: Vec::new() };
+            let tolerance = Tolerance {
+                rtol: 1e-6,
+                atol: vec![1e-6; y.len()],
+                cap: Vec::new(),
+            };
             let mut stepper = Method::Auto.stepper(tolerance, Limits::default());
             stepper.start(&mut reduced, 0.0, &y, end).expect("starts");
             let mut lambda = vec![0.0; system.m()];
@@ -182,13 +203,24 @@ fn steps_of_forward_dynamics_allocate_nothing_and_repeat_bit_by_bit() {
                 let count = allocations(|| {
                     stepper.step(&mut reduced, end).expect("steps");
                     stepper
-                        .interpolate(&mut reduced, 0.5 * (stepper.previous() + stepper.t()), &mut between)
+                        .interpolate(
+                            &mut reduced,
+                            0.5 * (stepper.previous() + stepper.t()),
+                            &mut between,
+                        )
                         .expect("interpolates");
                     reduced.evaluate(stepper.t(), stepper.y()).expect("regular");
                     reduced.multipliers(&mut lambda);
                 });
                 counts.push(count);
-                states.extend(stepper.y().iter().chain(&between).chain(&lambda).map(|x| x.to_bits()));
+                states.extend(
+                    stepper
+                        .y()
+                        .iter()
+                        .chain(&between)
+                        .chain(&lambda)
+                        .map(|x| x.to_bits()),
+                );
             }
             (counts, states)
         };
@@ -202,7 +234,9 @@ fn steps_of_forward_dynamics_allocate_nothing_and_repeat_bit_by_bit() {
 #[test]
 fn instants_of_a_driven_mechanism_allocate_nothing_and_repeat_bit_by_bit() {
     let text = linkdyn::bundled::find("watt-i-lock").expect("bundled").text;
-    let model = linkdyn::model::load(text.as_bytes(), &[]).expect("a sound model").model;
+    let model = linkdyn::model::load(text.as_bytes(), &[])
+        .expect("a sound model")
+        .model;
     let system = compile(&model, AnalysisKind::InverseDynamics).expect("compiles");
     let begin = Inputs::at_time(&system, 0.0);
     let mut q = assembly::assemble(&system, &begin).expect("assembles").q;
@@ -218,7 +252,13 @@ fn instants_of_a_driven_mechanism_allocate_nothing_and_repeat_bit_by_bit() {
         for k in 0..500 {
             inputs.drive[0] = [range.0 + 2.0 * f64::from(k) / 500.0, 10.0, 1.0];
             driven::solve_instant(&mut solver, &path, &inputs, &mut sample).expect("regular");
-            for x in sample.q.iter().chain(&sample.v).chain(&sample.a).chain(&sample.lambda) {
+            for x in sample
+                .q
+                .iter()
+                .chain(&sample.v)
+                .chain(&sample.a)
+                .chain(&sample.lambda)
+            {
                 bits = bits.rotate_left(1) ^ x.to_bits();
             }
         }
@@ -248,8 +288,14 @@ fn a_large_mechanism_fits_into_little_memory() {
         bytes
     };
     let (mut reduced, y) = start(&system);
-    let mut stepper =
-        Method::Auto.stepper(Tolerance { rtol: 1e-6, atol: vec![1e-6; y.len()], cap: Vec::new() }, Limits::default());
+    let mut stepper = Method::Auto.stepper(
+        Tolerance {
+            rtol: 1e-6,
+            atol: vec![1e-6; y.len()],
+            cap: Vec::new(),
+        },
+        Limits::default(),
+    );
     stepper.start(&mut reduced, 0.0, &y, 1.0).expect("starts");
     stepper.step(&mut reduced, 1.0).expect("steps");
     let all = LIVE.with(Cell::get) - before;
@@ -261,6 +307,9 @@ fn a_large_mechanism_fits_into_little_memory() {
         of_solver / bodies,
         rest / bodies
     );
-    assert!((of_system + of_solver) / bodies < 2500, "{of_system} {of_solver}");
+    assert!(
+        (of_system + of_solver) / bodies < 2500,
+        "{of_system} {of_solver}"
+    );
     assert!(all / bodies < 7000, "{all}");
 }

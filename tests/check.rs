@@ -13,7 +13,8 @@ struct File(PathBuf);
 
 impl File {
     fn new(name: &str, text: &str) -> Self {
-        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("check-{}-{name}.json", std::process::id()));
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR"))
+            .join(format!("check-{}-{name}.json", std::process::id()));
         fs::write(&path, text).expect("written");
         File(path)
     }
@@ -31,10 +32,17 @@ impl Drop for File {
 
 /// Exit status, standard output, standard error.
 fn linkdyn(arguments: &[&str]) -> (Option<i32>, String, String) {
-    let output =
-        Command::new(env!("CARGO_BIN_EXE_linkdyn")).args(arguments).stdin(Stdio::null()).output().expect("runs");
+    let output = Command::new(env!("CARGO_BIN_EXE_linkdyn"))
+        .args(arguments)
+        .stdin(Stdio::null())
+        .output()
+        .expect("runs");
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
-    (output.status.code(), text(output.stdout), text(output.stderr))
+    (
+        output.status.code(),
+        text(output.stdout),
+        text(output.stderr),
+    )
 }
 
 #[track_caller]
@@ -48,7 +56,12 @@ fn checked(arguments: &[&str]) -> Value {
 fn bundled_models_raise_no_alarm() {
     for bundled in bundled::MODELS {
         let told = checked(&[bundled.name]);
-        assert_eq!((&told["warnings"], &told["suspicious"]), (&json!([]), &json!([])), "{}", bundled.name);
+        assert_eq!(
+            (&told["warnings"], &told["suspicious"]),
+            (&json!([]), &json!([])),
+            "{}",
+            bundled.name
+        );
         assert_eq!(told["status"], "completed", "{}", bundled.name);
     }
 }
@@ -76,7 +89,11 @@ fn the_mobility_is_said_in_a_sentence() {
              need 1 driver more",
         ),
         (
-            &["slider-crank-clearance", "--set", "joints.wristpin.clearance.model=ideal"],
+            &[
+                "slider-crank-clearance",
+                "--set",
+                "joints.wristpin.clearance.model=ideal",
+            ],
             "1 degree of freedom, driven by motor: kinematics, inverse dynamics and statics are possible; forward dynamics has nothing \
              free",
         ),
@@ -109,14 +126,21 @@ fn the_mobility_is_said_in_a_sentence() {
     ];
     for (arguments, sentence) in cases {
         let (_, stdout, stderr) = linkdyn(&[&["check", "--json"], *arguments].concat());
-        let told: Value = serde_json::from_str(&stdout).unwrap_or_else(|_| panic!("{arguments:?}: {stderr}"));
+        let told: Value =
+            serde_json::from_str(&stdout).unwrap_or_else(|_| panic!("{arguments:?}: {stderr}"));
         assert_eq!(told["mobility"]["words"], *sentence, "{arguments:?}");
     }
 }
 
 #[test]
 fn loops_and_lacks_are_named() {
-    let told = checked(&["hoeken", "--set", "bodies.rocker.mass=1", "--set", "bodies.rocker.com=[0, 0]"]);
+    let told = checked(&[
+        "hoeken",
+        "--set",
+        "bodies.rocker.mass=1",
+        "--set",
+        "bodies.rocker.com=[0, 0]",
+    ]);
     assert_eq!(told["loops"], json!(["a – b – c – d"]));
     assert_eq!(told["loop_bodies"], json!([["crank", "coupler", "rocker"]]));
     assert_eq!(
@@ -127,7 +151,10 @@ fn loops_and_lacks_are_named() {
         ])
     );
     // As it was before: each analysis with what it lacks.
-    assert_eq!(told["missing"]["inverse_dynamics"][2], "inertia of body \"rocker\"");
+    assert_eq!(
+        told["missing"]["inverse_dynamics"][2],
+        "inertia of body \"rocker\""
+    );
 }
 
 /// Millimetres as metres, degrees as radians, grams as kilograms, and more of the kind.
@@ -154,7 +181,12 @@ const SLIPS: &str = r#"{ "format": "linkdyn/1", "units": "SI", "gravity": [0, -9
 fn slips_are_named_with_place_and_mend() {
     let file = File::new("slips", SLIPS);
     let told = checked(&[file.path()]);
-    let said: Vec<&str> = told["suspicious"].as_array().expect("a list").iter().filter_map(Value::as_str).collect();
+    let said: Vec<&str> = told["suspicious"]
+        .as_array()
+        .expect("a list")
+        .iter()
+        .filter_map(Value::as_str)
+        .collect();
     let wanted = [
         r#"line 5, column 55: bodies.rod.points: the bodies are very long, this one 250 m (check the unit of length: "units": { "length": "mm" } reads plain numbers as millimetres)"#,
         r#"line 4, column 25: bodies.crank.mass: 800: the body is heavy, 800 kg, where others weigh near 1 kg (check the unit: a plain mass is in kg unless "units" names another)"#,
@@ -181,13 +213,21 @@ fn single_slips_among_sound_values_are_found() {
             &["bodies.rocker.points={\"O4\": [0, 0], \"B\": [62.5, 0], \"far\": [50000, 0]}"],
             "the points are 50000 mm apart, much longer than most lengths of the mechanism, near 50 mm",
         ),
-        ("hoeken", &["bodies.crank.pose.angle=1.5708"], "the angle is 1.571 deg, which looks like radians"),
+        (
+            "hoeken",
+            &["bodies.crank.pose.angle=1.5708"],
+            "the angle is 1.571 deg, which looks like radians",
+        ),
         (
             "four-bar",
             &["bodies.coupler.inertia=9000 kg*m^2"],
             "the inertia is large: that of the mass at 68820 mm, where the body reaches 262.5 mm",
         ),
-        ("four-bar", &["gravity=[0, -0.00981]"], "gravity is 0.00981 m/s^2"),
+        (
+            "four-bar",
+            &["gravity=[0, -0.00981]"],
+            "gravity is 0.00981 m/s^2",
+        ),
         (
             "four-bar",
             &[
@@ -195,15 +235,23 @@ fn single_slips_among_sound_values_are_found() {
             ],
             "6 outputs per turn",
         ),
-        ("four-bar", &["bodies.rocker.mass=0.001"], "the body is light, 0.001 kg, where others weigh near 0.8 kg"),
+        (
+            "four-bar",
+            &["bodies.rocker.mass=0.001"],
+            "the body is light, 0.001 kg, where others weigh near 0.8 kg",
+        ),
     ];
     for (model, sets, wanted) in cases {
         let mut arguments = vec!["check", "--json", *model];
         arguments.extend(sets.iter().flat_map(|set| ["--set", *set]));
         let (_, stdout, stderr) = linkdyn(&arguments);
-        let told: Value = serde_json::from_str(&stdout).unwrap_or_else(|_| panic!("{model} {sets:?}: {stderr}"));
+        let told: Value =
+            serde_json::from_str(&stdout).unwrap_or_else(|_| panic!("{model} {sets:?}: {stderr}"));
         let said = told["suspicious"].as_array().expect("a list");
-        assert!(said.len() == 1 && said[0].as_str().is_some_and(|said| said.contains(wanted)), "{sets:?}: {said:#?}");
+        assert!(
+            said.len() == 1 && said[0].as_str().is_some_and(|said| said.contains(wanted)),
+            "{sets:?}: {said:#?}"
+        );
     }
 }
 
@@ -227,7 +275,11 @@ fn lengths_and_angles_that_do_not_fit_the_mechanism_are_found() {
     let file = File::new("millimetres", MILLIMETRES);
     let motion = "drivers.motor.motion=";
     let radians = |number: &str, key: &str, per: &str| {
-        let goes = if key == "points" { "the motion goes over" } else { "this is" };
+        let goes = if key == "points" {
+            "the motion goes over"
+        } else {
+            "this is"
+        };
         format!(
             "drivers.motor.motion.{key}: {goes} {number} deg{per}, which looks like radians (plain numbers are in degrees here; write degrees, or text with the unit rad{per})"
         )
@@ -244,11 +296,31 @@ fn lengths_and_angles_that_do_not_fit_the_mechanism_are_found() {
         )
     };
     let cases = [
-        (r#"{"type": "polynomial", "coefficients": [0, 6.2832]}"#, motion, radians("6.2832", "coefficients[1]", "/s")),
-        (r#"{"type": "polynomial", "coefficients": [0, 104.72]}"#, motion, radians("104.72", "coefficients[1]", "/s")),
-        (r#"{"type": "harmonic", "amplitude": 0.5236, "frequency": 1}"#, motion, radians("0.5236", "amplitude", "")),
-        (r#"{"type": "table", "points": [[0, 0], [1, 6.2832]]}"#, motion, radians("6.2832", "points", "")),
-        (r#"{"type": "constant_velocity", "velocity": 3.14}"#, motion, radians("3.14", "velocity", "/s")),
+        (
+            r#"{"type": "polynomial", "coefficients": [0, 6.2832]}"#,
+            motion,
+            radians("6.2832", "coefficients[1]", "/s"),
+        ),
+        (
+            r#"{"type": "polynomial", "coefficients": [0, 104.72]}"#,
+            motion,
+            radians("104.72", "coefficients[1]", "/s"),
+        ),
+        (
+            r#"{"type": "harmonic", "amplitude": 0.5236, "frequency": 1}"#,
+            motion,
+            radians("0.5236", "amplitude", ""),
+        ),
+        (
+            r#"{"type": "table", "points": [[0, 0], [1, 6.2832]]}"#,
+            motion,
+            radians("6.2832", "points", ""),
+        ),
+        (
+            r#"{"type": "constant_velocity", "velocity": 3.14}"#,
+            motion,
+            radians("3.14", "velocity", "/s"),
+        ),
         (
             "[100000, 0]",
             "bodies.rod.com=",
@@ -259,22 +331,38 @@ fn lengths_and_angles_that_do_not_fit_the_mechanism_are_found() {
         (
             "[0.1, 0]",
             "bodies.rod.com=",
-            format!("bodies.rod.com: the centre of mass is beside point A, 0.1 mm off it, in a body of 200 mm ({com})"),
+            format!(
+                "bodies.rod.com: the centre of mass is beside point A, 0.1 mm off it, in a body of 200 mm ({com})"
+            ),
         ),
-        ("[0.2, 0]", "bodies.rod.points.B=", lengths("rod", "0.2 mm apart, much shorter")),
-        ("[200000, 0]", "bodies.rod.points.B=", lengths("rod", "200000 mm apart, much longer")),
+        (
+            "[0.2, 0]",
+            "bodies.rod.points.B=",
+            lengths("rod", "0.2 mm apart, much shorter"),
+        ),
+        (
+            "[200000, 0]",
+            "bodies.rod.points.B=",
+            lengths("rod", "200000 mm apart, much longer"),
+        ),
         ("0.25", "forces.s.free_length=", free("short", "0.25 mm")),
         ("250000", "forces.s.free_length=", free("long", "250000 mm")),
     ];
     for (value, path, wanted) in cases {
         let set = format!("{path}{value}");
         let (_, stdout, stderr) = linkdyn(&["check", "--json", file.path(), "--set", &set]);
-        let told: Value = serde_json::from_str(&stdout).unwrap_or_else(|_| panic!("{set}: {stderr}"));
+        let told: Value =
+            serde_json::from_str(&stdout).unwrap_or_else(|_| panic!("{set}: {stderr}"));
         let said = told["suspicious"].as_array().expect("a list");
         let fits = said.len() == 1 && said[0].as_str().is_some_and(|said| said.ends_with(&wanted));
         // A --set that says the whole path is not followed by it once more.
         let fits = fits
-            || (said.len() == 1 && said[0] == *format!("--set {set}: {}", wanted.split_once(": ").expect("a path").1));
+            || (said.len() == 1
+                && said[0]
+                    == *format!(
+                        "--set {set}: {}",
+                        wanted.split_once(": ").expect("a path").1
+                    ));
         assert!(fits, "{set}: {said:#?}, not {wanted}");
     }
     // What is no slip: a turn and 355 degrees, text in radians, a centre of mass on a pin or a little off it.
@@ -286,7 +374,11 @@ fn lengths_and_angles_that_do_not_fit_the_mechanism_are_found() {
         "bodies.rod.com=[-0.01, 0.02]",
         "forces.s.free_length=0",
     ] {
-        assert_eq!(checked(&[file.path(), "--set", set])["suspicious"], json!([]), "{set}");
+        assert_eq!(
+            checked(&[file.path(), "--set", set])["suspicious"],
+            json!([]),
+            "{set}"
+        );
     }
 }
 
@@ -314,7 +406,11 @@ fn hostile(count: usize, held: bool) -> Value {
             "pose": { "position": [k % 100, 0] } }),
         );
         if held {
-            let first = if k % 100 == 0 { "ground.O".to_string() } else { format!("{}.</b>", name(k - 1)) };
+            let first = if k % 100 == 0 {
+                "ground.O".to_string()
+            } else {
+                format!("{}.</b>", name(k - 1))
+            };
             joints.insert(
                 format!("🦾 {k}"),
                 json!({ "type": "revolute", "between": [first, format!("{}.\"A\"", name(k))] }),
@@ -328,30 +424,49 @@ fn hostile(count: usize, held: bool) -> Value {
 /// Lines that a terminal shows, none endless, nothing in them that it would obey.
 #[track_caller]
 fn readable(text: &str) {
-    assert!(text.lines().count() <= 120, "{} lines", text.lines().count());
-    let widest = text.lines().map(|line| line.chars().count()).max().unwrap_or(0);
+    assert!(
+        text.lines().count() <= 120,
+        "{} lines",
+        text.lines().count()
+    );
+    let widest = text
+        .lines()
+        .map(|line| line.chars().count())
+        .max()
+        .unwrap_or(0);
     assert!(widest <= 1200, "a line of {widest} characters: {text}");
-    assert!(!text.contains(|c: char| c.is_control() && c != '\n' || c == '\u{202e}'), "{text}");
+    assert!(
+        !text.contains(|c: char| c.is_control() && c != '\n' || c == '\u{202e}'),
+        "{text}"
+    );
 }
 
 #[test]
 fn ten_thousand_bodies_with_wild_names_are_told_of_in_few_words() {
     let started = Instant::now();
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("hostile-{}", std::process::id()));
+    let folder =
+        Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("hostile-{}", std::process::id()));
     for held in [true, false] {
-        let file = File::new(&format!("hostile-{held}"), &hostile(10_000, held).to_string());
+        let file = File::new(
+            &format!("hostile-{held}"),
+            &hostile(10_000, held).to_string(),
+        );
         let (status, stdout, stderr) = linkdyn(&["check", file.path()]);
         assert_eq!(status, Some(0), "{stderr}");
         readable(&stdout);
         readable(&stderr);
-        let (status, stdout, stderr) = linkdyn(&["run", file.path(), "-o", folder.to_str().expect("UTF-8")]);
+        let (status, stdout, stderr) =
+            linkdyn(&["run", file.path(), "-o", folder.to_str().expect("UTF-8")]);
         assert_eq!(status, Some(0), "{stderr}");
         readable(&stdout);
         let header = fs::read_to_string(folder.join("results.csv")).expect("results");
         assert_eq!(header.lines().count(), 2);
         // Each other end: data missing everywhere, too few drivers, a name that is not there.
         for sets in [
-            &["--set", "analysis={\"type\": \"kinematics\", \"end\": 1, \"outputs\": 2}"][..],
+            &[
+                "--set",
+                "analysis={\"type\": \"kinematics\", \"end\": 1, \"outputs\": 2}",
+            ][..],
             &["--set", "points=[\"nobody.A\"]"],
         ] {
             let (status, stdout, stderr) = linkdyn(&[&["run", file.path()], sets].concat());
@@ -362,7 +477,9 @@ fn ten_thousand_bodies_with_wild_names_are_told_of_in_few_words() {
     }
     let mut bare = hostile(10_000, true);
     for body in bare["bodies"].as_object_mut().expect("bodies").values_mut() {
-        body.as_object_mut().expect("a body").retain(|key, _| key == "points" || key == "pose");
+        body.as_object_mut()
+            .expect("a body")
+            .retain(|key, _| key == "points" || key == "pose");
     }
     bare["analysis"] = json!({ "type": "inverse_dynamics", "end": 1, "outputs": 2 });
     let file = File::new("hostile-bare", &bare.to_string());
@@ -374,7 +491,11 @@ fn ten_thousand_bodies_with_wild_names_are_told_of_in_few_words() {
     readable(&stdout);
     let _ = fs::remove_dir_all(&folder);
     // Some seconds on a slow machine; what grows with the square or cube of 10 000 takes minutes or hours.
-    assert!(started.elapsed() < Duration::from_secs(60), "{:?}", started.elapsed());
+    assert!(
+        started.elapsed() < Duration::from_secs(60),
+        "{:?}",
+        started.elapsed()
+    );
 }
 
 /// What `run` refuses as bad input `check` refuses in the same words.
@@ -382,7 +503,8 @@ fn ten_thousand_bodies_with_wild_names_are_told_of_in_few_words() {
 fn outputs_that_can_not_be_are_refused_by_check_as_by_run() {
     let file = File::new("samples", MILLIMETRES);
     let sample = |from: &str, to: &str, step: &str| {
-        let sample = format!("{{\"driver\": \"motor\", \"from\": {from}, \"to\": {to}, \"step\": {step}}}");
+        let sample =
+            format!("{{\"driver\": \"motor\", \"from\": {from}, \"to\": {to}, \"step\": {step}}}");
         format!("\"type\": \"kinematics\", \"sample\": {sample}")
     };
     let cases = [
@@ -401,12 +523,19 @@ fn outputs_that_can_not_be_are_refused_by_check_as_by_run() {
         ),
     ];
     for (analysis, wanted) in cases {
-        let text = MILLIMETRES.replace(r#""type": "kinematics", "end": 1, "outputs": 101"#, &analysis);
+        let text = MILLIMETRES.replace(
+            r#""type": "kinematics", "end": 1, "outputs": 101"#,
+            &analysis,
+        );
         fs::write(file.path(), text).expect("written");
         for command in ["check", "run"] {
             let (status, _, stderr) = linkdyn(&[command, file.path()]);
             assert_eq!(status, Some(2), "{command} {analysis}");
-            assert_eq!(stderr.trim_end(), format!("error: {}: {wanted}", file.path()), "{command} {analysis}");
+            assert_eq!(
+                stderr.trim_end(),
+                format!("error: {}: {wanted}", file.path()),
+                "{command} {analysis}"
+            );
         }
     }
 }
@@ -425,24 +554,46 @@ const STOP: &str = r#"{ "format": "linkdyn/1", "units": "SI", "gravity": [0, -9.
 #[test]
 fn a_stop_leaves_its_body_free() {
     let file = File::new("stop", STOP);
-    let driver =
-        r#"drivers.m={"type":"translation","joint":"guide","motion":{"type":"constant_velocity","velocity":0.01}}"#;
+    let driver = r#"drivers.m={"type":"translation","joint":"guide","motion":{"type":"constant_velocity","velocity":0.01}}"#;
     let possible = "kinematics, inverse dynamics and forward dynamics are possible";
     for model in ["contact", "two_state", "three_state"] {
         let model = format!("joints.j.clearance.model={model}");
         let told = checked(&[file.path(), "--set", &model]);
         let free = "the journal of j is free in its bearing: 1 degree of freedom in motion";
-        assert_eq!(told["mobility"]["words"], format!("with ideal pins no degree of freedom: {possible}; {free}"));
-        assert_eq!(told["mobility"]["free_journals"], json!({ "joints": ["j"], "grubler": 1, "rank": 1 }));
+        assert_eq!(
+            told["mobility"]["words"],
+            format!("with ideal pins no degree of freedom: {possible}; {free}")
+        );
+        assert_eq!(
+            told["mobility"]["free_journals"],
+            json!({ "joints": ["j"], "grubler": 1, "rank": 1 })
+        );
         // What run says of it.
         let (status, stdout, _) = linkdyn(&["run", file.path(), "--set", &model]);
-        assert!(status == Some(0) && stdout.contains("1 by Grübler, 1 by rank"), "{stdout}");
+        assert!(
+            status == Some(0) && stdout.contains("1 by Grübler, 1 by rank"),
+            "{stdout}"
+        );
     }
     // A driver of what only ideal pins hold is none too many.
     let told = checked(&[file.path(), "--set", driver]);
     let words = told["mobility"]["words"].as_str().expect("words");
-    assert!(words.contains("kinematics") && words.contains("possible") && !words.contains("take"), "{words}");
-    assert_eq!(linkdyn(&["run", file.path(), "--set", driver, "--set", "analysis.type=kinematics"]).0, Some(0));
+    assert!(
+        words.contains("kinematics") && words.contains("possible") && !words.contains("take"),
+        "{words}"
+    );
+    assert_eq!(
+        linkdyn(&[
+            "run",
+            file.path(),
+            "--set",
+            driver,
+            "--set",
+            "analysis.type=kinematics"
+        ])
+        .0,
+        Some(0)
+    );
 }
 
 /// A chain of bodies none of which is fixed, and those that something holds.
@@ -460,7 +611,10 @@ fn a_mechanism_that_nothing_holds_is_said_to_be_loose() {
     let warned = |name: &str, text: &str| {
         let file = File::new(name, text);
         let told = checked(&[file.path()]);
-        assert_eq!(told["mobility"]["rank"], if text.contains("ground\": {") { 1 } else { 4 });
+        assert_eq!(
+            told["mobility"]["rank"],
+            if text.contains("ground\": {") { 1 } else { 4 }
+        );
         told["warnings"]
             .as_array()
             .expect("a list")
@@ -475,20 +629,37 @@ fn a_mechanism_that_nothing_holds_is_said_to_be_loose() {
              (rename the fixed body{hint} to \"ground\", unless all of it is to move freely)"
         )]
     };
-    assert_eq!(warned("frame", &model("machine_frame", heavy, "")), loose(", probably \"machine_frame\","));
-    assert_eq!(warned("massless", &model("block", "", "")), loose(", probably \"block\","));
+    assert_eq!(
+        warned("frame", &model("machine_frame", heavy, "")),
+        loose(", probably \"machine_frame\",")
+    );
+    assert_eq!(
+        warned("massless", &model("block", "", "")),
+        loose(", probably \"block\",")
+    );
     assert_eq!(warned("heavy", &model("block", heavy, "")), loose(""));
-    assert_eq!(warned("ground", &model("ground", "", "")), Vec::<String>::new());
+    assert_eq!(
+        warned("ground", &model("ground", "", "")),
+        Vec::<String>::new()
+    );
     // A spring holds it, too, though nothing stays where it is.
-    let spring = r#""s": { "type": "torsion_spring", "between": ["ground", "arm"], "stiffness": 1 }"#;
-    assert_eq!(warned("spring", &model("block", heavy, spring)), Vec::<String>::new());
+    let spring =
+        r#""s": { "type": "torsion_spring", "between": ["ground", "arm"], "stiffness": 1 }"#;
+    assert_eq!(
+        warned("spring", &model("block", heavy, spring)),
+        Vec::<String>::new()
+    );
     // There is a ground, and nothing on it.
-    let text =
-        model("base", heavy, "").replace(r#""bodies": {"#, r#""bodies": { "ground": { "points": { "O": [0, 0] } },"#);
+    let text = model("base", heavy, "").replace(
+        r#""bodies": {"#,
+        r#""bodies": { "ground": { "points": { "O": [0, 0] } },"#,
+    );
     let file = File::new("untouched", &text);
     let told = checked(&[file.path()])["warnings"].to_string();
     assert!(
-        told.contains("no joint or spring is on \\\"ground\\\" (rename the fixed body, probably \\\"base\\\""),
+        told.contains(
+            "no joint or spring is on \\\"ground\\\" (rename the fixed body, probably \\\"base\\\""
+        ),
         "{told}"
     );
 }
@@ -505,9 +676,15 @@ fn a_point_moved_by_set_leaves_the_mass_behind() {
             ],
         ),
         (
-            &["bodies.crank.points.A[0]=120", "bodies.crank.com=[60, 0]", "bodies.crank.mass=1"],
-            &["--set bodies.crank.points.A[0]=120: \"inertia\" of \"crank\" stays as it was, that of the old shape \
-               (set them, too, or change a parameter from which all of them follow)"],
+            &[
+                "bodies.crank.points.A[0]=120",
+                "bodies.crank.com=[60, 0]",
+                "bodies.crank.mass=1",
+            ],
+            &[
+                "--set bodies.crank.points.A[0]=120: \"inertia\" of \"crank\" stays as it was, that of the old shape \
+               (set them, too, or change a parameter from which all of them follow)",
+            ],
         ),
         // All is set, through parameters or one by one; or the point only draws a curve.
         (&["parameters.crank=120 mm"], &[]),
@@ -521,7 +698,10 @@ fn a_point_moved_by_set_leaves_the_mass_behind() {
             &[],
         ),
         (&["bodies.coupler.points.P=[120, 90]"], &[]),
-        (&["bodies.ground.points.O4=[310, 0]", "parameters.base=300 mm"], &[]),
+        (
+            &["bodies.ground.points.O4=[310, 0]", "parameters.base=300 mm"],
+            &[],
+        ),
     ];
     for (sets, expected) in cases {
         let arguments: Vec<&str> = sets.iter().flat_map(|set| ["--set", set]).collect();
@@ -534,14 +714,31 @@ fn a_point_moved_by_set_leaves_the_mass_behind() {
 #[test]
 fn messages_speak_the_units_of_the_file_with_six_digits() {
     let (status, _, stderr) = linkdyn(&["run", "lock", "--set", "analysis.sample.to=135 deg"]);
-    assert!(status == Some(3) && stderr.contains("\"motor\" can't go on beyond 132.743°, t = 1.78591 s,"), "{stderr}");
-    let late = ["run", "lock", "--set", "analysis.sample.to=135 deg", "--set", "units.time=ms"];
+    assert!(
+        status == Some(3)
+            && stderr.contains("\"motor\" can't go on beyond 132.743°, t = 1.78591 s,"),
+        "{stderr}"
+    );
+    let late = [
+        "run",
+        "lock",
+        "--set",
+        "analysis.sample.to=135 deg",
+        "--set",
+        "units.time=ms",
+    ];
     let (_, _, stderr) = linkdyn(&late);
-    assert!(stderr.contains("beyond 132.743°, t = 1785.91 ms,"), "{stderr}");
+    assert!(
+        stderr.contains("beyond 132.743°, t = 1785.91 ms,"),
+        "{stderr}"
+    );
     // However late it is.
     for command in ["run", "check"] {
         let (_, stdout, stderr) = linkdyn(&[command, "four-bar", "--set", "analysis.end=1e300"]);
-        let longest = format!("{stdout}{stderr}").split(|c: char| !c.is_ascii_digit()).map(str::len).max();
+        let longest = format!("{stdout}{stderr}")
+            .split(|c: char| !c.is_ascii_digit())
+            .map(str::len)
+            .max();
         assert!(longest < Some(10), "{stdout}{stderr}");
     }
 }

@@ -8,8 +8,14 @@ use serde_json::Value;
 
 const MODEL: &str = include_str!("../validation/slider-crank-clearance/model.json");
 /// A slow, short run.
-const SHORT: [&str; 6] =
-    ["--set", "analysis.end=0.002", "--set", "analysis.outputs=41", "--set", "analysis.solver.rtol=1e-6"];
+const SHORT: [&str; 6] = [
+    "--set",
+    "analysis.end=0.002",
+    "--set",
+    "analysis.outputs=41",
+    "--set",
+    "analysis.solver.rtol=1e-6",
+];
 
 struct Ran {
     status: Option<i32>,
@@ -22,7 +28,8 @@ struct Scratch(PathBuf);
 
 impl Scratch {
     fn new(name: &str) -> Self {
-        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("compare-{}-{name}", std::process::id()));
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR"))
+            .join(format!("compare-{}-{name}", std::process::id()));
         fs::create_dir_all(&path).expect("a scratch directory");
         fs::write(path.join("model.json"), MODEL).expect("written");
         Scratch(path)
@@ -31,8 +38,15 @@ impl Scratch {
     /// Runs `compare model.json` there.
     fn compare(&self, arguments: &[&str]) -> Ran {
         let mut command = Command::new(env!("CARGO_BIN_EXE_linkdyn"));
-        command.args(["compare", "model.json"]).args(SHORT).args(arguments);
-        let output = command.current_dir(&self.0).stdin(Stdio::null()).output().expect("the binary runs");
+        command
+            .args(["compare", "model.json"])
+            .args(SHORT)
+            .args(arguments);
+        let output = command
+            .current_dir(&self.0)
+            .stdin(Stdio::null())
+            .output()
+            .expect("the binary runs");
         Ran {
             status: output.status.code(),
             stdout: String::from_utf8(output.stdout).expect("UTF-8"),
@@ -43,7 +57,12 @@ impl Scratch {
     #[track_caller]
     fn done(&self, arguments: &[&str]) -> String {
         let ran = self.compare(arguments);
-        assert_eq!((ran.status, ran.stderr.as_str()), (Some(0), ""), "{}", ran.stdout);
+        assert_eq!(
+            (ran.status, ran.stderr.as_str()),
+            (Some(0), ""),
+            "{}",
+            ran.stdout
+        );
         ran.stdout
     }
 
@@ -51,26 +70,46 @@ impl Scratch {
     fn refused(&self, arguments: &[&str], status: i32, said: &str) -> Ran {
         let ran = self.compare(arguments);
         assert_eq!(ran.status, Some(status), "{}", ran.stderr);
-        assert!(ran.stderr.contains(said), "{said:?} is not in {}", ran.stderr);
+        assert!(
+            ran.stderr.contains(said),
+            "{said:?} is not in {}",
+            ran.stderr
+        );
         ran
     }
 
     fn json(&self, name: &str) -> Value {
-        serde_json::from_str(&fs::read_to_string(self.0.join(name)).expect("readable")).expect("valid JSON")
+        serde_json::from_str(&fs::read_to_string(self.0.join(name)).expect("readable"))
+            .expect("valid JSON")
     }
 
     /// Header and rows of a table; empty cells are none.
     fn table(&self, name: &str) -> (Vec<String>, Vec<Vec<Option<f64>>>) {
         let text = fs::read_to_string(self.0.join(name)).expect("readable");
         let mut lines = text.lines();
-        let header = lines.next().expect("a header").split(',').map(String::from).collect();
-        (header, lines.map(|line| line.split(',').map(|cell| cell.parse().ok()).collect()).collect())
+        let header = lines
+            .next()
+            .expect("a header")
+            .split(',')
+            .map(String::from)
+            .collect();
+        (
+            header,
+            lines
+                .map(|line| line.split(',').map(|cell| cell.parse().ok()).collect())
+                .collect(),
+        )
     }
 
     fn column(&self, table: &str, name: &str) -> Vec<f64> {
         let (header, rows) = self.table(table);
-        let index = header.iter().position(|column| column == name).unwrap_or_else(|| panic!("{name} in {header:?}"));
-        rows.iter().map(|row| row[index].expect("a value")).collect()
+        let index = header
+            .iter()
+            .position(|column| column == name)
+            .unwrap_or_else(|| panic!("{name} in {header:?}"));
+        rows.iter()
+            .map(|row| row[index].expect("a value"))
+            .collect()
     }
 }
 
@@ -84,11 +123,23 @@ impl Drop for Scratch {
 fn the_ladder_is_run_as_far_as_there_are_parameters() {
     let scratch = Scratch::new("ladder");
     let told = scratch.done(&["--joint", "b"]);
-    for words in ["ideal         completed", "massless_link completed", "contact       completed, 41 instants, "] {
+    for words in [
+        "ideal         completed",
+        "massless_link completed",
+        "contact       completed, 41 instants, ",
+    ] {
         assert!(told.contains(words), "{words:?} is not in {told}");
     }
-    assert!(told.contains("two_state     skipped: joints.b.clearance: \"surface\" is missing"), "{told}");
-    for column in ["driver.motor.effort [N·m]", "joint.b.force [N]", "slider.x [m]", "slider.ax [m/s²]"] {
+    assert!(
+        told.contains("two_state     skipped: joints.b.clearance: \"surface\" is missing"),
+        "{told}"
+    );
+    for column in [
+        "driver.motor.effort [N·m]",
+        "joint.b.force [N]",
+        "slider.x [m]",
+        "slider.ax [m/s²]",
+    ] {
         assert!(told.contains(column), "{column:?} is not in {told}");
     }
     assert!(!told.contains("slider.angle"), "it does not turn: {told}");
@@ -100,55 +151,116 @@ fn the_starter_model_runs_the_whole_ladder() {
     let scratch = Scratch::new("starter");
     let linkdyn = |arguments: &[&str]| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_linkdyn"));
-        let output = command.args(arguments).current_dir(&scratch.0).output().expect("the binary runs");
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let output = command
+            .args(arguments)
+            .current_dir(&scratch.0)
+            .output()
+            .expect("the binary runs");
+        assert!(
+            output.status.success(),
+            "{}",
+            String::from_utf8_lossy(&output.stderr)
+        );
         String::from_utf8(output.stdout).expect("UTF-8")
     };
     linkdyn(&["new", "clearance", "-o", "mine.json"]);
     let told = linkdyn(&["compare", "mine.json", "--joint", "b"]);
-    for model in ["ideal", "massless_link", "two_state", "three_state", "contact"] {
-        assert!(told.contains(&format!("{model:13} completed, 73 instants")), "{model}: {told}");
+    for model in [
+        "ideal",
+        "massless_link",
+        "two_state",
+        "three_state",
+        "contact",
+    ] {
+        assert!(
+            told.contains(&format!("{model:13} completed, 73 instants")),
+            "{model}: {told}"
+        );
     }
-    assert!(told.contains("rocker.angle [rad]") && !told.contains("rocker.x"), "{told}");
+    assert!(
+        told.contains("rocker.angle [rad]") && !told.contains("rocker.x"),
+        "{told}"
+    );
 }
 
 /// Worked out anew from the files of the single runs.
 #[test]
 fn differences_and_curves_are_those_of_the_runs() {
     let scratch = Scratch::new("files");
-    scratch.done(&["--joint", "b", "--models", "ideal,contact", "--columns", "joint.b.force,slider.v*", "-o", "out"]);
+    scratch.done(&[
+        "--joint",
+        "b",
+        "--models",
+        "ideal,contact",
+        "--columns",
+        "joint.b.force,slider.v*",
+        "-o",
+        "out",
+    ]);
     let summary = scratch.json("out/compare.json");
     assert_eq!(summary["reference"], "ideal");
-    assert_eq!(summary["columns"], serde_json::json!(["joint.b.force[N]", "slider.vx[m/s]", "slider.vy[m/s]"]));
+    assert_eq!(
+        summary["columns"],
+        serde_json::json!(["joint.b.force[N]", "slider.vx[m/s]", "slider.vy[m/s]"])
+    );
     let contacts = &scratch.json("out/contact/summary.json")["clearances"]["b"]["contacts"];
     let of_contact = &summary["models"][1];
-    assert_eq!((&of_contact["model"], &of_contact["contacts"]), (&Value::from("contact"), contacts));
+    assert_eq!(
+        (&of_contact["model"], &of_contact["contacts"]),
+        (&Value::from("contact"), contacts)
+    );
     assert!(summary["models"][0]["contacts"].is_null(), "{summary:#}");
-    let single = |model: &str, column: &str| scratch.column(&format!("out/{model}/results.csv"), column);
+    let single =
+        |model: &str, column: &str| scratch.column(&format!("out/{model}/results.csv"), column);
     let force = |model: &str| -> Vec<f64> {
-        let (fx, fy) = (single(model, "joint.b.fx[N]"), single(model, "joint.b.fy[N]"));
+        let (fx, fy) = (
+            single(model, "joint.b.fx[N]"),
+            single(model, "joint.b.fy[N]"),
+        );
         fx.iter().zip(&fy).map(|(x, y)| x.hypot(*y)).collect()
     };
     for (label, ideal, contact) in [
         ("joint.b.force[N]", force("ideal"), force("contact")),
-        ("slider.vx[m/s]", single("ideal", "slider.vx[m/s]"), single("contact", "slider.vx[m/s]")),
+        (
+            "slider.vx[m/s]",
+            single("ideal", "slider.vx[m/s]"),
+            single("contact", "slider.vx[m/s]"),
+        ),
     ] {
-        assert_eq!(scratch.column("out/compare.csv", &format!("contact:{label}")), contact);
-        assert_eq!(scratch.column("out/compare.csv", &format!("ideal:{label}")), ideal);
-        let off: Vec<f64> = ideal.iter().zip(&contact).map(|(a, b)| (a - b).abs()).collect();
+        assert_eq!(
+            scratch.column("out/compare.csv", &format!("contact:{label}")),
+            contact
+        );
+        assert_eq!(
+            scratch.column("out/compare.csv", &format!("ideal:{label}")),
+            ideal
+        );
+        let off: Vec<f64> = ideal
+            .iter()
+            .zip(&contact)
+            .map(|(a, b)| (a - b).abs())
+            .collect();
         let n = off.len() as f64;
         let max = off.iter().copied().fold(0.0, f64::max);
         let rms = (off.iter().map(|d| d * d).sum::<f64>() / n).sqrt();
         let told = &summary["differences"][label]["contact"];
-        for (key, expected) in [("max", max), ("mean", off.iter().sum::<f64>() / n), ("rms", rms)] {
+        for (key, expected) in [
+            ("max", max),
+            ("mean", off.iter().sum::<f64>() / n),
+            ("rms", rms),
+        ] {
             let told = told[key].as_f64().expect("a number");
-            assert!(expected > 0.0 && (told / expected - 1.0).abs() < 1e-12, "{label} {key}: {told} {expected}");
+            assert!(
+                expected > 0.0 && (told / expected - 1.0).abs() < 1e-12,
+                "{label} {key}: {told} {expected}"
+            );
         }
     }
     assert_eq!(scratch.table("out/compare.csv").0[0], "time[s]");
     // A figure per column, with a curve per model; the guided slider's vy is a flat line.
     for column in ["joint.b.force", "slider.vx", "slider.vy"] {
-        let figure = fs::read_to_string(scratch.0.join(format!("out/{column}.svg"))).expect("readable");
+        let figure =
+            fs::read_to_string(scratch.0.join(format!("out/{column}.svg"))).expect("readable");
         for text in [">ideal<", ">contact<"] {
             assert_eq!(figure.matches(text).count(), 1, "{column}: {text}");
         }
@@ -159,13 +271,27 @@ fn differences_and_curves_are_those_of_the_runs() {
 #[test]
 fn only_the_clearance_model_changes() {
     let scratch = Scratch::new("same");
-    scratch.done(&["--joint", "all", "--models", "ideal,massless_link,contact", "-o", "out"]);
-    let headers =
-        ["ideal", "massless_link", "contact"].map(|model| scratch.table(&format!("out/{model}/results.csv")).0);
-    assert!(headers[0] == headers[1] && headers[0] == headers[2], "{headers:?}");
+    scratch.done(&[
+        "--joint",
+        "all",
+        "--models",
+        "ideal,massless_link,contact",
+        "-o",
+        "out",
+    ]);
+    let headers = ["ideal", "massless_link", "contact"]
+        .map(|model| scratch.table(&format!("out/{model}/results.csv")).0);
+    assert!(
+        headers[0] == headers[1] && headers[0] == headers[2],
+        "{headers:?}"
+    );
     // The joint named by itself is all there are.
-    scratch.done(&["--joint", "b", "--joint", "all", "--models", "contact", "-o", "again"]);
-    let results = |folder: &str| fs::read(scratch.0.join(folder).join("contact/results.csv")).expect("readable");
+    scratch.done(&[
+        "--joint", "b", "--joint", "all", "--models", "contact", "-o", "again",
+    ]);
+    let results = |folder: &str| {
+        fs::read(scratch.0.join(folder).join("contact/results.csv")).expect("readable")
+    };
     assert!(results("out") == results("again"));
 }
 
@@ -173,15 +299,36 @@ fn only_the_clearance_model_changes() {
 fn joints_and_models_that_do_not_fit_are_bad_input() {
     let scratch = Scratch::new("bad");
     let ran = scratch.refused(&["--joint", "a"], 2, "joints.a: has no \"clearance\"");
-    assert!(ran.stderr.contains("model.json: line 2") && ran.stderr.contains("add \"clearance\": {"), "{}", ran.stderr);
-    scratch.refused(&["--joint", "s"], 2, "joints.s: only a revolute joint can have a clearance");
+    assert!(
+        ran.stderr.contains("model.json: line 2") && ran.stderr.contains("add \"clearance\": {"),
+        "{}",
+        ran.stderr
+    );
+    scratch.refused(
+        &["--joint", "s"],
+        2,
+        "joints.s: only a revolute joint can have a clearance",
+    );
     scratch.refused(&["--joint", "bb"], 2, "there is no joint \"bb\"");
     scratch.refused(&[], 2, "--joint <NAME>");
-    scratch.refused(&["--joint", "b", "--models", "contacts"], 2, "did you mean \"contact\"?");
-    scratch.refused(&["--joint", "b", "--columns", "slider.z"], 2, "--columns \"slider.z\": matches no column");
-    let ran = scratch.refused(&["--joint", "b", "--models", "ideal,two_state"], 2, "two_state: joints.b.clearance");
+    scratch.refused(
+        &["--joint", "b", "--models", "contacts"],
+        2,
+        "did you mean \"contact\"?",
+    );
+    scratch.refused(
+        &["--joint", "b", "--columns", "slider.z"],
+        2,
+        "--columns \"slider.z\": matches no column",
+    );
+    let ran = scratch.refused(
+        &["--joint", "b", "--models", "ideal,two_state"],
+        2,
+        "two_state: joints.b.clearance",
+    );
     assert!(
-        ran.stdout.contains("ideal         completed") && ran.stdout.contains("two_state     refused"),
+        ran.stdout.contains("ideal         completed")
+            && ran.stdout.contains("two_state     refused"),
         "{}",
         ran.stdout
     );
@@ -192,15 +339,34 @@ fn what_can_not_be_compared_is_told() {
     let scratch = Scratch::new("nothing");
     let told = scratch.done(&["--joint", "b", "--models", "contact,contact"]);
     assert!(
-        told.contains("nothing to compare contact with: no other model was run") && !told.contains("RMS"),
+        told.contains("nothing to compare contact with: no other model was run")
+            && !told.contains("RMS"),
         "{told}"
     );
-    let cranks = ["--joint", "b", "--models", "ideal,contact", "--set", "analysis.columns=[\"crank.*\"]"];
+    let cranks = [
+        "--joint",
+        "b",
+        "--models",
+        "ideal,contact",
+        "--set",
+        "analysis.columns=[\"crank.*\"]",
+    ];
     let told = scratch.done(&cranks);
-    assert!(told.contains("the results have none of the columns that are compared") && !told.contains("RMS"), "{told}");
+    assert!(
+        told.contains("the results have none of the columns that are compared")
+            && !told.contains("RMS"),
+        "{told}"
+    );
     // Told after the first run, not after all of them.
-    let ran = scratch.refused(&["--joint", "b", "--columns", "slider.x,nope.*", "-o", "out"], 2, "\"nope.*\"");
-    assert_eq!((ran.stdout.as_str(), scratch.0.join("out/ideal").exists()), ("", true));
+    let ran = scratch.refused(
+        &["--joint", "b", "--columns", "slider.x,nope.*", "-o", "out"],
+        2,
+        "\"nope.*\"",
+    );
+    assert_eq!(
+        (ran.stdout.as_str(), scratch.0.join("out/ideal").exists()),
+        ("", true)
+    );
     assert!(!scratch.0.join("out/massless_link").exists());
 }
 
@@ -208,12 +374,27 @@ fn what_can_not_be_compared_is_told() {
 #[test]
 fn a_free_mechanism_has_no_massless_link() {
     let scratch = Scratch::new("free");
-    let free = ["--joint", "b", "--set", "drivers={}", "--set", "gravity=[0, -9.81]", "-o", "out"];
+    let free = [
+        "--joint",
+        "b",
+        "--set",
+        "drivers={}",
+        "--set",
+        "gravity=[0, -9.81]",
+        "-o",
+        "out",
+    ];
     let told = scratch.done(&free);
-    assert!(told.contains("massless_link skipped: joints.b.clearance.model: a massless clearance link"), "{told}");
+    assert!(
+        told.contains("massless_link skipped: joints.b.clearance.model: a massless clearance link"),
+        "{told}"
+    );
     assert!(told.contains("contact       completed"), "{told}");
     let models = scratch.json("out/compare.json")["models"].clone();
-    assert_eq!((&models[1]["model"], &models[1]["status"]), (&"massless_link".into(), &"skipped".into()));
+    assert_eq!(
+        (&models[1]["model"], &models[1]["status"]),
+        (&"massless_link".into(), &"skipped".into())
+    );
     assert!(!scratch.0.join("out/massless_link").exists());
 }
 
@@ -242,6 +423,9 @@ fn a_run_that_stops_is_a_row_and_the_others_are_done() {
     assert_eq!(models[0]["status"], "dead_centre");
     assert_eq!(models[1]["status"], "completed");
     let (header, rows) = scratch.table("out/compare.csv");
-    assert_eq!((header[1].as_str(), rows.len()), ("ideal:driver.motor.effort[N*m]", 41));
+    assert_eq!(
+        (header[1].as_str(), rows.len()),
+        ("ideal:driver.motor.effort[N*m]", 41)
+    );
     assert!(rows[40][1].is_none() && rows[40][2].is_some());
 }

@@ -60,7 +60,9 @@ const CASES: &[Case] = &[
         what: "another format, nothing else said of it",
         edits: &[("linkdyn/1", "linkdyn/2"), (r#""mass""#, r#""mas""#)],
         sets: &[],
-        complaints: &[r#"line 2, column 13: format: "linkdyn/2": unknown format ("linkdyn/1" is expected)"#],
+        complaints: &[
+            r#"line 2, column 13: format: "linkdyn/2": unknown format ("linkdyn/1" is expected)"#,
+        ],
     },
     Case {
         what: "format missing",
@@ -70,7 +72,10 @@ const CASES: &[Case] = &[
     },
     Case {
         what: "a transmission to ground, and from one of two drivers",
-        edits: &[(r#""outputs": 401"#, r#""outputs": 401, "transmission": { "output": "ground" }"#)],
+        edits: &[(
+            r#""outputs": 401"#,
+            r#""outputs": 401, "transmission": { "output": "ground" }"#,
+        )],
         sets: &[],
         complaints: &[
             r#"line 32, column 89: analysis.transmission: "driver" is missing, the model has 2 of them (name the driver from which the transmission leads)"#,
@@ -79,7 +84,10 @@ const CASES: &[Case] = &[
     },
     Case {
         what: "a transmission between things that are not there",
-        edits: &[(r#""outputs": 401"#, r#""outputs": 401, "transmission": { "driver": "motr", "output": "rocket" }"#)],
+        edits: &[(
+            r#""outputs": 401"#,
+            r#""outputs": 401, "transmission": { "driver": "motr", "output": "rocket" }"#,
+        )],
         sets: &[],
         complaints: &[
             r#"line 32, column 101: analysis.transmission.driver: "motr": there is no driver "motr" (did you mean "motor"?)"#,
@@ -88,7 +96,10 @@ const CASES: &[Case] = &[
     },
     Case {
         what: "units missing",
-        edits: &[("  \"units\": { \"length\": \"mm\", \"angle\": \"deg\" },\n", "")],
+        edits: &[(
+            "  \"units\": { \"length\": \"mm\", \"angle\": \"deg\" },\n",
+            "",
+        )],
         sets: &[],
         complaints: &[
             r#"line 1, column 1: "units" is missing (write "units": "SI", or name other units: {"length": "mm", "angle": "deg"})"#,
@@ -106,7 +117,9 @@ const CASES: &[Case] = &[
         what: "unit of no dimension",
         edits: &[(r#""angle": "deg""#, r#""angel": "deg""#)],
         sets: &[],
-        complaints: &[r#"line 4, column 30: units.angel: "angel": unknown key (did you mean "angle"?)"#],
+        complaints: &[
+            r#"line 4, column 30: units.angel: "angel": unknown key (did you mean "angle"?)"#,
+        ],
     },
     Case {
         what: "unknown unit",
@@ -120,19 +133,25 @@ const CASES: &[Case] = &[
         what: "unit misspelt",
         edits: &[(r#""length": "mm""#, r#""length": "mmm""#)],
         sets: &[],
-        complaints: &[r#"line 4, column 24: units.length: "mmm": unknown unit "mmm" (did you mean "mm"?)"#],
+        complaints: &[
+            r#"line 4, column 24: units.length: "mmm": unknown unit "mmm" (did you mean "mm"?)"#,
+        ],
     },
     Case {
         what: "unit of another dimension",
         edits: &[(r#""length": "mm""#, r#""length": "kg*mm^2""#)],
         sets: &[],
-        complaints: &[r#"line 4, column 24: units.length: "kg*mm^2": "kg*mm^2" is not a unit of length (such as "m")"#],
+        complaints: &[
+            r#"line 4, column 24: units.length: "kg*mm^2": "kg*mm^2" is not a unit of length (such as "m")"#,
+        ],
     },
     Case {
         what: "unit that cannot be read",
         edits: &[(r#""length": "mm""#, r#""length": "mm^""#)],
         sets: &[],
-        complaints: &[r#"line 4, column 24: units.length: "mm^": "mm^" cannot be read as a unit (such as "m")"#],
+        complaints: &[
+            r#"line 4, column 24: units.length: "mm^": "mm^" cannot be read as a unit (such as "m")"#,
+        ],
     },
     Case {
         what: "root misspelt, its contents not missed elsewhere",
@@ -156,7 +175,10 @@ const CASES: &[Case] = &[
     },
     Case {
         what: "wrong type: object",
-        edits: &[(r#""initial": { "crank": { "angle": 60 } }"#, r#""initial": []"#)],
+        edits: &[(
+            r#""initial": { "crank": { "angle": 60 } }"#,
+            r#""initial": []"#,
+        )],
         sets: &[],
         complaints: &[
             r#"line 30, column 14: initial: an object is expected, not a list (as in "initial": { "crank": { "angle": "60 deg" } })"#,
@@ -212,13 +234,17 @@ const CASES: &[Case] = &[
         what: "number too large",
         edits: &[("-9.81", "-9.81e999")],
         sets: &[],
-        complaints: &["line 5, column 18: not JSON: -9.81e999: the number is too large for a double"],
+        complaints: &[
+            "line 5, column 18: not JSON: -9.81e999: the number is too large for a double",
+        ],
     },
     Case {
         what: "quantity too large",
         edits: &[("-9.81", r#""1e308 km/s^2""#)],
         sets: &[],
-        complaints: &[r#"line 5, column 18: gravity[1]: "1e308 km/s^2": the number is too large for a double"#],
+        complaints: &[
+            r#"line 5, column 18: gravity[1]: "1e308 km/s^2": the number is too large for a double"#,
+        ],
     },
     Case {
         what: "NaN",
@@ -230,7 +256,10 @@ const CASES: &[Case] = &[
     },
     Case {
         what: "parameters: no object",
-        edits: &[(r#""name": "four-bar and slider""#, r#""parameters": ["60 mm"]"#)],
+        edits: &[(
+            r#""name": "four-bar and slider""#,
+            r#""parameters": ["60 mm"]"#,
+        )],
         sets: &[],
         complaints: &["line 3, column 17: parameters: an object is expected, not a list"],
     },
@@ -271,7 +300,10 @@ const CASES: &[Case] = &[
     Case {
         what: "expressions: faults inside, at their character",
         edits: &[
-            (r#""name": "four-bar and slider""#, r#""parameters": { "r": "50 mm", "q": "=2*r + 1" }"#),
+            (
+                r#""name": "four-bar and slider""#,
+                r#""parameters": { "r": "50 mm", "q": "=2*r + 1" }"#,
+            ),
             ("-9.81", r#""= -g""#),
             ("0.8", r#""=2*(r""#),
             ("7e-4", r#""=4*q""#),
@@ -307,12 +339,18 @@ const CASES: &[Case] = &[
             ("-9.81", r#""=r/1 s""#),
             ("0.8", r#""=3*r""#),
             ("7e-4", r#""=m*r""#),
-            (r#""pose": { "angle": 60 }"#, r#""pose": { "angle": "=pi/3" }"#),
+            (
+                r#""pose": { "angle": 60 }"#,
+                r#""pose": { "angle": "=pi/3" }"#,
+            ),
             ("250", r#""=r/(2 mm)""#),
             (r#""10 rad/s""#, r#""=f""#),
             (r#""stiffness": 200"#, r#""stiffness": "=k""#),
             (r#""free_length": 150"#, r#""free_length": "=sqrt(r)""#),
-            (r#""vector": [0, 5]"#, r#""vector": ["=k", { "type": "harmonic", "amplitude": 1, "frequency": "=w" }]"#),
+            (
+                r#""vector": [0, 5]"#,
+                r#""vector": ["=k", { "type": "harmonic", "amplitude": 1, "frequency": "=w" }]"#,
+            ),
             (r#""axis": [1, 0]"#, r#""axis": ["=r", "=sin(w)"]"#),
             (r#""outputs": 401"#, r#""outputs": "=400.5+1""#),
         ],
@@ -337,11 +375,16 @@ const CASES: &[Case] = &[
     Case {
         what: "expressions: a set of a parameter that nothing uses",
         edits: &[
-            (r#""name": "four-bar and slider""#, r#""parameters": { "width": "50 mm" }"#),
+            (
+                r#""name": "four-bar and slider""#,
+                r#""parameters": { "width": "50 mm" }"#,
+            ),
             ("250", r#""=5*width""#),
         ],
         sets: &["parameters.widht=60 mm"],
-        complaints: &[r#"--set parameters.widht=60 mm: no expression uses this parameter (did you mean "width"?)"#],
+        complaints: &[
+            r#"--set parameters.widht=60 mm: no expression uses this parameter (did you mean "width"?)"#,
+        ],
     },
     Case {
         what: "ground with mass and pose",
@@ -354,7 +397,10 @@ const CASES: &[Case] = &[
     },
     Case {
         what: "negative mass and inertia, both at once",
-        edits: &[(r#""mass": 0.8, "inertia": 7e-4"#, r#""mass": -0.8, "inertia": "-7 kg*mm^2""#)],
+        edits: &[(
+            r#""mass": 0.8, "inertia": 7e-4"#,
+            r#""mass": -0.8, "inertia": "-7 kg*mm^2""#,
+        )],
         sets: &[],
         complaints: &[
             "line 8, column 24: bodies.crank.mass: -0.8: must not be negative",
@@ -371,9 +417,14 @@ const CASES: &[Case] = &[
     },
     Case {
         what: "points misspelt, references to them not missed",
-        edits: &[(r#""points": { "O": [0, 0], "A""#, r#""pionts": { "O": [0, 0], "A""#)],
+        edits: &[(
+            r#""points": { "O": [0, 0], "A""#,
+            r#""pionts": { "O": [0, 0], "A""#,
+        )],
         sets: &[],
-        complaints: &[r#"line 9, column 7: bodies.crank.pionts: "pionts": unknown key (did you mean "points"?)"#],
+        complaints: &[
+            r#"line 9, column 7: bodies.crank.pionts: "pionts": unknown key (did you mean "points"?)"#,
+        ],
     },
     Case {
         what: "key far from all",
@@ -391,7 +442,11 @@ const CASES: &[Case] = &[
     },
     Case {
         what: "name with a dot, references to it not missed",
-        edits: &[(r#""rocker": {"#, r#""rock.er": {"#), ("rocker.B", "rock.er.B"), ("rocker.Q", "rock.er.Q")],
+        edits: &[
+            (r#""rocker": {"#, r#""rock.er": {"#),
+            ("rocker.B", "rock.er.B"),
+            ("rocker.Q", "rock.er.Q"),
+        ],
         sets: &[],
         complaints: &[
             r#"line 11, column 5: bodies.rock.er: "rock.er": a name must not contain "." (nor any of . [ ] , = * ? and control characters)"#,
@@ -453,7 +508,9 @@ const CASES: &[Case] = &[
         what: "type key misspelt",
         edits: &[(r#""type": "prismatic", "#, r#""typ": "prismatic", "#)],
         sets: &[],
-        complaints: &[r#"line 20, column 12: joints.e.typ: "typ": unknown key (did you mean "type"?)"#],
+        complaints: &[
+            r#"line 20, column 12: joints.e.typ: "typ": unknown key (did you mean "type"?)"#,
+        ],
     },
     Case {
         what: "type far from all",
@@ -491,13 +548,17 @@ const CASES: &[Case] = &[
         what: "axis zero",
         edits: &[(r#""axis": [1, 0]"#, r#""axis": [0, 0.0]"#)],
         sets: &[],
-        complaints: &["line 20, column 78: joints.e.axis: both components are zero, which is no direction"],
+        complaints: &[
+            "line 20, column 78: joints.e.axis: both components are zero, which is no direction",
+        ],
     },
     Case {
         what: "axis with a unit",
         edits: &[(r#""axis": [1, 0]"#, r#""axis": ["1 mm", 0]"#)],
         sets: &[],
-        complaints: &[r#"line 20, column 79: joints.e.axis[0]: "1 mm": a plain number is expected, not text"#],
+        complaints: &[
+            r#"line 20, column 79: joints.e.axis[0]: "1 mm": a plain number is expected, not text"#,
+        ],
     },
     Case {
         what: "body misspelt",
@@ -541,7 +602,10 @@ const CASES: &[Case] = &[
     },
     Case {
         what: "clearance of a prismatic joint",
-        edits: &[(r#""axis": [1, 0]"#, r#""axis": [1, 0], "clearance": { "model": "ideal" }"#)],
+        edits: &[(
+            r#""axis": [1, 0]"#,
+            r#""axis": [1, 0], "clearance": { "model": "ideal" }"#,
+        )],
         sets: &[],
         complaints: &[
             r#"line 20, column 86: joints.e.clearance: "clearance": only a revolute joint can have clearance"#,
@@ -551,7 +615,10 @@ const CASES: &[Case] = &[
         what: "slot without direction, with a clearance and an angle",
         edits: &[
             (r#""prismatic""#, r#""slot""#),
-            (r#""axis": [1, 0]"#, r#""axis": [0, 0], "angle": 3, "clearance": {}"#),
+            (
+                r#""axis": [1, 0]"#,
+                r#""axis": [0, 0], "angle": 3, "clearance": {}"#,
+            ),
         ],
         sets: &[],
         complaints: &[
@@ -562,7 +629,10 @@ const CASES: &[Case] = &[
     },
     Case {
         what: "translation of a slot is no fault, its axis missing is",
-        edits: &[(r#""type": "prismatic""#, r#""type": "slot""#), (r#", "axis": [1, 0]"#, "")],
+        edits: &[
+            (r#""type": "prismatic""#, r#""type": "slot""#),
+            (r#", "axis": [1, 0]"#, ""),
+        ],
         sets: &[],
         complaints: &[
             r#"line 20, column 10: joints.e: "axis" is missing (a direction in the first body, as in "axis": [1, 0])"#,
@@ -580,7 +650,10 @@ const CASES: &[Case] = &[
         what: "gear of ratio zero, with clearance, on an unknown carrier",
         edits: &[
             (r#""axis": [1, 0] }"#, GEAR),
-            (r#""ratio": -2"#, r#""ratio": 0, "clearance": {}, "carrier": "rack""#),
+            (
+                r#""ratio": -2"#,
+                r#""ratio": 0, "clearance": {}, "carrier": "rack""#,
+            ),
         ],
         sets: &[],
         complaints: &[
@@ -591,7 +664,10 @@ const CASES: &[Case] = &[
     },
     Case {
         what: "gear whose carrier is one of its wheels",
-        edits: &[(r#""axis": [1, 0] }"#, GEAR), (r#""ratio": -2"#, r#""ratio": -2, "carrier": "rocker""#)],
+        edits: &[
+            (r#""axis": [1, 0] }"#, GEAR),
+            (r#""ratio": -2"#, r#""ratio": -2, "carrier": "rocker""#),
+        ],
         sets: &[],
         complaints: &[
             r#"line 21, column 88: joints.g.carrier: "rocker": this is one of the two wheels (the carrier is the third body, on which both wheels turn)"#,
@@ -599,7 +675,10 @@ const CASES: &[Case] = &[
     },
     Case {
         what: "gear on a body that does not hold its wheels",
-        edits: &[(r#""axis": [1, 0] }"#, GEAR), (r#""ratio": -2"#, r#""ratio": -2, "carrier": "coupler""#)],
+        edits: &[
+            (r#""axis": [1, 0] }"#, GEAR),
+            (r#""ratio": -2"#, r#""ratio": -2, "carrier": "coupler""#),
+        ],
         sets: &[],
         complaints: &[
             r#"line 21, column 88: joints.g.carrier: "coupler": no revolute joints hold both crank.O and rocker.Q to body "coupler" (name the body on which both wheels turn, or leave "carrier" out)"#,
@@ -607,7 +686,10 @@ const CASES: &[Case] = &[
     },
     Case {
         what: "gear between points that no body carries",
-        edits: &[(r#""axis": [1, 0] }"#, GEAR), (r#"["crank.O", "rocker.Q"]"#, r#"["crank.A", "rocker.Q"]"#)],
+        edits: &[
+            (r#""axis": [1, 0] }"#, GEAR),
+            (r#"["crank.O", "rocker.Q"]"#, r#"["crank.A", "rocker.Q"]"#),
+        ],
         sets: &[],
         complaints: &[
             r#"line 21, column 39: joints.g.between: no third body carries both crank.A and rocker.Q (the wheels turn about these points on a body of their own: pin both to it by revolute joints)"#,
@@ -615,7 +697,10 @@ const CASES: &[Case] = &[
     },
     Case {
         what: "gear that locks a wheel to its own carrier",
-        edits: &[(r#""axis": [1, 0] }"#, GEAR), (r#"["crank.O", "rocker.Q"]"#, r#"["ground.O", "rocker.Q"]"#)],
+        edits: &[
+            (r#""axis": [1, 0] }"#, GEAR),
+            (r#"["crank.O", "rocker.Q"]"#, r#"["ground.O", "rocker.Q"]"#),
+        ],
         sets: &[],
         complaints: &[
             r#"line 21, column 39: joints.g.between: no third body carries both ground.O and rocker.Q (the wheels turn about these points on a body of their own: pin both to it by revolute joints)"#,
@@ -623,7 +708,10 @@ const CASES: &[Case] = &[
     },
     Case {
         what: "gear of wheels on one axis",
-        edits: &[(r#""axis": [1, 0] }"#, GEAR), (r#"["ground.Q", "rocker.Q"]"#, r#"["ground.O", "rocker.Q"]"#)],
+        edits: &[
+            (r#""axis": [1, 0] }"#, GEAR),
+            (r#"["ground.Q", "rocker.Q"]"#, r#"["ground.O", "rocker.Q"]"#),
+        ],
         sets: &[],
         complaints: &[
             r#"line 21, column 39: joints.g.between: both wheels turn about one axis, as meshing wheels do not (write a gear for each mesh, with the wheels that lie between)"#,
@@ -660,7 +748,9 @@ const CASES: &[Case] = &[
         what: "clearance radius negative",
         edits: &[(r#""radius": 0.1"#, r#""radius": "-10 um""#)],
         sets: &[],
-        complaints: &[r#"line 17, column 58: joints.b.clearance.radius: "-10 um": must not be negative"#],
+        complaints: &[
+            r#"line 17, column 58: joints.b.clearance.radius: "-10 um": must not be negative"#,
+        ],
     },
     Case {
         what: "contact without a normal law",
@@ -672,7 +762,10 @@ const CASES: &[Case] = &[
     },
     Case {
         what: "contact without stiffness",
-        edits: &[(r#""massless_link""#, r#""contact", "normal": { "law": "flores", "restitution": 0.9 }"#)],
+        edits: &[(
+            r#""massless_link""#,
+            r#""contact", "normal": { "law": "flores", "restitution": 0.9 }"#,
+        )],
         sets: &[],
         complaints: &[
             r#"line 17, column 20: joints.b.clearance: "normal.stiffness" is missing (give it, or "elastic" and "bearing_radius")"#,
@@ -691,7 +784,10 @@ const CASES: &[Case] = &[
     },
     Case {
         what: "law without restitution",
-        edits: &[(r#""massless_link""#, r#""contact", "normal": { "law": "hu_guo", "stiffness": 1e8 }"#)],
+        edits: &[(
+            r#""massless_link""#,
+            r#""contact", "normal": { "law": "hu_guo", "stiffness": 1e8 }"#,
+        )],
         sets: &[],
         complaints: &[
             r#"line 17, column 20: joints.b.clearance: "normal.restitution" is missing (the law "hu_guo" needs it)"#,
@@ -727,7 +823,9 @@ const CASES: &[Case] = &[
             r#""ideal", "normal": { "law": "hertz", "elastic": { "bearing": { "young_modulus": 1, "poisson_ratio": 0.3 } } }"#,
         )],
         sets: &[],
-        complaints: &[r#"line 17, column 79: joints.b.clearance.normal.elastic: "journal" is missing"#],
+        complaints: &[
+            r#"line 17, column 79: joints.b.clearance.normal.elastic: "journal" is missing"#,
+        ],
     },
     Case {
         what: "law unknown",
@@ -775,7 +873,10 @@ const CASES: &[Case] = &[
     },
     Case {
         what: "driver of a body relative to itself",
-        edits: &[(r#""body": "crank""#, r#""body": "crank", "relative_to": "crank""#)],
+        edits: &[(
+            r#""body": "crank""#,
+            r#""body": "crank", "relative_to": "crank""#,
+        )],
         sets: &[],
         complaints: &[
             r#"line 23, column 44: drivers.motor.body: "crank": the angle of "crank" relative to itself cannot be driven"#,
@@ -861,7 +962,9 @@ const CASES: &[Case] = &[
         what: "table with a short point",
         edits: &[("[[0, 0], [1, 5]]", "[[0, 0], [1]]")],
         sets: &[],
-        complaints: &["line 24, column 102: drivers.pusher.motion.points[1]: a list of 2 is expected, this one has 1"],
+        complaints: &[
+            "line 24, column 102: drivers.pusher.motion.points[1]: a list of 2 is expected, this one has 1",
+        ],
     },
     Case {
         what: "spring with neither stiffness nor damping",
@@ -892,13 +995,21 @@ const CASES: &[Case] = &[
     },
     Case {
         what: "frame unknown",
-        edits: &[(r#""vector": [0, 5]"#, r#""vector": [0, 5], "frame": "world""#)],
+        edits: &[(
+            r#""vector": [0, 5]"#,
+            r#""vector": [0, 5], "frame": "world""#,
+        )],
         sets: &[],
-        complaints: &[r#"line 28, column 78: forces.load.frame: "world": unknown frame (one of "ground" or "body")"#],
+        complaints: &[
+            r#"line 28, column 78: forces.load.frame: "world": unknown frame (one of "ground" or "body")"#,
+        ],
     },
     Case {
         what: "initial of ground and of nobody",
-        edits: &[(r#""initial": { "crank""#, r#""initial": { "ground": {}, "krank""#)],
+        edits: &[(
+            r#""initial": { "crank""#,
+            r#""initial": { "ground": {}, "krank""#,
+        )],
         sets: &[],
         complaints: &[
             "line 30, column 26: initial.ground: ground is fixed, it has no initial values",
@@ -909,7 +1020,9 @@ const CASES: &[Case] = &[
         what: "point twice",
         edits: &[(r#"["coupler.B"]"#, r#"["coupler.B", "coupler.B"]"#)],
         sets: &[],
-        complaints: &[r#"line 31, column 27: points[1]: "coupler.B": the point is listed twice (first as points[0])"#],
+        complaints: &[
+            r#"line 31, column 27: points[1]: "coupler.B": the point is listed twice (first as points[0])"#,
+        ],
     },
     Case {
         what: "analysis unknown",
@@ -950,7 +1063,9 @@ const CASES: &[Case] = &[
         what: "end missing",
         edits: &[(r#""end": 2.0, "#, "")],
         sets: &[],
-        complaints: &[r#"line 32, column 15: analysis: "end" is missing (the end time, the start is 0)"#],
+        complaints: &[
+            r#"line 32, column 15: analysis: "end" is missing (the end time, the start is 0)"#,
+        ],
     },
     Case {
         what: "end and outputs out of range",
@@ -992,13 +1107,19 @@ const CASES: &[Case] = &[
     },
     Case {
         what: "column that is no text",
-        edits: &[(r#""outputs": 401"#, r#""outputs": 401, "columns": ["crank.*", 5]"#)],
+        edits: &[(
+            r#""outputs": 401"#,
+            r#""outputs": 401, "columns": ["crank.*", 5]"#,
+        )],
         sets: &[],
         complaints: &["line 32, column 96: analysis.columns[1]: 5: text is expected, not a number"],
     },
     Case {
         what: "solver option unknown",
-        edits: &[(r#""outputs": 401"#, r#""outputs": 401, "solver": { "tol": 1e-9, "rtol": 0 }"#)],
+        edits: &[(
+            r#""outputs": 401"#,
+            r#""outputs": 401, "solver": { "tol": 1e-9, "rtol": 0 }"#,
+        )],
         sets: &[],
         complaints: &[
             r#"line 32, column 85: analysis.solver.tol: "tol": unknown key (did you mean "atol"?)"#,
@@ -1031,7 +1152,10 @@ const CASES: &[Case] = &[
     },
     Case {
         what: "comma missing",
-        edits: &[(r#""name": "four-bar and slider","#, r#""name": "four-bar and slider""#)],
+        edits: &[(
+            r#""name": "four-bar and slider","#,
+            r#""name": "four-bar and slider""#,
+        )],
         sets: &[],
         complaints: &[
             r#"line 4, column 3: not JSON: '"' where "," or "}" is expected (a comma may be missing before it)"#,
@@ -1041,7 +1165,9 @@ const CASES: &[Case] = &[
         what: "single quotes",
         edits: &[(r#""mm""#, "'mm'")],
         sets: &[],
-        complaints: &[r#"line 4, column 24: not JSON: '\'' where a value is expected (text stands in double quotes)"#],
+        complaints: &[
+            r#"line 4, column 24: not JSON: '\'' where a value is expected (text stands in double quotes)"#,
+        ],
     },
     Case {
         what: "quote not closed",
@@ -1055,7 +1181,9 @@ const CASES: &[Case] = &[
         what: "leading zero",
         edits: &[("-9.81", "-09.81")],
         sets: &[],
-        complaints: &["line 5, column 18: not JSON: a number must not begin with a zero that counts nothing"],
+        complaints: &[
+            "line 5, column 18: not JSON: a number must not begin with a zero that counts nothing",
+        ],
     },
     Case {
         what: "unknown escape",
@@ -1069,7 +1197,9 @@ const CASES: &[Case] = &[
         what: "broken surrogate",
         edits: &[(r#""measured""#, r#""\ud800""#)],
         sets: &[],
-        complaints: &[r#"line 11, column 68: not JSON: a broken \u escape (\u and four hex digits)"#],
+        complaints: &[
+            r#"line 11, column 68: not JSON: a broken \u escape (\u and four hex digits)"#,
+        ],
     },
     Case {
         what: "set: unit",
@@ -1089,7 +1219,9 @@ const CASES: &[Case] = &[
         what: "set: point",
         edits: &[],
         sets: &["joints.b.between[1]=coupler.Z"],
-        complaints: &[r#"--set joints.b.between[1]=coupler.Z: body "coupler" has no point "Z" (its points: A, B)"#],
+        complaints: &[
+            r#"--set joints.b.between[1]=coupler.Z: body "coupler" has no point "Z" (its points: A, B)"#,
+        ],
     },
     Case {
         what: "set: what does not exist",
@@ -1124,7 +1256,10 @@ const CASES: &[Case] = &[
     Case {
         what: "units that are written out",
         edits: &[
-            (r#""length": "mm", "angle": "deg""#, r#""length": "inch", "angle": "degrees""#),
+            (
+                r#""length": "mm", "angle": "deg""#,
+                r#""length": "inch", "angle": "degrees""#,
+            ),
             ("[100, 0]", r#"["5 inches", "1 millimeter"]"#),
             (r#""vector": [0, 5]"#, r#""vector": [0, "5 Newton"]"#),
         ],
@@ -1141,7 +1276,10 @@ const CASES: &[Case] = &[
         what: "no units of angular velocity",
         edits: &[
             (r#""10 rad/s""#, r#""360 deg""#),
-            (r#""crank": { "angle": 60 }"#, r#""crank": { "angle": 60, "angular_velocity": "6 1/s" }"#),
+            (
+                r#""crank": { "angle": 60 }"#,
+                r#""crank": { "angle": 60, "angular_velocity": "6 1/s" }"#,
+            ),
         ],
         sets: &[],
         complaints: &[
@@ -1174,11 +1312,20 @@ const CASES: &[Case] = &[
             (r#""pose": { "angle": 60 }"#, r#""pose": [50, 0, 0]"#),
             (r#"["ground.O", "crank.O"]"#, r#""ground.O, crank.O""#),
             (r#"{ "model": "massless_link", "radius": 0.1 }"#, "0.1"),
-            (r#"["ground.Q", "rocker.Q"]"#, r#"["ground.Q", "rocker.Q"], "friction": 0.1"#),
+            (
+                r#"["ground.Q", "rocker.Q"]"#,
+                r#"["ground.Q", "rocker.Q"], "friction": 0.1"#,
+            ),
             ("[1, 0]", r#""x""#),
-            (r#"{ "type": "polynomial", "coefficients": [60, "10 rad/s"] }"#, "60"),
+            (
+                r#"{ "type": "polynomial", "coefficients": [60, "10 rad/s"] }"#,
+                "60",
+            ),
             ("[0, 5] }\n", "5 }\n"),
-            (r#""outputs": 401"#, r#""outputs": 401, "columns": "crank.*""#),
+            (
+                r#""outputs": 401"#,
+                r#""outputs": 401, "columns": "crank.*""#,
+            ),
         ],
         sets: &[],
         complaints: &[
@@ -1208,7 +1355,10 @@ const CASES: &[Case] = &[
                 r#""body": "crank", "motion": { "type": "polynomial", "coefficients": [60, "10 rad/s"] }"#,
                 r#""motion": { "type": "harmonic", "amplitude": 1 }"#,
             ),
-            (r#"{ "type": "table", "points": [[0, 0], [1, 5]] }"#, r#"{ "type": "constant_velocity" }"#),
+            (
+                r#"{ "type": "table", "points": [[0, 0], [1, 5]] }"#,
+                r#"{ "type": "constant_velocity" }"#,
+            ),
         ],
         sets: &[],
         complaints: &[
@@ -1232,7 +1382,13 @@ const CASES: &[Case] = &[
     Case {
         what: "set: no value, no path, no entry, no object",
         edits: &[],
-        sets: &["gravity", "a..b=3", "gravity[2]=1", "gravity.y=1", "name.x=1"],
+        sets: &[
+            "gravity",
+            "a..b=3",
+            "gravity[2]=1",
+            "gravity.y=1",
+            "name.x=1",
+        ],
         complaints: &[
             r#"--set gravity: there is no "=" (PATH=VALUE is expected, such as joints.b.clearance.radius="10 um")"#,
             r#"--set a..b=3: "a..b" is not a path (PATH=VALUE is expected, such as joints.b.clearance.radius="10 um")"#,
@@ -1244,7 +1400,10 @@ const CASES: &[Case] = &[
     Case {
         what: "set: a list and an object that are none",
         edits: &[],
-        sets: &["gravity=[0, -9.81", r#"joints.b.clearance={"model": "ideal", "radius": .5}"#],
+        sets: &[
+            "gravity=[0, -9.81",
+            r#"joints.b.clearance={"model": "ideal", "radius": .5}"#,
+        ],
         complaints: &[
             r#"--set gravity=[0, -9.81: not JSON at character 10 of the value: it ends where "," or "]" is expected; it seems cut short (a list or an object is given as JSON: [0, -9.81] or {"type": "fixed"})"#,
             r#"--set joints.b.clearance={"model": "ideal", "radius": .5}: not JSON at character 30 of the value: '.' where a value is expected (a number begins with a digit or a minus sign, as in 0.5)"#,
@@ -1288,7 +1447,11 @@ fn said(text: &[u8], sets: &[&str]) -> Vec<String> {
 
 #[test]
 fn every_bad_model_is_refused_in_these_words() {
-    assert_eq!(said(BASE.as_bytes(), &[]), Vec::<String>::new(), "the base model is good");
+    assert_eq!(
+        said(BASE.as_bytes(), &[]),
+        Vec::<String>::new(),
+        "the base model is good"
+    );
     let mut wrong = String::new();
     for case in CASES {
         let mut text = BASE.to_owned();
@@ -1298,7 +1461,10 @@ fn every_bad_model_is_refused_in_these_words() {
         }
         let said = said(text.as_bytes(), case.sets);
         if said != case.complaints {
-            wrong += &format!("{}:\n  said {said:#?}\n  want {:#?}\n", case.what, case.complaints);
+            wrong += &format!(
+                "{}:\n  said {said:#?}\n  want {:#?}\n",
+                case.what, case.complaints
+            );
         }
     }
     assert!(wrong.is_empty(), "{wrong}");
@@ -1310,12 +1476,30 @@ fn what_is_no_model_at_all_gets_one_clear_complaint() {
     let cases: [(&[u8], &str); 17] = [
         (b"", "the file is empty (a model is a JSON object)"),
         (b" \n\t", "the file is empty (a model is a JSON object)"),
-        (b"\xEF\xBB\xBF", "the file is empty (a model is a JSON object)"),
-        (b"[]", "line 1, column 1: a model is an object, { \u{2026} }, not a list"),
-        (b"\"four-bar\"", "line 1, column 1: a model is an object, { \u{2026} }, not text"),
-        (b"{\n  \"a\": 1", "line 2, column 9: not JSON: it ends where \",\" or \"}\" is expected; it seems cut short"),
-        (b"{\n  \"a\":", "line 2, column 7: not JSON: it ends where a value is expected; it seems cut short"),
-        (b"{ \"a\": \"b", "line 1, column 8: not JSON: the text has no closing quote; it seems cut short"),
+        (
+            b"\xEF\xBB\xBF",
+            "the file is empty (a model is a JSON object)",
+        ),
+        (
+            b"[]",
+            "line 1, column 1: a model is an object, { \u{2026} }, not a list",
+        ),
+        (
+            b"\"four-bar\"",
+            "line 1, column 1: a model is an object, { \u{2026} }, not text",
+        ),
+        (
+            b"{\n  \"a\": 1",
+            "line 2, column 9: not JSON: it ends where \",\" or \"}\" is expected; it seems cut short",
+        ),
+        (
+            b"{\n  \"a\":",
+            "line 2, column 7: not JSON: it ends where a value is expected; it seems cut short",
+        ),
+        (
+            b"{ \"a\": \"b",
+            "line 1, column 8: not JSON: the text has no closing quote; it seems cut short",
+        ),
         (
             b"{} {}",
             "line 1, column 4: not JSON: '{' where the end is expected (it is complete before this: take out what follows)",
@@ -1328,7 +1512,10 @@ fn what_is_no_model_at_all_gets_one_clear_complaint() {
             b"{} }",
             "line 1, column 4: not JSON: '}' where the end is expected (there is one closing bracket too many, here or before)",
         ),
-        (b"{ \"a\": 1e999 }", "line 1, column 8: not JSON: 1e999: the number is too large for a double"),
+        (
+            b"{ \"a\": 1e999 }",
+            "line 1, column 8: not JSON: 1e999: the number is too large for a double",
+        ),
         (
             b"{ \"\xc3\xa9\": 'x' }",
             "line 1, column 8: not JSON: '\\'' where a value is expected (text stands in double quotes)",
@@ -1337,9 +1524,18 @@ fn what_is_no_model_at_all_gets_one_clear_complaint() {
             b"{\n\"a\": \xff }",
             "line 2, column 6: the file is not UTF-8 text (a model is a JSON file; save it as UTF-8)",
         ),
-        (b"\xff\xfe{\0}\0", "line 1, column 1: the file is not UTF-8 text (a model is a JSON file; save it as UTF-8)"),
-        (b"\x7fELF\x02\x01\x01", "line 1, column 1: not JSON: '\\u{7f}' where a value is expected"),
-        (deep.as_bytes(), "line 1, column 129: not JSON: nested more than 128 deep"),
+        (
+            b"\xff\xfe{\0}\0",
+            "line 1, column 1: the file is not UTF-8 text (a model is a JSON file; save it as UTF-8)",
+        ),
+        (
+            b"\x7fELF\x02\x01\x01",
+            "line 1, column 1: not JSON: '\\u{7f}' where a value is expected",
+        ),
+        (
+            deep.as_bytes(),
+            "line 1, column 129: not JSON: nested more than 128 deep",
+        ),
     ];
     for (text, words) in cases {
         assert_eq!(said(text, &[]), [words]);
@@ -1350,10 +1546,18 @@ fn what_is_no_model_at_all_gets_one_clear_complaint() {
 fn a_byte_order_mark_and_windows_line_ends_do_no_harm() {
     let text = format!("\u{feff}{}", BASE.replace('\n', "\r\n"));
     assert_eq!(said(text.as_bytes(), &[]), Vec::<String>::new());
-    let text = text.replace("0.8", "-0.8").replace("\"four-bar", "\"čtyřkloub");
-    assert_eq!(said(text.as_bytes(), &[]), ["line 8, column 24: bodies.crank.mass: -0.8: must not be negative"]);
+    let text = text
+        .replace("0.8", "-0.8")
+        .replace("\"four-bar", "\"čtyřkloub");
+    assert_eq!(
+        said(text.as_bytes(), &[]),
+        ["line 8, column 24: bodies.crank.mass: -0.8: must not be negative"]
+    );
     // on the first line the mark is no column
-    assert_eq!(said("\u{feff}?".as_bytes(), &[]), ["line 1, column 1: not JSON: '?' where a value is expected"]);
+    assert_eq!(
+        said("\u{feff}?".as_bytes(), &[]),
+        ["line 1, column 1: not JSON: '?' where a value is expected"]
+    );
 }
 
 #[test]
@@ -1366,9 +1570,18 @@ fn files_that_cannot_be_models_are_refused_by_name() {
     file.set_len(100 * 1024 * 1024).unwrap();
     let said = |path: &std::path::Path| model::load_file(path, &[]).unwrap_err()[0].to_string();
     let (folder_name, large_name) = (folder.display().to_string(), large.display().to_string());
-    assert_eq!(said(&large), format!("{large_name}: 100 MB are too much for a model, at most 64 MB are read"));
-    assert_eq!(said(&folder), format!("{folder_name}: this is a directory, not a model file"));
-    assert_eq!(said(&folder.join("none.json")), format!("{folder_name}/none.json: there is no such file"));
+    assert_eq!(
+        said(&large),
+        format!("{large_name}: 100 MB are too much for a model, at most 64 MB are read")
+    );
+    assert_eq!(
+        said(&folder),
+        format!("{folder_name}: this is a directory, not a model file")
+    );
+    assert_eq!(
+        said(&folder.join("none.json")),
+        format!("{folder_name}/none.json: there is no such file")
+    );
     std::fs::remove_dir_all(&folder).unwrap();
     assert_eq!(
         model::load(&vec![b' '; 65 * 1024 * 1024], &[]).unwrap_err()[0].to_string(),
@@ -1379,7 +1592,14 @@ fn files_that_cannot_be_models_are_refused_by_name() {
 #[test]
 fn a_file_with_thousands_of_faults_is_not_repeated_whole() {
     let names: Vec<String> = (0..5000).map(|index| format!("\"f{index}\": 1")).collect();
-    let said = said(BASE.replace("\"load\": {", &format!("{}, \"load\": {{", names.join(", "))).as_bytes(), &[]);
+    let said = said(
+        BASE.replace(
+            "\"load\": {",
+            &format!("{}, \"load\": {{", names.join(", ")),
+        )
+        .as_bytes(),
+        &[],
+    );
     assert_eq!(said.len(), 101);
     assert_eq!(said[100], "and 4900 more faults");
 }
@@ -1389,20 +1609,41 @@ fn nothing_hostile_in_an_expression_hangs() {
     let with = |text: &str| said(BASE.replace("-9.81", &format!("{text:?}")).as_bytes(), &[]);
     let begin = |text: String| text.chars().take(60).collect::<String>();
     for (text, words) in [
-        (format!("={}", "(".repeat(1_000_000)), "an expression has at most 4096 characters"),
-        (format!("={}1{}", "(".repeat(2000), ")".repeat(2000)), "nested more than 64 deep"),
-        (format!("={}", "2^".repeat(2000)), "nested more than 64 deep"),
-        (format!("=2{}", "^2".repeat(60)), "the result is too large for a double"),
+        (
+            format!("={}", "(".repeat(1_000_000)),
+            "an expression has at most 4096 characters",
+        ),
+        (
+            format!("={}1{}", "(".repeat(2000), ")".repeat(2000)),
+            "nested more than 64 deep",
+        ),
+        (
+            format!("={}", "2^".repeat(2000)),
+            "nested more than 64 deep",
+        ),
+        (
+            format!("=2{}", "^2".repeat(60)),
+            "the result is too large for a double",
+        ),
     ] {
         let said = with(&text);
-        assert!(said.len() == 1 && said[0].ends_with(words), "{}: {:?}", begin(text), said.into_iter().map(begin));
+        assert!(
+            said.len() == 1 && said[0].ends_with(words),
+            "{}: {:?}",
+            begin(text),
+            said.into_iter().map(begin)
+        );
     }
     // a chain and a circle of a hundred thousand
     for last in ["1", "\"=p0\""] {
-        let chain: String =
-            (0..100_000).map(|index| format!("\"p{index}\": \"=p{}+p{}\", ", index + 1, index + 1)).collect();
+        let chain: String = (0..100_000)
+            .map(|index| format!("\"p{index}\": \"=p{}+p{}\", ", index + 1, index + 1))
+            .collect();
         let text = BASE
-            .replace("\"name\": \"four-bar and slider\"", &format!("\"parameters\": {{ {chain} \"p100000\": {last} }}"))
+            .replace(
+                "\"name\": \"four-bar and slider\"",
+                &format!("\"parameters\": {{ {chain} \"p100000\": {last} }}"),
+            )
             .replace("-9.81", "\"=p99990\"");
         let said = said(text.as_bytes(), &[]);
         assert_eq!(said.len(), 1, "{last}");
@@ -1437,17 +1678,42 @@ fn expressions_arrive_in_si() {
     };
     let loaded = model(&[]);
     let crank = &loaded.model.bodies["crank"];
-    assert_eq!((crank.mass, crank.inertia), (Some(0.8), Some(8.0 * 0.1_f64.powi(3) / 12.0)));
-    assert_eq!(crank.points["A"], [0.1, 0.012], "a plain result is in the file's unit");
+    assert_eq!(
+        (crank.mass, crank.inertia),
+        (Some(0.8), Some(8.0 * 0.1_f64.powi(3) / 12.0))
+    );
+    assert_eq!(
+        crank.points["A"],
+        [0.1, 0.012],
+        "a plain result is in the file's unit"
+    );
     assert_eq!(crank.pose.angle, std::f64::consts::FRAC_PI_2 / 3.0 * 2.0);
     assert_eq!(loaded.model.bodies["coupler"].points["B"], [0.25, 0.0]);
-    let model::JointKind::Prismatic { axis, .. } = &loaded.model.joints["e"].kind else { panic!() };
+    let model::JointKind::Prismatic { axis, .. } = &loaded.model.joints["e"].kind else {
+        panic!()
+    };
     assert_eq!(axis, &[1.0, 0.0]);
-    let model::Motion::Polynomial { coefficients } = &loaded.model.drivers["motor"].motion else { panic!() };
+    let model::Motion::Polynomial { coefficients } = &loaded.model.drivers["motor"].motion else {
+        panic!()
+    };
     assert_eq!(coefficients[1], 2.0);
-    assert_eq!(loaded.model.analysis.as_ref().and_then(|analysis| analysis.outputs), Some(401));
-    assert_eq!(loaded.warnings, ["line 4, column 50: parameters.spare: 1: no expression uses this parameter"]);
-    let resolved: Vec<_> = loaded.parameters.iter().map(|p| (p.name.as_str(), p.value, p.unit.as_str())).collect();
+    assert_eq!(
+        loaded
+            .model
+            .analysis
+            .as_ref()
+            .and_then(|analysis| analysis.outputs),
+        Some(401)
+    );
+    assert_eq!(
+        loaded.warnings,
+        ["line 4, column 50: parameters.spare: 1: no expression uses this parameter"]
+    );
+    let resolved: Vec<_> = loaded
+        .parameters
+        .iter()
+        .map(|p| (p.name.as_str(), p.value, p.unit.as_str()))
+        .collect();
     let tau = std::f64::consts::TAU;
     assert_eq!(
         resolved,
@@ -1461,9 +1727,19 @@ fn expressions_arrive_in_si() {
         ]
     );
     // one value changes all that follows from it; the document keeps the words
-    let changed = model(&["parameters.r=200 mm", "parameters.l==r+10 mm", "initial.crank.angle==30 deg"]);
-    assert_eq!(changed.model.bodies["coupler"].points["B"], [0.21000000000000002, 0.0]);
-    assert_eq!(changed.model.initial["crank"].angle, Some(30f64.to_radians()));
+    let changed = model(&[
+        "parameters.r=200 mm",
+        "parameters.l==r+10 mm",
+        "initial.crank.angle==30 deg",
+    ]);
+    assert_eq!(
+        changed.model.bodies["coupler"].points["B"],
+        [0.21000000000000002, 0.0]
+    );
+    assert_eq!(
+        changed.model.initial["crank"].angle,
+        Some(30f64.to_radians())
+    );
     assert_eq!(changed.document["parameters"]["r"], "200 mm");
     assert_eq!(changed.document["bodies"]["crank"]["mass"], "=rho*r");
 }
@@ -1472,17 +1748,26 @@ fn expressions_arrive_in_si() {
 fn warnings_are_no_faults() {
     let edited = |from: &str, to: &str| {
         assert!(BASE.contains(from));
-        model::load(BASE.replace(from, to).as_bytes(), &[]).unwrap().warnings
+        model::load(BASE.replace(from, to).as_bytes(), &[])
+            .unwrap()
+            .warnings
     };
     assert_eq!(edited("0.8", "0.9"), Vec::<String>::new());
     assert_eq!(
-        edited("\"crank\": { \"angle\": 60 }", "\"crank\": { \"angular_velocity\": 60 }"),
-        ["line 30, column 47: initial.crank.angular_velocity: 60: a plain angular_velocity is in rad/s, although \
-          \"angle\" has another unit (name a unit for \"angular_velocity\" in units, or write it with its unit)"]
+        edited(
+            "\"crank\": { \"angle\": 60 }",
+            "\"crank\": { \"angular_velocity\": 60 }"
+        ),
+        [
+            "line 30, column 47: initial.crank.angular_velocity: 60: a plain angular_velocity is in rad/s, although \
+          \"angle\" has another unit (name a unit for \"angular_velocity\" in units, or write it with its unit)"
+        ]
     );
     assert_eq!(
         edited(", \"free_length\": 150", ""),
-        ["line 27, column 15: forces.return: \"free_length\" is left out and taken as 0 (write it, even if it is 0)"]
+        [
+            "line 27, column 15: forces.return: \"free_length\" is left out and taken as 0 (write it, even if it is 0)"
+        ]
     );
     assert_eq!(
         edited("\"at\": \"coupler.B\"", "\"at\": \"ground.O\""),
@@ -1502,12 +1787,21 @@ fn torques_on_what_can_not_move_are_warned_of() {
     let none = Vec::<String>::new();
     assert_eq!(torque(r#""body": "crank""#), none);
     assert_eq!(torque(r#""body": "ground", "relative_to": "crank""#), none);
-    for ends in [r#""body": "ground""#, r#""body": "ground", "relative_to": "ground""#] {
+    for ends in [
+        r#""body": "ground""#,
+        r#""body": "ground", "relative_to": "ground""#,
+    ] {
         let said = torque(ends);
-        assert!(said.len() == 1 && said[0].contains("ground is fixed: the torque moves nothing"), "{said:?}");
+        assert!(
+            said.len() == 1 && said[0].contains("ground is fixed: the torque moves nothing"),
+            "{said:?}"
+        );
     }
     let said = torque(r#""body": "crank", "relative_to": "crank""#);
-    assert!(said.len() == 1 && said[0].contains("the same body takes the opposite"), "{said:?}");
+    assert!(
+        said.len() == 1 && said[0].contains("the same body takes the opposite"),
+        "{said:?}"
+    );
 }
 
 #[test]
@@ -1521,26 +1815,52 @@ fn numbers_arrive_in_si() {
     assert_eq!(model.bodies["crank"].inertia, Some(7e-4));
     assert_eq!(model.bodies["crank"].pose.angle, 60.0 * degree);
     assert_eq!(model.bodies["coupler"].points["B"], [0.25, 0.0]);
-    let model::JointKind::Revolute { clearance: Some(clearance), .. } = &model.joints["b"].kind else { panic!() };
+    let model::JointKind::Revolute {
+        clearance: Some(clearance),
+        ..
+    } = &model.joints["b"].kind
+    else {
+        panic!()
+    };
     assert_eq!(clearance.radius, Some(1e-5));
-    let model::Motion::Polynomial { coefficients } = &model.drivers["motor"].motion else { panic!() };
+    let model::Motion::Polynomial { coefficients } = &model.drivers["motor"].motion else {
+        panic!()
+    };
     assert_eq!(coefficients, &[60.0 * degree, 10.0]);
-    let model::Motion::Table { points } = &model.drivers["pusher"].motion else { panic!() };
+    let model::Motion::Table { points } = &model.drivers["pusher"].motion else {
+        panic!()
+    };
     assert_eq!(points, &[[0.0, 0.0], [1.0, 0.005]]);
-    let model::ForceKind::Load { vector: [Value::Constant(x), Value::Motion(y)], .. } = &model.forces["load"].kind
+    let model::ForceKind::Load {
+        vector: [Value::Constant(x), Value::Motion(y)],
+        ..
+    } = &model.forces["load"].kind
     else {
         panic!()
     };
     assert_eq!(*x, 4.4482216152605);
-    let harmonic = model::Motion::Harmonic { offset: 0.0, amplitude: 2.0, frequency: 3.0, phase: 90.0 * degree };
+    let harmonic = model::Motion::Harmonic {
+        offset: 0.0,
+        amplitude: 2.0,
+        frequency: 3.0,
+        phase: 90.0 * degree,
+    };
     assert_eq!(*y, harmonic);
-    assert_eq!(model.bodies.keys().collect::<Vec<_>>(), ["ground", "crank", "coupler", "rocker", "slider"]);
+    assert_eq!(
+        model.bodies.keys().collect::<Vec<_>>(),
+        ["ground", "crank", "coupler", "rocker", "slider"]
+    );
 }
 
 #[test]
 fn the_document_is_what_was_written_and_set() {
-    let sets =
-        ["analysis.solver.rtol=1e-9", "joints.b.between[1]=rocker.B", "about=x=y", "gravity=[0, 0]"].map(String::from);
+    let sets = [
+        "analysis.solver.rtol=1e-9",
+        "joints.b.between[1]=rocker.B",
+        "about=x=y",
+        "gravity=[0, 0]",
+    ]
+    .map(String::from);
     let loaded = model::load(BASE.as_bytes(), &sets).unwrap();
     let mut expected: serde_json::Value = serde_json::from_str(BASE).unwrap();
     expected["analysis"]["solver"] = serde_json::json!({ "rtol": 1e-9 });
@@ -1548,10 +1868,19 @@ fn the_document_is_what_was_written_and_set() {
     expected["about"] = "x=y".into();
     expected["gravity"] = serde_json::json!([0, 0]);
     assert_eq!(loaded.document.to_string(), expected.to_string());
-    let place = |path: &str| loaded.source.locate(path).map(|place| (place.line, place.column));
+    let place = |path: &str| {
+        loaded
+            .source
+            .locate(path)
+            .map(|place| (place.line, place.column))
+    };
     assert_eq!(place("joints.b.between[0]"), Some((16, 44)));
     assert_eq!(place("joints.b.between[1]"), None, "it came from --set");
-    assert_eq!(place("joints.b.speed"), Some((16, 5)), "the key of the nearest ancestor");
+    assert_eq!(
+        place("joints.b.speed"),
+        Some((16, 5)),
+        "the key of the nearest ancestor"
+    );
     assert_eq!(place(""), Some((1, 1)));
 }
 
@@ -1562,14 +1891,21 @@ fn a_note_is_allowed_in_every_object() {
         .replace(", \"note\": \"measured\"", "")
         .replace("{ ", "{ \"note\": \"why\", ")
         .replace("{\n", "{ \"note\": \"why\",\n");
-    assert_eq!(said(text.as_bytes(), &["analysis.solver.note=why"]), Vec::<String>::new());
+    assert_eq!(
+        said(text.as_bytes(), &["analysis.solver.note=why"]),
+        Vec::<String>::new()
+    );
 }
 
 /// Whatever comes, every complaint has words.
 fn survives(text: &[u8]) {
     if let Err(complaints) = model::load(text, &[]) {
         assert!(!complaints.is_empty());
-        assert!(complaints.iter().all(|complaint| !complaint.message.is_empty()));
+        assert!(
+            complaints
+                .iter()
+                .all(|complaint| !complaint.message.is_empty())
+        );
     }
 }
 
@@ -1628,8 +1964,12 @@ fn replace(value: &mut serde_json::Value, left: &mut usize, by: &serde_json::Val
     }
     *left = left.wrapping_sub(1);
     match value {
-        serde_json::Value::Array(items) => items.iter_mut().for_each(|item| replace(item, left, by)),
-        serde_json::Value::Object(members) => members.values_mut().for_each(|member| replace(member, left, by)),
+        serde_json::Value::Array(items) => {
+            items.iter_mut().for_each(|item| replace(item, left, by))
+        }
+        serde_json::Value::Object(members) => members
+            .values_mut()
+            .for_each(|member| replace(member, left, by)),
         _ => {}
     }
 }

@@ -17,8 +17,14 @@ const START: [f64; 3] = [0.5, 30.0, -1.2];
 
 #[track_caller]
 fn completed(model: &Value) -> Outcome {
-    let outcome = run(&loaded(model).model, &Control::default()).unwrap_or_else(|said| panic!("{said:?}"));
-    assert_eq!(outcome.report.status, Status::Completed, "{:?}", outcome.report.message);
+    let outcome =
+        run(&loaded(model).model, &Control::default()).unwrap_or_else(|said| panic!("{said:?}"));
+    assert_eq!(
+        outcome.report.status,
+        Status::Completed,
+        "{:?}",
+        outcome.report.message
+    );
     outcome
 }
 
@@ -40,7 +46,11 @@ fn model(parallelogram: bool, carrier: Option<&str>, rtol: f64) -> Value {
         initial["left"] = json!({ "angle": start, "angular_velocity": rate });
     }
     if let Some(carrier) = carrier {
-        let place = if carrier == "coupler" { [tip[0] + 0.1, tip[1]] } else { [0.1, 0.0] };
+        let place = if carrier == "coupler" {
+            [tip[0] + 0.1, tip[1]]
+        } else {
+            [0.1, 0.0]
+        };
         bodies["hung"] = rod(HUNG, place, hung);
         joints["p"] = pin(&format!("{carrier}.P"), "hung.A");
         initial["hung"] = json!({ "angle": hung, "angular_velocity": 0.0 });
@@ -51,7 +61,10 @@ fn model(parallelogram: bool, carrier: Option<&str>, rtol: f64) -> Value {
 }
 
 fn largest_difference(one: &[f64], two: &[f64]) -> f64 {
-    one.iter().zip(two).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    one.iter()
+        .zip(two)
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, f64::max)
 }
 
 /// What has nothing to do with one another moves as if it were alone.
@@ -62,9 +75,12 @@ fn a_pendulum_beside_a_parallelogram_changes_nothing() {
     let hung = completed(&model(false, Some("ground"), 1e-11));
     let turns = column(&alone, "left.angle").last().expect("rows") / std::f64::consts::TAU;
     assert!(turns > 3.0, "{turns}");
-    for (name, other) in
-        [("left.angle", &alone), ("coupler.angle", &alone), ("coupler.vx", &alone), ("hung.angle", &hung)]
-    {
+    for (name, other) in [
+        ("left.angle", &alone),
+        ("coupler.angle", &alone),
+        ("coupler.vx", &alone),
+        ("hung.angle", &hung),
+    ] {
         let off = largest_difference(&column(&both, name), &column(other, name));
         println!("{name}: {off:e}");
         assert!(off < 1e-7, "{name}: {off:e}");
@@ -80,7 +96,11 @@ fn a_pendulum_on_the_coupler_is_that_of_lagrange() {
     let rates = |y: [f64; 4]| {
         let [phi, psi, dphi, dpsi] = y;
         let (sin, cos) = (phi - psi).sin_cos();
-        let (a, b, c) = (2.0 * r * r / 3.0 + 2.0 * r * r, 0.5 * r * l * cos, l * l / 3.0);
+        let (a, b, c) = (
+            2.0 * r * r / 3.0 + 2.0 * r * r,
+            0.5 * r * l * cos,
+            l * l / 3.0,
+        );
         let f = -0.5 * r * l * sin * dpsi * dpsi - 3.0 * G * r * phi.cos();
         let h = 0.5 * r * l * sin * dphi * dphi - 0.5 * G * l * psi.cos();
         let det = a * c - b * b;
@@ -98,7 +118,9 @@ fn a_pendulum_on_the_coupler_is_that_of_lagrange() {
             let k2 = rates(at(&k1, 0.5));
             let k3 = rates(at(&k2, 0.5));
             let k4 = rates(at(&k3, 1.0));
-            y = std::array::from_fn(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]));
+            y = std::array::from_fn(|i| {
+                y[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i])
+            });
         }
         wanted.push(y);
     }
@@ -108,15 +130,21 @@ fn a_pendulum_on_the_coupler_is_that_of_lagrange() {
     let outcome = completed(&hanging);
     let turns = (wanted[100][0] - start) / std::f64::consts::TAU;
     assert!(turns > 3.0, "{turns}");
-    for (name, index) in
-        [("left.angle", 0), ("right.angle", 0), ("hung.angle", 1), ("left.omega", 2), ("hung.omega", 3)]
-    {
+    for (name, index) in [
+        ("left.angle", 0),
+        ("right.angle", 0),
+        ("hung.angle", 1),
+        ("left.omega", 2),
+        ("hung.omega", 3),
+    ] {
         let of: Vec<f64> = wanted.iter().map(|row| row[index]).collect();
         let off = largest_difference(&column(&outcome, name), &of);
         println!("{name}: {off:e}");
         assert!(off < 1e-7, "{name}: {off:e}");
     }
-    let tilt = column(&outcome, "coupler.angle").iter().fold(0.0, |m: f64, angle| m.max(angle.abs()));
+    let tilt = column(&outcome, "coupler.angle")
+        .iter()
+        .fold(0.0, |m: f64, angle| m.max(angle.abs()));
     assert!(tilt < 1e-10, "the coupler turns: {tilt:e}");
     let drift = outcome.report.quality.energy_drift.expect("conservative");
     assert!(drift < 1e-8, "{drift:e}");

@@ -18,7 +18,12 @@ fn dynamics(end: f64, outputs: usize, rtol: f64) -> Value {
 #[track_caller]
 fn completed(model: &Value) -> Outcome {
     let outcome = outcome(model);
-    assert_eq!(outcome.report.status, Status::Completed, "{:?}", outcome.report.message);
+    assert_eq!(
+        outcome.report.status,
+        Status::Completed,
+        "{:?}",
+        outcome.report.message
+    );
     outcome
 }
 
@@ -46,16 +51,25 @@ fn free_four_bar() -> Value {
 
 /// Largest change of energy, by the largest kinetic energy.
 fn energy_drift(outcome: &Outcome) -> f64 {
-    let (kinetic, potential) = (column(outcome, "energy.kinetic"), column(outcome, "energy.potential"));
+    let (kinetic, potential) = (
+        column(outcome, "energy.kinetic"),
+        column(outcome, "energy.potential"),
+    );
     let start = kinetic[0] + potential[0];
-    let drift = kinetic.iter().zip(&potential).fold(0.0, |m: f64, (t, v)| m.max((t + v - start).abs()));
+    let drift = kinetic
+        .iter()
+        .zip(&potential)
+        .fold(0.0, |m: f64, (t, v)| m.max((t + v - start).abs()));
     drift / kinetic.iter().fold(0.0, |m: f64, t| m.max(*t))
 }
 
 /// No more than the errors of the steps add up to, and less with each tolerance.
 #[test]
 fn energy_is_kept_the_better_the_smaller_the_tolerance() {
-    for (name, mut model, end) in [("double pendulum", double_pendulum(), 10.0), ("four-bar", free_four_bar(), 10.0)] {
+    for (name, mut model, end) in [
+        ("double pendulum", double_pendulum(), 10.0),
+        ("four-bar", free_four_bar(), 10.0),
+    ] {
         let mut drifts = Vec::new();
         for rtol in [1e-6, 1e-8, 1e-10] {
             model["analysis"] = dynamics(end, 101, rtol);
@@ -63,25 +77,42 @@ fn energy_is_kept_the_better_the_smaller_the_tolerance() {
             let steps = run.report.statistics.steps as f64;
             let drift = energy_drift(&run);
             println!("{name}: {drift:e} of the energy at rtol {rtol:e} in {steps} steps");
-            assert!(drift <= 10.0 * rtol * steps, "{name}: {drift:e} at {rtol:e} in {steps} steps");
+            assert!(
+                drift <= 10.0 * rtol * steps,
+                "{name}: {drift:e} at {rtol:e} in {steps} steps"
+            );
             drifts.push(drift);
         }
-        assert!(drifts.windows(2).all(|pair| pair[1] < 0.1 * pair[0]), "{name}: {drifts:?}");
+        assert!(
+            drifts.windows(2).all(|pair| pair[1] < 0.1 * pair[0]),
+            "{name}: {drifts:?}"
+        );
     }
 }
 
 #[test]
 fn a_six_bar_keeps_its_energy_for_a_minute() {
     let mut six_bar: Value =
-        serde_json::from_str(bundled::find("stephenson-iii").expect("bundled").text).expect("valid JSON");
+        serde_json::from_str(bundled::find("stephenson-iii").expect("bundled").text)
+            .expect("valid JSON");
     six_bar.as_object_mut().expect("a map").remove("drivers");
     six_bar["initial"] = json!({ "crank": { "angle": 90.0, "angular_velocity": "20 rad/s" } });
     six_bar["analysis"] = dynamics(60.0, 601, 1e-10);
     let run = completed(&six_bar);
     let drift = energy_drift(&run);
-    println!("{drift:e} in {} steps, {:?}", run.report.statistics.steps, run.report.quality);
-    assert!(drift <= 1e-10 * run.report.statistics.steps as f64, "{drift:e}");
-    assert!(run.report.quality.constraint_residual <= 1e-12, "{:?}", run.report.quality);
+    println!(
+        "{drift:e} in {} steps, {:?}",
+        run.report.statistics.steps, run.report.quality
+    );
+    assert!(
+        drift <= 1e-10 * run.report.statistics.steps as f64,
+        "{drift:e}"
+    );
+    assert!(
+        run.report.quality.constraint_residual <= 1e-12,
+        "{:?}",
+        run.report.quality
+    );
 }
 
 /// Without outer forces two bodies keep momentum and angular momentum.
@@ -99,7 +130,8 @@ fn momentum_is_kept_where_nothing_acts_from_outside() {
     let get = |body: &str, name: &str| column(&run, &format!("{body}.{name}"));
     let mut kept: Vec<[f64; 3]> = vec![[0.0; 3]; run.trajectory.len()];
     for (body, length) in [("upper", 1.0), ("lower", 0.8)] {
-        let [x, y, angle, vx, vy, omega] = ["x", "y", "angle", "vx", "vy", "omega"].map(|name| get(body, name));
+        let [x, y, angle, vx, vy, omega] =
+            ["x", "y", "angle", "vx", "vy", "omega"].map(|name| get(body, name));
         for (k, sum) in kept.iter_mut().enumerate() {
             let (sin, cos) = angle[k].sin_cos();
             let (rx, ry) = (0.5 * length * cos, 0.5 * length * sin);
@@ -110,7 +142,10 @@ fn momentum_is_kept_where_nothing_acts_from_outside() {
             }
         }
     }
-    let off = kept.iter().flat_map(|now| now.iter().zip(&kept[0])).fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()));
+    let off = kept
+        .iter()
+        .flat_map(|now| now.iter().zip(&kept[0]))
+        .fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()));
     println!("{off:e} in {} steps", run.report.statistics.steps);
     assert!(off <= 1e-10 * run.report.statistics.steps as f64, "{off:e}");
 }
@@ -124,13 +159,24 @@ fn a_driven_body_carries_a_free_one() {
         "motion": { "type": "harmonic", "offset": 0.3, "amplitude": 0.5, "frequency": 1.5 } } });
     model["analysis"] = dynamics(4.0, 81, 1e-12);
     let run = completed(&model);
-    assert_eq!((run.report.mobility.rank, run.report.mobility.drivers), (2, 1));
-    let [time, angle, upper] = ["time", "lower.angle", "driver.motor.value"].map(|name| column(&run, name));
+    assert_eq!(
+        (run.report.mobility.rank, run.report.mobility.drivers),
+        (2, 1)
+    );
+    let [time, angle, upper] =
+        ["time", "lower.angle", "driver.motor.value"].map(|name| column(&run, name));
     // θ'' = −(3/2l) ((g + ÿ) cos θ − ẍ sin θ) of a uniform rod on a hinge that moves, by small classical Runge–Kutta steps.
     let hinge = |t: f64| {
         let (w, a) = (2.0 * PI * 1.5, 0.5);
-        let (theta, rate, second) = (0.3 + a * (w * t).sin(), a * w * (w * t).cos(), -a * w * w * (w * t).sin());
-        [-theta.sin() * second - theta.cos() * rate * rate, theta.cos() * second - theta.sin() * rate * rate]
+        let (theta, rate, second) = (
+            0.3 + a * (w * t).sin(),
+            a * w * (w * t).cos(),
+            -a * w * w * (w * t).sin(),
+        );
+        [
+            -theta.sin() * second - theta.cos() * rate * rate,
+            theta.cos() * second - theta.sin() * rate * rate,
+        ]
     };
     let second = |t: f64, theta: f64| {
         let [ax, ay] = hinge(t);
@@ -138,19 +184,37 @@ fn a_driven_body_carries_a_free_one() {
     };
     let (mut t, mut theta, mut omega, h) = (0.0, -0.4, -1.0, 1.0 / 20_000.0);
     for k in 0..time.len() {
-        assert!((theta - angle[k]).abs() <= 1e-9, "{:e} at {t}", theta - angle[k]);
+        assert!(
+            (theta - angle[k]).abs() <= 1e-9,
+            "{:e} at {t}",
+            theta - angle[k]
+        );
         assert!((upper[k] - 0.3 - 0.5 * (3.0 * PI * time[k]).sin()).abs() <= 1e-14);
         for _ in 0..1000 {
             let k1 = (omega, second(t, theta));
-            let k2 = (omega + 0.5 * h * k1.1, second(t + 0.5 * h, theta + 0.5 * h * k1.0));
-            let k3 = (omega + 0.5 * h * k2.1, second(t + 0.5 * h, theta + 0.5 * h * k2.0));
+            let k2 = (
+                omega + 0.5 * h * k1.1,
+                second(t + 0.5 * h, theta + 0.5 * h * k1.0),
+            );
+            let k3 = (
+                omega + 0.5 * h * k2.1,
+                second(t + 0.5 * h, theta + 0.5 * h * k2.0),
+            );
             let k4 = (omega + h * k3.1, second(t + h, theta + h * k3.0));
             theta += h / 6.0 * (k1.0 + 2.0 * k2.0 + 2.0 * k3.0 + k4.0);
             omega += h / 6.0 * (k1.1 + 2.0 * k2.1 + 2.0 * k3.1 + k4.1);
             t += h;
         }
     }
-    assert!(run.report.quality.power_imbalance.expect("forces are known") <= 1e-12, "{:?}", run.report.quality);
+    assert!(
+        run.report
+            .quality
+            .power_imbalance
+            .expect("forces are known")
+            <= 1e-12,
+        "{:?}",
+        run.report.quality
+    );
 }
 
 /// The effort that inverse dynamics finds for a motion, applied as a torque, brings the motion about.
@@ -166,8 +230,15 @@ fn inverse_dynamics_undoes_forward_dynamics() {
     );
     driven["analysis"] = json!({ "type": "inverse_dynamics", "end": 1.0, "outputs": 4001 });
     let inverse = completed(&driven);
-    let (time, effort) = (column(&inverse, "time"), column(&inverse, "driver.motor.effort"));
-    let points: Vec<[f64; 2]> = time.iter().zip(&effort).map(|(t, effort)| [*t, *effort]).collect();
+    let (time, effort) = (
+        column(&inverse, "time"),
+        column(&inverse, "driver.motor.effort"),
+    );
+    let points: Vec<[f64; 2]> = time
+        .iter()
+        .zip(&effort)
+        .map(|(t, effort)| [*t, *effort])
+        .collect();
     let mut free = driven.clone();
     free.as_object_mut().expect("a map").remove("drivers");
     free["forces"] = json!({ "motor": { "type": "torque", "body": "crank",
@@ -176,10 +247,19 @@ fn inverse_dynamics_undoes_forward_dynamics() {
     free["initial"] = json!({ "crank": { "angle": 0.5, "angular_velocity": omega } });
     free["analysis"] = dynamics(1.0, 41, 1e-10);
     let forward = completed(&free);
-    for name in ["crank.angle", "slider.x", "crank.omega", "rod.alpha", "joint.a.fx", "joint.b.fy"] {
+    for name in [
+        "crank.angle",
+        "slider.x",
+        "crank.omega",
+        "rod.alpha",
+        "joint.a.fx",
+        "joint.b.fy",
+    ] {
         let (known, ours) = (column(&inverse, name), column(&forward, name));
         let scale = known.iter().fold(1.0, |m: f64, value| m.max(value.abs()));
-        let off = ours.iter().enumerate().fold(0.0, |m: f64, (k, value)| m.max((value - known[100 * k]).abs()));
+        let off = ours.iter().enumerate().fold(0.0, |m: f64, (k, value)| {
+            m.max((value - known[100 * k]).abs())
+        });
         println!("{name}: {:e}", off / scale);
         // The spline through 4001 points is good to h² at its natural ends, over h, and to h⁴ between.
         assert!(off <= 1e-6 * scale, "{name}: {off:e} of {scale}");
@@ -204,8 +284,16 @@ fn stiffness_is_found_and_both_methods_agree() {
     assert!(10 * steps[0] < steps[1], "auto stays explicit: {steps:?}");
     let [explicit, implicit] = ["dop853", "radau5"].map(|method| run(method, 1e-9));
     for name in ["upper.angle", "lower.angle", "upper.omega"] {
-        let (a, b, c) = (column(&explicit, name), column(&implicit, name), column(&auto, name));
-        let far = |x: &[f64], y: &[f64]| x.iter().zip(y).fold(0.0, |m: f64, (x, y)| m.max((x - y).abs()));
+        let (a, b, c) = (
+            column(&explicit, name),
+            column(&implicit, name),
+            column(&auto, name),
+        );
+        let far = |x: &[f64], y: &[f64]| {
+            x.iter()
+                .zip(y)
+                .fold(0.0, |m: f64, (x, y)| m.max((x - y).abs()))
+        };
         println!("{name}: {:e}, auto {:e}", far(&a, &b), far(&a, &c));
         assert!(far(&a, &b) <= 1e-7, "{name}: {:e}", far(&a, &b));
         assert!(far(&a, &c) <= 1e-4, "{name}: {:e}", far(&a, &c));
@@ -221,7 +309,11 @@ fn errors_follow_the_tolerance() {
     const SCIPY: [f64; 6] = [5.9e-4, 1.41e-4, 7.74e-7, 2.85e-8, 5.4e-9, 8.5e-10];
     let bodies = json!({ "ground": { "points": { "O": [0.0, 0.0] } },
         "bob": { "mass": 1.0, "inertia": 0.0, "com": [1.0, 0.0], "points": { "O": [0.0, 0.0] }, "pose": { "angle": PI } } });
-    let mut pendulum = model(bodies, json!({ "pin": pin("ground.O", "bob.O") }), json!({}));
+    let mut pendulum = model(
+        bodies,
+        json!({ "pin": pin("ground.O", "bob.O") }),
+        json!({}),
+    );
     pendulum["initial"] = json!({ "bob": { "angle": PI, "angular_velocity": 0.0 } });
     let mut angle = |rtol: f64| {
         pendulum["analysis"] = dynamics(10.0, 21, rtol);
@@ -231,13 +323,20 @@ fn errors_follow_the_tolerance() {
     let errors: Vec<f64> = (5..=10)
         .map(|digits| {
             let ours = angle(10.0_f64.powi(-digits));
-            ours.iter().zip(&exact).fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()))
+            ours.iter()
+                .zip(&exact)
+                .fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()))
         })
         .collect();
     // Least squares through (log rtol, log error).
     let logs: Vec<f64> = errors.iter().map(|error| error.log10()).collect();
     let mean = logs.iter().sum::<f64>() / 6.0;
-    let slope = logs.iter().enumerate().map(|(k, log)| (2.5 - k as f64) * (log - mean)).sum::<f64>() / 17.5;
+    let slope = logs
+        .iter()
+        .enumerate()
+        .map(|(k, log)| (2.5 - k as f64) * (log - mean))
+        .sum::<f64>()
+        / 17.5;
     println!("{errors:?}, slope {slope}");
     assert!((0.8..=1.2).contains(&slope), "{errors:?}, slope {slope}");
     for (ours, scipy) in errors.iter().zip(SCIPY) {
@@ -247,13 +346,25 @@ fn errors_follow_the_tolerance() {
 
 #[test]
 fn a_free_start_in_a_flat_position_is_refused_with_the_reason() {
-    let mut model = parallelogram(1, false, 0.0, &json!({ "type": "polynomial", "coefficients": [0.0] }));
+    let mut model = parallelogram(
+        1,
+        false,
+        0.0,
+        &json!({ "type": "polynomial", "coefficients": [0.0] }),
+    );
     model.as_object_mut().expect("a map").remove("drivers");
     model["initial"] = json!({ "c0": { "angle": 0.0, "angular_velocity": 1.0 } });
     model["analysis"] = dynamics(1.0, 11, 1e-8);
     let run = outcome(&model);
     assert_eq!(run.report.status, Status::Singular);
-    assert!(run.report.message.as_deref().is_some_and(|m| m.contains("singular position")), "{:?}", run.report.message);
+    assert!(
+        run.report
+            .message
+            .as_deref()
+            .is_some_and(|m| m.contains("singular position")),
+        "{:?}",
+        run.report.message
+    );
     assert!(run.trajectory.is_empty());
 }
 
@@ -267,11 +378,21 @@ fn a_body_falls_far_along_its_guide() {
     falling["gravity"] = json!([9.81, 0.0]);
     falling["analysis"] = dynamics(300.0, 4, 1e-8);
     let outcome = completed(&falling);
-    for (time, x) in column(&outcome, "time").into_iter().zip(column(&outcome, "block.x")) {
+    for (time, x) in column(&outcome, "time")
+        .into_iter()
+        .zip(column(&outcome, "block.x"))
+    {
         let wanted = 0.5 * 9.81 * time * time;
-        assert!((x - wanted).abs() <= 1e-10 * wanted.max(1.0), "{x} for {wanted}");
+        assert!(
+            (x - wanted).abs() <= 1e-10 * wanted.max(1.0),
+            "{x} for {wanted}"
+        );
     }
-    assert!(outcome.report.statistics.steps < 1000, "{:?}", outcome.report.statistics);
+    assert!(
+        outcome.report.statistics.steps < 1000,
+        "{:?}",
+        outcome.report.statistics
+    );
 }
 
 /// A wheel that turns evenly about its centre of mass, driven or free: no power flows, and what is left of it is round-off of
@@ -283,13 +404,20 @@ fn round_off_is_no_imbalance_where_no_power_flows() {
                    "pose": { "position": [0.2, 0.65], "angle": 0.0 } } });
     let joints = json!({ "o": pin("ground.O", "wheel.O") });
     let turning = json!({ "type": "constant_velocity", "start": 0.3, "velocity": 7.0 });
-    let wheel = model(bodies, joints, json!({ "motor": { "type": "rotation", "body": "wheel", "motion": turning } }));
+    let wheel = model(
+        bodies,
+        joints,
+        json!({ "motor": { "type": "rotation", "body": "wheel", "motion": turning } }),
+    );
     let mut free = wheel.clone();
     free["drivers"] = json!({});
     free["initial"] = json!({ "wheel": { "angular_velocity": 7.0 } });
     free["analysis"] = dynamics(1.0, 101, 1e-9);
     for model in [wheel, free] {
         let quality = completed(&model).report.quality;
-        assert!(quality.power_imbalance.expect("forces are known") < 1e-8, "{quality:?}");
+        assert!(
+            quality.power_imbalance.expect("forces are known") < 1e-8,
+            "{quality:?}"
+        );
     }
 }

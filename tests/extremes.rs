@@ -18,25 +18,40 @@ use std::process::Command;
 #[track_caller]
 fn slider_crank(sets: &[&str]) -> Outcome {
     let outcome = solve(&load_bundled("slider-crank-clearance", sets));
-    assert_eq!(outcome.report.status, Status::Completed, "{:?}", outcome.report.message);
+    assert_eq!(
+        outcome.report.status,
+        Status::Completed,
+        "{:?}",
+        outcome.report.message
+    );
     outcome
 }
 
 #[track_caller]
 fn extremes(outcome: &Outcome, column: &str) -> Extremes {
     let curves = outcome.curves();
-    let index = curves.column_index(column).unwrap_or_else(|| panic!("no column {column}"));
+    let index = curves
+        .column_index(column)
+        .unwrap_or_else(|| panic!("no column {column}"));
     curves.extremes()[index].unwrap_or_else(|| panic!("{column} has no value"))
 }
 
 fn contacts(outcome: &Outcome) -> Vec<&Event> {
-    outcome.report.events.iter().filter(|event| event.kind == "contact").collect()
+    outcome
+        .report
+        .events
+        .iter()
+        .filter(|event| event.kind == "contact")
+        .collect()
 }
 
 #[track_caller]
 fn near(what: &str, ours: f64, exact: f64, relative: f64) {
     println!("{what}: {ours:e}, off by {:e}", ours / exact - 1.0);
-    assert!((ours / exact - 1.0).abs() < relative, "{what}: {ours:e} for {exact:e}");
+    assert!(
+        (ours / exact - 1.0).abs() < relative,
+        "{what}: {ours:e} for {exact:e}"
+    );
 }
 
 /// A disc of 2 kg falls 2 mm to its bearing and on: ½ m v² + m g δ = K δ^(n+1)/(n + 1) where it is deepest. What it
@@ -62,20 +77,61 @@ fn a_falling_disc_presses_as_its_energy_says() {
             .model,
         );
         // v at the surface, from the height.
-        let taken = |depth: f64| stiffness * depth.powf(exponent + 1.0) / (exponent + 1.0) - m * G * (depth + gap);
+        let taken = |depth: f64| {
+            stiffness * depth.powf(exponent + 1.0) / (exponent + 1.0) - m * G * (depth + gap)
+        };
         let (mut low, mut high) = (1e-7, 1e-2);
         while high - low > 1e-18 && 0.5 * (low + high) != low && 0.5 * (low + high) != high {
             let middle = 0.5 * (low + high);
-            if taken(middle) < 0.5 * m * speed * speed { low = middle } else { high = middle }
+            if taken(middle) < 0.5 * m * speed * speed {
+                low = middle
+            } else {
+                high = middle
+            }
         }
         let force = stiffness * high.powf(exponent);
-        near("penetration", extremes(&outcome, "joint.pin.penetration").max, high, 1e-9);
-        near("normal force", extremes(&outcome, "joint.pin.normal_force").max, force, 1e-9);
-        near("joint force", extremes(&outcome, "joint.pin.fy").max, force, 1e-9);
-        near("acceleration", extremes(&outcome, "disc.ay").max, force / m - G, 1e-7);
-        near("contact energy", extremes(&outcome, "energy.contact").max, taken(high) + m * G * (high + gap), 1e-7);
-        near("eccentricity", extremes(&outcome, "joint.pin.eccentricity").max, gap + high, 1e-9);
-        near("lowest point", extremes(&outcome, "disc.y").min, -gap - high, 1e-7);
+        near(
+            "penetration",
+            extremes(&outcome, "joint.pin.penetration").max,
+            high,
+            1e-9,
+        );
+        near(
+            "normal force",
+            extremes(&outcome, "joint.pin.normal_force").max,
+            force,
+            1e-9,
+        );
+        near(
+            "joint force",
+            extremes(&outcome, "joint.pin.fy").max,
+            force,
+            1e-9,
+        );
+        near(
+            "acceleration",
+            extremes(&outcome, "disc.ay").max,
+            force / m - G,
+            1e-7,
+        );
+        near(
+            "contact energy",
+            extremes(&outcome, "energy.contact").max,
+            taken(high) + m * G * (high + gap),
+            1e-7,
+        );
+        near(
+            "eccentricity",
+            extremes(&outcome, "joint.pin.eccentricity").max,
+            gap + high,
+            1e-9,
+        );
+        near(
+            "lowest point",
+            extremes(&outcome, "disc.y").min,
+            -gap - high,
+            1e-7,
+        );
         let fastest = extremes(&outcome, "disc.vy").min;
         // Fastest where the force has become the weight.
         let depth = (m * G / stiffness).powf(1.0 / exponent);
@@ -89,8 +145,12 @@ fn a_falling_disc_presses_as_its_energy_says() {
 fn every_contact_has_its_peak_in_the_curves() {
     let outcome = slider_crank(&[]);
     let curves = outcome.curves();
-    let [time, force, depth] = ["time", "joint.wristpin.normal_force", "joint.wristpin.penetration"]
-        .map(|name| curves.values(name).expect("a column"));
+    let [time, force, depth] = [
+        "time",
+        "joint.wristpin.normal_force",
+        "joint.wristpin.penetration",
+    ]
+    .map(|name| curves.values(name).expect("a column"));
     let events = contacts(&outcome);
     assert!(events.len() > 20, "{}", events.len());
     let mut largest = [0.0_f64; 2];
@@ -99,18 +159,36 @@ fn every_contact_has_its_peak_in_the_curves() {
         let episode = event.episode.expect("of a contact");
         let end = episode.end.unwrap_or(f64::INFINITY);
         let within = |values: &[f64], time: &[f64]| {
-            let inside = time.iter().zip(values).filter(|(time, _)| (episode.start..=end).contains(*time));
+            let inside = time
+                .iter()
+                .zip(values)
+                .filter(|(time, _)| (episode.start..=end).contains(*time));
             inside.map(|(_, value)| *value).fold(0.0, f64::max)
         };
         near("force", within(&force, &time), episode.peak_force, 1e-9);
         let rows = &outcome.trajectory;
-        let row_force =
-            within(&rows.values("joint.wristpin.normal_force").expect("there"), &rows.values("time").expect("there"));
+        let row_force = within(
+            &rows.values("joint.wristpin.normal_force").expect("there"),
+            &rows.values("time").expect("there"),
+        );
         off_by_rows += usize::from(row_force < 0.5 * episode.peak_force);
-        largest = [largest[0].max(episode.peak_force), largest[1].max(episode.peak_penetration)];
+        largest = [
+            largest[0].max(episode.peak_force),
+            largest[1].max(episode.peak_penetration),
+        ];
     }
-    near("largest force", extremes(&outcome, "joint.wristpin.normal_force").max, largest[0], 1e-9);
-    near("largest penetration", extremes(&outcome, "joint.wristpin.penetration").max, largest[1], 1e-9);
+    near(
+        "largest force",
+        extremes(&outcome, "joint.wristpin.normal_force").max,
+        largest[0],
+        1e-9,
+    );
+    near(
+        "largest penetration",
+        extremes(&outcome, "joint.wristpin.penetration").max,
+        largest[1],
+        1e-9,
+    );
     println!("of rows alone {off_by_rows} contacts would show less than half of their force");
     assert!(off_by_rows > 0 && depth.len() > outcome.trajectory.len());
 }
@@ -120,8 +198,14 @@ fn every_contact_has_its_peak_in_the_curves() {
 fn extremes_do_not_depend_on_the_outputs() {
     for (model, sets) in [
         ("contact", &[][..]),
-        ("two_state", &["joints.wristpin.clearance.model=two_state"][..]),
-        ("three_state", &["joints.wristpin.clearance.model=three_state"][..]),
+        (
+            "two_state",
+            &["joints.wristpin.clearance.model=two_state"][..],
+        ),
+        (
+            "three_state",
+            &["joints.wristpin.clearance.model=three_state"][..],
+        ),
     ] {
         let runs: Vec<Outcome> = [11, 101, 1001, 2001]
             .iter()
@@ -137,11 +221,20 @@ fn extremes_do_not_depend_on_the_outputs() {
             for ((column, a), b) in first.columns.iter().zip(&known).zip(curves.extremes()) {
                 let (Some(a), Some(b)) = (a, b) else { continue };
                 let owned = column.name.starts_with("joint.wristpin");
-                let span = if owned { a.max.abs().max(a.min.abs()) } else { a.max - a.min };
+                let span = if owned {
+                    a.max.abs().max(a.min.abs())
+                } else {
+                    a.max - a.min
+                };
                 // Contact's own to 1e-9; others to the tolerance; what is smaller is round-off.
                 let bound = if owned { 1e-9 } else { 2e-7 } * span + 1e-9 * floor(column.unit);
                 let off = (a.max - b.max).abs().max((a.min - b.min).abs());
-                assert!(off <= bound, "{model}: {}: {a:?} and {b:?} at {} rows", column.label(), run.trajectory.len());
+                assert!(
+                    off <= bound,
+                    "{model}: {}: {a:?} and {b:?} at {} rows",
+                    column.label(),
+                    run.trajectory.len()
+                );
             }
         }
     }
@@ -167,14 +260,31 @@ fn neighbours_have_the_extremes_of_dense_rows() {
     let coarse = located.trajectory.extremes();
     let curves = located.curves();
     let mut missed = 0;
-    for (((column, ours), rows), coarse) in curves.columns.iter().zip(curves.extremes()).zip(&rows_alone).zip(coarse) {
-        let (Some(ours), Some(rows), Some(coarse)) = (ours, rows, coarse) else { continue };
+    for (((column, ours), rows), coarse) in curves
+        .columns
+        .iter()
+        .zip(curves.extremes())
+        .zip(&rows_alone)
+        .zip(coarse)
+    {
+        let (Some(ours), Some(rows), Some(coarse)) = (ours, rows, coarse) else {
+            continue;
+        };
         let span = (rows.max - rows.min) + 1e-5 * floor(column.unit);
-        for (side, ours, rows, coarse) in
-            [("max", ours.max, rows.max, coarse.max), ("min", -ours.min, -rows.min, -coarse.min)]
-        {
-            assert!(ours >= rows - 1e-7 * span, "{side} of {}: {ours:e} for {rows:e}", column.label());
-            assert!(ours <= rows + 1e-5 * span, "{side} of {}: {ours:e} for {rows:e}", column.label());
+        for (side, ours, rows, coarse) in [
+            ("max", ours.max, rows.max, coarse.max),
+            ("min", -ours.min, -rows.min, -coarse.min),
+        ] {
+            assert!(
+                ours >= rows - 1e-7 * span,
+                "{side} of {}: {ours:e} for {rows:e}",
+                column.label()
+            );
+            assert!(
+                ours <= rows + 1e-5 * span,
+                "{side} of {}: {ours:e} for {rows:e}",
+                column.label()
+            );
             missed += usize::from(coarse < rows - 0.1 * span);
         }
     }
@@ -188,11 +298,19 @@ fn the_largest_force_of_a_joint_is_that_of_dense_rows() {
     let sets = ["analysis.end=0.0015", "analysis.solver.rtol=1e-8"];
     let largest = |outcome: &Outcome| {
         let table = outcome.curves();
-        let [x, y] = ["fx", "fy"].map(|c| table.values(&format!("joint.crankpin.{c}")).expect("there"));
-        x.iter().zip(&y).map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max)
+        let [x, y] =
+            ["fx", "fy"].map(|c| table.values(&format!("joint.crankpin.{c}")).expect("there"));
+        x.iter()
+            .zip(&y)
+            .map(|(x, y)| x.hypot(*y))
+            .fold(0.0, f64::max)
     };
-    let located = largest(&slider_crank(&[&sets[..], &["analysis.outputs=3"]].concat()));
-    let dense = largest(&slider_crank(&[&sets[..], &["analysis.outputs=75001"]].concat()));
+    let located = largest(&slider_crank(
+        &[&sets[..], &["analysis.outputs=3"]].concat(),
+    ));
+    let dense = largest(&slider_crank(
+        &[&sets[..], &["analysis.outputs=75001"]].concat(),
+    ));
     near("crankpin", located, dense, 2e-7);
 }
 
@@ -201,7 +319,10 @@ fn columns_that_are_left_out_are_not_watched() {
     let all = slider_crank(&["analysis.end=0.002"]);
     let few = slider_crank(&["analysis.end=0.002", "analysis.columns=[\"driver.*\"]"]);
     assert!(few.report.statistics.evaluations < all.report.statistics.evaluations);
-    let (ours, theirs) = (extremes(&few, "driver.motor.effort"), extremes(&all, "driver.motor.effort"));
+    let (ours, theirs) = (
+        extremes(&few, "driver.motor.effort"),
+        extremes(&all, "driver.motor.effort"),
+    );
     near("effort", ours.max, theirs.max, 1e-7);
     assert_eq!(few.curves().width(), few.trajectory.width());
 }
@@ -219,25 +340,52 @@ fn outputs_at_events_are_added() {
         let plain = slider_crank(&sets);
         let outcome = slider_crank(&[&sets[..], &["analysis.outputs_at=events"]].concat());
         let (few, many) = (times(&plain), times(&outcome));
-        assert!(many.windows(2).all(|pair| pair[0] < pair[1]), "{model}: times do not ascend");
+        assert!(
+            many.windows(2).all(|pair| pair[0] < pair[1]),
+            "{model}: times do not ascend"
+        );
         let mut rows = outcome.trajectory.rows();
         for (row, time) in plain.trajectory.rows().zip(&few) {
             let same = rows.find(|other| other[0] == *time).expect("still there");
-            assert!(row.iter().zip(same).all(|(a, b)| a.to_bits() == b.to_bits()), "{model}: another row at {time}");
+            assert!(
+                row.iter()
+                    .zip(same)
+                    .all(|(a, b)| a.to_bits() == b.to_bits()),
+                "{model}: another row at {time}"
+            );
         }
         assert_eq!(outcome.settings["outputs_at"], "events");
         assert!(plain.settings.get("outputs_at").is_none());
-        let force = outcome.trajectory.values("joint.wristpin.normal_force").expect("there");
+        let force = outcome
+            .trajectory
+            .values("joint.wristpin.normal_force")
+            .expect("there");
         for event in contacts(&outcome) {
             let episode = event.episode.expect("of a contact");
-            assert!(many.contains(&episode.start), "{model}: no row at {}", episode.start);
+            assert!(
+                many.contains(&episode.start),
+                "{model}: no row at {}",
+                episode.start
+            );
             let Some(end) = episode.end else { continue };
             assert!(many.contains(&end), "{model}: no row at {end}");
-            let within = many.iter().zip(&force).filter(|(time, _)| (episode.start..=end).contains(*time));
+            let within = many
+                .iter()
+                .zip(&force)
+                .filter(|(time, _)| (episode.start..=end).contains(*time));
             let most = within.map(|(_, force)| *force).fold(0.0, f64::max);
-            assert!(most >= episode.peak_force * (1.0 - 1e-9), "{model}: {most} for {}", episode.peak_force);
+            assert!(
+                most >= episode.peak_force * (1.0 - 1e-9),
+                "{model}: {most} for {}",
+                episode.peak_force
+            );
         }
-        for event in outcome.report.events.iter().filter(|event| ["stick", "slip", "following"].contains(&event.kind)) {
+        for event in outcome
+            .report
+            .events
+            .iter()
+            .filter(|event| ["stick", "slip", "following"].contains(&event.kind))
+        {
             assert!(many.contains(&event.time), "{model}: no row at {event:?}");
         }
         assert!(many.len() > few.len() + 10, "{model}: {} rows", many.len());
@@ -253,17 +401,37 @@ fn outputs_at_events_of_a_driven_run_are_its_change_points() {
     let plain = solve(&loaded(&words).model);
     words["analysis"]["outputs_at"] = json!("events");
     let outcome = solve(&loaded(&words).model);
-    let change: Vec<f64> = outcome.report.events.iter().map(|event| event.time).collect();
+    let change: Vec<f64> = outcome
+        .report
+        .events
+        .iter()
+        .map(|event| event.time)
+        .collect();
     assert_eq!(change.len(), 4, "{:?}", outcome.report.events);
     let many = times(&outcome);
     for time in &change {
-        assert!(many.iter().any(|row| (row - time).abs() < 1e-9), "no row at {time}");
+        assert!(
+            many.iter().any(|row| (row - time).abs() < 1e-9),
+            "no row at {time}"
+        );
     }
     assert!(many.windows(2).all(|pair| pair[0] < pair[1]));
-    assert!(many.len() > plain.trajectory.len() && many.len() <= plain.trajectory.len() + change.len());
+    assert!(
+        many.len() > plain.trajectory.len() && many.len() <= plain.trajectory.len() + change.len()
+    );
     for row in plain.trajectory.rows() {
-        let same = outcome.trajectory.rows().find(|other| other[0] == row[0]).expect("still there");
-        assert!(row.iter().zip(same).all(|(a, b)| a.to_bits() == b.to_bits()), "another row at {}", row[0]);
+        let same = outcome
+            .trajectory
+            .rows()
+            .find(|other| other[0] == row[0])
+            .expect("still there");
+        assert!(
+            row.iter()
+                .zip(same)
+                .all(|(a, b)| a.to_bits() == b.to_bits()),
+            "another row at {}",
+            row[0]
+        );
     }
 }
 
@@ -276,16 +444,29 @@ fn outputs_at_events_are_refused_where_they_mean_nothing() {
             Err(said) => format!("{said:?}"),
             Ok(loaded) => {
                 let control = linkdyn::analysis::Control::default();
-                format!("{:?}", linkdyn::analysis::run(&loaded.model, &control).expect_err("refused"))
+                format!(
+                    "{:?}",
+                    linkdyn::analysis::run(&loaded.model, &control).expect_err("refused")
+                )
             }
         }
     };
     let word = "analysis.outputs_at=events";
     let statics = said("four-bar-spring", &["analysis.type=statics", word]);
-    assert!(statics.contains("statics has one instant and no events"), "{statics}");
+    assert!(
+        statics.contains("statics has one instant and no events"),
+        "{statics}"
+    );
     let wrong = said("four-bar", &["analysis.outputs_at=peaks"]);
-    assert!(wrong.contains("outputs_at") && wrong.contains("events"), "{wrong}");
-    let sets = ["analysis.type=inverse_dynamics", "joints.wristpin.clearance.model=massless_link", word];
+    assert!(
+        wrong.contains("outputs_at") && wrong.contains("events"),
+        "{wrong}"
+    );
+    let sets = [
+        "analysis.type=inverse_dynamics",
+        "joints.wristpin.clearance.model=massless_link",
+        word,
+    ];
     let massless = said("slider-crank-clearance", &sets);
     assert!(massless.contains("massless clearance link"), "{massless}");
 }
@@ -295,7 +476,10 @@ fn outputs_at_events_are_refused_where_they_mean_nothing() {
 fn smooth_motions_have_no_rows_of_peaks() {
     for name in ["double-pendulum", "four-bar"] {
         let outcome = solve(&load_bundled(name, &["analysis.outputs=11"]));
-        assert!(outcome.peaks.is_empty() && outcome.curves().len() == outcome.trajectory.len(), "{name}");
+        assert!(
+            outcome.peaks.is_empty() && outcome.curves().len() == outcome.trajectory.len(),
+            "{name}"
+        );
     }
 }
 
@@ -304,7 +488,8 @@ struct Scratch(PathBuf);
 
 impl Scratch {
     fn new(name: &str) -> Self {
-        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("extremes-{}-{name}", std::process::id()));
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR"))
+            .join(format!("extremes-{}-{name}", std::process::id()));
         fs::create_dir_all(&path).expect("a scratch directory");
         Scratch(path)
     }
@@ -312,8 +497,16 @@ impl Scratch {
     #[track_caller]
     fn linkdyn(&self, arguments: &[&str]) -> String {
         let mut command = Command::new(env!("CARGO_BIN_EXE_linkdyn"));
-        let output = command.args(arguments).current_dir(&self.0).output().expect("the binary runs");
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let output = command
+            .args(arguments)
+            .current_dir(&self.0)
+            .output()
+            .expect("the binary runs");
+        assert!(
+            output.status.success(),
+            "{}",
+            String::from_utf8_lossy(&output.stderr)
+        );
         String::from_utf8(output.stdout).expect("UTF-8")
     }
 
@@ -332,60 +525,100 @@ impl Drop for Scratch {
     }
 }
 
-const SHORT: [&str; 4] = ["--set", "analysis.end=0.003", "--set", "analysis.outputs=31"];
+const SHORT: [&str; 4] = [
+    "--set",
+    "analysis.end=0.003",
+    "--set",
+    "analysis.outputs=31",
+];
 const COLUMN: &str = "joint.wristpin.normal_force[N]";
 
 /// Summary, report and curve know the peaks; a folder without them is drawn as it was, and no other run's are taken.
 #[test]
 fn files_and_figures_have_the_peaks() {
     let scratch = Scratch::new("files");
-    let run = |model: &str, more: &[&str]| scratch.linkdyn(&[&["run", model, "-o", "out"], more].concat());
+    let run = |model: &str, more: &[&str]| {
+        scratch.linkdyn(&[&["run", model, "-o", "out"], more].concat())
+    };
     let told = run("slider-crank-clearance", &SHORT);
     assert!(told.contains("peaks.csv"), "{told}");
     let summary = scratch.json("out/summary.json");
-    let peaks: Vec<f64> =
-        summary["events"].as_array().expect("events").iter().filter_map(|event| event["peak_force"].as_f64()).collect();
+    let peaks: Vec<f64> = summary["events"]
+        .as_array()
+        .expect("events")
+        .iter()
+        .filter_map(|event| event["peak_force"].as_f64())
+        .collect();
     let largest = peaks.iter().copied().fold(0.0, f64::max);
-    near("summary", summary["extremes"][COLUMN]["max"].as_f64().expect("a number"), largest, 1e-9);
-    assert!(scratch.read("out/report.html").contains("instants between them"), "the report says so");
-    let headers = ["out/results.csv", "out/peaks.csv"].map(|name| scratch.read(name).lines().next().map(String::from));
+    near(
+        "summary",
+        summary["extremes"][COLUMN]["max"]
+            .as_f64()
+            .expect("a number"),
+        largest,
+        1e-9,
+    );
+    assert!(
+        scratch
+            .read("out/report.html")
+            .contains("instants between them"),
+        "the report says so"
+    );
+    let headers = ["out/results.csv", "out/peaks.csv"]
+        .map(|name| scratch.read(name).lines().next().map(String::from));
     assert_eq!(headers[0], headers[1]);
     let draw = || {
-        scratch.linkdyn(&["plot", "out", "--y", "joint.wristpin.normal_force", "-o", "force.svg"]);
+        scratch.linkdyn(&[
+            "plot",
+            "out",
+            "--y",
+            "joint.wristpin.normal_force",
+            "-o",
+            "force.svg",
+        ]);
         scratch.read("force.svg")
     };
     let with = draw();
     fs::rename(scratch.0.join("out/peaks.csv"), scratch.0.join("kept.csv")).expect("moved");
     let without = draw();
     // The largest force is 45.8 kN, that of the rows 16 kN.
-    assert!(with.contains(">40000<") && !without.contains(">40000<"), "the axis shows the peaks");
-    fs::write(scratch.0.join("out/peaks.csv"), "time[s],another[m]\n0.001,1\n").expect("written");
+    assert!(
+        with.contains(">40000<") && !without.contains(">40000<"),
+        "the axis shows the peaks"
+    );
+    fs::write(
+        scratch.0.join("out/peaks.csv"),
+        "time[s],another[m]\n0.001,1\n",
+    )
+    .expect("written");
     assert!(draw() == without, "another table's rows are not drawn");
     run("four-bar", &[]);
-    assert!(!scratch.0.join("out/peaks.csv").exists(), "a run without peaks leaves none of an older one");
+    assert!(
+        !scratch.0.join("out/peaks.csv").exists(),
+        "a run without peaks leaves none of an older one"
+    );
 }
 
 #[test]
 fn compare_tells_the_extremes_that_the_runs_have() {
     let scratch = Scratch::new("compare");
-    let told =
-        scratch.linkdyn(
+    let told = scratch.linkdyn(
+        &[
             &[
-                &[
-                    "compare",
-                    "slider-crank-clearance",
-                    "--joint",
-                    "wristpin",
-                    "--models",
-                    "ideal,contact",
-                    "-o",
-                    "both",
-                ][..],
-                &["--columns", "joint.wristpin.fx,driver.motor.effort"],
-                &SHORT,
-            ]
-            .concat(),
-        );
+                "compare",
+                "slider-crank-clearance",
+                "--joint",
+                "wristpin",
+                "--models",
+                "ideal,contact",
+                "-o",
+                "both",
+            ][..],
+            &["--columns", "joint.wristpin.fx,driver.motor.effort"],
+            &SHORT,
+        ]
+        .concat(),
+    );
     assert!(told.contains("smallest and largest"), "{told}");
     let compared = scratch.json("both/compare.json");
     for label in ["joint.wristpin.fx[N]", "driver.motor.effort[N*m]"] {

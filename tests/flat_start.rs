@@ -14,7 +14,11 @@ const SINGULAR: &str = "the start is a singular position";
 
 #[track_caller]
 fn close(ours: f64, known: f64, tolerance: f64) {
-    assert!((ours - known).abs() <= tolerance, "{ours} instead of {known}, off by {:e}", ours - known);
+    assert!(
+        (ours - known).abs() <= tolerance,
+        "{ours} instead of {known}, off by {:e}",
+        ours - known
+    );
 }
 
 fn still(mut model: Value) -> Value {
@@ -28,7 +32,12 @@ fn linearised(model: &Value, pose: bool) -> Linearised {
 }
 
 fn refusal(outcome: &Outcome) -> &str {
-    assert_eq!(outcome.report.status, Status::Singular, "{:?}", outcome.report.equilibrium);
+    assert_eq!(
+        outcome.report.status,
+        Status::Singular,
+        "{:?}",
+        outcome.report.equilibrium
+    );
     assert!(outcome.trajectory.is_empty());
     outcome.report.message.as_deref().expect("a message")
 }
@@ -37,21 +46,53 @@ fn refusal(outcome: &Outcome) -> &str {
 #[track_caller]
 fn swings(model: &Value, stiffness: f64, square: f64) {
     let run = outcome(model);
-    assert_eq!(run.report.status, Status::Completed, "{:?}", run.report.message);
+    assert_eq!(
+        run.report.status,
+        Status::Completed,
+        "{:?}",
+        run.report.message
+    );
     let found = run.report.equilibrium.as_ref().expect("an equilibrium");
-    assert_eq!((found.stability, found.coordinates.len()), ("stable", 1), "{found:?}");
+    assert_eq!(
+        (found.stability, found.coordinates.len()),
+        ("stable", 1),
+        "{found:?}"
+    );
     assert!(found.coordinates[0].ends_with(".angle"), "{found:?}");
     close(found.stiffness[0], stiffness, 1e-12 * stiffness);
     assert_eq!(run.report.mobility.rank, 1);
-    assert!(run.report.warnings.iter().any(|warning| warning.starts_with(SINGULAR)), "{:?}", run.report.warnings);
+    assert!(
+        run.report
+            .warnings
+            .iter()
+            .any(|warning| warning.starts_with(SINGULAR)),
+        "{:?}",
+        run.report.warnings
+    );
     let small = linearised(model, false);
-    assert_eq!((small.status, small.modes.len(), small.mobility.rank), (Status::Completed, 1, 1));
-    close(small.modes[0].frequency(), square.sqrt(), 1e-11 * square.sqrt());
-    assert!(small.warnings.iter().any(|warning| warning.starts_with(SINGULAR)), "{:?}", small.warnings);
+    assert_eq!(
+        (small.status, small.modes.len(), small.mobility.rank),
+        (Status::Completed, 1, 1)
+    );
+    close(
+        small.modes[0].frequency(),
+        square.sqrt(),
+        1e-11 * square.sqrt(),
+    );
+    assert!(
+        small
+            .warnings
+            .iter()
+            .any(|warning| warning.starts_with(SINGULAR)),
+        "{:?}",
+        small.warnings
+    );
     let pose = linearised(model, true);
     assert_eq!((pose.status, pose.modes.len()), (Status::Singular, 0));
     assert!(
-        pose.message.as_deref().is_some_and(|said| said.starts_with("the pose is a singular position")),
+        pose.message
+            .as_deref()
+            .is_some_and(|said| said.starts_with("the pose is a singular position")),
         "{pose:?}"
     );
 }
@@ -69,8 +110,13 @@ fn drawn(crank: f64, turn: f64, mirror: bool) -> Value {
     }
     model["gravity"] = placed(0.0, -G);
     let tip = [0.3 * crank.cos(), 0.3 * crank.sin()];
-    for (body, at, angle) in [("c", [0.0; 2], crank), ("k", tip, 0.0), ("r", [1.0, 0.0], crank)] {
-        model["bodies"][body]["pose"] = json!({ "position": placed(at[0], at[1]), "angle": sign * angle + turn });
+    for (body, at, angle) in [
+        ("c", [0.0; 2], crank),
+        ("k", tip, 0.0),
+        ("r", [1.0, 0.0], crank),
+    ] {
+        model["bodies"][body]["pose"] =
+            json!({ "position": placed(at[0], at[1]), "angle": sign * angle + turn });
     }
     for (part, at) in [("M", [0.5, 0.0]), ("P", [0.3, -0.1])] {
         model["bodies"]["k"]["points"][part] = json!([at[0], sign * at[1]]);
@@ -92,15 +138,30 @@ fn a_parallelogram_drawn_flat_hangs_as_a_parallelogram() {
                 swings(&model, STIFFNESS, STIFFNESS / INERTIA);
                 let run = outcome(&model);
                 for body in ["c", "r"] {
-                    let down = if mirror { turn + FRAC_PI_2 } else { turn - FRAC_PI_2 };
-                    close((column(&run, &format!("{body}.angle"))[0] - down).sin(), 0.0, 1e-12);
+                    let down = if mirror {
+                        turn + FRAC_PI_2
+                    } else {
+                        turn - FRAC_PI_2
+                    };
+                    close(
+                        (column(&run, &format!("{body}.angle"))[0] - down).sin(),
+                        0.0,
+                        1e-12,
+                    );
                 }
                 let told = &run.report.warnings[0];
-                assert!(told.contains("\"c\", \"r\" turn") && told.contains("Another assembly"), "{told}");
+                assert!(
+                    told.contains("\"c\", \"r\" turn") && told.contains("Another assembly"),
+                    "{told}"
+                );
             }
         }
     }
-    close(linearised(&drawn(0.0, 0.0, false), false).modes[0].frequency() / (2.0 * PI), 0.893_711, 1e-6);
+    close(
+        linearised(&drawn(0.0, 0.0, false), false).modes[0].frequency() / (2.0 * PI),
+        0.893_711,
+        1e-6,
+    );
 }
 
 #[test]
@@ -131,7 +192,10 @@ fn chains_of_parallelograms_drawn_flat_hang_as_one() {
             let model = still(parallelogram(cells, third, start, &motion));
             swings(&model, stiffness, square);
             let run = outcome(&model);
-            assert_eq!(run.report.mobility.redundant, if third { vec!["pm"] } else { Vec::new() });
+            assert_eq!(
+                run.report.mobility.redundant,
+                if third { vec!["pm"] } else { Vec::new() }
+            );
             // With a third crank all cranks must turn alike.
             let unique = run.report.warnings[0].contains("one motion leads away");
             assert_eq!(unique, third && cells == 1, "{:?}", run.report.warnings);
@@ -153,7 +217,8 @@ fn beside(mut model: Value, other: &Value) -> Value {
     for (name, joint) in other["joints"].as_object().expect("a map") {
         let moved = |k: usize| {
             let text = joint["between"][k].as_str().expect("text");
-            text.strip_prefix("ground.").map_or_else(|| format!("x{text}"), |point| format!("ground.x{point}"))
+            text.strip_prefix("ground.")
+                .map_or_else(|| format!("x{text}"), |point| format!("ground.x{point}"))
         };
         model["joints"][format!("x{name}")] = pin(&moved(0), &moved(1));
     }
@@ -197,12 +262,32 @@ fn two_of_them_in_one_model_hang_each_as_it_does_alone() {
 
 #[test]
 fn what_is_regular_keeps_its_freedoms_and_says_nothing() {
-    let chain = still(parallelogram(1, true, 0.6, &json!({ "type": "polynomial", "coefficients": [0.6] })));
+    let chain = still(parallelogram(
+        1,
+        true,
+        0.6,
+        &json!({ "type": "polynomial", "coefficients": [0.6] }),
+    ));
     let model = beside(drawn(0.7, 0.0, false), &chain);
     let run = outcome(&model);
     assert_eq!(run.report.mobility.rank, 2);
-    assert_eq!(run.report.equilibrium.as_ref().expect("there").coordinates.len(), 2);
-    assert!(run.report.warnings.iter().all(|warning| !warning.contains("singular")), "{:?}", run.report.warnings);
+    assert_eq!(
+        run.report
+            .equilibrium
+            .as_ref()
+            .expect("there")
+            .coordinates
+            .len(),
+        2
+    );
+    assert!(
+        run.report
+            .warnings
+            .iter()
+            .all(|warning| !warning.contains("singular")),
+        "{:?}",
+        run.report.warnings
+    );
     assert_eq!(linearised(&model, true).status, Status::Completed);
 }
 
@@ -210,21 +295,42 @@ fn what_is_regular_keeps_its_freedoms_and_says_nothing() {
 fn a_slider_crank_in_line_falls_and_hangs() {
     let (r, l) = (0.1, 0.3);
     for start in [0.0, PI] {
-        let model = still(slider_crank(r, l, start, false, &json!({ "type": "polynomial", "coefficients": [start] })));
+        let model = still(slider_crank(
+            r,
+            l,
+            start,
+            false,
+            &json!({ "type": "polynomial", "coefficients": [start] }),
+        ));
         let run = outcome(&model);
-        assert_eq!(run.report.status, Status::Completed, "{:?}", run.report.message);
+        assert_eq!(
+            run.report.status,
+            Status::Completed,
+            "{:?}",
+            run.report.message
+        );
         close(column(&run, "crank.angle")[0].sin(), -1.0, 1e-14);
         assert_eq!(run.report.mobility.rank, 1);
         // The joints keep their rank there: only a slider that is driven has its dead centre.
         assert!(run.report.warnings.is_empty(), "{:?}", run.report.warnings);
         // J = r² (⅓ + 1 + 1), for rod and slider do not turn there.
-        close(linearised(&model, false).modes[0].frequency(), (G / r / (7.0 / 3.0)).sqrt(), 1e-11);
+        close(
+            linearised(&model, false).modes[0].frequency(),
+            (G / r / (7.0 / 3.0)).sqrt(),
+            1e-11,
+        );
     }
 }
 
 #[test]
 fn a_slider_that_holds_its_crank_in_line_is_refused() {
-    let model = slider_crank(0.1, 0.3, 0.0, true, &json!({ "type": "polynomial", "coefficients": [0.4] }));
+    let model = slider_crank(
+        0.1,
+        0.3,
+        0.0,
+        true,
+        &json!({ "type": "polynomial", "coefficients": [0.4] }),
+    );
     for kind in ["statics", "modes"] {
         let said = if kind == "modes" {
             let found = linearised(&model, false);
@@ -243,23 +349,45 @@ fn a_slider_that_holds_its_crank_in_line_is_refused() {
     model["drivers"] = json!({ "m": { "type": "rotation", "body": "c",
         "motion": { "type": "polynomial", "coefficients": [0.0] } } });
     let run = outcome(&model);
-    assert!(refusal(&run).contains("\"k\" and \"r\" are in line"), "{:?}", run.report.message);
+    assert!(
+        refusal(&run).contains("\"k\" and \"r\" are in line"),
+        "{:?}",
+        run.report.message
+    );
 }
 
 /// Crank and rod of one length: over the pivot the slider may stay, or go on.
 #[test]
 fn an_isosceles_slider_crank_leaves_its_pivot_where_it_is_pulled() {
     let r = 0.2;
-    let mut model =
-        still(slider_crank(r, r, FRAC_PI_2, false, &json!({ "type": "polynomial", "coefficients": [0.0] })));
+    let mut model = still(slider_crank(
+        r,
+        r,
+        FRAC_PI_2,
+        false,
+        &json!({ "type": "polynomial", "coefficients": [0.0] }),
+    ));
     model["gravity"] = json!([-G, 0.0]);
     let run = outcome(&model);
-    assert_eq!(run.report.status, Status::Completed, "{:?}", run.report.message);
+    assert_eq!(
+        run.report.status,
+        Status::Completed,
+        "{:?}",
+        run.report.message
+    );
     // Pulled to x = 2 r cos θ: V = (½ + 3/2 + 2) r g cos θ, against V = r g cos θ where the slider stays.
     close(column(&run, "slider.x")[0], -2.0 * r, 1e-12);
     // J = r² (⅓ + ¼ + 1/12), K = 4 r g.
-    close(linearised(&model, false).modes[0].frequency(), (6.0 * G / r).sqrt(), 1e-9);
-    assert!(run.report.warnings[0].starts_with(SINGULAR), "{:?}", run.report.warnings);
+    close(
+        linearised(&model, false).modes[0].frequency(),
+        (6.0 * G / r).sqrt(),
+        1e-9,
+    );
+    assert!(
+        run.report.warnings[0].starts_with(SINGULAR),
+        "{:?}",
+        run.report.warnings
+    );
 }
 
 #[test]
@@ -271,7 +399,10 @@ fn an_equilibrium_that_is_singular_itself_is_said_to_be() {
         model["gravity"] = json!([G, 0.0]);
         let run = outcome(&model);
         let said = refusal(&run);
-        assert!(said.starts_with("the equilibrium is itself a singular position"), "{start}: {said}");
+        assert!(
+            said.starts_with("the equilibrium is itself a singular position"),
+            "{start}: {said}"
+        );
         assert_eq!(linearised(&model, false).status, Status::Singular);
     }
 }

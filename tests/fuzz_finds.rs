@@ -48,7 +48,9 @@ fn with(changes: &[(&str, Value)]) -> Value {
 }
 
 fn load(json: &Value) -> Model {
-    model::load(json.to_string().as_bytes(), &[]).unwrap_or_else(|said| panic!("{said:?}")).model
+    model::load(json.to_string().as_bytes(), &[])
+        .unwrap_or_else(|said| panic!("{said:?}"))
+        .model
 }
 
 /// What `check` and `run` complain of, which must be the same.
@@ -62,10 +64,14 @@ fn refused(json: &Value) -> Complaint {
 
 /// Runs a command on a model in a file.
 fn command(name: &str, words: &[&str], json: &Value) -> Said {
-    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("finds-{}-{name}.json", std::process::id()));
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join(format!("finds-{}-{name}.json", std::process::id()));
     std::fs::write(&file, json.to_string()).expect("written");
     let (command, options) = words.split_first().expect("a command");
-    let words = ["linkdyn", command].into_iter().chain(file.to_str()).chain(options.iter().copied());
+    let words = ["linkdyn", command]
+        .into_iter()
+        .chain(file.to_str())
+        .chain(options.iter().copied());
     let said = captured(words.map(OsString::from));
     std::fs::remove_file(file).expect("removed");
     said
@@ -74,20 +80,29 @@ fn command(name: &str, words: &[&str], json: &Value) -> Said {
 /// The square of such an axis vanishes or overflows, its direction does not: panicked.
 #[test]
 fn an_axis_of_any_length_is_a_direction() {
-    let reference = run(&load(&slider_crank()), &Control::default()).expect("runs").trajectory;
+    let reference = run(&load(&slider_crank()), &Control::default())
+        .expect("runs")
+        .trajectory;
     for length in [5e-324, 1e-200, 1e-160, 1e160, 1e200, 1e308] {
         let other = with(&[("/joints/guide/axis", json!([length, 0]))]);
-        let found = run(&load(&other), &Control::default()).expect("runs").trajectory;
-        assert!(found.rows().eq(reference.rows()), "axis of length {length:e}");
+        let found = run(&load(&other), &Control::default())
+            .expect("runs")
+            .trajectory;
+        assert!(
+            found.rows().eq(reference.rows()),
+            "axis of length {length:e}"
+        );
     }
 }
 
 /// "The loop does not close; it lacks inf m" of a ground that is 1e155 m away: it is a slip, and has a place.
 #[test]
 fn points_further_than_numbers_reach_are_refused() {
-    for (place, x) in
-        [("/bodies/ground/points/O/1", 1e155), ("/bodies/slider/points/B/0", -1e200), ("/bodies/rod/com/0", 1e61)]
-    {
+    for (place, x) in [
+        ("/bodies/ground/points/O/1", 1e155),
+        ("/bodies/slider/points/B/0", -1e200),
+        ("/bodies/rod/com/0", 1e61),
+    ] {
         let said = refused(&with(&[(place, json!(x))]));
         assert_eq!(said.path, "bodies", "{said}");
         assert!(said.message.contains("larger than 1e60 m"), "{said}");
@@ -102,10 +117,19 @@ fn joints_and_drivers_further_than_numbers_reach_are_named() {
         ("/drivers/motor/motion/start", "drivers.motor"),
         ("/initial", "initial.crank.angle"),
     ] {
-        let value = if place == "/initial" { json!({ "crank": { "angle": 1e200 } }) } else { json!(1e200) };
+        let value = if place == "/initial" {
+            json!({ "crank": { "angle": 1e200 } })
+        } else {
+            json!(1e200)
+        };
         let said = refused(&with(&[(place, value)]));
         assert_eq!(said.path, path, "{said}");
-        assert!(said.hint.as_ref().is_some_and(|hint| hint.contains("wrong exponent")), "{said}");
+        assert!(
+            said.hint
+                .as_ref()
+                .is_some_and(|hint| hint.contains("wrong exponent")),
+            "{said}"
+        );
     }
 }
 
@@ -114,16 +138,27 @@ fn joints_and_drivers_further_than_numbers_reach_are_named() {
 #[test]
 fn an_end_of_the_motion_has_a_reason_in_words() {
     let mut chebyshev: Value =
-        serde_json::from_str(linkdyn::bundled::find("chebyshev").expect("bundled").text).expect("JSON");
+        serde_json::from_str(linkdyn::bundled::find("chebyshev").expect("bundled").text)
+            .expect("JSON");
     chebyshev["bodies"]["coupler"]["points"]["B"] = json!([125, 0]);
     chebyshev["bodies"]["left"]["points"]["A"] = json!([-25, 0]);
     let polynomial = json!({ "type": "polynomial", "coefficients": [0.5, 3, 1.5, -0.25] });
-    let far = with(&[("/drivers/motor/motion", polynomial), ("/analysis/end", json!(1e155))]);
+    let far = with(&[
+        ("/drivers/motor/motion", polynomial),
+        ("/analysis/end", json!(1e155)),
+    ]);
     for (json, rows) in [(chebyshev, 30), (far, 1)] {
         let outcome = run(&load(&json), &Control::default()).expect("runs");
         let message = outcome.report.message.expect("it ends early");
-        assert!(!message.contains("NaN") && !message.contains("inf"), "{message}");
-        assert!(outcome.trajectory.len() >= rows, "{} rows: {message}", outcome.trajectory.len());
+        assert!(
+            !message.contains("NaN") && !message.contains("inf"),
+            "{message}"
+        );
+        assert!(
+            outcome.trajectory.len() >= rows,
+            "{} rows: {message}",
+            outcome.trajectory.len()
+        );
     }
 }
 
@@ -133,12 +168,21 @@ fn warnings_of_very_large_numbers_name_numbers() {
     let largest = f64::MAX;
     for (name, changes) in [
         ("mass", vec![("/bodies/rod/mass", json!(largest))]),
-        ("inertia", vec![("/bodies/rod/mass", json!(1e-320)), ("/bodies/rod/inertia", json!(1.0))]),
+        (
+            "inertia",
+            vec![
+                ("/bodies/rod/mass", json!(1e-320)),
+                ("/bodies/rod/inertia", json!(1.0)),
+            ],
+        ),
         ("gravity", vec![("/gravity", json!([largest, largest]))]),
     ] {
         let said = command(name, &["check"], &with(&changes));
         assert!(said.stdout.contains("e308"), "{name}: {}", said.stdout);
-        let odd = said.stdout.split(|c: char| !c.is_alphanumeric()).find(|word| ["inf", "NaN"].contains(word));
+        let odd = said
+            .stdout
+            .split(|c: char| !c.is_alphanumeric())
+            .find(|word| ["inf", "NaN"].contains(word));
         assert_eq!(odd, None, "{name}: {}", said.stdout);
     }
 }
@@ -148,27 +192,48 @@ fn warnings_of_very_large_numbers_name_numbers() {
 fn a_captured_command_keeps_its_streams() {
     let said = command("sound", &["check", "--json"], &slider_crank());
     assert_eq!((said.status, said.stderr.as_str()), (0, ""));
-    assert_eq!(serde_json::from_str::<Value>(&said.stdout).expect("valid JSON")["status"], "completed");
-    let said = command("unsound", &["run", "--set", "joints.a.type=hinge"], &slider_crank());
+    assert_eq!(
+        serde_json::from_str::<Value>(&said.stdout).expect("valid JSON")["status"],
+        "completed"
+    );
+    let said = command(
+        "unsound",
+        &["run", "--set", "joints.a.type=hinge"],
+        &slider_crank(),
+    );
     assert_eq!((said.status, said.stdout.as_str()), (2, ""));
-    assert!(said.stderr.starts_with("error: ") && said.stderr.contains("joints.a.type"), "{}", said.stderr);
+    assert!(
+        said.stderr.starts_with("error: ") && said.stderr.contains("joints.a.type"),
+        "{}",
+        said.stderr
+    );
     let said = captured(["linkdyn", "rnu"].map(OsString::from));
-    assert!(said.status == 2 && said.stderr.contains("did you mean \"run\"?"), "{said:?}");
+    assert!(
+        said.status == 2 && said.stderr.contains("did you mean \"run\"?"),
+        "{said:?}"
+    );
     let said = captured(["linkdyn", "--version"].map(OsString::from));
-    assert!(said.status == 0 && said.stdout.starts_with("linkdyn "), "{said:?}");
+    assert!(
+        said.status == 0 && said.stdout.starts_with("linkdyn "),
+        "{said:?}"
+    );
 }
 
 /// A place, or a rate, of 1e308 in a table of results is none that a picture has: `r="inf"`, `points="NaN,NaN"`.
 #[test]
 fn pictures_of_places_further_than_they_reach_have_gaps() {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("finds-{}-far", std::process::id()));
+    let folder =
+        Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("finds-{}-far", std::process::id()));
     let out = folder.to_str().expect("UTF-8");
     let said = command("far", &["run", "-o", out], &slider_crank());
     assert_eq!(said.status, 0, "{}", said.stderr);
     let table = std::fs::read_to_string(folder.join("results.csv")).expect("readable");
     let header: Vec<&str> = table.lines().next().expect("a header").split(',').collect();
     for column in ["rod.x[m]", "rod.vx[m/s]", "slider.angle[rad]"] {
-        let at = header.iter().position(|name| *name == column).expect("a column");
+        let at = header
+            .iter()
+            .position(|name| *name == column)
+            .expect("a column");
         let spoilt: Vec<String> = table
             .lines()
             .enumerate()
@@ -182,7 +247,15 @@ fn pictures_of_places_further_than_they_reach_have_gaps() {
             .collect();
         std::fs::write(folder.join("results.csv"), spoilt.join("\n")).expect("written");
         let picture = folder.join("motion.svg");
-        let words = ["linkdyn", "animate", out, "-o", picture.to_str().expect("UTF-8"), "--poses", "9"];
+        let words = [
+            "linkdyn",
+            "animate",
+            out,
+            "-o",
+            picture.to_str().expect("UTF-8"),
+            "--poses",
+            "9",
+        ];
         let said = captured(words.map(OsString::from));
         assert_eq!(said.status, 0, "{column}: {}", said.stderr);
         let text = std::fs::read_to_string(&picture).expect("readable");

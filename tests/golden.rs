@@ -28,7 +28,9 @@ const WORK_PARTS_OF_IMPACTS: u64 = 10;
 const SMALLEST: f64 = 1e-4;
 
 fn file(name: &str) -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/golden").join(format!("{name}.json"))
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/golden")
+        .join(format!("{name}.json"))
 }
 
 /// A dozen columns, spread evenly, each at another row.
@@ -38,7 +40,10 @@ fn numbers(outcome: &Outcome) -> Map<String, Value> {
     for k in 0..NUMBERS {
         let column = (k * (table.width() - 1)) / (NUMBERS - 1);
         let row = (k + 1) * (table.len() - 1) / (NUMBERS + 1);
-        numbers.insert(format!("{} row {row}", table.columns[column].label()), json!(table.row(row)[column]));
+        numbers.insert(
+            format!("{} row {row}", table.columns[column].label()),
+            json!(table.row(row)[column]),
+        );
     }
     numbers
 }
@@ -62,7 +67,9 @@ fn remembered(outcome: &Outcome) -> Value {
 /// Largest magnitude in the column of a label `name[unit] row k`.
 fn scale(outcome: &Outcome, label: &str) -> f64 {
     let column = label.split(" row ").next().expect("a column");
-    models::values(outcome, column).iter().fold(0.0, |m: f64, value| m.max(value.abs()))
+    models::values(outcome, column)
+        .iter()
+        .fold(0.0, |m: f64, value| m.max(value.abs()))
 }
 
 #[test]
@@ -71,30 +78,47 @@ fn bundled_models_give_what_they_gave() {
     let mut changes = Vec::new();
     for bundled in bundled::MODELS {
         let outcome = solve(&load_bundled(bundled.name, &[]));
-        let impacts = outcome.report.events.iter().any(|event| event.episode.is_some());
-        let (tolerance, parts) =
-            if impacts { (TOLERANCE_OF_IMPACTS, WORK_PARTS_OF_IMPACTS) } else { (TOLERANCE, WORK_PARTS) };
+        let impacts = outcome
+            .report
+            .events
+            .iter()
+            .any(|event| event.episode.is_some());
+        let (tolerance, parts) = if impacts {
+            (TOLERANCE_OF_IMPACTS, WORK_PARTS_OF_IMPACTS)
+        } else {
+            (TOLERANCE, WORK_PARTS)
+        };
         let now = remembered(&outcome);
         if write {
             fs::write(file(bundled.name), format!("{now:#}\n")).expect("written");
             continue;
         }
-        let text = fs::read_to_string(file(bundled.name))
-            .unwrap_or_else(|error| panic!("{}: {error}; LINKDYN_GOLDEN=write makes it", bundled.name));
+        let text = fs::read_to_string(file(bundled.name)).unwrap_or_else(|error| {
+            panic!("{}: {error}; LINKDYN_GOLDEN=write makes it", bundled.name)
+        });
         let then: Value = serde_json::from_str(&text).expect("valid JSON");
         for key in ["status", "events"] {
             if now[key] != then[key] {
-                changes.push(format!("{}: {key}: {} was {}", bundled.name, now[key], then[key]));
+                changes.push(format!(
+                    "{}: {key}: {} was {}",
+                    bundled.name, now[key], then[key]
+                ));
             }
         }
         for (key, was) in then["work"].as_object().expect("work") {
-            let (was, is) = (was.as_u64().expect("a count"), now["work"][key].as_u64().expect("a count"));
+            let (was, is) = (
+                was.as_u64().expect("a count"),
+                now["work"][key].as_u64().expect("a count"),
+            );
             if is.abs_diff(was) > (was / parts).max(1) {
                 changes.push(format!("{}: {key}: {is} was {was}", bundled.name));
             }
         }
         for (label, was) in then["numbers"].as_object().expect("numbers") {
-            let (was, is) = (was.as_f64().unwrap_or(f64::NAN), now["numbers"][label].as_f64().unwrap_or(f64::NAN));
+            let (was, is) = (
+                was.as_f64().unwrap_or(f64::NAN),
+                now["numbers"][label].as_f64().unwrap_or(f64::NAN),
+            );
             let near = (is - was).abs() <= tolerance * scale(&outcome, label).max(SMALLEST);
             if !near {
                 changes.push(format!("{}: {label}: {is} was {was}", bundled.name));

@@ -23,7 +23,9 @@ struct Block {
 impl Block {
     /// The value of `key:…` behind the fence.
     fn word(&self, key: &str) -> Option<&str> {
-        self.words.iter().find_map(|word| word.strip_prefix(key)?.strip_prefix(':'))
+        self.words
+            .iter()
+            .find_map(|word| word.strip_prefix(key)?.strip_prefix(':'))
     }
 }
 
@@ -36,7 +38,11 @@ fn blocks(text: &str) -> Vec<Block> {
             Some(words) => {
                 open = true;
                 let words = words.split([' ', ',']).map(String::from).collect();
-                blocks.push(Block { line: index + 1, words, body: String::new() });
+                blocks.push(Block {
+                    line: index + 1,
+                    words,
+                    body: String::new(),
+                });
             }
             None if open => {
                 let body = &mut blocks.last_mut().expect("open").body;
@@ -68,10 +74,16 @@ fn put(into: &mut Value, piece: Value) {
 
 /// Loads a model without any warning and runs its analysis to the end.
 fn sound(text: &str, place: &str) {
-    let loaded = model::load(text.as_bytes(), &[]).unwrap_or_else(|said| panic!("{place}: {}", said[0]));
+    let loaded =
+        model::load(text.as_bytes(), &[]).unwrap_or_else(|said| panic!("{place}: {}", said[0]));
     assert!(loaded.warnings.is_empty(), "{place}: {:?}", loaded.warnings);
-    let outcome = run(&loaded.model, &Control::default()).unwrap_or_else(|said| panic!("{place}: {}", said[0]));
-    assert_eq!((outcome.report.status, outcome.report.warnings), (Status::Completed, Vec::new()), "{place}");
+    let outcome = run(&loaded.model, &Control::default())
+        .unwrap_or_else(|said| panic!("{place}: {}", said[0]));
+    assert_eq!(
+        (outcome.report.status, outcome.report.warnings),
+        (Status::Completed, Vec::new()),
+        "{place}"
+    );
 }
 
 /// The words of a command line, as a shell splits it.
@@ -93,12 +105,23 @@ fn words(line: &str) -> Vec<String> {
 fn execute(command: &str, folder: &Path) -> (String, Option<i32>) {
     let words = words(command);
     match words[0].as_str() {
-        "cat" => (fs::read_to_string(folder.join(&words[1])).expect("readable"), Some(0)),
+        "cat" => (
+            fs::read_to_string(folder.join(&words[1])).expect("readable"),
+            Some(0),
+        ),
         "linkdyn" => {
             let mut process = Command::new(env!("CARGO_BIN_EXE_linkdyn"));
-            let output = process.args(&words[1..]).current_dir(folder).stdin(Stdio::null()).output().expect("runs");
+            let output = process
+                .args(&words[1..])
+                .current_dir(folder)
+                .stdin(Stdio::null())
+                .output()
+                .expect("runs");
             let told = [output.stdout, output.stderr].concat();
-            (String::from_utf8(told).expect("UTF-8"), output.status.code())
+            (
+                String::from_utf8(told).expect("UTF-8"),
+                output.status.code(),
+            )
         }
         other => panic!("{other}: no command of the guide"),
     }
@@ -119,15 +142,24 @@ fn is_as_shown(line: &str, shown: &str) -> bool {
 
 /// Runs the commands of a block; how many.
 fn console(block: &Block, folder: &Path, place: &str) -> usize {
-    let wanted: i32 = block.word("exit").map_or(0, |exit| exit.parse().expect("a number"));
-    let commands: Vec<&str> = block.body.split("$ ").filter(|part| !part.trim().is_empty()).collect();
+    let wanted: i32 = block
+        .word("exit")
+        .map_or(0, |exit| exit.parse().expect("a number"));
+    let commands: Vec<&str> = block
+        .body
+        .split("$ ")
+        .filter(|part| !part.trim().is_empty())
+        .collect();
     for command in &commands {
         let (line, shown) = command.split_once('\n').expect("a line");
         let (told, exit) = execute(line, folder);
         assert_eq!(exit, Some(wanted), "{place}: {line}\n{told}");
         let mut lines = told.lines();
         for shown in shown.lines().filter(|shown| !shown.trim().is_empty()) {
-            assert!(lines.any(|line| is_as_shown(line, shown)), "{place}: {line}\n  lacks {shown}\n{told}");
+            assert!(
+                lines.any(|line| is_as_shown(line, shown)),
+                "{place}: {line}\n  lacks {shown}\n{told}"
+            );
         }
     }
     commands.len()
@@ -135,9 +167,12 @@ fn console(block: &Block, folder: &Path, place: &str) -> usize {
 
 fn pages() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/guide");
-    let entries = fs::read_dir(folder).expect("src/guide").map(|entry| entry.expect("readable").path());
-    let mut pages: Vec<_> =
-        entries.filter(|path| path.extension().is_some_and(|extension| extension == "md")).collect();
+    let entries = fs::read_dir(folder)
+        .expect("src/guide")
+        .map(|entry| entry.expect("readable").path());
+    let mut pages: Vec<_> = entries
+        .filter(|path| path.extension().is_some_and(|extension| extension == "md"))
+        .collect();
     pages.sort();
     pages
 }
@@ -146,15 +181,21 @@ fn pages() -> Vec<PathBuf> {
 fn what_the_guide_shows_is_so() {
     let (mut models, mut pieces, mut commands) = (0, 0, 0);
     for page in pages() {
-        let name = page.file_stem().expect("a name").to_string_lossy().into_owned();
-        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("guide-{}-{name}", std::process::id()));
+        let name = page
+            .file_stem()
+            .expect("a name")
+            .to_string_lossy()
+            .into_owned();
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
+            .join(format!("guide-{}-{name}", std::process::id()));
         fs::create_dir_all(&folder).expect("a scratch directory");
         let mut last = Value::Null;
         for block in blocks(&fs::read_to_string(&page).expect("readable")) {
             let place = format!("{name}.md, line {}", block.line);
             match block.words[0].as_str() {
                 "json" => {
-                    let mut value: Value = serde_json::from_str(&block.body).unwrap_or_else(|e| panic!("{place}: {e}"));
+                    let mut value: Value = serde_json::from_str(&block.body)
+                        .unwrap_or_else(|e| panic!("{place}: {e}"));
                     let is_model = value.get("format").is_some();
                     if is_model {
                         last = value.clone();
@@ -166,10 +207,21 @@ fn what_the_guide_shows_is_so() {
                         pieces += 1;
                     }
                     if let Some(file) = block.word("file") {
-                        let text = if is_model { block.body.clone() } else { value.to_string() };
+                        let text = if is_model {
+                            block.body.clone()
+                        } else {
+                            value.to_string()
+                        };
                         fs::write(folder.join(file), text).expect("written");
                     }
-                    sound(&if is_model { block.body } else { value.to_string() }, &place);
+                    sound(
+                        &if is_model {
+                            block.body
+                        } else {
+                            value.to_string()
+                        },
+                        &place,
+                    );
                 }
                 "console" => commands += console(&block, &folder, &place),
                 // doctests are run by rustdoc; texts are formulas, or files
@@ -184,7 +236,10 @@ fn what_the_guide_shows_is_so() {
         }
         fs::remove_dir_all(&folder).expect("removed");
     }
-    assert!(models >= 2 && pieces >= 10 && commands >= 20, "{models} models, {pieces} pieces, {commands} commands");
+    assert!(
+        models >= 2 && pieces >= 10 && commands >= 20,
+        "{models} models, {pieces} pieces, {commands} commands"
+    );
 }
 
 #[test]

@@ -28,15 +28,30 @@ fn disc(impact: &Value, gravity: [f64; 2], initial: &Value, end: f64, outputs: u
 
 #[track_caller]
 fn completed(model: &Value) -> Outcome {
-    let outcome = run(&loaded(model).model, &Control::default()).unwrap_or_else(|said| panic!("{said:?}"));
-    assert_eq!(outcome.report.status, Status::Completed, "{:?}", outcome.report.message);
-    let imbalance = outcome.report.quality.energy_imbalance.expect("of contacts");
+    let outcome =
+        run(&loaded(model).model, &Control::default()).unwrap_or_else(|said| panic!("{said:?}"));
+    assert_eq!(
+        outcome.report.status,
+        Status::Completed,
+        "{:?}",
+        outcome.report.message
+    );
+    let imbalance = outcome
+        .report
+        .quality
+        .energy_imbalance
+        .expect("of contacts");
     assert!(imbalance < 1e-8, "{imbalance:e} of the energy missing");
     outcome
 }
 
 fn episodes(outcome: &Outcome) -> Vec<Episode> {
-    outcome.report.events.iter().filter_map(|event| event.episode).collect()
+    outcome
+        .report
+        .events
+        .iter()
+        .filter_map(|event| event.episode)
+        .collect()
 }
 
 /// Without gravity the disc flies along chords: an impact keeps the speed along the wall and turns round e of that across
@@ -56,23 +71,38 @@ fn a_disc_without_gravity_is_a_billiard_ball() {
         // The first impact, from the chord through the start.
         let (x, speed) = (0.0005, [0.3, 0.4]);
         let (along, square) = (x * speed[0], 0.25);
-        let mut time = (-along + (along * along + square * (CLEARANCE * CLEARANCE - x * x)).sqrt()) / square;
+        let mut time =
+            (-along + (along * along + square * (CLEARANCE * CLEARANCE - x * x)).sqrt()) / square;
         // Angular momentum per mass stays; the rest of the speed is across the wall.
         let tangential = x * speed[1] / CLEARANCE;
         let mut across = (square - tangential * tangential).sqrt();
         let count = if restitution < 1.0 { 20 } else { 137 };
         assert!(impacts.len() >= count, "{}", impacts.len());
         for impact in &impacts[..count] {
-            assert!((impact.start / time - 1.0).abs() < 1e-10, "{} for {time}", impact.start);
-            assert!((impact.approach_speed / across - 1.0).abs() < 1e-10, "{} for {across}", impact.approach_speed);
+            assert!(
+                (impact.start / time - 1.0).abs() < 1e-10,
+                "{} for {time}",
+                impact.start
+            );
+            assert!(
+                (impact.approach_speed / across - 1.0).abs() < 1e-10,
+                "{} for {across}",
+                impact.approach_speed
+            );
             across *= restitution;
             let separation = impact.separation_speed.expect("it leaves");
-            assert!((separation / across - 1.0).abs() < 1e-10, "{separation} for {across}");
+            assert!(
+                (separation / across - 1.0).abs() < 1e-10,
+                "{separation} for {across}"
+            );
             time += 2.0 * CLEARANCE * across / (across * across + tangential * tangential);
         }
         let last = |name: &str| *column(&outcome, name).last().expect("rows");
         let momentum = last("disc.x") * last("disc.vy") - last("disc.y") * last("disc.vx");
-        assert!((momentum / (x * speed[1]) - 1.0).abs() < 1e-10, "{momentum}");
+        assert!(
+            (momentum / (x * speed[1]) - 1.0).abs() < 1e-10,
+            "{momentum}"
+        );
     }
 }
 
@@ -102,7 +132,11 @@ fn friction_in_an_impact_takes_impulse_along_the_wall() {
             ("disc.vx", -impulse / MASS),
             ("disc.omega", spin - JOURNAL * impulse / INERTIA),
         ] {
-            assert!((last(name) / wanted - 1.0).abs() < 1e-9, "{name}: {} for {wanted}", last(name));
+            assert!(
+                (last(name) / wanted - 1.0).abs() < 1e-9,
+                "{name}: {} for {wanted}",
+                last(name)
+            );
         }
         // ∫|v_t| dp_n: v_t is straight in p_n, to the end or to where it stops.
         let slides = (stops / friction).min(1.0) * (1.0 + restitution) * MASS * fall;
@@ -118,20 +152,43 @@ fn friction_in_an_impact_takes_impulse_along_the_wall() {
 fn a_following_disc_rubs() {
     let friction = 0.2;
     let start = json!({ "x": 0.0, "y": -0.0005, "vx": 0.0, "vy": 0.0, "angular_velocity": 400.0 });
-    let outcome =
-        completed(&disc(&json!({ "restitution": 0.3, "friction": friction }), [0.0, -9.81], &start, 0.2, 201));
+    let outcome = completed(&disc(
+        &json!({ "restitution": 0.3, "friction": friction }),
+        [0.0, -9.81],
+        &start,
+        0.2,
+        201,
+    ));
     let of = |name: &str| column(&outcome, name);
-    let (normal, tangential) = (of("joint.pin.normal_force"), of("joint.pin.tangential_force"));
+    let (normal, tangential) = (
+        of("joint.pin.normal_force"),
+        of("joint.pin.tangential_force"),
+    );
     let (alpha, eccentricity) = (of("disc.alpha"), of("joint.pin.eccentricity"));
     let (ex, ey) = (of("joint.pin.ex"), of("joint.pin.ey"));
     let (vx, vy) = (of("disc.vx"), of("disc.vy"));
     for k in 100..201 {
         assert!((eccentricity[k] / CLEARANCE - 1.0).abs() < 1e-12);
-        assert!((tangential[k] + friction * normal[k]).abs() < 1e-9 * normal[k], "{} {}", tangential[k], normal[k]);
-        assert!((alpha[k] + JOURNAL * friction * normal[k] / INERTIA).abs() < 1e-6, "{}", alpha[k]);
+        assert!(
+            (tangential[k] + friction * normal[k]).abs() < 1e-9 * normal[k],
+            "{} {}",
+            tangential[k],
+            normal[k]
+        );
+        assert!(
+            (alpha[k] + JOURNAL * friction * normal[k] / INERTIA).abs() < 1e-6,
+            "{}",
+            alpha[k]
+        );
         // Newton across the wall: N = m v²/c − m g·e/c.
-        let pressing = MASS * (vx[k] * vx[k] + vy[k] * vy[k]) / CLEARANCE - MASS * 9.81 * ey[k] / CLEARANCE;
-        assert!((normal[k] / pressing - 1.0).abs() < 1e-7, "{} for {pressing} at {}", normal[k], ex[k]);
+        let pressing =
+            MASS * (vx[k] * vx[k] + vy[k] * vy[k]) / CLEARANCE - MASS * 9.81 * ey[k] / CLEARANCE;
+        assert!(
+            (normal[k] / pressing - 1.0).abs() < 1e-7,
+            "{} for {pressing} at {}",
+            normal[k],
+            ex[k]
+        );
     }
 }
 
@@ -139,15 +196,40 @@ fn a_following_disc_rubs() {
 #[test]
 fn a_following_disc_sticks_at_last() {
     let start = json!({ "x": 0.0, "y": -0.0005, "vx": 0.0, "vy": 0.0, "angular_velocity": 30.0 });
-    let outcome = completed(&disc(&json!({ "restitution": 0.3, "friction": 0.2 }), [0.0, -9.81], &start, 1.0, 2001));
-    let [(state, sliding)] = [("state", "sliding_speed")]
-        .map(|(a, b)| (column(&outcome, &format!("joint.pin.{a}")), column(&outcome, &format!("joint.pin.{b}"))));
-    let events = |kind: &str| outcome.report.events.iter().filter(|event| event.kind == kind).collect::<Vec<_>>();
+    let outcome = completed(&disc(
+        &json!({ "restitution": 0.3, "friction": 0.2 }),
+        [0.0, -9.81],
+        &start,
+        1.0,
+        2001,
+    ));
+    let [(state, sliding)] = [("state", "sliding_speed")].map(|(a, b)| {
+        (
+            column(&outcome, &format!("joint.pin.{a}")),
+            column(&outcome, &format!("joint.pin.{b}")),
+        )
+    });
+    let events = |kind: &str| {
+        outcome
+            .report
+            .events
+            .iter()
+            .filter(|event| event.kind == kind)
+            .collect::<Vec<_>>()
+    };
     let (sticks, slips) = (events("stick"), events("slip"));
     assert!(sticks.len() == slips.len() + 1, "{sticks:?} {slips:?}");
     let mut stuck = 0;
-    for (state, sliding) in state.iter().zip(&sliding).filter(|(state, _)| **state > 0.0) {
-        assert_eq!(*state == 2.0, sliding.abs() <= 1e-3, "state {state} at {sliding} m/s");
+    for (state, sliding) in state
+        .iter()
+        .zip(&sliding)
+        .filter(|(state, _)| **state > 0.0)
+    {
+        assert_eq!(
+            *state == 2.0,
+            sliding.abs() <= 1e-3,
+            "state {state} at {sliding} m/s"
+        );
         stuck += usize::from(*state == 2.0);
     }
     assert!(stuck > 100, "{stuck}");
@@ -157,13 +239,22 @@ fn a_following_disc_sticks_at_last() {
 /// for ever at one instant.
 #[test]
 fn a_wedged_journal_does_not_stick_and_slip_for_ever() {
-    let text = linkdyn::bundled::find("slider-crank-clearance").expect("bundled").text;
+    let text = linkdyn::bundled::find("slider-crank-clearance")
+        .expect("bundled")
+        .text;
     let clearance = r#"joints.wristpin.clearance={ "model": "three_state", "radius": "5 um", "bearing_radius": "30 mm",
         "impact": { "restitution": 0.3, "friction": 0.5 } }"#;
     let sets = [clearance, "analysis.end=0.0003", "analysis.outputs=3"].map(String::from);
-    let model = linkdyn::model::load(text.as_bytes(), &sets).expect("a model").model;
+    let model = linkdyn::model::load(text.as_bytes(), &sets)
+        .expect("a model")
+        .model;
     let outcome = run(&model, &Control::default()).expect("good input");
-    assert_eq!(outcome.report.status, Status::Completed, "{:?}", outcome.report.message);
+    assert_eq!(
+        outcome.report.status,
+        Status::Completed,
+        "{:?}",
+        outcome.report.message
+    );
     let changes = outcome.report.clearances[0].switches;
     assert!(changes < 1000, "{changes} changes between stick and slip");
 }
@@ -176,8 +267,7 @@ fn two_journals_in_a_row_come_to_rest() {
         json!({ "model": "three_state", "radius": CLEARANCE, "bearing_radius": CLEARANCE + JOURNAL,
                 "impact": { "restitution": restitution, "friction": 0.1 } })
     };
-    let body =
-        |mass: f64| json!({ "mass": mass, "inertia": INERTIA, "com": [0.0, 0.0], "points": { "P": [0.0, 0.0] } });
+    let body = |mass: f64| json!({ "mass": mass, "inertia": INERTIA, "com": [0.0, 0.0], "points": { "P": [0.0, 0.0] } });
     for restitutions in [[0.3, 0.6], [0.6, 0.3], [0.0, 0.5], [0.5, 0.0]] {
         let model = json!({ "format": "linkdyn/1", "units": "SI", "gravity": [0.0, -9.81],
             "bodies": { "ground": { "points": { "O": [0.0, 0.0] } }, "ring": body(2.0), "disc": body(3.0) },
@@ -188,12 +278,27 @@ fn two_journals_in_a_row_come_to_rest() {
         let outcome = completed(&model);
         assert!(episodes(&outcome).len() > 10, "{restitutions:?}");
         let last = |name: &str| *column(&outcome, name).last().expect("rows");
-        assert!((last("joint.outer.normal_force") - 5.0 * 9.81).abs() < 1e-9, "{}", last("joint.outer.normal_force"));
-        assert!((last("joint.inner.normal_force") - 3.0 * 9.81).abs() < 1e-9, "{}", last("joint.inner.normal_force"));
-        assert!((last("ring.y") + CLEARANCE).abs() < 1e-12 && (last("disc.y") + 2.0 * CLEARANCE).abs() < 1e-12);
+        assert!(
+            (last("joint.outer.normal_force") - 5.0 * 9.81).abs() < 1e-9,
+            "{}",
+            last("joint.outer.normal_force")
+        );
+        assert!(
+            (last("joint.inner.normal_force") - 3.0 * 9.81).abs() < 1e-9,
+            "{}",
+            last("joint.inner.normal_force")
+        );
+        assert!(
+            (last("ring.y") + CLEARANCE).abs() < 1e-12
+                && (last("disc.y") + 2.0 * CLEARANCE).abs() < 1e-12
+        );
         // What fell is lost.
         let lost = 9.81 * (2.0 * CLEARANCE + 3.0 * 2.0 * CLEARANCE);
-        assert!((last("energy.dissipated") / lost - 1.0).abs() < 1e-7, "{}", last("energy.dissipated"));
+        assert!(
+            (last("energy.dissipated") / lost - 1.0).abs() < 1e-7,
+            "{}",
+            last("energy.dissipated")
+        );
     }
 }
 
@@ -207,20 +312,42 @@ fn many_rigid_journals_go_the_whole_way() {
                 "impact": {{ "restitution": 0.5, "friction": 0 }} }}"#
         )
     };
-    let model = linkdyn::model::load(text.as_bytes(), &["a", "b", "c", "g"].map(clearance)).expect("a model").model;
+    let model = linkdyn::model::load(text.as_bytes(), &["a", "b", "c", "g"].map(clearance))
+        .expect("a model")
+        .model;
     let outcome = run(&model, &Control::default()).expect("good input");
-    assert_eq!(outcome.report.status, Status::Completed, "{:?}", outcome.report.message);
-    let imbalance = outcome.report.quality.energy_imbalance.expect("of contacts");
+    assert_eq!(
+        outcome.report.status,
+        Status::Completed,
+        "{:?}",
+        outcome.report.message
+    );
+    let imbalance = outcome
+        .report
+        .quality
+        .energy_imbalance
+        .expect("of contacts");
     assert!(imbalance < 1e-5, "{imbalance:e} of the energy missing");
     let deepest = ["a", "b", "c", "g"]
-        .map(|joint| column(&outcome, &format!("joint.{joint}.penetration")).into_iter().fold(0.0, f64::max))
+        .map(|joint| {
+            column(&outcome, &format!("joint.{joint}.penetration"))
+                .into_iter()
+                .fold(0.0, f64::max)
+        })
         .into_iter()
         .fold(0.0, f64::max);
     assert!(deepest < 1e-12, "{deepest:e} m deep");
 }
 
 /// A bundled model with journals that are rigid.
-fn rigid(model: &str, joints: &[&str], radius: &str, restitution: f64, friction: f64, sets: &[&str]) -> Outcome {
+fn rigid(
+    model: &str,
+    joints: &[&str],
+    radius: &str,
+    restitution: f64,
+    friction: f64,
+    sets: &[&str],
+) -> Outcome {
     let text = linkdyn::bundled::find(model).expect("bundled").text;
     let clearance = |joint: &&str| {
         format!(
@@ -228,8 +355,14 @@ fn rigid(model: &str, joints: &[&str], radius: &str, restitution: f64, friction:
                 "impact": {{ "restitution": {restitution}, "friction": {friction} }} }}"#
         )
     };
-    let sets: Vec<String> = joints.iter().map(clearance).chain(sets.iter().map(|set| set.to_string())).collect();
-    let model = linkdyn::model::load(text.as_bytes(), &sets).expect("a model").model;
+    let sets: Vec<String> = joints
+        .iter()
+        .map(clearance)
+        .chain(sets.iter().map(|set| set.to_string()))
+        .collect();
+    let model = linkdyn::model::load(text.as_bytes(), &sets)
+        .expect("a model")
+        .model;
     run(&model, &Control::default()).expect("good input")
 }
 
@@ -238,18 +371,33 @@ fn rigid(model: &str, joints: &[&str], radius: &str, restitution: f64, friction:
 #[test]
 fn jams_end_by_impulses() {
     let ideal = rigid("watt-i-lock", &[], "", 0.0, 0.0, &[]);
-    for (joints, restitution, friction) in
-        [(&["d", "e", "f"][..], 0.5, 0.05), (&["a", "b"], 0.0, 0.1), (&["a", "b", "c"], 0.0, 0.2)]
-    {
+    for (joints, restitution, friction) in [
+        (&["d", "e", "f"][..], 0.5, 0.05),
+        (&["a", "b"], 0.0, 0.1),
+        (&["a", "b", "c"], 0.0, 0.2),
+    ] {
         let outcome = rigid("watt-i-lock", joints, "100 um", restitution, friction, &[]);
-        assert_eq!(outcome.report.status, Status::Completed, "{joints:?}: {:?}", outcome.report.message);
-        let imbalance = outcome.report.quality.energy_imbalance.expect("of contacts");
+        assert_eq!(
+            outcome.report.status,
+            Status::Completed,
+            "{joints:?}: {:?}",
+            outcome.report.message
+        );
+        let imbalance = outcome
+            .report
+            .quality
+            .energy_imbalance
+            .expect("of contacts");
         assert!(imbalance < 1e-6, "{joints:?}: {imbalance:e}");
         for sums in &outcome.report.clearances {
             assert!(sums.energy_lost > 0.0, "{joints:?}: {sums:?}");
         }
-        let angles = column(&outcome, "link2.angle").into_iter().zip(column(&ideal, "link2.angle"));
-        let apart = angles.map(|(real, ideal)| (real - ideal).abs()).fold(0.0, f64::max);
+        let angles = column(&outcome, "link2.angle")
+            .into_iter()
+            .zip(column(&ideal, "link2.angle"));
+        let apart = angles
+            .map(|(real, ideal)| (real - ideal).abs())
+            .fold(0.0, f64::max);
         assert!(apart < 0.1, "{joints:?}: {apart} rad");
     }
 }
@@ -257,9 +405,25 @@ fn jams_end_by_impulses() {
 /// Forces that grow beyond all bounds are such a jam too.
 #[test]
 fn a_motion_that_comes_to_a_jam_goes_on() {
-    let outcome = rigid("nfourbar", &["right0"], "200 um", 0.3, 0.5, &["analysis.end=0.745", "analysis.outputs=20"]);
-    assert_eq!(outcome.report.status, Status::Completed, "{:?}", outcome.report.message);
-    let imbalance = outcome.report.quality.energy_imbalance.expect("of contacts");
+    let outcome = rigid(
+        "nfourbar",
+        &["right0"],
+        "200 um",
+        0.3,
+        0.5,
+        &["analysis.end=0.745", "analysis.outputs=20"],
+    );
+    assert_eq!(
+        outcome.report.status,
+        Status::Completed,
+        "{:?}",
+        outcome.report.message
+    );
+    let imbalance = outcome
+        .report
+        .quality
+        .energy_imbalance
+        .expect("of contacts");
     assert!(imbalance < 1e-8, "{imbalance:e}");
 }
 
@@ -269,7 +433,10 @@ fn jammed_journals_are_named() {
     let outcome = rigid("watt-i-lock", &["a", "b", "c"], "100 um", 0.0, 0.5, &[]);
     assert_eq!(outcome.report.status, Status::Singular);
     let said = outcome.report.message.expect("why");
-    assert!(said.contains("jam in joints \"a\", \"b\", \"c\"") && !outcome.trajectory.is_empty(), "{said}");
+    assert!(
+        said.contains("jam in joints \"a\", \"b\", \"c\"") && !outcome.trajectory.is_empty(),
+        "{said}"
+    );
 }
 
 /// A disc that its last impact stops goes on along the wall, whichever way round-off leaves it: no further impact.
@@ -295,12 +462,34 @@ fn the_last_impact_is_one() {
 /// A journal that lies quietly lets steps grow until parts of them go beyond it: the step is taken again, not the run given up.
 #[test]
 fn long_steps_of_a_quiet_journal_are_no_failure() {
-    for (joint, restitution, rtol) in [("q", 0.0, "1e-5"), ("q", 0.9, "1e-5"), ("b", 0.3, "1e-5"), ("b", 0.6, "1e-4")] {
+    for (joint, restitution, rtol) in [
+        ("q", 0.0, "1e-5"),
+        ("q", 0.9, "1e-5"),
+        ("b", 0.3, "1e-5"),
+        ("b", 0.6, "1e-4"),
+    ] {
         let rtol = format!("analysis.solver.rtol={rtol}");
-        let outcome = rigid("parallel-crank", &[joint], "50 um", restitution, 0.02, &[&rtol]);
-        assert_eq!(outcome.report.status, Status::Completed, "{joint} {restitution}: {:?}", outcome.report.message);
+        let outcome = rigid(
+            "parallel-crank",
+            &[joint],
+            "50 um",
+            restitution,
+            0.02,
+            &[&rtol],
+        );
+        assert_eq!(
+            outcome.report.status,
+            Status::Completed,
+            "{joint} {restitution}: {:?}",
+            outcome.report.message
+        );
         // The plate moves as on ideal cranks, but for the clearance.
-        let angle = column(&outcome, "plate.angle").into_iter().fold(0.0, |most: f64, angle| most.max(angle.abs()));
-        assert!(angle < 1e-9, "{joint} {restitution}: the plate turns by {angle:e}");
+        let angle = column(&outcome, "plate.angle")
+            .into_iter()
+            .fold(0.0, |most: f64, angle| most.max(angle.abs()));
+        assert!(
+            angle < 1e-9,
+            "{joint} {restitution}: the plate turns by {angle:e}"
+        );
     }
 }

@@ -1,6 +1,8 @@
 //! Integrators: order, accuracy beside SciPy's, stiff problems, dense output, refusals and the end of steps.
 
-use linkdyn::integrate::{Dop853, Limits, Method, Ode, Radau5, Refused, StepFailure, Stepper, Tolerance};
+use linkdyn::integrate::{
+    Dop853, Limits, Method, Ode, Radau5, Refused, StepFailure, Stepper, Tolerance,
+};
 use ode::{Problem, SOLVED, distance, fixed, run, sample, tolerance};
 
 #[path = "common/ode.rs"]
@@ -15,7 +17,10 @@ fn order(coarse: f64, fine: f64) -> f64 {
 fn slope(points: &[(f64, f64)]) -> f64 {
     let n = points.len() as f64;
     let logs: Vec<(f64, f64)> = points.iter().map(|(x, y)| (x.ln(), y.ln())).collect();
-    let (mx, my) = (logs.iter().map(|p| p.0).sum::<f64>() / n, logs.iter().map(|p| p.1).sum::<f64>() / n);
+    let (mx, my) = (
+        logs.iter().map(|p| p.0).sum::<f64>() / n,
+        logs.iter().map(|p| p.1).sum::<f64>() / n,
+    );
     let covariance: f64 = logs.iter().map(|(x, y)| (x - mx) * (y - my)).sum();
     covariance / logs.iter().map(|(x, _)| (x - mx) * (x - mx)).sum::<f64>()
 }
@@ -27,7 +32,9 @@ fn dop853_is_of_order_8_and_its_dense_output_of_7() {
             let (tolerance, limits) = fixed(solved.start().len(), h);
             let mut stepper = Dop853::new(tolerance, limits);
             let mut problem = solved.problem();
-            stepper.start(&mut problem, 0.0, &solved.start(), 8.0).unwrap();
+            stepper
+                .start(&mut problem, 0.0, &solved.start(), 8.0)
+                .unwrap();
             let (mut dense, mut y) = (0.0_f64, solved.start());
             while stepper.t() != 8.0 {
                 let (from, at) = (stepper.t(), stepper.y().to_vec());
@@ -39,13 +46,21 @@ fn dop853_is_of_order_8_and_its_dense_output_of_7() {
                 }
                 stepper.interpolate(&mut problem, from, &mut y).unwrap();
                 assert!(distance(&y, &at) < 1e-14, "the start of the step");
-                stepper.interpolate(&mut problem, stepper.t(), &mut y).unwrap();
+                stepper
+                    .interpolate(&mut problem, stepper.t(), &mut y)
+                    .unwrap();
                 assert_eq!(y, stepper.y());
             }
             (distance(stepper.y(), &(solved.at)(8.0)), dense)
         });
-        let (end, dense) = (order(errors[0].0, errors[1].0), order(errors[0].1, errors[1].1));
-        println!("dop853, {}: {errors:?} order {end:.2}, dense {dense:.2}", solved.name);
+        let (end, dense) = (
+            order(errors[0].0, errors[1].0),
+            order(errors[0].1, errors[1].1),
+        );
+        println!(
+            "dop853, {}: {errors:?} order {end:.2}, dense {dense:.2}",
+            solved.name
+        );
         assert!(end > 7.5 && dense > 7.0, "{}: {end}, {dense}", solved.name);
     }
 }
@@ -56,10 +71,16 @@ fn radau5_is_of_order_5_and_its_dense_output_of_3() {
         let errors = [h, 0.5 * h].map(|h| {
             // a tolerance that the steps meet, and that Newton's iteration goes by
             let n = solved.start().len();
-            let limits = Limits { initial_step: Some(h), max_step: Some(h), min_step: Some(h) };
+            let limits = Limits {
+                initial_step: Some(h),
+                max_step: Some(h),
+                min_step: Some(h),
+            };
             let mut stepper = Radau5::new(tolerance(n, 1e-3), limits);
             let mut problem = solved.problem();
-            stepper.start(&mut problem, 0.0, &solved.start(), 8.0).unwrap();
+            stepper
+                .start(&mut problem, 0.0, &solved.start(), 8.0)
+                .unwrap();
             let (mut dense, mut y) = (0.0_f64, solved.start());
             while stepper.t() != 8.0 {
                 let from = stepper.t();
@@ -73,8 +94,14 @@ fn radau5_is_of_order_5_and_its_dense_output_of_3() {
             assert_eq!(stepper.counters().steps, (8.0 / h) as u64);
             (distance(stepper.y(), &(solved.at)(8.0)), dense)
         });
-        let (end, dense) = (order(errors[0].0, errors[1].0), order(errors[0].1, errors[1].1));
-        println!("radau5, {}: {errors:?} order {end:.2}, dense {dense:.2}", solved.name);
+        let (end, dense) = (
+            order(errors[0].0, errors[1].0),
+            order(errors[0].1, errors[1].1),
+        );
+        println!(
+            "radau5, {}: {errors:?} order {end:.2}, dense {dense:.2}",
+            solved.name
+        );
         assert!(dense > 3.0, "{}: {dense}", solved.name);
     }
     // the order by a ladder of tolerances, as error over steps
@@ -83,8 +110,17 @@ fn radau5_is_of_order_5_and_its_dense_output_of_3() {
             .map(|power| {
                 let n = solved.start().len();
                 let mut stepper = Radau5::new(tolerance(n, 10_f64.powi(-power)), Limits::default());
-                let end = run(&mut stepper, &mut solved.problem(), 0.0, &solved.start(), 20.0);
-                (stepper.counters().steps as f64, distance(&end, &(solved.at)(20.0)))
+                let end = run(
+                    &mut stepper,
+                    &mut solved.problem(),
+                    0.0,
+                    &solved.start(),
+                    20.0,
+                );
+                (
+                    stepper.counters().steps as f64,
+                    distance(&end, &(solved.at)(20.0)),
+                )
             })
             .collect();
         let order = -slope(&points);
@@ -96,9 +132,15 @@ fn radau5_is_of_order_5_and_its_dense_output_of_3() {
 /// Largest error at t = 1, 2, … 20 of SciPy 1.17.1, `solve_ivp(method="DOP853", rtol=r, atol=r, t_eval=…)`, for
 /// r = 1e-5, 1e-6, … 1e-11.
 const SCIPY: [[f64; 7]; 3] = [
-    [3.08e-5, 3.09e-6, 3.32e-7, 4.16e-8, 3.84e-9, 3.35e-10, 3.51e-11],
-    [5.41e-5, 1.07e-5, 7.10e-7, 3.35e-8, 3.80e-9, 2.38e-10, 3.26e-11],
-    [6.01e-3, 1.99e-4, 6.67e-5, 6.33e-6, 3.07e-7, 4.15e-8, 2.26e-9],
+    [
+        3.08e-5, 3.09e-6, 3.32e-7, 4.16e-8, 3.84e-9, 3.35e-10, 3.51e-11,
+    ],
+    [
+        5.41e-5, 1.07e-5, 7.10e-7, 3.35e-8, 3.80e-9, 2.38e-10, 3.26e-11,
+    ],
+    [
+        6.01e-3, 1.99e-4, 6.67e-5, 6.33e-6, 3.07e-7, 4.15e-8, 2.26e-9,
+    ],
 ];
 
 #[test]
@@ -110,16 +152,27 @@ fn dop853_is_as_accurate_as_scipy_and_follows_the_tolerance() {
             let mut stepper = Dop853::new(tolerance(solved.start().len(), r), Limits::default());
             let samples = sample(&mut stepper, &mut solved.problem(), &solved.start(), 20.0);
             let error = solved.error(&samples);
-            println!("{} {r:e}: {error:.3e}, {:.2} of SciPy's", solved.name, error / scipy);
+            println!(
+                "{} {r:e}: {error:.3e}, {:.2} of SciPy's",
+                solved.name,
+                error / scipy
+            );
             // single runs of few steps scatter, in SciPy too: 26 steps for the pendulum at 1e-6
             let scatter = if solved.name == "pendulum" { 3.0 } else { 1.5 };
-            assert!(error <= scatter * scipy, "{} at {r:e}: {error:e} beside {scipy:e}", solved.name);
+            assert!(
+                error <= scatter * scipy,
+                "{} at {r:e}: {error:e} beside {scipy:e}",
+                solved.name
+            );
             ratios *= error / scipy;
             assert!(!stepper.stiff());
             points.push((r, error));
         }
         let (slope, mean) = (slope(&points), f64::powf(ratios, 1.0 / 7.0));
-        println!("{}: slope {slope:.3}, {mean:.2} of SciPy's errors in the mean", solved.name);
+        println!(
+            "{}: slope {slope:.3}, {mean:.2} of SciPy's errors in the mean",
+            solved.name
+        );
         assert!(mean <= 1.2, "{}: {mean}", solved.name);
         assert!((0.8..1.2).contains(&slope), "{}: {slope}", solved.name);
     }
@@ -135,17 +188,40 @@ fn radau5_and_auto_solve_stiff_problems() {
             let mut problem = Problem::new(2, ode::van_der_pol);
             let end = run(&mut *stepper, &mut problem, 0.0, &[2.0, 0.0], 2000.0);
             let error = (end[0] / 1.706167732170483 - 1.0).abs();
-            println!("{method:?}, van der Pol {r:e}: {error:.1e} {:?}", stepper.counters());
-            assert!(error < 5.0 * r && problem.evaluations < most, "{method:?} at {r:e}: {error:e}");
+            println!(
+                "{method:?}, van der Pol {r:e}: {error:.1e} {:?}",
+                stepper.counters()
+            );
+            assert!(
+                error < 5.0 * r && problem.evaluations < most,
+                "{method:?} at {r:e}: {error:e}"
+            );
             assert_eq!(stepper.counters().evaluations, problem.evaluations);
 
-            let tolerance = Tolerance { rtol: r, atol: vec![1e-4 * r, 1e-8 * r, 1e-4 * r], cap: Vec::new() };
+            let tolerance = Tolerance {
+                rtol: r,
+                atol: vec![1e-4 * r, 1e-8 * r, 1e-4 * r],
+                cap: Vec::new(),
+            };
             let mut stepper = method.stepper(tolerance, Limits::default());
             let mut problem = Problem::new(3, ode::robertson);
             let end = run(&mut *stepper, &mut problem, 0.0, &[1.0, 0.0, 0.0], 1e11);
-            let error = distance(&end, &[2.083340149701255e-8, 8.333360770334713e-14, 0.999999979166505]);
-            println!("{method:?}, Robertson {r:e}: {error:.1e} {:?}", stepper.counters());
-            assert!(error < 1e-6 * r.sqrt() && problem.evaluations < most, "{method:?} at {r:e}: {error:e}");
+            let error = distance(
+                &end,
+                &[
+                    2.083340149701255e-8,
+                    8.333360770334713e-14,
+                    0.999999979166505,
+                ],
+            );
+            println!(
+                "{method:?}, Robertson {r:e}: {error:.1e} {:?}",
+                stepper.counters()
+            );
+            assert!(
+                error < 1e-6 * r.sqrt() && problem.evaluations < most,
+                "{method:?} at {r:e}: {error:e}"
+            );
             assert_eq!(stepper.stiff(), method == Method::Auto);
         }
     }
@@ -160,12 +236,20 @@ fn overdamped(t: f64, y: &[f64], dy: &mut [f64]) {
 fn auto_changes_once_and_stays() {
     let mut stepper = Method::Auto.stepper(tolerance(2, 1e-6), Limits::default());
     let mut problem = Problem::new(2, overdamped);
-    stepper.start(&mut problem, 0.0, &[1.0, 0.0], 100.0).unwrap();
+    stepper
+        .start(&mut problem, 0.0, &[1.0, 0.0], 100.0)
+        .unwrap();
     let (mut before, mut y) = (0, [0.0; 2]);
     while stepper.t() != 100.0 {
         stepper.step(&mut problem, 100.0).unwrap();
         assert!(stepper.previous() < stepper.t());
-        stepper.interpolate(&mut problem, 0.5 * (stepper.previous() + stepper.t()), &mut y).unwrap();
+        stepper
+            .interpolate(
+                &mut problem,
+                0.5 * (stepper.previous() + stepper.t()),
+                &mut y,
+            )
+            .unwrap();
         assert!((y[0] - 1.0).abs() < 1e-2);
         before += u64::from(!stepper.stiff());
     }
@@ -184,16 +268,34 @@ fn auto_changes_once_and_stays() {
 #[test]
 fn ends_are_hit_exactly_both_ways() {
     for method in Method::ALL {
-        for (start, end) in [(0.0, 3.3), (1.0, -2.1), (0.1, 0.1 + 1e-12), (5.0, 5.0), (-7.7, 1e3 / 3.0)] {
+        for (start, end) in [
+            (0.0, 3.3),
+            (1.0, -2.1),
+            (0.1, 0.1 + 1e-12),
+            (5.0, 5.0),
+            (-7.7, 1e3 / 3.0),
+        ] {
             let mut stepper = method.stepper(tolerance(2, 1e-8), Limits::default());
             let y = ode::harmonic_at(start);
-            let reached = run(&mut *stepper, &mut Problem::new(2, ode::harmonic), start, &y, end);
+            let reached = run(
+                &mut *stepper,
+                &mut Problem::new(2, ode::harmonic),
+                start,
+                &y,
+                end,
+            );
             assert_eq!(stepper.t(), end);
             let error = distance(&reached, &ode::harmonic_at(end));
             assert!(error < 1e-6, "{method:?} from {start} to {end}: {error:e}");
         }
         // ends one after the other, closer than a step
-        let mut stepper = method.stepper(tolerance(2, 1e-8), Limits { max_step: Some(0.3), ..Limits::default() });
+        let mut stepper = method.stepper(
+            tolerance(2, 1e-8),
+            Limits {
+                max_step: Some(0.3),
+                ..Limits::default()
+            },
+        );
         let mut problem = Problem::new(2, ode::harmonic);
         stepper.start(&mut problem, 0.0, &[1.0, 0.0], 0.01).unwrap();
         for i in 1..=500 {
@@ -206,7 +308,10 @@ fn ends_are_hit_exactly_both_ways() {
         assert!(stepper.counters().steps < 520, "{:?}", stepper.counters());
         let before = stepper.counters().steps;
         run(&mut *stepper, &mut problem, 0.0, &[1.0, 0.0], 30.0);
-        assert!(stepper.counters().steps - before >= 100, "no step above 0.3");
+        assert!(
+            stepper.counters().steps - before >= 100,
+            "no step above 0.3"
+        );
     }
 }
 
@@ -214,15 +319,29 @@ fn ends_are_hit_exactly_both_ways() {
 fn refusals_shorten_steps_and_end_in_failure() {
     for method in Method::ALL {
         // never beyond 1.0001, where bold steps lead
-        let mut stepper = method.stepper(tolerance(2, 1e-5), Limits { initial_step: Some(3.0), ..Limits::default() });
-        let mut problem = Problem { allowed: |_, y| y[0].abs() < 1.0001, ..Problem::new(2, ode::harmonic) };
+        let mut stepper = method.stepper(
+            tolerance(2, 1e-5),
+            Limits {
+                initial_step: Some(3.0),
+                ..Limits::default()
+            },
+        );
+        let mut problem = Problem {
+            allowed: |_, y| y[0].abs() < 1.0001,
+            ..Problem::new(2, ode::harmonic)
+        };
         let end = run(&mut *stepper, &mut problem, 0.0, &[1.0, 0.0], 20.0);
         assert!(distance(&end, &ode::harmonic_at(20.0)) < 1e-3 && stepper.counters().rejected > 0);
 
         // a wall at 1 that motion runs into, first as a refusal, then as values that are not finite
         let walls: [Problem; 2] = [
-            Problem { allowed: |_, y| y[0] <= 1.0, ..Problem::new(1, |_, _, dy| dy[0] = 1.0) },
-            Problem::new(1, |_, y, dy| dy[0] = if y[0] <= 1.0 { 1.0 } else { f64::NAN }),
+            Problem {
+                allowed: |_, y| y[0] <= 1.0,
+                ..Problem::new(1, |_, _, dy| dy[0] = 1.0)
+            },
+            Problem::new(1, |_, y, dy| {
+                dy[0] = if y[0] <= 1.0 { 1.0 } else { f64::NAN }
+            }),
         ];
         for mut problem in walls {
             let mut stepper = method.stepper(tolerance(1, 1e-6), Limits::default());
@@ -232,9 +351,18 @@ fn refusals_shorten_steps_and_end_in_failure() {
                     break failure;
                 }
             };
-            let StepFailure::Refused { t } = failure else { panic!("{failure}") };
-            assert!((t - 1.0).abs() < 1e-12 && t == stepper.t() && stepper.y()[0] <= 1.0, "{method:?}: {failure}");
-            assert!(problem.evaluations < 5000, "{method:?}: {} evaluations", problem.evaluations);
+            let StepFailure::Refused { t } = failure else {
+                panic!("{failure}")
+            };
+            assert!(
+                (t - 1.0).abs() < 1e-12 && t == stepper.t() && stepper.y()[0] <= 1.0,
+                "{method:?}: {failure}"
+            );
+            assert!(
+                problem.evaluations < 5000,
+                "{method:?}: {} evaluations",
+                problem.evaluations
+            );
             // what is left is the last accepted point
             let mut y = [0.0];
             stepper.interpolate(&mut problem, t, &mut y).unwrap();
@@ -242,16 +370,25 @@ fn refusals_shorten_steps_and_end_in_failure() {
             assert!(stepper.step(&mut problem, 9.0).is_err(), "and again");
         }
 
-        let mut problem = Problem { allowed: |_, _| false, ..Problem::new(1, |_, _, dy| dy[0] = 1.0) };
+        let mut problem = Problem {
+            allowed: |_, _| false,
+            ..Problem::new(1, |_, _, dy| dy[0] = 1.0)
+        };
         let mut stepper = method.stepper(tolerance(1, 1e-6), Limits::default());
-        assert_eq!(stepper.start(&mut problem, 2.0, &[0.0], 9.0), Err(StepFailure::Refused { t: 2.0 }));
+        assert_eq!(
+            stepper.start(&mut problem, 2.0, &[0.0], 9.0),
+            Err(StepFailure::Refused { t: 2.0 })
+        );
     }
 }
 
 #[test]
 fn poles_end_in_steps_too_small() {
     for method in Method::ALL {
-        let limits = Limits { min_step: Some(1e-9), ..Limits::default() };
+        let limits = Limits {
+            min_step: Some(1e-9),
+            ..Limits::default()
+        };
         let mut stepper = method.stepper(tolerance(1, 1e-6), limits);
         let mut problem = Problem::new(1, |_, y, dy| dy[0] = y[0] * y[0]);
         stepper.start(&mut problem, 0.0, &[1.0], 2.0).unwrap();
@@ -260,7 +397,9 @@ fn poles_end_in_steps_too_small() {
                 break failure;
             }
         };
-        let StepFailure::TooSmall { t, h } = failure else { panic!("{failure}") };
+        let StepFailure::TooSmall { t, h } = failure else {
+            panic!("{failure}")
+        };
         assert!((t - 1.0).abs() < 1e-5 && h < 1e-9, "{method:?}: {failure}");
     }
 }
@@ -269,8 +408,17 @@ fn poles_end_in_steps_too_small() {
 fn smooth_motion_is_not_found_stiff() {
     for solved in &SOLVED {
         for power in 2..=10 {
-            let mut stepper = Dop853::new(tolerance(solved.start().len(), 10_f64.powi(-power)), Limits::default());
-            run(&mut stepper, &mut solved.problem(), 0.0, &solved.start(), 1000.0);
+            let mut stepper = Dop853::new(
+                tolerance(solved.start().len(), 10_f64.powi(-power)),
+                Limits::default(),
+            );
+            run(
+                &mut stepper,
+                &mut solved.problem(),
+                0.0,
+                &solved.start(),
+                1000.0,
+            );
             assert!(!stepper.stiff(), "{} at 1e-{power}", solved.name);
         }
     }
@@ -314,7 +462,8 @@ fn runs_repeat_bit_by_bit() {
                 let y = run(stepper, &mut Problem::new(2, f), 0.0, &[2.0, 0.0], 20.0);
                 y.into_iter().map(f64::to_bits).collect::<Vec<_>>()
             };
-            let [mut one, mut other] = [(); 2].map(|()| method.stepper(tolerance(2, 1e-6), Limits::default()));
+            let [mut one, mut other] =
+                [(); 2].map(|()| method.stepper(tolerance(2, 1e-6), Limits::default()));
             let first = bits(&mut *one);
             assert_eq!(first, bits(&mut *other));
             // a stepper used before gives the same, but for auto, which has learnt

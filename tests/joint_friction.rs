@@ -27,14 +27,27 @@ fn dynamics(end: f64, outputs: usize, rtol: f64) -> Value {
 #[track_caller]
 fn completed(model: &Value) -> Outcome {
     let outcome = outcome(model);
-    assert_eq!(outcome.report.status, Status::Completed, "{:?}", outcome.report.message);
-    assert!(outcome.report.quality.power_imbalance.expect("forces") < 1e-12, "{:?}", outcome.report.quality);
+    assert_eq!(
+        outcome.report.status,
+        Status::Completed,
+        "{:?}",
+        outcome.report.message
+    );
+    assert!(
+        outcome.report.quality.power_imbalance.expect("forces") < 1e-12,
+        "{:?}",
+        outcome.report.quality
+    );
     outcome
 }
 
 #[track_caller]
 fn close(found: f64, wanted: f64, tolerance: f64) {
-    assert!((found - wanted).abs() <= tolerance, "{found:e}, not {wanted:e}: off by {:e}", (found - wanted).abs());
+    assert!(
+        (found - wanted).abs() <= tolerance,
+        "{found:e}, not {wanted:e}: off by {:e}",
+        (found - wanted).abs()
+    );
 }
 
 fn last(outcome: &Outcome, name: &str) -> f64 {
@@ -68,20 +81,40 @@ fn a_block_slides_down_an_incline() {
     let distance = within + threshold * after + 0.5 * (pull - brake) * after * after;
     let (x, y) = (last(&run, "block.x"), last(&run, "block.y"));
     close(x.hypot(y), distance, 1e-9);
-    close(last(&run, "block.ax").hypot(last(&run, "block.ay")), G * (slope.sin() - mu * slope.cos()), 1e-12);
-    close(last(&run, "joint.g.friction"), -mu * 2.0 * G * slope.cos(), 1e-12);
+    close(
+        last(&run, "block.ax").hypot(last(&run, "block.ay")),
+        G * (slope.sin() - mu * slope.cos()),
+        1e-12,
+    );
+    close(
+        last(&run, "joint.g.friction"),
+        -mu * 2.0 * G * slope.cos(),
+        1e-12,
+    );
     // Across the plane and along it, as the plane presses and brakes.
     let (across, along) = ([slope.sin(), slope.cos()], [slope.cos(), -slope.sin()]);
     let (normal, brake) = (2.0 * G * slope.cos(), -mu * 2.0 * G * slope.cos());
-    close(last(&run, "joint.g.fx"), normal * across[0] + brake * along[0], 1e-11);
-    close(last(&run, "joint.g.fy"), normal * across[1] + brake * along[1], 1e-11);
+    close(
+        last(&run, "joint.g.fx"),
+        normal * across[0] + brake * along[0],
+        1e-11,
+    );
+    close(
+        last(&run, "joint.g.fy"),
+        normal * across[1] + brake * along[1],
+        1e-11,
+    );
 
     // Driven with this very acceleration it needs no effort.
     model["drivers"] = json!({ "hand": { "type": "translation", "joint": "g", "motion": {
         "type": "constant_acceleration", "start": 0.0, "velocity": 1.0, "acceleration": pull - mu * G * slope.cos() } } });
     model["analysis"] = json!({ "type": "inverse_dynamics", "end": 1.0, "outputs": 11 });
     let run = completed(&model);
-    assert!(column(&run, "driver.hand.effort").iter().all(|effort| effort.abs() < 1e-12));
+    assert!(
+        column(&run, "driver.hand.effort")
+            .iter()
+            .all(|effort| effort.abs() < 1e-12)
+    );
     close(last(&run, "joint.g.friction"), brake, 1e-12);
 }
 
@@ -103,7 +136,8 @@ fn a_guide_takes_the_torque_with_its_ends() {
 
 /// A uniform bar on a pin of radius r.
 fn pendulum(angle: f64, radius: f64, friction: &Value) -> Value {
-    let bodies = json!({ "ground": { "points": { "O": [0.0, 0.0] } }, "bar": rod(1.0, [0.0, 0.0], angle) });
+    let bodies =
+        json!({ "ground": { "points": { "O": [0.0, 0.0] } }, "bar": rod(1.0, [0.0, 0.0], angle) });
     let joints = json!({ "o": { "type": "revolute", "between": ["ground.O", "bar.A"], "friction": friction,
                                 "pin_radius": radius } });
     let mut pendulum = model(bodies, joints, json!({}));
@@ -131,10 +165,18 @@ fn a_pendulum_loses_its_swing_as_its_equation_by_hand_says() {
     let mut model = pendulum(-0.2, radius, &coulomb(mu, threshold));
     model["analysis"] = dynamics(3.0, 7, 1e-10);
     let run = completed(&model);
-    let f = |[angle, omega]: [f64; 2]| [omega, pendulum_acceleration(angle, omega, (radius, mu, threshold))];
+    let f = |[angle, omega]: [f64; 2]| {
+        [
+            omega,
+            pendulum_acceleration(angle, omega, (radius, mu, threshold)),
+        ]
+    };
     let go = |y: [f64; 2], k: [f64; 2], h: f64| [y[0] + h * k[0], y[1] + h * k[1]];
     let (mut y, h) = ([-0.2, 0.0], 1e-4);
-    let (mut angles, mut omegas) = (column(&run, "bar.angle").into_iter(), column(&run, "bar.omega").into_iter());
+    let (mut angles, mut omegas) = (
+        column(&run, "bar.angle").into_iter(),
+        column(&run, "bar.omega").into_iter(),
+    );
     let mut compare = |y: [f64; 2]| {
         close(angles.next().expect("rows"), y[0], 2e-8);
         close(omegas.next().expect("rows"), y[1], 2e-7);
@@ -176,13 +218,20 @@ fn small_swings_shrink_by_the_same_amount_each() {
 
 /// A slider-crank without mass but in its slider, which is pulled with `pull`.
 fn bare_slider_crank(mu: f64, pull: f64) -> Value {
-    let mut model = slider_crank(0.08, 0.1, 0.4, false, &json!({ "type": "polynomial", "coefficients": [0.4, 2.0] }));
+    let mut model = slider_crank(
+        0.08,
+        0.1,
+        0.4,
+        false,
+        &json!({ "type": "polynomial", "coefficients": [0.4, 2.0] }),
+    );
     for body in ["crank", "rod"] {
         model["bodies"][body]["mass"] = json!(0.0);
         model["bodies"][body]["inertia"] = json!(0.0);
     }
     model["joints"]["g"]["friction"] = coulomb(mu, 1e-9);
-    model["forces"] = json!({ "pull": { "type": "force", "at": "slider.B", "vector": [pull, 0.0] } });
+    model["forces"] =
+        json!({ "pull": { "type": "force", "at": "slider.B", "vector": [pull, 0.0] } });
     model["analysis"] = json!({ "type": "inverse_dynamics", "end": 3.0, "outputs": 302 });
     model
 }
@@ -197,20 +246,35 @@ fn slider_by_hand(mu: f64, pull: f64, angle: f64, [v, a]: [f64; 2]) -> (Option<[
     let force = (a - pull + against * G) / (phi.cos() + against * phi.sin());
     let normal = G - force * phi.sin();
     let torque = 0.08 * force * (angle.cos() * phi.sin() - angle.sin() * phi.cos());
-    ((margin > 0.0).then_some([normal, -against.signum() * mu * normal.abs() * free.signum(), torque]), margin)
+    (
+        (margin > 0.0).then_some([
+            normal,
+            -against.signum() * mu * normal.abs() * free.signum(),
+            torque,
+        ]),
+        margin,
+    )
 }
 
 #[test]
 fn a_slider_crank_needs_the_effort_of_its_statics() {
     let (mu, pull) = (0.4, -30.0);
     let run = completed(&bare_slider_crank(mu, pull));
-    let names =
-        ["driver.motor.value", "slider.vx", "slider.ax", "joint.g.fy", "joint.g.friction", "driver.motor.effort"];
+    let names = [
+        "driver.motor.value",
+        "slider.vx",
+        "slider.ax",
+        "joint.g.fy",
+        "joint.g.friction",
+        "driver.motor.effort",
+    ];
     let columns = names.map(|name| run.trajectory.column_index(name).expect("a column"));
     let mut compared = 0;
     for row in run.trajectory.rows() {
         let [angle, v, a, normal, friction, effort] = columns.map(|column| row[column]);
-        let (Some(by_hand), _) = slider_by_hand(mu, pull, angle, [v, a]) else { panic!("locked at {angle}") };
+        let (Some(by_hand), _) = slider_by_hand(mu, pull, angle, [v, a]) else {
+            panic!("locked at {angle}")
+        };
         let [wanted_normal, wanted_friction, wanted_effort] = by_hand;
         close(normal, wanted_normal, 1e-11);
         close(friction, wanted_friction, 1e-11);
@@ -227,23 +291,45 @@ fn where_a_slider_locks_itself_there_are_no_forces_but_an_event() {
     let (mu, pull) = (1.1, -30.0);
     let run = outcome(&bare_slider_crank(mu, pull));
     assert_eq!(run.report.status, Status::CompletedWithGaps);
-    let names = ["driver.motor.value", "slider.vx", "slider.ax", "driver.motor.effort", "joint.g.friction"];
+    let names = [
+        "driver.motor.value",
+        "slider.vx",
+        "slider.ax",
+        "driver.motor.effort",
+        "joint.g.friction",
+    ];
     let columns = names.map(|name| run.trajectory.column_index(name).expect("a column"));
     let mut counts = [0, 0];
     for row in run.trajectory.rows() {
         let [angle, v, a, effort, friction] = columns.map(|column| row[column]);
         let (by_hand, margin) = slider_by_hand(mu, pull, angle, [v, a]);
-        assert_eq!(by_hand.is_none(), effort.is_nan() && friction.is_nan(), "{angle}: {margin}");
+        assert_eq!(
+            by_hand.is_none(),
+            effort.is_nan() && friction.is_nan(),
+            "{angle}: {margin}"
+        );
         if let Some([_, _, wanted]) = by_hand {
             close(effort, wanted, 1e-10 / margin);
         }
         counts[usize::from(by_hand.is_none())] += 1;
     }
     assert!(counts.iter().all(|count| *count > 20), "{counts:?}");
-    let event = run.report.events.iter().find(|event| event.kind == "self_locking").expect("an event");
+    let event = run
+        .report
+        .events
+        .iter()
+        .find(|event| event.kind == "self_locking")
+        .expect("an event");
     let note = event.note.as_deref().expect("a note");
     assert!(note.starts_with("joint \"g\" locks itself"), "{note}");
-    assert!(run.report.warnings.iter().any(|warning| warning.contains("locks itself")), "{:?}", run.report.warnings);
+    assert!(
+        run.report
+            .warnings
+            .iter()
+            .any(|warning| warning.contains("locks itself")),
+        "{:?}",
+        run.report.warnings
+    );
     assert!(run.report.quality.power_imbalance.expect("forces") < 1e-12);
 }
 
@@ -253,7 +339,8 @@ fn motion_that_locks_itself_ends_with_the_joint_named() {
     let mut model = bare_slider_crank(1.1, 0.0);
     model.as_object_mut().expect("a map").remove("drivers");
     model["bodies"]["crank"]["inertia"] = json!(5.0);
-    model["forces"]["pull"]["vector"][0] = json!({ "type": "polynomial", "coefficients": [-60.0, 100.0] });
+    model["forces"]["pull"]["vector"][0] =
+        json!({ "type": "polynomial", "coefficients": [-60.0, 100.0] });
     model["analysis"] = dynamics(2.0, 201, 1e-8);
     model["initial"] = json!({ "crank": { "angle": 1.3, "angular_velocity": 0.5 } });
     let run = outcome(&model);
@@ -272,20 +359,32 @@ fn motion_that_locks_itself_ends_with_the_joint_named() {
         "{:?}",
         columns[3]
     );
-    assert!(free(row) > 0.0 && free(row) + (free(row) - free(row - 1)) < 0.0, "{} {}", free(row - 1), free(row));
+    assert!(
+        free(row) > 0.0 && free(row) + (free(row) - free(row - 1)) < 0.0,
+        "{} {}",
+        free(row - 1),
+        free(row)
+    );
     // And where it starts locked, at once.
     model["forces"]["pull"]["vector"][0] = json!(40.0);
     let run = outcome(&model);
     assert_eq!(run.report.status, Status::Singular);
     let message = run.report.message.expect("why it did not begin");
-    assert!(message.starts_with("at the start joint \"g\" locks itself"), "{message}");
+    assert!(
+        message.starts_with("at the start joint \"g\" locks itself"),
+        "{message}"
+    );
 }
 
 /// The four-bar of the examples with friction in all its pins.
 fn four_bar(mu: f64) -> Value {
     let text = linkdyn::bundled::find("four-bar").expect("bundled").text;
     let mut four_bar: Value = serde_json::from_str(text).expect("valid JSON");
-    for joint in four_bar["joints"].as_object_mut().expect("a map").values_mut() {
+    for joint in four_bar["joints"]
+        .as_object_mut()
+        .expect("a map")
+        .values_mut()
+    {
         joint["friction"] = coulomb(mu, 1e-3);
         joint["pin_radius"] = json!("8 mm");
     }
@@ -302,14 +401,26 @@ fn vanishing_friction_is_none_in_proportion() {
     let ideal = completed(&ideal);
     let off = |mu: f64| {
         let run = completed(&four_bar(mu));
-        let pairs = column(&run, "driver.motor.effort").into_iter().zip(column(&ideal, "driver.motor.effort"));
-        pairs.fold(0.0, |most: f64, (ours, without)| most.max((ours - without).abs()))
+        let pairs = column(&run, "driver.motor.effort")
+            .into_iter()
+            .zip(column(&ideal, "driver.motor.effort"));
+        pairs.fold(0.0, |most: f64, (ours, without)| {
+            most.max((ours - without).abs())
+        })
     };
     let [full, half, quarter] = [4e-4, 2e-4, 1e-4].map(off);
     println!("{full:e} {half:e} {quarter:e}");
-    assert!(quarter > 1e-6 && (full / half - 2.0).abs() < 1e-3 && (half / quarter - 2.0).abs() < 1e-3);
+    assert!(
+        quarter > 1e-6 && (full / half - 2.0).abs() < 1e-3 && (half / quarter - 2.0).abs() < 1e-3
+    );
     assert_eq!(off(0.0), 0.0);
-    assert!(ideal.trajectory.columns.iter().all(|column| !column.name.ends_with(".friction")));
+    assert!(
+        ideal
+            .trajectory
+            .columns
+            .iter()
+            .all(|column| !column.name.ends_with(".friction"))
+    );
 }
 
 /// Free motion from a state of the driven one has its accelerations when its driver's effort acts as a torque.
@@ -322,13 +433,24 @@ fn forward_and_inverse_dynamics_agree() {
     let mut free = driven.clone();
     free.as_object_mut().expect("a map").remove("drivers");
     let effort = column(&run, "driver.motor.effort")[0];
-    free["forces"]["motor"] = json!({ "type": "torque", "body": "crank", "value": format!("{effort:e} N*m") });
+    free["forces"]["motor"] =
+        json!({ "type": "torque", "body": "crank", "value": format!("{effort:e} N*m") });
     free["initial"] = json!({ "crank": { "angle": "60 deg", "angular_velocity": "10 rad/s" } });
     free["analysis"] = dynamics(0.01, 2, 1e-9);
     let start = completed(&free);
-    for name in ["crank.alpha", "rocker.alpha", "joint.b.fx", "joint.c.fy", "joint.b.friction", "joint.d.friction"] {
+    for name in [
+        "crank.alpha",
+        "rocker.alpha",
+        "joint.b.fx",
+        "joint.c.fy",
+        "joint.b.friction",
+        "joint.d.friction",
+    ] {
         let (ours, theirs) = (column(&start, name)[0], column(&run, name)[0]);
-        assert!((ours - theirs).abs() < 1e-9 * theirs.abs().max(1.0), "{name}: {ours} {theirs}");
+        assert!(
+            (ours - theirs).abs() < 1e-9 * theirs.abs().max(1.0),
+            "{name}: {ours} {theirs}"
+        );
     }
 }
 
@@ -342,14 +464,25 @@ fn bristles_stick_and_break_away() {
     assert_eq!(run.report.status, Status::Completed);
     let moved = column(&run, "block.x");
     // It gives way by some deflections of the bristles, and stays there.
-    assert!(moved[2] > 0.2_f64.tan() / 1e4 && moved[2] < 1e-3, "{moved:?}");
+    assert!(
+        moved[2] > 0.2_f64.tan() / 1e4 && moved[2] < 1e-3,
+        "{moved:?}"
+    );
     close(moved[2], moved[1], 1e-8);
-    close(last(&run, "joint.g.friction"), -2.0 * G * 0.2_f64.sin(), 1e-4);
+    close(
+        last(&run, "joint.g.friction"),
+        -2.0 * G * 0.2_f64.sin(),
+        1e-4,
+    );
     let mut model = incline(0.3, &lugre(0.15, 0.25));
     model["analysis"] = dynamics(2.0, 3, 1e-8);
     let run = completed(&model);
     let (sin, cos) = 0.3_f64.sin_cos();
-    close(last(&run, "block.ax").hypot(last(&run, "block.ay")), G * (sin - 0.15 * cos), 1e-6);
+    close(
+        last(&run, "block.ax").hypot(last(&run, "block.ay")),
+        G * (sin - 0.15 * cos),
+        1e-6,
+    );
 }
 
 /// Through change points: what exists is there, and power balances.
@@ -363,10 +496,19 @@ fn a_parallelogram_passes_its_change_point() {
         model["analysis"] = json!({ "type": "inverse_dynamics", "end": 1.5, "outputs": 151 });
         let run = outcome(&model);
         let quality = &run.report.quality;
-        println!("{joint}: {:?} {quality:?} {:?} {:?}", run.report.status, run.report.events, run.report.warnings);
-        assert!(quality.power_imbalance.expect("forces") < 1e-9, "{quality:?}");
+        println!(
+            "{joint}: {:?} {quality:?} {:?} {:?}",
+            run.report.status, run.report.events, run.report.warnings
+        );
+        assert!(
+            quality.power_imbalance.expect("forces") < 1e-9,
+            "{quality:?}"
+        );
         let efforts = column(&run, "driver.motor.effort");
-        assert!(efforts.iter().filter(|effort| effort.is_finite()).count() >= 149, "{efforts:?}");
+        assert!(
+            efforts.iter().filter(|effort| effort.is_finite()).count() >= 149,
+            "{efforts:?}"
+        );
     }
 }
 
@@ -386,10 +528,25 @@ fn free_motion_through_a_change_point_is_told() {
         outcome(&model)
     };
     let run = free(1e-6);
-    assert_eq!(run.report.status, Status::Completed, "{:?}", run.report.message);
-    assert!(run.report.warnings.iter().any(|warning| warning.contains("passes a change point")), "{:?}", run.report);
+    assert_eq!(
+        run.report.status,
+        Status::Completed,
+        "{:?}",
+        run.report.message
+    );
+    assert!(
+        run.report
+            .warnings
+            .iter()
+            .any(|warning| warning.contains("passes a change point")),
+        "{:?}",
+        run.report
+    );
     let run = free(0.3);
-    println!("{:?} {:?} {:?}", run.report.status, run.report.message, run.report.warnings);
+    println!(
+        "{:?} {:?} {:?}",
+        run.report.status, run.report.message, run.report.warnings
+    );
     let message = run.report.message.expect("why it ended");
     assert!(message.contains("locks itself"), "{message}");
 }
@@ -409,9 +566,13 @@ fn lost_energy_is_the_work_of_friction() {
     let run = completed(&model);
     let get = |name: &str| column(&run, name);
     let [crank, coupler, rocker] = ["crank.omega", "coupler.omega", "rocker.omega"].map(get);
-    let [a, b, c, d] = ["a", "b", "c", "d"].map(|joint| column(&run, &format!("joint.{joint}.friction")));
+    let [a, b, c, d] =
+        ["a", "b", "c", "d"].map(|joint| column(&run, &format!("joint.{joint}.friction")));
     let power = |k: usize| {
-        a[k] * crank[k] + b[k] * (coupler[k] - crank[k]) + c[k] * (rocker[k] - coupler[k]) + d[k] * rocker[k]
+        a[k] * crank[k]
+            + b[k] * (coupler[k] - crank[k])
+            + c[k] * (rocker[k] - coupler[k])
+            + d[k] * rocker[k]
     };
     let (kinetic, potential) = (get("energy.kinetic"), get("energy.potential"));
     let step = get("time")[1];
@@ -422,7 +583,10 @@ fn lost_energy_is_the_work_of_friction() {
         worst = worst.max((kinetic[k] + potential[k] - kinetic[0] - potential[0] - work).abs());
     }
     println!("{worst:e} of {work} J");
-    assert!(work < -0.5 && worst < 1e-6 * work.abs(), "{worst:e} of {work} J");
+    assert!(
+        work < -0.5 && worst < 1e-6 * work.abs(),
+        "{worst:e} of {work} J"
+    );
 }
 
 /// A clearance that rattles beside a pin that rubs: the energy ledger holds both.
@@ -436,11 +600,23 @@ fn contacts_and_friction_share_the_ledger() {
     model["initial"]["tip"] = json!({ "angle": -0.9 });
     model["analysis"] = dynamics(0.5, 51, 1e-8);
     let run = outcome(&model);
-    assert_eq!(run.report.status, Status::Completed, "{:?}", run.report.message);
+    assert_eq!(
+        run.report.status,
+        Status::Completed,
+        "{:?}",
+        run.report.message
+    );
     let quality = &run.report.quality;
     println!("{quality:?}");
-    assert!(quality.energy_imbalance.expect("a ledger") < 1e-6, "{quality:?}");
-    assert!(column(&run, "joint.o.friction").iter().any(|friction| friction.abs() > 0.02));
+    assert!(
+        quality.energy_imbalance.expect("a ledger") < 1e-6,
+        "{quality:?}"
+    );
+    assert!(
+        column(&run, "joint.o.friction")
+            .iter()
+            .any(|friction| friction.abs() > 0.02)
+    );
 }
 
 /// Friction beside a massless clearance link: the link follows the force that friction has changed.
@@ -450,13 +626,23 @@ fn friction_and_clearance_links_share_the_fixed_point() {
     model["joints"]["c"] = json!({ "type": "revolute", "between": model["joints"]["c"]["between"],
         "clearance": { "model": "massless_link", "radius": "0.1 mm" } });
     let run = outcome(&model);
-    assert_eq!(run.report.status, Status::Completed, "{:?}", run.report.message);
+    assert_eq!(
+        run.report.status,
+        Status::Completed,
+        "{:?}",
+        run.report.message
+    );
     for row in 0..run.trajectory.len() {
-        let [ex, ey, fx, fy] = ["ex", "ey", "fx", "fy"].map(|name| column(&run, &format!("joint.c.{name}"))[row]);
+        let [ex, ey, fx, fy] =
+            ["ex", "ey", "fx", "fy"].map(|name| column(&run, &format!("joint.c.{name}"))[row]);
         close(ex.hypot(ey), 1e-4, 1e-16);
         close((ex * fy - ey * fx) / fx.hypot(fy), 0.0, 1e-9);
     }
-    assert!(run.report.quality.power_imbalance.expect("forces") < 1e-9, "{:?}", run.report.quality);
+    assert!(
+        run.report.quality.power_imbalance.expect("forces") < 1e-9,
+        "{:?}",
+        run.report.quality
+    );
 }
 
 fn said(joint: Value) -> Vec<String> {
@@ -467,7 +653,8 @@ fn said(joint: Value) -> Vec<String> {
         Err(complaints) => {
             let text = |complaint: &linkdyn::error::Complaint| {
                 let text = complaint.to_string();
-                text.split_once("joints.o").map_or(text.clone(), |(_, rest)| rest.to_string())
+                text.split_once("joints.o")
+                    .map_or(text.clone(), |(_, rest)| rest.to_string())
             };
             complaints.iter().map(text).collect()
         }
@@ -488,22 +675,37 @@ fn complaints_say_what_lacks_and_where_it_belongs() {
     assert!(pin(json!({ "friction": { "law": "none" } })).is_empty());
     assert_eq!(
         pin(json!({ "friction": sound })),
-        [": \"pin_radius\" is missing (the torque of the friction is that of its force on the pin's surface)"]
+        [
+            ": \"pin_radius\" is missing (the torque of the friction is that of its force on the pin's surface)"
+        ]
     );
     assert_eq!(
         pin(json!({ "friction": { "law": "coulomb", "coefficient": 0.1 }, "pin_radius": 0.01 })),
         [": \"friction.threshold_velocity\" is missing (the law \"coulomb\" needs it)"]
     );
-    let clearance = |model: &str| json!({ "model": model, "radius": 1e-4, "surface": { "stiffness": 1e8 } });
+    let clearance =
+        |model: &str| json!({ "model": model, "radius": 1e-4, "surface": { "stiffness": 1e8 } });
     let both = |model: &str| json!({ "friction": sound, "pin_radius": 0.01, "clearance": clearance(model) });
     assert!(pin(both("ideal")).is_empty());
     for complaint in [pin(both("two_state")), pin(both("massless_link"))].concat() {
-        assert!(complaint.starts_with(".friction: ") && complaint.contains("is that of an ideal joint"), "{complaint}");
+        assert!(
+            complaint.starts_with(".friction: ") && complaint.contains("is that of an ideal joint"),
+            "{complaint}"
+        );
     }
     let zero = pin(json!({ "friction": sound, "pin_radius": 0.0 }));
-    assert!(zero.len() == 1 && zero[0].starts_with(".pin_radius: 0"), "{zero:?}");
-    let slot = said(json!({ "type": "slot", "between": ["ground.O", "bar.A"], "axis": [1.0, 0.0], "friction": sound }));
-    assert!(slot.iter().any(|text| text.contains("only revolute and prismatic joints can have friction")), "{slot:?}");
+    assert!(
+        zero.len() == 1 && zero[0].starts_with(".pin_radius: 0"),
+        "{zero:?}"
+    );
+    let slot = said(
+        json!({ "type": "slot", "between": ["ground.O", "bar.A"], "axis": [1.0, 0.0], "friction": sound }),
+    );
+    assert!(
+        slot.iter()
+            .any(|text| text.contains("only revolute and prismatic joints can have friction")),
+        "{slot:?}"
+    );
 }
 
 #[test]
@@ -513,7 +715,10 @@ fn what_has_no_history_has_no_bristles_and_rest_no_friction() {
     let complaints = run(&loaded(&driven).model, &Control::default()).expect_err("refused");
     assert_eq!(complaints.len(), 1);
     let text = complaints[0].to_string();
-    assert!(text.contains("joints.b.friction.law") && text.contains("bristles have a history"), "{text}");
+    assert!(
+        text.contains("joints.b.friction.law") && text.contains("bristles have a history"),
+        "{text}"
+    );
     driven["analysis"]["type"] = json!("kinematics");
     assert_eq!(outcome(&driven).report.status, Status::Completed);
 
@@ -521,7 +726,10 @@ fn what_has_no_history_has_no_bristles_and_rest_no_friction() {
     resting["analysis"] = json!({ "type": "statics" });
     let run = outcome(&resting);
     assert!(
-        run.report.warnings.iter().any(|text| text.starts_with("the friction of o is left out")),
+        run.report
+            .warnings
+            .iter()
+            .any(|text| text.starts_with("the friction of o is left out")),
         "{:?}",
         run.report.warnings
     );
@@ -540,14 +748,29 @@ fn a_lock_that_no_step_reaches_ends_as_one() {
         let mut model: Value = serde_json::from_str(LOCKING).expect("JSON");
         model["analysis"] = dynamics(1.0, 10_001, rtol);
         let run = outcome(&model);
-        assert_eq!(run.report.status, Status::Singular, "{rtol}: {:?}", run.report.message);
+        assert_eq!(
+            run.report.status,
+            Status::Singular,
+            "{rtol}: {:?}",
+            run.report.message
+        );
         let message = run.report.message.as_deref().expect("a message");
-        assert!(message.contains("joint \"b\" locks itself") && !message.contains("oosen"), "{message}");
-        assert!(message.starts_with("at t = 0.49") && message.contains("the rows until there are kept"), "{message}");
+        assert!(
+            message.contains("joint \"b\" locks itself") && !message.contains("oosen"),
+            "{message}"
+        );
+        assert!(
+            message.starts_with("at t = 0.49") && message.contains("the rows until there are kept"),
+            "{message}"
+        );
         let (forces, times) = (column(&run, "joint.b.fx"), column(&run, "time"));
         let end = times[times.len() - 1];
         assert!(forces.iter().all(|force| force.is_finite()));
         ends.push(end);
     }
-    assert!(ends.iter().all(|end| (end - ends[3]).abs() <= 1.01e-4 * (1.0 + ends[3])), "{ends:?}");
+    assert!(
+        ends.iter()
+            .all(|end| (end - ends[3]).abs() <= 1.01e-4 * (1.0 + ends[3])),
+        "{ends:?}"
+    );
 }

@@ -16,21 +16,38 @@ use linkdyn::model::{Analysis, AnalysisKind, ClearanceModel, DriverKind, JointKi
 use linkdyn::output::{Column, Status};
 use models::{Named, all, load, load_bundled, solve, values};
 use std::collections::{BTreeMap, HashMap};
-use transform::{is_absolute, mirror, rename_and_reverse, renamed, rotate, swap, swapped_signs, translate, turned};
+use transform::{
+    is_absolute, mirror, rename_and_reverse, renamed, rotate, swap, swapped_signs, translate,
+    turned,
+};
 use write::{SI, WORKSHOP};
 
 /// Every model of a prescribed motion with its analysis as it is; `dynamics.rs` has the laws of free motion. Clearance is
 /// left out: what a massless link does depends on the outputs.
 fn each_model() -> Vec<(String, Model)> {
-    let models = all().into_iter().map(|Named { name, json }| (name, load(&json)));
-    let prescribed = |model: &Model| model.analysis.as_ref().is_some_and(|a| a.kind == AnalysisKind::InverseDynamics);
-    models.filter(|(_, model)| prescribed(model) && !has_clearance(model)).collect()
+    let models = all()
+        .into_iter()
+        .map(|Named { name, json }| (name, load(&json)));
+    let prescribed = |model: &Model| {
+        model
+            .analysis
+            .as_ref()
+            .is_some_and(|a| a.kind == AnalysisKind::InverseDynamics)
+    };
+    models
+        .filter(|(_, model)| prescribed(model) && !has_clearance(model))
+        .collect()
 }
 
 fn has_clearance(model: &Model) -> bool {
     model.joints.values().any(|joint| match &joint.kind {
-        JointKind::Revolute { clearance: Some(clearance), .. } => clearance.model != ClearanceModel::Ideal,
-        JointKind::Revolute { clearance: None, .. }
+        JointKind::Revolute {
+            clearance: Some(clearance),
+            ..
+        } => clearance.model != ClearanceModel::Ideal,
+        JointKind::Revolute {
+            clearance: None, ..
+        }
         | JointKind::Prismatic { .. }
         | JointKind::Slot { .. }
         | JointKind::Gear { .. }
@@ -45,7 +62,12 @@ type Differences = BTreeMap<&'static str, f64>;
 /// make of them at the mechanism's size.
 fn scales(outcome: &Outcome) -> HashMap<&'static str, f64> {
     let mut scales: HashMap<&'static str, f64> = HashMap::new();
-    for (column, extremes) in outcome.trajectory.columns.iter().zip(outcome.trajectory.extremes()) {
+    for (column, extremes) in outcome
+        .trajectory
+        .columns
+        .iter()
+        .zip(outcome.trajectory.extremes())
+    {
         let largest = extremes.map_or(0.0, |e| e.min.abs().max(e.max.abs()));
         let scale = scales.entry(column.unit).or_default();
         *scale = scale.max(largest);
@@ -60,7 +82,9 @@ fn scales(outcome: &Outcome) -> HashMap<&'static str, f64> {
         ("J", force * length),
     ];
     for (unit, least) in least {
-        scales.entry(unit).and_modify(|scale| *scale = scale.max(least));
+        scales
+            .entry(unit)
+            .and_modify(|scale| *scale = scale.max(least));
     }
     scales
 }
@@ -87,20 +111,44 @@ impl Row<'_> {
             _ => return None,
         };
         let pair = [x, y].map(|quantity| self.get(&format!("{owner}.{quantity}")));
-        Some((usize::from(quantity == y), pair, quantity == x && x == "x" || quantity == y && y == "y"))
+        Some((
+            usize::from(quantity == y),
+            pair,
+            quantity == x && x == "x" || quantity == y && y == "y",
+        ))
     }
 }
 
 /// Compares a run with what the original lets expect: `expected` gives the column there and its value.
-fn differ(original: &Outcome, other: &Outcome, expected: impl Fn(&Row, &Column) -> (String, f64)) -> Differences {
+fn differ(
+    original: &Outcome,
+    other: &Outcome,
+    expected: impl Fn(&Row, &Column) -> (String, f64),
+) -> Differences {
     let (from, to) = (&original.trajectory, &other.trajectory);
-    assert_eq!(original.report.status, other.report.status, "{:?}", other.report.message);
+    assert_eq!(
+        original.report.status, other.report.status,
+        "{:?}",
+        other.report.message
+    );
     assert_eq!((from.len(), from.width()), (to.len(), to.width()));
-    let indices: HashMap<String, usize> = to.columns.iter().enumerate().map(|(k, c)| (c.name.clone(), k)).collect();
+    let indices: HashMap<String, usize> = to
+        .columns
+        .iter()
+        .enumerate()
+        .map(|(k, c)| (c.name.clone(), k))
+        .collect();
     let scales = scales(original);
     let mut differences = Differences::new();
     for (row, other_row) in from.rows().zip(to.rows()) {
-        let row = Row { values: from.columns.iter().map(|c| c.name.as_str()).zip(row.iter().copied()).collect() };
+        let row = Row {
+            values: from
+                .columns
+                .iter()
+                .map(|c| c.name.as_str())
+                .zip(row.iter().copied())
+                .collect(),
+        };
         for column in &from.columns {
             let (name, value) = expected(&row, column);
             let ours = other_row[indices[&name]];
@@ -126,11 +174,18 @@ const REGULAR: f64 = 1e-12;
 /// loses the window's width of about 1/30 rad each time. The reactions of the singular loop grow as 1/δ with the distance δ from
 /// the change point [rad]; its place is known to 1e-12 rad, so they are known to 1e-12/δ.
 fn allowed(run: &Outcome, unit: &str) -> f64 {
-    let nearest = run.report.events.iter().filter(|event| event.kind == "change_point").filter_map(|event| {
-        let driver = format!("driver.{}.value", event.driver.as_deref()?);
-        let distances = values(run, &driver).into_iter().map(|value| (value - event.value.unwrap_or(f64::NAN)).abs());
-        Some(distances.fold(f64::INFINITY, f64::min))
-    });
+    let nearest = run
+        .report
+        .events
+        .iter()
+        .filter(|event| event.kind == "change_point")
+        .filter_map(|event| {
+            let driver = format!("driver.{}.value", event.driver.as_deref()?);
+            let distances = values(run, &driver)
+                .into_iter()
+                .map(|value| (value - event.value.unwrap_or(f64::NAN)).abs());
+            Some(distances.fold(f64::INFINITY, f64::min))
+        });
     match (nearest.reduce(f64::min), unit) {
         (None, _) => REGULAR,
         (Some(distance), "N") => 1e-12 / distance,
@@ -153,7 +208,9 @@ fn hold(law: &str, found: Vec<(String, Outcome, Differences)>) {
         println!("{law}: {name}: {}", words(&differences));
         for (unit, difference) in differences {
             if difference > allowed(&run, unit) {
-                faults.push(format!("{law}: {name}: {unit} differs by {difference:.1e} of the largest"));
+                faults.push(format!(
+                    "{law}: {name}: {unit} differs by {difference:.1e} of the largest"
+                ));
             }
         }
     }
@@ -162,7 +219,10 @@ fn hold(law: &str, found: Vec<(String, Outcome, Differences)>) {
 
 /// The quantity of a column, behind its last dot.
 fn quantity(column: &Column) -> &str {
-    column.name.rsplit_once('.').map_or("", |(_, quantity)| quantity)
+    column
+        .name
+        .rsplit_once('.')
+        .map_or("", |(_, quantity)| quantity)
 }
 
 /// The driver a column tells about.
@@ -179,9 +239,14 @@ fn turning_the_world_turns_the_results() {
             let value = match row.vector(&column.name) {
                 Some((component, pair, _)) => turned(pair, angle)[component],
                 None => {
-                    let absolute =
-                        driver_of(column, ".value").is_some_and(|driver| is_absolute(&model.drivers[driver]));
-                    row.get(&column.name) + if quantity(column) == "angle" || absolute { angle } else { 0.0 }
+                    let absolute = driver_of(column, ".value")
+                        .is_some_and(|driver| is_absolute(&model.drivers[driver]));
+                    row.get(&column.name)
+                        + if quantity(column) == "angle" || absolute {
+                            angle
+                        } else {
+                            0.0
+                        }
                 }
             };
             (column.name.clone(), value)
@@ -218,7 +283,8 @@ fn a_mirror_changes_signs_only() {
     let found = each_model().into_iter().map(|(name, model)| {
         let (original, mirrored) = (solve(&model), solve(&mirror(&model)));
         let differences = differ(&original, &mirrored, |row, column| {
-            let turns = |driver: &str| matches!(model.drivers[driver].kind, DriverKind::Rotation { .. });
+            let turns =
+                |driver: &str| matches!(model.drivers[driver].kind, DriverKind::Rotation { .. });
             let sign = match (row.vector(&column.name), quantity(column)) {
                 (Some((0, _, _)), _) | (None, "angle" | "omega" | "alpha" | "torque") => -1.0,
                 (None, "sliding_speed" | "tangential_force") => -1.0,
@@ -245,7 +311,9 @@ fn names_and_order_do_not_matter() {
                 ["driver", driver, quantity] => format!("driver.{}.{quantity}", renamed(driver)),
                 ["energy", _] | [_] => column.name.clone(),
                 [body, quantity] => format!("{}.{quantity}", renamed(body)),
-                [body, point, quantity] => format!("{}.{}.{quantity}", renamed(body), renamed(point)),
+                [body, point, quantity] => {
+                    format!("{}.{}.{quantity}", renamed(body), renamed(point))
+                }
                 _ => panic!("{parts:?}"),
             };
             (new, row.get(&column.name))
@@ -260,8 +328,12 @@ fn reactions_are_opposite_and_equal() {
     let found = each_model().into_iter().map(|(name, model)| {
         let (original, other) = (solve(&model), solve(&swap(&model)));
         let differences = differ(&original, &other, |row, column| {
-            let joint = column.name.strip_prefix("joint.").and_then(|rest| rest.split('.').next());
-            let [force, torque] = joint.map_or([1.0; 2], |joint| swapped_signs(&model.joints[joint]));
+            let joint = column
+                .name
+                .strip_prefix("joint.")
+                .and_then(|rest| rest.split('.').next());
+            let [force, torque] =
+                joint.map_or([1.0; 2], |joint| swapped_signs(&model.joints[joint]));
             // The eccentricity, journal minus bearing, is zero here and has either sign.
             let sign = match quantity(column) {
                 "torque" => torque,
@@ -282,7 +354,9 @@ fn units_are_only_words() {
     let found = each_model().into_iter().map(|(name, model)| {
         let original = solve(&load(&SI.write(&model)));
         let workshop = solve(&load(&WORKSHOP.write(&model)));
-        let differences = differ(&original, &workshop, |row, column| (column.name.clone(), row.get(&column.name)));
+        let differences = differ(&original, &workshop, |row, column| {
+            (column.name.clone(), row.get(&column.name))
+        });
         (name, original, differences)
     });
     hold("units", found.collect());
@@ -310,18 +384,35 @@ fn outputs_do_not_change_the_motion() {
         let scales = scales(reference);
         let mut differences = Differences::new();
         for (intervals, run) in &runs {
-            assert_eq!(run.report.status, Status::Completed, "{name}: {intervals}: {:?}", run.report.message);
+            assert_eq!(
+                run.report.status,
+                Status::Completed,
+                "{name}: {intervals}: {:?}",
+                run.report.message
+            );
             assert_eq!(run.trajectory.len(), intervals + 1, "{name}");
             for k in 0..=*intervals {
                 // Instant k of `intervals` is instant k·finest/intervals of the finest, where that is whole.
                 if (k * finest) % intervals != 0 {
                     continue;
                 }
-                let (ours, theirs) = (run.trajectory.row(k), reference.trajectory.row(k * finest / intervals));
-                for ((column, ours), theirs) in run.trajectory.columns.iter().zip(ours).zip(theirs) {
-                    let difference = if ours == theirs { 0.0 } else { (ours - theirs).abs() / scales[column.unit] };
+                let (ours, theirs) = (
+                    run.trajectory.row(k),
+                    reference.trajectory.row(k * finest / intervals),
+                );
+                for ((column, ours), theirs) in run.trajectory.columns.iter().zip(ours).zip(theirs)
+                {
+                    let difference = if ours == theirs {
+                        0.0
+                    } else {
+                        (ours - theirs).abs() / scales[column.unit]
+                    };
                     let largest = differences.entry(column.unit).or_default();
-                    *largest = if difference.is_nan() { f64::INFINITY } else { largest.max(difference) };
+                    *largest = if difference.is_nan() {
+                        f64::INFINITY
+                    } else {
+                        largest.max(difference)
+                    };
                 }
             }
         }
@@ -335,13 +426,24 @@ fn outputs_do_not_change_the_motion() {
 fn kept_columns_are_the_same_to_the_last_bit() {
     for (name, mut model) in each_model() {
         let whole = solve(&model);
-        let kept: Vec<Column> = whole.trajectory.columns.iter().step_by(7).cloned().collect();
-        model.analysis.as_mut().expect("an analysis").columns = kept.iter().map(|column| column.name.clone()).collect();
+        let kept: Vec<Column> = whole
+            .trajectory
+            .columns
+            .iter()
+            .step_by(7)
+            .cloned()
+            .collect();
+        model.analysis.as_mut().expect("an analysis").columns =
+            kept.iter().map(|column| column.name.clone()).collect();
         let part = solve(&model);
         assert_eq!(part.trajectory.columns, kept, "{name}");
         for column in &kept {
-            let bits =
-                |outcome: &Outcome| values(outcome, &column.label()).into_iter().map(f64::to_bits).collect::<Vec<_>>();
+            let bits = |outcome: &Outcome| {
+                values(outcome, &column.label())
+                    .into_iter()
+                    .map(f64::to_bits)
+                    .collect::<Vec<_>>()
+            };
             assert!(bits(&whole) == bits(&part), "{name}: {}", column.name);
         }
         assert_eq!(whole.report.statistics, part.report.statistics, "{name}");
@@ -352,7 +454,14 @@ fn kept_columns_are_the_same_to_the_last_bit() {
 fn runs_repeat_to_the_last_bit() {
     for (name, model) in each_model() {
         let (first, second) = (solve(&model), solve(&model));
-        let bits = |outcome: &Outcome| outcome.trajectory.data.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
+        let bits = |outcome: &Outcome| {
+            outcome
+                .trajectory
+                .data
+                .iter()
+                .map(|value| value.to_bits())
+                .collect::<Vec<_>>()
+        };
         assert!(bits(&first) == bits(&second), "{name}");
         assert_eq!(first.report.statistics, second.report.statistics, "{name}");
         assert_eq!(first.report.events, second.report.events, "{name}");
@@ -367,7 +476,10 @@ fn constraints_hold_and_power_balances() {
         let quality = solve(&model).report.quality;
         println!("{name}: {quality:?}");
         assert!(quality.constraint_residual <= 1e-12, "{name}: {quality:?}");
-        assert!(quality.power_imbalance.expect("forces are known") <= 1e-9, "{name}: {quality:?}");
+        assert!(
+            quality.power_imbalance.expect("forces are known") <= 1e-9,
+            "{name}: {quality:?}"
+        );
     }
 }
 
@@ -376,7 +488,12 @@ fn in_time(model: &Model, outputs: usize) -> Model {
     let mut model = model.clone();
     let end = *values(&solve(&model), "time").last().expect("rows");
     let analysis = model.analysis.as_ref().expect("an analysis");
-    model.analysis = Some(Analysis { end: Some(end), outputs: Some(outputs), sample: None, ..analysis.clone() });
+    model.analysis = Some(Analysis {
+        end: Some(end),
+        outputs: Some(outputs),
+        sample: None,
+        ..analysis.clone()
+    });
     model
 }
 
@@ -399,13 +516,24 @@ fn velocities_and_accelerations_are_derivatives() {
                 Some((owner, "omega")) => (owner, "alpha"),
                 Some(_) | None => continue,
             };
-            let (f, rates) = (values(&outcome, &column.name), values(&outcome, &format!("{owner}.{rate}")));
-            let rate_column = outcome.trajectory.column_index(&format!("{owner}.{rate}")).expect("there");
-            let (size, scale) = (scales[column.unit], scales[outcome.trajectory.columns[rate_column].unit]);
+            let (f, rates) = (
+                values(&outcome, &column.name),
+                values(&outcome, &format!("{owner}.{rate}")),
+            );
+            let rate_column = outcome
+                .trajectory
+                .column_index(&format!("{owner}.{rate}"))
+                .expect("there");
+            let (size, scale) = (
+                scales[column.unit],
+                scales[outcome.trajectory.columns[rate_column].unit],
+            );
             let mut worst = (0.0, 0);
             for k in 4..f.len() - 4 {
-                let difference =
-                    |h: usize| (8.0 * (f[k + h] - f[k - h]) - (f[k + 2 * h] - f[k - 2 * h])) / (12.0 * step * h as f64);
+                let difference = |h: usize| {
+                    (8.0 * (f[k + h] - f[k - h]) - (f[k + 2 * h] - f[k - 2 * h]))
+                        / (12.0 * step * h as f64)
+                };
                 let (fine, coarse) = (difference(1), difference(2));
                 // The coarse error is about 16 times the fine one; round-off of f is divided by the step.
                 let error = (fine - coarse).abs() + 1e-12 * (scale + size / step);
@@ -416,7 +544,10 @@ fn velocities_and_accelerations_are_derivatives() {
             }
             if worst.0 > 1.0 {
                 let k = worst.1;
-                faults.push(format!("{name}: {owner}.{rate} at row {k}: {} times its tolerance", worst.0));
+                faults.push(format!(
+                    "{name}: {owner}.{rate} at row {k}: {} times its tolerance",
+                    worst.0
+                ));
             }
         }
     }
@@ -426,18 +557,30 @@ fn velocities_and_accelerations_are_derivatives() {
 /// Work of the driver is the change of energy where nothing else does work (Simpson's rule over 2000 intervals).
 #[test]
 fn work_becomes_energy() {
-    for (name, crank) in
-        [("four-bar", "crank"), ("parallel-crank", "crank1"), ("stephenson-iii", "crank"), ("lock", "link6")]
-    {
-        let model =
-            in_time(&load_bundled(name, &["analysis={\"type\":\"inverse_dynamics\",\"end\":0.8,\"outputs\":3}"]), 2001);
+    for (name, crank) in [
+        ("four-bar", "crank"),
+        ("parallel-crank", "crank1"),
+        ("stephenson-iii", "crank"),
+        ("lock", "link6"),
+    ] {
+        let model = in_time(
+            &load_bundled(
+                name,
+                &["analysis={\"type\":\"inverse_dynamics\",\"end\":0.8,\"outputs\":3}"],
+            ),
+            2001,
+        );
         let outcome = solve(&model);
         let (time, effort, omega) = (
             values(&outcome, "time"),
             values(&outcome, "driver.motor.effort"),
             values(&outcome, &format!("{crank}.omega")),
         );
-        let power: Vec<f64> = effort.iter().zip(&omega).map(|(effort, omega)| effort * omega).collect();
+        let power: Vec<f64> = effort
+            .iter()
+            .zip(&omega)
+            .map(|(effort, omega)| effort * omega)
+            .collect();
         let energy: Vec<f64> = values(&outcome, "energy.kinetic")
             .iter()
             .zip(values(&outcome, "energy.potential"))
@@ -449,7 +592,9 @@ fn work_becomes_energy() {
             work += step / 3.0 * (power[k - 2] + 4.0 * power[k - 1] + power[k]);
             largest = largest.max((work - (energy[k] - energy[0])).abs());
         }
-        let flow = energy.iter().fold(0.0, |m: f64, e| m.max((e - energy[0]).abs()));
+        let flow = energy
+            .iter()
+            .fold(0.0, |m: f64, e| m.max((e - energy[0]).abs()));
         println!("{name}: {largest:e} of {flow} J");
         assert!(largest <= 1e-8 * flow, "{name}: {largest:e} of {flow} J");
     }
@@ -457,10 +602,16 @@ fn work_becomes_energy() {
 
 /// A mechanism with one massless clearance link, ideal for radius 0.
 fn with_clearance(name: &str, joint: &str, radius: f64) -> Model {
-    let clearance = if radius > 0.0 { "massless_link" } else { "ideal" };
+    let clearance = if radius > 0.0 {
+        "massless_link"
+    } else {
+        "ideal"
+    };
     // The ideal model takes no notice of its radius.
     let radius = if radius > 0.0 { radius } else { 1e-5 };
-    let mut sets = vec![format!("joints.{joint}.clearance={{\"model\":\"{clearance}\",\"radius\":\"{radius} m\"}}")];
+    let mut sets = vec![format!(
+        "joints.{joint}.clearance={{\"model\":\"{clearance}\",\"radius\":\"{radius} m\"}}"
+    )];
     if name == "lock" {
         sets.push(
             "analysis.sample={\"driver\":\"motor\",\"from\":\"-50 deg\",\"to\":\"100 deg\",\"step\":\"0.5 deg\"}"
@@ -473,21 +624,31 @@ fn with_clearance(name: &str, joint: &str, radius: f64) -> Model {
 /// With the radius the difference to the ideal mechanism goes to zero, in proportion: halved by half the radius.
 #[test]
 fn a_vanishing_clearance_is_an_ideal_joint() {
-    for (name, joint) in
-        [("four-bar", "b"), ("slider-crank", "crankpin"), ("stephenson-iii", "e"), ("lock", "a"), ("lock", "f")]
-    {
+    for (name, joint) in [
+        ("four-bar", "b"),
+        ("slider-crank", "crankpin"),
+        ("stephenson-iii", "e"),
+        ("lock", "a"),
+        ("lock", "f"),
+    ] {
         let ideal = solve(&with_clearance(name, joint, 0.0));
         let far = |radius: f64| {
             let outcome = solve(&with_clearance(name, joint, radius));
             assert_eq!(outcome.report.status, Status::Completed, "{name}");
-            assert!(outcome.report.warnings.is_empty(), "{name} {joint} {radius}: {:?}", outcome.report.warnings);
+            assert!(
+                outcome.report.warnings.is_empty(),
+                "{name} {joint} {radius}: {:?}",
+                outcome.report.warnings
+            );
             let places = ideal
                 .trajectory
                 .columns
                 .iter()
                 .filter(|column| column.name.ends_with(".x") || column.name.ends_with(".y"));
             let distances = places.map(|column| {
-                let pairs = values(&ideal, &column.name).into_iter().zip(values(&outcome, &column.name));
+                let pairs = values(&ideal, &column.name)
+                    .into_iter()
+                    .zip(values(&outcome, &column.name));
                 pairs.fold(0.0, |m: f64, (ideal, ours)| m.max((ideal - ours).abs()))
             });
             distances.fold(0.0, f64::max)

@@ -9,7 +9,19 @@ use std::path::{Path, PathBuf};
 /// Layers from top to bottom, each with the layers it may use; a layer may only use what stands below it.
 const LAYERS: &[(&str, &[&str])] = &[
     ("main", &[]),
-    ("cli", &["validation", "figure", "analysis", "bundled", "model", "output", "display", "error"]),
+    (
+        "cli",
+        &[
+            "validation",
+            "figure",
+            "analysis",
+            "bundled",
+            "model",
+            "output",
+            "display",
+            "error",
+        ],
+    ),
     // `integrate`, `solve` and `system` to see single steps.
     (
         "validation",
@@ -54,7 +66,10 @@ const LAYERS: &[(&str, &[&str])] = &[
     // Constraints as the contract of `element` shows them, no joint; see `solve_knows_no_joint`; of `motion` a value with its derivatives.
     ("solve", &["system", "element", "motion", "math"]),
     // `compile` also sees `model`; see `EXCEPTIONS`.
-    ("system", &["element", "motion", "contact", "math", "display", "error"]),
+    (
+        "system",
+        &["element", "motion", "contact", "math", "display", "error"],
+    ),
     ("graph", &[]),
     ("element", &["motion", "contact", "math"]),
     ("motion", &["math"]),
@@ -121,10 +136,23 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
 }
 
 fn read(root: &Path, file: &Path) -> Source {
-    let path = file.strip_prefix(root).expect("below the root").to_string_lossy().replace('\\', "/");
-    let layer = path.trim_start_matches("src/").split('/').next().expect("a name").trim_end_matches(".rs").to_string();
+    let path = file
+        .strip_prefix(root)
+        .expect("below the root")
+        .to_string_lossy()
+        .replace('\\', "/");
+    let layer = path
+        .trim_start_matches("src/")
+        .split('/')
+        .next()
+        .expect("a name")
+        .trim_end_matches(".rs")
+        .to_string();
     let text = fs::read_to_string(file).expect("readable");
-    let code = text.lines().map(|line| line.split("//").next().unwrap_or_default().to_string()).collect();
+    let code = text
+        .lines()
+        .map(|line| line.split("//").next().unwrap_or_default().to_string())
+        .collect();
     Source { path, layer, code }
 }
 
@@ -132,7 +160,9 @@ fn read(root: &Path, file: &Path) -> Source {
 fn named(line: &str) -> impl Iterator<Item = &str> {
     line.match_indices("crate::").filter_map(|(at, word)| {
         let rest = &line[at + word.len()..];
-        let end = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
+        let end = rest
+            .find(|c: char| !c.is_alphanumeric() && c != '_')
+            .unwrap_or(rest.len());
         (end > 0).then(|| &rest[..end])
     })
 }
@@ -146,7 +176,10 @@ fn the_table_points_downwards() {
     for (place, (name, below)) in LAYERS.iter().enumerate() {
         for other in *below {
             let below = layer(other).unwrap_or_else(|| panic!("{other} is no layer"));
-            assert!(place < below, "{name} may not use {other}, which stands above it");
+            assert!(
+                place < below,
+                "{name} may not use {other}, which stands above it"
+            );
         }
     }
 }
@@ -166,13 +199,26 @@ fn no_layer_looks_where_it_may_not() {
         let own = layer(&source.layer).expect("in the table");
         for (number, line) in source.code.iter().enumerate() {
             // A list of layers in braces would escape this test.
-            assert!(!line.contains("crate::{"), "{}:{}: name each layer on its own line", source.path, number + 1);
-            for other in named(line).filter(|other| layer(other).is_some() && *other != source.layer) {
+            assert!(
+                !line.contains("crate::{"),
+                "{}:{}: name each layer on its own line",
+                source.path,
+                number + 1
+            );
+            for other in
+                named(line).filter(|other| layer(other).is_some() && *other != source.layer)
+            {
                 seen += 1;
-                let excepted =
-                    EXCEPTIONS.iter().any(|(folder, more)| source.path.starts_with(folder) && *more == other);
+                let excepted = EXCEPTIONS
+                    .iter()
+                    .any(|(folder, more)| source.path.starts_with(folder) && *more == other);
                 if !LAYERS[own].1.contains(&other) && !excepted {
-                    faults.push(format!("{}:{}: {} may not use {other}", source.path, number + 1, source.layer));
+                    faults.push(format!(
+                        "{}:{}: {} may not use {other}",
+                        source.path,
+                        number + 1,
+                        source.layer
+                    ));
                 }
             }
         }
@@ -187,9 +233,14 @@ fn every_package_keeps_to_its_place() {
     for source in sources() {
         for (number, line) in source.code.iter().enumerate() {
             for (package, places) in PACKAGES {
-                let names_it = line.contains(&format!("{package}::")) || line.contains(&format!("use {package};"));
+                let names_it = line.contains(&format!("{package}::"))
+                    || line.contains(&format!("use {package};"));
                 if names_it && !places.contains(&source.layer.as_str()) {
-                    faults.push(format!("{}:{}: {package} belongs to {places:?}", source.path, number + 1));
+                    faults.push(format!(
+                        "{}:{}: {package} belongs to {places:?}",
+                        source.path,
+                        number + 1
+                    ));
                 }
             }
         }
@@ -200,7 +251,14 @@ fn every_package_keeps_to_its_place() {
 /// The solver sees rows and entries, never what kind of joint made them.
 #[test]
 fn solve_knows_no_joint() {
-    let words = ["revolute", "prismatic", "JointKind", "JointData", ".joints", "JointId"];
+    let words = [
+        "revolute",
+        "prismatic",
+        "JointKind",
+        "JointData",
+        ".joints",
+        "JointId",
+    ];
     for source in sources().iter().filter(|source| source.layer == "solve") {
         for (number, line) in source.code.iter().enumerate() {
             let word = words.iter().find(|word| line.contains(**word));
@@ -212,9 +270,14 @@ fn solve_knows_no_joint() {
 /// An element writes small blocks; it allocates no matrix and solves nothing.
 #[test]
 fn element_knows_no_matrix() {
-    for source in sources().iter().filter(|source| source.layer == "element" && !source.path.ends_with("tests.rs")) {
+    for source in sources()
+        .iter()
+        .filter(|source| source.layer == "element" && !source.path.ends_with("tests.rs"))
+    {
         for (number, line) in source.code.iter().enumerate() {
-            let word = ["Matrix", "Pattern", "Lu", "System"].iter().find(|word| line.contains(**word));
+            let word = ["Matrix", "Pattern", "Lu", "System"]
+                .iter()
+                .find(|word| line.contains(**word));
             assert!(word.is_none(), "{}:{}: {word:?}", source.path, number + 1);
         }
     }

@@ -120,7 +120,10 @@ const MISTAKES: &[Mistake] = &[
     },
     Mistake {
         what: "pose drawn the wrong way round",
-        edits: &[(r#""position": [50, 87], "angle": 20"#, r#""position": [50, 87], "angle": 200"#)],
+        edits: &[(
+            r#""position": [50, 87], "angle": 20"#,
+            r#""position": [50, 87], "angle": 200"#,
+        )],
         status: 0,
         said: &[
             r#"line 7, column 111: bodies.rod.pose: it assembles turned by 95.3° from this drawing, perhaps on the other branch (draw the pose nearer to the assembly that you want)"#,
@@ -137,7 +140,10 @@ const MISTAKES: &[Mistake] = &[
     },
     Mistake {
         what: "driver start out of reach",
-        edits: &[(r#""A": [100, 0]"#, r#""A": [250, 0]"#), (r#""start": 60"#, r#""start": 170"#)],
+        edits: &[
+            (r#""A": [100, 0]"#, r#""A": [250, 0]"#),
+            (r#""start": 60"#, r#""start": 170"#),
+        ],
         status: 3,
         said: &[
             r#"can't assemble: the joints alone close, but with the drivers at their first values the loop a – b – c – d does not close; it lacks 97.92 mm at the best position found; change the start of a driver, or the lengths that keep it from there"#,
@@ -157,7 +163,10 @@ const MISTAKES: &[Mistake] = &[
     Mistake {
         what: "under-driven",
         edits: &[
-            ("\"drivers\": {\n", "\"drivers\": {},\n  \"note\": \"x\", \"forces\": {\n"),
+            (
+                "\"drivers\": {\n",
+                "\"drivers\": {},\n  \"note\": \"x\", \"forces\": {\n",
+            ),
             (
                 r#""motor": { "type": "rotation", "body": "crank", "motion": { "type": "constant_velocity", "start": 60, "velocity": "60 rpm" } }"#,
                 r#""#,
@@ -179,7 +188,10 @@ const MISTAKES: &[Mistake] = &[
     },
     Mistake {
         what: "a body without mass that no joint holds",
-        edits: &[("    \"rod\":", "    \"arm\": { \"inertia\": 0 },\n    \"rod\":")],
+        edits: &[(
+            "    \"rod\":",
+            "    \"arm\": { \"inertia\": 0 },\n    \"rod\":",
+        )],
         status: 2,
         said: &[
             r#"line 7, column 12: bodies.arm: inverse dynamics needs the mass of body "arm", which no joint holds (give "mass"; 0 is allowed where the joints determine its motion; or take the body out, or connect it by a joint)"#,
@@ -188,7 +200,10 @@ const MISTAKES: &[Mistake] = &[
     Mistake {
         what: "a body that no joint holds",
         edits: &[
-            ("    \"rod\":", "    \"arm\": { \"inertia\": 1, \"mass\": 1, \"com\": [0, 0] },\n    \"rod\":"),
+            (
+                "    \"rod\":",
+                "    \"arm\": { \"inertia\": 1, \"mass\": 1, \"com\": [0, 0] },\n    \"rod\":",
+            ),
             (r#""inverse_dynamics""#, r#""dynamics""#),
         ],
         status: 0,
@@ -198,9 +213,14 @@ const MISTAKES: &[Mistake] = &[
     },
     Mistake {
         what: "two grounds",
-        edits: &[("    \"crank\":", "    \"ground\": { \"points\": { \"P\": [0, 0] } },\n    \"crank\":")],
+        edits: &[(
+            "    \"crank\":",
+            "    \"ground\": { \"points\": { \"P\": [0, 0] } },\n    \"crank\":",
+        )],
         status: 2,
-        said: &[r#"line 6, column 5: bodies.ground: "ground": the key is given twice (first on line 5, column 5)"#],
+        said: &[
+            r#"line 6, column 5: bodies.ground: "ground": the key is given twice (first on line 5, column 5)"#,
+        ],
     },
     Mistake {
         what: "ground misspelt",
@@ -218,11 +238,16 @@ const MISTAKES: &[Mistake] = &[
             r#""d": { "type": "prismatic", "between": ["ground.Q", "rocker.Q"], "axis": [1, 0], "clearance": { "model": "ideal" } }"#,
         )],
         status: 2,
-        said: &[r#"line 14, column 86: joints.d.clearance: "clearance": only a revolute joint can have clearance"#],
+        said: &[
+            r#"line 14, column 86: joints.d.clearance: "clearance": only a revolute joint can have clearance"#,
+        ],
     },
     Mistake {
         what: "missing units",
-        edits: &[("  \"units\": { \"length\": \"mm\", \"angle\": \"deg\", \"inertia\": \"kg*mm^2\" },\n", "")],
+        edits: &[(
+            "  \"units\": { \"length\": \"mm\", \"angle\": \"deg\", \"inertia\": \"kg*mm^2\" },\n",
+            "",
+        )],
         status: 2,
         said: &[
             r#"line 1, column 1: "units" is missing (write "units": "SI", or name other units: {"length": "mm", "angle": "deg"})"#,
@@ -232,7 +257,9 @@ const MISTAKES: &[Mistake] = &[
         what: "two joints with the same name",
         edits: &[(r#"    "c": {"#, r#"    "b": {"#)],
         status: 2,
-        said: &[r#"line 13, column 5: joints.b: "b": the key is given twice (first on line 12, column 5)"#],
+        said: &[
+            r#"line 13, column 5: joints.b: "b": the key is given twice (first on line 12, column 5)"#,
+        ],
     },
     Mistake {
         what: "motion type misspelt",
@@ -330,13 +357,17 @@ const MISTAKES: &[Mistake] = &[
         what: "single quotes",
         edits: &[(r#""crank.A""#, r#"'crank.A'"#)],
         status: 2,
-        said: &[r#"line 12, column 44: not JSON: '\'' where a value is expected (text stands in double quotes)"#],
+        said: &[
+            r#"line 12, column 44: not JSON: '\'' where a value is expected (text stands in double quotes)"#,
+        ],
     },
     Mistake {
         what: "NaN",
         edits: &[(r#""mass": 0.8"#, r#""mass": NaN"#)],
         status: 2,
-        said: &[r#"line 6, column 24: not JSON: 'N' where a value is expected (JSON knows neither NaN nor Infinity)"#],
+        said: &[
+            r#"line 6, column 24: not JSON: 'N' where a value is expected (JSON knows neither NaN nor Infinity)"#,
+        ],
     },
     Mistake {
         what: "decimal comma",
@@ -374,7 +405,9 @@ const MISTAKES: &[Mistake] = &[
         what: "tab in a text",
         edits: &[("\"format\"", "\"about\": \"a\tb\",\n  \"format\"")],
         status: 2,
-        said: &[r#"line 2, column 14: not JSON: a control character in a text; write a tab as \t, another as \u00XX"#],
+        said: &[
+            r#"line 2, column 14: not JSON: a control character in a text; write a tab as \t, another as \u00XX"#,
+        ],
     },
     Mistake {
         what: "unquoted key",
@@ -394,25 +427,38 @@ const MISTAKES: &[Mistake] = &[
     },
     Mistake {
         what: "between of three",
-        edits: &[(r#"["ground.O", "crank.O"]"#, r#"["ground.O", "crank.O", "rod.A"]"#)],
+        edits: &[(
+            r#"["ground.O", "crank.O"]"#,
+            r#"["ground.O", "crank.O", "rod.A"]"#,
+        )],
         status: 2,
         said: &[r#"line 11, column 43: joints.a.between: a list of 2 is expected, this one has 3"#],
     },
     Mistake {
         what: "pin instead of revolute",
-        edits: &[(r#""revolute", "between": ["ground.O""#, r#""pin", "between": ["ground.O""#)],
+        edits: &[(
+            r#""revolute", "between": ["ground.O""#,
+            r#""pin", "between": ["ground.O""#,
+        )],
         status: 2,
-        said: &[r#"line 11, column 20: joints.a.type: "pin": unknown type (did you mean "revolute"?)"#],
+        said: &[
+            r#"line 11, column 20: joints.a.type: "pin": unknown type (did you mean "revolute"?)"#,
+        ],
     },
     Mistake {
         what: "number as text",
         edits: &[(r#""mass": 0.8"#, r#""mass": "0.8""#)],
         status: 2,
-        said: &[r#"line 6, column 24: bodies.crank.mass: "0.8": the unit is missing, a unit of mass (such as "kg")"#],
+        said: &[
+            r#"line 6, column 24: bodies.crank.mass: "0.8": the unit is missing, a unit of mass (such as "kg")"#,
+        ],
     },
     Mistake {
         what: "no analysis",
-        edits: &[(",\n  \"analysis\": { \"type\": \"inverse_dynamics\", \"end\": 1, \"outputs\": 101 }", "")],
+        edits: &[(
+            ",\n  \"analysis\": { \"type\": \"inverse_dynamics\", \"end\": 1, \"outputs\": 101 }",
+            "",
+        )],
         status: 2,
         said: &[
             r#"line 1, column 1: analysis: the model says no analysis to run (add "analysis": { "type": "kinematics", "end": 1, "outputs": 101 }, or use `linkdyn check`)"#,
@@ -420,7 +466,10 @@ const MISTAKES: &[Mistake] = &[
     },
     Mistake {
         what: "analysis as text",
-        edits: &[(r#"{ "type": "inverse_dynamics", "end": 1, "outputs": 101 }"#, r#""kinematics""#)],
+        edits: &[(
+            r#"{ "type": "inverse_dynamics", "end": 1, "outputs": 101 }"#,
+            r#""kinematics""#,
+        )],
         status: 2,
         said: &[
             r#"line 19, column 15: analysis: "kinematics": an object is expected, not text (as in "analysis": { "type": "kinematics", "end": 1, "outputs": 101 })"#,
@@ -433,7 +482,9 @@ const MISTAKES: &[Mistake] = &[
             "  \"forces\": { \"s\": { \"type\": \"spring\", \"between\": [\"ground.O\", \"rod.B\"] } },\n  \"analysis\"",
         )],
         status: 2,
-        said: &[r#"line 19, column 20: forces.s: "stiffness" is missing (with "damping" alone it would be a damper)"#],
+        said: &[
+            r#"line 19, column 20: forces.s: "stiffness" is missing (with "damping" alone it would be a damper)"#,
+        ],
     },
     Mistake {
         what: "force at a body",
@@ -451,22 +502,35 @@ const MISTAKES: &[Mistake] = &[
 /// Exit status, standard output, and the complaints on standard error without their `error:` and file.
 fn linkdyn(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, Vec<String>) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_linkdyn"));
-    let output = command.args(arguments).current_dir(folder).stdin(Stdio::null()).output().expect("runs");
+    let output = command
+        .args(arguments)
+        .current_dir(folder)
+        .stdin(Stdio::null())
+        .output()
+        .expect("runs");
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
     let said = text(output.stderr);
-    let said =
-        said.lines().map(|line| line.trim_start_matches("error: ").trim_start_matches("model.json: ").to_string());
+    let said = said.lines().map(|line| {
+        line.trim_start_matches("error: ")
+            .trim_start_matches("model.json: ")
+            .to_string()
+    });
     (output.status.code(), text(output.stdout), said.collect())
 }
 
 #[test]
 fn typical_mistakes_are_answered_with_place_cause_and_mend() {
     assert!(MISTAKES.len() >= 30, "{}", MISTAKES.len());
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("mistakes-{}", std::process::id()));
+    let folder =
+        Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("mistakes-{}", std::process::id()));
     fs::create_dir_all(&folder).expect("a folder");
     let file = folder.join("model.json");
     fs::write(&file, SOUND).expect("written");
-    assert_eq!(linkdyn(&folder, &["run", "model.json"]).0, Some(0), "the model to be spoilt is sound");
+    assert_eq!(
+        linkdyn(&folder, &["run", "model.json"]).0,
+        Some(0),
+        "the model to be spoilt is sound"
+    );
     let mut wrong = Vec::new();
     for mistake in MISTAKES {
         let mut text = SOUND.to_string();
@@ -480,7 +544,9 @@ fn typical_mistakes_are_answered_with_place_cause_and_mend() {
             let (_, told, _) = linkdyn(&folder, &["check", "model.json", "--json"]);
             let told: Value = serde_json::from_str(&told).expect("JSON");
             let suspicious = told["suspicious"].as_array().expect("a list").iter();
-            said = suspicious.filter_map(|text| text.as_str().map(String::from)).collect();
+            said = suspicious
+                .filter_map(|text| text.as_str().map(String::from))
+                .collect();
         }
         if status != Some(mistake.status) || said != mistake.said {
             wrong.push(format!("{}: {status:?}, said {said:#?}", mistake.what));
@@ -488,7 +554,12 @@ fn typical_mistakes_are_answered_with_place_cause_and_mend() {
     }
     let (status, _, said) = linkdyn(&folder, &["run", "nomodel.json"]);
     assert_eq!(status, Some(2));
-    assert_eq!(said, ["nomodel.json: no such file, and no bundled model of that name (`linkdyn models` lists them)"]);
+    assert_eq!(
+        said,
+        [
+            "nomodel.json: no such file, and no bundled model of that name (`linkdyn models` lists them)"
+        ]
+    );
     fs::remove_dir_all(&folder).expect("removed");
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }

@@ -16,7 +16,9 @@ fn readme() -> String {
 fn blocks(text: &str, language: &str) -> Vec<String> {
     let open = format!("```{language}\n");
     let blocks = text.split(open.as_str()).skip(1);
-    blocks.map(|rest| rest.split("```").next().unwrap_or_default().to_string()).collect()
+    blocks
+        .map(|rest| rest.split("```").next().unwrap_or_default().to_string())
+        .collect()
 }
 
 #[test]
@@ -27,23 +29,35 @@ fn its_models_run() {
         let loaded = model::load(model.as_bytes(), &[]).expect("a sound model");
         assert!(loaded.warnings.is_empty(), "{:?}", loaded.warnings);
         let outcome = run(&loaded.model, &Control::default()).expect("runs");
-        assert_eq!((outcome.report.status, outcome.report.warnings.len()), (Status::Completed, 0));
+        assert_eq!(
+            (outcome.report.status, outcome.report.warnings.len()),
+            (Status::Completed, 0)
+        );
     }
 }
 
 /// The slider-crank of parameters: r = 50 mm and l = 4 r, one turn in 1 s, and the stroke 2 r in closed form.
 #[test]
 fn its_parameters_size_the_mechanism() {
-    for (sets, r) in [(vec![], 0.05), (vec!["parameters.r=60 mm".to_string()], 0.06)] {
-        let loaded = model::load(blocks(&readme(), "json")[1].as_bytes(), &sets).expect("a sound model");
-        let trajectory = run(&loaded.model, &Control::default()).expect("runs").trajectory;
+    for (sets, r) in [
+        (vec![], 0.05),
+        (vec!["parameters.r=60 mm".to_string()], 0.06),
+    ] {
+        let loaded =
+            model::load(blocks(&readme(), "json")[1].as_bytes(), &sets).expect("a sound model");
+        let trajectory = run(&loaded.model, &Control::default())
+            .expect("runs")
+            .trajectory;
         let times = trajectory.values("time").expect("always there");
         let slide = trajectory.values("piston.x").expect("a body");
         assert_eq!((times.len(), times[360]), (361, 1.0));
         for (time, x) in times.iter().zip(slide) {
             let angle = std::f64::consts::TAU * time;
             let exact = r * angle.cos() + (16.0 * r * r - (r * angle.sin()).powi(2)).sqrt();
-            assert!((x - exact).abs() < 1e-12, "{x} instead of {exact} at {time} s");
+            assert!(
+                (x - exact).abs() < 1e-12,
+                "{x} instead of {exact} at {time} s"
+            );
         }
         assert_eq!(loaded.model.bodies["rod"].mass, Some(8.0 * (4.0 * r)));
     }
@@ -65,7 +79,8 @@ fn words(line: &str) -> Vec<String> {
 
 #[test]
 fn its_commands_run_as_written() {
-    let scratch = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("readme-{}", std::process::id()));
+    let scratch =
+        Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("readme-{}", std::process::id()));
     fs::create_dir_all(&scratch).expect("a scratch directory");
     let text = readme();
     let blocks = blocks(&text, "sh");
@@ -75,15 +90,23 @@ fn its_commands_run_as_written() {
     let mut ran = 0;
     for line in blocks.iter().flat_map(|block| block.lines()) {
         let Some(arguments) = line.strip_prefix("cargo run --release -- ") else {
-            let benches = ["six_bar", "dynamics", "contact"].map(|name| format!("cargo bench --bench {name}"));
+            let benches = ["six_bar", "dynamics", "contact"]
+                .map(|name| format!("cargo bench --bench {name}"));
             let others = [&["cargo test --release".to_string()][..], &benches].concat();
             assert!(others.iter().any(|other| other == line), "{line}");
             continue;
         };
         let mut command = Command::new(env!("CARGO_BIN_EXE_linkdyn"));
-        command.args(words(arguments)).current_dir(&scratch).stdin(Stdio::null());
+        command
+            .args(words(arguments))
+            .current_dir(&scratch)
+            .stdin(Stdio::null());
         let output = command.output().expect("the binary runs");
-        assert!(output.status.success(), "{line}: {}", String::from_utf8_lossy(&output.stderr));
+        assert!(
+            output.status.success(),
+            "{line}: {}",
+            String::from_utf8_lossy(&output.stderr)
+        );
         if arguments.ends_with("-o out") {
             let files: &[&str] = if arguments.starts_with("run") {
                 &["results.csv", "summary.json", "report.html"]
@@ -91,7 +114,10 @@ fn its_commands_run_as_written() {
                 &["lock/report.md"]
             };
             for file in files {
-                assert!(scratch.join("out").join(file).exists(), "{line} leaves no {file}");
+                assert!(
+                    scratch.join("out").join(file).exists(),
+                    "{line} leaves no {file}"
+                );
             }
             fs::remove_dir_all(scratch.join("out")).expect("removed");
         }
@@ -104,9 +130,15 @@ fn its_commands_run_as_written() {
 #[test]
 fn its_validation_table_names_every_reference_case() {
     let text = readme();
-    let references = CASES.iter().filter(|case| matches!(case.kind, CaseKind::Reference(_)));
+    let references = CASES
+        .iter()
+        .filter(|case| matches!(case.kind, CaseKind::Reference(_)));
     for case in references.filter(|case| !case.name.starts_with("random-")) {
-        assert!(text.contains(&format!("`{}`", case.name)), "{} is missing", case.name);
+        assert!(
+            text.contains(&format!("`{}`", case.name)),
+            "{} is missing",
+            case.name
+        );
     }
 }
 
@@ -123,6 +155,9 @@ fn its_status_and_event_words_are_ours() {
         Status::TimeLimit,
         Status::Interrupted,
     ] {
-        assert!(text.contains(&format!("| `{}` |", status.word())), "{status:?} is missing");
+        assert!(
+            text.contains(&format!("| `{}` |", status.word())),
+            "{status:?} is missing"
+        );
     }
 }

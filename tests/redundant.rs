@@ -54,9 +54,15 @@ impl Maker {
     /// A body with its frame anywhere.
     fn body(&mut self, name: &str, points: &[(&str, V)]) {
         let (origin, angle) = (self.place(0.5), self.within(-3.0, 3.0));
-        let (mass, inertia, com) = (self.within(0.2, 3.0), self.within(0.01, 0.3), self.place(0.4));
-        let local: serde_json::Map<String, Value> =
-            points.iter().map(|(point, at)| (point.to_string(), json!(turn(-angle, minus(*at, origin))))).collect();
+        let (mass, inertia, com) = (
+            self.within(0.2, 3.0),
+            self.within(0.01, 0.3),
+            self.place(0.4),
+        );
+        let local: serde_json::Map<String, Value> = points
+            .iter()
+            .map(|(point, at)| (point.to_string(), json!(turn(-angle, minus(*at, origin)))))
+            .collect();
         self.model["bodies"][name] = json!({ "mass": mass, "inertia": inertia, "com": com, "points": local,
             "pose": { "position": origin, "angle": angle } });
     }
@@ -67,12 +73,17 @@ impl Maker {
 
     /// Angle of a body in the drawing.
     fn angle(&self, body: &str) -> f64 {
-        self.model["bodies"][body]["pose"]["angle"].as_f64().expect("drawn")
+        self.model["bodies"][body]["pose"]["angle"]
+            .as_f64()
+            .expect("drawn")
     }
 
     /// The second body fixed to the first as they are drawn.
     fn weld(model: &mut Value, name: &str, [first, second]: [(&str, &str); 2], angle: f64) {
-        let between = [format!("{}.{}", first.0, first.1), format!("{}.{}", second.0, second.1)];
+        let between = [
+            format!("{}.{}", first.0, first.1),
+            format!("{}.{}", second.0, second.1),
+        ];
         model["joints"][name] = json!({ "type": "fixed", "between": between, "angle": angle });
     }
 
@@ -111,7 +122,11 @@ fn pair(seed: u64) -> Pair {
         model["analysis"] = json!({ "type": "dynamics", "end": end, "outputs": 21,
             "solver": { "rtol": rtol, "atol": rtol, "max_wall_time": 20 } });
     }
-    let (anchor, stiffness, omega) = (maker.place(1.0), maker.within(5.0, 50.0), maker.within(-8.0, 8.0));
+    let (anchor, stiffness, omega) = (
+        maker.place(1.0),
+        maker.within(5.0, 50.0),
+        maker.within(-8.0, 8.0),
+    );
     for model in [&mut pair.redundant, &mut pair.regular] {
         if seed.is_multiple_of(3) {
             model["bodies"]["ground"]["points"]["S"] = json!(anchor);
@@ -122,7 +137,8 @@ fn pair(seed: u64) -> Pair {
             model["initial"]["hung0"] = json!({ "angular_velocity": omega });
         }
     }
-    pair.columns.extend((0..more).map(|k| format!("hung{k}.angle")));
+    pair.columns
+        .extend((0..more).map(|k| format!("hung{k}.angle")));
     pair
 }
 
@@ -131,7 +147,11 @@ fn pair(seed: u64) -> Pair {
 fn parallel_cranks(maker: &mut Maker, more: usize) -> Pair {
     let cranks = 3 + maker.random.below(2);
     // Flat positions of two cranks and the plate are among the starts.
-    let theta = if maker.random.below(4) == 0 { 0.0 } else { maker.within(-3.1, 3.1) };
+    let theta = if maker.random.below(4) == 0 {
+        0.0
+    } else {
+        maker.within(-3.1, 3.1)
+    };
     let arm = turn(theta, [maker.within(0.1, 0.6), 0.0]);
     let feet: Vec<V> = (0..cranks)
         .map(|k| {
@@ -152,23 +172,43 @@ fn parallel_cranks(maker: &mut Maker, more: usize) -> Pair {
         maker.body(&name, &[("P", *foot), ("A", plus(*foot, arm))]);
         let body = &maker.model["bodies"][&name];
         let number = |value: &Value| value.as_f64().expect("a number");
-        let [mass, own, angle] = [&body["mass"], &body["inertia"], &body["pose"]["angle"]].map(number);
+        let [mass, own, angle] =
+            [&body["mass"], &body["inertia"], &body["pose"]["angle"]].map(number);
         let at = |value: &Value| [number(&value[0]), number(&value[1])];
-        let com = minus(plus(at(&body["pose"]["position"]), turn(angle, at(&body["com"]))), *foot);
+        let com = minus(
+            plus(at(&body["pose"]["position"]), turn(angle, at(&body["com"]))),
+            *foot,
+        );
         inertia += own + mass * (com[0] * com[0] + com[1] * com[1]);
         moment = plus(moment, com.map(|c| mass * c));
     }
     maker.model["bodies"]["ground"]["points"] = ground;
-    let plate: Vec<(String, V)> =
-        feet.iter().enumerate().map(|(k, foot)| (format!("A{k}"), plus(*foot, arm))).collect();
-    let points: Vec<(&str, V)> = plate.iter().map(|(name, at)| (name.as_str(), *at)).collect();
+    let plate: Vec<(String, V)> = feet
+        .iter()
+        .enumerate()
+        .map(|(k, foot)| (format!("A{k}"), plus(*foot, arm)))
+        .collect();
+    let points: Vec<(&str, V)> = plate
+        .iter()
+        .map(|(name, at)| (name.as_str(), *at))
+        .collect();
     maker.body("plate", &points);
-    let mass = maker.model["bodies"]["plate"]["mass"].as_f64().expect("a number");
+    let mass = maker.model["bodies"]["plate"]["mass"]
+        .as_f64()
+        .expect("a number");
     inertia += mass * (arm[0] * arm[0] + arm[1] * arm[1]);
     moment = plus(moment, arm.map(|a| mass * a));
     for k in 0..cranks {
-        maker.pin(&format!("p{k}"), &format!("ground.P{k}"), &format!("crank{k}.P"));
-        maker.pin(&format!("a{k}"), &format!("crank{k}.A"), &format!("plate.A{k}"));
+        maker.pin(
+            &format!("p{k}"),
+            &format!("ground.P{k}"),
+            &format!("crank{k}.P"),
+        );
+        maker.pin(
+            &format!("a{k}"),
+            &format!("crank{k}.A"),
+            &format!("plate.A{k}"),
+        );
     }
     maker.hang(more, "plate.A0", plus(feet[0], arm));
     let mut regular = maker.model.clone();
@@ -185,9 +225,17 @@ fn parallel_cranks(maker: &mut Maker, more: usize) -> Pair {
     );
     let joints = regular["joints"].as_object_mut().expect("joints");
     joints.retain(|name, _| name.starts_with('h'));
-    joints.insert("p".into(), json!({ "type": "revolute", "between": ["ground.P0", "one.P"] }));
+    joints.insert(
+        "p".into(),
+        json!({ "type": "revolute", "between": ["ground.P0", "one.P"] }),
+    );
     joints["h0"]["between"][0] = json!("one.A");
-    Pair { kind: "parallel cranks", redundant: maker.model.clone(), regular, columns: Vec::new() }
+    Pair {
+        kind: "parallel cranks",
+        redundant: maker.model.clone(),
+        regular,
+        columns: Vec::new(),
+    }
 }
 
 /// A body on a pivot, and a bar from the pivot to another point of it.
@@ -204,7 +252,12 @@ fn doubled_bar(maker: &mut Maker, more: usize) -> Pair {
     Maker::weld(&mut regular, "j2", [("b1", "E"), ("bar", "E")], angle);
     maker.pin("j3", "ground.O", "bar.O");
     let columns = ["b1.angle", "bar.angle"].map(String::from).to_vec();
-    Pair { kind: "doubled bar", redundant: maker.model.clone(), regular, columns }
+    Pair {
+        kind: "doubled bar",
+        redundant: maker.model.clone(),
+        regular,
+        columns,
+    }
 }
 
 /// A chain with one of its pins twice.
@@ -220,7 +273,12 @@ fn doubled_pin(maker: &mut Maker, more: usize) -> Pair {
     } else {
         maker.pin("j2", "b1.H", "hung0.H");
     }
-    Pair { kind: "doubled pin", redundant: maker.model.clone(), regular, columns: vec!["b1.angle".into()] }
+    Pair {
+        kind: "doubled pin",
+        redundant: maker.model.clone(),
+        regular,
+        columns: vec!["b1.angle".into()],
+    }
 }
 
 /// Four bars from corner to corner of a quadrangle on a pivot, and both its diagonals.
@@ -230,16 +288,29 @@ fn braced_box(maker: &mut Maker, more: usize) -> Pair {
     let corners: Vec<V> = square
         .iter()
         .enumerate()
-        .map(|(k, corner)| if k == 0 { [0.0; 2] } else { turn(tilt, plus(*corner, maker.place(0.15))) })
+        .map(|(k, corner)| {
+            if k == 0 {
+                [0.0; 2]
+            } else {
+                turn(tilt, plus(*corner, maker.place(0.15)))
+            }
+        })
         .collect();
     maker.model["bodies"]["ground"]["points"] = json!({ "O": [0, 0] });
     let ends = [(0, 1), (1, 2), (2, 3), (3, 0), (0, 2), (1, 3)];
     for (k, &(from, to)) in ends.iter().enumerate() {
-        maker.body(&format!("bar{k}"), &[("F", corners[from]), ("T", corners[to])]);
+        maker.body(
+            &format!("bar{k}"),
+            &[("F", corners[from]), ("T", corners[to])],
+        );
     }
     maker.pin("o", "ground.O", "bar0.F");
     for k in 0..3 {
-        maker.pin(&format!("c{k}"), &format!("bar{k}.T"), &format!("bar{}.F", k + 1));
+        maker.pin(
+            &format!("c{k}"),
+            &format!("bar{k}.T"),
+            &format!("bar{}.F", k + 1),
+        );
     }
     maker.pin("c3", "bar3.T", "bar0.F");
     maker.pin("d0", "bar0.F", "bar4.F");
@@ -250,8 +321,15 @@ fn braced_box(maker: &mut Maker, more: usize) -> Pair {
     maker.pin("e1", "bar2.T", "bar5.T");
     let angle = maker.angle("bar5") - maker.angle("bar0");
     Maker::weld(&mut regular, "e0", [("bar0", "T"), ("bar5", "F")], angle);
-    let columns = ["bar0.angle", "bar2.angle", "bar5.angle"].map(String::from).to_vec();
-    Pair { kind: "box", redundant: maker.model.clone(), regular, columns }
+    let columns = ["bar0.angle", "bar2.angle", "bar5.angle"]
+        .map(String::from)
+        .to_vec();
+    Pair {
+        kind: "box",
+        redundant: maker.model.clone(),
+        regular,
+        columns,
+    }
 }
 
 /// Largest difference of the columns that both have [rad].
@@ -260,23 +338,34 @@ fn apart(pair: &Pair, redundant: &Outcome, regular: &Outcome) -> f64 {
         let (a, b) = (values(redundant, column), values(regular, column));
         // Angles of drawings differ by whole turns at most.
         let first = a[0] - b[0];
-        a.into_iter().zip(b).map(move |(a, b)| (a - b - first).abs()).collect::<Vec<_>>()
+        a.into_iter()
+            .zip(b)
+            .map(move |(a, b)| (a - b - first).abs())
+            .collect::<Vec<_>>()
     });
     differences.fold(0.0, f64::max)
 }
 
 #[test]
 fn redundant_mechanisms_move_as_their_regular_twins() {
-    let count = std::env::var("LINKDYN_REDUNDANT").ok().and_then(|count| count.parse().ok()).unwrap_or(2000);
+    let count = std::env::var("LINKDYN_REDUNDANT")
+        .ok()
+        .and_then(|count| count.parse().ok())
+        .unwrap_or(2000);
     let mut faults = Vec::new();
     let (mut worst_steps, mut worst_energy, mut worst_apart) = (0.0_f64, 0.0_f64, 0.0_f64);
     for seed in 0..count {
         let pair = pair(seed);
-        let rtol = pair.redundant["analysis"]["solver"]["rtol"].as_f64().expect("a number");
+        let rtol = pair.redundant["analysis"]["solver"]["rtol"]
+            .as_f64()
+            .expect("a number");
         let (redundant, regular) = (solve(&load(&pair.redundant)), solve(&load(&pair.regular)));
         let words = [&redundant, &regular].map(|outcome| outcome.report.status.word());
         if words != ["completed"; 2] {
-            faults.push(format!("{seed} {}: {words:?} {:?}", pair.kind, redundant.report.message));
+            faults.push(format!(
+                "{seed} {}: {words:?} {:?}",
+                pair.kind, redundant.report.message
+            ));
             continue;
         }
         let mobility = &redundant.report.mobility;
@@ -284,13 +373,16 @@ fn redundant_mechanisms_move_as_their_regular_twins() {
             !mobility.redundant.is_empty() && mobility.rank == regular.report.mobility.rank,
             "{seed}: {mobility:?}"
         );
-        let steps =
-            [&redundant, &regular].map(|outcome| outcome.report.statistics.steps + outcome.report.statistics.rejected);
+        let steps = [&redundant, &regular]
+            .map(|outcome| outcome.report.statistics.steps + outcome.report.statistics.rejected);
         let part = steps[0] as f64 / steps[1] as f64;
         let energy = redundant.report.quality.energy_drift.expect("conservative") / rtol;
         let apart = apart(&pair, &redundant, &regular) / rtol;
         if std::env::var_os("LINKDYN_REDUNDANT").is_some() {
-            println!("{seed} {} rtol {rtol:.1e} steps {steps:?} energy {energy:.1} apart {apart:.1}", pair.kind);
+            println!(
+                "{seed} {} rtol {rtol:.1e} steps {steps:?} energy {energy:.1} apart {apart:.1}",
+                pair.kind
+            );
         }
         if part > 3.0 {
             faults.push(format!("{seed} {}: {steps:?} steps", pair.kind));
@@ -299,10 +391,20 @@ fn redundant_mechanisms_move_as_their_regular_twins() {
         worst_energy = worst_energy.max(energy);
         worst_apart = worst_apart.max(apart);
     }
-    println!("{count}: steps {worst_steps:.2} times, energy {worst_energy:.1} rtol, apart {worst_apart:.1} rtol");
-    assert!(faults.is_empty(), "{} of {count}:\n{}", faults.len(), faults.join("\n"));
+    println!(
+        "{count}: steps {worst_steps:.2} times, energy {worst_energy:.1} rtol, apart {worst_apart:.1} rtol"
+    );
+    assert!(
+        faults.is_empty(),
+        "{} of {count}:\n{}",
+        faults.len(),
+        faults.join("\n")
+    );
     // Errors of a step, times the steps, times what the motion makes of them.
-    assert!(worst_energy < 1e4 && worst_apart < 1e4, "{worst_energy} {worst_apart}");
+    assert!(
+        worst_energy < 1e4 && worst_apart < 1e4,
+        "{worst_energy} {worst_apart}"
+    );
 }
 
 fn case(name: &str) -> Value {
@@ -318,10 +420,19 @@ fn a_pendulum_on_parallel_cranks_starts_whatever_its_centre_of_mass() {
         model["bodies"]["pend"]["com"] = json!([format!("{com} m"), 0]);
         let outcome = solve(&load(&model));
         let report = &outcome.report;
-        assert_eq!(report.status.word(), "completed", "{com}: {:?}", report.message);
+        assert_eq!(
+            report.status.word(),
+            "completed",
+            "{com}: {:?}",
+            report.message
+        );
         assert_eq!((report.mobility.rank, outcome.trajectory.len()), (2, 31));
         let drift = report.quality.energy_drift.expect("conservative");
-        assert!(drift < 1e-8 && report.statistics.steps < 1000, "{com}: {drift}, {} steps", report.statistics.steps);
+        assert!(
+            drift < 1e-8 && report.statistics.steps < 1000,
+            "{com}: {drift}, {} steps",
+            report.statistics.steps
+        );
     }
 }
 
@@ -336,7 +447,12 @@ fn a_doubled_bar_turns_at_any_tolerance() {
             model["analysis"]["solver"] = json!({ "rtol": rtol, "atol": 0.01 * rtol });
             let outcome = solve(&load(&model));
             let report = &outcome.report;
-            assert_eq!(report.status.word(), "completed", "{rtol}: {:?}", report.message);
+            assert_eq!(
+                report.status.word(),
+                "completed",
+                "{rtol}: {:?}",
+                report.message
+            );
             let steps = report.statistics.steps + report.statistics.rejected;
             assert!(steps < 1500, "{rtol}: {steps} steps");
             ends.push((rtol, *values(&outcome, "b2.angle").last().expect("a row")));
@@ -351,14 +467,29 @@ fn a_doubled_bar_turns_at_any_tolerance() {
 /// A flat parallelogram has two ways to go.
 #[test]
 fn a_singular_start_is_still_refused() {
-    let mut model: Value =
-        serde_json::from_str(linkdyn::bundled::find("parallel-crank").expect("bundled").text).expect("JSON");
+    let mut model: Value = serde_json::from_str(
+        linkdyn::bundled::find("parallel-crank")
+            .expect("bundled")
+            .text,
+    )
+    .expect("JSON");
     for joint in ["r", "c"] {
-        model["joints"].as_object_mut().expect("joints").remove(joint);
+        model["joints"]
+            .as_object_mut()
+            .expect("joints")
+            .remove(joint);
     }
-    model["bodies"].as_object_mut().expect("bodies").remove("crank3");
+    model["bodies"]
+        .as_object_mut()
+        .expect("bodies")
+        .remove("crank3");
     model["drivers"] = json!({});
     model["analysis"] = json!({ "type": "dynamics", "end": 0.1, "outputs": 3 });
     let outcome = solve(&load(&model));
-    assert_eq!(outcome.report.status.word(), "singular", "{:?}", outcome.report.message);
+    assert_eq!(
+        outcome.report.status.word(),
+        "singular",
+        "{:?}",
+        outcome.report.message
+    );
 }

@@ -18,11 +18,17 @@ use std::process::{Command, Stdio};
 fn run(arguments: &[&str]) -> (String, String, Value) {
     let scratch = Scratch::new("report");
     let mut command = Command::new(env!("CARGO_BIN_EXE_linkdyn"));
-    command.arg("run").args(arguments).arg("-o").arg(&scratch.0).stdin(Stdio::null());
+    command
+        .arg("run")
+        .args(arguments)
+        .arg("-o")
+        .arg(&scratch.0)
+        .stdin(Stdio::null());
     let output = command.output().expect("the binary runs");
     let read = |name: &str| fs::read_to_string(scratch.0.join(name));
     let said = String::from_utf8_lossy(&output.stderr);
-    let page = read("report.html").unwrap_or_else(|_| panic!("{arguments:?} leaves no report: {said}"));
+    let page =
+        read("report.html").unwrap_or_else(|_| panic!("{arguments:?} leaves no report: {said}"));
     let summary = serde_json::from_str(&read("summary.json").expect("a summary")).expect("JSON");
     (page, read("results.csv").expect("results"), summary)
 }
@@ -37,7 +43,12 @@ fn data(page: &str) -> Value {
 fn cells(csv: &str) -> (Vec<&str>, Vec<Vec<Option<f64>>>) {
     let mut lines = csv.lines();
     let heads = lines.next().expect("a header").split(',').collect();
-    (heads, lines.map(|line| line.split(',').map(|cell| cell.parse().ok()).collect()).collect())
+    (
+        heads,
+        lines
+            .map(|line| line.split(',').map(|cell| cell.parse().ok()).collect())
+            .collect(),
+    )
 }
 
 const HOSTILE: &str = r#"{ "format": "linkdyn/1", "name": "</script><script>window.hacked=1</script><!--<script>", "units": "SI",
@@ -62,14 +73,31 @@ fn hostile() -> String {
 #[test]
 fn a_page_needs_nothing_from_outside() {
     let (page, _, summary) = run(&["four-bar"]);
-    for word in [" src=", "<link", "@import", "url(", "fetch(", "XMLHttpRequest", "WebSocket", "innerHTML =", "eval("] {
-        let own = page.split("/*! https://github.com/leeoniya/uPlot").next().expect("a part");
+    for word in [
+        " src=",
+        "<link",
+        "@import",
+        "url(",
+        "fetch(",
+        "XMLHttpRequest",
+        "WebSocket",
+        "innerHTML =",
+        "eval(",
+    ] {
+        let own = page
+            .split("/*! https://github.com/leeoniya/uPlot")
+            .next()
+            .expect("a part");
         let rest = page.split_once("linkdyn = {}").expect("our scripts").1;
         assert!(!own.contains(word) && !rest.contains(word), "{word}");
     }
-    let policy = page.split("Content-Security-Policy\" content=\"").nth(1).expect("a policy");
+    let policy = page
+        .split("Content-Security-Policy\" content=\"")
+        .nth(1)
+        .expect("a policy");
     assert!(
-        policy.starts_with("default-src 'none'; script-src 'sha256-") && !policy.contains("'unsafe"),
+        policy.starts_with("default-src 'none'; script-src 'sha256-")
+            && !policy.contains("'unsafe"),
         "{policy:.200}"
     );
     let data = data(&page);
@@ -85,10 +113,19 @@ fn names_reach_the_page_only_inside_escaped_json() {
     let (json, after) = rest.split_once("</script>").expect("an end");
     assert!(!json.contains(['<', '>', '&', '\u{2028}']));
     for text in ["hacked", "onerror", "toString\"", "🔒"] {
-        assert!(!before.contains(text) && !after.split("uPlot").next().expect("a part").contains(text), "{text}");
+        assert!(
+            !before.contains(text) && !after.split("uPlot").next().expect("a part").contains(text),
+            "{text}"
+        );
     }
-    assert_eq!(data(&page)["mechanism"]["bodies"][1]["name"], "<!--<script>");
-    assert_eq!(data(&page)["about"], "<img src=x onerror=\"window.hacked=1\"> & &lt; {{script}}");
+    assert_eq!(
+        data(&page)["mechanism"]["bodies"][1]["name"],
+        "<!--<script>"
+    );
+    assert_eq!(
+        data(&page)["about"],
+        "<img src=x onerror=\"window.hacked=1\"> & &lt; {{script}}"
+    );
 }
 
 /// Columns that are not wanted among the results are there for the drawing, and only for it.
@@ -99,7 +136,10 @@ fn poses_are_there_even_when_the_results_leave_them_out() {
     let data = data(&page);
     let columns = data["columns"].as_array().expect("a list");
     assert!(columns.contains(&json!(["crank.x", "m", 0])), "{columns:?}");
-    let value = columns.iter().find(|column| column[0] == "driver.motor.value").expect("the driver's value");
+    let value = columns
+        .iter()
+        .find(|column| column[0] == "driver.motor.value")
+        .expect("the driver's value");
     assert_eq!(value[2], 1);
 }
 
@@ -108,20 +148,31 @@ fn large(bodies: usize, rows: usize, name: impl Fn(usize) -> String) -> String {
     let quantities = ["x", "y", "angle", "vx", "vy", "omega", "ax", "ay", "alpha"];
     let mut columns = vec![Column::new("time", "s")];
     let names: Vec<String> = (0..bodies).map(name).collect();
-    columns.extend(names.iter().flat_map(|name| quantities.map(|q| Column::new(format!("{name}.{q}"), "m"))));
+    columns.extend(
+        names
+            .iter()
+            .flat_map(|name| quantities.map(|q| Column::new(format!("{name}.{q}"), "m"))),
+    );
     let mut table = Trajectory::new(columns);
     let width = table.width();
     for row in 0..rows {
-        table
-            .data
-            .extend((0..width).map(|k| if k == 0 { row as f64 } else { (k as f64 * 0.1).sin() + row as f64 * 1e-3 }));
+        table.data.extend((0..width).map(|k| {
+            if k == 0 {
+                row as f64
+            } else {
+                (k as f64 * 0.1).sin() + row as f64 * 1e-3
+            }
+        }));
     }
     let body = |name: &str| Body {
         name: name.into(),
         points: vec![("A".into(), 0.0, 0.0), ("B".into(), 0.1, 0.0)],
         com: None,
     };
-    let mut mechanism = Mechanism { bodies: vec![body("ground")], ..Mechanism::default() };
+    let mut mechanism = Mechanism {
+        bodies: vec![body("ground")],
+        ..Mechanism::default()
+    };
     mechanism.bodies.extend(names.iter().map(|name| body(name)));
     mechanism.joints = (0..bodies)
         .map(|k| Joint {
@@ -133,7 +184,11 @@ fn large(bodies: usize, rows: usize, name: impl Fn(usize) -> String) -> String {
             clearance: None,
         })
         .collect();
-    let (report, stage, settings) = (Report::default(), Stage::default(), json!({ "type": "dynamics" }));
+    let (report, stage, settings) = (
+        Report::default(),
+        Stage::default(),
+        json!({ "type": "dynamics" }),
+    );
     let summary = Summary {
         model_name: "large",
         model_sha256: "00",
@@ -159,7 +214,10 @@ fn large(bodies: usize, rows: usize, name: impl Fn(usize) -> String) -> String {
 fn a_page_stays_below_five_megabytes_and_says_what_it_leaves_out() {
     for (what, page) in [
         ("10 000 bodies", large(10_000, 101, |k| format!("body {k}"))),
-        ("long names", large(400, 20, |k| format!("{k} {}", "long ".repeat(4000)))),
+        (
+            "long names",
+            large(400, 20, |k| format!("{k} {}", "long ".repeat(4000))),
+        ),
         ("many rows", large(7, 60_000, |k| format!("body {k}"))),
     ] {
         let data = data(&page);
@@ -170,10 +228,16 @@ fn a_page_stays_below_five_megabytes_and_says_what_it_leaves_out() {
             data["columns"].as_array().expect("a list").len()
         );
         assert!(page.len() < 5_000_000, "{what}: {}", page.len());
-        assert!(!data["notes"].as_array().expect("a list").is_empty(), "{what} is cut in silence");
+        assert!(
+            !data["notes"].as_array().expect("a list").is_empty(),
+            "{what} is cut in silence"
+        );
     }
     let small = data(&large(20, 50, |k| format!("body {k}")));
-    assert_eq!((&small["notes"], &small["rows"], &small["bytes"]), (&json!([]), &json!(50), &json!(8)));
+    assert_eq!(
+        (&small["notes"], &small["rows"], &small["bytes"]),
+        (&json!([]), &json!(50), &json!(8))
+    );
 }
 
 #[test]
@@ -181,12 +245,33 @@ fn every_outcome_opens_without_a_word_on_the_console() {
     let Some(browser) = find() else { return };
     let cases: &[(&[&str], &str)] = &[
         (&["four-bar"], "completed"),
-        (&["slider-crank", "--set", "analysis.type=kinematics"], "completed"),
+        (
+            &["slider-crank", "--set", "analysis.type=kinematics"],
+            "completed",
+        ),
         (&["geared-five-bar"], "completed"),
         (&["scotch-yoke"], "completed"),
         (&["parallel-crank"], "completed"),
-        (&["quick-return", "--set", "drivers={}", "--set", "analysis.type=dynamics"], "completed"),
-        (&["scotch-yoke", "--set", "drivers={}", "--set", "analysis.type=statics"], "completed"),
+        (
+            &[
+                "quick-return",
+                "--set",
+                "drivers={}",
+                "--set",
+                "analysis.type=dynamics",
+            ],
+            "completed",
+        ),
+        (
+            &[
+                "scotch-yoke",
+                "--set",
+                "drivers={}",
+                "--set",
+                "analysis.type=statics",
+            ],
+            "completed",
+        ),
         (&["lock", "--set", "analysis.type=assembly"], "completed"),
         (
             &[
@@ -198,8 +283,20 @@ fn every_outcome_opens_without_a_word_on_the_console() {
             ],
             "completed_with_gaps",
         ),
-        (&["lock", "--set", "analysis.sample.to=135 deg", "--set", "analysis.sample.step=1 deg"], "dead_centre"),
-        (&["four-bar", "--set", r#"bodies.coupler.points.B=["9 m", 0]"#], "assembly_failed"),
+        (
+            &[
+                "lock",
+                "--set",
+                "analysis.sample.to=135 deg",
+                "--set",
+                "analysis.sample.step=1 deg",
+            ],
+            "dead_centre",
+        ),
+        (
+            &["four-bar", "--set", r#"bodies.coupler.points.B=["9 m", 0]"#],
+            "assembly_failed",
+        ),
         (
             &[
                 "quick-return",
@@ -212,15 +309,33 @@ fn every_outcome_opens_without_a_word_on_the_console() {
             ],
             "time_limit",
         ),
-        (&["four-bar", "--set", r#"analysis.columns=["driver.*"]"#], "completed"),
+        (
+            &["four-bar", "--set", r#"analysis.columns=["driver.*"]"#],
+            "completed",
+        ),
     ];
     for (arguments, status) in cases {
         let (page, _, summary) = run(arguments);
         assert_eq!(summary["status"], *status, "{arguments:?}");
         let visit = open(&browser, &page, Some(1000));
-        assert!(visit.console.is_empty(), "{arguments:?}: {:#?}", visit.console);
-        assert!(visit.dom.contains("data-ready=\"true\""), "{arguments:?} does not get ready");
-        assert!(!visit.dom.split("id=\"data\"").next().expect("a part").contains("NaN"), "{arguments:?}");
+        assert!(
+            visit.console.is_empty(),
+            "{arguments:?}: {:#?}",
+            visit.console
+        );
+        assert!(
+            visit.dom.contains("data-ready=\"true\""),
+            "{arguments:?} does not get ready"
+        );
+        assert!(
+            !visit
+                .dom
+                .split("id=\"data\"")
+                .next()
+                .expect("a part")
+                .contains("NaN"),
+            "{arguments:?}"
+        );
     }
 }
 
@@ -228,7 +343,12 @@ fn every_outcome_opens_without_a_word_on_the_console() {
 fn the_controls_move_the_mechanism() {
     let Some(browser) = find() else { return };
     let (page, csv, _) = run(&["four-bar"]);
-    let (told, visit) = ask(&browser, &page, include_str!("report/controls.js"), Some(12_000));
+    let (told, visit) = ask(
+        &browser,
+        &page,
+        include_str!("report/controls.js"),
+        Some(12_000),
+    );
     assert!(visit.console.is_empty(), "{:#?}", visit.console);
     let (heads, rows) = cells(&csv);
     let last = rows.len() - 1;
@@ -240,33 +360,65 @@ fn the_controls_move_the_mechanism() {
         for body in bodies {
             let name = body[0].as_str().expect("a name");
             for (k, quantity) in ["x[m]", "y[m]", "angle[rad]"].iter().enumerate() {
-                let column = heads.iter().position(|head| *head == format!("{name}.{quantity}")).expect("a column");
-                assert_eq!(body[k + 1].as_f64(), rows[row][column], "{name}.{quantity} in row {row}");
+                let column = heads
+                    .iter()
+                    .position(|head| *head == format!("{name}.{quantity}"))
+                    .expect("a column");
+                assert_eq!(
+                    body[k + 1].as_f64(),
+                    rows[row][column],
+                    "{name}.{quantity} in row {row}"
+                );
             }
         }
     }
-    assert!(told["inked"].as_u64() > Some(5000) && told["same"] == true && told["moves"] == true, "{told:#}");
+    assert!(
+        told["inked"].as_u64() > Some(5000) && told["same"] == true && told["moves"] == true,
+        "{told:#}"
+    );
     let plots = told["plots"].as_array().expect("plots");
-    assert!(plots.len() >= 4 && plots.iter().all(|plot| plot["built"] == true), "{plots:?}");
-    let number = |key: &str| told[key].as_u64().unwrap_or_else(|| panic!("{key} in {told:#}")) as usize;
+    assert!(
+        plots.len() >= 4 && plots.iter().all(|plot| plot["built"] == true),
+        "{plots:?}"
+    );
+    let number = |key: &str| {
+        told[key]
+            .as_u64()
+            .unwrap_or_else(|| panic!("{key} in {told:#}")) as usize
+    };
     assert!(number("played") > 5 && number("played") < last, "{told:#}");
     assert_eq!(number("stopped"), number("later"));
-    assert_eq!((number("right"), number("left"), number("end")), (11, 1, last));
+    assert_eq!(
+        (number("right"), number("left"), number("end")),
+        (11, 1, last)
+    );
     assert_eq!(told["units"], "si");
-    assert!(told["si"].as_str().expect("text").ends_with(" m") || told["si"] == "0 m", "{told:#}");
+    assert!(
+        told["si"].as_str().expect("text").ends_with(" m") || told["si"] == "0 m",
+        "{told:#}"
+    );
     assert_eq!(told["dark"], "dark");
     assert!(number("hovered").abs_diff(last / 2) <= 1, "{told:#}");
     for line in told["lines"].as_array().expect("lines") {
-        assert!((line.as_f64().expect("a place") - 1.0).abs() < 0.01, "{told:#}");
+        assert!(
+            (line.as_f64().expect("a place") - 1.0).abs() < 0.01,
+            "{told:#}"
+        );
     }
     for range in told["zoomed"].as_array().expect("ranges") {
         assert_eq!(range, &json!([0.2, 0.4]));
     }
     // The driver's value in degrees.
-    let value = heads.iter().position(|head| *head == "driver.motor.value[rad]").expect("a column");
+    let value = heads
+        .iter()
+        .position(|head| *head == "driver.motor.value[rad]")
+        .expect("a column");
     for (k, row) in [0, last].into_iter().enumerate() {
         let expected = rows[row][value].expect("a value").to_degrees();
-        assert!((told["across"][k].as_f64().expect("a bound") - expected).abs() < 1e-9 * expected.abs(), "{told:#}");
+        assert!(
+            (told["across"][k].as_f64().expect("a bound") - expected).abs() < 1e-9 * expected.abs(),
+            "{told:#}"
+        );
     }
     assert_eq!(told["arrows"], true, "the arrows are not drawn");
 }
@@ -275,8 +427,17 @@ fn the_controls_move_the_mechanism() {
 #[test]
 fn a_page_opens_where_the_run_is_stuck() {
     let Some(browser) = find() else { return };
-    let stuck = ["lock", "--set", "analysis.sample.to=135 deg", "--set", "analysis.sample.step=1 deg"];
-    for (arguments, early) in [(&["lock", "--set", "analysis.sample.step=1 deg"][..], false), (&stuck, true)] {
+    let stuck = [
+        "lock",
+        "--set",
+        "analysis.sample.to=135 deg",
+        "--set",
+        "analysis.sample.step=1 deg",
+    ];
+    for (arguments, early) in [
+        (&["lock", "--set", "analysis.sample.step=1 deg"][..], false),
+        (&stuck, true),
+    ] {
         let (page, csv, summary) = run(arguments);
         assert_eq!(summary["status"] == "dead_centre", early);
         let probe = "setTimeout(() => { const { player, rows } = linkdyn; const row = player.row, scrub = Number(document.getElementById('scrub').value); \
@@ -285,7 +446,10 @@ fn a_page_opens_where_the_run_is_stuck() {
         assert!(visit.console.is_empty(), "{:#?}", visit.console);
         let last = csv.lines().count() - 2;
         let opened = if early { last } else { 0 };
-        assert_eq!(told, json!({ "row": opened, "rows": last + 1, "scrub": opened, "played": 0 }));
+        assert_eq!(
+            told,
+            json!({ "row": opened, "rows": last + 1, "scrub": opened, "played": 0 })
+        );
     }
 }
 
@@ -304,7 +468,10 @@ fn hostile_names_do_nothing() {
         (&json!("undefined"), &json!(5), &json!(0)),
         "{told:#}"
     );
-    assert_eq!(told["heading"], "</script><script>window.hacked=1</script><!--<script>");
+    assert_eq!(
+        told["heading"],
+        "</script><script>window.hacked=1</script><!--<script>"
+    );
     assert_eq!(told["origin"], "\\u{202e}evil\\u{2028}line");
     assert_eq!(told["bodies"], json!(["<!--<script>", "__proto__"]));
 }
@@ -316,7 +483,8 @@ fn what_stands_beside_the_drawing_can_be_read() {
     let Some(browser) = find() else { return };
     let scratch = Scratch::new("long-names");
     let path = scratch.0.join("model.json");
-    let text = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/models/four-bar.json")).expect("bundled");
+    let text = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/models/four-bar.json"))
+        .expect("bundled");
     let long = text
         .replace("\"P\"", "\"outer_ball_joint_front_left_point\"")
         .replace("coupler.P", "coupler.outer_ball_joint_front_left_point");
@@ -331,12 +499,26 @@ fn what_stands_beside_the_drawing_can_be_read() {
         wrapped: boxes.filter((box) => box.height > 30).length, from: cell('sample from'), analysis: document.getElementById('analysis').textContent });";
     let (told, visit) = ask(&browser, &page, probe, Some(1000));
     assert!(visit.console.is_empty(), "{:#?}", visit.console);
-    assert!(told["wrapped"].as_u64() > Some(0) && told["over"] == 0, "{told:#}");
-    assert_eq!(told["engineering"], json!(["10 µm", "2 mm", "500 mm", "1 m", "10 m", "2000 m"]));
-    assert_eq!(told["si"], json!(["1e−5 m", "0.002 m", "0.5 m", "1 m", "10 m", "2000 m"]));
+    assert!(
+        told["wrapped"].as_u64() > Some(0) && told["over"] == 0,
+        "{told:#}"
+    );
+    assert_eq!(
+        told["engineering"],
+        json!(["10 µm", "2 mm", "500 mm", "1 m", "10 m", "2000 m"])
+    );
+    assert_eq!(
+        told["si"],
+        json!(["1e−5 m", "0.002 m", "0.5 m", "1 m", "10 m", "2000 m"])
+    );
     assert_eq!(told["from"], "60°");
     let columns = format!(", {} columns", cells(&csv).0.len());
-    assert!(told["analysis"].as_str().is_some_and(|text| text.ends_with(&columns)), "{told:#}, {columns}");
+    assert!(
+        told["analysis"]
+            .as_str()
+            .is_some_and(|text| text.ends_with(&columns)),
+        "{told:#}, {columns}"
+    );
 }
 
 #[test]
@@ -347,9 +529,14 @@ fn a_page_without_results_says_so_where_the_drawing_would_be() {
         const [card, said] = [box('motion'), box('undrawn')]; answer({ text: document.getElementById('undrawn').textContent, \
         high: said.height, inside: said.top >= card.top && said.bottom <= card.bottom, wide: card.width });";
     let (told, _) = ask(&browser, &page, probe, Some(1000));
-    assert_eq!(told["text"], "There is no result to show: assembly failed, for the reason given above.");
+    assert_eq!(
+        told["text"],
+        "There is no result to show: assembly failed, for the reason given above."
+    );
     assert!(
-        told["inside"] == true && told["high"].as_f64() > Some(15.0) && told["wide"].as_f64() > Some(1000.0),
+        told["inside"] == true
+            && told["high"].as_f64() > Some(15.0)
+            && told["wide"].as_f64() > Some(1000.0),
         "{told:#}"
     );
 }
@@ -359,10 +546,23 @@ fn a_page_without_results_says_so_where_the_drawing_would_be() {
 fn foreign_scripts_are_refused() {
     let Some(browser) = find() else { return };
     let (page, _, _) = run(&["four-bar", "--set", "analysis.outputs=3"]);
-    let visit =
-        open(&browser, &page.replace("</body>", "<script>document.title = 'hacked'</script></body>"), Some(500));
+    let visit = open(
+        &browser,
+        &page.replace(
+            "</body>",
+            "<script>document.title = 'hacked'</script></body>",
+        ),
+        Some(500),
+    );
     assert!(!visit.dom.contains("<title>hacked"));
-    assert!(visit.console.iter().any(|line| line.contains("Content Security Policy")), "{:?}", visit.console);
+    assert!(
+        visit
+            .console
+            .iter()
+            .any(|line| line.contains("Content Security Policy")),
+        "{:?}",
+        visit.console
+    );
 }
 
 /// 2000 instants of 60 columns: the time from opening to a page that can be used. The bound leaves room for a busy machine.
@@ -370,14 +570,32 @@ fn foreign_scripts_are_refused() {
 fn a_usual_page_opens_at_once() {
     let Some(browser) = find() else { return };
     for (what, page, bound) in [
-        ("2000 rows, 64 columns", large(7, 2000, |k| format!("body {k}")), 3000.0),
-        ("10 000 bodies", large(10_000, 101, |k| format!("body {k}")), 20_000.0),
+        (
+            "2000 rows, 64 columns",
+            large(7, 2000, |k| format!("body {k}")),
+            3000.0,
+        ),
+        (
+            "10 000 bodies",
+            large(10_000, 101, |k| format!("body {k}")),
+            20_000.0,
+        ),
     ] {
         let probe = "answer({ ready: performance.now(), plots: linkdyn.plots.list.filter((plot) => plot.u).length, known: linkdyn.shapes.known });";
         let (told, _) = ask(&browser, &page, probe, None);
-        println!("{what}: {} bytes, ready after {} ms", page.len(), told["ready"]);
-        assert!(told["ready"].as_f64().expect("a time") < bound, "{what}: {told}");
-        assert!(told["plots"].as_u64() >= Some(1) && told["known"] == true, "{told}");
+        println!(
+            "{what}: {} bytes, ready after {} ms",
+            page.len(),
+            told["ready"]
+        );
+        assert!(
+            told["ready"].as_f64().expect("a time") < bound,
+            "{what}: {told}"
+        );
+        assert!(
+            told["plots"].as_u64() >= Some(1) && told["known"] == true,
+            "{told}"
+        );
     }
 }
 
@@ -398,14 +616,26 @@ fn shaking_is_the_balance_of_momentum() {
         let model = models::load_bundled(name, sets);
         let outcome = models::solve(&model);
         let (derived, _) = derived(&model, outcome.all());
-        let ours = ["fx", "fy", "moment"].map(|q| derived.values(&format!("shaking.{q}")).expect("shaking"));
-        let of = |column: String| outcome.trajectory.values(&column).unwrap_or_else(|| panic!("no {column}"));
+        let ours = ["fx", "fy", "moment"]
+            .map(|q| derived.values(&format!("shaking.{q}")).expect("shaking"));
+        let of = |column: String| {
+            outcome
+                .trajectory
+                .values(&column)
+                .unwrap_or_else(|| panic!("no {column}"))
+        };
         let mut sums = vec![[0.0; 3]; outcome.trajectory.len()];
         for (body, words) in model.bodies.iter().filter(|(body, _)| *body != "ground") {
-            let columns = ["x", "y", "angle", "omega", "ax", "ay", "alpha"].map(|q| of(format!("{body}.{q}")));
-            let (m, inertia, com) = (words.mass.expect("m"), words.inertia.expect("I"), words.com.unwrap_or_default());
+            let columns = ["x", "y", "angle", "omega", "ax", "ay", "alpha"]
+                .map(|q| of(format!("{body}.{q}")));
+            let (m, inertia, com) = (
+                words.mass.expect("m"),
+                words.inertia.expect("I"),
+                words.com.unwrap_or_default(),
+            );
             for (row, sum) in sums.iter_mut().enumerate() {
-                let [x, y, angle, omega, ax, ay, alpha] = [0, 1, 2, 3, 4, 5, 6].map(|k| columns[k][row]);
+                let [x, y, angle, omega, ax, ay, alpha] =
+                    [0, 1, 2, 3, 4, 5, 6].map(|k| columns[k][row]);
                 let (sin, cos) = angle.sin_cos();
                 let (rx, ry) = (cos * com[0] - sin * com[1], sin * com[0] + cos * com[1]);
                 let fx = m * (model.gravity[0] - (ax - alpha * ry - omega * omega * rx));
@@ -418,7 +648,11 @@ fn shaking_is_the_balance_of_momentum() {
         for (force, words) in &model.forces {
             match &words.kind {
                 ForceKind::Load { at, .. } => {
-                    let [fx, fy] = ["fx", "fy"].map(|q| derived.values(&format!("force.{force}.{q}")).expect("a load"));
+                    let [fx, fy] = ["fx", "fy"].map(|q| {
+                        derived
+                            .values(&format!("force.{force}.{q}"))
+                            .expect("a load")
+                    });
                     let [x, y, angle] = ["x", "y", "angle"].map(|q| of(format!("{}.{q}", at.body)));
                     let point = model.bodies[&at.body].points[&at.point];
                     for (row, sum) in sums.iter_mut().enumerate() {
@@ -430,15 +664,25 @@ fn shaking_is_the_balance_of_momentum() {
                         sum[2] += px * fy[row] - py * fx[row];
                     }
                 }
-                ForceKind::Torque { relative_to: None, .. } => {
-                    let torque = derived.values(&format!("force.{force}.torque")).expect("a torque");
-                    sums.iter_mut().zip(torque).for_each(|(sum, torque)| sum[2] += torque);
+                ForceKind::Torque {
+                    relative_to: None, ..
+                } => {
+                    let torque = derived
+                        .values(&format!("force.{force}.torque"))
+                        .expect("a torque");
+                    sums.iter_mut()
+                        .zip(torque)
+                        .for_each(|(sum, torque)| sum[2] += torque);
                 }
-                ForceKind::Torque { .. } | ForceKind::Spring { .. } | ForceKind::TorsionSpring { .. } => {}
+                ForceKind::Torque { .. }
+                | ForceKind::Spring { .. }
+                | ForceKind::TorsionSpring { .. } => {}
             }
         }
         for k in 0..3 {
-            let largest = sums.iter().fold(1.0_f64, |largest, sum| largest.max(sum[k].abs()));
+            let largest = sums
+                .iter()
+                .fold(1.0_f64, |largest, sum| largest.max(sum[k].abs()));
             for (row, sum) in sums.iter().enumerate() {
                 let difference = (sum[k] - ours[k][row]).abs() / largest;
                 assert!(
@@ -461,7 +705,10 @@ fn shaking_is_the_balance_of_momentum() {
 /// Four-bar: Alt's transmission angle from the triangle coupler, rocker, diagonal; the ratio of the velocities.
 #[test]
 fn transmission_of_a_four_bar_is_that_of_its_triangle() {
-    let model = models::load_bundled("four-bar", &[r#"analysis.transmission={"output":"rocker"}"#]);
+    let model = models::load_bundled(
+        "four-bar",
+        &[r#"analysis.transmission={"output":"rocker"}"#],
+    );
     let outcome = models::solve(&model);
     let (derived, notes) = derived(&model, outcome.all());
     assert!(notes.is_empty(), "{notes:?}");
@@ -470,23 +717,41 @@ fn transmission_of_a_four_bar_is_that_of_its_triangle() {
         bodies == ["coupler", "rocker"] || bodies == ["rocker", "coupler"]
     });
     let (name, joint) = joint.expect("a joint between coupler and rocker");
-    let angle = derived.values(&format!("transmission.{name}.angle")).expect("an angle");
-    let (ratio, advantage) = (derived.values("transmission.ratio"), derived.values("transmission.advantage"));
+    let angle = derived
+        .values(&format!("transmission.{name}.angle"))
+        .expect("an angle");
+    let (ratio, advantage) = (
+        derived.values("transmission.ratio"),
+        derived.values("transmission.advantage"),
+    );
     let (ratio, advantage) = (ratio.expect("a ratio"), advantage.expect("an advantage"));
     let place = |body: &str, point: &str, row: usize| {
         let [x, y] = model.bodies[body].points[point];
-        let of = |q: &str| if body == "ground" { 0.0 } else { models::values(&outcome, &format!("{body}.{q}"))[row] };
+        let of = |q: &str| {
+            if body == "ground" {
+                0.0
+            } else {
+                models::values(&outcome, &format!("{body}.{q}"))[row]
+            }
+        };
         let (sin, cos) = of("angle").sin_cos();
         [of("x") + cos * x - sin * y, of("y") + sin * x + cos * y]
     };
     // The other ends of the two links.
     let far = |body: &str, not: &str| {
-        let other =
-            model.joints.values().flat_map(|joint| &joint.between).find(|end| end.body == body && end.point != not);
+        let other = model
+            .joints
+            .values()
+            .flat_map(|joint| &joint.between)
+            .find(|end| end.body == body && end.point != not);
         other.expect("another end").point.clone()
     };
     let [coupler_end, rocker_end] = ["coupler", "rocker"].map(|body| {
-        let end = joint.between.iter().find(|end| end.body == body).expect("an end");
+        let end = joint
+            .between
+            .iter()
+            .find(|end| end.body == body)
+            .expect("an end");
         (end.point.clone(), far(body, &end.point))
     });
     let [crank_omega, rocker_omega] =
@@ -494,9 +759,18 @@ fn transmission_of_a_four_bar_is_that_of_its_triangle() {
     for row in (0..outcome.trajectory.len()).step_by(7) {
         let pin = place("coupler", &coupler_end.0, row);
         let along = |end: [f64; 2]| [end[0] - pin[0], end[1] - pin[1]];
-        let (a, b) = (along(place("coupler", &coupler_end.1, row)), along(place("rocker", &rocker_end.1, row)));
-        let between = (a[0] * b[1] - a[1] * b[0]).abs().atan2((a[0] * b[0] + a[1] * b[1]).abs());
-        assert!((angle[row] - between).abs() < 1e-9, "row {row}: {} and {between}", angle[row]);
+        let (a, b) = (
+            along(place("coupler", &coupler_end.1, row)),
+            along(place("rocker", &rocker_end.1, row)),
+        );
+        let between = (a[0] * b[1] - a[1] * b[0])
+            .abs()
+            .atan2((a[0] * b[0] + a[1] * b[1]).abs());
+        assert!(
+            (angle[row] - between).abs() < 1e-9,
+            "row {row}: {} and {between}",
+            angle[row]
+        );
         let expected = rocker_omega[row] / crank_omega[row];
         assert!(
             (ratio[row] - expected).abs() < 1e-9 * expected.abs().max(1.0),
@@ -511,19 +785,35 @@ fn transmission_of_a_four_bar_is_that_of_its_triangle() {
 #[test]
 fn transmission_of_a_slider_crank_is_its_closed_form() {
     for motion in ["{}", r#"{"type":"polynomial","coefficients":[40]}"#] {
-        let mut sets = vec![r#"analysis.transmission={"driver":"motor","output":"piston"}"#.to_string()];
+        let mut sets =
+            vec![r#"analysis.transmission={"driver":"motor","output":"piston"}"#.to_string()];
         sets.extend((motion != "{}").then(|| format!("drivers.motor.motion={motion}")));
-        let model = models::load_bundled("slider-crank", &sets.iter().map(String::as_str).collect::<Vec<_>>());
+        let model = models::load_bundled(
+            "slider-crank",
+            &sets.iter().map(String::as_str).collect::<Vec<_>>(),
+        );
         let outcome = models::solve(&model);
         let (derived, _) = derived(&model, outcome.all());
-        assert_eq!(derived.columns[derived.column_index("transmission.ratio").expect("a ratio")].unit, "m/rad");
+        assert_eq!(
+            derived.columns[derived.column_index("transmission.ratio").expect("a ratio")].unit,
+            "m/rad"
+        );
         let ratio = derived.values("transmission.ratio").expect("a ratio");
-        let angle = derived.values("transmission.wristpin.angle").expect("an angle");
+        let angle = derived
+            .values("transmission.wristpin.angle")
+            .expect("an angle");
         let (r, l) = (0.05_f64, 0.2_f64);
-        for (row, theta) in models::values(&outcome, "crank.angle").into_iter().enumerate() {
+        for (row, theta) in models::values(&outcome, "crank.angle")
+            .into_iter()
+            .enumerate()
+        {
             let root = (l * l - (r * theta.sin()).powi(2)).sqrt();
             let expected = -r * theta.sin() - r * r * theta.sin() * theta.cos() / root;
-            assert!((ratio[row] - expected).abs() < 1e-12, "row {row}: {} and {expected}", ratio[row]);
+            assert!(
+                (ratio[row] - expected).abs() < 1e-12,
+                "row {row}: {} and {expected}",
+                ratio[row]
+            );
             let between = (root / l).asin();
             // In the dead centres the piston has no velocity, and μ no meaning.
             assert!(
@@ -532,16 +822,25 @@ fn transmission_of_a_slider_crank_is_its_closed_form() {
                 angle[row]
             );
         }
-        assert!(angle.iter().filter(|angle| angle.is_nan()).count() <= 3, "{angle:?}");
+        assert!(
+            angle.iter().filter(|angle| angle.is_nan()).count() <= 3,
+            "{angle:?}"
+        );
     }
 }
 
 #[test]
 fn a_transmission_that_the_drivers_do_not_determine_is_said_to_be_none() {
-    let sets = [r#"analysis.transmission={"driver":"motor","output":"arm"}"#, "analysis.type=dynamics"];
+    let sets = [
+        r#"analysis.transmission={"driver":"motor","output":"arm"}"#,
+        "analysis.type=dynamics",
+    ];
     let mut model = models::load_bundled("quick-return", &sets);
     model.drivers.clear();
     let (derived, notes) = derived(&model, models::solve(&model).all());
     assert!(derived.column_index("transmission.ratio").is_none());
-    assert!(notes.len() == 1 && notes[0].contains("do not determine the motion"), "{notes:?}");
+    assert!(
+        notes.len() == 1 && notes[0].contains("do not determine the motion"),
+        "{notes:?}"
+    );
 }

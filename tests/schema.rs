@@ -78,18 +78,28 @@ fn good() -> Vec<Value> {
     let mut models = vec![
         serde_json::from_str(EXAMPLE).unwrap(),
         minimal(&json!({})),
-        minimal(&json!({ "units": { "length": "mm", "angular_stiffness": "N*mm/deg", "note": "x" }, "note": "y" })),
+        minimal(
+            &json!({ "units": { "length": "mm", "angular_stiffness": "N*mm/deg", "note": "x" }, "note": "y" }),
+        ),
         minimal(&motion(
             &json!({ "type": "polynomial", "coefficients": [0, "10 rad/s", "2 rad/s^2", 0, "1 deg/s^4"] }),
         )),
-        minimal(&motion(&json!({ "type": "harmonic", "amplitude": "5 deg", "frequency": "2 Hz" }))),
-        minimal(&motion(&json!({ "type": "table", "points": [[0, 0], ["1 min", "1 rev"]] }))),
-        minimal(&motion(&json!({ "type": "constant_velocity", "start": 0, "velocity": "300 rpm" }))),
+        minimal(&motion(
+            &json!({ "type": "harmonic", "amplitude": "5 deg", "frequency": "2 Hz" }),
+        )),
+        minimal(&motion(
+            &json!({ "type": "table", "points": [[0, 0], ["1 min", "1 rev"]] }),
+        )),
+        minimal(&motion(
+            &json!({ "type": "constant_velocity", "start": 0, "velocity": "300 rpm" }),
+        )),
         minimal(&motion(
             &json!({ "type": "constant_acceleration", "start": 0, "velocity": 1, "acceleration": "1 deg/s²" }),
         )),
-        minimal(&json!({ "drivers": { "push": { "type": "translation", "joint": "slide",
-            "motion": { "type": "constant_velocity", "velocity": "5 mm/s", "note": "slow" } } } })),
+        minimal(
+            &json!({ "drivers": { "push": { "type": "translation", "joint": "slide",
+            "motion": { "type": "constant_velocity", "velocity": "5 mm/s", "note": "slow" } } } }),
+        ),
         minimal(&json!({ "forces": {
             "damper": { "type": "spring", "between": ["ground.O", "bar.A"], "damping": "3 N*s/m" },
             "coil": { "type": "torsion_spring", "between": ["ground", "bar"], "stiffness": "3 N*m", "free_angle": 0.1 },
@@ -109,11 +119,15 @@ fn good() -> Vec<Value> {
             "joints": { "slot": { "type": "slot", "between": ["ground.O", "bar.O"], "axis": ["=i", 1] } },
             "analysis": { "type": "kinematics", "end": "=1 s", "outputs": "=n", "solver": { "rtol": "=10^-6" } }
         })),
-        minimal(&json!({ "analysis": { "type": "dynamics", "end": "500 ms", "outputs": 11, "columns": ["bar.*"],
+        minimal(
+            &json!({ "analysis": { "type": "dynamics", "end": "500 ms", "outputs": 11, "columns": ["bar.*"],
             "solver": { "method": "auto", "rtol": 1e-6, "atol": 1e-9, "max_step": "1 ms", "initial_step": 1e-6,
-                        "max_wall_time": "2 min" } } })),
+                        "max_wall_time": "2 min" } } }),
+        ),
         minimal(&clearance(&json!({ "model": "ideal" }))),
-        minimal(&clearance(&json!({ "model": "massless_link", "radius": 0 }))),
+        minimal(&clearance(
+            &json!({ "model": "massless_link", "radius": 0 }),
+        )),
         minimal(&clearance(&json!({
             "model": "contact", "radius": "0.5 mm", "bearing_radius": "10 mm",
             "normal": { "law": "lankarani_nikravesh", "restitution": 0.9,
@@ -134,8 +148,14 @@ fn good() -> Vec<Value> {
     models[1]["bodies"]["note"] = json!("a remark, not a body");
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("models");
     for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
-        if entry.path().extension().is_some_and(|extension| extension == "json") {
-            models.push(serde_json::from_str(&std::fs::read_to_string(entry.path()).unwrap()).unwrap());
+        if entry
+            .path()
+            .extension()
+            .is_some_and(|extension| extension == "json")
+        {
+            models.push(
+                serde_json::from_str(&std::fs::read_to_string(entry.path()).unwrap()).unwrap(),
+            );
         }
     }
     models
@@ -144,7 +164,10 @@ fn good() -> Vec<Value> {
 #[test]
 fn good_models_satisfy_schema_and_loader() {
     let schema = model::schema();
-    assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
+    assert_eq!(
+        schema["$schema"],
+        "https://json-schema.org/draft/2020-12/schema"
+    );
     let validator = jsonschema::validator_for(&schema).unwrap();
     for model in good() {
         if let Err(error) = validator.validate(&model) {
@@ -199,14 +222,24 @@ fn bad_structure_satisfies_neither() {
     for extra in bad {
         let model = minimal(&extra);
         assert!(!validator.is_valid(&model), "the schema accepts {extra}");
-        assert!(model::load(model.to_string().as_bytes(), &[]).is_err(), "the loader accepts {extra}");
+        assert!(
+            model::load(model.to_string().as_bytes(), &[]).is_err(),
+            "the loader accepts {extra}"
+        );
     }
 }
 
 #[test]
 fn every_key_of_a_clearance_says_what_it_is() {
     let schema = model::schema();
-    for name in ["Clearance", "Normal", "Friction", "Surface", "Impact", "Material"] {
+    for name in [
+        "Clearance",
+        "Normal",
+        "Friction",
+        "Surface",
+        "Impact",
+        "Material",
+    ] {
         for (key, property) in schema["$defs"][name]["properties"].as_object().unwrap() {
             let said = property.get("description").is_some() || property.get("$ref").is_some();
             assert!(said, "{name}.{key}");

@@ -18,7 +18,13 @@ fn lock(from: f64, to: f64, step: f64) -> linkdyn::analysis::Outcome {
 }
 
 fn degrees(outcome: &linkdyn::analysis::Outcome, kind: &str) -> Vec<f64> {
-    outcome.report.events.iter().filter(|e| e.kind == kind).map(|e| e.value.expect("one driver").to_degrees()).collect()
+    outcome
+        .report
+        .events
+        .iter()
+        .filter(|e| e.kind == kind)
+        .map(|e| e.value.expect("one driver").to_degrees())
+        .collect()
 }
 
 /// Change point and dead centre of the lock from an independent calculation to 50 digits.
@@ -54,7 +60,11 @@ fn the_lock_is_smooth_at_its_change_point() {
     for joint in ["d", "e", "f"] {
         assert!(first(&format!("joint.{joint}.fx")).is_finite(), "{joint}");
     }
-    assert!(run.report.warnings.iter().any(|w| w.contains("a, b, c, g")), "{:?}", run.report.warnings);
+    assert!(
+        run.report.warnings.iter().any(|w| w.contains("a, b, c, g")),
+        "{:?}",
+        run.report.warnings
+    );
     let near = lock(117.5, 118.5, 0.5);
     let first = |name: &str| column(&near, name)[0];
     assert!((first("link2.omega") / 5.910973315 - 1.0).abs() < 1e-9);
@@ -65,16 +75,27 @@ fn the_lock_is_smooth_at_its_change_point() {
 
 #[test]
 fn the_lock_says_the_same_for_every_number_of_outputs() {
-    let runs: Vec<_> = [5.0, 2.5, 1.0, 0.1].map(|step| lock(-50.0, 125.0, step)).into();
+    let runs: Vec<_> = [5.0, 2.5, 1.0, 0.1]
+        .map(|step| lock(-50.0, 125.0, step))
+        .into();
     let finest = &runs[3];
     for run in &runs[..3] {
         let stride = (finest.trajectory.len() - 1) / (run.trajectory.len() - 1);
-        for (k, name) in run.trajectory.columns.iter().enumerate().map(|(k, c)| (k, &c.name)) {
+        for (k, name) in run
+            .trajectory
+            .columns
+            .iter()
+            .enumerate()
+            .map(|(k, c)| (k, &c.name))
+        {
             let (coarse, fine) = (column(run, name), column(finest, name));
             for (i, value) in coarse.iter().enumerate() {
                 let same = fine[i * stride];
                 let scale = value.abs().max(1.0);
-                assert!((value - same).abs() <= 1e-9 * scale, "column {k} {name}, row {i}: {value} {same}");
+                assert!(
+                    (value - same).abs() <= 1e-9 * scale,
+                    "column {k} {name}, row {i}: {value} {same}"
+                );
             }
         }
     }
@@ -83,19 +104,38 @@ fn the_lock_says_the_same_for_every_number_of_outputs() {
 #[test]
 fn parallelograms_stay_parallelograms_through_their_flat_positions() {
     let motion = json!({ "type": "polynomial", "coefficients": [PI / 3.0, 2.0 * PI] });
-    for (cells, third) in [(1, false), (2, false), (5, false), (20, false), (1, true), (3, true)] {
+    for (cells, third) in [
+        (1, false),
+        (2, false),
+        (5, false),
+        (20, false),
+        (1, true),
+        (3, true),
+    ] {
         let run = outcome(&parallelogram(cells, third, PI / 3.0, &motion));
         assert_eq!(run.report.status, Status::Completed, "{cells} {third}");
         let flat = degrees(&run, "change_point");
         assert_eq!(flat.len(), 2, "{cells} {third}: {flat:?}");
-        assert!((flat[0] - 180.0).abs() < 1e-8 && (flat[1] - 360.0).abs() < 1e-8, "{flat:?}");
+        assert!(
+            (flat[0] - 180.0).abs() < 1e-8 && (flat[1] - 360.0).abs() < 1e-8,
+            "{flat:?}"
+        );
         let crank = column(&run, "c0.angle");
         for k in 0..=cells {
             let angle = column(&run, &format!("c{k}.angle"));
-            let worst = crank.iter().zip(&angle).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
-            assert!(worst < 1e-11, "{cells} {third}: crank {k} is off by {worst}");
+            let worst = crank
+                .iter()
+                .zip(&angle)
+                .fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
+            assert!(
+                worst < 1e-11,
+                "{cells} {third}: crank {k} is off by {worst}"
+            );
         }
-        assert!(run.report.quality.constraint_residual < 1e-12 && run.report.quality.power_imbalance < Some(1e-9));
+        assert!(
+            run.report.quality.constraint_residual < 1e-12
+                && run.report.quality.power_imbalance < Some(1e-9)
+        );
     }
 }
 
@@ -126,8 +166,14 @@ fn an_isosceles_slider_crank_passes_over_its_pivot() {
     let motion = json!({ "type": "polynomial", "coefficients": [PI / 6.0, 2.0 * PI] });
     let run = outcome(&slider_crank(0.1, 0.1, PI / 6.0, false, &motion));
     let found = degrees(&run, "change_point");
-    assert!((found[0] - 90.0).abs() < 1e-8 && (found[1] - 270.0).abs() < 1e-8, "{found:?}");
-    for (angle, x) in column(&run, "crank.angle").iter().zip(column(&run, "slider.x")) {
+    assert!(
+        (found[0] - 90.0).abs() < 1e-8 && (found[1] - 270.0).abs() < 1e-8,
+        "{found:?}"
+    );
+    for (angle, x) in column(&run, "crank.angle")
+        .iter()
+        .zip(column(&run, "slider.x"))
+    {
         assert!((x - 0.2 * angle.cos()).abs() < 1e-13, "{angle}: {x}");
     }
 }
@@ -135,11 +181,20 @@ fn an_isosceles_slider_crank_passes_over_its_pivot() {
 #[test]
 fn a_slider_driven_past_its_dead_centre_is_refused_there() {
     let start = PI / 6.0;
-    let motion = json!({ "type": "polynomial", "coefficients": [slider_position(0.1, 0.3, start), 0.1] });
+    let motion =
+        json!({ "type": "polynomial", "coefficients": [slider_position(0.1, 0.3, start), 0.1] });
     let run = outcome(&slider_crank(0.1, 0.3, start, true, &motion));
     assert_eq!(run.report.status, Status::DeadCentre);
-    let event = run.report.events.iter().find(|e| e.kind == "dead_centre").expect("an event");
-    assert!((event.value.expect("one driver") - 0.4).abs() < 1e-12, "{event:?}");
+    let event = run
+        .report
+        .events
+        .iter()
+        .find(|e| e.kind == "dead_centre")
+        .expect("an event");
+    assert!(
+        (event.value.expect("one driver") - 0.4).abs() < 1e-12,
+        "{event:?}"
+    );
     let time = (0.4 - slider_position(0.1, 0.3, start)) / 0.1;
     assert!((event.time - time).abs() < 1e-10, "{event:?} {time}");
     assert!(column(&run, "time").iter().all(|t| *t < time));
@@ -157,7 +212,8 @@ fn a_slider_driven_past_its_dead_centre_is_refused_there() {
 #[test]
 fn a_dead_centre_of_a_motion_that_is_integrated_tells_what_is_in_line() {
     let start = PI / 6.0;
-    let motion = json!({ "type": "polynomial", "coefficients": [slider_position(0.1, 0.3, start), 0.1] });
+    let motion =
+        json!({ "type": "polynomial", "coefficients": [slider_position(0.1, 0.3, start), 0.1] });
     let mut model = slider_crank(0.1, 0.3, start, true, &motion);
     model["bodies"]["bob"] = rod(0.2, [slider_position(0.1, 0.3, start), 0.0], -1.0);
     model["joints"]["hang"] = pin("slider.B", "bob.A");
@@ -165,8 +221,14 @@ fn a_dead_centre_of_a_motion_that_is_integrated_tells_what_is_in_line() {
     let run = outcome(&model);
     assert_eq!(run.report.status, Status::Singular);
     let message = run.report.message.expect("a message");
-    assert!(message.contains("the motion can't be followed beyond t = 0.1"), "{message}");
-    assert!(message.contains("\"crank\" and \"rod\" are in line"), "{message}");
+    assert!(
+        message.contains("the motion can't be followed beyond t = 0.1"),
+        "{message}"
+    );
+    assert!(
+        message.contains("\"crank\" and \"rod\" are in line"),
+        "{message}"
+    );
 }
 
 const TWO_AT_ONCE: &str = include_str!("cases/dead-centre-called-singular.json");
@@ -176,15 +238,31 @@ const TWO_AT_ONCE: &str = include_str!("cases/dead-centre-called-singular.json")
 fn a_dead_centre_of_two_parts_at_once_is_located() {
     let model: serde_json::Value = serde_json::from_str(TWO_AT_ONCE).expect("JSON");
     let run = outcome(&model);
-    assert_eq!(run.report.status, Status::DeadCentre, "{:?}", run.report.message);
-    let event = run.report.events.iter().find(|e| e.kind == "dead_centre").expect("an event");
+    assert_eq!(
+        run.report.status,
+        Status::DeadCentre,
+        "{:?}",
+        run.report.message
+    );
+    let event = run
+        .report
+        .events
+        .iter()
+        .find(|e| e.kind == "dead_centre")
+        .expect("an event");
     // |s u + w − p2| = |b1| − |b2| by hand, u the guide's direction, w the crank's p1 from its p0.
     let known = -0.125_439_957_264_526_4;
-    assert!((event.value.expect("one driver") - known).abs() < 1e-12, "{event:?}");
+    assert!(
+        (event.value.expect("one driver") - known).abs() < 1e-12,
+        "{event:?}"
+    );
     let time = (known + 0.019_814_300_027_219_29) / -1.690_682_280_178_789;
     assert!((event.time - time).abs() < 1e-12, "{event:?}");
     let message = run.report.message.expect("a message");
-    assert!(message.contains("\"b1\" and \"b2\" are in line, \"b5\" and \"b6\" are in line"), "{message}");
+    assert!(
+        message.contains("\"b1\" and \"b2\" are in line, \"b5\" and \"b6\" are in line"),
+        "{message}"
+    );
     assert!(!message.ends_with(','), "{message}");
 }
 
@@ -213,12 +291,28 @@ fn guides_that_become_parallel_are_a_dead_centre() {
         model["analysis"] = json!({ "type": "inverse_dynamics",
             "sample": { "driver": "motor", "from": from, "to": to, "step": step } });
         let run = outcome(&model);
-        assert_eq!(run.report.status, Status::DeadCentre, "{:?}", run.report.message);
-        let event = run.report.events.iter().find(|e| e.kind == "dead_centre").expect("an event");
+        assert_eq!(
+            run.report.status,
+            Status::DeadCentre,
+            "{:?}",
+            run.report.message
+        );
+        let event = run
+            .report
+            .events
+            .iter()
+            .find(|e| e.kind == "dead_centre")
+            .expect("an event");
         assert!(event.value.expect("one driver").abs() < 1e-9, "{event:?}");
         let message = run.report.message.as_deref().expect("a message");
-        assert!(message.contains("the guides \"g\", \"s\" are parallel") && !message.contains("NaN"), "{message}");
-        for (x, angle) in column(&run, "block.x").iter().zip(column(&run, "crank.angle")) {
+        assert!(
+            message.contains("the guides \"g\", \"s\" are parallel") && !message.contains("NaN"),
+            "{message}"
+        );
+        for (x, angle) in column(&run, "block.x")
+            .iter()
+            .zip(column(&run, "crank.angle"))
+        {
             assert!((x * angle.tan() / h - 1.0).abs() < 1e-9, "{angle}: {x}");
         }
     }
@@ -232,7 +326,10 @@ fn a_slider_that_turns_just_before_its_dead_centre_goes_on() {
     let run = outcome(&slider_crank(0.1, 0.3, start, true, &motion));
     assert_eq!(run.report.status, Status::Completed);
     assert!(run.report.events.is_empty(), "{:?}", run.report.events);
-    for (x, angle) in column(&run, "slider.x").iter().zip(column(&run, "crank.angle")) {
+    for (x, angle) in column(&run, "slider.x")
+        .iter()
+        .zip(column(&run, "crank.angle"))
+    {
         assert!((slider_position(0.1, 0.3, angle) - x).abs() < 1e-13);
     }
 }
@@ -258,11 +355,24 @@ fn a_start_in_a_flat_position_is_refused_with_the_reason() {
     let motion = json!({ "type": "polynomial", "coefficients": [0.0, 1.0] });
     let run = outcome(&parallelogram(1, false, 0.0, &motion));
     assert_eq!(run.report.status, Status::Singular);
-    assert!(run.report.message.as_deref().is_some_and(|m| m.contains("singular position")), "{:?}", run.report.message);
+    assert!(
+        run.report
+            .message
+            .as_deref()
+            .is_some_and(|m| m.contains("singular position")),
+        "{:?}",
+        run.report.message
+    );
     // A slider at the end of its stroke goes nowhere.
     let motion = json!({ "type": "polynomial", "coefficients": [0.4, -0.1] });
-    let said = outcome(&slider_crank(0.1, 0.3, 0.0, true, &motion)).report.message.expect("a message");
-    assert!(said.contains("singular position") && said.contains("\"crank\" and \"rod\" are in line"), "{said}");
+    let said = outcome(&slider_crank(0.1, 0.3, 0.0, true, &motion))
+        .report
+        .message
+        .expect("a message");
+    assert!(
+        said.contains("singular position") && said.contains("\"crank\" and \"rod\" are in line"),
+        "{said}"
+    );
 }
 
 #[test]
@@ -283,7 +393,8 @@ fn several_drivers_pass_change_points_in_time() {
     for (name, joint) in second["joints"].as_object().expect("a map") {
         let moved = |k: usize| {
             let text = joint["between"][k].as_str().expect("text");
-            text.strip_prefix("ground.").map_or_else(|| format!("x{text}"), |point| format!("ground.x{point}"))
+            text.strip_prefix("ground.")
+                .map_or_else(|| format!("x{text}"), |point| format!("ground.x{point}"))
         };
         model["joints"][format!("x{name}")] = pin(&moved(0), &moved(1));
     }
@@ -301,8 +412,13 @@ fn several_drivers_pass_change_points_in_time() {
     }
     for k in ["c1", "xc1", "xcm"] {
         let crank = if k == "c1" { "c0" } else { "xc0" };
-        let pairs = column(&run, &format!("{k}.angle")).into_iter().zip(column(&run, &format!("{crank}.angle")));
-        assert!(pairs.fold(0.0_f64, |m, (a, b)| m.max((a - b).abs())) < 1e-11, "{k}");
+        let pairs = column(&run, &format!("{k}.angle"))
+            .into_iter()
+            .zip(column(&run, &format!("{crank}.angle")));
+        assert!(
+            pairs.fold(0.0_f64, |m, (a, b)| m.max((a - b).abs())) < 1e-11,
+            "{k}"
+        );
     }
 }
 
@@ -317,12 +433,22 @@ fn many_turns_are_followed_by_one() {
     let flat = degrees(&run, "change_point");
     assert_eq!(flat.len(), 100, "{:?}", &flat[..4]);
     for (k, value) in flat.iter().enumerate() {
-        assert!((value - 180.0 * (k + 1) as f64).abs() < 1e-7, "{k}: {value}");
+        assert!(
+            (value - 180.0 * (k + 1) as f64).abs() < 1e-7,
+            "{k}: {value}"
+        );
     }
     let (first, last) = (column(&run, "c0.angle"), column(&run, "c2.angle"));
-    let worst = first.iter().zip(&last).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
+    let worst = first
+        .iter()
+        .zip(&last)
+        .fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
     assert!(worst < 1e-11 && first[300] > 300.0, "{worst}");
-    assert!(run.report.statistics.steps < 100, "{:?}", run.report.statistics);
+    assert!(
+        run.report.statistics.steps < 100,
+        "{:?}",
+        run.report.statistics
+    );
 }
 
 #[test]
@@ -335,7 +461,13 @@ fn turns_that_do_not_come_back_are_followed_all_the_way() {
     let motor = json!({ "motor": { "type": "rotation", "body": "crank",
         "motion": { "type": "constant_velocity", "start": 0.0, "velocity": 100.0 } } });
     let run = outcome(&model(bodies, joints, motor));
-    for (crank, wheel) in column(&run, "crank.angle").iter().zip(column(&run, "wheel.angle")) {
-        assert!((wheel + crank / 3.0).abs() < 1e-13 * crank.max(1.0), "{crank} {wheel}");
+    for (crank, wheel) in column(&run, "crank.angle")
+        .iter()
+        .zip(column(&run, "wheel.angle"))
+    {
+        assert!(
+            (wheel + crank / 3.0).abs() < 1e-13 * crank.max(1.0),
+            "{crank} {wheel}"
+        );
     }
 }

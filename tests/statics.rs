@@ -13,7 +13,11 @@ const G: f64 = 9.81;
 
 #[track_caller]
 fn close(ours: f64, known: f64, tolerance: f64) {
-    assert!((ours - known).abs() <= tolerance, "{ours} instead of {known}, off by {:e}", ours - known);
+    assert!(
+        (ours - known).abs() <= tolerance,
+        "{ours} instead of {known}, off by {:e}",
+        ours - known
+    );
 }
 
 /// A model for statics.
@@ -25,8 +29,18 @@ fn statics(bodies: Value, joints: Value, forces: Value) -> Value {
 }
 
 fn stability(outcome: &Outcome) -> &'static str {
-    assert_eq!(outcome.report.status, Status::Completed, "{:?}", outcome.report.message);
-    outcome.report.equilibrium.as_ref().expect("an equilibrium").stability
+    assert_eq!(
+        outcome.report.status,
+        Status::Completed,
+        "{:?}",
+        outcome.report.message
+    );
+    outcome
+        .report
+        .equilibrium
+        .as_ref()
+        .expect("an equilibrium")
+        .stability
 }
 
 fn value(outcome: &Outcome, name: &str) -> f64 {
@@ -39,7 +53,8 @@ fn linearised(model: &Value, pose: bool) -> Linearised {
 
 /// A rod of length 0.8 m hinged at the origin, drawn at `angle` (0 is along +x).
 fn pendulum(angle: f64) -> Value {
-    let bodies = json!({ "ground": { "points": { "O": [0.0, 0.0] } }, "rod": rod(0.8, [0.0, 0.0], angle) });
+    let bodies =
+        json!({ "ground": { "points": { "O": [0.0, 0.0] } }, "rod": rod(0.8, [0.0, 0.0], angle) });
     statics(bodies, json!({ "o": pin("ground.O", "rod.A") }), json!({}))
 }
 
@@ -51,7 +66,11 @@ fn a_pendulum_hangs_from_wherever_it_is_let_go() {
         close(value(&run, "rod.angle"), -FRAC_PI_2, 1e-14);
         close(value(&run, "joint.o.fy"), G, 1e-13);
         close(value(&run, "energy.potential"), -0.4 * G, 1e-13);
-        close(run.report.equilibrium.as_ref().expect("there").stiffness[0], 0.4 * G, 1e-13);
+        close(
+            run.report.equilibrium.as_ref().expect("there").stiffness[0],
+            0.4 * G,
+            1e-13,
+        );
     }
     // ω² = m g l / (J + m l²), l = L/2: 3g/(2L).
     let found = linearised(&pendulum(0.3), false);
@@ -65,8 +84,16 @@ fn a_pendulum_hangs_from_wherever_it_is_let_go() {
 fn an_upright_pendulum_is_unstable() {
     let run = outcome(&pendulum(FRAC_PI_2));
     assert_eq!(stability(&run), "unstable");
-    assert!(run.report.warnings[0].contains("unstable"), "{:?}", run.report.warnings);
-    close(run.report.equilibrium.as_ref().expect("there").stiffness[0], -0.4 * G, 1e-13);
+    assert!(
+        run.report.warnings[0].contains("unstable"),
+        "{:?}",
+        run.report.warnings
+    );
+    close(
+        run.report.equilibrium.as_ref().expect("there").stiffness[0],
+        -0.4 * G,
+        1e-13,
+    );
     let found = linearised(&pendulum(FRAC_PI_2), false);
     let rates: Vec<f64> = found.modes.iter().map(|mode| mode.eigenvalue[0]).collect();
     let rate = (1.5 * G / 0.8).sqrt();
@@ -85,11 +112,19 @@ fn a_double_pendulum_of_rods_has_its_two_frequencies() {
     let run = outcome(&model);
     assert_eq!(stability(&run), "stable");
     for body in ["upper", "lower"] {
-        close((value(&run, &format!("{body}.angle")) + FRAC_PI_2).sin(), 0.0, 1e-13);
+        close(
+            (value(&run, &format!("{body}.angle")) + FRAC_PI_2).sin(),
+            0.0,
+            1e-13,
+        );
     }
     let found = linearised(&model, false);
     for (mode, sign) in found.modes.iter().zip([-1.0, 1.0]) {
-        close(mode.frequency(), ((3.0 + sign * 6.0 / 7.0_f64.sqrt()) * G / l).sqrt(), 1e-12);
+        close(
+            mode.frequency(),
+            ((3.0 + sign * 6.0 / 7.0_f64.sqrt()) * G / l).sqrt(),
+            1e-12,
+        );
         // From the second row of (K − ω² M) x = 0 with M = [4/3, 1/2; 1/2, 1/3] m l², K = [3/2, 0; 0, 1/2] m g l.
         let square = mode.frequency().powi(2) * l / G;
         let ratio = mode.shape[1][2][0] / mode.shape[0][2][0];
@@ -104,7 +139,8 @@ fn hanging_block(kind: &str, damping: f64) -> Value {
         "block": { "mass": 2.0, "inertia": 0.3, "com": [0.0, 0.0], "points": { "C": [0.0, 0.0] },
                    "pose": { "position": [0.0, 0.4] } },
     });
-    let joints = json!({ "g": { "type": kind, "between": ["ground.O", "block.C"], "axis": [0.0, 1.0] } });
+    let joints =
+        json!({ "g": { "type": kind, "between": ["ground.O", "block.C"], "axis": [0.0, 1.0] } });
     let spring = json!({ "type": "spring", "between": ["ground.T", "block.C"], "stiffness": 150.0, "damping": damping,
                          "free_length": 0.3 });
     statics(bodies, joints, json!({ "s": spring }))
@@ -116,7 +152,14 @@ fn a_block_hangs_on_its_spring() {
         let run = outcome(&hanging_block(kind, 0.0));
         close(value(&run, "block.y"), 1.0 - 0.3 - 2.0 * G / 150.0, 1e-14);
         // In the slot the block may turn, which nothing minds.
-        assert_eq!(stability(&run), if kind == "slot" { "indifferent" } else { "stable" });
+        assert_eq!(
+            stability(&run),
+            if kind == "slot" {
+                "indifferent"
+            } else {
+                "stable"
+            }
+        );
     }
     let mode = &linearised(&hanging_block("prismatic", 0.0), false).modes[0];
     close(mode.frequency(), 75.0_f64.sqrt(), 1e-12);
@@ -124,7 +167,11 @@ fn a_block_hangs_on_its_spring() {
     let mode = &linearised(&hanging_block("prismatic", 8.0), false).modes[0];
     close(mode.eigenvalue[0], -2.0, 1e-12);
     close(mode.eigenvalue[1], 71.0_f64.sqrt(), 1e-12);
-    close(mode.damping_ratio().expect("one"), 2.0 / 75.0_f64.sqrt(), 1e-13);
+    close(
+        mode.damping_ratio().expect("one"),
+        2.0 / 75.0_f64.sqrt(),
+        1e-13,
+    );
     let slow = linearised(&hanging_block("slot", 8.0), false);
     assert_eq!(slow.modes[0].frequency(), 0.0, "{:?}", slow.modes);
     // Overdamped: two real rates.
@@ -153,8 +200,16 @@ fn the_four_bar_with_a_diagonal_spring_balances_and_swings_as_by_hand() {
     let run = outcome(&four_bar(1.0));
     close(value(&run, "left.angle"), 2.234331019017586, 1e-14);
     close(value(&run, "right.angle"), 2.234331019017586, 1e-14);
-    close(run.report.equilibrium.as_ref().expect("there").stiffness[0], 7.687524905947409, 1e-11);
-    close(linearised(&four_bar(0.0), false).modes[0].frequency(), 2.1476766385022783, 1e-12);
+    close(
+        run.report.equilibrium.as_ref().expect("there").stiffness[0],
+        7.687524905947409,
+        1e-11,
+    );
+    close(
+        linearised(&four_bar(0.0), false).modes[0].frequency(),
+        2.1476766385022783,
+        1e-12,
+    );
     let [re, im] = linearised(&four_bar(1.0), false).modes[0].eigenvalue;
     close(re, -0.24238581, 1e-8);
     close(im, 2.13395503, 1e-8);
@@ -192,8 +247,16 @@ fn a_scotch_yoke_is_balanced_by_its_spring() {
         "yoke.x" => found.stiffness[0] * (r * theta.sin()).powi(2),
         _ => found.stiffness[0],
     };
-    close(by_angle, k * r * (x0 * theta.cos() - r * (2.0 * theta).cos()), 1e-10);
-    close(value(&run, "joint.s.fx").abs(), k * (r * theta.cos() - x0), 1e-12);
+    close(
+        by_angle,
+        k * r * (x0 * theta.cos() - r * (2.0 * theta).cos()),
+        1e-10,
+    );
+    close(
+        value(&run, "joint.s.fx").abs(),
+        k * (r * theta.cos() - x0),
+        1e-12,
+    );
 }
 
 /// k θ = −W a cos θ.
@@ -205,11 +268,19 @@ fn a_lever_turns_until_its_torsion_spring_carries_the_weight() {
         "lever": { "mass": 3.0, "com": [arm, 0.0], "points": { "O": [0.0, 0.0] } },
     });
     let forces = json!({ "k": { "type": "torsion_spring", "between": ["lever", "ground"], "stiffness": k } });
-    let run = outcome(&statics(bodies, json!({ "o": pin("ground.O", "lever.O") }), forces));
+    let run = outcome(&statics(
+        bodies,
+        json!({ "o": pin("ground.O", "lever.O") }),
+        forces,
+    ));
     assert_eq!(stability(&run), "stable");
     let theta = value(&run, "lever.angle");
     close(-k * theta, weight * arm * theta.cos(), 1e-13);
-    close(run.report.equilibrium.as_ref().expect("there").stiffness[0], k - weight * arm * theta.sin(), 1e-11);
+    close(
+        run.report.equilibrium.as_ref().expect("there").stiffness[0],
+        k - weight * arm * theta.sin(),
+        1e-11,
+    );
 }
 
 #[test]
@@ -219,8 +290,7 @@ fn a_frame_without_freedom_has_its_thrust() {
         "ground": { "points": { "A": [0.0, 0.0], "B": [1.0, 0.0] } },
         "left": rod(1.0, [0.0, 0.0], 1.0), "right": rod(1.0, [1.0, 0.0], 2.1),
     });
-    let joints =
-        json!({ "p": pin("ground.A", "left.A"), "q": pin("ground.B", "right.A"), "r": pin("left.B", "right.B") });
+    let joints = json!({ "p": pin("ground.A", "left.A"), "q": pin("ground.B", "right.A"), "r": pin("left.B", "right.B") });
     let run = outcome(&statics(bodies, joints, json!({})));
     assert_eq!(stability(&run), "stable");
     close(value(&run, "joint.p.fx"), 0.5 * G * 0.5 / h, 1e-12);
@@ -229,13 +299,26 @@ fn a_frame_without_freedom_has_its_thrust() {
 
 #[test]
 fn a_driver_holds_its_crank_at_the_start_value() {
-    let mut model = slider_crank(0.1, 0.3, 0.5, false, &json!({ "type": "polynomial", "coefficients": [0.5, 7.0] }));
+    let mut model = slider_crank(
+        0.1,
+        0.3,
+        0.5,
+        false,
+        &json!({ "type": "polynomial", "coefficients": [0.5, 7.0] }),
+    );
     model["analysis"] = json!({ "type": "statics" });
     let run = outcome(&model);
     close(value(&run, "crank.angle"), 0.5, 1e-15);
     // Virtual work: centres of crank and rod rise by r/2 cos θ each per rad (the rod's other end does not).
-    close(value(&run, "driver.motor.effort"), G * 0.1 * 0.5_f64.cos(), 1e-13);
-    assert!(run.trajectory.column_index("crank.omega").is_none() && run.trajectory.column_index("crank.ax").is_none());
+    close(
+        value(&run, "driver.motor.effort"),
+        G * 0.1 * 0.5_f64.cos(),
+        1e-13,
+    );
+    assert!(
+        run.trajectory.column_index("crank.omega").is_none()
+            && run.trajectory.column_index("crank.ax").is_none()
+    );
 }
 
 #[test]
@@ -257,9 +340,15 @@ fn a_load_that_nothing_balances_has_no_equilibrium() {
     let mut model = hanging_block("prismatic", 0.0);
     model["forces"] = json!({});
     let run = outcome(&model);
-    assert_eq!((run.report.status, run.trajectory.len()), (Status::Singular, 0));
+    assert_eq!(
+        (run.report.status, run.trajectory.len()),
+        (Status::Singular, 0)
+    );
     let said = run.report.message.expect("a message");
-    assert!(said.contains("no equilibrium found: something still pulls at block.y"), "{said}");
+    assert!(
+        said.contains("no equilibrium found: something still pulls at block.y"),
+        "{said}"
+    );
 }
 
 /// A follower force F along the rod's end against a torsion spring and a side load: the stiffness is not symmetric, the
@@ -281,8 +370,15 @@ fn a_follower_force_is_followed() {
     assert_eq!(stability(&run), "stable");
     let (a, b) = (value(&run, "first.angle"), value(&run, "second.angle"));
     close(7.0 * (b - a), -3.0 * l, 1e-13);
-    let (fx, fy) = (-4.0 * b.cos() + 3.0 * b.sin(), -4.0 * b.sin() - 3.0 * b.cos());
-    close(9.0 * a - 7.0 * (b - a), l * (a.cos() * fy - a.sin() * fx), 1e-13);
+    let (fx, fy) = (
+        -4.0 * b.cos() + 3.0 * b.sin(),
+        -4.0 * b.sin() - 3.0 * b.cos(),
+    );
+    close(
+        9.0 * a - 7.0 * (b - a),
+        l * (a.cos() * fy - a.sin() * fx),
+        1e-13,
+    );
     assert!(b.abs() < PI);
 }
 
@@ -292,19 +388,33 @@ fn modes_about_the_pose_are_those_of_the_pose() {
     let angle = -FRAC_PI_2 + PI / 6.0;
     let found = linearised(&pendulum(angle), true);
     close(found.bodies[0].1[2], angle, 1e-15);
-    close(found.modes[0].frequency(), (1.5 * G / 0.8 * (PI / 6.0).cos()).sqrt(), 1e-13);
+    close(
+        found.modes[0].frequency(),
+        (1.5 * G / 0.8 * (PI / 6.0).cos()).sqrt(),
+        1e-13,
+    );
 }
 
 #[test]
 fn what_is_needed_and_what_is_refused() {
     let complaint = |model: &Value| match run(&loaded(model).model, &Control::default()) {
         Ok(_) => panic!("bad input was accepted"),
-        Err(said) => said.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"),
+        Err(said) => said
+            .iter()
+            .map(ToString::to_string)
+            .collect::<Vec<_>>()
+            .join("\n"),
     };
     let mut model = pendulum(0.3);
-    model["bodies"]["rod"].as_object_mut().expect("a map").remove("inertia");
+    model["bodies"]["rod"]
+        .as_object_mut()
+        .expect("a map")
+        .remove("inertia");
     assert_eq!(stability(&outcome(&model)), "stable");
-    model["bodies"]["rod"].as_object_mut().expect("a map").remove("mass");
+    model["bodies"]["rod"]
+        .as_object_mut()
+        .expect("a map")
+        .remove("mass");
     assert!(complaint(&model).contains("statics under gravity needs the mass of body \"rod\""));
     let mut model = pendulum(0.3);
     model["joints"]["o"]["clearance"] = json!({ "model": "massless_link", "radius": 1e-4 });
@@ -314,14 +424,20 @@ fn what_is_needed_and_what_is_refused() {
         model["joints"]["o"]["clearance"] = json!({ "model": clearance, "radius": 1e-4, "bearing_radius": 0.01,
             "normal": { "law": "hertz", "stiffness": 1e9, "restitution": 0.5 },
             "surface": { "stiffness": 1e8, "damping": 1e3 } });
-        let small = modes(&loaded(&model).model, false, &Control::default()).expect_err("a journal that moves");
+        let small = modes(&loaded(&model).model, false, &Control::default())
+            .expect_err("a journal that moves");
         for said in [complaint(&model), small[0].to_string()] {
-            assert!(said.contains("joints.o.clearance.model: ") && said.contains("a journal in its bearing"), "{said}");
+            assert!(
+                said.contains("joints.o.clearance.model: ")
+                    && said.contains("a journal in its bearing"),
+                "{said}"
+            );
         }
     }
     let mut model = pendulum(0.3);
     model["drivers"] = json!({ "m": { "type": "rotation", "body": "rod", "motion": { "type": "constant_velocity", "velocity": 1.0 } } });
-    let said = modes(&loaded(&model).model, false, &Control::default()).expect_err("nothing is free");
+    let said =
+        modes(&loaded(&model).model, false, &Control::default()).expect_err("nothing is free");
     assert!(said[0].to_string().contains("free to move"), "{said:?}");
 }
 
@@ -329,12 +445,26 @@ fn what_is_needed_and_what_is_refused() {
 #[test]
 fn a_third_crank_takes_no_part_in_how_the_others_swing() {
     for start in [-2.8, -1.0, 0.6, 2.0, 3.0] {
-        let mut model = parallelogram(1, true, start, &json!({ "type": "polynomial", "coefficients": [start] }));
+        let mut model = parallelogram(
+            1,
+            true,
+            start,
+            &json!({ "type": "polynomial", "coefficients": [start] }),
+        );
         model["drivers"] = json!({});
         let found = linearised(&model, false);
-        assert_eq!((found.status, found.modes.len()), (Status::Completed, 1), "{:?}", found.message);
+        assert_eq!(
+            (found.status, found.modes.len()),
+            (Status::Completed, 1),
+            "{:?}",
+            found.message
+        );
         // K = g r (½·3 + 1), J = r² (⅓·3 + 1).
-        close(found.modes[0].frequency(), (G * 2.5 / 0.1 / 2.0).sqrt(), 1e-11);
+        close(
+            found.modes[0].frequency(),
+            (G * 2.5 / 0.1 / 2.0).sqrt(),
+            1e-11,
+        );
         assert!(found.warnings.is_empty(), "{:?}", found.warnings);
     }
 }

@@ -14,8 +14,9 @@ pub fn applied(model: &Model, table: &Trajectory) -> Trajectory {
     let mut laws: Vec<(Vec<Law>, Option<Frame>)> = Vec::new();
     for (name, force) in &model.forces {
         let mut add = |quantities: &[(&str, &'static str)]| {
-            let heading =
-                |(quantity, unit): &(&str, &'static str)| Column::new(format!("force.{name}.{quantity}"), unit);
+            let heading = |(quantity, unit): &(&str, &'static str)| {
+                Column::new(format!("force.{name}.{quantity}"), unit)
+            };
             result.columns.extend(quantities.iter().map(heading));
         };
         match &force.kind {
@@ -42,7 +43,9 @@ pub fn applied(model: &Model, table: &Trajectory) -> Trajectory {
                     let vector = frame.map_or(vector, |frame| frame.turn(row, vector));
                     result.data.extend([vector.x, vector.y]);
                 }
-                others => result.data.extend(others.iter().map(|law| law.jet(row[0])[0])),
+                others => result
+                    .data
+                    .extend(others.iter().map(|law| law.jet(row[0])[0])),
             }
         }
     }

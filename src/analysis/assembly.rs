@@ -6,7 +6,9 @@ use crate::error::Complaint;
 use crate::graph::Topology;
 use crate::output::{Mobility, Status};
 use crate::solve::closing::{Closed, close, close_weighted, least_velocity};
-use crate::solve::rank::{DEPENDENCE_TOLERANCE, RankReport, SparseRows, free_direction, independent_rows};
+use crate::solve::rank::{
+    DEPENDENCE_TOLERANCE, RankReport, SparseRows, free_direction, independent_rows,
+};
 use crate::system::{Block, Evaluation, Inputs, Origin, System};
 
 /// An assembled mechanism.
@@ -39,21 +41,40 @@ pub fn assemble(system: &System, inputs: &Inputs) -> Result<Assembled, Stop> {
     }
     let all: Vec<&Block> = system.blocks.iter().chain(&system.initial).collect();
     let closed = close(system, &all, &system.guess, inputs);
-    let (q, iterations, warnings) =
-        if closed.converged { (closed.q, closed.iterations, Vec::new()) } else { diagnose(system, inputs, closed)? };
+    let (q, iterations, warnings) = if closed.converged {
+        (closed.q, closed.iterations, Vec::new())
+    } else {
+        diagnose(system, inputs, closed)?
+    };
     let (joints, all) = ranks(system, &q, inputs);
-    if all.dependent.iter().any(|dependent| dependent.row >= system.joint_rows()) {
+    if all
+        .dependent
+        .iter()
+        .any(|dependent| dependent.row >= system.joint_rows())
+    {
         overlap::refuse(system, &q, inputs)?;
     }
     let mobility = mobility(system, &joints);
-    Ok(Assembled { q, joints, all, mobility, iterations, warnings })
+    Ok(Assembled {
+        q,
+        joints,
+        all,
+        mobility,
+        iterations,
+        warnings,
+    })
 }
 
 /// The same position with the ranks and the mobility of another system of the same bodies.
 pub fn ranked(system: &System, assembled: Assembled, inputs: &Inputs) -> Assembled {
     let (joints, all) = ranks(system, &assembled.q, inputs);
     let mobility = mobility(system, &joints);
-    Assembled { joints, all, mobility, ..assembled }
+    Assembled {
+        joints,
+        all,
+        mobility,
+        ..assembled
+    }
 }
 
 /// Ranks of the joints' rows and of all rows at `q`.
@@ -61,7 +82,12 @@ pub fn ranks(system: &System, q: &[f64], inputs: &Inputs) -> (RankReport, RankRe
     let mut evaluation = Evaluation::new(system);
     evaluation.set_position(q);
     evaluation.eval_jacobian(system, inputs);
-    let of = |rows| independent_rows(&scaled_rows(system, &evaluation.jacobian, rows), DEPENDENCE_TOLERANCE);
+    let of = |rows| {
+        independent_rows(
+            &scaled_rows(system, &evaluation.jacobian, rows),
+            DEPENDENCE_TOLERANCE,
+        )
+    };
     (of(system.joint_rows()), of(system.m()))
 }
 
@@ -73,13 +99,22 @@ fn scaled_rows(system: &System, values: &[f64], rows: usize) -> SparseRows {
         .zip(values)
         .filter_map(|(entry, value)| {
             let (row, column) = (entry.row as usize, entry.column? as usize);
-            (row < rows).then(|| (row, column, value * system.column_scale(column) / system.row_scale(row)))
+            (row < rows).then(|| {
+                (
+                    row,
+                    column,
+                    value * system.column_scale(column) / system.row_scale(row),
+                )
+            })
         })
         .collect();
     match SparseRows::from_triplets(rows, system.n(), &entries) {
         Ok(rows) => rows,
         // `assemble` has seen to it that no number overflows.
-        Err(bad) => panic!("the Jacobian's entry at row {}, column {} is not finite", bad.row, bad.column),
+        Err(bad) => panic!(
+            "the Jacobian's entry at row {}, column {} is not finite",
+            bad.row, bad.column
+        ),
     }
 }
 
@@ -88,11 +123,18 @@ const LONGEST: f64 = 1e60;
 
 /// Complains of lengths that can't be computed with.
 fn too_long(system: &System) -> Option<Complaint> {
-    let far = system.guess.iter().chain([&system.size, &system.reach]).fold(0.0, |most: f64, x| most.max(x.abs()));
+    let far = system
+        .guess
+        .iter()
+        .chain([&system.size, &system.reach])
+        .fold(0.0, |most: f64, x| most.max(x.abs()));
     (far > LONGEST).then(|| {
         Complaint::new(
             "bodies",
-            format!("the mechanism is larger than {}, where numbers overflow", system.display.length(LONGEST)),
+            format!(
+                "the mechanism is larger than {}, where numbers overflow",
+                system.display.length(LONGEST)
+            ),
         )
         .hint("look for a length with a wrong exponent or unit")
     })
@@ -128,13 +170,20 @@ fn free(system: &System, q: &[f64], inputs: &Inputs) -> Option<Vec<f64>> {
     let mut evaluation = Evaluation::new(system);
     evaluation.set_position(q);
     evaluation.eval_jacobian(system, inputs);
-    free_direction(&scaled_rows(system, &evaluation.jacobian, system.m()), DEPENDENCE_TOLERANCE)
+    free_direction(
+        &scaled_rows(system, &evaluation.jacobian, system.m()),
+        DEPENDENCE_TOLERANCE,
+    )
 }
 
 /// Grübler's count and the count by rank, with the joints that are redundant.
 fn mobility(system: &System, joints: &RankReport) -> Mobility {
     let n = system.n() as i64;
-    let mut redundant: Vec<usize> = joints.dependent.iter().filter_map(|d| joint_of(system, d.row)).collect();
+    let mut redundant: Vec<usize> = joints
+        .dependent
+        .iter()
+        .filter_map(|d| joint_of(system, d.row))
+        .collect();
     redundant.dedup();
     let mut shared: Vec<usize> = joints
         .dependent
@@ -144,7 +193,12 @@ fn mobility(system: &System, joints: &RankReport) -> Mobility {
         .collect();
     shared.sort_unstable();
     shared.dedup();
-    let names = |joints: Vec<usize>| joints.into_iter().map(|k| system.joints[k].name.clone()).collect();
+    let names = |joints: Vec<usize>| {
+        joints
+            .into_iter()
+            .map(|k| system.joints[k].name.clone())
+            .collect()
+    };
     Mobility {
         grubler: n - system.joint_rows() as i64,
         rank: n - joints.rank as i64,
@@ -177,15 +231,27 @@ fn kicked_from(q: &[f64], largest: f64) -> Vec<f64> {
 
 /// A position a little beside `q` that the joints allow, drivers or not.
 pub fn beside_by_joints(system: &System, q: &[f64], inputs: &Inputs) -> Option<Vec<f64>> {
-    let joints: Vec<&Block> = system.blocks.iter().filter(|b| matches!(b.origin, Origin::Joint(_))).collect();
-    let closed = KICKS.iter().map(|&kick| close(system, &joints, &kicked_from(q, kick), inputs));
-    closed.into_iter().find(|closed| closed.converged).map(|closed| closed.q)
+    let joints: Vec<&Block> = system
+        .blocks
+        .iter()
+        .filter(|b| matches!(b.origin, Origin::Joint(_)))
+        .collect();
+    let closed = KICKS
+        .iter()
+        .map(|&kick| close(system, &joints, &kicked_from(q, kick), inputs));
+    closed
+        .into_iter()
+        .find(|closed| closed.converged)
+        .map(|closed| closed.q)
 }
 
 /// An assembly from where the guess is left a little.
 fn close_from_beside(system: &System, inputs: &Inputs) -> Option<Closed> {
     let all: Vec<&Block> = system.blocks.iter().chain(&system.initial).collect();
-    KICKS.iter().map(|&kick| close(system, &all, &kicked(system, kick), inputs)).find(|closed| closed.converged)
+    KICKS
+        .iter()
+        .map(|&kick| close(system, &all, &kicked(system, kick), inputs))
+        .find(|closed| closed.converged)
 }
 
 fn joint_of(system: &System, row: usize) -> Option<usize> {
@@ -196,8 +262,16 @@ fn joint_of(system: &System, row: usize) -> Option<usize> {
 }
 
 /// Finds out why everything together does not assemble, or assembles by another way.
-fn diagnose(system: &System, inputs: &Inputs, closed: Closed) -> Result<(Vec<f64>, u64, Vec<String>), Stop> {
-    let joints: Vec<&Block> = system.blocks.iter().filter(|b| matches!(b.origin, Origin::Joint(_))).collect();
+fn diagnose(
+    system: &System,
+    inputs: &Inputs,
+    closed: Closed,
+) -> Result<(Vec<f64>, u64, Vec<String>), Stop> {
+    let joints: Vec<&Block> = system
+        .blocks
+        .iter()
+        .filter(|b| matches!(b.origin, Origin::Joint(_)))
+        .collect();
     let undriven = close(system, &joints, &system.guess, inputs);
     if !undriven.converged {
         if let Some(found) = close_from_beside(system, inputs) {
@@ -207,7 +281,10 @@ fn diagnose(system: &System, inputs: &Inputs, closed: Closed) -> Result<(Vec<f64
                 .to_string();
             return Ok((found.q, closed.iterations + found.iterations, vec![warning]));
         }
-        return Err(Stop::failed(Status::AssemblyFailed, open_loop(system, &undriven)));
+        return Err(Stop::failed(
+            Status::AssemblyFailed,
+            open_loop(system, &undriven),
+        ));
     }
     // The joints alone close: then it is a driver or an initial value.
     let (by_joints, _) = ranks(system, &undriven.q, inputs);
@@ -218,7 +295,10 @@ fn diagnose(system: &System, inputs: &Inputs, closed: Closed) -> Result<(Vec<f64
     overlap::refuse(system, &undriven.q, inputs)?;
     let driven: Vec<&Block> = system.blocks.iter().collect();
     if !system.initial.is_empty() && close(system, &driven, &system.guess, inputs).converged {
-        return Err(Stop::failed(Status::AssemblyFailed, conflicting(system, inputs)));
+        return Err(Stop::failed(
+            Status::AssemblyFailed,
+            conflicting(system, inputs),
+        ));
     }
     // Drive from where the joints close to where the drivers want it, in small parts.
     if let Some((q, iterations)) = drive_there(system, inputs, &undriven.q) {
@@ -246,7 +326,9 @@ fn drive_there(system: &System, inputs: &Inputs, q: &[f64]) -> Option<(Vec<f64>,
     let mut evaluation = Evaluation::new(system);
     evaluation.set_position(q);
     evaluation.eval_phi(system, inputs);
-    let gaps: Vec<f64> = (0..system.drivers.len()).map(|k| evaluation.phi[system.joint_rows() + k]).collect();
+    let gaps: Vec<f64> = (0..system.drivers.len())
+        .map(|k| evaluation.phi[system.joint_rows() + k])
+        .collect();
     let all: Vec<&Block> = system.blocks.iter().chain(&system.initial).collect();
     let (mut q, mut part, mut step, mut iterations) = (q.to_vec(), 0.0, 0.05_f64, 0);
     while part < 1.0 {
@@ -291,18 +373,32 @@ fn gap_text(system: &System, closed: &Closed) -> String {
     let widest = topology
         .loops()
         .iter()
-        .map(|cycle| (cycle, cycle.joints.iter().map(|&joint| gap(joint)).sum::<f64>()))
+        .map(|cycle| {
+            (
+                cycle,
+                cycle.joints.iter().map(|&joint| gap(joint)).sum::<f64>(),
+            )
+        })
         .max_by(|a, b| a.1.total_cmp(&b.1));
     match widest {
         Some((cycle, gap)) => {
-            let names: Vec<&str> = cycle.joints.iter().map(|&joint| system.joints[joint].name.as_str()).collect();
+            let names: Vec<&str> = cycle
+                .joints
+                .iter()
+                .map(|&joint| system.joints[joint].name.as_str())
+                .collect();
             let gap = system.display.length_to(gap * system.size, GAP_DIGITS);
-            format!("the loop {} does not close; it lacks {gap} at the best position found", listed(&names, " – "))
+            format!(
+                "the loop {} does not close; it lacks {gap} at the best position found",
+                listed(&names, " – ")
+            )
         }
         None => {
             let worst = (0..system.joints.len()).max_by(|&a, &b| gap(a).total_cmp(&gap(b)));
             let name = worst.map_or("no joint", |joint| system.joints[joint].name.as_str());
-            let gap = system.display.length_to(worst.map_or(0.0, gap) * system.size, GAP_DIGITS);
+            let gap = system
+                .display
+                .length_to(worst.map_or(0.0, gap) * system.size, GAP_DIGITS);
             format!("joint \"{name}\" is open by {gap} at the best position found")
         }
     }
@@ -315,17 +411,30 @@ fn conflicting(system: &System, inputs: &Inputs) -> String {
         let others: Vec<&Block> = system
             .blocks
             .iter()
-            .chain(system.initial.iter().enumerate().filter(|(k, _)| *k != left_out).map(|(_, block)| block))
+            .chain(
+                system
+                    .initial
+                    .iter()
+                    .enumerate()
+                    .filter(|(k, _)| *k != left_out)
+                    .map(|(_, block)| block),
+            )
             .collect();
         if close(system, &others, &system.guess, inputs).converged {
             names.push(system.origin_name(&system.initial[left_out].origin));
         }
     }
     if names.is_empty() {
-        names = system.initial.iter().map(|block| system.origin_name(&block.origin)).collect();
+        names = system
+            .initial
+            .iter()
+            .map(|block| system.origin_name(&block.origin))
+            .collect();
     }
     let who = listed(&names, " and ");
-    format!("can't assemble: {who} can't be met together with the joints and drivers; leave out one, or change it")
+    format!(
+        "can't assemble: {who} can't be met together with the joints and drivers; leave out one, or change it"
+    )
 }
 
 fn over_driven(system: &System, freedom: usize) -> Complaint {
@@ -361,7 +470,10 @@ pub fn check_driven(system: &System, assembled: &Assembled, inputs: &Inputs) -> 
     let n = system.n();
     // Consistent or not, drivers beyond the freedom fight each other; beside the position it is not larger.
     if system.drivers.len() > n - assembled.joints.rank {
-        return Err(Stop::Input(vec![over_driven(system, n - assembled.joints.rank)]));
+        return Err(Stop::Input(vec![over_driven(
+            system,
+            n - assembled.joints.rank,
+        )]));
     }
     if assembled.all.rank == n {
         return Ok(());
@@ -369,7 +481,9 @@ pub fn check_driven(system: &System, assembled: &Assembled, inputs: &Inputs) -> 
     // A loss of rank may be the position's alone: look from a little beside it.
     let direction = free(system, &assembled.q, inputs).unwrap_or_default();
     let beside = nudged(system, assembled, &direction, inputs);
-    let (joints, all) = beside.map_or((assembled.joints.clone(), assembled.all.clone()), |q| ranks(system, &q, inputs));
+    let (joints, all) = beside.map_or((assembled.joints.clone(), assembled.all.clone()), |q| {
+        ranks(system, &q, inputs)
+    });
     let freedom = n - joints.rank;
     if system.drivers.len() > freedom {
         return Err(Stop::Input(vec![over_driven(system, freedom)]));
@@ -389,8 +503,17 @@ pub fn check_driven(system: &System, assembled: &Assembled, inputs: &Inputs) -> 
 }
 
 /// A position a little beside, along a null direction of all rows, with the joints closed again.
-fn nudged(system: &System, assembled: &Assembled, direction: &[f64], inputs: &Inputs) -> Option<Vec<f64>> {
-    let joints: Vec<&Block> = system.blocks.iter().filter(|b| matches!(b.origin, Origin::Joint(_))).collect();
+fn nudged(
+    system: &System,
+    assembled: &Assembled,
+    direction: &[f64],
+    inputs: &Inputs,
+) -> Option<Vec<f64>> {
+    let joints: Vec<&Block> = system
+        .blocks
+        .iter()
+        .filter(|b| matches!(b.origin, Origin::Joint(_)))
+        .collect();
     let largest = crate::math::max_abs(direction);
     let mut q = assembled.q.clone();
     for (k, (q, d)) in q.iter_mut().zip(direction).enumerate() {
@@ -401,8 +524,19 @@ fn nudged(system: &System, assembled: &Assembled, direction: &[f64], inputs: &In
 }
 
 fn under_driven(system: &System, freedom: usize, direction: &[f64]) -> Complaint {
-    let moves = |k: usize| direction.iter().skip(3 * k).take(3).any(|z| z.abs() > MOVES);
-    let moving = system.bodies.iter().enumerate().filter(|(k, _)| moves(*k)).map(|(_, body)| body.name.as_str());
+    let moves = |k: usize| {
+        direction
+            .iter()
+            .skip(3 * k)
+            .take(3)
+            .any(|z| z.abs() > MOVES)
+    };
+    let moving = system
+        .bodies
+        .iter()
+        .enumerate()
+        .filter(|(k, _)| moves(*k))
+        .map(|(_, body)| body.name.as_str());
     let drivers = system.drivers.len();
     Complaint::new(
         "drivers",
@@ -428,7 +562,11 @@ pub fn quoted<'a>(names: impl Iterator<Item = &'a str>) -> String {
 pub fn listed<S: AsRef<str>>(names: &[S], between: &str) -> String {
     let first: Vec<&str> = names.iter().take(MOST_NAMES).map(AsRef::as_ref).collect();
     let text = first.join(between);
-    if names.len() > MOST_NAMES { format!("{text}{between}and {} more", names.len() - MOST_NAMES) } else { text }
+    if names.len() > MOST_NAMES {
+        format!("{text}{between}and {} more", names.len() - MOST_NAMES)
+    } else {
+        text
+    }
 }
 
 /// Initial velocities that miss the constraints by more than this [1/s] conflict with them: values written with eight
@@ -459,7 +597,11 @@ pub fn velocities_near(
     let speed = system.scaled_norm(&v);
     let off = crate::math::max_abs(&residual);
     if !system.initial_rates.is_empty() && (off.is_nan() || off > CONFLICT * (1.0 + speed)) {
-        let names: Vec<&str> = system.initial_rates.iter().map(|(name, _)| name.as_str()).collect();
+        let names: Vec<&str> = system
+            .initial_rates
+            .iter()
+            .map(|(name, _)| name.as_str())
+            .collect();
         return Err(Stop::failed(
             Status::AssemblyFailed,
             format!(

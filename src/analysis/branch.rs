@@ -38,7 +38,8 @@ pub fn singularity<'s>(
     if assembled.all.dependent.is_empty() && assembled.all.smallest_kept > DOUBTFUL {
         return Ok(None);
     }
-    Singularity::at(system, &assembled.q, inputs).map_err(|fault| Stop::failed(Status::Singular, fault.to_string()))
+    Singularity::at(system, &assembled.q, inputs)
+        .map_err(|fault| Stop::failed(Status::Singular, fault.to_string()))
 }
 
 /// Leaves a singular start on one of its branches, with a warning; a regular one stays as it is.
@@ -46,21 +47,39 @@ pub fn singularity<'s>(
 /// # Errors
 /// Where nothing leads away, or nothing pulls the mechanism away.
 pub fn leave(system: &System, assembled: Assembled, inputs: &Inputs) -> Result<Assembled, Stop> {
-    let Some(mut singular) = singularity(system, &assembled, inputs)? else { return Ok(assembled) };
+    let Some(mut singular) = singularity(system, &assembled, inputs)? else {
+        return Ok(assembled);
+    };
     let pull = pull(system, &assembled.q, inputs);
     let branches = singular.branches(&pull);
-    let beside =
-        branches.iter().take(MOST).find_map(|branch| Some((branch, beside(system, &assembled.q, branch, inputs)?)));
+    let beside = branches
+        .iter()
+        .take(MOST)
+        .find_map(|branch| Some((branch, beside(system, &assembled.q, branch, inputs)?)));
     let Some((taken, q)) = beside else {
-        return Err(Stop::failed(Status::Singular, held_fast(system, &assembled)));
+        return Err(Stop::failed(
+            Status::Singular,
+            held_fast(system, &assembled),
+        ));
     };
-    if branches.iter().all(|branch| branch.along <= BALANCED * crate::math::max_abs(&pull)) {
+    if branches
+        .iter()
+        .all(|branch| branch.along <= BALANCED * crate::math::max_abs(&pull))
+    {
         return Err(Stop::failed(Status::Singular, balanced(system, &branches)));
     }
     let mut warnings = assembled.warnings.clone();
     let other = branches.iter().find(|branch| *branch != taken);
     warnings.push(choice(system, taken, other));
-    Ok(ranked(system, Assembled { q, warnings, ..assembled }, inputs))
+    Ok(ranked(
+        system,
+        Assembled {
+            q,
+            warnings,
+            ..assembled
+        },
+        inputs,
+    ))
 }
 
 /// Scaled forces Q̃ (n) at rest [J].
@@ -84,10 +103,16 @@ fn beside(system: &System, q: &[f64], branch: &Branch, inputs: &Inputs) -> Optio
             *guess += size * d / largest * system.column_scale(k);
         }
         let closed = close(system, &blocks, &guess, inputs);
-        let moved: Vec<f64> =
-            closed.q.iter().zip(q).enumerate().map(|(k, (to, from))| (to - from) / system.column_scale(k)).collect();
+        let moved: Vec<f64> = closed
+            .q
+            .iter()
+            .zip(q)
+            .enumerate()
+            .map(|(k, (to, from))| (to - from) / system.column_scale(k))
+            .collect();
         let length = crate::math::dot(&moved, &moved).sqrt();
-        let along = crate::math::dot(&moved, direction) > IN_DIRECTION * length && length * largest > 0.5 * size;
+        let along = crate::math::dot(&moved, direction) > IN_DIRECTION * length
+            && length * largest > 0.5 * size;
         let regular = || matches!(Singularity::at(system, &closed.q, inputs), Ok(None));
         (closed.converged && along && regular()).then_some(closed.q)
     })
@@ -97,7 +122,10 @@ fn beside(system: &System, q: &[f64], branch: &Branch, inputs: &Inputs) -> Optio
 fn choice(system: &System, taken: &Branch, other: Option<&Branch>) -> String {
     let start = "the start is a singular position (the constraints lose rank there)";
     match other {
-        None => format!("{start}, from which one motion leads away: {}", turns(system, &taken.direction)),
+        None => format!(
+            "{start}, from which one motion leads away: {}",
+            turns(system, &taken.direction)
+        ),
         Some(other) => format!(
             "{start}, from which several motions lead away; taken is the one that the forces drive most: {}. Another \
              assembly is reached where {}: for that one start a little beside, turned that way",
@@ -109,8 +137,8 @@ fn choice(system: &System, taken: &Branch, other: Option<&Branch>) -> String {
 
 /// What to say where a singular position can't be left.
 fn held_fast(system: &System, assembled: &Assembled) -> String {
-    let what =
-        singular_text(system, &assembled.all.dependent_rows()).map_or_else(String::new, |what| format!(", {what}"));
+    let what = singular_text(system, &assembled.all.dependent_rows())
+        .map_or_else(String::new, |what| format!(", {what}"));
     let (by, driver) = if system.drivers.is_empty() {
         ("joints hold", "")
     } else {
@@ -124,7 +152,11 @@ fn held_fast(system: &System, assembled: &Assembled) -> String {
 
 /// What to say of an equilibrium that is singular.
 fn balanced(system: &System, branches: &[Branch]) -> String {
-    let ways: Vec<String> = branches.iter().take(2).map(|branch| turns(system, &branch.direction)).collect();
+    let ways: Vec<String> = branches
+        .iter()
+        .take(2)
+        .map(|branch| turns(system, &branch.direction))
+        .collect();
     format!(
         "the equilibrium is itself a singular position (the constraints lose rank there), from which several motions lead \
          away, each with a stiffness of its own: {}; there is no one answer, move something a little to leave it",
@@ -138,18 +170,27 @@ pub fn turns(system: &System, direction: &[f64]) -> String {
     let seen = SEEN * crate::math::max_abs(&rates).max(SEEN * crate::math::max_abs(direction));
     let named = |turns: &dyn Fn(usize) -> bool| -> Vec<String> {
         let bodies = system.bodies.iter().enumerate().filter(|(k, _)| turns(*k));
-        bodies.map(|(_, body)| format!("\"{}\"", body.name)).collect()
+        bodies
+            .map(|(_, body)| format!("\"{}\"", body.name))
+            .collect()
     };
     let (left, right) = (named(&|k| rates[k] > seen), named(&|k| rates[k] < -seen));
     let mut parts = Vec::new();
     for (names, way) in [(right, "clockwise"), (left, "counter-clockwise")] {
         if !names.is_empty() {
-            parts.push(format!("{} {} {way}", listed(&names, ", "), if names.len() == 1 { "turns" } else { "turn" }));
+            parts.push(format!(
+                "{} {} {way}",
+                listed(&names, ", "),
+                if names.len() == 1 { "turns" } else { "turn" }
+            ));
         }
     }
     if parts.is_empty() {
         let moves = |k: usize| crate::math::max_abs(&direction[3 * k..3 * k + 3]) > seen;
-        parts.push(format!("{} moves without turning", listed(&named(&moves), ", ")));
+        parts.push(format!(
+            "{} moves without turning",
+            listed(&named(&moves), ", ")
+        ));
     }
     parts.join(", ")
 }

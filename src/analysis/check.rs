@@ -7,9 +7,14 @@ use super::instants::instants;
 use super::{Stop, suspicious};
 use crate::error::Complaint;
 use crate::math::Vec2;
-use crate::model::{AnalysisKind, ClearanceModel, ForceKind, GROUND, JointKind, Model, PointRef, Pose, Sample, Value};
+use crate::model::{
+    AnalysisKind, ClearanceModel, ForceKind, GROUND, JointKind, Model, PointRef, Pose, Sample,
+    Value,
+};
 use crate::output::{Mobility, Status};
-use crate::system::{Evaluation, Inputs, System, compile::Lowering, compile::compile, compile::recompile};
+use crate::system::{
+    Evaluation, Inputs, System, compile::Lowering, compile::compile, compile::recompile,
+};
 
 /// What `check` finds.
 #[derive(Debug, Clone, Default)]
@@ -78,25 +83,46 @@ enum Undriven {
 pub fn check(model: &Model) -> Result<Check, Vec<Complaint>> {
     let system = compile(&with_clearances(model, |_| false), AnalysisKind::Assembly)?;
     let topology = topology(&system);
-    let names: Vec<&str> = system.joints.iter().map(|joint| joint.name.as_str()).collect();
+    let names: Vec<&str> = system
+        .joints
+        .iter()
+        .map(|joint| joint.name.as_str())
+        .collect();
     let mut check = Check {
         bodies: system.bodies.len(),
         joints: system.joints.len(),
         loops: topology.loop_names(&names),
-        loop_bodies: topology.loops().iter().map(|one| moving_names(&system, &one.bodies)).collect(),
+        loop_bodies: topology
+            .loops()
+            .iter()
+            .map(|one| moving_names(&system, &one.bodies))
+            .collect(),
         ..Check::default()
     };
     check.mobility.grubler = topology.mobility();
     check.mobility.drivers = system.drivers.len();
-    let unheld: Vec<&str> =
-        topology.unheld_bodies().iter().map(|&body| system.bodies[body - 1].name.as_str()).collect();
+    let unheld: Vec<&str> = topology
+        .unheld_bodies()
+        .iter()
+        .map(|&body| system.bodies[body - 1].name.as_str())
+        .collect();
     check.suspicious.extend(unheld.first().map(|first| {
-        let others = if unheld.len() > 1 { format!(", nor {}", listed(&unheld[1..], ", ")) } else { String::new() };
-        Complaint::new(format!("bodies.{first}"), format!("no joint holds it{others}"))
-            .hint("connect it by a joint or take it out, unless it is to move freely")
+        let others = if unheld.len() > 1 {
+            format!(", nor {}", listed(&unheld[1..], ", "))
+        } else {
+            String::new()
+        };
+        Complaint::new(
+            format!("bodies.{first}"),
+            format!("no joint holds it{others}"),
+        )
+        .hint("connect it by a joint or take it out, unless it is to move freely")
     }));
     let end = end_of_run(model, &system)?;
-    check.suspicious.extend(end.into_iter().flat_map(|end| suspicious::tables(model, end)));
+    check.suspicious.extend(
+        end.into_iter()
+            .flat_map(|end| suspicious::tables(model, end)),
+    );
     let inputs = Inputs::at_time(&system, 0.0);
     let assembled = match assemble(&system, &inputs) {
         Ok(assembled) => assembled,
@@ -106,7 +132,10 @@ pub fn check(model: &Model) -> Result<Check, Vec<Complaint>> {
             check.mobility = super::assembly::counted(&system);
             check.message = Some(message);
             check.assembly_residual = f64::NAN;
-            check.words = format!("{}; it can't be assembled", freedom_text(check.mobility.rank));
+            check.words = format!(
+                "{}; it can't be assembled",
+                freedom_text(check.mobility.rank)
+            );
             return Ok(check);
         }
     };
@@ -125,7 +154,12 @@ pub fn check(model: &Model) -> Result<Check, Vec<Complaint>> {
         undriven(&system, &assembled, &inputs)
     };
     check.lacks = lacks(model);
-    check.missing = missing(model, undriven.as_ref(), &check.lacks, check.mobility.rank as usize);
+    check.missing = missing(
+        model,
+        undriven.as_ref(),
+        &check.lacks,
+        check.mobility.rank as usize,
+    );
     check.words = words(model, undriven.as_ref(), &check);
     check.suspicious.extend(turned_over(model, &system, &q));
     check.suspicious.extend(odd_springs(model, &system, &q));
@@ -151,29 +185,56 @@ fn undriven(system: &System, assembled: &Assembled, inputs: &Inputs) -> Option<U
 /// The mechanism with its journals free, at the position that it has with ideal pins, as a run has it. Its motion is
 /// integrated whatever the analysis, so that only too many drivers are in the way.
 fn open(model: &Model, closed: Assembled) -> Result<(Open, Option<Undriven>), Vec<Complaint>> {
-    let system = recompile(&with_clearances(model, is_open), Lowering::Open { following: &[] })?;
+    let system = recompile(
+        &with_clearances(model, is_open),
+        Lowering::Open { following: &[] },
+    )?;
     let inputs = Inputs::at_time(&system, 0.0);
     let assembled = ranked(&system, closed, &inputs);
-    let undriven = undriven(&system, &assembled, &inputs).filter(|why| matches!(why, Undriven::TooMany(_)));
-    let joints = clearances(model).filter(|(_, model)| is_open(*model)).map(|(name, _)| name.to_string()).collect();
-    Ok((Open { joints, mobility: assembled.mobility }, undriven))
+    let undriven =
+        undriven(&system, &assembled, &inputs).filter(|why| matches!(why, Undriven::TooMany(_)));
+    let joints = clearances(model)
+        .filter(|(_, model)| is_open(*model))
+        .map(|(name, _)| name.to_string())
+        .collect();
+    Ok((
+        Open {
+            joints,
+            mobility: assembled.mobility,
+        },
+        undriven,
+    ))
 }
 
 /// When the run that the model asks for ends [s]; where a driver is sampled, it must pass the first and the last value, in this order.
 fn end_of_run(model: &Model, system: &System) -> Result<Option<f64>, Vec<Complaint>> {
-    let Some(analysis) = &model.analysis else { return Ok(None) };
-    if matches!(analysis.kind, AnalysisKind::Assembly | AnalysisKind::Statics) {
+    let Some(analysis) = &model.analysis else {
+        return Ok(None);
+    };
+    if matches!(
+        analysis.kind,
+        AnalysisKind::Assembly | AnalysisKind::Statics
+    ) {
         return Ok(None);
     }
-    let Some(sample) = &analysis.sample else { return Ok(analysis.end) };
+    let Some(sample) = &analysis.sample else {
+        return Ok(analysis.end);
+    };
     let mut ends = analysis.clone();
     let whole = sample.to - sample.from;
-    ends.sample = Some(Sample { step: if whole == 0.0 { sample.step } else { whole }, ..sample.clone() });
+    ends.sample = Some(Sample {
+        step: if whole == 0.0 { sample.step } else { whole },
+        ..sample.clone()
+    });
     instants(system, &ends).map(|instants| instants.last().map(|last| last.time))
 }
 
 fn moving_names(system: &System, bodies: &[usize]) -> Vec<String> {
-    bodies.iter().filter(|&&body| body > 0).map(|&body| system.bodies[body - 1].name.clone()).collect()
+    bodies
+        .iter()
+        .filter(|&&body| body > 0)
+        .map(|&body| system.bodies[body - 1].name.clone())
+        .collect()
 }
 
 /// The model with the clearances of some models only, the others ideal.
@@ -184,8 +245,10 @@ fn with_clearances(model: &Model, kept: fn(ClearanceModel) -> bool) -> Model {
             JointKind::Revolute { clearance, .. } => {
                 *clearance = clearance.take().filter(|clearance| kept(clearance.model));
             }
-            JointKind::Prismatic { .. } | JointKind::Slot { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => {
-            }
+            JointKind::Prismatic { .. }
+            | JointKind::Slot { .. }
+            | JointKind::Gear { .. }
+            | JointKind::Fixed { .. } => {}
         }
     }
     model
@@ -193,16 +256,20 @@ fn with_clearances(model: &Model, kept: fn(ClearanceModel) -> bool) -> Model {
 
 /// Joints whose clearance is modelled.
 fn clearances(model: &Model) -> impl Iterator<Item = (&str, ClearanceModel)> {
-    model.joints.iter().filter_map(|(name, joint)| match &joint.kind {
-        JointKind::Revolute { clearance: Some(clearance), .. } if clearance.model != ClearanceModel::Ideal => {
-            Some((name.as_str(), clearance.model))
-        }
-        JointKind::Revolute { .. }
-        | JointKind::Prismatic { .. }
-        | JointKind::Slot { .. }
-        | JointKind::Gear { .. }
-        | JointKind::Fixed { .. } => None,
-    })
+    model
+        .joints
+        .iter()
+        .filter_map(|(name, joint)| match &joint.kind {
+            JointKind::Revolute {
+                clearance: Some(clearance),
+                ..
+            } if clearance.model != ClearanceModel::Ideal => Some((name.as_str(), clearance.model)),
+            JointKind::Revolute { .. }
+            | JointKind::Prismatic { .. }
+            | JointKind::Slot { .. }
+            | JointKind::Gear { .. }
+            | JointKind::Fixed { .. } => None,
+        })
 }
 
 /// Whether journals move freely in their bearings with this model.
@@ -224,8 +291,15 @@ fn lacks(model: &Model) -> Vec<Lack> {
     let linked = clearances(model).next().is_some();
     let mut lacks: Vec<Lack> = Vec::new();
     for (name, body) in model.bodies.iter().filter(|(name, _)| *name != GROUND) {
-        let keys = [("mass", body.mass.is_none()), ("inertia", body.inertia.is_none())];
-        let keys: Vec<&str> = keys.iter().filter(|(_, lacks)| *lacks).map(|(key, _)| *key).collect();
+        let keys = [
+            ("mass", body.mass.is_none()),
+            ("inertia", body.inertia.is_none()),
+        ];
+        let keys: Vec<&str> = keys
+            .iter()
+            .filter(|(_, lacks)| *lacks)
+            .map(|(key, _)| *key)
+            .collect();
         if keys.is_empty() {
             continue;
         }
@@ -241,15 +315,27 @@ fn lacks(model: &Model) -> Vec<Lack> {
             (AnalysisKind::Dynamics, true),
             (AnalysisKind::Statics, statics),
         ];
-        let analyses = analyses.into_iter().filter(|(_, needs)| *needs).map(|(kind, _)| kind).collect();
-        lacks.push(Lack { bodies: vec![name.clone()], keys, analyses });
+        let analyses = analyses
+            .into_iter()
+            .filter(|(_, needs)| *needs)
+            .map(|(kind, _)| kind)
+            .collect();
+        lacks.push(Lack {
+            bodies: vec![name.clone()],
+            keys,
+            analyses,
+        });
     }
     lacks
 }
 
 /// The analyses that a model may be asked for.
-const ANALYSES: [AnalysisKind; 4] =
-    [AnalysisKind::Kinematics, AnalysisKind::InverseDynamics, AnalysisKind::Dynamics, AnalysisKind::Statics];
+const ANALYSES: [AnalysisKind; 4] = [
+    AnalysisKind::Kinematics,
+    AnalysisKind::InverseDynamics,
+    AnalysisKind::Dynamics,
+    AnalysisKind::Statics,
+];
 
 /// What keeps each analysis from running.
 fn missing(
@@ -265,7 +351,9 @@ fn missing(
                 AnalysisKind::Kinematics | AnalysisKind::InverseDynamics,
                 Some(Undriven::TooFew(text) | Undriven::TooMany(text) | Undriven::Singular(text)),
             ) => missing.push(text.clone()),
-            (AnalysisKind::Dynamics, _) if freedom == model.drivers.len() && !journals_move(model) => {
+            (AnalysisKind::Dynamics, _)
+                if freedom == model.drivers.len() && !journals_move(model) =>
+            {
                 missing.push("every degree of freedom is driven: nothing is free to move".into());
             }
             (AnalysisKind::Dynamics | AnalysisKind::Statics, Some(Undriven::TooMany(text))) => {
@@ -275,16 +363,31 @@ fn missing(
             | (AnalysisKind::Assembly | AnalysisKind::Dynamics | AnalysisKind::Statics, _) => {}
         }
         if kind == AnalysisKind::Statics {
-            missing.extend(clearances(model).map(|(name, _)| format!("an ideal clearance of joint \"{name}\"")));
+            missing.extend(
+                clearances(model)
+                    .map(|(name, _)| format!("an ideal clearance of joint \"{name}\"")),
+            );
         }
         for lack in lacks.iter().filter(|lack| lack.analyses.contains(&kind)) {
             // At rest nothing is turned.
-            let keys = if kind == AnalysisKind::Statics { "mass".to_string() } else { lack.keys.join(" and ") };
-            missing.extend(lack.bodies.iter().map(|body| format!("{keys} of body \"{body}\"")));
+            let keys = if kind == AnalysisKind::Statics {
+                "mass".to_string()
+            } else {
+                lack.keys.join(" and ")
+            };
+            missing.extend(
+                lack.bodies
+                    .iter()
+                    .map(|body| format!("{keys} of body \"{body}\"")),
+            );
         }
         (kind, missing)
     };
-    ANALYSES.map(of).into_iter().filter(|(_, missing)| !missing.is_empty()).collect()
+    ANALYSES
+        .map(of)
+        .into_iter()
+        .filter(|(_, missing)| !missing.is_empty())
+        .collect()
 }
 
 /// `1 degree of freedom`.
@@ -321,7 +424,11 @@ fn words(model: &Model, undriven: Option<&Undriven>, check: &Check) -> String {
     let freedom = check.mobility.rank;
     let drivers: Vec<&str> = model.drivers.keys().map(String::as_str).collect();
     let count = drivers.len() as i64;
-    let mut text = if check.open.is_some() { "with ideal pins ".to_string() } else { String::new() };
+    let mut text = if check.open.is_some() {
+        "with ideal pins ".to_string()
+    } else {
+        String::new()
+    };
     text += &freedom_text(freedom);
     text += &match (count, freedom) {
         (0, 0) if check.open.is_some() => String::new(),
@@ -334,7 +441,11 @@ fn words(model: &Model, undriven: Option<&Undriven>, check: &Check) -> String {
         (_, _) => format!(", driven by {}", and(&drivers)),
     };
     let lacking = |kind: AnalysisKind| check.missing.iter().any(|(lacking, _)| *lacking == kind);
-    let possible: Vec<&str> = ANALYSES.into_iter().filter(|kind| !lacking(*kind)).map(spoken).collect();
+    let possible: Vec<&str> = ANALYSES
+        .into_iter()
+        .filter(|kind| !lacking(*kind))
+        .map(spoken)
+        .collect();
     text += &match possible.len() {
         0 => ": no analysis but the assembly is possible".into(),
         1 => format!(": {} is possible", possible[0]),
@@ -342,12 +453,23 @@ fn words(model: &Model, undriven: Option<&Undriven>, check: &Check) -> String {
     };
     match undriven {
         Some(Undriven::TooFew(_)) if freedom > count => {
-            let more = if freedom - count == 1 { "1 driver".into() } else { format!("{} drivers", freedom - count) };
-            let more = if count == 0 { more } else { format!("{more} more") };
+            let more = if freedom - count == 1 {
+                "1 driver".into()
+            } else {
+                format!("{} drivers", freedom - count)
+            };
+            let more = if count == 0 {
+                more
+            } else {
+                format!("{more} more")
+            };
             text += &format!("; kinematics and inverse dynamics need {more}");
         }
         Some(Undriven::TooMany(_)) => {
-            let freedom = check.open.as_ref().map_or(freedom, |open| open.mobility.rank);
+            let freedom = check
+                .open
+                .as_ref()
+                .map_or(freedom, |open| open.mobility.rank);
             text += &format!("; take {} of the drivers out", (count - freedom).max(1));
         }
         Some(Undriven::TooFew(said) | Undriven::Singular(said)) => text += &format!("; {said}"),
@@ -364,11 +486,23 @@ fn words(model: &Model, undriven: Option<&Undriven>, check: &Check) -> String {
         };
         text += &format!("; {free}: {} in motion", freedom_text(mobility.rank));
     }
-    let mut data: Vec<AnalysisKind> = check.lacks.iter().flat_map(|lack| lack.analyses.iter().copied()).collect();
+    let mut data: Vec<AnalysisKind> = check
+        .lacks
+        .iter()
+        .flat_map(|lack| lack.analyses.iter().copied())
+        .collect();
     data.retain(|kind| *kind != AnalysisKind::Dynamics || !held);
-    let data: Vec<&str> = ANALYSES.into_iter().filter(|kind| data.contains(kind)).map(spoken).collect();
+    let data: Vec<&str> = ANALYSES
+        .into_iter()
+        .filter(|kind| data.contains(kind))
+        .map(spoken)
+        .collect();
     if !data.is_empty() {
-        text += &format!("; {} {} data that bodies lack", and(&data), if data.len() == 1 { "needs" } else { "need" });
+        text += &format!(
+            "; {} {} data that bodies lack",
+            and(&data),
+            if data.len() == 1 { "needs" } else { "need" }
+        );
     }
     text
 }
@@ -377,11 +511,15 @@ fn words(model: &Model, undriven: Option<&Undriven>, check: &Check) -> String {
 fn turned_over(model: &Model, system: &System, q: &[f64]) -> Vec<Complaint> {
     let mut found = Vec::new();
     for (body, q) in system.bodies.iter().zip(q.chunks_exact(3)) {
-        let Some(pose) = model.bodies.get(&body.name).map(|body| body.pose) else { continue };
+        let Some(pose) = model.bodies.get(&body.name).map(|body| body.pose) else {
+            continue;
+        };
         let off = (q[2] - pose.angle).sin().atan2((q[2] - pose.angle).cos());
         if pose != Pose::default() && off.abs() > FRAC_PI_2 {
             let off = model.display.angle_to(off, 3);
-            let message = format!("it assembles turned by {off} from this drawing, perhaps on the other branch");
+            let message = format!(
+                "it assembles turned by {off} from this drawing, perhaps on the other branch"
+            );
             let hint = "draw the pose nearer to the assembly that you want";
             found.push(Complaint::new(format!("bodies.{}.pose", body.name), message).hint(hint));
         }
@@ -393,27 +531,46 @@ fn turned_over(model: &Model, system: &System, q: &[f64]) -> Vec<Complaint> {
 fn odd_springs(model: &Model, system: &System, q: &[f64]) -> Vec<Complaint> {
     let place = |end: &PointRef| -> Option<Vec2> {
         let point = Vec2::from(*model.bodies.get(&end.body)?.points.get(&end.point)?);
-        let Some(k) = system.bodies.iter().position(|body| body.name == end.body) else { return Some(point) };
+        let Some(k) = system.bodies.iter().position(|body| body.name == end.body) else {
+            return Some(point);
+        };
         let ((sin, cos), s) = (q[3 * k + 2].sin_cos(), point + system.bodies[k].origin);
-        Some(Vec2::new(q[3 * k] + cos * s.x - sin * s.y, q[3 * k + 1] + sin * s.x + cos * s.y))
+        Some(Vec2::new(
+            q[3 * k] + cos * s.x - sin * s.y,
+            q[3 * k + 1] + sin * s.x + cos * s.y,
+        ))
     };
     let mut found = Vec::new();
     for (name, force) in &model.forces {
-        let ForceKind::Spring { between, free_length, .. } = &force.kind else { continue };
+        let ForceKind::Spring {
+            between,
+            free_length,
+            ..
+        } = &force.kind
+        else {
+            continue;
+        };
         let path = format!("forces.{name}.between");
         if between[0].body == between[1].body {
-            let message = format!("both ends are on {:?}: the spring moves nothing", between[0].body);
+            let message = format!(
+                "both ends are on {:?}: the spring moves nothing",
+                between[0].body
+            );
             found.push(Complaint::new(path, message).hint("a spring acts between two bodies"));
             continue;
         }
-        let (Some(first), Some(second)) = (place(&between[0]), place(&between[1])) else { continue };
+        let (Some(first), Some(second)) = (place(&between[0]), place(&between[1])) else {
+            continue;
+        };
         let length = (second - first).norm();
         if length <= CLOSED * system.size {
             let message = "the spring's ends coincide at the start: it has no direction there";
             found.push(Complaint::new(path, message).hint("check its two points"));
             continue;
         }
-        let Value::Constant(free) = *free_length else { continue };
+        let Value::Constant(free) = *free_length else {
+            continue;
+        };
         let odd = if free > STRETCHED * length.max(system.size) {
             Some("long")
         } else {

@@ -62,7 +62,11 @@ impl ClearanceLinks {
             .enumerate()
             .filter_map(|(k, joint)| joint.clearance.map(|link| (k, link.radius)))
             .collect();
-        (!joints.is_empty()).then(|| ClearanceLinks { psi: vec![0.0; joints.len()], before: None, joints })
+        (!joints.is_empty()).then(|| ClearanceLinks {
+            psi: vec![0.0; joints.len()],
+            before: None,
+            joints,
+        })
     }
 
     /// Directions from the multipliers; a force that is zero or does not exist leaves its link as it is.
@@ -81,21 +85,34 @@ impl ClearanceLinks {
             let (sin, cos) = self.psi[k].sin_cos();
             let u = Vec2::new(cos, sin);
             let rate = match &self.before {
-                Some((time, psi)) if inputs.time > *time => turn(self.psi[k] - psi[k]) / (inputs.time - time),
+                Some((time, psi)) if inputs.time > *time => {
+                    turn(self.psi[k] - psi[k]) / (inputs.time - time)
+                }
                 _ => 0.0,
             };
-            inputs.offset[k] = [u * radius, perp(u) * (radius * rate), u * (-radius * rate * rate)];
+            inputs.offset[k] = [
+                u * radius,
+                perp(u) * (radius * rate),
+                u * (-radius * rate * rate),
+            ];
         }
     }
 
     /// Finds the fixed point at the instant of `inputs`; `sample` holds the ideal solution and receives this one.
     /// `inputs` keeps the offsets found.
-    pub fn solve(&mut self, driven: &mut Driven, inputs: &mut Inputs, sample: &mut Sample) -> Fixpoint {
+    pub fn solve(
+        &mut self,
+        driven: &mut Driven,
+        inputs: &mut Inputs,
+        sample: &mut Sample,
+    ) -> Fixpoint {
         let system = driven.system;
         let ideal = sample.q.clone();
         self.aim(system, &sample.lambda);
         let mut last = ideal.clone();
-        let mut outcome = Fixpoint::NotConverged { change: f64::INFINITY };
+        let mut outcome = Fixpoint::NotConverged {
+            change: f64::INFINITY,
+        };
         for pass in 1..=MOST_PASSES {
             self.set_offsets(inputs);
             if pass > 1 {
@@ -110,7 +127,11 @@ impl ClearanceLinks {
                 self.before = None;
                 return Fixpoint::NoSolution { pass };
             }
-            let change = sample.q.iter().zip(&last).fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()));
+            let change = sample
+                .q
+                .iter()
+                .zip(&last)
+                .fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()));
             last.copy_from_slice(&sample.q);
             if pass > 1 && change < EPSILON {
                 outcome = Fixpoint::Converged { passes: pass };
@@ -134,7 +155,9 @@ fn turn(angle: f64) -> f64 {
 
 /// Newton from `q`, taken only when its contraction proves the branch.
 fn corrected(driven: &mut Driven, inputs: &Inputs, q: &mut [f64]) -> bool {
-    driven.correct(q, inputs).is_ok_and(|correction| correction.contraction <= SAFE_CONTRACTION)
+    driven
+        .correct(q, inputs)
+        .is_ok_and(|correction| correction.contraction <= SAFE_CONTRACTION)
 }
 
 /// Lets the offsets grow from zero to those of `inputs`, starting at the ideal position; whether that was possible.
@@ -193,7 +216,13 @@ pub fn forces(driven: &mut Driven, inputs: &Inputs, sample: &mut Sample) -> Resu
 /// # Errors
 /// [`Failure::Locked`].
 pub fn carried(driven: &mut Driven, inputs: &Inputs, sample: &mut Sample) -> Result<(), Failure> {
-    let Sample { force, balance, lambda, reactive, .. } = sample;
+    let Sample {
+        force,
+        balance,
+        lambda,
+        reactive,
+        ..
+    } = sample;
     let found = driven.react(inputs, force, balance, lambda);
     reactive.copy_from_slice(driven.reactive.sizes());
     found
@@ -202,7 +231,13 @@ pub fn carried(driven: &mut Driven, inputs: &Inputs, sample: &mut Sample) -> Res
 /// Q and Q − M a (n), what the constraints must carry.
 pub fn balance(system: &System, evaluation: &Evaluation, inputs: &Inputs, sample: &mut Sample) {
     evaluation.eval_force(system, inputs, &mut sample.force);
-    for (((b, q), a), m) in sample.balance.iter_mut().zip(&sample.force).zip(&sample.a).zip(&system.mass) {
+    for (((b, q), a), m) in sample
+        .balance
+        .iter_mut()
+        .zip(&sample.force)
+        .zip(&sample.a)
+        .zip(&system.mass)
+    {
         *b = q - m * a;
     }
 }

@@ -25,11 +25,19 @@ enum Holds {
 
 /// Rows that take part in a self-stress (m), scaled: forces by the largest force, torques by the largest of all.
 pub fn stressed_rows(system: &System, self_stress: &[f64]) -> Vec<usize> {
-    let rows = || self_stress.iter().enumerate().map(|(row, part)| (row, part.abs()));
+    let rows = || {
+        self_stress
+            .iter()
+            .enumerate()
+            .map(|(row, part)| (row, part.abs()))
+    };
     let is_force = |row: usize| matches!(system.measures[row], Measure::Length);
     let all = rows().fold(0.0, |most: f64, (_, part)| most.max(part));
-    let forces = rows().filter(|(row, _)| is_force(*row)).fold(NOISE * all, |most: f64, (_, part)| most.max(part));
-    let stressed = rows().filter(|&(row, part)| part > STRESSED * if is_force(row) { forces } else { all });
+    let forces = rows()
+        .filter(|(row, _)| is_force(*row))
+        .fold(NOISE * all, |most: f64, (_, part)| most.max(part));
+    let stressed =
+        rows().filter(|&(row, part)| part > STRESSED * if is_force(row) { forces } else { all });
     stressed.map(|(row, _)| row).collect()
 }
 
@@ -38,10 +46,19 @@ pub fn in_line(system: &System, rows: &[usize]) -> Option<String> {
     let stressed: Vec<&Block> = system
         .blocks
         .iter()
-        .filter(|block| rows.iter().any(|&row| (block.row..block.row + block.rows).contains(&row)))
+        .filter(|block| {
+            rows.iter()
+                .any(|&row| (block.row..block.row + block.rows).contains(&row))
+        })
         .collect();
     let holding = |body: usize| -> Vec<&Block> {
-        let touches = |block: &&&Block| block.constraint.entries().iter().any(|(_, id, _)| id.0 == body);
+        let touches = |block: &&&Block| {
+            block
+                .constraint
+                .entries()
+                .iter()
+                .any(|(_, id, _)| id.0 == body)
+        };
         stressed.iter().filter(touches).copied().collect()
     };
     let kind = |block: &Block| match block.origin {
@@ -84,23 +101,28 @@ pub fn in_line(system: &System, rows: &[usize]) -> Option<String> {
         }
         let mut line: Vec<(usize, [usize; 2])> = vec![(*first, *pins)];
         // Those that hang on the ones found so far.
-        while let Some(next) = rods[k + 1..]
-            .iter()
-            .find(|rod| !line.iter().any(|found| found.0 == rod.0) && line.iter().any(|found| share(&found.1, &rod.1)))
-        {
+        while let Some(next) = rods[k + 1..].iter().find(|rod| {
+            !line.iter().any(|found| found.0 == rod.0)
+                && line.iter().any(|found| share(&found.1, &rod.1))
+        }) {
             line.push(*next);
         }
         if line.len() > 1 {
             let mut bodies: Vec<usize> = line.iter().map(|(body, _)| *body).collect();
             bodies.sort_unstable();
-            let names: Vec<String> =
-                bodies.iter().map(|body| format!("\"{}\"", system.bodies[body - 1].name)).collect();
+            let names: Vec<String> = bodies
+                .iter()
+                .map(|body| format!("\"{}\"", system.bodies[body - 1].name))
+                .collect();
             let (last, others) = names.split_last()?;
             lines.push(format!("{} and {last} are in line", others.join(", ")));
             told.extend(bodies);
         } else if let Some([_, guide]) = sliders.iter().find(|[pin, _]| pins.contains(&pin.row)) {
             let rod = &system.bodies[first - 1].name;
-            lines.push(format!("\"{rod}\" stands square to the guide \"{}\"", name(guide)));
+            lines.push(format!(
+                "\"{rod}\" stands square to the guide \"{}\"",
+                name(guide)
+            ));
         }
     }
     (!lines.is_empty()).then(|| lines.join(", "))
@@ -117,6 +139,11 @@ pub fn singular_text(system: &System, rows: &[usize]) -> Option<String> {
                 joints.push(&system.joints[id.0].name);
             }
         }
-        (!joints.is_empty()).then(|| format!("the constraints of {} lose rank", quoted(joints.into_iter())))
+        (!joints.is_empty()).then(|| {
+            format!(
+                "the constraints of {} lose rank",
+                quoted(joints.into_iter())
+            )
+        })
     })
 }

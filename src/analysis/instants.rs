@@ -28,20 +28,35 @@ impl OutputInstant {
 ///
 /// # Errors
 /// A sampled value that the driver does not reach on its first monotone stretch; more outputs than fit.
-pub fn instants(system: &System, analysis: &Analysis) -> Result<Vec<OutputInstant>, Vec<Complaint>> {
+pub fn instants(
+    system: &System,
+    analysis: &Analysis,
+) -> Result<Vec<OutputInstant>, Vec<Complaint>> {
     if let Some(sample) = &analysis.sample {
         return sampled(system, sample).map_err(|complaint| vec![complaint]);
     }
     let (Some(end), Some(outputs)) = (analysis.end, analysis.outputs) else {
-        return Ok(vec![OutputInstant { time: 0.0, exact: None }]);
+        return Ok(vec![OutputInstant {
+            time: 0.0,
+            exact: None,
+        }]);
     };
     if outputs > MOST_OUTPUTS {
         let message = format!("more than {MOST_OUTPUTS} outputs");
-        return Err(vec![Complaint::new("analysis.outputs", message).found(outputs.to_string())]);
+        return Err(vec![
+            Complaint::new("analysis.outputs", message).found(outputs.to_string()),
+        ]);
     }
     let last = (outputs - 1) as f64;
     Ok((0..outputs)
-        .map(|k| OutputInstant { time: if k + 1 == outputs { end } else { end * (k as f64 / last) }, exact: None })
+        .map(|k| OutputInstant {
+            time: if k + 1 == outputs {
+                end
+            } else {
+                end * (k as f64 / last)
+            },
+            exact: None,
+        })
         .collect())
 }
 
@@ -51,7 +66,10 @@ pub(super) const MOST_OUTPUTS: usize = 10_000_000;
 fn sampled(system: &System, sample: &Sample) -> Result<Vec<OutputInstant>, Complaint> {
     let driver = system.drivers.iter().position(|d| d.name == sample.driver);
     let Some(driver) = driver else {
-        return Err(Complaint::new("analysis.sample.driver", format!("no driver \"{}\"", sample.driver)));
+        return Err(Complaint::new(
+            "analysis.sample.driver",
+            format!("no driver \"{}\"", sample.driver),
+        ));
     };
     let law = &system.drivers[driver].law;
     let step = sample.step.abs() * (sample.to - sample.from).signum();
@@ -68,9 +86,14 @@ fn sampled(system: &System, sample: &Sample) -> Result<Vec<OutputInstant>, Compl
     let mut guess = 0.0;
     let mut instants = Vec::with_capacity(count + 1);
     for k in 0..=count {
-        let value = if k == count { sample.to } else { sample.from + step * k as f64 };
+        let value = if k == count {
+            sample.to
+        } else {
+            sample.from + step * k as f64
+        };
         let Some(time) = stretch.and_then(|stretch| stretch.invert(value, guess)) else {
-            let [value, start] = [value, law.jet(0.0)[0]].map(|value| system.driver_value(driver, value));
+            let [value, start] =
+                [value, law.jet(0.0)[0]].map(|value| system.driver_value(driver, value));
             return Err(Complaint::new(
                 if k == 0 { "analysis.sample.from" } else { "analysis.sample.to" },
                 format!(
@@ -81,12 +104,18 @@ fn sampled(system: &System, sample: &Sample) -> Result<Vec<OutputInstant>, Compl
             .hint("sample within the values the motion passes before it first turns back"));
         };
         guess = time;
-        instants.push(OutputInstant { time, exact: Some((driver, value)) });
+        instants.push(OutputInstant {
+            time,
+            exact: Some((driver, value)),
+        });
     }
     if instants.windows(2).any(|w| w[1].time < w[0].time) {
         return Err(Complaint::new(
             "analysis.sample",
-            format!("driver \"{}\" passes the values in the other order", sample.driver),
+            format!(
+                "driver \"{}\" passes the values in the other order",
+                sample.driver
+            ),
         )
         .hint("exchange from and to"));
     }

@@ -53,7 +53,9 @@ impl Control {
         if self.interrupted.load(Ordering::Relaxed) {
             return Some(Status::Interrupted);
         }
-        self.deadline.is_some_and(|deadline| Instant::now() >= deadline).then_some(Status::TimeLimit)
+        self.deadline
+            .is_some_and(|deadline| Instant::now() >= deadline)
+            .then_some(Status::TimeLimit)
     }
 }
 
@@ -85,7 +87,9 @@ impl Outcome {
 
     /// The rows of peaks, with the columns that are wanted.
     pub fn wanted_peaks(&self) -> Trajectory {
-        Trajectory::new(self.trajectory.columns.clone()).with_rows(&self.peaks).into_owned()
+        Trajectory::new(self.trajectory.columns.clone())
+            .with_rows(&self.peaks)
+            .into_owned()
     }
 
     /// All columns, with the rows of peaks among the outputs.
@@ -144,11 +148,20 @@ pub fn run(model: &Model, control: &Control) -> Result<Outcome, Vec<Complaint>> 
         Err(Stop::Failed { status, message }) => {
             let trajectory = Recorder::new(&system, contents(analysis.kind), 0).trajectory;
             // Of no position there is no residual.
-            let quality = Quality { constraint_residual: f64::NAN, ..Quality::default() };
+            let quality = Quality {
+                constraint_residual: f64::NAN,
+                ..Quality::default()
+            };
             let mobility = assembly::counted(&system);
             without_peaks((
                 trajectory,
-                Report { status, message: Some(message), mobility, quality, ..Report::default() },
+                Report {
+                    status,
+                    message: Some(message),
+                    mobility,
+                    quality,
+                    ..Report::default()
+                },
             ))
         }
     };
@@ -158,7 +171,13 @@ pub fn run(model: &Model, control: &Control) -> Result<Outcome, Vec<Complaint>> 
         Some(selected) => (selected, Some(trajectory)),
         None => (trajectory, None),
     };
-    Ok(Outcome { trajectory, complete, peaks, report, settings: settings(analysis) })
+    Ok(Outcome {
+        trajectory,
+        complete,
+        peaks,
+        report,
+        settings: settings(analysis),
+    })
 }
 
 /// Whether joint forces are among the results.
@@ -173,10 +192,16 @@ fn has_reactions(kind: AnalysisKind) -> bool {
 fn contents(kind: AnalysisKind) -> Contents {
     let (velocities, accelerations) = match kind {
         AnalysisKind::Assembly => (true, false),
-        AnalysisKind::Kinematics | AnalysisKind::InverseDynamics | AnalysisKind::Dynamics => (true, true),
+        AnalysisKind::Kinematics | AnalysisKind::InverseDynamics | AnalysisKind::Dynamics => {
+            (true, true)
+        }
         AnalysisKind::Statics => (false, false),
     };
-    Contents { velocities, accelerations, reactions: has_reactions(kind) }
+    Contents {
+        velocities,
+        accelerations,
+        reactions: has_reactions(kind),
+    }
 }
 
 /// An analysis as the file calls it.
@@ -213,7 +238,10 @@ fn settings(analysis: &crate::model::Analysis) -> serde_json::Value {
     // What is left out in the file is left out here.
     if let Some(map) = json.as_object_mut() {
         map.retain(|_, value| !value.is_null());
-        if let Some(solver) = map.get_mut("solver").and_then(|solver| solver.as_object_mut()) {
+        if let Some(solver) = map
+            .get_mut("solver")
+            .and_then(|solver| solver.as_object_mut())
+        {
             solver.retain(|_, value| !value.is_null());
         }
     }
@@ -234,7 +262,11 @@ fn run_assembly(system: &System) -> Result<(Trajectory, Report), Stop> {
     evaluation.eval_phi(system, &inputs);
     let mut recorder = Recorder::new(system, contents(AnalysisKind::Assembly), 1);
     recorder.push(system, &evaluation, &inputs, &sample);
-    let mut report = Report { mobility: assembled.mobility, warnings: assembled.warnings, ..Report::default() };
+    let mut report = Report {
+        mobility: assembled.mobility,
+        warnings: assembled.warnings,
+        ..Report::default()
+    };
     report.statistics.newton_iterations = assembled.iterations;
     report.quality.constraint_residual = system.scaled_residual(&evaluation.phi);
     report.assemble = clock.read();
@@ -253,7 +285,10 @@ fn locked(system: &System, force: usize) -> String {
 
 /// What to say of friction from reactions that are not the only ones possible.
 fn unsure_friction(system: &System, not_unique: &[String]) -> Option<String> {
-    let rubbing = system.joints.iter().filter(|joint| joint.friction.is_some() && not_unique.contains(&joint.name));
+    let rubbing = system
+        .joints
+        .iter()
+        .filter(|joint| joint.friction.is_some() && not_unique.contains(&joint.name));
     let names: Vec<&str> = rubbing.map(|joint| joint.name.as_str()).collect();
     (!names.is_empty()).then(|| {
         format!(
@@ -265,7 +300,10 @@ fn unsure_friction(system: &System, not_unique: &[String]) -> Option<String> {
 
 /// What to say where nothing moves.
 fn friction_left_out(system: &System) -> Option<String> {
-    let rubbing = system.joints.iter().filter(|joint| joint.friction.is_some());
+    let rubbing = system
+        .joints
+        .iter()
+        .filter(|joint| joint.friction.is_some());
     let names: Vec<&str> = rubbing.map(|joint| joint.name.as_str()).collect();
     (!names.is_empty()).then(|| {
         format!(

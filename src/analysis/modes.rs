@@ -57,7 +57,13 @@ impl Mode {
     /// ζ [–]; none where nothing pulls back.
     pub fn damping_ratio(&self) -> Option<f64> {
         let frequency = self.frequency();
-        (frequency > 0.0).then(|| if self.eigenvalue[0] == 0.0 { 0.0 } else { -self.eigenvalue[0] / frequency })
+        (frequency > 0.0).then(|| {
+            if self.eigenvalue[0] == 0.0 {
+                0.0
+            } else {
+                -self.eigenvalue[0] / frequency
+            }
+        })
     }
 }
 
@@ -84,19 +90,31 @@ fn linearise(system: &System, pose: bool, control: &Control) -> Result<Linearise
     let (assembled, mut held) = start(system, pose)?;
     if held.freedom() == 0 {
         return Err(Stop::Input(vec![
-            Complaint::new("drivers", "modes need something that is free to move; drivers and joints hold everything")
-                .hint("leave out a driver"),
+            Complaint::new(
+                "drivers",
+                "modes need something that is free to move; drivers and joints hold everything",
+            )
+            .hint("leave out a driver"),
         ]));
     }
-    let balance = if pose { judge(&mut held) } else { balance(&mut held, &assembled, control)? };
+    let balance = if pose {
+        judge(&mut held)
+    } else {
+        balance(&mut held, &assembled, control)?
+    };
     let (mass, damping, stiffness) = (held.mass(), held.damping(), held.stiffness());
     let f = held.freedom();
     let pairs = quadratic(&mass, &damping, &stiffness, f).map_err(|fault| match fault {
         EigenFault::Massless => Stop::Input(vec![
-            Complaint::new("bodies", "something free to move has neither mass nor inertia")
-                .hint("give mass and inertia to what the joints leave free"),
+            Complaint::new(
+                "bodies",
+                "something free to move has neither mass nor inertia",
+            )
+            .hint("give mass and inertia to what the joints leave free"),
         ]),
-        EigenFault::NoConvergence => Stop::failed(Status::Singular, "the eigenvalues do not converge".into()),
+        EigenFault::NoConvergence => {
+            Stop::failed(Status::Singular, "the eigenvalues do not converge".into())
+        }
     })?;
     let by_rows = |a: &[f64]| a.chunks_exact(f).map(<[f64]>::to_vec).collect();
     let mut warnings = assembled.warnings;
@@ -128,17 +146,27 @@ fn bodies(held: &Held) -> Vec<(String, [f64; 3])> {
 
 /// An eigenvector as motions of the bodies' frames.
 fn mode(held: &Held, pair: &Eigenpair) -> Mode {
-    let [re, im] = [0, 1].map(|part| held.along(&pair.vector.iter().map(|x| x[part]).collect::<Vec<_>>()));
+    let [re, im] =
+        [0, 1].map(|part| held.along(&pair.vector.iter().map(|x| x[part]).collect::<Vec<_>>()));
     let system = held.driven.system;
     let mut shape: Vec<[[f64; 2]; 3]> = Vec::with_capacity(system.bodies.len());
     for (k, body) in system.bodies.iter().enumerate() {
         let rho = crate::element::Pose::new(0.0, 0.0, held.q[3 * k + 2]).turn(body.origin);
-        let of = |s: &[f64]| [s[3 * k] - s[3 * k + 2] * rho.y, s[3 * k + 1] + s[3 * k + 2] * rho.x, s[3 * k + 2]];
+        let of = |s: &[f64]| {
+            [
+                s[3 * k] - s[3 * k + 2] * rho.y,
+                s[3 * k + 1] + s[3 * k + 2] * rho.x,
+                s[3 * k + 2],
+            ]
+        };
         let (re, im) = (of(&re), of(&im));
         shape.push([0, 1, 2].map(|axis| [re[axis], im[axis]]));
     }
     normalise(&mut shape, system);
-    Mode { eigenvalue: pair.value, shape }
+    Mode {
+        eigenvalue: pair.value,
+        shape,
+    }
 }
 
 /// Divides by the largest component, so that it becomes 1.
@@ -158,7 +186,10 @@ fn normalise(shape: &mut [[[f64; 2]; 3]], system: &System) {
         for value in shape.iter_mut().flatten() {
             let [a, b] = *value;
             // Adding zero turns −0 into 0.
-            *value = [(a * re + b * im) / square + 0.0, (b * re - a * im) / square + 0.0];
+            *value = [
+                (a * re + b * im) / square + 0.0,
+                (b * re - a * im) / square + 0.0,
+            ];
         }
     }
 }

@@ -20,18 +20,30 @@ pub fn refuse(system: &System, q: &[f64], inputs: &Inputs) -> Result<(), Stop> {
     if many || all.dependent.iter().all(|dependent| dependent.row < first) {
         return Ok(());
     }
-    let Some(beside) = beside_by_joints(system, q, inputs) else { return Ok(()) };
+    let Some(beside) = beside_by_joints(system, q, inputs) else {
+        return Ok(());
+    };
     let there = ranks(system, &beside, inputs).1;
     let complaints: Vec<Complaint> = there
         .dependent
         .iter()
-        .filter(|dependent| dependent.row >= first && all.dependent.iter().any(|here| here.row == dependent.row))
+        .filter(|dependent| {
+            dependent.row >= first && all.dependent.iter().any(|here| here.row == dependent.row)
+        })
         .map(|dependent| {
-            let rows = dependent.combination.iter().map(|(row, _)| *row).chain([dependent.row]);
+            let rows = dependent
+                .combination
+                .iter()
+                .map(|(row, _)| *row)
+                .chain([dependent.row]);
             complaint(system, dependent.row, rows)
         })
         .collect();
-    if complaints.is_empty() { Ok(()) } else { Err(Stop::Input(complaints)) }
+    if complaints.is_empty() {
+        Ok(())
+    } else {
+        Err(Stop::Input(complaints))
+    }
 }
 
 fn complaint(system: &System, row: usize, rows: impl Iterator<Item = usize>) -> Complaint {
@@ -43,8 +55,11 @@ fn complaint(system: &System, row: usize, rows: impl Iterator<Item = usize>) -> 
     let names: Vec<&str> = rows.filter_map(driver).collect();
     let path = format!("drivers.{name}");
     if names.len() < 2 {
-        return Complaint::new(path, format!("the joints leave no room for what driver \"{name}\" prescribes"))
-            .hint("take it out, or let it drive something that is free");
+        return Complaint::new(
+            path,
+            format!("the joints leave no room for what driver \"{name}\" prescribes"),
+        )
+        .hint("take it out, or let it drive something that is free");
     }
     Complaint::new(
         path,

@@ -39,8 +39,17 @@ impl Powers {
         let driven: f64 = drivers.clone().map(|(effort, rate)| effort * rate).sum();
         // Of efforts that do not exist nothing is counted: `max` passes NaN over.
         let applied = dot(force, v);
-        let kinetic: f64 = v.iter().zip(a).zip(&system.mass).map(|((v, a), m)| v * a * m).sum();
-        self.flowing = self.flowing.max(driven.abs()).max(applied.abs()).max(kinetic.abs());
+        let kinetic: f64 = v
+            .iter()
+            .zip(a)
+            .zip(&system.mass)
+            .map(|((v, a), m)| v * a * m)
+            .sum();
+        self.flowing = self
+            .flowing
+            .max(driven.abs())
+            .max(applied.abs())
+            .max(kinetic.abs());
         self.imbalance = self.imbalance.max((driven + applied - kinetic).abs());
         // Where powers flow they are balanced far better than this, and what could flow does not matter.
         if self.imbalance > BALANCED * self.flowing {
@@ -51,15 +60,28 @@ impl Powers {
     /// The largest imbalance by the largest power [–].
     pub fn relative_imbalance(&self) -> f64 {
         let whole = self.flowing.max(FLOWS * self.gross);
-        if whole > 0.0 { self.imbalance / whole } else { 0.0 }
+        if whole > 0.0 {
+            self.imbalance / whole
+        } else {
+            0.0
+        }
     }
 }
 
 /// The gross power of an instant [W].
-fn gross(system: &System, [v, a, force]: [&[f64]; 3], drivers: impl Iterator<Item = (f64, f64)>) -> f64 {
+fn gross(
+    system: &System,
+    [v, a, force]: [&[f64]; 3],
+    drivers: impl Iterator<Item = (f64, f64)>,
+) -> f64 {
     let mut gross: f64 = drivers.map(|(effort, rate)| (effort * rate).abs()).sum();
     let mut acting = 0.0;
-    for (k, ((v, a), (force, mass))) in v.iter().zip(a).zip(force.iter().zip(&system.mass)).enumerate() {
+    for (k, ((v, a), (force, mass))) in v
+        .iter()
+        .zip(a)
+        .zip(force.iter().zip(&system.mass))
+        .enumerate()
+    {
         gross += (force * v).abs() + mass * (v * a).abs();
         acting += force.abs() * system.column_scale(k) + mass * v * v;
     }

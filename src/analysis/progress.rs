@@ -16,7 +16,8 @@ impl Default for Progress {
 impl Progress {
     /// Notes that `done` of `whole` is behind us.
     pub fn note(&self, done: f64, whole: f64) {
-        self.0.store((done / whole).clamp(0.0, 1.0).to_bits(), Ordering::Relaxed);
+        self.0
+            .store((done / whole).clamp(0.0, 1.0).to_bits(), Ordering::Relaxed);
     }
 
     /// From 0 to 1; none where nobody can tell.
@@ -35,7 +36,11 @@ mod tests {
         let progress = Progress::default();
         let watched = progress.clone();
         assert_eq!(watched.share(), None);
-        for (done, whole, share) in [(1.0, 4.0, Some(0.25)), (5.0, 4.0, Some(1.0)), (0.0, 0.0, None)] {
+        for (done, whole, share) in [
+            (1.0, 4.0, Some(0.25)),
+            (5.0, 4.0, Some(1.0)),
+            (0.0, 0.0, None),
+        ] {
             progress.note(done, whole);
             assert_eq!(watched.share(), share);
         }

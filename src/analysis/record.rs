@@ -67,11 +67,20 @@ impl Recorder {
     pub fn new(system: &System, contents: Contents, rows: usize) -> Self {
         let columns = columns(system, contents);
         let data = Vec::with_capacity(rows * columns.len());
-        Recorder { contents, trajectory: Trajectory { columns, data } }
+        Recorder {
+            contents,
+            trajectory: Trajectory { columns, data },
+        }
     }
 
     /// Appends a row; `evaluation` has the sample's position and velocity.
-    pub fn push(&mut self, system: &System, evaluation: &Evaluation, inputs: &Inputs, sample: &Sample) {
+    pub fn push(
+        &mut self,
+        system: &System,
+        evaluation: &Evaluation,
+        inputs: &Inputs,
+        sample: &Sample,
+    ) {
         let at = evaluation.instant(inputs);
         let row = &mut self.trajectory.data;
         row.push(inputs.time);
@@ -98,12 +107,16 @@ impl Recorder {
         }
         // Blocks stand in the order joints, drivers.
         for (joint, block) in system.joints.iter().zip(&system.blocks) {
-            let (mut force, torque) = block.constraint.reaction(&at, &sample.lambda[block.row..block.row + block.rows]);
+            let (mut force, torque) = block
+                .constraint
+                .reaction(&at, &sample.lambda[block.row..block.row + block.rows]);
             let contact = joint.contact.map(|id| sample.contacts[id.0]);
             if let Some(contact) = contact {
                 force += contact.reading.force;
             }
-            let friction = joint.friction.map(|friction| sample.reactive[friction.force]);
+            let friction = joint
+                .friction
+                .map(|friction| sample.reactive[friction.force]);
             if let (Some(at_joint), Some(size)) = (joint.friction, friction) {
                 force += system.reactive[at_joint.force].force.reaction(&at, size).0;
             }
@@ -115,7 +128,10 @@ impl Recorder {
             if let Some(bearing) = &joint.bearing {
                 let ContactSample { reading, state } = contact.unwrap_or_else(|| {
                     let offset = joint.clearance.map(|link| &inputs.offset[link.offset]);
-                    ContactSample { reading: bearing.held(&at, &joint.points, offset, force), state: 1.0 }
+                    ContactSample {
+                        reading: bearing.held(&at, &joint.points, offset, force),
+                        state: 1.0,
+                    }
                 });
                 row.extend([reading.eccentricity.x, reading.eccentricity.y]);
                 if self.contents.reactions {
@@ -137,7 +153,10 @@ impl Recorder {
             }
         }
         if system.masses_known {
-            row.extend([evaluation.kinetic_energy(system, &sample.v), evaluation.potential_energy(system, inputs)]);
+            row.extend([
+                evaluation.kinetic_energy(system, &sample.v),
+                evaluation.potential_energy(system, inputs),
+            ]);
             if self.contents.has_contact_energy(system) {
                 row.extend(sample.contact_energy);
             }
@@ -150,8 +169,10 @@ impl Recorder {
         let columns = &self.trajectory.columns;
         self.trajectory.data.resize(start + columns.len(), f64::NAN);
         self.trajectory.data[start] = inputs.time;
-        let values =
-            columns.iter().enumerate().filter(|(_, c)| c.name.starts_with("driver.") && c.name.ends_with(".value"));
+        let values = columns
+            .iter()
+            .enumerate()
+            .filter(|(_, c)| c.name.starts_with("driver.") && c.name.ends_with(".value"));
         for ((k, _), jet) in values.zip(&inputs.drive) {
             self.trajectory.data[start + k] = jet[0];
         }
@@ -161,7 +182,9 @@ impl Recorder {
 impl Contents {
     /// Motions with forces and a joint with clearance, by whatever model.
     fn has_contact_energy(self, system: &System) -> bool {
-        self.reactions && self.velocities && system.joints.iter().any(|joint| joint.bearing.is_some())
+        self.reactions
+            && self.velocities
+            && system.joints.iter().any(|joint| joint.bearing.is_some())
     }
 
     fn body(self, at: &Instant, k: usize, body: &BodyData, sample: &Sample, row: &mut Vec<f64>) {
@@ -176,15 +199,25 @@ impl Contents {
         if self.accelerations {
             let a = &sample.a[3 * k..3 * k + 3];
             let square = omega * omega;
-            row.extend([a[0] - a[2] * rho.y - square * rho.x, a[1] + a[2] * rho.x - square * rho.y, a[2]]);
+            row.extend([
+                a[0] - a[2] * rho.y - square * rho.x,
+                a[1] + a[2] * rho.x - square * rho.y,
+                a[2],
+            ]);
         }
     }
 }
 
 fn columns(system: &System, contents: Contents) -> Vec<Column> {
-    let mut columns = vec![Column { name: "time".into(), unit: "s" }];
+    let mut columns = vec![Column {
+        name: "time".into(),
+        unit: "s",
+    }];
     let mut add = |owner: &str, quantities: &[(&str, &'static str)]| {
-        columns.extend(quantities.iter().map(|(quantity, unit)| Column { name: format!("{owner}.{quantity}"), unit }));
+        columns.extend(quantities.iter().map(|(quantity, unit)| Column {
+            name: format!("{owner}.{quantity}"),
+            unit,
+        }));
     };
     const PLACE: [(&str, &str); 2] = [("x", "m"), ("y", "m")];
     const RATE: [(&str, &str); 2] = [("vx", "m/s"), ("vy", "m/s")];
@@ -232,7 +265,12 @@ fn columns(system: &System, contents: Contents) -> Vec<Column> {
                 add(&owner, &[("eccentricity", "m"), ("penetration", "m")]);
                 add(
                     &owner,
-                    &[("normal_force", "N"), ("tangential_force", "N"), ("sliding_speed", "m/s"), ("state", "1")],
+                    &[
+                        ("normal_force", "N"),
+                        ("tangential_force", "N"),
+                        ("sliding_speed", "m/s"),
+                        ("state", "1"),
+                    ],
                 );
             }
         }

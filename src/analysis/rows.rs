@@ -11,13 +11,24 @@ pub struct Columns<'t>(HashMap<&'t str, usize>);
 
 impl<'t> Columns<'t> {
     pub fn of(table: &'t Trajectory) -> Self {
-        Columns(table.columns.iter().enumerate().map(|(index, column)| (column.name.as_str(), index)).collect())
+        Columns(
+            table
+                .columns
+                .iter()
+                .enumerate()
+                .map(|(index, column)| (column.name.as_str(), index))
+                .collect(),
+        )
     }
 
     /// Columns `owner.quantity` of all these quantities; none where one is missing.
     pub fn find<const N: usize>(&self, owner: &str, quantities: [&str; N]) -> Option<[usize; N]> {
-        let found = quantities.map(|quantity| self.0.get(format!("{owner}.{quantity}").as_str()).copied());
-        found.iter().all(Option::is_some).then(|| found.map(Option::unwrap_or_default))
+        let found =
+            quantities.map(|quantity| self.0.get(format!("{owner}.{quantity}").as_str()).copied());
+        found
+            .iter()
+            .all(Option::is_some)
+            .then(|| found.map(Option::unwrap_or_default))
     }
 }
 
@@ -28,18 +39,27 @@ pub struct Frame(Option<[usize; 3]>);
 impl Frame {
     /// The frame of the named body; none where its pose is not in the table.
     pub fn of(columns: &Columns, body: &str) -> Option<Self> {
-        if body == GROUND { Some(Frame(None)) } else { Some(Frame(Some(columns.find(body, ["x", "y", "angle"])?))) }
+        if body == GROUND {
+            Some(Frame(None))
+        } else {
+            Some(Frame(Some(columns.find(body, ["x", "y", "angle"])?)))
+        }
     }
 
     /// Origin [m] and angle [rad].
     pub fn pose(self, row: &[f64]) -> (Vec2, f64) {
-        self.0.map_or((Vec2::zeros(), 0.0), |[x, y, angle]| (Vec2::new(row[x], row[y]), row[angle]))
+        self.0.map_or((Vec2::zeros(), 0.0), |[x, y, angle]| {
+            (Vec2::new(row[x], row[y]), row[angle])
+        })
     }
 
     /// A vector of the body in the ground's axes.
     pub fn turn(self, row: &[f64], vector: Vec2) -> Vec2 {
         let (sin, cos) = self.pose(row).1.sin_cos();
-        Vec2::new(cos * vector.x - sin * vector.y, sin * vector.x + cos * vector.y)
+        Vec2::new(
+            cos * vector.x - sin * vector.y,
+            sin * vector.x + cos * vector.y,
+        )
     }
 }
 
@@ -55,7 +75,10 @@ impl Place {
     /// Where the named point is; none where its body's pose is not in the table.
     pub fn of(model: &Model, columns: &Columns, point: &PointRef) -> Option<Self> {
         let at = *model.bodies.get(&point.body)?.points.get(&point.point)?;
-        Some(Place { frame: Frame::of(columns, &point.body)?, point: Vec2::from(at) })
+        Some(Place {
+            frame: Frame::of(columns, &point.body)?,
+            point: Vec2::from(at),
+        })
     }
 
     /// Global coordinates [m].

@@ -25,8 +25,11 @@ pub fn run(system: &System, control: &Control) -> Result<(Trajectory, Report), S
     refuse(system)?;
     let watch = Stopwatch::start();
     let (assembled, mut held) = start(system, false)?;
-    let mut report =
-        Report { mobility: assembled.mobility.clone(), warnings: assembled.warnings.clone(), ..Report::default() };
+    let mut report = Report {
+        mobility: assembled.mobility.clone(),
+        warnings: assembled.warnings.clone(),
+        ..Report::default()
+    };
     report.assemble = watch.read();
 
     let watch = Stopwatch::start();
@@ -71,7 +74,11 @@ pub fn refuse(system: &System) -> Result<(), Stop> {
         }
     };
     let complaints: Vec<Complaint> = system.joints.iter().filter_map(complaint).collect();
-    if complaints.is_empty() { Ok(()) } else { Err(Stop::Input(complaints)) }
+    if complaints.is_empty() {
+        Ok(())
+    } else {
+        Err(Stop::Input(complaints))
+    }
 }
 
 /// The mechanism at rest where it is assembled or, where that is a singular position, a little beside it on the branch that
@@ -82,7 +89,8 @@ pub fn refuse(system: &System) -> Result<(), Stop> {
 pub fn start(system: &System, pose: bool) -> Result<(Assembled, Held<'_>), Stop> {
     let inputs = Inputs::at_time(system, 0.0);
     let mut assembled = assemble(system, &inputs)?;
-    if assembled.all.rank == system.n() || system.drivers.len() > system.n() - assembled.joints.rank {
+    if assembled.all.rank == system.n() || system.drivers.len() > system.n() - assembled.joints.rank
+    {
         check_driven(system, &assembled, &inputs)?;
     }
     if !pose {
@@ -129,7 +137,13 @@ pub fn balance(held: &mut Held, assembled: &Assembled, control: &Control) -> Res
     Err(match lost {
         Lost::Stopped => {
             let status = control.stop().unwrap_or(Status::Interrupted);
-            Stop::failed(status, format!("{} before an equilibrium was found", status.word().replace('_', " ")))
+            Stop::failed(
+                status,
+                format!(
+                    "{} before an equilibrium was found",
+                    status.word().replace('_', " ")
+                ),
+            )
         }
         Lost::Unbalanced { residual } => singular(format!(
             "no equilibrium found: something still pulls at {} (residual {residual:.1e}) however far it moves; look for a \
@@ -163,16 +177,30 @@ const RESTS: f64 = 1e-4;
 fn rests_in_singular(held: &Held, start: &Assembled) -> bool {
     let system = held.driven.system;
     let rows = ranks(system, &held.q, &held.inputs).1;
-    let near = rows.rank + held.freedom() < system.n() || rows.smallest_kept < RESTS * start.all.smallest_kept.min(1.0);
+    let near = rows.rank + held.freedom() < system.n()
+        || rows.smallest_kept < RESTS * start.all.smallest_kept.min(1.0);
     let scaled = |k: usize, force: f64| (force * system.column_scale(k)).abs();
-    let largest = held.force.iter().enumerate().fold(0.0, |most: f64, (k, force)| most.max(scaled(k, *force)));
-    let pull = held.pull().iter().enumerate().fold(0.0, |most: f64, (k, g)| most.max((g * held.scale(k)).abs()));
+    let largest = held
+        .force
+        .iter()
+        .enumerate()
+        .fold(0.0, |most: f64, (k, force)| most.max(scaled(k, *force)));
+    let pull = held
+        .pull()
+        .iter()
+        .enumerate()
+        .fold(0.0, |most: f64, (k, g)| most.max((g * held.scale(k)).abs()));
     near && pull <= RESTS * largest
 }
 
 /// The coordinate that is pulled at most.
 fn pulled(held: &Held) -> String {
-    let pull: Vec<f64> = held.pull().iter().enumerate().map(|(k, g)| (g * held.scale(k)).abs()).collect();
+    let pull: Vec<f64> = held
+        .pull()
+        .iter()
+        .enumerate()
+        .map(|(k, g)| (g * held.scale(k)).abs())
+        .collect();
     let most = (0..pull.len()).max_by(|&a, &b| pull[a].total_cmp(&pull[b]));
     most.map_or_else(String::new, |k| coordinate(held, k))
 }
@@ -207,9 +235,12 @@ pub fn described(held: &Held, balance: &Balance) -> Equilibrium {
 pub fn warning(balance: &Balance) -> Option<String> {
     match balance.stability {
         Stability::Stable => None,
-        Stability::Indifferent => {
-            Some("the equilibrium is indifferent: in some direction nothing brings the mechanism back".into())
+        Stability::Indifferent => Some(
+            "the equilibrium is indifferent: in some direction nothing brings the mechanism back"
+                .into(),
+        ),
+        Stability::Unstable => {
+            Some("the equilibrium is unstable: the mechanism leaves it at the least push".into())
         }
-        Stability::Unstable => Some("the equilibrium is unstable: the mechanism leaves it at the least push".into()),
     }
 }

@@ -56,9 +56,15 @@ pub fn transmission(
     wanted: &Transmission,
     table: &Trajectory,
 ) -> Result<(Trajectory, Vec<String>), String> {
-    let undetermined = || "the drivers alone do not determine the motion, so that there is no transmission".to_string();
+    let undetermined = || {
+        "the drivers alone do not determine the motion, so that there is no transmission"
+            .to_string()
+    };
     let driver = match &wanted.driver {
-        Some(name) => system.drivers.iter().position(|driver| driver.name == *name),
+        Some(name) => system
+            .drivers
+            .iter()
+            .position(|driver| driver.name == *name),
         None => (system.drivers.len() == 1).then_some(0),
     };
     let (Some(driver), Some(output)) = (driver, output(model, system, &wanted.output)) else {
@@ -68,16 +74,28 @@ pub fn transmission(
         return Err(undetermined());
     }
     let columns = Columns::of(table);
-    let frames: Option<Vec<Frame>> = system.bodies.iter().map(|body| Frame::of(&columns, &body.name)).collect();
-    let Some(frames) = frames else { return Err(undetermined()) };
+    let frames: Option<Vec<Frame>> = system
+        .bodies
+        .iter()
+        .map(|body| Frame::of(&columns, &body.name))
+        .collect();
+    let Some(frames) = frames else {
+        return Err(undetermined());
+    };
     let mut drawn: Vec<Drawn> = model
         .joints
         .iter()
         .zip(&system.joints)
         .enumerate()
         .filter_map(|(joint, ((name, words), data))| {
-            let carries = matches!(words.kind, JointKind::Revolute { .. } | JointKind::Slot { .. });
-            let side = data.bodies.iter().position(|&body| body == BodyId(output.body + 1))?;
+            let carries = matches!(
+                words.kind,
+                JointKind::Revolute { .. } | JointKind::Slot { .. }
+            );
+            let side = data
+                .bodies
+                .iter()
+                .position(|&body| body == BodyId(output.body + 1))?;
             (carries && data.bodies[1 - side] != BodyId::GROUND).then_some(Drawn {
                 name,
                 joint,
@@ -92,7 +110,8 @@ pub fn transmission(
     let inputs = Inputs::still(system);
     let mut unit = inputs.clone();
     unit.drive[driver][1] = 1.0;
-    let (mut q, mut v, mut load, mut lambda) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
+    let (mut q, mut v, mut load, mut lambda) =
+        (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
     let mut solver: Option<Driven> = None;
     let mut line = Vec::with_capacity(result.width());
     for row in table.rows() {
@@ -122,14 +141,21 @@ pub fn transmission(
             line.extend([ratio, 1.0 / ratio]);
             angles(system, driven, &mut drawn, &lambda, &mut line);
         }
-        line.iter_mut().filter(|value| !value.is_finite()).for_each(|value| *value = f64::NAN);
+        line.iter_mut()
+            .filter(|value| !value.is_finite())
+            .for_each(|value| *value = f64::NAN);
         line.resize(result.width(), f64::NAN);
         result.push_row(&line);
     }
     match solver {
         None if !table.is_empty() => Err(undetermined()),
         _ => {
-            let notes = notes(&drawn, &wanted.output, &system.drivers[driver].name, result.len());
+            let notes = notes(
+                &drawn,
+                &wanted.output,
+                &system.drivers[driver].name,
+                result.len(),
+            );
             Ok((result, notes))
         }
     }
@@ -143,7 +169,10 @@ fn notes(drawn: &[Drawn], output: &str, driver: &str, rows: usize) -> Vec<String
         _ => format!("in {empty} of {rows} rows"),
     };
     let mut notes = Vec::new();
-    for Drawn { name, still, idle, .. } in drawn {
+    for Drawn {
+        name, still, idle, ..
+    } in drawn
+    {
         if *still > 0 {
             notes.push(format!(
                 "transmission.{name}.angle is empty {}: {output} stands still at this joint while {driver} alone moves, so that \
@@ -162,7 +191,12 @@ fn notes(drawn: &[Drawn], output: &str, driver: &str, rows: usize) -> Vec<String
 }
 
 /// Factors J at `q`; whether it is regular there.
-fn factored<'s>(solver: &mut Option<Driven<'s>>, system: &'s System, q: &[f64], inputs: &Inputs) -> bool {
+fn factored<'s>(
+    solver: &mut Option<Driven<'s>>,
+    system: &'s System,
+    q: &[f64],
+    inputs: &Inputs,
+) -> bool {
     match solver {
         Some(driven) => {
             driven.evaluation.set_position(q);
@@ -176,21 +210,40 @@ fn factored<'s>(solver: &mut Option<Driven<'s>>, system: &'s System, q: &[f64], 
 }
 
 /// Appends μ of each joint, and counts those that have none.
-fn angles(system: &System, driven: &Driven, drawn: &mut [Drawn], lambda: &[f64], line: &mut Vec<f64>) {
+fn angles(
+    system: &System,
+    driven: &Driven,
+    drawn: &mut [Drawn],
+    lambda: &[f64],
+    line: &mut Vec<f64>,
+) {
     let still = Inputs::still(system);
     let at = driven.evaluation.instant(&still);
     let force = |joint: usize| {
         let block = &system.blocks[joint];
-        block.constraint.reaction(&at, &lambda[block.row..block.row + block.rows]).0
+        block
+            .constraint
+            .reaction(&at, &lambda[block.row..block.row + block.rows])
+            .0
     };
-    let largest = (0..system.joints.len()).map(|joint| force(joint).norm()).fold(0.0, f64::max);
+    let largest = (0..system.joints.len())
+        .map(|joint| force(joint).norm())
+        .fold(0.0, f64::max);
     let fastest = fastest(system, &at);
-    for Drawn { joint, side, still, idle, .. } in drawn {
+    for Drawn {
+        joint,
+        side,
+        still,
+        idle,
+        ..
+    } in drawn
+    {
         let data = &system.joints[*joint];
         // The second body's point is where the force acts; the output's velocity there.
         let output = data.bodies[*side].0;
         let place = data.points[1].place(&at);
-        let velocity = at.twists[output].v + perp(place - at.poses[output].r) * at.twists[output].omega;
+        let velocity =
+            at.twists[output].v + perp(place - at.poses[output].r) * at.twists[output].omega;
         let force = force(*joint);
         line.push(if force.norm() <= NO_FORCE * largest {
             *idle += 1;
@@ -199,15 +252,24 @@ fn angles(system: &System, driven: &Driven, drawn: &mut [Drawn], lambda: &[f64],
             *still += 1;
             f64::NAN
         } else {
-            (force.dot(&velocity).abs() / (force.norm() * velocity.norm())).min(1.0).asin()
+            (force.dot(&velocity).abs() / (force.norm() * velocity.norm()))
+                .min(1.0)
+                .asin()
         });
     }
 }
 
 /// Largest velocity of the motion: of joints, and of bodies that turn, at the distance of the mechanism's size.
 fn fastest(system: &System, at: &Instant) -> f64 {
-    let joints = system.joints.iter().flat_map(|joint| &joint.points).map(|point| point.velocity(at).norm());
-    let turning = at.twists.iter().map(|twist| twist.omega.abs() * system.size);
+    let joints = system
+        .joints
+        .iter()
+        .flat_map(|joint| &joint.points)
+        .map(|point| point.velocity(at).norm());
+    let turning = at
+        .twists
+        .iter()
+        .map(|twist| twist.omega.abs() * system.size);
     joints.chain(turning).fold(0.0, f64::max)
 }
 
@@ -216,14 +278,20 @@ fn output(model: &Model, system: &System, name: &str) -> Option<Output> {
     let body = system.bodies.iter().position(|body| body.name == name)?;
     let slide = model.joints.values().find_map(|joint| {
         let [first, second] = &joint.between;
-        let holds = (first.body == GROUND && second.body == name) || (second.body == GROUND && first.body == name);
-        let axis = axis(&joint.kind).filter(|_| holds && matches!(joint.kind, JointKind::Prismatic { .. }))?;
-        let (JointKind::Prismatic { angle, .. }, true) = (&joint.kind, second.body == GROUND) else {
+        let holds = (first.body == GROUND && second.body == name)
+            || (second.body == GROUND && first.body == name);
+        let axis = axis(&joint.kind)
+            .filter(|_| holds && matches!(joint.kind, JointKind::Prismatic { .. }))?;
+        let (JointKind::Prismatic { angle, .. }, true) = (&joint.kind, second.body == GROUND)
+        else {
             return Some(axis);
         };
         // The axis is fixed in the moving body, whose angle is −`angle`; it slides back as its axis goes on.
         let (sin, cos) = (-angle).sin_cos();
-        Some(-Vec2::new(cos * axis.x - sin * axis.y, sin * axis.x + cos * axis.y))
+        Some(-Vec2::new(
+            cos * axis.x - sin * axis.y,
+            sin * axis.x + cos * axis.y,
+        ))
     });
     Some(Output { body, slide })
 }
@@ -234,7 +302,14 @@ fn headings(system: &System, driver: usize, output: Output, drawn: &[Drawn]) -> 
         (Measure::Angle, Some(_)) => ("m/rad", "N/(N*m)"),
         (Measure::Length, None) => ("rad/m", "N*m/N"),
     };
-    let mut columns = vec![Column::new("transmission.ratio", ratio), Column::new("transmission.advantage", advantage)];
-    columns.extend(drawn.iter().map(|drawn| Column::new(format!("transmission.{}.angle", drawn.name), "rad")));
+    let mut columns = vec![
+        Column::new("transmission.ratio", ratio),
+        Column::new("transmission.advantage", advantage),
+    ];
+    columns.extend(
+        drawn
+            .iter()
+            .map(|drawn| Column::new(format!("transmission.{}.angle", drawn.name), "rad")),
+    );
     columns
 }

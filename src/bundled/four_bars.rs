@@ -30,19 +30,42 @@ fn write(text: &mut String, loops: usize) -> std::fmt::Result {
         feet.join(", ")
     )?;
     for k in 0..=loops {
-        rod(text, "rocker", k, &format!("\"position\": [{k}, 0], \"angle\": \"90 deg\""))?;
+        rod(
+            text,
+            "rocker",
+            k,
+            &format!("\"position\": [{k}, 0], \"angle\": \"90 deg\""),
+        )?;
         if k < loops {
             rod(text, "coupler", k, &format!("\"position\": [{k}, 1]"))?;
         }
     }
     text.push_str("\n  },\n  \"joints\": {\n");
     for k in 0..=loops {
-        pin(text, "foot", k, &format!("ground.O{k}"), &format!("rocker{k}.A"))?;
+        pin(
+            text,
+            "foot",
+            k,
+            &format!("ground.O{k}"),
+            &format!("rocker{k}.A"),
+        )?;
         if k < loops {
             text.push_str(",\n");
-            pin(text, "left", k, &format!("rocker{k}.B"), &format!("coupler{k}.A"))?;
+            pin(
+                text,
+                "left",
+                k,
+                &format!("rocker{k}.B"),
+                &format!("coupler{k}.A"),
+            )?;
             text.push_str(",\n");
-            pin(text, "right", k, &format!("coupler{k}.B"), &format!("rocker{}.B", k + 1))?;
+            pin(
+                text,
+                "right",
+                k,
+                &format!("coupler{k}.B"),
+                &format!("rocker{}.B", k + 1),
+            )?;
             text.push_str(",\n");
         }
     }
@@ -70,7 +93,10 @@ fn rod(text: &mut String, name: &str, k: usize, pose: &str) -> std::fmt::Result 
 
 fn pin(text: &mut String, name: &str, k: usize, first: &str, second: &str) -> std::fmt::Result {
     let name = format!("\"{name}{k}\":");
-    write!(text, "    {name:10} {{ \"type\": \"revolute\", \"between\": [\"{first}\", \"{second}\"] }}")
+    write!(
+        text,
+        "    {name:10} {{ \"type\": \"revolute\", \"between\": [\"{first}\", \"{second}\"] }}"
+    )
 }
 
 #[cfg(test)]

@@ -70,7 +70,9 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let format = extension(&options.output);
     let file = options.output.display();
     if !["gif", "svg", "png"].contains(&format.as_str()) {
-        return Err(BadInput(vec![format!("{file}: the name of the file must end in .gif, .svg or .png")]));
+        return Err(BadInput(vec![format!(
+            "{file}: the name of the file must end in .gif, .svg or .png"
+        )]));
     }
     idle(options, &format)?;
     let results = Results::open(&options.results)?;
@@ -84,18 +86,35 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     };
     let written = write_file(&options.output, &content)?;
     let mut page = Page::default();
-    page.line(format!("{}: {about}, {} kB", written.display(), number(content.len() as f64 / 1000.0, 3)));
+    page.line(format!(
+        "{}: {about}, {} kB",
+        written.display(),
+        number(content.len() as f64 / 1000.0, 3)
+    ));
     print(page.text())?;
     Ok(Exit::Done)
 }
 
 /// Refuses options that say nothing about a file of that format.
 fn idle(options: &Options, format: &str) -> Result<(), BadInput> {
-    let of_film = [("--fps", options.fps.is_some()), ("--duration", options.duration.is_some())];
-    let of_poses = [("--poses", options.poses.is_some()), ("--strip", options.strip), ("--dpi", options.dpi.is_some())];
+    let of_film = [
+        ("--fps", options.fps.is_some()),
+        ("--duration", options.duration.is_some()),
+    ];
+    let of_poses = [
+        ("--poses", options.poses.is_some()),
+        ("--strip", options.strip),
+        ("--dpi", options.dpi.is_some()),
+    ];
     let (given, what) = match format {
-        "gif" => (&of_poses[..], "poses, and a .gif is a film (write .svg or .png)"),
-        _ => (&of_film[..], "a film, and this is a picture of poses (write .gif)"),
+        "gif" => (
+            &of_poses[..],
+            "poses, and a .gif is a film (write .svg or .png)",
+        ),
+        _ => (
+            &of_film[..],
+            "a film, and this is a picture of poses (write .gif)",
+        ),
     };
     let file = options.output.display();
     let lines: Vec<String> = given
@@ -103,7 +122,11 @@ fn idle(options: &Options, format: &str) -> Result<(), BadInput> {
         .filter(|(_, is_given)| *is_given)
         .map(|(option, _)| format!("{option}: only for {what}: {file}"))
         .collect();
-    if lines.is_empty() { Ok(()) } else { Err(BadInput(lines)) }
+    if lines.is_empty() {
+        Ok(())
+    } else {
+        Err(BadInput(lines))
+    }
 }
 
 /// The shape: of the model that was given, else as the run has kept it.
@@ -112,20 +135,36 @@ fn drawing(options: &Options, results: &Results) -> Result<Drawing, BadInput> {
         return Ok(Drawing::of_model(&open::model(path)?.model));
     }
     let path = results.table.path.with_file_name("summary.json");
-    if let Some(json) = results.summary.as_ref().and_then(|summary| summary.get("drawing")) {
-        return Drawing::from_json(json).map_err(|fault| BadInput(vec![format!("{}: {fault}", path.display())]));
+    if let Some(json) = results
+        .summary
+        .as_ref()
+        .and_then(|summary| summary.get("drawing"))
+    {
+        return Drawing::from_json(json)
+            .map_err(|fault| BadInput(vec![format!("{}: {fault}", path.display())]));
     }
     let why = match (path.exists(), &results.summary) {
         (false, _) => "no such file",
         (true, None) => "not JSON that can be read",
         (true, Some(_)) => "has no key \"drawing\", which tells the shape of the mechanism",
     };
-    Err(BadInput(vec![format!("{}: {why} (name the model with --model, or run it again)", path.display())]))
+    Err(BadInput(vec![format!(
+        "{}: {why} (name the model with --model, or run it again)",
+        path.display()
+    )]))
 }
 
 /// Poses in one picture.
-fn picture_of(options: &Options, mechanism: &Mechanism, format: &str) -> Result<(Vec<u8>, String), Fault> {
-    let layout = if options.strip { Layout::Strip } else { Layout::Overlaid };
+fn picture_of(
+    options: &Options,
+    mechanism: &Mechanism,
+    format: &str,
+) -> Result<(Vec<u8>, String), Fault> {
+    let layout = if options.strip {
+        Layout::Strip
+    } else {
+        Layout::Overlaid
+    };
     let width = options.width.unwrap_or(chart::COLUMN_MM);
     let poses = options.poses.unwrap_or(POSES);
     let scene = mechanism.picture(poses, layout, width)?;
@@ -135,20 +174,33 @@ fn picture_of(options: &Options, mechanism: &Mechanism, format: &str) -> Result<
         raster::png(&scene, options.dpi.unwrap_or(DPI))?
     };
     let mm = |points: f64| number(points / POINTS_PER_MM, 4);
-    Ok((content, format!("{} × {} mm, {}", mm(scene.width), mm(scene.height), count(poses, "pose"))))
+    Ok((
+        content,
+        format!(
+            "{} × {} mm, {}",
+            mm(scene.width),
+            mm(scene.height),
+            count(poses, "pose")
+        ),
+    ))
 }
 
 /// A film.
 fn film_of(options: &Options, mechanism: &Mechanism) -> Result<(Vec<u8>, String), Fault> {
     let [first, last] = mechanism.span();
-    let duration = options.duration.unwrap_or((last - first).clamp(DURATION[0], DURATION[1]));
+    let duration = options
+        .duration
+        .unwrap_or((last - first).clamp(DURATION[0], DURATION[1]));
     let frames = (duration * options.fps.unwrap_or(FPS)).round().max(1.0);
     let width = options.width.unwrap_or(f64::from(WIDTH)).round();
     // A still picture needs one frame.
     let frames = if last > first { frames } else { 1.0 };
     let draw = |frame: f64| {
         let time = first + (last - first) * frame / (frames - 1.0).max(1.0);
-        raster::draw(&mechanism.frame(time, width / PIXELS_PER_POINT), PIXELS_PER_POINT)
+        raster::draw(
+            &mechanism.frame(time, width / PIXELS_PER_POINT),
+            PIXELS_PER_POINT,
+        )
     };
     let opening = draw(0.0)?;
     let [w, h] = [opening.width, opening.height].map(u64::from);
@@ -156,13 +208,17 @@ fn film_of(options: &Options, mechanism: &Mechanism) -> Result<(Vec<u8>, String)
     if pixels > film::MOST_PIXELS || frames > MOST_FRAMES {
         return Err(Fault::TooMuchFilm(pixels));
     }
-    let samples = (0..SAMPLES).map(|index| draw((frames - 1.0) * index as f64 / (SAMPLES - 1) as f64));
+    let samples =
+        (0..SAMPLES).map(|index| draw((frames - 1.0) * index as f64 / (SAMPLES - 1) as f64));
     let mut film = Film::new(&samples.collect::<Result<Vec<_>, _>>()?)?;
     // Delays are whole hundredths; rounding the ends of frames, not their lengths, keeps the film as long as it should be.
     let end = |frame: f64| (100.0 * frame * duration / frames).round();
     for index in 0..frames as usize {
         let frame = index as f64;
-        film.push(draw(frame)?, (end(frame + 1.0) - end(frame)).clamp(2.0, 65535.0) as u16)?;
+        film.push(
+            draw(frame)?,
+            (end(frame + 1.0) - end(frame)).clamp(2.0, 65535.0) as u16,
+        )?;
     }
     let speed = (last - first) / duration;
     let about = format!(

@@ -26,15 +26,22 @@ pub struct Options {
 /// Diagnoses and tells.
 pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let opened = options.model.open()?;
-    let mut check = analysis::check(&opened.loaded.model).map_err(|complaints| opened.bad_input(complaints))?;
+    let mut check =
+        analysis::check(&opened.loaded.model).map_err(|complaints| opened.bad_input(complaints))?;
     let suspicious = suspicious(&opened, &mut check);
-    check.warnings.splice(0..0, opened.loaded.warnings.iter().chain(&suspicious).cloned());
+    check.warnings.splice(
+        0..0,
+        opened.loaded.warnings.iter().chain(&suspicious).cloned(),
+    );
     print(&if options.json {
         format!("{:#}\n", to_json(&opened, &check, &suspicious))
     } else {
         page(&opened, &check)
     })?;
-    check.faults.iter().for_each(|fault| complain(&format!("{}: {fault}", opened.label)));
+    check
+        .faults
+        .iter()
+        .for_each(|fault| complain(&format!("{}: {fault}", opened.label)));
     match Exit::from(check.status) {
         Exit::Done if check.faults.is_empty() => Ok(Exit::Done),
         Exit::Done => Ok(Exit::Fault),
@@ -49,14 +56,34 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
 fn page(opened: &Opened, check: &Check) -> String {
     let model = &opened.loaded.model;
     let mut page = Page::default();
-    page.line(format!("{} ({}): {}", opened.name, opened.label, verdict(check)));
-    let parts = [("moving bodies", check.bodies), ("joints", check.joints), ("drivers", model.drivers.len())];
+    page.line(format!(
+        "{} ({}): {}",
+        opened.name,
+        opened.label,
+        verdict(check)
+    ));
+    let parts = [
+        ("moving bodies", check.bodies),
+        ("joints", check.joints),
+        ("drivers", model.drivers.len()),
+    ];
     let parts = parts.map(|(what, n)| format!("{what} {n}"));
-    page.row("parts", format!("{}, forces {}", parts.join(", "), model.forces.len()));
+    page.row(
+        "parts",
+        format!("{}, forces {}", parts.join(", "), model.forces.len()),
+    );
     let loops = check.loops.iter().zip(&check.loop_bodies);
-    let loops: Vec<String> =
-        loops.map(|(joints, bodies)| format!("{joints}  (through {})", bodies.join(", "))).collect();
-    page.rows("loops", if loops.is_empty() { vec!["none".to_string()] } else { folded(loops) });
+    let loops: Vec<String> = loops
+        .map(|(joints, bodies)| format!("{joints}  (through {})", bodies.join(", ")))
+        .collect();
+    page.rows(
+        "loops",
+        if loops.is_empty() {
+            vec!["none".to_string()]
+        } else {
+            folded(loops)
+        },
+    );
     page.rows("mobility", wrapped(&check.words, WIDTH));
     match &check.open {
         None => page.row("", mobility(&check.mobility)),
@@ -67,36 +94,73 @@ fn page(opened: &Opened, check: &Check) -> String {
     }
     let residual = check.assembly_residual;
     let assembly = format!("constraint residual {}", number(residual, 2));
-    page.row("assembly", if residual.is_nan() { "none".to_string() } else { assembly });
+    page.row(
+        "assembly",
+        if residual.is_nan() {
+            "none".to_string()
+        } else {
+            assembly
+        },
+    );
     let parameters = &opened.loaded.parameters;
-    let resolved = parameters.iter().map(|p| format!("{} = {} {}", p.name, number(p.value, 6), p.unit));
-    page.rows("parameters", resolved.map(|text| text.trim_end().to_string()));
-    page.rows("lacking", folded(check.lacks.iter().map(lack_words).collect()));
+    let resolved = parameters
+        .iter()
+        .map(|p| format!("{} = {} {}", p.name, number(p.value, 6), p.unit));
+    page.rows(
+        "parameters",
+        resolved.map(|text| text.trim_end().to_string()),
+    );
+    page.rows(
+        "lacking",
+        folded(check.lacks.iter().map(lack_words).collect()),
+    );
     page.rows("warnings", folded(check.warnings.clone()));
     page.text().to_string()
 }
 
 /// Not more texts than anybody reads, none wider than the page.
 fn folded(texts: Vec<String>) -> Vec<String> {
-    shorten(texts).iter().flat_map(|text| wrapped(text, WIDTH)).collect()
+    shorten(texts)
+        .iter()
+        .flat_map(|text| wrapped(text, WIDTH))
+        .collect()
 }
 
 /// `mass and inertia of coupler, rocker: for inverse dynamics, dynamics`.
 fn lack_words(lack: &Lack) -> String {
-    let kinds: Vec<&str> = lack.analyses.iter().map(|kind| analysis_words(*kind)).collect();
-    format!("{} of {}: for {}", lack.keys.join(" and "), names(&lack.bodies), kinds.join(", "))
+    let kinds: Vec<&str> = lack
+        .analyses
+        .iter()
+        .map(|kind| analysis_words(*kind))
+        .collect();
+    format!(
+        "{} of {}: for {}",
+        lack.keys.join(" and "),
+        names(&lack.bodies),
+        kinds.join(", ")
+    )
 }
 
 /// What looks like a slip, with its place.
 fn suspicious(opened: &Opened, check: &mut Check) -> Vec<String> {
-    let degrees = opened.loaded.document.pointer("/units/angle").and_then(Value::as_str) == Some("deg");
+    let degrees = opened
+        .loaded
+        .document
+        .pointer("/units/angle")
+        .and_then(Value::as_str)
+        == Some("deg");
     let mut found = analysis::suspicious(&opened.loaded.model, degrees);
     // In a mechanism of doubtful lengths springs are not blamed for theirs.
-    let doubtful = found.iter().any(|complaint| complaint.path.ends_with(".points"));
+    let doubtful = found
+        .iter()
+        .any(|complaint| complaint.path.ends_with(".points"));
     let mut others = std::mem::take(&mut check.suspicious);
     others.retain(|complaint| !(doubtful && complaint.path.ends_with(".free_length")));
     found.extend(others);
-    found.into_iter().map(|complaint| opened.loaded.source.place(complaint).to_string()).collect()
+    found
+        .into_iter()
+        .map(|complaint| opened.loaded.source.place(complaint).to_string())
+        .collect()
 }
 
 /// The first line's last word.
@@ -112,9 +176,13 @@ fn verdict(check: &Check) -> String {
 fn to_json(opened: &Opened, check: &Check, suspicious: &[String]) -> Value {
     let model = &opened.loaded.model;
     let parameters = opened.loaded.parameters.iter();
-    let parameters = parameters.map(|p| (p.name.clone(), json!({ "value": p.value, "unit": p.unit })));
+    let parameters =
+        parameters.map(|p| (p.name.clone(), json!({ "value": p.value, "unit": p.unit })));
     let words = |kind: AnalysisKind| analysis_words(kind).replace(' ', "_");
-    let missing = check.missing.iter().map(|(kind, what)| (words(*kind), json!(what)));
+    let missing = check
+        .missing
+        .iter()
+        .map(|(kind, what)| (words(*kind), json!(what)));
     let lacks = check.lacks.iter().map(|lack| {
         let kinds: Vec<String> = lack.analyses.iter().map(|kind| words(*kind)).collect();
         json!({ "bodies": lack.bodies, "keys": lack.keys, "for": kinds })

@@ -33,7 +33,11 @@ fn handle(flag: &AtomicBool) {
     }
     // over a line of progress, where there may be one
     let back = if io::stderr().is_terminal() { "\r" } else { "" };
-    let _ = writeln!(io::stderr(), "{back}{:WIDTH$}", "interrupted: writing what there is; once more to stop at once");
+    let _ = writeln!(
+        io::stderr(),
+        "{back}{:WIDTH$}",
+        "interrupted: writing what there is; once more to stop at once"
+    );
 }
 
 #[cfg(all(test, unix))]
@@ -45,7 +49,9 @@ mod tests {
     #[test]
     fn the_first_interrupt_sets_the_flag_and_ends_nothing() {
         let interrupted = watch();
-        let killed = Command::new("kill").args(["-INT", &std::process::id().to_string()]).status();
+        let killed = Command::new("kill")
+            .args(["-INT", &std::process::id().to_string()])
+            .status();
         assert!(killed.is_ok_and(|status| status.success()));
         let is_set = (0..500).any(|_| {
             std::thread::sleep(Duration::from_millis(10));

@@ -146,7 +146,10 @@ thread_local! {
 pub fn captured(arguments: impl IntoIterator<Item = OsString>) -> Said {
     SAID.set(Some(Said::default()));
     let status = execute(arguments);
-    Said { status, ..SAID.take().unwrap_or_default() }
+    Said {
+        status,
+        ..SAID.take().unwrap_or_default()
+    }
 }
 
 /// Runs a command; its exit status.
@@ -193,7 +196,11 @@ fn refuse(error: &clap::Error) -> u8 {
             let _ = write!(io::stderr(), "{tip}");
         }
     }
-    if error.use_stderr() { Exit::BadInput.code() } else { Exit::Done.code() }
+    if error.use_stderr() {
+        Exit::BadInput.code()
+    } else {
+        Exit::Done.code()
+    }
 }
 
 /// Lets `put` have the streams that are kept; whether they are.
@@ -203,14 +210,17 @@ fn kept(put: impl FnOnce(&mut Said)) -> bool {
 
 /// The command that was meant by an unknown one of which two letters have changed places or so, which clap does not see.
 fn misspelt(error: &clap::Error) -> Option<String> {
-    let (Some(ContextValue::String(typed)), None) =
-        (error.get(ContextKind::InvalidSubcommand), error.get(ContextKind::SuggestedSubcommand))
-    else {
+    let (Some(ContextValue::String(typed)), None) = (
+        error.get(ContextKind::InvalidSubcommand),
+        error.get(ContextKind::SuggestedSubcommand),
+    ) else {
         return None;
     };
     let commands = Arguments::command();
     let names = commands.get_subcommands().map(clap::Command::get_name);
-    let near = names.map(|name| (strsim::osa_distance(typed, name), name)).min()?;
+    let near = names
+        .map(|name| (strsim::osa_distance(typed, name), name))
+        .min()?;
     (near.0 <= typed.len() / 3).then(|| near.1.to_string())
 }
 
@@ -228,14 +238,21 @@ fn print(text: &str) -> io::Result<()> {
         return Ok(());
     }
     let mut stdout = io::stdout().lock();
-    match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
+    match stdout
+        .write_all(text.as_bytes())
+        .and_then(|()| stdout.flush())
+    {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
         result => result,
     }
 }
 
 /// The known name that was probably meant, in words; else `otherwise`.
-fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str> + Clone, otherwise: &str) -> String {
+fn did_you_mean<'a>(
+    name: &str,
+    known: impl Iterator<Item = &'a str> + Clone,
+    otherwise: &str,
+) -> String {
     match nearest(name, known) {
         Some(near) => format!("did you mean {near:?}?"),
         None => otherwise.to_string(),
@@ -246,9 +263,18 @@ fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str> + Clone, ot
 fn nearest<'a>(name: &str, known: impl Iterator<Item = &'a str> + Clone) -> Option<&'a str> {
     let name = name.to_lowercase();
     let similarity = |other: &str| strsim::jaro_winkler(&name, &other.to_lowercase());
-    let near = known.clone().map(|other| (similarity(other), other)).filter(|(similarity, _)| *similarity >= 0.75);
-    let near = near.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, other)| other);
-    near.or_else(|| known.into_iter().find(|other| name.len() > 3 && other.to_lowercase().contains(&name)))
+    let near = known
+        .clone()
+        .map(|other| (similarity(other), other))
+        .filter(|(similarity, _)| *similarity >= 0.75);
+    let near = near
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, other)| other);
+    near.or_else(|| {
+        known
+            .into_iter()
+            .find(|other| name.len() > 3 && other.to_lowercase().contains(&name))
+    })
 }
 
 #[cfg(test)]
@@ -280,7 +306,10 @@ mod tests {
     fn near_names_are_found_and_far_ones_not() {
         let known = ["four-bar", "slider-crank", "watt-i-lock"];
         assert_eq!(nearest("fourbar", known.into_iter()), Some("four-bar"));
-        assert_eq!(nearest("Slider-Cranck", known.into_iter()), Some("slider-crank"));
+        assert_eq!(
+            nearest("Slider-Cranck", known.into_iter()),
+            Some("slider-crank")
+        );
         assert_eq!(nearest("crank", known.into_iter()), Some("slider-crank"));
         assert_eq!(nearest("zzz", known.into_iter()), None);
     }

@@ -30,7 +30,10 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
             "{name}: --n {n} beside the size {size} (give one: {stem}:{n}, or {name} without --n)"
         )]));
     }
-    let sized = options.n.as_ref().map_or_else(|| name.clone(), |n| format!("{name}:{n}"));
+    let sized = options
+        .n
+        .as_ref()
+        .map_or_else(|| name.clone(), |n| format!("{name}:{n}"));
     match bundled::text(&sized) {
         Ok(text) => print(&text)?,
         Err(NotBundled::Unknown) => return Err(unknown(name)),
@@ -44,7 +47,11 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
 /// A paragraph per model: name, aliases, what it is.
 fn list() -> String {
     let names: Vec<String> = bundled::MODELS.iter().map(name_and_aliases).collect();
-    let indent = 2 + names.iter().map(|name| name.chars().count()).max().unwrap_or(0);
+    let indent = 2 + names
+        .iter()
+        .map(|name| name.chars().count())
+        .max()
+        .unwrap_or(0);
     let mut page = Page::default();
     for (model, name) in bundled::MODELS.iter().zip(&names) {
         for (index, line) in wrapped(&about(model), WIDTH - indent).iter().enumerate() {
@@ -56,7 +63,11 @@ fn list() -> String {
 }
 
 fn name_and_aliases(model: &Bundled) -> String {
-    let aliases: String = model.aliases.iter().map(|alias| format!(", {alias}")).collect();
+    let aliases: String = model
+        .aliases
+        .iter()
+        .map(|alias| format!(", {alias}"))
+        .collect();
     format!("{}{aliases}", model.name)
 }
 
@@ -69,5 +80,7 @@ fn about(model: &Bundled) -> String {
 
 fn unknown(name: &str) -> BadInput {
     let hint = did_you_mean(name, bundled::names(), "`linkdyn models` lists them");
-    BadInput(vec![format!("{name}: no bundled model of that name ({hint})")])
+    BadInput(vec![format!(
+        "{name}: no bundled model of that name ({hint})"
+    )])
 }

@@ -42,19 +42,28 @@ pub struct Options {
 pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let opened = options.model.open()?;
     let directory = options.output.as_deref().map(Directory::open).transpose()?;
-    let control = Control { interrupted: interrupt::watch(), ..Control::default() };
+    let control = Control {
+        interrupted: interrupt::watch(),
+        ..Control::default()
+    };
     let line = Line::start(Instant::now(), &opened.name, || None);
     let found = analysis::modes(&opened.loaded.model, options.pose, &control);
     drop(line);
     let mut found = found.map_err(|complaints| opened.bad_input(complaints))?;
-    found.warnings.splice(0..0, opened.loaded.warnings.iter().cloned());
+    found
+        .warnings
+        .splice(0..0, opened.loaded.warnings.iter().cloned());
     let json = to_json(&opened, options.pose, &found);
     let mut written = Vec::new();
     if let Some(directory) = directory {
         written.push(directory.write_with(TABLE, |file| csv::write(&table(&found), file))?);
         written.push(directory.write(SUMMARY, format!("{json:#}\n").as_bytes())?);
     }
-    print(&if options.json { format!("{json:#}\n") } else { page(&opened, options.pose, &found, &written) })?;
+    print(&if options.json {
+        format!("{json:#}\n")
+    } else {
+        page(&opened, options.pose, &found, &written)
+    })?;
     let exit = Exit::from(found.status);
     if exit == Exit::Done && interrupt::is_set() {
         complain("interrupted; the modes are complete all the same");
@@ -68,7 +77,11 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
 
 /// About which position.
 fn about(pose: bool) -> &'static str {
-    if pose { "assembled position" } else { "equilibrium" }
+    if pose {
+        "assembled position"
+    } else {
+        "equilibrium"
+    }
 }
 
 /// The modes for people.
@@ -90,12 +103,27 @@ fn page(opened: &Opened, pose: bool, found: &Linearised, written: &[PathBuf]) ->
     });
     page.rows("bodies", places);
     if !found.modes.is_empty() {
-        let header = row(["mode", "f [Hz]", "ω₀ [rad/s]", "ζ [–]", "eigenvalue [1/s]"].map(String::from));
-        page.rows("modes", std::iter::once(header).chain(found.modes.iter().enumerate().map(mode_row)));
+        let header =
+            row(["mode", "f [Hz]", "ω₀ [rad/s]", "ζ [–]", "eigenvalue [1/s]"].map(String::from));
+        page.rows(
+            "modes",
+            std::iter::once(header).chain(found.modes.iter().enumerate().map(mode_row)),
+        );
     }
-    page.rows("shapes", found.modes.iter().enumerate().take(MOST_SHAPES).map(|mode| shape(found, mode)));
+    page.rows(
+        "shapes",
+        found
+            .modes
+            .iter()
+            .enumerate()
+            .take(MOST_SHAPES)
+            .map(|mode| shape(found, mode)),
+    );
     page.rows("warnings", &found.warnings);
-    page.rows("written", written.iter().map(|path| path.display().to_string()));
+    page.rows(
+        "written",
+        written.iter().map(|path| path.display().to_string()),
+    );
     page.text().to_string()
 }
 
@@ -111,20 +139,40 @@ fn mode_row((k, mode): (usize, &Mode)) -> String {
         (false, false) => format!("{} ± {} i", number(re, DIGITS), number(im, DIGITS)),
     };
     let omega = mode.frequency();
-    let zeta = mode.damping_ratio().map_or("–".into(), |zeta| number(zeta, DIGITS));
-    row([(k + 1).to_string(), number(omega / TAU, DIGITS), number(omega, DIGITS), zeta, eigenvalue])
+    let zeta = mode
+        .damping_ratio()
+        .map_or("–".into(), |zeta| number(zeta, DIGITS));
+    row([
+        (k + 1).to_string(),
+        number(omega / TAU, DIGITS),
+        number(omega, DIGITS),
+        zeta,
+        eigenvalue,
+    ])
 }
 
 /// `1: crank 0, 0, 1; …`: a shape as far as it is in phase.
 fn shape(found: &Linearised, (k, mode): (usize, &Mode)) -> String {
     // Round-off beside the largest component, which is 1, is not shown.
-    let digits = |value: f64| if value.abs() < 1e-12 { "0".into() } else { number(value, SHAPE_DIGITS) };
+    let digits = |value: f64| {
+        if value.abs() < 1e-12 {
+            "0".into()
+        } else {
+            number(value, SHAPE_DIGITS)
+        }
+    };
     let complex = |[re, im]: [f64; 2]| match im.abs() < 1e-12 {
         true => digits(re),
-        false => format!("{}{}{} i", digits(re), if im < 0.0 { " − " } else { " + " }, digits(im.abs())),
+        false => format!(
+            "{}{}{} i",
+            digits(re),
+            if im < 0.0 { " − " } else { " + " },
+            digits(im.abs())
+        ),
     };
     let bodies = found.bodies.iter().zip(&mode.shape);
-    let bodies = bodies.map(|((name, _), shape)| format!("{name} ({})", shape.map(complex).join(", ")));
+    let bodies =
+        bodies.map(|((name, _), shape)| format!("{name} ({})", shape.map(complex).join(", ")));
     format!("{}: {}", k + 1, bodies.collect::<Vec<_>>().join(", "))
 }
 
@@ -142,14 +190,23 @@ fn table(found: &Linearised) -> Trajectory {
     .into();
     for (name, _) in &found.bodies {
         for (quantity, unit) in [("x", "m"), ("y", "m"), ("angle", "rad")] {
-            columns.extend(["re", "im"].map(|part| Column::new(format!("{name}.{quantity}.{part}"), unit)));
+            columns.extend(
+                ["re", "im"].map(|part| Column::new(format!("{name}.{quantity}.{part}"), unit)),
+            );
         }
     }
     let mut table = Trajectory::new(columns);
     for (k, mode) in found.modes.iter().enumerate() {
         let omega = mode.frequency();
         let zeta = mode.damping_ratio().unwrap_or(f64::NAN);
-        let mut row = vec![(k + 1) as f64, omega / TAU, omega, zeta, mode.eigenvalue[0], mode.eigenvalue[1]];
+        let mut row = vec![
+            (k + 1) as f64,
+            omega / TAU,
+            omega,
+            zeta,
+            mode.eigenvalue[0],
+            mode.eigenvalue[1],
+        ];
         row.extend(mode.shape.iter().flatten().flatten());
         table.push_row(&row);
     }
@@ -160,7 +217,11 @@ fn table(found: &Linearised) -> Trajectory {
 fn to_json(opened: &Opened, pose: bool, found: &Linearised) -> Value {
     let shape = |mode: &Mode| -> serde_json::Map<String, Value> {
         let bodies = found.bodies.iter().zip(&mode.shape);
-        bodies.map(|((name, _), [x, y, angle])| (name.clone(), json!({ "x": x, "y": y, "angle": angle }))).collect()
+        bodies
+            .map(|((name, _), [x, y, angle])| {
+                (name.clone(), json!({ "x": x, "y": y, "angle": angle }))
+            })
+            .collect()
     };
     let mode = |mode: &Mode| {
         json!({

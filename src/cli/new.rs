@@ -11,11 +11,31 @@ use super::{BadInput, Exit, did_you_mean, print};
 
 /// Starter models: name, what it is for, file.
 const TEMPLATES: [(&str, &str, &str); 5] = [
-    ("four-bar", "a driven loop: motion, joint forces, motor torque", include_str!("templates/four-bar.json")),
-    ("slider-crank", "a piston with a load", include_str!("templates/slider-crank.json")),
-    ("pendulum", "forward dynamics from initial values", include_str!("templates/pendulum.json")),
-    ("spring-mass", "a spring and a damper, natural frequency", include_str!("templates/spring-mass.json")),
-    ("clearance", "a worn pin in a four-bar", include_str!("templates/clearance.json")),
+    (
+        "four-bar",
+        "a driven loop: motion, joint forces, motor torque",
+        include_str!("templates/four-bar.json"),
+    ),
+    (
+        "slider-crank",
+        "a piston with a load",
+        include_str!("templates/slider-crank.json"),
+    ),
+    (
+        "pendulum",
+        "forward dynamics from initial values",
+        include_str!("templates/pendulum.json"),
+    ),
+    (
+        "spring-mass",
+        "a spring and a damper, natural frequency",
+        include_str!("templates/spring-mass.json"),
+    ),
+    (
+        "clearance",
+        "a worn pin in a four-bar",
+        include_str!("templates/clearance.json"),
+    ),
 ];
 
 #[derive(Debug, Args)]
@@ -36,10 +56,19 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let name = options.template.as_str();
     let Some((_, about, text)) = TEMPLATES.iter().find(|(known, ..)| *known == name) else {
         let known = TEMPLATES.map(|(known, ..)| known);
-        let hint = did_you_mean(name, known.into_iter(), &format!("there are {}", known.join(", ")));
-        return Err(BadInput(vec![format!("{name}: no template of that name ({hint})")]));
+        let hint = did_you_mean(
+            name,
+            known.into_iter(),
+            &format!("there are {}", known.join(", ")),
+        );
+        return Err(BadInput(vec![format!(
+            "{name}: no template of that name ({hint})"
+        )]));
     };
-    let path = options.output.clone().unwrap_or_else(|| PathBuf::from(format!("{name}.json")));
+    let path = options
+        .output
+        .clone()
+        .unwrap_or_else(|| PathBuf::from(format!("{name}.json")));
     let shown = path.display();
     let mut how = OpenOptions::new();
     // Without --force a file that is there is never touched, not even one that appears this very moment.
@@ -48,13 +77,20 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     } else {
         how.write(true).create_new(true)
     };
-    let written = how.open(&path).and_then(|mut file| file.write_all(text.as_bytes()));
+    let written = how
+        .open(&path)
+        .and_then(|mut file| file.write_all(text.as_bytes()));
     written.map_err(|error| {
         BadInput(vec![match error.kind() {
             _ if path.is_dir() => {
-                format!("{shown}: a directory (name a file, such as {})", path.join(format!("{name}.json")).display())
+                format!(
+                    "{shown}: a directory (name a file, such as {})",
+                    path.join(format!("{name}.json")).display()
+                )
             }
-            ErrorKind::AlreadyExists => format!("{shown}: there is such a file already (--force overwrites it)"),
+            ErrorKind::AlreadyExists => {
+                format!("{shown}: there is such a file already (--force overwrites it)")
+            }
             ErrorKind::NotFound if !folder_of(&path).is_dir() => {
                 format!("{shown}: its folder does not exist (make it first)")
             }
@@ -72,13 +108,19 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
 
 /// The folder that a file is in.
 fn folder_of(path: &Path) -> &Path {
-    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+    path.parent()
+        .filter(|folder| !folder.as_os_str().is_empty())
+        .unwrap_or(Path::new("."))
 }
 
 /// The path as one word for a shell.
 fn quoted(path: &str) -> String {
     let plain = |c: char| c.is_alphanumeric() || "/\\._-:".contains(c);
-    if path.chars().all(plain) { path.to_string() } else { format!("'{}'", path.replace('\'', r"'\''")) }
+    if path.chars().all(plain) {
+        path.to_string()
+    } else {
+        format!("'{}'", path.replace('\'', r"'\''"))
+    }
 }
 
 #[cfg(test)]
@@ -88,7 +130,10 @@ mod tests {
     #[test]
     fn the_help_names_every_template() {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/src/cli/templates");
-        assert_eq!(std::fs::read_dir(folder).expect("templates/").count(), TEMPLATES.len());
+        assert_eq!(
+            std::fs::read_dir(folder).expect("templates/").count(),
+            TEMPLATES.len()
+        );
         assert_eq!(quoted("a/four-bar.json"), "a/four-bar.json");
         assert_eq!(quoted("my bar's.json"), r"'my bar'\''s.json'");
     }

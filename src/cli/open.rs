@@ -43,7 +43,8 @@ impl ModelOptions {
     /// When there is no such model, or it has faults.
     pub fn open(&self) -> Result<Opened, BadInput> {
         let label = self.model.display().to_string();
-        self.open_with(&[])?.map_err(|complaints| bad_input(&label, complaints))
+        self.open_with(&[])?
+            .map_err(|complaints| bad_input(&label, complaints))
     }
 
     /// Reads the model with more values set, after those of the command.
@@ -59,10 +60,24 @@ impl ModelOptions {
             Ok(loaded) => loaded,
             Err(complaints) => return Ok(Err(complaints)),
         };
-        let stem = self.model.file_stem().map_or_else(|| label.clone(), |stem| stem.to_string_lossy().into_owned());
-        let name = loaded.model.name.clone().filter(|name| !name.is_empty()).unwrap_or(stem);
+        let stem = self
+            .model
+            .file_stem()
+            .map_or_else(|| label.clone(), |stem| stem.to_string_lossy().into_owned());
+        let name = loaded
+            .model
+            .name
+            .clone()
+            .filter(|name| !name.is_empty())
+            .unwrap_or(stem);
         let sha256 = format!("{:x}", Sha256::digest(&bytes));
-        Ok(Ok(Opened { loaded, label, name, sha256, time: watch.read() }))
+        Ok(Ok(Opened {
+            loaded,
+            label,
+            name,
+            sha256,
+            time: watch.read(),
+        }))
     }
 }
 
@@ -71,13 +86,20 @@ impl ModelOptions {
 /// # Errors
 /// When there is no such model, or it has faults.
 pub fn model(path: &Path) -> Result<Loaded, BadInput> {
-    model::load(&read(path)?, &[]).map_err(|complaints| bad_input(&path.display().to_string(), complaints))
+    model::load(&read(path)?, &[])
+        .map_err(|complaints| bad_input(&path.display().to_string(), complaints))
 }
 
 impl Opened {
     /// Complaints about the model that came up after it was read.
     pub fn bad_input(&self, complaints: Vec<Complaint>) -> BadInput {
-        bad_input(&self.label, complaints.into_iter().map(|complaint| self.loaded.source.place(complaint)).collect())
+        bad_input(
+            &self.label,
+            complaints
+                .into_iter()
+                .map(|complaint| self.loaded.source.place(complaint))
+                .collect(),
+        )
     }
 }
 
@@ -88,17 +110,26 @@ const MOST_COMPLAINTS: usize = 100;
 fn bad_input(label: &str, complaints: Vec<Complaint>) -> BadInput {
     let line = |complaint: &Complaint| format!("{label}: {complaint}");
     // The loader's own list ends with such a count.
-    let most = if complaints.len() > MOST_COMPLAINTS + 1 { MOST_COMPLAINTS } else { complaints.len() };
+    let most = if complaints.len() > MOST_COMPLAINTS + 1 {
+        MOST_COMPLAINTS
+    } else {
+        complaints.len()
+    };
     let mut lines: Vec<String> = complaints[..most].iter().map(line).collect();
     if complaints.len() > most {
-        lines.push(format!("{label}: and {} more faults", complaints.len() - most));
+        lines.push(format!(
+            "{label}: and {} more faults",
+            complaints.len() - most
+        ));
     }
     BadInput(lines)
 }
 
 /// The bytes of a model: of a file where there is one, else of a bundled model.
 fn read(path: &Path) -> Result<Vec<u8>, BadInput> {
-    let bundled = path.to_str().map_or(Err(NotBundled::Unknown), bundled::text);
+    let bundled = path
+        .to_str()
+        .map_or(Err(NotBundled::Unknown), bundled::text);
     // A directory may well have the name of a bundled model: the one its results are in.
     let no_file = !path.exists() || path.is_dir();
     match (bundled, no_file) {
@@ -112,7 +143,11 @@ fn read(path: &Path) -> Result<Vec<u8>, BadInput> {
         let label = path.display();
         BadInput(vec![match error.kind() {
             std::io::ErrorKind::NotFound => {
-                let hint = did_you_mean(&label.to_string(), bundled::names(), "`linkdyn models` lists them");
+                let hint = did_you_mean(
+                    &label.to_string(),
+                    bundled::names(),
+                    "`linkdyn models` lists them",
+                );
                 format!("{label}: no such file, and no bundled model of that name ({hint})")
             }
             _ if path.is_dir() => format!("{label}: a directory, not a model file"),

@@ -51,7 +51,12 @@ pub fn shorten(mut rows: Vec<String>) -> Vec<String> {
 
 /// The first names, and how many there are more.
 pub fn names(names: &[String]) -> String {
-    let mut text = names.iter().take(MOST + 1).map(String::as_str).collect::<Vec<_>>().join(", ");
+    let mut text = names
+        .iter()
+        .take(MOST + 1)
+        .map(String::as_str)
+        .collect::<Vec<_>>()
+        .join(", ");
     if names.len() > MOST + 1 {
         text += &format!(" and {} more", names.len() - MOST - 1);
     }
@@ -83,7 +88,8 @@ pub fn wrapped(text: &str, width: usize) -> Vec<String> {
 
 /// `text` with control and direction-changing characters spelt out.
 pub fn plain(text: &str) -> Cow<'_, str> {
-    let is_trick = |c: char| c.is_control() || matches!(c, '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    let is_trick =
+        |c: char| c.is_control() || matches!(c, '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     if !text.contains(is_trick) {
         return Cow::Borrowed(text);
     }
@@ -101,12 +107,20 @@ pub fn plain(text: &str) -> Cow<'_, str> {
 
 /// A time of day-to-day size: `0.31 ms`, `12 ms`, `3.2 s`.
 pub fn seconds(value: f64) -> String {
-    if value < 1.0 { format!("{} ms", number(value * 1e3, 2)) } else { format!("{} s", number(value, 3)) }
+    if value < 1.0 {
+        format!("{} ms", number(value * 1e3, 2))
+    } else {
+        format!("{} s", number(value, 3))
+    }
 }
 
 /// `1 driver`, `2 drivers`.
 pub fn count(n: usize, what: &str) -> String {
-    if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") }
+    if n == 1 {
+        format!("1 {what}")
+    } else {
+        format!("{n} {what}s")
+    }
 }
 
 #[cfg(test)]
@@ -115,7 +129,10 @@ mod tests {
 
     #[test]
     fn tricks_are_spelt_out_and_the_rest_is_kept() {
-        assert_eq!(plain("\u{1b}[31mred\n\u{202e}🔒"), "\\u{1b}[31mred\\u{a}\\u{202e}🔒");
+        assert_eq!(
+            plain("\u{1b}[31mred\n\u{202e}🔒"),
+            "\\u{1b}[31mred\\u{a}\\u{202e}🔒"
+        );
         assert_eq!(plain("Körper \"6\" 🔒"), "Körper \"6\" 🔒");
     }
 
@@ -123,7 +140,10 @@ mod tests {
     fn long_lists_are_shortened() {
         let rows = |n: usize| (0..n).map(|i| i.to_string()).collect::<Vec<_>>();
         assert_eq!(shorten(rows(9)).len(), 9);
-        assert_eq!(shorten(rows(20)).last().map(String::as_str), Some("… and 12 more"));
+        assert_eq!(
+            shorten(rows(20)).last().map(String::as_str),
+            Some("… and 12 more")
+        );
     }
 
     #[test]
@@ -138,6 +158,9 @@ mod tests {
         let mut page = Page::default();
         page.line("a\nb");
         page.rows("forces", ["b: 1 N", "c: 2 N"]);
-        assert_eq!(page.text(), "a\\u{a}b\n  forces        b: 1 N\n                c: 2 N\n");
+        assert_eq!(
+            page.text(),
+            "a\\u{a}b\n  forces        b: 1 N\n                c: 2 N\n"
+        );
     }
 }

@@ -46,10 +46,20 @@ pub struct Options {
     #[arg(long, value_name = "TEXT")]
     label: Vec<String>,
     /// Text above the axes
-    #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true)]
+    #[arg(
+        long,
+        value_name = "TEXT",
+        default_value = "",
+        hide_default_value = true
+    )]
     title: String,
     /// Small text below the axes
-    #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true)]
+    #[arg(
+        long,
+        value_name = "TEXT",
+        default_value = "",
+        hide_default_value = true
+    )]
     note: String,
     /// Name of the x axis
     #[arg(long, value_name = "TEXT")]
@@ -117,12 +127,20 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let format = extension(&options.output);
     if !["svg", "png"].contains(&format.as_str()) {
         let file = options.output.display();
-        return Err(BadInput(vec![format!("{file}: the name of the file must end in .svg or .png")]));
+        return Err(BadInput(vec![format!(
+            "{file}: the name of the file must end in .svg or .png"
+        )]));
     }
-    let mut runs = options.results.iter().map(|path| Results::open(path)).collect::<Result<Vec<_>, _>>()?;
+    let mut runs = options
+        .results
+        .iter()
+        .map(|path| Results::open(path))
+        .collect::<Result<Vec<_>, _>>()?;
     runs.iter_mut().for_each(Results::take_peaks);
     let (chart, unused) = chart(options, &runs)?;
-    let fault = |fault: crate::figure::Fault| BadInput(vec![format!("{}: {fault}", options.output.display())]);
+    let fault = |fault: crate::figure::Fault| {
+        BadInput(vec![format!("{}: {fault}", options.output.display())])
+    };
     let scene = chart.draw().map_err(fault)?;
     let content = match format.as_str() {
         "svg" => svg::write(&scene).into_bytes(),
@@ -149,9 +167,18 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
 /// What the figure can't show.
 fn left_out(chart: &Chart) -> Vec<String> {
     let mut rows: Vec<String> = Vec::new();
-    for (panel, curve) in chart.panels.iter().flat_map(|panel| panel.curves.iter().map(move |curve| (panel, curve))) {
-        let name = if curve.label.is_empty() { &panel.axis.name } else { &curve.label };
-        let rows_where = |is: fn(f64) -> bool| count(curve.y.iter().filter(|y| is(**y)).count(), "row");
+    for (panel, curve) in chart
+        .panels
+        .iter()
+        .flat_map(|panel| panel.curves.iter().map(move |curve| (panel, curve)))
+    {
+        let name = if curve.label.is_empty() {
+            &panel.axis.name
+        } else {
+            &curve.label
+        };
+        let rows_where =
+            |is: fn(f64) -> bool| count(curve.y.iter().filter(|y| is(**y)).count(), "row");
         let gaps = rows_where(|y| !y.is_finite());
         let negative = rows_where(|y| y <= 0.0);
         let told = [
@@ -184,12 +211,21 @@ fn chart(options: &Options, runs: &[Results]) -> Result<(Chart, Vec<String>), Ba
     let names = names(options, runs)?;
     let mut found: Vec<Found> = Vec::new();
     let mut x_column: Option<(String, String)> = None;
-    let values = runs.iter().map(|run| run.table.len()).sum::<usize>().saturating_mul(names.len());
+    let values = runs
+        .iter()
+        .map(|run| run.table.len())
+        .sum::<usize>()
+        .saturating_mul(names.len());
     if values > MOST_VALUES {
-        return Err(BadInput(vec![format!("{values} values are too many for a figure: {MOST_VALUES} at most")]));
+        return Err(BadInput(vec![format!(
+            "{values} values are too many for a figure: {MOST_VALUES} at most"
+        )]));
     }
     for (index, run) in runs.iter().enumerate() {
-        let x = *run.columns(&options.x).first().ok_or_else(|| BadInput(vec![run.unknown("--x", &options.x)]))?;
+        let x = *run
+            .columns(&options.x)
+            .first()
+            .ok_or_else(|| BadInput(vec![run.unknown("--x", &options.x)]))?;
         let (x_unit, x_values) = units.x(&run.table, x)?;
         let (_, known) = x_column.get_or_insert_with(|| (x.name.clone(), x_unit.clone()));
         if *known != x_unit {
@@ -200,15 +236,26 @@ fn chart(options: &Options, runs: &[Results]) -> Result<(Chart, Vec<String>), Ba
             )]));
         }
         for name in &names {
-            let Some(column) = run.table.columns.iter().find(|column| column.name == *name) else { continue };
+            let Some(column) = run.table.columns.iter().find(|column| column.name == *name) else {
+                continue;
+            };
             let (unit, y) = units.y(&run.table, column)?;
-            found.push(Found { run: index, name: column.name.clone(), unit, x: x_values.clone(), y });
+            found.push(Found {
+                run: index,
+                name: column.name.clone(),
+                unit,
+                x: x_values.clone(),
+                y,
+            });
         }
     }
     let (x_name, x_unit) = x_column.unwrap_or_default();
     let mut marks = options.mark.clone();
     if options.events {
-        marks.extend(runs.iter().flat_map(|run| event_marks(run, &x_name, &x_unit)));
+        marks.extend(
+            runs.iter()
+                .flat_map(|run| event_marks(run, &x_name, &x_unit)),
+        );
         marks.sort_by(|a, b| a.x.total_cmp(&b.x));
         marks.dedup();
     }
@@ -224,7 +271,12 @@ fn chart(options: &Options, runs: &[Results]) -> Result<(Chart, Vec<String>), Ba
         panels: Vec::new(),
         marks,
         grid: options.grid,
-        size_mm: options.page.size.map_or([options.page.width, options.page.height], |[w, h]| [Some(w), Some(h)]),
+        size_mm: options
+            .page
+            .size
+            .map_or([options.page.width, options.page.height], |[w, h]| {
+                [Some(w), Some(h)]
+            }),
         font_size: options.page.font_size,
         line_width: options.page.line_width,
     };
@@ -234,24 +286,51 @@ fn chart(options: &Options, runs: &[Results]) -> Result<(Chart, Vec<String>), Ba
 
 /// Events that a run's summary tells of, where the x axis has a place for them.
 fn event_marks(run: &Results, x_name: &str, x_unit: &str) -> Vec<Mark> {
-    let events = run.summary.as_ref().and_then(|summary| summary.get("events")?.as_array());
-    let column = run.table.columns.iter().find(|column| column.name == x_name);
-    let (Some(events), Some(column)) = (events, column) else { return Vec::new() };
-    let driver = x_name.strip_prefix("driver.").and_then(|name| name.strip_suffix(".value"));
+    let events = run
+        .summary
+        .as_ref()
+        .and_then(|summary| summary.get("events")?.as_array());
+    let column = run
+        .table
+        .columns
+        .iter()
+        .find(|column| column.name == x_name);
+    let (Some(events), Some(column)) = (events, column) else {
+        return Vec::new();
+    };
+    let driver = x_name
+        .strip_prefix("driver.")
+        .and_then(|name| name.strip_suffix(".value"));
     let many = events.iter().filter(|event| is_contact(event)).count() > MOST_NAMED;
     let mark = |event: &Value| -> Option<Mark> {
         let x = match driver {
             None if x_name == TIME => event.get("time")?.as_f64()?,
-            Some(driver) if event.get("driver")?.as_str()? == driver => event.get("value")?.as_f64()?,
+            Some(driver) if event.get("driver")?.as_str()? == driver => {
+                event.get("value")?.as_f64()?
+            }
             None | Some(_) => return None,
         };
-        let label = if is_contact(event) && many { String::new() } else { event_word(event)? };
-        Some(Mark { x: convert_one(x, &column.unit, x_unit)?, label })
+        let label = if is_contact(event) && many {
+            String::new()
+        } else {
+            event_word(event)?
+        };
+        Some(Mark {
+            x: convert_one(x, &column.unit, x_unit)?,
+            label,
+        })
     };
     // Others are not crowded out by contacts.
     let others = events.iter().filter(|event| !is_contact(event));
-    let contacts = events.iter().filter(|event| is_contact(event)).filter(|event| !many || event["type"] == "contact");
-    others.chain(contacts).take(MOST_EVENTS).filter_map(mark).collect()
+    let contacts = events
+        .iter()
+        .filter(|event| is_contact(event))
+        .filter(|event| !many || event["type"] == "contact");
+    others
+        .chain(contacts)
+        .take(MOST_EVENTS)
+        .filter_map(mark)
+        .collect()
 }
 
 /// Whether an event is one of a journal in its bearing.
@@ -264,7 +343,11 @@ fn is_contact(event: &Value) -> bool {
 fn event_word(event: &Value) -> Option<String> {
     let kind = event.get("type")?.as_str()?;
     let is_impact = kind == "contact" && event["duration"].as_f64() == Some(0.0);
-    Some(if is_impact { "impact".into() } else { kind.replace('_', " ") })
+    Some(if is_impact {
+        "impact".into()
+    } else {
+        kind.replace('_', " ")
+    })
 }
 
 /// Names of the columns to draw, in order, each once.
@@ -280,7 +363,9 @@ fn names(options: &Options, runs: &[Results]) -> Result<Vec<String>, BadInput> {
                 missing.push(run.unknown("--y", wanted));
             }
             any |= !columns.is_empty();
-            let new = columns.into_iter().filter(|column| !is_pattern || column.name != options.x);
+            let new = columns
+                .into_iter()
+                .filter(|column| !is_pattern || column.name != options.x);
             for column in new {
                 if !names.contains(&column.name) {
                     names.push(column.name.clone());
@@ -297,7 +382,12 @@ fn names(options: &Options, runs: &[Results]) -> Result<Vec<String>, BadInput> {
 }
 
 /// A panel per unit, with labels, names and ranges.
-fn fill_panels(chart: &mut Chart, options: &Options, runs: &[Results], found: Vec<Found>) -> Result<(), BadInput> {
+fn fill_panels(
+    chart: &mut Chart,
+    options: &Options,
+    runs: &[Results],
+    found: Vec<Found>,
+) -> Result<(), BadInput> {
     let mut units: Vec<String> = Vec::new();
     let mut columns: Vec<String> = Vec::new();
     for curve in &found {
@@ -309,51 +399,90 @@ fn fill_panels(chart: &mut Chart, options: &Options, runs: &[Results], found: Ve
     }
     // Where each panel shows one column, the axis tells which.
     let one_each = units.iter().all(|unit| {
-        let mut names = found.iter().filter(|curve| curve.unit == *unit).map(|curve| &curve.name);
+        let mut names = found
+            .iter()
+            .filter(|curve| curve.unit == *unit)
+            .map(|curve| &curve.name);
         let first = names.next();
         names.all(|name| Some(name) == first)
     });
     let run_labels = run_labels(options, runs);
-    let wanted = if runs.len() > 1 { runs.len() } else { columns.len() };
+    let wanted = if runs.len() > 1 {
+        runs.len()
+    } else {
+        columns.len()
+    };
     if !options.label.is_empty() && options.label.len() != wanted {
         let what = if runs.len() > 1 { "RESULTS" } else { "columns" };
         let given = options.label.len();
-        return Err(BadInput(vec![format!("--label: {given} given for {wanted} {what} (give one for each, or none)")]));
+        return Err(BadInput(vec![format!(
+            "--label: {given} given for {wanted} {what} (give one for each, or none)"
+        )]));
     }
     let label = |curve: &Found| match (runs.len() > 1, one_each) {
         (true, true) => run_labels[curve.run].clone(),
         (true, false) => format!("{}, {}", curve.name, run_labels[curve.run]),
-        (false, _) if !options.label.is_empty() => {
-            columns.iter().position(|name| *name == curve.name).map(|at| options.label[at].clone()).unwrap_or_default()
-        }
+        (false, _) if !options.label.is_empty() => columns
+            .iter()
+            .position(|name| *name == curve.name)
+            .map(|at| options.label[at].clone())
+            .unwrap_or_default(),
         (false, true) => String::new(),
         (false, false) => curve.name.clone(),
     };
-    for (given, what) in [(options.y_label.len(), "--y-label"), (options.y_range.len(), "--y-range")] {
+    for (given, what) in [
+        (options.y_label.len(), "--y-label"),
+        (options.y_range.len(), "--y-range"),
+    ] {
         if given > units.len() {
             let panels = count(units.len(), "panel");
-            return Err(BadInput(vec![format!("{what}: {given} given, but there is only {panels}")]));
+            return Err(BadInput(vec![format!(
+                "{what}: {given} given, but there is only {panels}"
+            )]));
         }
     }
     for (index, unit) in units.iter().enumerate() {
         let curves: Vec<&Found> = found.iter().filter(|curve| curve.unit == *unit).collect();
-        let name = options.y_label.get(index).cloned().unwrap_or_else(|| axis_name(&curves));
-        let axis = Axis { name, unit: unit.clone(), log: options.log_y, range: options.y_range.get(index).copied() };
-        let curves = curves.into_iter().map(|curve| Curve::new(label(curve), curve.x.clone(), curve.y.clone()));
-        chart.panels.push(Panel { axis, curves: curves.collect() });
+        let name = options
+            .y_label
+            .get(index)
+            .cloned()
+            .unwrap_or_else(|| axis_name(&curves));
+        let axis = Axis {
+            name,
+            unit: unit.clone(),
+            log: options.log_y,
+            range: options.y_range.get(index).copied(),
+        };
+        let curves = curves
+            .into_iter()
+            .map(|curve| Curve::new(label(curve), curve.x.clone(), curve.y.clone()));
+        chart.panels.push(Panel {
+            axis,
+            curves: curves.collect(),
+        });
     }
     Ok(())
 }
 
 /// The column's name, or what the columns have in common.
 fn axis_name(curves: &[&Found]) -> String {
-    let Some(first) = curves.first() else { return String::new() };
+    let Some(first) = curves.first() else {
+        return String::new();
+    };
     if curves.iter().all(|curve| curve.name == first.name) {
         return first.name.clone();
     }
-    let words: Vec<&str> =
-        curves.iter().filter_map(|curve| curve.name.rsplit('.').next()).map(quantity_words).collect();
-    if words.iter().all(|word| word == &words[0]) { words[0].to_string() } else { String::new() }
+    let words: Vec<&str> = curves
+        .iter()
+        .filter_map(|curve| curve.name.rsplit('.').next())
+        .map(quantity_words)
+        .collect();
+    if words.iter().all(|word| word == &words[0]) {
+        words[0].to_string()
+    } else {
+        String::new()
+    }
 }
 
 /// What each run is called: as given, else by its directory, its model or its path, the first that tells all apart.
@@ -365,8 +494,23 @@ fn run_labels(options: &Options, runs: &[Results]) -> Vec<String> {
         (0..labels.len()).all(|a| !labels[a].is_empty() && (0..a).all(|b| labels[a] != labels[b]))
     };
     let by_file = runs.iter().map(Results::file_name).collect();
-    let by_model = runs.iter().map(|run| run.model_name().unwrap_or_default().to_string()).collect();
-    let by_path: Vec<String> = runs.iter().map(|run| run.path.display().to_string()).collect();
-    let numbered = || by_path.iter().enumerate().map(|(i, path)| format!("{} {path}", i + 1)).collect();
-    [by_file, by_model, by_path.clone()].into_iter().find(is_distinct).unwrap_or_else(numbered)
+    let by_model = runs
+        .iter()
+        .map(|run| run.model_name().unwrap_or_default().to_string())
+        .collect();
+    let by_path: Vec<String> = runs
+        .iter()
+        .map(|run| run.path.display().to_string())
+        .collect();
+    let numbered = || {
+        by_path
+            .iter()
+            .enumerate()
+            .map(|(i, path)| format!("{} {path}", i + 1))
+            .collect()
+    };
+    [by_file, by_model, by_path.clone()]
+        .into_iter()
+        .find(is_distinct)
+        .unwrap_or_else(numbered)
 }

@@ -29,33 +29,59 @@ impl Units {
     /// When a text is no unit.
     pub fn new(texts: &[String], x: Option<&str>) -> Result<Self, BadInput> {
         let read = |option: &str, text: &str| match Unit::parse(text) {
-            Ok(unit) => Ok(Wanted { text: text.trim().to_string(), unit, is_used: false }),
-            Err(_) => {
-                Err(BadInput(vec![format!("{option} {text}: not a unit (such as deg, mm, rpm, kN, N*mm, deg/s^2)")]))
-            }
+            Ok(unit) => Ok(Wanted {
+                text: text.trim().to_string(),
+                unit,
+                is_used: false,
+            }),
+            Err(_) => Err(BadInput(vec![format!(
+                "{option} {text}: not a unit (such as deg, mm, rpm, kN, N*mm, deg/s^2)"
+            )])),
         };
-        let wanted = texts.iter().map(|text| read("--units", text)).collect::<Result<_, _>>()?;
+        let wanted = texts
+            .iter()
+            .map(|text| read("--units", text))
+            .collect::<Result<_, _>>()?;
         let x = x.map(|text| read("--x-unit", text)).transpose()?;
-        Ok(Units { wanted, x, met: Vec::new() })
+        Ok(Units {
+            wanted,
+            x,
+            met: Vec::new(),
+        })
     }
 
     /// Unit and values of the x axis.
     ///
     /// # Errors
     /// When the column holds words, or its unit can't be changed into the one that was asked for.
-    pub fn x(&mut self, table: &Table, column: &ReadColumn) -> Result<(String, Vec<f64>), BadInput> {
-        let Some(wanted) = &mut self.x else { return self.y(table, column) };
+    pub fn x(
+        &mut self,
+        table: &Table,
+        column: &ReadColumn,
+    ) -> Result<(String, Vec<f64>), BadInput> {
+        let Some(wanted) = &mut self.x else {
+            return self.y(table, column);
+        };
         let values = table.values(column)?;
         wanted.is_used = true;
-        convert(values, column, wanted)
-            .ok_or_else(|| BadInput(vec![format!("--x-unit {}: {} can't be told in it", wanted.text, column.label())]))
+        convert(values, column, wanted).ok_or_else(|| {
+            BadInput(vec![format!(
+                "--x-unit {}: {} can't be told in it",
+                wanted.text,
+                column.label()
+            )])
+        })
     }
 
     /// Unit and values of a column.
     ///
     /// # Errors
     /// When the column holds words.
-    pub fn y(&mut self, table: &Table, column: &ReadColumn) -> Result<(String, Vec<f64>), BadInput> {
+    pub fn y(
+        &mut self,
+        table: &Table,
+        column: &ReadColumn,
+    ) -> Result<(String, Vec<f64>), BadInput> {
         let values = table.values(column)?;
         if !self.met.contains(&column.unit) {
             self.met.push(column.unit.clone());
@@ -73,7 +99,11 @@ impl Units {
     pub fn unused(&self) -> Vec<String> {
         let unused = self.wanted.iter().filter(|wanted| !wanted.is_used);
         let words = |wanted: &Wanted| {
-            format!("{}: no column drawn can be told in it (they are in {})", wanted.text, self.met.join(", "))
+            format!(
+                "{}: no column drawn can be told in it (they are in {})",
+                wanted.text,
+                self.met.join(", ")
+            )
         };
         unused.map(words).collect()
     }
@@ -83,13 +113,21 @@ impl Units {
 fn convert(values: &[f64], column: &ReadColumn, wanted: &Wanted) -> Option<(String, Vec<f64>)> {
     let unit = Unit::parse(&column.unit).ok()?;
     unit.convert(0.0, wanted.unit)?;
-    let values = values.iter().map(|&value| unit.convert(value, wanted.unit).unwrap_or(f64::NAN));
+    let values = values
+        .iter()
+        .map(|&value| unit.convert(value, wanted.unit).unwrap_or(f64::NAN));
     Some((wanted.text.clone(), values.collect()))
 }
 
 /// A number in another unit; the same where the units are.
 pub fn convert_one(value: f64, from: &str, to: &str) -> Option<f64> {
-    if from == to { Some(value) } else { Unit::parse(from).ok()?.convert(value, Unit::parse(to).ok()?) }
+    if from == to {
+        Some(value)
+    } else {
+        Unit::parse(from)
+            .ok()?
+            .convert(value, Unit::parse(to).ok()?)
+    }
 }
 
 /// What a result column's last word stands for.

@@ -22,7 +22,11 @@ pub struct Line(Option<(Sender<()>, JoinHandle<()>)>);
 
 impl Line {
     /// Begins to look at `share` (from 0 to 1, none where nobody can tell) of a command that began at `since`.
-    pub fn start(since: Instant, label: &str, share: impl Fn() -> Option<f64> + Send + 'static) -> Self {
+    pub fn start(
+        since: Instant,
+        label: &str,
+        share: impl Fn() -> Option<f64> + Send + 'static,
+    ) -> Self {
         let dumb = std::env::var_os("TERM").is_some_and(|name| name == "dumb");
         if dumb || !io::stderr().is_terminal() {
             return Line(None);
@@ -77,11 +81,20 @@ fn render(label: &str, share: Option<f64>, elapsed: Duration) -> String {
         10..120 => format!("{seconds} s"),
         _ => format!("{} min {} s", seconds / 60, seconds % 60),
     };
-    let Some(share) = share else { return format!("{label}  {time}") };
+    let Some(share) = share else {
+        return format!("{label}  {time}");
+    };
     // whole characters and percents are those behind us
     let done = ((share * WIDTH as f64) as usize).min(WIDTH);
-    let bar = format!("{}{}", "=".repeat(done), if done < WIDTH { ">" } else { "" });
-    format!("{label} [{bar:WIDTH$}] {:3} %  {time}", (share * 100.0) as u32)
+    let bar = format!(
+        "{}{}",
+        "=".repeat(done),
+        if done < WIDTH { ">" } else { "" }
+    );
+    format!(
+        "{label} [{bar:WIDTH$}] {:3} %  {time}",
+        (share * 100.0) as u32
+    )
 }
 
 #[cfg(test)]
@@ -90,17 +103,35 @@ mod tests {
 
     #[test]
     fn the_line_tells_share_and_time() {
-        let at = |share, milliseconds| render("four-bar", share, Duration::from_millis(milliseconds));
-        assert_eq!(at(Some(0.0), 500), "four-bar [>                       ]   0 %  0.5 s");
-        assert_eq!(at(Some(0.5), 3210), "four-bar [============>           ]  50 %  3.2 s");
-        assert_eq!(at(Some(0.999), 59_900), "four-bar [=======================>]  99 %  59 s");
-        assert_eq!(at(Some(1.0), 200_000), "four-bar [========================] 100 %  3 min 20 s");
+        let at =
+            |share, milliseconds| render("four-bar", share, Duration::from_millis(milliseconds));
+        assert_eq!(
+            at(Some(0.0), 500),
+            "four-bar [>                       ]   0 %  0.5 s"
+        );
+        assert_eq!(
+            at(Some(0.5), 3210),
+            "four-bar [============>           ]  50 %  3.2 s"
+        );
+        assert_eq!(
+            at(Some(0.999), 59_900),
+            "four-bar [=======================>]  99 %  59 s"
+        );
+        assert_eq!(
+            at(Some(1.0), 200_000),
+            "four-bar [========================] 100 %  3 min 20 s"
+        );
         assert_eq!(at(None, 12_000), "four-bar  12 s");
     }
 
     #[test]
     fn no_line_is_longer_than_a_narrow_terminal() {
         let label: String = "x".repeat(LABEL);
-        assert!(render(&label, Some(1.0), Duration::from_secs(86_400)).chars().count() < 80);
+        assert!(
+            render(&label, Some(1.0), Duration::from_secs(86_400))
+                .chars()
+                .count()
+                < 80
+        );
     }
 }

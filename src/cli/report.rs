@@ -59,7 +59,11 @@ impl Numbers<'_> {
     }
 
     fn point(&self, point: &PointRef) -> PointId {
-        let number = self.model.bodies.get(&point.body).and_then(|body| body.points.get_index_of(&point.point));
+        let number = self
+            .model
+            .bodies
+            .get(&point.body)
+            .and_then(|body| body.points.get_index_of(&point.point));
         (self.body(&point.body), number.unwrap_or(0))
     }
 
@@ -70,21 +74,42 @@ impl Numbers<'_> {
 
 /// What is drawn of a model.
 fn mechanism(model: &Model) -> Mechanism {
-    let names = [GROUND].into_iter().chain(model.bodies.keys().map(String::as_str).filter(|name| *name != GROUND));
-    let numbers = Numbers { model, bodies: names.clone().zip(0..).collect() };
+    let names = [GROUND].into_iter().chain(
+        model
+            .bodies
+            .keys()
+            .map(String::as_str)
+            .filter(|name| *name != GROUND),
+    );
+    let numbers = Numbers {
+        model,
+        bodies: names.clone().zip(0..).collect(),
+    };
     let bodies = names.map(|name| {
         let body = model.bodies.get(name);
         let points = body.into_iter().flat_map(|body| &body.points);
         Body {
             name: name.to_string(),
-            points: points.map(|(name, [x, y])| (name.clone(), *x, *y)).collect(),
-            com: body.and_then(|body| body.com).filter(|_| model.bodies.len() <= MANY),
+            points: points
+                .map(|(name, [x, y])| (name.clone(), *x, *y))
+                .collect(),
+            com: body
+                .and_then(|body| body.com)
+                .filter(|_| model.bodies.len() <= MANY),
         }
     });
     let mut mechanism = Mechanism {
         bodies: bodies.collect(),
-        joints: model.joints.iter().map(|(name, joint)| joint_of(&numbers, name, joint)).collect(),
-        points: model.points.iter().map(|point| numbers.point(point)).collect(),
+        joints: model
+            .joints
+            .iter()
+            .map(|(name, joint)| joint_of(&numbers, name, joint))
+            .collect(),
+        points: model
+            .points
+            .iter()
+            .map(|point| numbers.point(point))
+            .collect(),
         ..Mechanism::default()
     };
     for (name, driver) in &model.drivers {
@@ -93,30 +118,53 @@ fn mechanism(model: &Model) -> Mechanism {
             DriverKind::Rotation { body, relative_to } => Driver {
                 name,
                 body: Some(numbers.body(body)),
-                relative_to: Some(relative_to.as_deref().map_or(0, |other| numbers.body(other))),
+                relative_to: Some(
+                    relative_to
+                        .as_deref()
+                        .map_or(0, |other| numbers.body(other)),
+                ),
                 joint: None,
             },
-            DriverKind::Translation { joint } => {
-                Driver { name, body: None, relative_to: None, joint: model.joints.get_index_of(joint) }
-            }
+            DriverKind::Translation { joint } => Driver {
+                name,
+                body: None,
+                relative_to: None,
+                joint: model.joints.get_index_of(joint),
+            },
         });
     }
     for (name, force) in &model.forces {
         let name = name.clone();
         match &force.kind {
-            ForceKind::Spring { between, stiffness, .. } => {
-                mechanism.springs.push(Spring { name, between: numbers.ends(between), damper: *stiffness == 0.0 });
+            ForceKind::Spring {
+                between, stiffness, ..
+            } => {
+                mechanism.springs.push(Spring {
+                    name,
+                    between: numbers.ends(between),
+                    damper: *stiffness == 0.0,
+                });
             }
             ForceKind::TorsionSpring { between, .. } => {
                 let bodies = between.each_ref().map(|body| numbers.body(body));
-                mechanism.torsion_springs.push(TorsionSpring { name, bodies });
+                mechanism
+                    .torsion_springs
+                    .push(TorsionSpring { name, bodies });
             }
             ForceKind::Load { at, .. } => {
                 let at = numbers.point(at);
-                mechanism.loads.push(Load { name, at: Some(at), body: at.0 });
+                mechanism.loads.push(Load {
+                    name,
+                    at: Some(at),
+                    body: at.0,
+                });
             }
             ForceKind::Torque { body, .. } => {
-                mechanism.loads.push(Load { name, at: None, body: numbers.body(body) });
+                mechanism.loads.push(Load {
+                    name,
+                    at: None,
+                    body: numbers.body(body),
+                });
             }
         }
     }
@@ -127,7 +175,9 @@ fn joint_of(numbers: &Numbers, name: &str, joint: &crate::model::Joint) -> Joint
     let (mut axis, mut gear, mut gap) = (None, None, None);
     let kind = match &joint.kind {
         JointKind::Revolute { clearance, .. } => {
-            gap = clearance.as_deref().and_then(|c| Some((clearance_word(c.model)?, c.radius?)));
+            gap = clearance
+                .as_deref()
+                .and_then(|c| Some((clearance_word(c.model)?, c.radius?)));
             "revolute"
         }
         JointKind::Prismatic { axis: along, .. } => {
@@ -139,20 +189,35 @@ fn joint_of(numbers: &Numbers, name: &str, joint: &crate::model::Joint) -> Joint
             "slot"
         }
         JointKind::Gear { ratio, .. } => {
-            gear = numbers.model.carrier(name, joint).and_then(Result::ok).and_then(|carrier| {
-                let [[x1, y1], [x2, y2]] = carrier.centres;
-                // Wheels roll on each other: |R₁| = |ratio|·|R₂|, R₂ = ℓ/(1 − ratio).
-                let second = ((x2 - x1).hypot(y2 - y1) / (1.0 - ratio)).abs();
-                let radii = [second * ratio.abs(), second];
-                let internal = *ratio > 0.0;
-                second.is_finite().then_some(Gear { radii, internal, carrier: numbers.body(carrier.body) })
-            });
+            gear = numbers
+                .model
+                .carrier(name, joint)
+                .and_then(Result::ok)
+                .and_then(|carrier| {
+                    let [[x1, y1], [x2, y2]] = carrier.centres;
+                    // Wheels roll on each other: |R₁| = |ratio|·|R₂|, R₂ = ℓ/(1 − ratio).
+                    let second = ((x2 - x1).hypot(y2 - y1) / (1.0 - ratio)).abs();
+                    let radii = [second * ratio.abs(), second];
+                    let internal = *ratio > 0.0;
+                    second.is_finite().then_some(Gear {
+                        radii,
+                        internal,
+                        carrier: numbers.body(carrier.body),
+                    })
+                });
             "gear"
         }
         JointKind::Fixed { .. } => "fixed",
     };
     let clearance = gap.map(|(model, radius)| Clearance { model, radius });
-    Joint { name: name.to_string(), kind, between: numbers.ends(&joint.between), axis, gear, clearance }
+    Joint {
+        name: name.to_string(),
+        kind,
+        between: numbers.ends(&joint.between),
+        axis,
+        gear,
+        clearance,
+    }
 }
 
 /// Models that leave an eccentricity.

@@ -51,17 +51,29 @@ impl Results {
         })?;
         if table.is_empty() {
             let path = table.path.display();
-            return Err(BadInput(vec![format!("{path}: there is a header and no row: the run gave no result")]));
+            return Err(BadInput(vec![format!(
+                "{path}: there is a header and no row: the run gave no result"
+            )]));
         }
         let summary = read_file(&table.path.with_file_name("summary.json"), "");
-        let summary = summary.ok().and_then(|(_, bytes)| serde_json::from_slice(&bytes).ok());
-        Ok(Results { table, path: path.to_owned(), summary })
+        let summary = summary
+            .ok()
+            .and_then(|(_, bytes)| serde_json::from_slice(&bytes).ok());
+        Ok(Results {
+            table,
+            path: path.to_owned(),
+            summary,
+        })
     }
 
     /// Puts the rows of `peaks.csv` beside `results.csv` among its own, where there is such a file and it has the same columns:
     /// curves pass through peaks between the outputs then.
     pub fn take_peaks(&mut self) {
-        if self.table.path.file_name().is_some_and(|name| name == "results.csv")
+        if self
+            .table
+            .path
+            .file_name()
+            .is_some_and(|name| name == "results.csv")
             && let Ok(peaks) = Table::read(&self.table.path.with_file_name(PEAKS))
         {
             self.table.insert(&peaks);
@@ -77,12 +89,22 @@ impl Results {
     pub fn file_name(&self) -> String {
         let file = &self.table.path;
         let named = match file.file_name() {
-            Some(name) if name == "results.csv" => file.parent().and_then(Path::file_name).or(file.file_name()),
+            Some(name) if name == "results.csv" => {
+                file.parent().and_then(Path::file_name).or(file.file_name())
+            }
             name => name,
         };
-        let stem = |name: &std::ffi::OsStr| Path::new(name).file_stem().unwrap_or(name).to_string_lossy().into_owned();
+        let stem = |name: &std::ffi::OsStr| {
+            Path::new(name)
+                .file_stem()
+                .unwrap_or(name)
+                .to_string_lossy()
+                .into_owned()
+        };
         match named {
-            Some(name) if file.parent().and_then(Path::file_name) == Some(name) => name.to_string_lossy().into_owned(),
+            Some(name) if file.parent().and_then(Path::file_name) == Some(name) => {
+                name.to_string_lossy().into_owned()
+            }
             Some(name) => stem(name),
             None => self.path.display().to_string(),
         }
@@ -96,7 +118,11 @@ impl Results {
         if !name.contains(['*', '?']) {
             return Vec::new();
         }
-        self.table.columns.iter().filter(|column| matches(name, column.name.trim())).collect()
+        self.table
+            .columns
+            .iter()
+            .filter(|column| matches(name, column.name.trim()))
+            .collect()
     }
 
     /// What to say about a name or pattern that stands for nothing.
@@ -109,12 +135,19 @@ impl Results {
             }
             let plain = name.to_lowercase();
             let known = column.name.to_lowercase();
-            let part = if plain.len() > 2 && known.contains(&plain) { 0.3 } else { 0.0 };
-            strsim::normalized_damerau_levenshtein(&plain, &known).max(strsim::jaro_winkler(&plain, &known) - 0.2)
+            let part = if plain.len() > 2 && known.contains(&plain) {
+                0.3
+            } else {
+                0.0
+            };
+            strsim::normalized_damerau_levenshtein(&plain, &known)
+                .max(strsim::jaro_winkler(&plain, &known) - 0.2)
                 + part
         };
-        let mut near: Vec<(f64, &str)> =
-            columns.iter().map(|column| (similarity(column), column.name.as_str())).collect();
+        let mut near: Vec<(f64, &str)> = columns
+            .iter()
+            .map(|column| (similarity(column), column.name.as_str()))
+            .collect();
         near.sort_by(|a, b| b.0.total_cmp(&a.0));
         let near: Vec<String> = near
             .iter()
@@ -126,25 +159,46 @@ impl Results {
             Some((last, [])) => format!("did you mean {last}?"),
             Some((last, before)) => format!("did you mean {} or {last}?", before.join(", ")),
             None => {
-                let listed: Vec<&str> = columns.iter().take(MOST_LISTED).map(|column| column.name.as_str()).collect();
+                let listed: Vec<&str> = columns
+                    .iter()
+                    .take(MOST_LISTED)
+                    .map(|column| column.name.as_str())
+                    .collect();
                 let more = columns.len().saturating_sub(MOST_LISTED);
-                let rest = if more > 0 { format!(" and {more} more") } else { String::new() };
+                let rest = if more > 0 {
+                    format!(" and {more} more")
+                } else {
+                    String::new()
+                };
                 format!("there are: {}{rest}", listed.join(", "))
             }
         };
-        format!("{}: {option} {name}: no column of that name ({hint})", self.table.path.display())
+        format!(
+            "{}: {option} {name}: no column of that name ({hint})",
+            self.table.path.display()
+        )
     }
 }
 
 /// Whether a name is that of a model: a bundled one, or a file of JSON.
 fn is_model(path: &Path) -> bool {
-    let is_bundled = || path.to_str().is_some_and(|name| bundled::text(name).is_ok());
-    if path.exists() { extension(path) == "json" } else { is_bundled() }
+    let is_bundled = || {
+        path.to_str()
+            .is_some_and(|name| bundled::text(name).is_ok())
+    };
+    if path.exists() {
+        extension(path) == "json"
+    } else {
+        is_bundled()
+    }
 }
 
 /// Writes the one file that was asked for; its directory is made where missing.
 pub fn write_file(path: &Path, content: &[u8]) -> Result<PathBuf, WriteError> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let folder = path
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty())
+        .unwrap_or(Path::new("."));
     match path.file_name().and_then(|name| name.to_str()) {
         Some(name) => Directory::open(folder)?.write(name, content),
         None => Err(WriteError::InTheWay(path.to_owned())),
@@ -153,5 +207,7 @@ pub fn write_file(path: &Path, content: &[u8]) -> Result<PathBuf, WriteError> {
 
 /// The extension of a file to be written, lower case.
 pub fn extension(path: &Path) -> String {
-    path.extension().map(|extension| extension.to_string_lossy().to_lowercase()).unwrap_or_default()
+    path.extension()
+        .map(|extension| extension.to_string_lossy().to_lowercase())
+        .unwrap_or_default()
 }

@@ -35,14 +35,24 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let opened = options.model.open()?;
     let directory = options.output.as_deref().map(open_directory).transpose()?;
     let model = &opened.loaded.model;
-    let control = Control { deadline: deadline(model, started), interrupted: interrupt::watch(), ..Control::default() };
+    let control = Control {
+        deadline: deadline(model, started),
+        interrupted: interrupt::watch(),
+        ..Control::default()
+    };
     let progress = control.progress.clone();
     let line = Line::start(started, &opened.name, move || progress.share());
     let outcome = analysis::run(model, &control);
     drop(line);
     let mut outcome = outcome.map_err(|complaints| opened.bad_input(complaints))?;
-    outcome.report.warnings.splice(0..0, opened.loaded.warnings.iter().cloned());
-    let written = directory.map(|directory| write(&directory, &opened, &outcome)).transpose()?.unwrap_or_default();
+    outcome
+        .report
+        .warnings
+        .splice(0..0, opened.loaded.warnings.iter().cloned());
+    let written = directory
+        .map(|directory| write(&directory, &opened, &outcome))
+        .transpose()?
+        .unwrap_or_default();
     print(&summary::page(&opened, &outcome, &written))?;
     let status = outcome.report.status;
     let exit = Exit::from(status);
@@ -76,7 +86,11 @@ pub fn open_directory(path: &std::path::Path) -> Result<Directory, WriteError> {
 }
 
 /// Writes all result files; the summary comes last, since it tells how long the others took.
-pub fn write(directory: &Directory, opened: &Opened, outcome: &Outcome) -> Result<Written, WriteError> {
+pub fn write(
+    directory: &Directory,
+    opened: &Opened,
+    outcome: &Outcome,
+) -> Result<Written, WriteError> {
     let watch = Stopwatch::start();
     let results = directory.write_with(RESULTS, |file| csv::write(&outcome.trajectory, file))?;
     let peaks = outcome.wanted_peaks();
@@ -99,7 +113,16 @@ pub fn write(directory: &Directory, opened: &Opened, outcome: &Outcome) -> Resul
         load: opened.time,
         write: watch.read(),
     };
-    let summary = directory.write(SUMMARY, crate::output::summary::to_text(&summary).as_bytes())?;
-    let paths = [Some(results), peaks, Some(summary), Some(report)].into_iter().flatten().collect();
-    Ok(Written { paths, time: watch.read() })
+    let summary = directory.write(
+        SUMMARY,
+        crate::output::summary::to_text(&summary).as_bytes(),
+    )?;
+    let paths = [Some(results), peaks, Some(summary), Some(report)]
+        .into_iter()
+        .flatten()
+        .collect();
+    Ok(Written {
+        paths,
+        time: watch.read(),
+    })
 }

@@ -8,7 +8,9 @@ use super::run::Written;
 use crate::analysis::Outcome;
 use crate::display::DisplayUnits;
 use crate::model::AnalysisKind;
-use crate::output::{ClearanceSums, Equilibrium, Event, Mobility, Quality, Stage, Status, Trajectory};
+use crate::output::{
+    ClearanceSums, Equilibrium, Event, Mobility, Quality, Stage, Status, Trajectory,
+};
 
 /// Digits of numbers.
 const DIGITS: usize = 4;
@@ -17,27 +19,53 @@ const FORCES: usize = 3;
 
 /// The summary of a run as text.
 pub fn page(opened: &Opened, outcome: &Outcome, written: &Written) -> String {
-    let Outcome { trajectory, report, .. } = outcome;
-    let kind = opened.loaded.model.analysis.as_ref().map_or("", |analysis| analysis_words(analysis.kind));
+    let Outcome {
+        trajectory, report, ..
+    } = outcome;
+    let kind = opened
+        .loaded
+        .model
+        .analysis
+        .as_ref()
+        .map_or("", |analysis| analysis_words(analysis.kind));
     let curves = outcome.curves();
     let mut page = Page::default();
-    page.line(format!("{} ({}): {kind}, {}", opened.name, opened.label, status_words(report.status)));
+    page.line(format!(
+        "{} ({}): {kind}, {}",
+        opened.name,
+        opened.label,
+        status_words(report.status)
+    ));
     page.row("mobility", mobility(&report.mobility));
     page.row("outputs", outputs(trajectory));
     page.row("quality", quality(&report.quality));
     page.rows("equilibrium", report.equilibrium.iter().map(equilibrium));
-    page.rows("contacts", shorten(report.clearances.iter().map(contacts).collect()));
+    page.rows(
+        "contacts",
+        shorten(report.clearances.iter().map(contacts).collect()),
+    );
     page.rows(
         "events",
         shorten(
-            report.events.iter().map(|event| event_words(event, trajectory, &opened.loaded.model.display)).collect(),
+            report
+                .events
+                .iter()
+                .map(|event| event_words(event, trajectory, &opened.loaded.model.display))
+                .collect(),
         ),
     );
     page.rows("effort", efforts(&curves));
     page.rows("largest force", forces(&curves));
     page.rows("warnings", shorten(report.warnings.clone()));
-    page.rows("written", written.paths.iter().map(|path| path.display().to_string()));
-    let mut stages = vec![("load", opened.time), ("assemble", report.assemble), ("solve", report.solve)];
+    page.rows(
+        "written",
+        written.paths.iter().map(|path| path.display().to_string()),
+    );
+    let mut stages = vec![
+        ("load", opened.time),
+        ("assemble", report.assemble),
+        ("solve", report.solve),
+    ];
     if !written.paths.is_empty() {
         stages.push(("write", written.time));
     }
@@ -63,8 +91,17 @@ pub fn status_words(status: Status) -> String {
 
 /// Mobility and what is odd about it.
 pub fn mobility(mobility: &Mobility) -> String {
-    let Mobility { grubler, rank, drivers, redundant, reactions_not_unique } = mobility;
-    let mut text = format!("{grubler} by Grübler, {rank} by rank, {}", count(*drivers, "driver"));
+    let Mobility {
+        grubler,
+        rank,
+        drivers,
+        redundant,
+        reactions_not_unique,
+    } = mobility;
+    let mut text = format!(
+        "{grubler} by Grübler, {rank} by rank, {}",
+        count(*drivers, "driver")
+    );
     if !redundant.is_empty() {
         text += &format!("; redundant: {}", names(redundant));
     }
@@ -75,10 +112,23 @@ pub fn mobility(mobility: &Mobility) -> String {
 }
 
 fn outputs(trajectory: &Trajectory) -> String {
-    let Some(time) = trajectory.column_index("time").filter(|_| !trajectory.is_empty()) else { return "none".into() };
-    let (first, last) = (trajectory.row(0)[time], trajectory.row(trajectory.len() - 1)[time]);
+    let Some(time) = trajectory
+        .column_index("time")
+        .filter(|_| !trajectory.is_empty())
+    else {
+        return "none".into();
+    };
+    let (first, last) = (
+        trajectory.row(0)[time],
+        trajectory.row(trajectory.len() - 1)[time],
+    );
     let instants = count(trajectory.len(), "instant");
-    format!("{instants}, t = {} … {} s, {}", number(first, 6), number(last, 6), count(trajectory.width(), "column"))
+    format!(
+        "{instants}, t = {} … {} s, {}",
+        number(first, 6),
+        number(last, 6),
+        count(trajectory.width(), "column")
+    )
 }
 
 /// `stable, stiffness 7.688 by crank.angle, residual 1e-16`.
@@ -86,9 +136,17 @@ pub fn equilibrium(found: &Equilibrium) -> String {
     let stiffness: Vec<String> = found.stiffness.iter().map(|k| number(*k, DIGITS)).collect();
     let by = match stiffness.is_empty() {
         true => "nothing is free to move".to_string(),
-        false => format!("stiffness {} by {}", stiffness.join(", "), found.coordinates.join(", ")),
+        false => format!(
+            "stiffness {} by {}",
+            stiffness.join(", "),
+            found.coordinates.join(", ")
+        ),
     };
-    format!("{}, {by}, residual {}", found.stability, number(found.residual, 2))
+    format!(
+        "{}, {by}, residual {}",
+        found.stability,
+        number(found.residual, 2)
+    )
 }
 
 fn quality(quality: &Quality) -> String {
@@ -100,7 +158,10 @@ fn quality(quality: &Quality) -> String {
     if quality.constraint_residual.is_nan() {
         return "nothing is solved".into();
     }
-    let mut text = format!("constraint residual {}", number(quality.constraint_residual, 2));
+    let mut text = format!(
+        "constraint residual {}",
+        number(quality.constraint_residual, 2)
+    );
     for (what, value) in parts {
         text.extend(value.map(|value| format!(", {what} {}", number(value, 2))));
     }
@@ -109,8 +170,18 @@ fn quality(quality: &Quality) -> String {
 
 /// A joint's contacts: `b: 24, 2.1 ms in all, 4.2 J lost`.
 fn contacts(sums: &ClearanceSums) -> String {
-    let ClearanceSums { joint, episodes, time_in_contact, energy_lost, .. } = sums;
-    format!("{joint}: {episodes}, {} in all, {} J lost", seconds(*time_in_contact), number(*energy_lost, DIGITS))
+    let ClearanceSums {
+        joint,
+        episodes,
+        time_in_contact,
+        energy_lost,
+        ..
+    } = sums;
+    format!(
+        "{joint}: {episodes}, {} in all, {} J lost",
+        seconds(*time_in_contact),
+        number(*energy_lost, DIGITS)
+    )
 }
 
 /// One event: `change point at 1.7 s, motor = 117.5°`, `impact at 0.01 s (joint b)`.
@@ -121,7 +192,10 @@ fn event_words(event: &Event, trajectory: &Trajectory, display: &DisplayUnits) -
         (Some(_), Some(end)) if end == event.time => format!("impact at {start}"),
         // Shorter than the digits shown.
         (Some(_), Some(end)) if display.time(end) == start => {
-            format!("{kind} at {start} for {}", display.time_to(end - event.time, 2))
+            format!(
+                "{kind} at {start} for {}",
+                display.time_to(end - event.time, 2)
+            )
         }
         (Some(_), None) => format!("{kind} from {start} on"),
         (_, Some(end)) => format!("{kind} from {}", display.times(event.time, end)),
@@ -129,7 +203,9 @@ fn event_words(event: &Event, trajectory: &Trajectory, display: &DisplayUnits) -
     };
     text.extend(event.joint.iter().map(|joint| format!(" (joint {joint})")));
     if let (Some(driver), Some(start)) = (&event.driver, event.value) {
-        let unit = trajectory.column_index(&format!("driver.{driver}.value")).map(|i| trajectory.columns[i].unit);
+        let unit = trajectory
+            .column_index(&format!("driver.{driver}.value"))
+            .map(|i| trajectory.columns[i].unit);
         let with_unit = |value: f64| match unit {
             Some("rad") => display.angle(value),
             Some("m") => display.length(value),
@@ -150,13 +226,30 @@ fn event_words(event: &Event, trajectory: &Trajectory, display: &DisplayUnits) -
 /// A row per driver: smallest and largest effort, and when.
 fn efforts(trajectory: &Trajectory) -> Vec<String> {
     let extremes = trajectory.extremes();
-    let rows = trajectory.columns.iter().zip(extremes).filter_map(|(column, extremes)| {
-        let driver = column.name.strip_prefix("driver.")?.strip_suffix(".effort")?;
-        let e = extremes?;
-        let unit = unit_words(column.unit);
-        let at = |value: f64, time: f64| format!("{} {unit} at {} s", number(value, DIGITS), number(time, DIGITS));
-        Some(format!("{driver}: {} … {}", at(e.min, e.min_time), at(e.max, e.max_time)))
-    });
+    let rows = trajectory
+        .columns
+        .iter()
+        .zip(extremes)
+        .filter_map(|(column, extremes)| {
+            let driver = column
+                .name
+                .strip_prefix("driver.")?
+                .strip_suffix(".effort")?;
+            let e = extremes?;
+            let unit = unit_words(column.unit);
+            let at = |value: f64, time: f64| {
+                format!(
+                    "{} {unit} at {} s",
+                    number(value, DIGITS),
+                    number(time, DIGITS)
+                )
+            };
+            Some(format!(
+                "{driver}: {} … {}",
+                at(e.min, e.min_time),
+                at(e.max, e.max_time)
+            ))
+        });
     shorten(rows.collect())
 }
 
@@ -164,29 +257,51 @@ fn efforts(trajectory: &Trajectory) -> Vec<String> {
 fn forces(trajectory: &Trajectory) -> Vec<String> {
     let time = trajectory.column_index("time");
     let mut peaks: Vec<(f64, f64, &str)> = Vec::new();
-    let named =
-        |ending: &'static str| {
-            trajectory.columns.iter().enumerate().filter_map(move |(index, column)| {
-                Some((column.name.strip_prefix("joint.")?.strip_suffix(ending)?, index))
+    let named = |ending: &'static str| {
+        trajectory
+            .columns
+            .iter()
+            .enumerate()
+            .filter_map(move |(index, column)| {
+                Some((
+                    column.name.strip_prefix("joint.")?.strip_suffix(ending)?,
+                    index,
+                ))
             })
-        };
+    };
     let others: HashMap<&str, usize> = named(".fy").collect();
     for (joint, fx) in named(".fx") {
-        let Some(&fy) = others.get(joint) else { continue };
-        let magnitudes = trajectory.rows().map(|row| (row[fx].hypot(row[fy]), time.map_or(f64::NAN, |time| row[time])));
-        let peak = magnitudes.filter(|(force, _)| force.is_finite()).max_by(|a, b| a.0.total_cmp(&b.0));
+        let Some(&fy) = others.get(joint) else {
+            continue;
+        };
+        let magnitudes = trajectory.rows().map(|row| {
+            (
+                row[fx].hypot(row[fy]),
+                time.map_or(f64::NAN, |time| row[time]),
+            )
+        });
+        let peak = magnitudes
+            .filter(|(force, _)| force.is_finite())
+            .max_by(|a, b| a.0.total_cmp(&b.0));
         peaks.extend(peak.map(|(force, time)| (force, time, joint)));
     }
     peaks.sort_by(|a, b| b.0.total_cmp(&a.0));
     let words = |&(force, time, joint): &(f64, f64, &str)| {
-        format!("{joint}: {} N at {} s", number(force, DIGITS), number(time, DIGITS))
+        format!(
+            "{joint}: {} N at {} s",
+            number(force, DIGITS),
+            number(time, DIGITS)
+        )
     };
     peaks.iter().take(FORCES).map(words).collect()
 }
 
 /// `load 0.3 ms, solve 12 ms (CPU 11 ms)`.
 fn times(stages: &[(&str, Stage)]) -> String {
-    let walls: Vec<String> = stages.iter().map(|(name, stage)| format!("{name} {}", seconds(stage.wall))).collect();
+    let walls: Vec<String> = stages
+        .iter()
+        .map(|(name, stage)| format!("{name} {}", seconds(stage.wall)))
+        .collect();
     let cpu: f64 = stages.iter().map(|(_, stage)| stage.cpu).sum();
     format!("{} (CPU {})", walls.join(", "), seconds(cpu))
 }
@@ -212,7 +327,12 @@ mod tests {
             ("driver.motor.effort", "N*m"),
             ("driver.slide.value", "m"),
         ];
-        let mut table = Trajectory::new(columns.iter().map(|&(name, unit)| Column::new(name, unit)).collect());
+        let mut table = Trajectory::new(
+            columns
+                .iter()
+                .map(|&(name, unit)| Column::new(name, unit))
+                .collect(),
+        );
         table.push_row(&[0.0, 3.0, -4.0, 6.0, 8.0, 1.0, -2.0, 0.1]);
         table.push_row(&[0.5, 0.0, 1.0, f64::NAN, f64::NAN, 2.0, 12.5, 0.2]);
         table
@@ -233,36 +353,70 @@ mod tests {
     #[test]
     fn events_tell_angles_in_degrees_too() {
         let words = |event: &Event| event_words(event, &results(), &DisplayUnits::default());
-        assert_eq!(words(&event("motor", None)), "change point at 1.7 s, motor = 2.05 rad (117.456°)");
-        assert_eq!(words(&event("slide", Some(2.0))), "change point from 1.7 to 2 s, slide = 2.05 m … 2.1 m");
-        let noted = Event { driver: None, note: Some("here".into()), ..event("", None) };
+        assert_eq!(
+            words(&event("motor", None)),
+            "change point at 1.7 s, motor = 2.05 rad (117.456°)"
+        );
+        assert_eq!(
+            words(&event("slide", Some(2.0))),
+            "change point from 1.7 to 2 s, slide = 2.05 m … 2.1 m"
+        );
+        let noted = Event {
+            driver: None,
+            note: Some("here".into()),
+            ..event("", None)
+        };
         assert_eq!(words(&noted), "change point at 1.7 s: here");
     }
 
     #[test]
     fn contacts_tell_their_joint_and_how_long_they_last() {
         let of_pin = |kind: &'static str, end_time: Option<f64>, episode: Option<Episode>| {
-            let event =
-                Event { kind, time: 0.0100964, end_time, joint: Some("pin".into()), episode, ..Event::default() };
+            let event = Event {
+                kind,
+                time: 0.0100964,
+                end_time,
+                joint: Some("pin".into()),
+                episode,
+                ..Event::default()
+            };
             event_words(&event, &results(), &DisplayUnits::default())
         };
         let contact = |end_time: Option<f64>| of_pin("contact", end_time, Some(Episode::default()));
-        assert_eq!(contact(Some(0.0100964)), "impact at 0.0100964 s (joint pin)");
-        assert_eq!(contact(Some(0.0100964 + 2.5e-10)), "contact at 0.0100964 s for 2.5e-10 s (joint pin)");
-        assert_eq!(contact(Some(0.0101)), "contact from 0.0100964 to 0.0101 s (joint pin)");
+        assert_eq!(
+            contact(Some(0.0100964)),
+            "impact at 0.0100964 s (joint pin)"
+        );
+        assert_eq!(
+            contact(Some(0.0100964 + 2.5e-10)),
+            "contact at 0.0100964 s for 2.5e-10 s (joint pin)"
+        );
+        assert_eq!(
+            contact(Some(0.0101)),
+            "contact from 0.0100964 to 0.0101 s (joint pin)"
+        );
         assert_eq!(contact(None), "contact from 0.0100964 s on (joint pin)");
-        assert_eq!(of_pin("slip", None, None), "slip at 0.0100964 s (joint pin)");
+        assert_eq!(
+            of_pin("slip", None, None),
+            "slip at 0.0100964 s (joint pin)"
+        );
     }
 
     #[test]
     fn efforts_and_forces_are_found_in_the_columns() {
-        assert_eq!(efforts(&results()), ["motor: -2 N·m at 0 s … 12.5 N·m at 0.5 s"]);
+        assert_eq!(
+            efforts(&results()),
+            ["motor: -2 N·m at 0 s … 12.5 N·m at 0.5 s"]
+        );
         assert_eq!(forces(&results()), ["🔒: 10 N at 0 s", "a: 5 N at 0 s"]);
     }
 
     #[test]
     fn an_empty_run_has_words_too() {
         assert_eq!(outputs(&Trajectory::default()), "none");
-        assert_eq!(mobility(&Mobility::default()), "0 by Grübler, 0 by rank, 0 drivers");
+        assert_eq!(
+            mobility(&Mobility::default()),
+            "0 by Grübler, 0 by rank, 0 drivers"
+        );
     }
 }

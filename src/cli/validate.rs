@@ -30,7 +30,10 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     if let Some(output) = &options.output {
         Directory::open(output)?;
     }
-    let control = Control { interrupted: interrupt::watch(), ..Control::default() };
+    let control = Control {
+        interrupted: interrupt::watch(),
+        ..Control::default()
+    };
     let mut tally = Tally::default();
     let whole = cases.len();
     for (index, case) in cases.into_iter().enumerate() {
@@ -63,7 +66,10 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
 
 /// Tells how many cases are done.
 fn interrupted(done: usize, whole: usize) -> Result<Exit, BadInput> {
-    complain(&format!("interrupted after {done} of {}", count(whole, "case")));
+    complain(&format!(
+        "interrupted after {done} of {}",
+        count(whole, "case")
+    ));
     Ok(Exit::Interrupted)
 }
 
@@ -72,10 +78,19 @@ fn choose<'a>(cases: &'a [Case], names: &[String]) -> Result<Vec<&'a Case>, BadI
     if names.is_empty() {
         return Ok(cases.iter().collect());
     }
-    let find = |name: &String| cases.iter().find(|case| case.name == name).ok_or_else(|| unknown(cases, name));
+    let find = |name: &String| {
+        cases
+            .iter()
+            .find(|case| case.name == name)
+            .ok_or_else(|| unknown(cases, name))
+    };
     let (found, missing): (Vec<_>, Vec<_>) = names.iter().map(find).partition(Result::is_ok);
     let missing: Vec<String> = missing.into_iter().filter_map(Result::err).collect();
-    if missing.is_empty() { Ok(found.into_iter().flatten().collect()) } else { Err(BadInput(missing)) }
+    if missing.is_empty() {
+        Ok(found.into_iter().flatten().collect())
+    } else {
+        Err(BadInput(missing))
+    }
 }
 
 fn unknown(cases: &[Case], name: &str) -> String {
@@ -98,12 +113,24 @@ struct Tally {
 
 impl Tally {
     fn text(&self) -> String {
-        let Tally { agreed, findings, faults } = self;
-        format!("{agreed} agreed, {}, {}\n", count(*findings, "finding"), count(*faults, "fault"))
+        let Tally {
+            agreed,
+            findings,
+            faults,
+        } = self;
+        format!(
+            "{agreed} agreed, {}, {}\n",
+            count(*findings, "finding"),
+            count(*faults, "fault")
+        )
     }
 
     fn exit(&self) -> Exit {
-        if self.faults > 0 { Exit::Fault } else { Exit::Done }
+        if self.faults > 0 {
+            Exit::Fault
+        } else {
+            Exit::Done
+        }
     }
 }
 
@@ -129,8 +156,20 @@ mod tests {
     }
 
     const DUMMIES: [Case; 2] = [
-        Case { name: "lock", kind: CaseKind::Coded { about: "", run: none } },
-        Case { name: "four-bar", kind: CaseKind::Coded { about: "", run: none } },
+        Case {
+            name: "lock",
+            kind: CaseKind::Coded {
+                about: "",
+                run: none,
+            },
+        },
+        Case {
+            name: "four-bar",
+            kind: CaseKind::Coded {
+                about: "",
+                run: none,
+            },
+        },
     ];
 
     fn names(names: &[&str]) -> Result<Vec<&'static str>, BadInput> {
@@ -146,7 +185,9 @@ mod tests {
 
     #[test]
     fn unknown_cases_are_all_named() {
-        let Err(BadInput(said)) = names(&["lokc", "lock", "zzz"]) else { panic!("must be refused") };
+        let Err(BadInput(said)) = names(&["lokc", "lock", "zzz"]) else {
+            panic!("must be refused")
+        };
         assert_eq!(
             said,
             [
@@ -158,11 +199,19 @@ mod tests {
 
     #[test]
     fn a_fault_and_only_a_fault_is_exit_status_1() {
-        for (verdict, exit) in
-            [(Verdict::Agrees, Exit::Done), (Verdict::Finding, Exit::Done), (Verdict::Fault, Exit::Fault)]
-        {
+        for (verdict, exit) in [
+            (Verdict::Agrees, Exit::Done),
+            (Verdict::Finding, Exit::Done),
+            (Verdict::Fault, Exit::Fault),
+        ] {
             let text = || "x".to_string();
-            let claim = Claim { what: text(), reference: text(), ours: text(), difference: text(), verdict };
+            let claim = Claim {
+                what: text(),
+                reference: text(),
+                ours: text(),
+                difference: text(),
+                verdict,
+            };
             let mut tally = Tally::default();
             tell(&mut Page::default(), &[claim], &mut tally);
             assert_eq!(tally.exit(), exit, "{verdict:?}");

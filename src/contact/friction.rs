@@ -101,7 +101,11 @@ impl Decay {
         let power = (speed / self.velocity).powf(self.exponent);
         let part = (self.r#static - self.kinetic) * (-power).exp();
         // power·exp(−power) is zero where the power is infinite
-        let slope = if part == 0.0 { 0.0 } else { -part * self.exponent * power };
+        let slope = if part == 0.0 {
+            0.0
+        } else {
+            -part * self.exponent * power
+        };
         (self.kinetic + part, slope)
     }
 }
@@ -113,13 +117,31 @@ impl Law {
         // μ(s), where the force grows with it, and μ′(s)
         let (coefficient, slope) = match *self {
             Law::None => return Value::default(),
-            Law::Coulomb { coefficient, threshold } => ramp(coefficient, speed, 0.0, threshold),
-            Law::Ambrosio { coefficient, lower, upper } => ramp(coefficient, speed, lower, upper),
+            Law::Coulomb {
+                coefficient,
+                threshold,
+            } => ramp(coefficient, speed, 0.0, threshold),
+            Law::Ambrosio {
+                coefficient,
+                lower,
+                upper,
+            } => ramp(coefficient, speed, lower, upper),
             Law::Threlfall { threshold, .. } | Law::Stribeck { threshold, .. } => {
                 self.regularised(speed, speed < threshold)
             }
-            Law::Lugre { decay, stiffness, damping, viscous } => {
-                return bristles(decay, [stiffness, damping, viscous], (sliding, speed), normal, bristle);
+            Law::Lugre {
+                decay,
+                stiffness,
+                damping,
+                viscous,
+            } => {
+                return bristles(
+                    decay,
+                    [stiffness, damping, viscous],
+                    (sliding, speed),
+                    normal,
+                    bristle,
+                );
             }
         };
         let against = -direction(sliding);
@@ -135,19 +157,25 @@ impl Law {
     pub fn has_bristle(&self) -> bool {
         match self {
             Law::Lugre { .. } => true,
-            Law::None | Law::Coulomb { .. } | Law::Ambrosio { .. } | Law::Threlfall { .. } | Law::Stribeck { .. } => {
-                false
-            }
+            Law::None
+            | Law::Coulomb { .. }
+            | Law::Ambrosio { .. }
+            | Law::Threlfall { .. }
+            | Law::Stribeck { .. } => false,
         }
     }
 
     /// Deflection of the bristles that breaks away, μ_s/σ₀ [m], of a law that has them.
     pub fn deflection(&self) -> Option<f64> {
         match *self {
-            Law::Lugre { decay, stiffness, .. } => Some(decay.r#static.max(decay.kinetic) / stiffness),
-            Law::None | Law::Coulomb { .. } | Law::Ambrosio { .. } | Law::Threlfall { .. } | Law::Stribeck { .. } => {
-                None
-            }
+            Law::Lugre {
+                decay, stiffness, ..
+            } => Some(decay.r#static.max(decay.kinetic) / stiffness),
+            Law::None
+            | Law::Coulomb { .. }
+            | Law::Ambrosio { .. }
+            | Law::Threlfall { .. }
+            | Law::Stribeck { .. } => None,
         }
     }
 
@@ -155,10 +183,12 @@ impl Law {
     pub fn kinks(&self) -> impl Iterator<Item = f64> + use<> {
         let [first, second] = match *self {
             Law::None => [None, None],
-            Law::Coulomb { threshold, .. } | Law::Threlfall { threshold, .. } | Law::Stribeck { threshold, .. } => {
-                [Some(threshold), None]
+            Law::Coulomb { threshold, .. }
+            | Law::Threlfall { threshold, .. }
+            | Law::Stribeck { threshold, .. } => [Some(threshold), None],
+            Law::Ambrosio { lower, upper, .. } => {
+                [Some(lower).filter(|lower| *lower > 0.0), Some(upper)]
             }
-            Law::Ambrosio { lower, upper, .. } => [Some(lower).filter(|lower| *lower > 0.0), Some(upper)],
             Law::Lugre { .. } => [Some(0.0), None],
         };
         first.into_iter().chain(second)
@@ -174,7 +204,11 @@ impl Law {
 
     /// Sliding velocities between which a piece lies.
     pub fn bounds(&self, piece: i8) -> (f64, f64) {
-        let kink = |k: i8| self.kinks().nth(usize::from(k.unsigned_abs())).unwrap_or(f64::INFINITY);
+        let kink = |k: i8| {
+            self.kinks()
+                .nth(usize::from(k.unsigned_abs()))
+                .unwrap_or(f64::INFINITY)
+        };
         match piece {
             0 => (-kink(0), kink(0)),
             1.. => (kink(piece - 1), kink(piece)),
@@ -191,15 +225,31 @@ impl Law {
     pub fn on_piece(&self, piece: i8, sliding: f64, normal: f64, bristle: f64) -> Value {
         let sign = if piece < 0 { -1.0 } else { 1.0 };
         let along = sign * sliding;
-        let force = |coefficient: f64| Value { force: -sign * coefficient * normal, ..Value::default() };
+        let force = |coefficient: f64| Value {
+            force: -sign * coefficient * normal,
+            ..Value::default()
+        };
         match *self {
             Law::None => Value::default(),
-            Law::Coulomb { coefficient, threshold } => {
-                force(if piece == 0 { coefficient * sliding / threshold } else { coefficient })
-            }
-            Law::Ambrosio { coefficient, lower, upper } => {
+            Law::Coulomb {
+                coefficient,
+                threshold,
+            } => force(if piece == 0 {
+                coefficient * sliding / threshold
+            } else {
+                coefficient
+            }),
+            Law::Ambrosio {
+                coefficient,
+                lower,
+                upper,
+            } => {
                 // Without a dead band the ramp is the piece around rest.
-                let ramp = if lower > 0.0 { piece.abs() - 1 } else { piece.abs() };
+                let ramp = if lower > 0.0 {
+                    piece.abs() - 1
+                } else {
+                    piece.abs()
+                };
                 force(match ramp {
                     ..0 => 0.0,
                     0 => coefficient * (along - lower) / (upper - lower),
@@ -209,29 +259,62 @@ impl Law {
             Law::Threlfall { .. } | Law::Stribeck { .. } if piece == 0 => {
                 let speed = sliding.abs();
                 let (coefficient, _) = self.regularised(speed, true);
-                Value { force: -direction(sliding) * coefficient * normal, ..Value::default() }
+                Value {
+                    force: -direction(sliding) * coefficient * normal,
+                    ..Value::default()
+                }
             }
             Law::Threlfall { .. } | Law::Stribeck { .. } => force(self.regularised(along, false).0),
-            Law::Lugre { decay, stiffness, damping, viscous } => {
-                bristles(decay, [stiffness, damping, viscous], (sliding, along), normal, bristle)
-            }
+            Law::Lugre {
+                decay,
+                stiffness,
+                damping,
+                viscous,
+            } => bristles(
+                decay,
+                [stiffness, damping, viscous],
+                (sliding, along),
+                normal,
+                bristle,
+            ),
         }
     }
 
     /// μ(s) and μ′(s) of Threlfall's and Stribeck's laws at a speed below their threshold or beyond it.
     fn regularised(&self, speed: f64, below: bool) -> (f64, f64) {
         match *self {
-            Law::Threlfall { coefficient, threshold } => {
-                let rest = if below { (-3.0 * speed / threshold).exp() } else { (-3.0_f64).exp() };
-                let slope = if below { 3.0 * coefficient * rest / threshold } else { 0.0 };
+            Law::Threlfall {
+                coefficient,
+                threshold,
+            } => {
+                let rest = if below {
+                    (-3.0 * speed / threshold).exp()
+                } else {
+                    (-3.0_f64).exp()
+                };
+                let slope = if below {
+                    3.0 * coefficient * rest / threshold
+                } else {
+                    0.0
+                };
                 (coefficient * (1.0 - rest), slope)
             }
-            Law::Stribeck { decay, threshold, viscous } => {
+            Law::Stribeck {
+                decay,
+                threshold,
+                viscous,
+            } => {
                 let (mu, s_slope) = decay.at(speed.max(0.0));
                 let (mu, s_slope) = (mu + viscous * speed, s_slope + viscous * speed);
-                if below { (mu * speed / threshold, (mu + s_slope) / threshold) } else { (mu, s_slope / speed) }
+                if below {
+                    (mu * speed / threshold, (mu + s_slope) / threshold)
+                } else {
+                    (mu, s_slope / speed)
+                }
             }
-            Law::None | Law::Coulomb { .. } | Law::Ambrosio { .. } | Law::Lugre { .. } => (0.0, 0.0),
+            Law::None | Law::Coulomb { .. } | Law::Ambrosio { .. } | Law::Lugre { .. } => {
+                (0.0, 0.0)
+            }
         }
     }
 }
@@ -260,8 +343,16 @@ fn bristles(
 ) -> Value {
     let (most, s_slope) = decay.at(speed.max(0.0));
     // σ₀ s/g, how fast the bristles give way; without friction they never bend
-    let give = if most > 0.0 { stiffness * speed / most } else { 0.0 };
-    let rate = if most > 0.0 { sliding - give * bristle } else { 0.0 };
+    let give = if most > 0.0 {
+        stiffness * speed / most
+    } else {
+        0.0
+    };
+    let rate = if most > 0.0 {
+        sliding - give * bristle
+    } else {
+        0.0
+    };
     // ∂ż/∂v = 1 − σ₀ z sgn v · (g − s g′)/g²
     let d_rate = if most > 0.0 {
         1.0 - stiffness * bristle * direction(sliding) * (most - s_slope) / (most * most)
@@ -280,26 +371,66 @@ fn bristles(
 
 /// sgn v, 0 at 0.
 fn direction(sliding: f64) -> f64 {
-    if sliding == 0.0 { 0.0 } else { sliding.signum() }
+    if sliding == 0.0 {
+        0.0
+    } else {
+        sliding.signum()
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const DECAY: Decay = Decay { kinetic: 0.1, r#static: 0.15, velocity: 0.03, exponent: 2.0 };
+    const DECAY: Decay = Decay {
+        kinetic: 0.1,
+        r#static: 0.15,
+        velocity: 0.03,
+        exponent: 2.0,
+    };
 
     fn laws() -> [Law; 8] {
-        let slow = Decay { exponent: 0.5, ..DECAY };
+        let slow = Decay {
+            exponent: 0.5,
+            ..DECAY
+        };
         [
             Law::None,
-            Law::Coulomb { coefficient: 0.3, threshold: 0.01 },
-            Law::Ambrosio { coefficient: 0.3, lower: 0.002, upper: 0.012 },
-            Law::Threlfall { coefficient: 0.3, threshold: 0.01 },
-            Law::Stribeck { decay: DECAY, threshold: 0.01, viscous: 0.4 },
-            Law::Stribeck { decay: slow, threshold: 0.01, viscous: 0.0 },
-            Law::Lugre { decay: DECAY, stiffness: 1e5, damping: 300.0, viscous: 0.4 },
-            Law::Lugre { decay: slow, stiffness: 1e4, damping: 0.0, viscous: 0.0 },
+            Law::Coulomb {
+                coefficient: 0.3,
+                threshold: 0.01,
+            },
+            Law::Ambrosio {
+                coefficient: 0.3,
+                lower: 0.002,
+                upper: 0.012,
+            },
+            Law::Threlfall {
+                coefficient: 0.3,
+                threshold: 0.01,
+            },
+            Law::Stribeck {
+                decay: DECAY,
+                threshold: 0.01,
+                viscous: 0.4,
+            },
+            Law::Stribeck {
+                decay: slow,
+                threshold: 0.01,
+                viscous: 0.0,
+            },
+            Law::Lugre {
+                decay: DECAY,
+                stiffness: 1e5,
+                damping: 300.0,
+                viscous: 0.4,
+            },
+            Law::Lugre {
+                decay: slow,
+                stiffness: 1e4,
+                damping: 0.0,
+                viscous: 0.0,
+            },
         ]
     }
 
@@ -312,7 +443,9 @@ mod tests {
                     for (normal, bristle) in [(0.0, 0.0), (250.0, 4e-7), (250.0, -9e-7)] {
                         let value = law.force(sliding, normal, bristle);
                         let (dv, dn, dz) = (1e-5 * speed, 1e-3, 1e-9);
-                        let force = |v: f64, n: f64, z: f64| law.force(sliding + v, normal + n, bristle + z).force;
+                        let force = |v: f64, n: f64, z: f64| {
+                            law.force(sliding + v, normal + n, bristle + z).force
+                        };
                         let of = |plus: f64, minus: f64, by: f64| (plus - minus) / (2.0 * by);
                         let numeric = [
                             of(force(dv, 0.0, 0.0), force(-dv, 0.0, 0.0), dv),
@@ -323,7 +456,10 @@ mod tests {
                         let scales = [normal / speed, 1.0, normal / 1e-6];
                         for k in 0..3 {
                             let off = (numeric[k] - ours[k]).abs();
-                            assert!(off <= 1e-8 * scales[k] + 1e-12, "{law:?} v {sliding} z {bristle} {k}: {off:e}");
+                            assert!(
+                                off <= 1e-8 * scales[k] + 1e-12,
+                                "{law:?} v {sliding} z {bristle} {k}: {off:e}"
+                            );
                             compared += 1;
                         }
                     }
@@ -339,9 +475,18 @@ mod tests {
             for sliding in [-0.3, -0.011, -0.005, -1e-3, 1e-9, 1e-3, 5e-3, 0.011, 0.3] {
                 let piece = law.piece(sliding);
                 let (low, up) = law.bounds(piece);
-                assert!(low <= sliding && sliding <= up, "{law:?} {sliding}: {low} {up}");
-                let (whole, part) = (law.force(sliding, 7.0, 1e-7), law.on_piece(piece, sliding, 7.0, 1e-7));
-                assert!((whole.force - part.force).abs() < 1e-14, "{law:?} {sliding}: {whole:?} {part:?}");
+                assert!(
+                    low <= sliding && sliding <= up,
+                    "{law:?} {sliding}: {low} {up}"
+                );
+                let (whole, part) = (
+                    law.force(sliding, 7.0, 1e-7),
+                    law.on_piece(piece, sliding, 7.0, 1e-7),
+                );
+                assert!(
+                    (whole.force - part.force).abs() < 1e-14,
+                    "{law:?} {sliding}: {whole:?} {part:?}"
+                );
                 assert_eq!(whole.bristle_rate, part.bristle_rate, "{law:?} {sliding}");
             }
         }
@@ -353,13 +498,20 @@ mod tests {
             for speed in [1e-5, 5e-3, 0.015, 1.0] {
                 let (forth, back) = (law.force(speed, 10.0, 1e-7), law.force(-speed, 10.0, -1e-7));
                 assert_eq!(forth.force, -back.force, "{law:?}");
-                assert_eq!((forth.d_sliding, forth.d_bristle), (back.d_sliding, back.d_bristle), "{law:?}");
+                assert_eq!(
+                    (forth.d_sliding, forth.d_bristle),
+                    (back.d_sliding, back.d_bristle),
+                    "{law:?}"
+                );
                 assert!(forth.force <= 0.0, "{law:?}");
             }
             let rest = law.force(0.0, 10.0, 0.0);
             assert_eq!((rest.force, rest.bristle_rate), (0.0, 0.0), "{law:?}");
             let fast = law.force(1e300, 1.0, 0.0);
-            assert!(!fast.force.is_nan() && !fast.d_sliding.is_nan(), "{law:?} {fast:?}");
+            assert!(
+                !fast.force.is_nan() && !fast.d_sliding.is_nan(),
+                "{law:?} {fast:?}"
+            );
         }
     }
 
@@ -368,15 +520,23 @@ mod tests {
     fn forces_by_hand() {
         let force = |law: Law, sliding: f64| -law.force(sliding, 100.0, 0.0).force;
         let [_, coulomb, ambrosio, threlfall, stribeck, ..] = laws();
-        let close = |found: f64, wanted: f64| assert!((found - wanted).abs() < 1e-12 * wanted, "{found} {wanted}");
+        let close = |found: f64, wanted: f64| {
+            assert!((found - wanted).abs() < 1e-12 * wanted, "{found} {wanted}")
+        };
         close(force(coulomb, 0.02), 30.0);
         close(force(coulomb, 0.005), 15.0);
         close(force(ambrosio, 0.007), 15.0);
         assert_eq!(force(ambrosio, 0.0019), 0.0);
         close(force(threlfall, 1.0), 30.0 * (1.0 - (-3.0_f64).exp()));
         close(force(threlfall, 0.01), force(threlfall, 1.0));
-        close(force(stribeck, 0.03), 100.0 * (0.1 + 0.05 / std::f64::consts::E + 0.4 * 0.03));
-        close(force(stribeck, 0.006), 60.0 * (0.1 + 0.05 * (-0.04_f64).exp() + 0.4 * 0.006));
+        close(
+            force(stribeck, 0.03),
+            100.0 * (0.1 + 0.05 / std::f64::consts::E + 0.4 * 0.03),
+        );
+        close(
+            force(stribeck, 0.006),
+            60.0 * (0.1 + 0.05 * (-0.04_f64).exp() + 0.4 * 0.006),
+        );
     }
 
     #[test]
@@ -390,14 +550,20 @@ mod tests {
             };
             for kink in &kinks {
                 let (below, above) = (slope(kink - 1e-9), slope(kink + 1e-9));
-                assert!((below - above).abs() > 1e-3 * below.abs().max(above.abs()), "{law:?} {kink}: {below} {above}");
+                assert!(
+                    (below - above).abs() > 1e-3 * below.abs().max(above.abs()),
+                    "{law:?} {kink}: {below} {above}"
+                );
             }
             // Beyond 1e-3, where slow decays are steep.
             for step in 10..400 {
                 let speed = f64::from(step) * 1e-4;
                 let (below, above) = (slope(speed - 3e-9), slope(speed + 3e-9));
                 if kinks.iter().all(|kink| (kink - speed).abs() > 1e-6) {
-                    assert!((below - above).abs() < 1e-3 * (1.0 + below.abs()), "{law:?} {speed}");
+                    assert!(
+                        (below - above).abs() < 1e-3 * (1.0 + below.abs()),
+                        "{law:?} {speed}"
+                    );
                 }
             }
         }
@@ -406,7 +572,12 @@ mod tests {
     /// At a constant velocity the bristles' deflection tends to g/σ₀ and the force to that of steady sliding.
     #[test]
     fn bristles_settle_at_the_force_of_steady_sliding() {
-        let law = Law::Lugre { decay: DECAY, stiffness: 1e5, damping: 300.0, viscous: 0.4 };
+        let law = Law::Lugre {
+            decay: DECAY,
+            stiffness: 1e5,
+            damping: 300.0,
+            viscous: 0.4,
+        };
         let (sliding, normal, step) = (-0.03, 100.0, 2e-6);
         let mut bristle = 0.0;
         for _ in 0..1000 {
@@ -415,6 +586,9 @@ mod tests {
         let most = 0.1 + 0.05 / std::f64::consts::E;
         let value = law.force(sliding, normal, bristle);
         assert!((bristle / (-most / 1e5) - 1.0).abs() < 1e-12, "{bristle:e}");
-        assert!((value.force / (normal * (most + 0.4 * 0.03)) - 1.0).abs() < 1e-12, "{value:?}");
+        assert!(
+            (value.force / (normal * (most + 0.4 * 0.03)) - 1.0).abs() < 1e-12,
+            "{value:?}"
+        );
     }
 }

@@ -115,7 +115,12 @@ impl Point {
         let (normal, tangent) = (normal.max(0.0), tangent.max(0.0));
         // Round-off must not make an eigenvalue negative.
         let bound = (normal * tangent).sqrt();
-        Point { normal, coupling: coupling.clamp(-bound, bound), tangent, friction }
+        Point {
+            normal,
+            coupling: coupling.clamp(-bound, bound),
+            tangent,
+            friction,
+        }
     }
 
     /// How it goes on from v_t = 0.
@@ -133,11 +138,19 @@ impl Point {
 
     /// dp_t/dp_n and dv/dp_n.
     fn rates(&self, direction: Direction) -> (f64, [f64; 2]) {
-        let Point { normal, coupling, tangent, friction } = *self;
+        let Point {
+            normal,
+            coupling,
+            tangent,
+            friction,
+        } = *self;
         match direction {
             Some(direction) => {
                 let ratio = -friction * direction;
-                (ratio, [normal + coupling * ratio, coupling + tangent * ratio])
+                (
+                    ratio,
+                    [normal + coupling * ratio, coupling + tangent * ratio],
+                )
             }
             None if tangent > 0.0 => (-coupling / tangent, [self.determinant() / tangent, 0.0]),
             None => (0.0, [normal, 0.0]),
@@ -163,7 +176,11 @@ impl Rebound {
         let missing = match self.sense {
             Sense::Energetic => {
                 let work = self.restitution * self.restitution * self.work - walk.normal_work;
-                if work > 0.0 { 2.0 * work / (v_n + (v_n * v_n + 2.0 * rate * work).sqrt()) } else { 0.0 }
+                if work > 0.0 {
+                    2.0 * work / (v_n + (v_n * v_n + 2.0 * rate * work).sqrt())
+                } else {
+                    0.0
+                }
             }
             Sense::Kinetic => (1.0 + self.restitution) * self.impulse - walk.impulse[0],
             Sense::Kinematic => {
@@ -187,13 +204,23 @@ pub fn resolve(
     sense: Sense,
 ) -> Impulse {
     let point = Point::new(inverse_mass, friction);
-    let mut direction = if velocity[1] != 0.0 { Some(velocity[1].signum()) } else { point.way_from_rest() };
+    let mut direction = if velocity[1] != 0.0 {
+        Some(velocity[1].signum())
+    } else {
+        point.way_from_rest()
+    };
     let mut slip = match (velocity[1] != 0.0, direction) {
         (true, _) => Slip::Continues,
         (false, Some(_)) => Slip::Starts,
         (false, None) => Slip::Sticks,
     };
-    let mut walk = Walk { velocity, impulse: [0.0; 2], normal_work: 0.0, tangential_work: 0.0, sliding: 0.0 };
+    let mut walk = Walk {
+        velocity,
+        impulse: [0.0; 2],
+        normal_work: 0.0,
+        tangential_work: 0.0,
+        sliding: 0.0,
+    };
     let mut rebound: Option<Rebound> = None;
     let mut ended = velocity[0] > 0.0 || (velocity[0] == 0.0 && point.rates(direction).1[0] >= 0.0);
     let mut wedged = false;
@@ -204,8 +231,13 @@ pub fn resolve(
             None => f64::INFINITY,
             Some(rebound) => rebound.missing(&walk, rates[0]),
         };
-        let slows = direction.is_some_and(|sign| sign * rates[1] < 0.0 && sign * walk.velocity[1] > 0.0);
-        let to_stop = if slows { -walk.velocity[1] / rates[1] } else { f64::INFINITY };
+        let slows =
+            direction.is_some_and(|sign| sign * rates[1] < 0.0 && sign * walk.velocity[1] > 0.0);
+        let to_stop = if slows {
+            -walk.velocity[1] / rates[1]
+        } else {
+            f64::INFINITY
+        };
         let by = to_end.min(to_stop);
         if !by.is_finite() {
             wedged = true;
@@ -215,11 +247,21 @@ pub fn resolve(
         if to_stop < to_end {
             walk.velocity[1] = 0.0;
             direction = point.way_from_rest();
-            slip = if direction.is_some() { Slip::Reverses } else { Slip::Stops };
+            slip = if direction.is_some() {
+                Slip::Reverses
+            } else {
+                Slip::Stops
+            };
         } else if rebound.is_none() {
             walk.velocity[0] = 0.0;
             let (impulse, work) = (walk.impulse[0], -walk.normal_work);
-            rebound = Some(Rebound { restitution, sense, approach: velocity[0], impulse, work });
+            rebound = Some(Rebound {
+                restitution,
+                sense,
+                approach: velocity[0],
+                impulse,
+                work,
+            });
             walk.normal_work = 0.0;
         } else {
             ended = true;
@@ -227,7 +269,14 @@ pub fn resolve(
     }
     let compression = rebound.map_or(0.0, |rebound| rebound.work);
     let loss = compression - walk.normal_work - walk.tangential_work;
-    Impulse { impulse: walk.impulse, velocity: walk.velocity, loss, sliding: walk.sliding, slip, wedged }
+    Impulse {
+        impulse: walk.impulse,
+        velocity: walk.velocity,
+        loss,
+        sliding: walk.sliding,
+        slip,
+        wedged,
+    }
 }
 
 #[cfg(test)]

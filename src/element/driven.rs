@@ -29,11 +29,15 @@ impl Constraint for Rotation {
     }
 
     fn entries(&self) -> Vec<Entry> {
-        vec![(0, self.relative_to, Axis::Theta), (0, self.body, Axis::Theta)]
+        vec![
+            (0, self.relative_to, Axis::Theta),
+            (0, self.body, Axis::Theta),
+        ]
     }
 
     fn position(&self, at: &Instant, phi: &mut [f64]) {
-        phi[0] = at.poses[self.relative_to.0].theta + at.drive[self.drive.0][0] - at.poses[self.body.0].theta;
+        phi[0] = at.poses[self.relative_to.0].theta + at.drive[self.drive.0][0]
+            - at.poses[self.body.0].theta;
     }
 
     fn jacobian(&self, _at: &Instant, values: &mut [f64]) {
@@ -73,7 +77,13 @@ impl Constraint for Translation {
     }
 
     fn jacobian(&self, at: &Instant, values: &mut [f64]) {
-        let Slide { u, n, d, rho1, rho2 } = self.guide.at(at);
+        let Slide {
+            u,
+            n,
+            d,
+            rho1,
+            rho2,
+        } = self.guide.at(at);
         values.copy_from_slice(&[u.x, u.y, -n.dot(&(d + rho1)), -u.x, -u.y, n.dot(&rho2)]);
     }
 
@@ -86,7 +96,9 @@ impl Constraint for Translation {
         let d_rate = self.guide.second.velocity(at) - self.guide.first.velocity(at);
         let omega = self.guide.first.omega(at);
         let turn = self.guide.second.centripetal(at) - self.guide.first.centripetal(at);
-        gamma[0] = u.dot(&turn) + 2.0 * omega * n.dot(&d_rate) - omega * omega * u.dot(&d) - at.drive[self.drive.0][2];
+        gamma[0] = u.dot(&turn) + 2.0 * omega * n.dot(&d_rate)
+            - omega * omega * u.dot(&d)
+            - at.drive[self.drive.0][2];
     }
 
     fn reaction(&self, at: &Instant, lambda: &[f64]) -> (Vec2, f64) {

@@ -26,13 +26,17 @@ impl Constraint for Fixed {
 
     fn entries(&self) -> Vec<Entry> {
         let mut entries = point_entries(&self.first, &self.second);
-        entries.extend([(2, self.first.body, Axis::Theta), (2, self.second.body, Axis::Theta)]);
+        entries.extend([
+            (2, self.first.body, Axis::Theta),
+            (2, self.second.body, Axis::Theta),
+        ]);
         entries
     }
 
     fn position(&self, at: &Instant, phi: &mut [f64]) {
         let gap = self.first.place(at) - self.second.place(at);
-        let turn = at.poses[self.first.body.0].theta + self.angle - at.poses[self.second.body.0].theta;
+        let turn =
+            at.poses[self.first.body.0].theta + self.angle - at.poses[self.second.body.0].theta;
         phi.copy_from_slice(&[gap.x, gap.y, turn]);
     }
 

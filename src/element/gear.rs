@@ -76,7 +76,8 @@ impl Constraint for Gear {
         let theta = |body: BodyId| at.poses[body.0].theta;
         let (_, t) = self.directions(at);
         let line = theta(self.carrier) + t.dot(&self.span(at)) / self.distance;
-        phi[0] = self.angle + self.ratio * theta(self.first.body) + (1.0 - self.ratio) * line - theta(self.second.body);
+        phi[0] = self.angle + self.ratio * theta(self.first.body) + (1.0 - self.ratio) * line
+            - theta(self.second.body);
     }
 
     fn jacobian(&self, at: &Instant, values: &mut [f64]) {
@@ -103,7 +104,8 @@ impl Constraint for Gear {
         let omega = at.twists[self.carrier.0].omega;
         let d_rate = self.second.velocity(at) - self.first.velocity(at);
         let turn = self.second.centripetal(at) - self.first.centripetal(at);
-        let quadratic = omega * omega * t.dot(&self.span(at)) + 2.0 * omega * e.dot(&d_rate) - t.dot(&turn);
+        let quadratic =
+            omega * omega * t.dot(&self.span(at)) + 2.0 * omega * e.dot(&d_rate) - t.dot(&turn);
         gamma[0] = self.curvature() * quadratic;
     }
 

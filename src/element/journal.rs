@@ -18,7 +18,9 @@
 //! within a step every law is the analytic branch that the phase says, also a little beyond its end, so that steps are
 //! smooth and their events can be located.
 
-use super::{Applied, Axis, BodyId, Constraint, Entry, Instant, Marker, Measure, ReactiveForce, direction};
+use super::{
+    Applied, Axis, BodyId, Constraint, Entry, Instant, Marker, Measure, ReactiveForce, direction,
+};
 use crate::contact::impact::Sense;
 use crate::contact::{friction, normal};
 use crate::math::{Vec2, perp};
@@ -95,7 +97,10 @@ impl Rigid {
     /// Friction while the journal follows the surface.
     pub fn friction_law(&self) -> friction::Law {
         if self.friction > 0.0 {
-            friction::Law::Coulomb { coefficient: self.friction, threshold: self.threshold }
+            friction::Law::Coulomb {
+                coefficient: self.friction,
+                threshold: self.threshold,
+            }
         } else {
             friction::Law::None
         }
@@ -143,17 +148,31 @@ impl Journal {
         let e_rate = self.journal.velocity(at) - self.bearing.velocity(at);
         let distance = e.norm();
         // At the centre no direction is meant; it is never in contact there.
-        let n = if distance > 0.0 { e / distance } else { Vec2::x() };
+        let n = if distance > 0.0 {
+            e / distance
+        } else {
+            Vec2::x()
+        };
         let t = perp(n);
         let penetration = distance - self.clearance;
         let rate = n.dot(&e_rate);
         let arm = self.bearing_radius + 0.5 * penetration;
         let arms = [arm, arm - distance];
-        let sliding = t.dot(&e_rate) + self.journal.omega(at) * arms[1] - self.bearing.omega(at) * arms[0];
-        let mut reading = Reading { eccentricity: e, penetration, rate, sliding, arms, ..Reading::default() };
+        let sliding =
+            t.dot(&e_rate) + self.journal.omega(at) * arms[1] - self.bearing.omega(at) * arms[0];
+        let mut reading = Reading {
+            eccentricity: e,
+            penetration,
+            rate,
+            sliding,
+            arms,
+            ..Reading::default()
+        };
         if let (Phase::Contact, Surface::Compliant(laws)) = (memory.phase, &self.surface) {
             let normal = laws.normal.continued(penetration, rate, memory.approach);
-            let friction = laws.friction.on_piece(memory.piece, sliding, normal, memory.bristle);
+            let friction = laws
+                .friction
+                .on_piece(memory.piece, sliding, normal, memory.bristle);
             reading.normal = normal;
             reading.tangential = friction.force;
             reading.bristle_rate = friction.bristle_rate;
@@ -174,14 +193,28 @@ impl Journal {
     }
 
     /// Adds a normal and a tangential force at the contact of a reading, on both bodies.
-    pub fn press(&self, at: &Instant, reading: &Reading, [normal, tangential]: [f64; 2], to: &mut Applied) {
+    pub fn press(
+        &self,
+        at: &Instant,
+        reading: &Reading,
+        [normal, tangential]: [f64; 2],
+        to: &mut Applied,
+    ) {
         let n = direction(reading.eccentricity).map_or(Vec2::x(), |(n, _)| n);
         let force = perp(n) * tangential - n * normal;
         to.add_force(at, &self.journal, force);
         to.add_force(at, &self.bearing, -force);
         // Both act at the contact point, an arm away from the centres along n.
-        to.add(self.journal.body, Vec2::zeros(), reading.arms[1] * tangential);
-        to.add(self.bearing.body, Vec2::zeros(), -reading.arms[0] * tangential);
+        to.add(
+            self.journal.body,
+            Vec2::zeros(),
+            reading.arms[1] * tangential,
+        );
+        to.add(
+            self.bearing.body,
+            Vec2::zeros(),
+            -reading.arms[0] * tangential,
+        );
     }
 
     /// Elastic energy of the contact [J].
@@ -204,7 +237,11 @@ impl Journal {
 
     /// Angle of the contact in the bearing's body [rad].
     pub fn bearing_angle(&self, at: &Instant, reading: &Reading) -> f64 {
-        let own = if self.bearing.body == BodyId::GROUND { 0.0 } else { at.poses[self.bearing.body.0].theta };
+        let own = if self.bearing.body == BodyId::GROUND {
+            0.0
+        } else {
+            at.poses[self.bearing.body.0].theta
+        };
         reading.eccentricity.y.atan2(reading.eccentricity.x) - own
     }
 }
@@ -221,13 +258,22 @@ pub struct Bearing {
 impl Bearing {
     /// A joint whose model lets the journal neither fly nor overlap: ideal, or a clearance link with its offset. `force` is
     /// that on the journal [N]; the contact lies where it comes from.
-    pub fn held(&self, at: &Instant, points: &[Marker; 2], offset: Option<&[Vec2; 3]>, force: Vec2) -> Reading {
+    pub fn held(
+        &self,
+        at: &Instant,
+        points: &[Marker; 2],
+        offset: Option<&[Vec2; 3]>,
+        force: Vec2,
+    ) -> Reading {
         let zero = [Vec2::zeros(); 3];
         let [e, e_rate, _] = offset.unwrap_or(&zero);
-        let n = direction(*e).or(direction(-force)).map_or(Vec2::x(), |(n, _)| n);
+        let n = direction(*e)
+            .or(direction(-force))
+            .map_or(Vec2::x(), |(n, _)| n);
         let [bearing, journal] = points;
         let arms = [self.bearing_radius, self.bearing_radius - self.clearance];
-        let sliding = perp(n).dot(e_rate) + journal.omega(at) * arms[1] - bearing.omega(at) * arms[0];
+        let sliding =
+            perp(n).dot(e_rate) + journal.omega(at) * arms[1] - bearing.omega(at) * arms[0];
         Reading {
             eccentricity: *e,
             rate: n.dot(e_rate),
@@ -306,7 +352,10 @@ impl ReactiveForce for FollowingFriction {
 
     fn reaction(&self, at: &Instant, size: f64) -> (Vec2, f64) {
         let e = self.journal.journal.place(at) - self.journal.bearing.place(at);
-        (direction(e).map_or(Vec2::zeros(), |(n, _)| perp(n) * size), 0.0)
+        (
+            direction(e).map_or(Vec2::zeros(), |(n, _)| perp(n) * size),
+            0.0,
+        )
     }
 
     fn memory_scale(&self) -> Option<f64> {
@@ -321,7 +370,11 @@ impl ReactiveForce for FollowingFriction {
 impl Journal {
     /// The constraint while a rigid journal follows the bearing's surface.
     pub fn following(&self) -> Following {
-        Following { bearing: self.bearing, journal: self.journal, clearance: self.clearance }
+        Following {
+            bearing: self.bearing,
+            journal: self.journal,
+            clearance: self.clearance,
+        }
     }
 }
 
@@ -341,7 +394,13 @@ impl Constraint for Following {
     fn entries(&self) -> Vec<Entry> {
         [self.bearing.body, self.journal.body]
             .into_iter()
-            .flat_map(|body| [(0, body, Axis::X), (0, body, Axis::Y), (0, body, Axis::Theta)])
+            .flat_map(|body| {
+                [
+                    (0, body, Axis::X),
+                    (0, body, Axis::Y),
+                    (0, body, Axis::Theta),
+                ]
+            })
             .collect()
     }
 
@@ -352,7 +411,14 @@ impl Constraint for Following {
     fn jacobian(&self, at: &Instant, values: &mut [f64]) {
         let (n, _) = self.normal(at);
         let turned = |marker: &Marker| n.dot(&perp(marker.rho(at)));
-        values.copy_from_slice(&[-n.x, -n.y, -turned(&self.bearing), n.x, n.y, turned(&self.journal)]);
+        values.copy_from_slice(&[
+            -n.x,
+            -n.y,
+            -turned(&self.bearing),
+            n.x,
+            n.y,
+            turned(&self.journal),
+        ]);
     }
 
     fn rate(&self, _at: &Instant, phi_t: &mut [f64]) {

@@ -21,8 +21,15 @@ pub struct PointLoad {
 impl PointLoad {
     /// In the ground frame [N].
     fn force(&self, at: &Instant) -> Vec2 {
-        let given = Vec2::new(self.vector[0].jet(at.time)[0], self.vector[1].jet(at.time)[0]);
-        if self.follows_body { at.poses[self.at.body.0].turn(given) } else { given }
+        let given = Vec2::new(
+            self.vector[0].jet(at.time)[0],
+            self.vector[1].jet(at.time)[0],
+        );
+        if self.follows_body {
+            at.poses[self.at.body.0].turn(given)
+        } else {
+            given
+        }
     }
 }
 
@@ -68,6 +75,7 @@ impl Force for Torque {
     }
 
     fn supplied(&self, at: &Instant) -> f64 {
-        self.value.jet(at.time)[0] * (at.twists[self.body.0].omega - at.twists[self.relative_to.0].omega)
+        self.value.jet(at.time)[0]
+            * (at.twists[self.body.0].omega - at.twists[self.relative_to.0].omega)
     }
 }

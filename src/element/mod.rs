@@ -54,16 +54,29 @@ pub struct Pose {
 }
 
 impl Pose {
-    pub const GROUND: Pose = Pose { r: Vec2::new(0.0, 0.0), theta: 0.0, cos: 1.0, sin: 0.0 };
+    pub const GROUND: Pose = Pose {
+        r: Vec2::new(0.0, 0.0),
+        theta: 0.0,
+        cos: 1.0,
+        sin: 0.0,
+    };
 
     pub fn new(x: f64, y: f64, theta: f64) -> Self {
         let (sin, cos) = theta.sin_cos();
-        Pose { r: Vec2::new(x, y), theta, cos, sin }
+        Pose {
+            r: Vec2::new(x, y),
+            theta,
+            cos,
+            sin,
+        }
     }
 
     /// A body-frame vector in the ground frame.
     pub fn turn(&self, s: Vec2) -> Vec2 {
-        Vec2::new(self.cos * s.x - self.sin * s.y, self.sin * s.x + self.cos * s.y)
+        Vec2::new(
+            self.cos * s.x - self.sin * s.y,
+            self.sin * s.x + self.cos * s.y,
+        )
     }
 }
 

@@ -35,7 +35,13 @@ impl Guide {
     pub(super) fn at(&self, at: &Instant) -> Slide {
         let u = at.poses[self.first.body.0].turn(self.axis);
         let d = self.second.place(at) - self.first.place(at);
-        Slide { u, n: perp(u), d, rho1: self.first.rho(at), rho2: self.second.rho(at) }
+        Slide {
+            u,
+            n: perp(u),
+            d,
+            rho1: self.first.rho(at),
+            rho2: self.second.rho(at),
+        }
     }
 
     /// u·d, the slide [m].
@@ -52,7 +58,13 @@ impl Guide {
 
     /// Values of [`Guide::entries`] for φ₁.
     pub(super) fn across_jacobian(&self, at: &Instant) -> [f64; 6] {
-        let Slide { u, n, d, rho1, rho2 } = self.at(at);
+        let Slide {
+            u,
+            n,
+            d,
+            rho1,
+            rho2,
+        } = self.at(at);
         [n.x, n.y, u.dot(&(d + rho1)), -n.x, -n.y, -u.dot(&rho2)]
     }
 
@@ -92,7 +104,10 @@ impl Constraint for Prismatic {
 
     fn entries(&self) -> Vec<Entry> {
         let mut entries = self.guide.entries(0).to_vec();
-        entries.extend([(1, self.guide.first.body, Axis::Theta), (1, self.guide.second.body, Axis::Theta)]);
+        entries.extend([
+            (1, self.guide.first.body, Axis::Theta),
+            (1, self.guide.second.body, Axis::Theta),
+        ]);
         entries
     }
 

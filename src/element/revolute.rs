@@ -26,7 +26,8 @@ pub struct Revolute {
 
 impl Revolute {
     fn offset(&self, at: &Instant, derivative: usize) -> Vec2 {
-        self.offset.map_or(Vec2::zeros(), |id| at.offset[id.0][derivative])
+        self.offset
+            .map_or(Vec2::zeros(), |id| at.offset[id.0][derivative])
     }
 }
 

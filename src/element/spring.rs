@@ -25,9 +25,12 @@ impl Force for Spring {
     fn apply(&self, at: &Instant, to: &mut Applied) {
         let d = self.second.place(at) - self.first.place(at);
         // Points that coincide have no line: the pull has no direction there and is left out.
-        let Some((u, length)) = direction(d) else { return };
+        let Some((u, length)) = direction(d) else {
+            return;
+        };
         let rate = u.dot(&(self.second.velocity(at) - self.first.velocity(at)));
-        let pull = self.stiffness * (length - self.free_length.jet(at.time)[0]) + self.damping * rate;
+        let pull =
+            self.stiffness * (length - self.free_length.jet(at.time)[0]) + self.damping * rate;
         to.add_force(at, &self.first, u * pull);
         to.add_force(at, &self.second, u * -pull);
     }
@@ -44,7 +47,9 @@ impl Force for Spring {
 
     fn supplied(&self, at: &Instant) -> f64 {
         let d = self.second.place(at) - self.first.place(at);
-        let Some((u, length)) = direction(d) else { return 0.0 };
+        let Some((u, length)) = direction(d) else {
+            return 0.0;
+        };
         let rate = u.dot(&(self.second.velocity(at) - self.first.velocity(at)));
         let free = self.free_length.jet(at.time);
         -self.damping * rate * rate - self.stiffness * (length - free[0]) * free[1]

@@ -14,11 +14,18 @@ use super::*;
 use crate::motion::Law;
 
 fn marker(body: usize, x: f64, y: f64) -> Marker {
-    Marker { body: BodyId(body), s: Vec2::new(x, y) }
+    Marker {
+        body: BodyId(body),
+        s: Vec2::new(x, y),
+    }
 }
 
 fn guide() -> Guide {
-    Guide { first: marker(1, 0.3, -0.2), second: marker(2, -0.4, 0.1), axis: Vec2::new(0.6, 0.8) }
+    Guide {
+        first: marker(1, 0.3, -0.2),
+        second: marker(2, -0.4, 0.1),
+        axis: Vec2::new(0.6, 0.8),
+    }
 }
 
 fn gear(carrier: usize, ratio: f64) -> Gear {
@@ -37,19 +44,87 @@ fn gear(carrier: usize, ratio: f64) -> Gear {
 pub(crate) fn all_constraints() -> Vec<(&'static str, Box<dyn Constraint>)> {
     let (first, second) = (marker(1, 0.3, -0.2), marker(2, -0.4, 0.1));
     vec![
-        ("revolute", Box::new(Revolute { first, second, offset: None })),
-        ("revolute with offset", Box::new(Revolute { first, second, offset: Some(OffsetId(0)) })),
-        ("revolute on ground", Box::new(Revolute { first: marker(0, 1.0, 2.0), second, offset: None })),
-        ("prismatic", Box::new(Prismatic { guide: guide(), angle: 0.2 })),
+        (
+            "revolute",
+            Box::new(Revolute {
+                first,
+                second,
+                offset: None,
+            }),
+        ),
+        (
+            "revolute with offset",
+            Box::new(Revolute {
+                first,
+                second,
+                offset: Some(OffsetId(0)),
+            }),
+        ),
+        (
+            "revolute on ground",
+            Box::new(Revolute {
+                first: marker(0, 1.0, 2.0),
+                second,
+                offset: None,
+            }),
+        ),
+        (
+            "prismatic",
+            Box::new(Prismatic {
+                guide: guide(),
+                angle: 0.2,
+            }),
+        ),
         ("slot", Box::new(Slot { guide: guide() })),
         ("gear", Box::new(gear(3, -1.7))),
         ("internal gear on ground", Box::new(gear(0, 2.5))),
-        ("fixed", Box::new(Fixed { first, second, angle: -0.3 })),
-        ("rotation", Box::new(Rotation { body: BodyId(2), relative_to: BodyId(1), drive: DriveId(0) })),
-        ("translation", Box::new(Translation { guide: guide(), drive: DriveId(0) })),
-        ("coordinate x", Box::new(Coordinate { origin: second, axis: Axis::X, value: 0.4 })),
-        ("coordinate y", Box::new(Coordinate { origin: second, axis: Axis::Y, value: 0.4 })),
-        ("coordinate angle", Box::new(Coordinate { origin: second, axis: Axis::Theta, value: 0.4 })),
+        (
+            "fixed",
+            Box::new(Fixed {
+                first,
+                second,
+                angle: -0.3,
+            }),
+        ),
+        (
+            "rotation",
+            Box::new(Rotation {
+                body: BodyId(2),
+                relative_to: BodyId(1),
+                drive: DriveId(0),
+            }),
+        ),
+        (
+            "translation",
+            Box::new(Translation {
+                guide: guide(),
+                drive: DriveId(0),
+            }),
+        ),
+        (
+            "coordinate x",
+            Box::new(Coordinate {
+                origin: second,
+                axis: Axis::X,
+                value: 0.4,
+            }),
+        ),
+        (
+            "coordinate y",
+            Box::new(Coordinate {
+                origin: second,
+                axis: Axis::Y,
+                value: 0.4,
+            }),
+        ),
+        (
+            "coordinate angle",
+            Box::new(Coordinate {
+                origin: second,
+                axis: Axis::Theta,
+                value: 0.4,
+            }),
+        ),
     ]
 }
 
@@ -59,7 +134,9 @@ const A0: [f64; 9] = [-0.2, 0.3, 0.9, 1.4, -0.5, -1.2, 0.8, 0.1, -0.7];
 
 /// Calls `f` with the instant t along q(t) = q₀ + v₀ t + a₀ t²/2 and matching inputs.
 fn along<T>(t: f64, f: impl Fn(&Instant) -> T) -> T {
-    let q: Vec<f64> = (0..9).map(|i| Q0[i] + V0[i] * t + 0.5 * A0[i] * t * t).collect();
+    let q: Vec<f64> = (0..9)
+        .map(|i| Q0[i] + V0[i] * t + 0.5 * A0[i] * t * t)
+        .collect();
     let v: Vec<f64> = (0..9).map(|i| V0[i] + A0[i] * t).collect();
     at_state(t, &q, &v, f)
 }
@@ -67,12 +144,28 @@ fn along<T>(t: f64, f: impl Fn(&Instant) -> T) -> T {
 fn at_state<T>(t: f64, q: &[f64], v: &[f64], f: impl Fn(&Instant) -> T) -> T {
     let pose = |k: usize| Pose::new(q[k], q[k + 1], q[k + 2]);
     let poses = [Pose::GROUND, pose(0), pose(3), pose(6)];
-    let twist = |k: usize| Twist { v: Vec2::new(v[k], v[k + 1]), omega: v[k + 2] };
+    let twist = |k: usize| Twist {
+        v: Vec2::new(v[k], v[k + 1]),
+        omega: v[k + 2],
+    };
     let twists = [Twist::default(), twist(0), twist(3), twist(6)];
     let drive = [Law::Polynomial(vec![0.2, -0.5, 0.8, 0.3]).jet(t)];
-    let (ex, ey) = (Law::Polynomial(vec![0.01, 0.2, -0.3]).jet(t), Law::Polynomial(vec![-0.02, 0.1, 0.5]).jet(t));
-    let offset = [[Vec2::new(ex[0], ey[0]), Vec2::new(ex[1], ey[1]), Vec2::new(ex[2], ey[2])]];
-    f(&Instant { poses: &poses, twists: &twists, drive: &drive, offset: &offset, time: t })
+    let (ex, ey) = (
+        Law::Polynomial(vec![0.01, 0.2, -0.3]).jet(t),
+        Law::Polynomial(vec![-0.02, 0.1, 0.5]).jet(t),
+    );
+    let offset = [[
+        Vec2::new(ex[0], ey[0]),
+        Vec2::new(ex[1], ey[1]),
+        Vec2::new(ex[2], ey[2]),
+    ]];
+    f(&Instant {
+        poses: &poses,
+        twists: &twists,
+        drive: &drive,
+        offset: &offset,
+        time: t,
+    })
 }
 
 fn phi(c: &dyn Constraint, at: &Instant) -> Vec<f64> {
@@ -141,8 +234,14 @@ fn rate_and_gamma_are_the_time_derivatives_of_phi() {
         for row in 0..mid.len() {
             let first = (hi[row] - lo[row]) / (2.0 * h);
             let second = (hi[row] - 2.0 * mid[row] + lo[row]) / (h * h);
-            assert!((first - velocity[row]).abs() < 1e-6, "{name}: φ̇ {first} {velocity:?}");
-            assert!((second - acceleration[row]).abs() < 1e-5, "{name}: φ̈ {second} {acceleration:?}");
+            assert!(
+                (first - velocity[row]).abs() < 1e-6,
+                "{name}: φ̇ {first} {velocity:?}"
+            );
+            assert!(
+                (second - acceleration[row]).abs() < 1e-5,
+                "{name}: φ̈ {second} {acceleration:?}"
+            );
         }
     }
 }
@@ -152,14 +251,27 @@ fn reaction_does_the_work_of_the_multipliers() {
     // Moving only the second body, −λᵀ J v is the power of the reaction on it.
     let mut second_moves = [0.0; 9];
     second_moves[3..6].copy_from_slice(&V0[3..6]);
-    for (name, c) in all_constraints().into_iter().filter(|(name, _)| !name.starts_with("coordinate")) {
+    for (name, c) in all_constraints()
+        .into_iter()
+        .filter(|(name, _)| !name.starts_with("coordinate"))
+    {
         let lambda: Vec<f64> = (0..c.rows().len()).map(|k| 1.5 - 0.7 * k as f64).collect();
         let (by_lambda, by_reaction) = at_state(0.0, &Q0, &second_moves, |at| {
-            let power: f64 = product(c.as_ref(), at, &second_moves).iter().zip(&lambda).map(|(a, b)| -a * b).sum();
+            let power: f64 = product(c.as_ref(), at, &second_moves)
+                .iter()
+                .zip(&lambda)
+                .map(|(a, b)| -a * b)
+                .sum();
             let (force, torque) = c.reaction(at, &lambda);
-            (power, force.dot(&marker(2, -0.4, 0.1).velocity(at)) + torque * at.twists[2].omega)
+            (
+                power,
+                force.dot(&marker(2, -0.4, 0.1).velocity(at)) + torque * at.twists[2].omega,
+            )
         });
-        assert!((by_lambda - by_reaction).abs() < 1e-12, "{name}: {by_lambda} {by_reaction}");
+        assert!(
+            (by_lambda - by_reaction).abs() < 1e-12,
+            "{name}: {by_lambda} {by_reaction}"
+        );
     }
 }
 
@@ -206,7 +318,11 @@ fn conservative_forces_are_minus_the_gradient_of_their_potential() {
                 at_state(0.0, &q, &V0, |at| force.potential(at))
             };
             let slope = (energy(h) - energy(-h)) / (2.0 * h);
-            assert!((slope + q_force[k]).abs() < 1e-7, "{name}: coordinate {k}: {slope} {}", q_force[k]);
+            assert!(
+                (slope + q_force[k]).abs() < 1e-7,
+                "{name}: coordinate {k}: {slope} {}",
+                q_force[k]
+            );
         }
     }
 }
@@ -230,13 +346,27 @@ fn dampers_take_power_and_loads_act_where_they_say() {
         assert!((power + 2.0 * rate * rate).abs() < 1e-12);
     });
     // A unit force along the body's x axis at (0.3, −0.2): moment +0.2 whatever the pose.
-    let load = PointLoad { at: marker(1, 0.3, -0.2), vector: [constant(1.0), constant(0.0)], follows_body: true };
-    let torque = Torque { body: BodyId(2), relative_to: BodyId(1), value: constant(0.5) };
+    let load = PointLoad {
+        at: marker(1, 0.3, -0.2),
+        vector: [constant(1.0), constant(0.0)],
+        follows_body: true,
+    };
+    let torque = Torque {
+        body: BodyId(2),
+        relative_to: BodyId(1),
+        value: constant(0.5),
+    };
     at_state(0.0, &Q0, &V0, |at| {
         let mut q = [0.0; 9];
         load.apply(at, &mut Applied { q: &mut q });
-        assert!((q[2] - 0.2).abs() < 1e-15 && (q[0] - Q0[2].cos()).abs() < 1e-15, "{q:?}");
+        assert!(
+            (q[2] - 0.2).abs() < 1e-15 && (q[0] - Q0[2].cos()).abs() < 1e-15,
+            "{q:?}"
+        );
         torque.apply(at, &mut Applied { q: &mut q });
-        assert!((q[2] + 0.3).abs() < 1e-15 && (q[5] - 0.5).abs() < 1e-15, "{q:?}");
+        assert!(
+            (q[2] + 0.3).abs() < 1e-15 && (q[5] - 0.5).abs() < 1e-15,
+            "{q:?}"
+        );
     });
 }

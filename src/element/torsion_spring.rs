@@ -28,7 +28,9 @@ impl TorsionSpring {
 
     /// From the free angle [rad].
     fn twist(&self, at: &Instant) -> f64 {
-        at.poses[self.second.0].theta - at.poses[self.first.0].theta - self.free_angle.jet(at.time)[0]
+        at.poses[self.second.0].theta
+            - at.poses[self.first.0].theta
+            - self.free_angle.jet(at.time)[0]
     }
 }
 
@@ -50,6 +52,7 @@ impl Force for TorsionSpring {
 
     fn supplied(&self, at: &Instant) -> f64 {
         let rate = self.rate(at);
-        -self.damping * rate * rate - self.stiffness * self.twist(at) * self.free_angle.jet(at.time)[1]
+        -self.damping * rate * rate
+            - self.stiffness * self.twist(at) * self.free_angle.jet(at.time)[1]
     }
 }

@@ -36,7 +36,12 @@ pub struct Axis {
 impl Axis {
     /// A linear axis that shows all values.
     pub fn new(name: impl Into<String>, unit: impl Into<String>) -> Self {
-        Axis { name: name.into(), unit: unit.into(), log: false, range: None }
+        Axis {
+            name: name.into(),
+            unit: unit.into(),
+            log: false,
+            range: None,
+        }
     }
 }
 
@@ -52,7 +57,11 @@ pub struct Curve {
 impl Curve {
     /// A curve.
     pub fn new(label: impl Into<String>, x: Vec<f64>, y: Vec<f64>) -> Self {
-        Curve { label: label.into(), x, y }
+        Curve {
+            label: label.into(),
+            x,
+            y,
+        }
     }
 }
 
@@ -134,10 +143,18 @@ impl Chart {
                 return Err(Fault::Range);
             }
         }
-        if axes.clone().any(|axis| axis.log && axis.range.is_some_and(|[low, _]| low <= 0.0)) {
+        if axes
+            .clone()
+            .any(|axis| axis.log && axis.range.is_some_and(|[low, _]| low <= 0.0))
+        {
             return Err(Fault::Range);
         }
-        let most = self.panels.iter().map(|panel| panel.curves.len()).max().unwrap_or(0);
+        let most = self
+            .panels
+            .iter()
+            .map(|panel| panel.curves.len())
+            .max()
+            .unwrap_or(0);
         if most > MOST_CURVES {
             return Err(Fault::TooManyCurves(most));
         }
@@ -150,10 +167,19 @@ impl Chart {
             return Ok(range);
         }
         let curves = self.panels.iter().flat_map(|panel| &panel.curves);
-        let values =
-            curves.flat_map(|curve| curve.x.iter().zip(&curve.y).filter(|(_, y)| y.is_finite()).map(|(x, _)| *x));
+        let values = curves.flat_map(|curve| {
+            curve
+                .x
+                .iter()
+                .zip(&curve.y)
+                .filter(|(_, y)| y.is_finite())
+                .map(|(x, _)| *x)
+        });
         scale::range(values, self.x.log, 0.0).ok_or_else(|| {
-            Fault::Nothing(format!("{} has no value where a curve has one", name(&self.x, "the x axis")))
+            Fault::Nothing(format!(
+                "{} has no value where a curve has one",
+                name(&self.x, "the x axis")
+            ))
         })
     }
 
@@ -163,12 +189,20 @@ impl Chart {
             return Ok(range);
         }
         let within = |curve: &Curve| -> Vec<f64> {
-            let pairs = curve.x.iter().zip(&curve.y).filter(|(x, _)| (low..=high).contains(*x));
+            let pairs = curve
+                .x
+                .iter()
+                .zip(&curve.y)
+                .filter(|(x, _)| (low..=high).contains(*x));
             pairs.map(|(_, y)| *y).collect()
         };
         let values = panel.curves.iter().flat_map(within);
         scale::range(values, panel.axis.log, 0.05).ok_or_else(|| {
-            let positive = if panel.axis.log { " above 0, which a logarithmic axis needs," } else { "" };
+            let positive = if panel.axis.log {
+                " above 0, which a logarithmic axis needs,"
+            } else {
+                ""
+            };
             Fault::Nothing(format!(
                 "{} has no value{positive} in the range of the x axis",
                 name(&panel.axis, "a panel")
@@ -178,5 +212,9 @@ impl Chart {
 }
 
 fn name(axis: &Axis, otherwise: &str) -> String {
-    if axis.name.is_empty() { otherwise.to_string() } else { axis.name.clone() }
+    if axis.name.is_empty() {
+        otherwise.to_string()
+    } else {
+        axis.name.clone()
+    }
 }

@@ -28,14 +28,26 @@ fn glyph(face: &Face, c: char) -> GlyphId {
 
 /// Width of a text of that size.
 pub fn width(text: &str, size: f64) -> f64 {
-    let Some(face) = face() else { return 0.5 * size * text.chars().count() as f64 };
-    let units: u64 = text.chars().map(|c| u64::from(face.glyph_hor_advance(glyph(face, c)).unwrap_or(0))).sum();
+    let Some(face) = face() else {
+        return 0.5 * size * text.chars().count() as f64;
+    };
+    let units: u64 = text
+        .chars()
+        .map(|c| u64::from(face.glyph_hor_advance(glyph(face, c)).unwrap_or(0)))
+        .sum();
     units as f64 * size / f64::from(face.units_per_em())
 }
 
 /// Width of runs.
 pub fn width_of_runs(runs: &[Run], size: f64) -> f64 {
-    runs.iter().map(|run| width(&run.text, if run.raised { size * RAISED_SIZE } else { size })).sum()
+    runs.iter()
+        .map(|run| {
+            width(
+                &run.text,
+                if run.raised { size * RAISED_SIZE } else { size },
+            )
+        })
+        .sum()
 }
 
 /// The text, cut with an ellipsis where it is wider than `room`.
@@ -78,8 +90,18 @@ mod tests {
     #[test]
     fn widths_are_those_of_helvetica() {
         // Adobe's Helvetica.afm: digits 556, "m" 833, "i" 222 thousandths, to the font's rounding to 1/2048.
-        for (text, thousandths) in [("0", 556.0), ("8", 556.0), ("m", 833.0), ("i", 222.0), ("A", 667.0)] {
-            assert!((width(text, 1000.0) - thousandths).abs() < 1.0, "{text}: {}", width(text, 1000.0));
+        for (text, thousandths) in [
+            ("0", 556.0),
+            ("8", 556.0),
+            ("m", 833.0),
+            ("i", 222.0),
+            ("A", 667.0),
+        ] {
+            assert!(
+                (width(text, 1000.0) - thousandths).abs() < 1.0,
+                "{text}: {}",
+                width(text, 1000.0)
+            );
         }
     }
 

@@ -58,7 +58,13 @@ pub fn draw(chart: &Chart) -> Result<Scene, Fault> {
     if !chart.title.is_empty() {
         let text = font::fit(&printable(&chart.title), 1.1 * em, width - 2.0 * EDGE * em);
         let at = [width / 2.0, top + 1.1 * em * font::CAPITALS + 0.1 * em];
-        scene.label("title", at, vec![Run::plain(text)], 1.1 * em, Anchor::Middle);
+        scene.label(
+            "title",
+            at,
+            vec![Run::plain(text)],
+            1.1 * em,
+            Anchor::Middle,
+        );
         top += 1.1 * em * LINE;
     }
     let rows = legend(chart, &labels, &mut scene, top);
@@ -70,9 +76,13 @@ pub fn draw(chart: &Chart) -> Result<Scene, Fault> {
     let lines = note_lines(chart, width);
     let above_foot = (LINE + GAP + LINE) * em + TICK * em;
     let foot = EDGE * em + note_height(&lines, em) + above_foot;
-    let height = chart.height().unwrap_or_else(|| default_height(chart, rows, top + foot));
+    let height = chart
+        .height()
+        .unwrap_or_else(|| default_height(chart, rows, top + foot));
     let most = MOST_OF_PAGE * height;
-    if chart.height().is_some() && (rows as f64 * LINE * em > most || note_height(&lines, em) > most) {
+    if chart.height().is_some()
+        && (rows as f64 * LINE * em > most || note_height(&lines, em) > most)
+    {
         return Err(Fault::TooSmall);
     }
     scene.height = height;
@@ -84,19 +94,38 @@ pub fn draw(chart: &Chart) -> Result<Scene, Fault> {
     let count = chart.panels.len() as f64;
     let each = (bottom - top - (count - 1.0) * BETWEEN_PANELS * em) / count;
     if chart.panels.is_empty() || each < LEAST_PANEL * em {
-        return Err(if chart.panels.is_empty() { Fault::Nothing("no curve is given".into()) } else { Fault::TooSmall });
+        return Err(if chart.panels.is_empty() {
+            Fault::Nothing("no curve is given".into())
+        } else {
+            Fault::TooSmall
+        });
     }
     let x_range = chart.x_range()?;
     let mut frames = Vec::new();
     for (index, panel) in chart.panels.iter().enumerate() {
         let [low, high] = chart.y_range(panel, x_range)?;
         let upper = top + index as f64 * (each + BETWEEN_PANELS * em);
-        let scale = Scale { low, high, log: panel.axis.log, start: upper + each, end: upper };
+        let scale = Scale {
+            low,
+            high,
+            log: panel.axis.log,
+            start: upper + each,
+            end: upper,
+        };
         let ticks = scale.ticks(Y_TICKS * em, panel.axis.unit == "deg");
-        frames.push(Frame { panel, scale, ticks });
+        frames.push(Frame {
+            panel,
+            scale,
+            ticks,
+        });
     }
-    let widest = frames.iter().flat_map(|frame| &frame.ticks.major).map(|(_, runs)| font::width_of_runs(runs, em));
-    let has_y_label = frames.iter().any(|frame| !axis_label(&frame.panel.axis, 0).is_empty());
+    let widest = frames
+        .iter()
+        .flat_map(|frame| &frame.ticks.major)
+        .map(|(_, runs)| font::width_of_runs(runs, em));
+    let has_y_label = frames
+        .iter()
+        .any(|frame| !axis_label(&frame.panel.axis, 0).is_empty());
     let y_label = if has_y_label { LINE * em } else { 0.0 };
     let left = EDGE * em + y_label + widest.fold(0.0, f64::max) + (TICK + GAP) * em;
     // The last x tick label may stand out by half of its width.
@@ -120,7 +149,13 @@ pub fn draw(chart: &Chart) -> Result<Scene, Fault> {
     }
     let text = axis_label(&chart.x, x_ticks.exponent);
     let middle = (left + right) / 2.0;
-    scene.label("x-label", [middle, x_label_at], fit_runs(text, em, right - left), em, Anchor::Middle);
+    scene.label(
+        "x-label",
+        [middle, x_label_at],
+        fit_runs(text, em, right - left),
+        em,
+        Anchor::Middle,
+    );
     Ok(scene)
 }
 
@@ -148,7 +183,11 @@ fn axis_label(axis: &Axis, exponent: i32) -> Vec<Run> {
     } else {
         runs.push(Run::plain(format!("{name}{gap}[10")));
         runs.push(Run::raised(super::words::minus(&exponent.to_string())));
-        runs.push(Run::plain(if unit.is_empty() { "]".into() } else { format!(" {unit}]") }));
+        runs.push(Run::plain(if unit.is_empty() {
+            "]".into()
+        } else {
+            format!(" {unit}]")
+        }));
     }
     runs
 }
@@ -178,7 +217,12 @@ fn default_height(chart: &Chart, legend_rows: usize, fixed: f64) -> f64 {
     let rest = fixed + (count - 1.0) * BETWEEN_PANELS * em;
     // A power of ten may come to each.
     let label = |panel: &Panel| font::width_of_runs(&axis_label(&panel.axis, -6), em);
-    let longest = chart.panels.iter().map(label).fold(0.0, f64::max).min(LONGEST_LABEL * em);
+    let longest = chart
+        .panels
+        .iter()
+        .map(label)
+        .fold(0.0, f64::max)
+        .min(LONGEST_LABEL * em);
     usual.max(rest + count * longest)
 }
 
@@ -190,9 +234,19 @@ fn legend(chart: &Chart, labels: &[String], scene: &mut Scene, top: f64) -> usiz
     let em = chart.font_size;
     let room = scene.width - 2.0 * EDGE * em;
     let before = (SAMPLE + 0.5) * em;
-    let texts: Vec<String> = labels.iter().map(|label| font::fit(&printable(label), em, room - before)).collect();
-    let widest = texts.iter().map(|text| font::width(text, em)).fold(0.0, f64::max) + before + 1.2 * em;
-    let columns = ((room + 1.2 * em) / widest).floor().clamp(1.0, texts.len() as f64) as usize;
+    let texts: Vec<String> = labels
+        .iter()
+        .map(|label| font::fit(&printable(label), em, room - before))
+        .collect();
+    let widest = texts
+        .iter()
+        .map(|text| font::width(text, em))
+        .fold(0.0, f64::max)
+        + before
+        + 1.2 * em;
+    let columns = ((room + 1.2 * em) / widest)
+        .floor()
+        .clamp(1.0, texts.len() as f64) as usize;
     let rows = texts.len().div_ceil(columns);
     let columns = texts.len().div_ceil(rows);
     let start = (scene.width - (columns as f64 * widest - 1.2 * em)) / 2.0;
@@ -203,7 +257,13 @@ fn legend(chart: &Chart, labels: &[String], scene: &mut Scene, top: f64) -> usiz
         scene.line("sample", [[x, middle], [x + SAMPLE * em, middle]], pen);
         symbols::marker(scene, marker, [x + SAMPLE * em / 2.0, middle], pen);
         let at = [x + before, middle + font::CAPITALS * em / 2.0];
-        scene.label("legend", at, vec![Run::plain(text.as_str())], em, Anchor::Start);
+        scene.label(
+            "legend",
+            at,
+            vec![Run::plain(text.as_str())],
+            em,
+            Anchor::Start,
+        );
     }
     rows
 }
@@ -218,7 +278,11 @@ fn note_lines(chart: &Chart, width: f64) -> Vec<String> {
     let mut lines = vec![String::new()];
     for word in printable(&chart.note).split_whitespace() {
         let line = lines.last_mut().map(std::mem::take).unwrap_or_default();
-        let longer = if line.is_empty() { word.to_string() } else { format!("{line} {word}") };
+        let longer = if line.is_empty() {
+            word.to_string()
+        } else {
+            format!("{line} {word}")
+        };
         if font::width(&longer, size) <= room || line.is_empty() {
             lines.pop();
             lines.push(longer);
@@ -227,12 +291,19 @@ fn note_lines(chart: &Chart, width: f64) -> Vec<String> {
             lines.extend([line, word.to_string()]);
         }
     }
-    lines.iter().map(|line| font::fit(line, size, room)).collect()
+    lines
+        .iter()
+        .map(|line| font::fit(line, size, room))
+        .collect()
 }
 
 /// Height of the note with the gap above it.
 fn note_height(lines: &[String], em: f64) -> f64 {
-    if lines.is_empty() { 0.0 } else { (lines.len() as f64 * LINE * NOTE + 0.3) * em }
+    if lines.is_empty() {
+        0.0
+    } else {
+        (lines.len() as f64 * LINE * NOTE + 0.3) * em
+    }
 }
 
 /// The note, at the foot of the page.
@@ -241,21 +312,44 @@ fn note(lines: &[String], em: f64, scene: &mut Scene) {
     let start = scene.height - EDGE * em - lines.len() as f64 * LINE * size;
     for (index, line) in lines.iter().enumerate() {
         let at = [EDGE * em, start + (index as f64 + 0.8) * LINE * size];
-        scene.label("note", at, vec![Run::plain(line.as_str())], size, Anchor::Start);
+        scene.label(
+            "note",
+            at,
+            vec![Run::plain(line.as_str())],
+            size,
+            Anchor::Start,
+        );
     }
 }
 
 /// Scale and ticks of the x axis, labels with room between them.
 fn x_axis(chart: &Chart, [low, high]: [f64; 2], [left, right]: [f64; 2]) -> (Scale, Ticks) {
     let em = chart.font_size;
-    let scale = Scale { low, high, log: chart.x.log, start: left, end: right };
+    let scale = Scale {
+        low,
+        high,
+        log: chart.x.log,
+        start: left,
+        end: right,
+    };
     let turns = chart.x.unit == "deg";
     let mut spacing = X_TICKS * em;
     loop {
         let ticks = scale.ticks(spacing, turns);
-        let widest = ticks.major.iter().map(|(_, runs)| font::width_of_runs(runs, em)).fold(0.0, f64::max);
-        let places: Vec<f64> = ticks.major.iter().filter_map(|(value, _)| scale.place(*value)).collect();
-        let nearest = places.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
+        let widest = ticks
+            .major
+            .iter()
+            .map(|(_, runs)| font::width_of_runs(runs, em))
+            .fold(0.0, f64::max);
+        let places: Vec<f64> = ticks
+            .major
+            .iter()
+            .filter_map(|(value, _)| scale.place(*value))
+            .collect();
+        let nearest = places
+            .windows(2)
+            .map(|pair| pair[1] - pair[0])
+            .fold(f64::INFINITY, f64::min);
         if nearest >= widest + 0.7 * em || spacing > right - left {
             return (scale, ticks);
         }
@@ -287,12 +381,24 @@ fn marks(chart: &Chart, x_scale: &Scale, [top, bottom]: [f64; 2], scene: &mut Sc
     let size = 0.85 * em;
     let mut free = 0.0;
     for mark in &chart.marks {
-        let Some(x) = x_scale.place(mark.x).filter(|x| (x_scale.start..=x_scale.end).contains(x)) else { continue };
-        let pen = Pen { ink: MARK_INK, width: 0.5, dash: &[2.0, 2.0] };
+        let Some(x) = x_scale
+            .place(mark.x)
+            .filter(|x| (x_scale.start..=x_scale.end).contains(x))
+        else {
+            continue;
+        };
+        let pen = Pen {
+            ink: MARK_INK,
+            width: 0.5,
+            dash: &[2.0, 2.0],
+        };
         scene.line("mark", [[x, top], [x, bottom]], pen);
         let text = font::fit(&printable(&mark.label), size, scene.width - 2.0 * EDGE * em);
         let half = font::width(&text, size) / 2.0;
-        let at = x.clamp(half + EDGE * em, (scene.width - half - EDGE * em).max(half + EDGE * em));
+        let at = x.clamp(
+            half + EDGE * em,
+            (scene.width - half - EDGE * em).max(half + EDGE * em),
+        );
         // A label that would run into the one before is left out; its line remains.
         if !text.is_empty() && at - half >= free {
             free = at + half + 0.5 * em;
@@ -314,7 +420,10 @@ fn marks(chart: &Chart, x_scale: &Scale, [top, bottom]: [f64; 2], scene: &mut Sc
 fn curves(chart: &Chart, frame: &Frame, x_scale: &Scale, labels: &[String], scene: &mut Scene) {
     let em = chart.font_size;
     for curve in &frame.panel.curves {
-        let number = labels.iter().position(|label| *label == curve.label).unwrap_or(0);
+        let number = labels
+            .iter()
+            .position(|label| *label == curve.label)
+            .unwrap_or(0);
         let Style { pen, marker } = style(number, chart.line_width);
         let found = trace(&curve.x, &curve.y, x_scale, &frame.scale);
         let spacing = (x_scale.end - x_scale.start) / 6.0;
@@ -335,15 +444,31 @@ fn y_axis(chart: &Chart, frame: &Frame, [left, right]: [f64; 2], scene: &mut Sce
     let em = chart.font_size;
     let pen = Pen::new(AXIS_INK, 0.6);
     let [upper, lower] = [frame.scale.end, frame.scale.start];
-    scene.area("frame", [[left, upper], [right, upper], [right, lower], [left, lower]], None, Some(pen));
+    scene.area(
+        "frame",
+        [[left, upper], [right, upper], [right, lower], [left, lower]],
+        None,
+        Some(pen),
+    );
     for (value, runs) in &frame.ticks.major {
-        let Some(y) = frame.scale.place(*value) else { continue };
+        let Some(y) = frame.scale.place(*value) else {
+            continue;
+        };
         scene.line("y-tick", [[left, y], [left - TICK * em, y]], pen);
         let at = [left - (TICK + GAP) * em, y + font::CAPITALS * em / 2.0];
         scene.label("y-number", at, runs.clone(), em, Anchor::End);
     }
-    for y in frame.ticks.minor.iter().filter_map(|value| frame.scale.place(*value)) {
-        scene.line("y-minor", [[left, y], [left - 0.5 * TICK * em, y]], Pen::new(AXIS_INK, 0.4));
+    for y in frame
+        .ticks
+        .minor
+        .iter()
+        .filter_map(|value| frame.scale.place(*value))
+    {
+        scene.line(
+            "y-minor",
+            [[left, y], [left - 0.5 * TICK * em, y]],
+            Pen::new(AXIS_INK, 0.4),
+        );
     }
     let runs = axis_label(&frame.panel.axis, frame.ticks.exponent);
     if !runs.is_empty() {
@@ -353,25 +478,56 @@ fn y_axis(chart: &Chart, frame: &Frame, [left, right]: [f64; 2], scene: &mut Sce
         let runs = fit_runs(runs, em, room);
         let size = em * (room / font::width_of_runs(&runs, em)).min(1.0);
         let (class, ink) = ("y-label", Ink::grey(0));
-        scene.items.push(Item::Label { class, at, runs, size, anchor: Anchor::Middle, turned: true, ink });
+        scene.items.push(Item::Label {
+            class,
+            at,
+            runs,
+            size,
+            anchor: Anchor::Middle,
+            turned: true,
+            ink,
+        });
     }
 }
 
 /// Ticks below a panel; the last one has the numbers.
-fn x_tick_marks(chart: &Chart, scale: &Scale, ticks: &Ticks, frame: &Frame, numbered: bool, scene: &mut Scene) {
+fn x_tick_marks(
+    chart: &Chart,
+    scale: &Scale,
+    ticks: &Ticks,
+    frame: &Frame,
+    numbered: bool,
+    scene: &mut Scene,
+) {
     let em = chart.font_size;
     let y = frame.scale.start;
     for (value, runs) in &ticks.major {
-        let Some(x) = scale.place(*value) else { continue };
-        scene.line("x-tick", [[x, y], [x, y + TICK * em]], Pen::new(AXIS_INK, 0.6));
+        let Some(x) = scale.place(*value) else {
+            continue;
+        };
+        scene.line(
+            "x-tick",
+            [[x, y], [x, y + TICK * em]],
+            Pen::new(AXIS_INK, 0.6),
+        );
         if numbered {
             let half = font::width_of_runs(runs, em) / 2.0;
             // A number at the very end may not leave the page.
             let at = x.min(scene.width - half - 0.1 * em);
-            scene.label("x-number", [at, y + (TICK + GAP + font::CAPITALS) * em], runs.clone(), em, Anchor::Middle);
+            scene.label(
+                "x-number",
+                [at, y + (TICK + GAP + font::CAPITALS) * em],
+                runs.clone(),
+                em,
+                Anchor::Middle,
+            );
         }
     }
     for x in ticks.minor.iter().filter_map(|value| scale.place(*value)) {
-        scene.line("x-minor", [[x, y], [x, y + 0.5 * TICK * em]], Pen::new(AXIS_INK, 0.4));
+        scene.line(
+            "x-minor",
+            [[x, y], [x, y + 0.5 * TICK * em]],
+            Pen::new(AXIS_INK, 0.4),
+        );
     }
 }

@@ -39,9 +39,10 @@ impl Poses {
         let mut missing = Vec::new();
         let mut column = |name: String, needed: bool| -> Result<Option<Vec<f64>>, Fault> {
             match table.column(&name) {
-                Some(column) => {
-                    table.values(column).map(|values| Some(values.to_vec())).map_err(|error| fault(error.to_string()))
-                }
+                Some(column) => table
+                    .values(column)
+                    .map(|values| Some(values.to_vec()))
+                    .map_err(|error| fault(error.to_string())),
                 None => {
                     missing.extend(needed.then_some(name));
                     Ok(None)
@@ -52,7 +53,10 @@ impl Poses {
         let mut bodies = Vec::new();
         for body in drawing.bodies.iter().skip(1) {
             let mut one = [const { (Vec::new(), None) }; 3];
-            for (entry, [value, rate]) in one.iter_mut().zip([["x", "vx"], ["y", "vy"], ["angle", "omega"]]) {
+            for (entry, [value, rate]) in
+                one.iter_mut()
+                    .zip([["x", "vx"], ["y", "vy"], ["angle", "omega"]])
+            {
                 entry.0 = column(format!("{}.{value}", body.name), true)?.unwrap_or_default();
                 entry.1 = column(format!("{}.{rate}", body.name), false)?;
             }
@@ -60,7 +64,11 @@ impl Poses {
         }
         if !missing.is_empty() {
             let more = missing.len().saturating_sub(4);
-            let rest = if more > 0 { format!(" and {more} more") } else { String::new() };
+            let rest = if more > 0 {
+                format!(" and {more} more")
+            } else {
+                String::new()
+            };
             missing.truncate(4);
             let path = table.path.display();
             return Err(fault(format!(
@@ -71,10 +79,15 @@ impl Poses {
         let mut poses = Poses { time, bodies };
         poses.empty_rows_without_time();
         if poses.time.windows(2).any(|pair| pair[1] < pair[0]) {
-            return Err(fault(format!("{}: time does not ascend", table.path.display())));
+            return Err(fault(format!(
+                "{}: time does not ascend",
+                table.path.display()
+            )));
         }
         if (0..poses.time.len()).all(|row| poses.row(row).is_none()) {
-            return Err(Fault::Nothing("no instant has the poses of all bodies".into()));
+            return Err(Fault::Nothing(
+                "no instant has the poses of all bodies".into(),
+            ));
         }
         Ok(poses)
     }
@@ -82,10 +95,20 @@ impl Poses {
     /// Makes a gap of each row without a time, between its neighbours; leaves out those at the ends.
     fn empty_rows_without_time(&mut self) {
         let has_time = |time: &f64| time.is_finite();
-        let first = self.time.iter().position(has_time).unwrap_or(self.time.len());
-        let end = self.time.iter().rposition(has_time).map_or(first, |last| last + 1);
-        let missing: Vec<usize> =
-            (first..end).filter(|&row| !self.time[row].is_finite()).map(|row| row - first).collect();
+        let first = self
+            .time
+            .iter()
+            .position(has_time)
+            .unwrap_or(self.time.len());
+        let end = self
+            .time
+            .iter()
+            .rposition(has_time)
+            .map_or(first, |last| last + 1);
+        let missing: Vec<usize> = (first..end)
+            .filter(|&row| !self.time[row].is_finite())
+            .map(|row| row - first)
+            .collect();
         for column in self.columns() {
             column.truncate(end);
             column.drain(..first.min(column.len()));
@@ -98,14 +121,19 @@ impl Poses {
 
     /// Time, and values and rates of all bodies.
     fn columns(&mut self) -> impl Iterator<Item = &mut Vec<f64>> {
-        let coordinates = self.bodies.iter_mut().flatten().flat_map(|(values, rates)| [Some(values), rates.as_mut()]);
+        let coordinates = self
+            .bodies
+            .iter_mut()
+            .flatten()
+            .flat_map(|(values, rates)| [Some(values), rates.as_mut()]);
         std::iter::once(&mut self.time).chain(coordinates.flatten())
     }
 
     /// Poses of all bodies, the ground first, at an output.
     pub fn row(&self, row: usize) -> Option<Vec<Pose>> {
         let one = |body: &[Coordinate; 3]| -> Option<Pose> {
-            let pose: Pose = std::array::from_fn(|axis| body[axis].0.get(row).copied().unwrap_or(f64::NAN));
+            let pose: Pose =
+                std::array::from_fn(|axis| body[axis].0.get(row).copied().unwrap_or(f64::NAN));
             pose.iter().all(is_place).then_some(pose)
         };
         let ground = std::iter::once(Some([0.0; 3]));
@@ -131,7 +159,11 @@ impl Poses {
         let between = |body: usize, axis: usize| {
             let (a, b) = (from[body][axis], to[body][axis]);
             let straight = a + part * (b - a);
-            let rates = if body == 0 { None } else { rate(body - 1, axis, after - 1).zip(rate(body - 1, axis, after)) };
+            let rates = if body == 0 {
+                None
+            } else {
+                rate(body - 1, axis, after - 1).zip(rate(body - 1, axis, after))
+            };
             let curved = rates.map(|(va, vb)| {
                 let rest = 1.0 - part;
                 let bend = rest * (va * span - (b - a)) - part * (vb * span - (b - a));
@@ -139,14 +171,21 @@ impl Poses {
             });
             curved.filter(is_place).unwrap_or(straight)
         };
-        Some((0..from.len()).map(|body| std::array::from_fn(|axis| between(body, axis))).collect())
+        Some(
+            (0..from.len())
+                .map(|body| std::array::from_fn(|axis| between(body, axis)))
+                .collect(),
+        )
     }
 
     /// First and last time with all poses.
     pub fn span(&self) -> [f64; 2] {
         let mut rows = (0..self.time.len()).filter(|&row| self.row(row).is_some());
         let first = rows.next().unwrap_or(0);
-        [self.time[first], self.time[rows.next_back().unwrap_or(first)]]
+        [
+            self.time[first],
+            self.time[rows.next_back().unwrap_or(first)],
+        ]
     }
 }
 
@@ -169,17 +208,30 @@ mod tests {
             values: (0..5).map(|t| value(f64::from(t))).collect(),
             odd: None,
         };
-        let mut columns =
-            vec![column("time", |t| t), column("a.x", |_| 1.0), column("a.y", |_| 2.0), column("a.angle", |t| t * t)];
+        let mut columns = vec![
+            column("time", |t| t),
+            column("a.x", |_| 1.0),
+            column("a.y", |_| 2.0),
+            column("a.angle", |t| t * t),
+        ];
         if with_rates {
             columns.push(column("a.omega", |t| 2.0 * t));
         }
-        Table { path: "r.csv".into(), columns }
+        Table {
+            path: "r.csv".into(),
+            columns,
+        }
     }
 
     fn drawing() -> Drawing {
-        let shape = |name: &str| super::super::drawing::Shape { name: name.into(), points: Vec::new() };
-        Drawing { bodies: vec![shape("ground"), shape("a")], ..Drawing::default() }
+        let shape = |name: &str| super::super::drawing::Shape {
+            name: name.into(),
+            points: Vec::new(),
+        };
+        Drawing {
+            bodies: vec![shape("ground"), shape("a")],
+            ..Drawing::default()
+        }
     }
 
     #[test]
@@ -187,7 +239,10 @@ mod tests {
         let poses = Poses::read(&table(true), &drawing()).expect("sound");
         for t in [0.0, 0.25, 1.5, 3.75, 4.0] {
             let pose = poses.at(t).expect("no gap")[1];
-            assert!((pose[2] - t * t).abs() < 1e-12 && pose[..2] == [1.0, 2.0], "{t}: {pose:?}");
+            assert!(
+                (pose[2] - t * t).abs() < 1e-12 && pose[..2] == [1.0, 2.0],
+                "{t}: {pose:?}"
+            );
         }
         let straight = Poses::read(&table(false), &drawing()).expect("sound");
         assert_eq!(straight.at(1.5).expect("no gap")[1][2], 2.5);
@@ -199,7 +254,10 @@ mod tests {
         table.columns[3].values[2] = f64::NAN;
         let poses = Poses::read(&table, &drawing()).expect("sound");
         assert!(
-            poses.at(1.5).is_none() && poses.at(2.0).is_none() && poses.at(0.5).is_some() && poses.at(3.0).is_some()
+            poses.at(1.5).is_none()
+                && poses.at(2.0).is_none()
+                && poses.at(0.5).is_some()
+                && poses.at(3.0).is_some()
         );
         assert_eq!(poses.span(), [0.0, 4.0]);
     }
@@ -209,22 +267,38 @@ mod tests {
         let mut table = table(true);
         table.columns[0].values = vec![f64::NAN, 1.0, f64::NAN, 3.0, 4.0];
         let poses = Poses::read(&table, &drawing()).expect("sound");
-        assert_eq!((poses.span(), poses.time.as_slice()), ([1.0, 4.0], [1.0, 1.0, 3.0, 4.0].as_slice()));
+        assert_eq!(
+            (poses.span(), poses.time.as_slice()),
+            ([1.0, 4.0], [1.0, 1.0, 3.0, 4.0].as_slice())
+        );
         assert!(poses.at(1.5).is_none() && poses.at(2.9).is_none());
         for t in [1.0, 3.0, 3.5, 4.0] {
-            assert!((poses.at(t).expect("no gap")[1][2] - t * t).abs() < 1e-12, "{t}");
+            assert!(
+                (poses.at(t).expect("no gap")[1][2] - t * t).abs() < 1e-12,
+                "{t}"
+            );
         }
         table.columns[0].values.fill(f64::NAN);
-        let said = Poses::read(&table, &drawing()).expect_err("no time at all").to_string();
-        assert!(said.contains("no instant has the poses of all bodies"), "{said}");
+        let said = Poses::read(&table, &drawing())
+            .expect_err("no time at all")
+            .to_string();
+        assert!(
+            said.contains("no instant has the poses of all bodies"),
+            "{said}"
+        );
     }
 
     #[test]
     fn missing_columns_are_named() {
         let mut table = table(true);
         table.columns.remove(1);
-        let said = Poses::read(&table, &drawing()).expect_err("no x").to_string();
-        assert_eq!(said, "r.csv: no column a.x: a picture needs the pose of every body");
+        let said = Poses::read(&table, &drawing())
+            .expect_err("no x")
+            .to_string();
+        assert_eq!(
+            said,
+            "r.csv: no column a.x: a picture needs the pose of every body"
+        );
     }
 
     #[test]

@@ -35,26 +35,55 @@ pub fn draw(scene: &Scene, scale: f64) -> Result<Picture, Fault> {
     let view = Transform::from_scale(scale as f32, scale as f32);
     for item in &scene.items {
         match item {
-            Item::Line { places, pen, .. } => stroke(&mut pixmap, path(places, false), Some(*pen), view),
-            Item::Area { places, fill: ink, pen, .. } => {
+            Item::Line { places, pen, .. } => {
+                stroke(&mut pixmap, path(places, false), Some(*pen), view)
+            }
+            Item::Area {
+                places,
+                fill: ink,
+                pen,
+                ..
+            } => {
                 let path = path(places, true);
                 fill(&mut pixmap, path.as_ref(), *ink, view);
                 stroke(&mut pixmap, path, *pen, view);
             }
-            Item::Circle { centre: [x, y], radius, fill: ink, pen, .. } => {
+            Item::Circle {
+                centre: [x, y],
+                radius,
+                fill: ink,
+                pen,
+                ..
+            } => {
                 let path = PathBuilder::from_circle(*x as f32, *y as f32, *radius as f32);
                 fill(&mut pixmap, path.as_ref(), *ink, view);
                 stroke(&mut pixmap, path, *pen, view);
             }
-            Item::Label { at, runs, size, anchor, turned, ink, .. } => {
+            Item::Label {
+                at,
+                runs,
+                size,
+                anchor,
+                turned,
+                ink,
+                ..
+            } => {
                 let outlines = outlines(*at, runs, *size, *anchor, *turned);
                 fill(&mut pixmap, outlines.as_ref(), Some(*ink), view);
             }
         }
     }
     // On white, premultiplied colours are the colours.
-    let rgb = pixmap.data().chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
-    Ok(Picture { width: pixmap.width(), height: pixmap.height(), rgb })
+    let rgb = pixmap
+        .data()
+        .chunks_exact(4)
+        .flat_map(|pixel| [pixel[0], pixel[1], pixel[2]])
+        .collect();
+    Ok(Picture {
+        width: pixmap.width(),
+        height: pixmap.height(),
+        rgb,
+    })
 }
 
 fn path(places: &[Place], closed: bool) -> Option<Path> {
@@ -71,7 +100,10 @@ fn path(places: &[Place], closed: bool) -> Option<Path> {
 }
 
 fn paint(ink: Ink) -> Paint<'static> {
-    let mut paint = Paint { anti_alias: true, ..Paint::default() };
+    let mut paint = Paint {
+        anti_alias: true,
+        ..Paint::default()
+    };
     let [r, g, b] = ink.rgb;
     paint.set_color_rgba8(r, g, b, (ink.alpha.clamp(0.0, 1.0) * 255.0).round() as u8);
     paint
@@ -85,9 +117,20 @@ fn fill(pixmap: &mut Pixmap, path: Option<&Path>, ink: Option<Ink>, view: Transf
 
 fn stroke(pixmap: &mut Pixmap, path: Option<Path>, pen: Option<Pen>, view: Transform) {
     if let (Some(path), Some(pen)) = (path, pen) {
-        let dash = StrokeDash::new(pen.dash.iter().map(|length| (*length * pen.width) as f32).collect(), 0.0);
+        let dash = StrokeDash::new(
+            pen.dash
+                .iter()
+                .map(|length| (*length * pen.width) as f32)
+                .collect(),
+            0.0,
+        );
         let line_join = tiny_skia::LineJoin::Round;
-        let stroke = Stroke { width: pen.width as f32, dash, line_join, ..Stroke::default() };
+        let stroke = Stroke {
+            width: pen.width as f32,
+            dash,
+            line_join,
+            ..Stroke::default()
+        };
         pixmap.stroke_path(&path, &paint(pen.ink), &stroke, view, None);
     }
 }
@@ -105,7 +148,11 @@ impl Outlines {
     fn place(&self, x: f32, y: f32) -> (f32, f32) {
         let [dx, dy] = [f64::from(x) * self.scale, f64::from(y) * self.scale];
         let [x, y] = self.origin;
-        let [x, y] = if self.turned { [x - dy, y - dx] } else { [x + dx, y - dy] };
+        let [x, y] = if self.turned {
+            [x - dy, y - dx]
+        } else {
+            [x + dx, y - dy]
+        };
         (x as f32, y as f32)
     }
 }
@@ -127,7 +174,8 @@ impl OutlineBuilder for Outlines {
     }
 
     fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
-        let ((x1, y1), (x2, y2), (x, y)) = (self.place(x1, y1), self.place(x2, y2), self.place(x, y));
+        let ((x1, y1), (x2, y2), (x, y)) =
+            (self.place(x1, y1), self.place(x2, y2), self.place(x, y));
         self.path.cubic_to(x1, y1, x2, y2, x, y);
     }
 
@@ -144,15 +192,28 @@ fn outlines(at: Place, runs: &[Run], size: f64, anchor: Anchor, turned: bool) ->
         Anchor::Middle => -width / 2.0,
         Anchor::End => -width,
     };
-    let mut outlines = Outlines { path: PathBuilder::new(), origin: at, scale: 1.0, turned };
+    let mut outlines = Outlines {
+        path: PathBuilder::new(),
+        origin: at,
+        scale: 1.0,
+        turned,
+    };
     for run in runs {
-        let (own, rise) = if run.raised { (RAISED_SIZE * size, RAISED_BY * size) } else { (size, 0.0) };
+        let (own, rise) = if run.raised {
+            (RAISED_SIZE * size, RAISED_BY * size)
+        } else {
+            (size, 0.0)
+        };
         outlines.scale = own / font::units_per_em();
         let start = along;
         font::outline(&run.text, &mut outlines, |outlines, units| {
             let forward = start + units * outlines.scale;
             let [x, y] = at;
-            outlines.origin = if turned { [x - rise, y - forward] } else { [x + forward, y - rise] };
+            outlines.origin = if turned {
+                [x - rise, y - forward]
+            } else {
+                [x + forward, y - rise]
+            };
         });
         along += font::width(&run.text, own);
     }
@@ -174,7 +235,11 @@ fn encode(picture: &Picture, dpi: f64) -> Result<Vec<u8>, Fault> {
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     let per_metre = (dpi / 72.0 * POINTS_PER_MM * 1000.0).round() as u32;
-    encoder.set_pixel_dims(Some(png::PixelDimensions { xppu: per_metre, yppu: per_metre, unit: png::Unit::Meter }));
+    encoder.set_pixel_dims(Some(png::PixelDimensions {
+        xppu: per_metre,
+        yppu: per_metre,
+        unit: png::Unit::Meter,
+    }));
     let mut writer = encoder.write_header().map_err(fault)?;
     writer.write_image_data(&picture.rgb).map_err(fault)?;
     writer.finish().map_err(fault)?;

@@ -24,7 +24,10 @@ impl Ink {
 
     /// The same, covering less.
     pub fn faded(self, factor: f64) -> Self {
-        Ink { alpha: self.alpha * factor, ..self }
+        Ink {
+            alpha: self.alpha * factor,
+            ..self
+        }
     }
 }
 
@@ -41,7 +44,11 @@ pub struct Pen {
 impl Pen {
     /// A solid line.
     pub const fn new(ink: Ink, width: f64) -> Self {
-        Pen { ink, width, dash: &[] }
+        Pen {
+            ink,
+            width,
+            dash: &[],
+        }
     }
 }
 
@@ -64,12 +71,18 @@ pub struct Run {
 impl Run {
     /// Ordinary text.
     pub fn plain(text: impl Into<String>) -> Self {
-        Run { text: text.into(), raised: false }
+        Run {
+            text: text.into(),
+            raised: false,
+        }
     }
 
     /// An exponent.
     pub fn raised(text: impl Into<String>) -> Self {
-        Run { text: text.into(), raised: true }
+        Run {
+            text: text.into(),
+            raised: true,
+        }
     }
 }
 
@@ -80,10 +93,33 @@ pub const RAISED_BY: f64 = 0.35;
 /// Something on the page; `class` says what it is, to whoever edits or tests the SVG.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Item {
-    Line { class: &'static str, places: Vec<Place>, pen: Pen },
-    Area { class: &'static str, places: Vec<Place>, fill: Option<Ink>, pen: Option<Pen> },
-    Circle { class: &'static str, centre: Place, radius: f64, fill: Option<Ink>, pen: Option<Pen> },
-    Label { class: &'static str, at: Place, runs: Vec<Run>, size: f64, anchor: Anchor, turned: bool, ink: Ink },
+    Line {
+        class: &'static str,
+        places: Vec<Place>,
+        pen: Pen,
+    },
+    Area {
+        class: &'static str,
+        places: Vec<Place>,
+        fill: Option<Ink>,
+        pen: Option<Pen>,
+    },
+    Circle {
+        class: &'static str,
+        centre: Place,
+        radius: f64,
+        fill: Option<Ink>,
+        pen: Option<Pen>,
+    },
+    Label {
+        class: &'static str,
+        at: Place,
+        runs: Vec<Run>,
+        size: f64,
+        anchor: Anchor,
+        turned: bool,
+        ink: Ink,
+    },
 }
 
 /// A page.
@@ -101,26 +137,73 @@ pub struct Scene {
 impl Scene {
     /// An empty white page.
     pub fn new(width: f64, height: f64) -> Self {
-        Scene { width, height, ..Scene::default() }
+        Scene {
+            width,
+            height,
+            ..Scene::default()
+        }
     }
 
     /// A line through places.
     pub fn line(&mut self, class: &'static str, places: impl Into<Vec<Place>>, pen: Pen) {
-        self.items.push(Item::Line { class, places: places.into(), pen });
+        self.items.push(Item::Line {
+            class,
+            places: places.into(),
+            pen,
+        });
     }
 
     /// A closed area.
-    pub fn area(&mut self, class: &'static str, places: impl Into<Vec<Place>>, fill: Option<Ink>, pen: Option<Pen>) {
-        self.items.push(Item::Area { class, places: places.into(), fill, pen });
+    pub fn area(
+        &mut self,
+        class: &'static str,
+        places: impl Into<Vec<Place>>,
+        fill: Option<Ink>,
+        pen: Option<Pen>,
+    ) {
+        self.items.push(Item::Area {
+            class,
+            places: places.into(),
+            fill,
+            pen,
+        });
     }
 
     /// A circle.
-    pub fn circle(&mut self, class: &'static str, centre: Place, radius: f64, fill: Option<Ink>, pen: Option<Pen>) {
-        self.items.push(Item::Circle { class, centre, radius, fill, pen });
+    pub fn circle(
+        &mut self,
+        class: &'static str,
+        centre: Place,
+        radius: f64,
+        fill: Option<Ink>,
+        pen: Option<Pen>,
+    ) {
+        self.items.push(Item::Circle {
+            class,
+            centre,
+            radius,
+            fill,
+            pen,
+        });
     }
 
     /// A text in black.
-    pub fn label(&mut self, class: &'static str, at: Place, runs: Vec<Run>, size: f64, anchor: Anchor) {
-        self.items.push(Item::Label { class, at, runs, size, anchor, turned: false, ink: Ink::grey(0) });
+    pub fn label(
+        &mut self,
+        class: &'static str,
+        at: Place,
+        runs: Vec<Run>,
+        size: f64,
+        anchor: Anchor,
+    ) {
+        self.items.push(Item::Label {
+            class,
+            at,
+            runs,
+            size,
+            anchor,
+            turned: false,
+            ink: Ink::grey(0),
+        });
     }
 }

@@ -5,8 +5,15 @@
 
 use super::scene::{Ink, Pen};
 
-const COLOURS: [[u8; 3]; 7] =
-    [[0, 0, 0], [0, 114, 178], [213, 94, 0], [0, 158, 115], [204, 121, 167], [86, 180, 233], [230, 159, 0]];
+const COLOURS: [[u8; 3]; 7] = [
+    [0, 0, 0],
+    [0, 114, 178],
+    [213, 94, 0],
+    [0, 158, 115],
+    [204, 121, 167],
+    [86, 180, 233],
+    [230, 159, 0],
+];
 
 const DASHES: [&[f64]; 4] = [&[], &[4.0, 1.8], &[6.0, 1.6, 1.0, 1.6], &[1.2, 1.4]];
 
@@ -20,7 +27,13 @@ pub enum Marker {
     Diamond,
 }
 
-const MARKERS: [Marker; 5] = [Marker::None, Marker::Circle, Marker::Square, Marker::Triangle, Marker::Diamond];
+const MARKERS: [Marker; 5] = [
+    Marker::None,
+    Marker::Circle,
+    Marker::Square,
+    Marker::Triangle,
+    Marker::Diamond,
+];
 
 /// Number of styles of which no two share both dashes and markers.
 pub const DISTINCT: usize = DASHES.len() * MARKERS.len();
@@ -35,8 +48,15 @@ pub struct Style {
 /// The style of the curve with that number.
 pub fn style(number: usize, width: f64) -> Style {
     let ink = Ink::new(COLOURS[number % COLOURS.len()]);
-    let pen = Pen { ink, width, dash: DASHES[number % DASHES.len()] };
-    Style { pen, marker: MARKERS[(number / DASHES.len()) % MARKERS.len()] }
+    let pen = Pen {
+        ink,
+        width,
+        dash: DASHES[number % DASHES.len()],
+    };
+    Style {
+        pen,
+        marker: MARKERS[(number / DASHES.len()) % MARKERS.len()],
+    }
 }
 
 #[cfg(test)]

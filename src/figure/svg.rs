@@ -25,7 +25,12 @@ pub fn write(scene: &Scene) -> String {
             let _ = writeln!(text, "<{name}>{}</{name}>", escape(content));
         }
     }
-    let _ = writeln!(text, "<rect width=\"{}\" height=\"{}\" fill=\"#ffffff\"/>", number(width), number(height));
+    let _ = writeln!(
+        text,
+        "<rect width=\"{}\" height=\"{}\" fill=\"#ffffff\"/>",
+        number(width),
+        number(height)
+    );
     for item in &scene.items {
         push(&mut text, item);
     }
@@ -37,25 +42,60 @@ fn push(text: &mut String, item: &Item) {
     // Writing to a String can't fail.
     let _ = match item {
         Item::Line { class, places, pen } => {
-            writeln!(text, "<polyline class=\"{class}\" points=\"{}\"{}/>", points(places), stroke(Some(*pen)))
+            writeln!(
+                text,
+                "<polyline class=\"{class}\" points=\"{}\"{}/>",
+                points(places),
+                stroke(Some(*pen))
+            )
         }
-        Item::Area { class, places, fill, pen } => {
+        Item::Area {
+            class,
+            places,
+            fill,
+            pen,
+        } => {
             let paint = paint(*fill) + &stroke(*pen);
-            writeln!(text, "<polygon class=\"{class}\" points=\"{}\"{paint}/>", points(places))
+            writeln!(
+                text,
+                "<polygon class=\"{class}\" points=\"{}\"{paint}/>",
+                points(places)
+            )
         }
-        Item::Circle { class, centre: [x, y], radius, fill, pen } => {
+        Item::Circle {
+            class,
+            centre: [x, y],
+            radius,
+            fill,
+            pen,
+        } => {
             let paint = paint(*fill) + &stroke(*pen);
             let (x, y, r) = (number(*x), number(*y), number(*radius));
-            writeln!(text, "<circle class=\"{class}\" cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{paint}/>")
+            writeln!(
+                text,
+                "<circle class=\"{class}\" cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{paint}/>"
+            )
         }
-        Item::Label { class, at: [x, y], runs, size, anchor, turned, ink } => {
+        Item::Label {
+            class,
+            at: [x, y],
+            runs,
+            size,
+            anchor,
+            turned,
+            ink,
+        } => {
             let anchor = match anchor {
                 Anchor::Start => "start",
                 Anchor::Middle => "middle",
                 Anchor::End => "end",
             };
             let (x, y) = (number(*x), number(*y));
-            let turn = if *turned { format!(" transform=\"rotate(-90 {x} {y})\"") } else { String::new() };
+            let turn = if *turned {
+                format!(" transform=\"rotate(-90 {x} {y})\"")
+            } else {
+                String::new()
+            };
             writeln!(
                 text,
                 "<text class=\"{class}\" x=\"{x}\" y=\"{y}\" font-size=\"{}\" text-anchor=\"{anchor}\"{turn}{}>{}</text>",
@@ -76,7 +116,10 @@ fn spans(runs: &[Run], size: f64) -> String {
         let _ = match (run.raised, is_raised) {
             (true, _) => {
                 let small = number(RAISED_SIZE * size);
-                write!(text, "<tspan dy=\"-{rise}\" font-size=\"{small}\">{content}</tspan>")
+                write!(
+                    text,
+                    "<tspan dy=\"-{rise}\" font-size=\"{small}\">{content}</tspan>"
+                )
             }
             (false, true) => write!(text, "<tspan dy=\"{rise}\">{content}</tspan>"),
             (false, false) => write!(text, "{content}"),
@@ -87,7 +130,10 @@ fn spans(runs: &[Run], size: f64) -> String {
 }
 
 fn points(places: &[Place]) -> String {
-    let places: Vec<String> = places.iter().map(|[x, y]| format!("{},{}", number(*x), number(*y))).collect();
+    let places: Vec<String> = places
+        .iter()
+        .map(|[x, y]| format!("{},{}", number(*x), number(*y)))
+        .collect();
     places.join(" ")
 }
 
@@ -97,16 +143,28 @@ fn colour(ink: Ink) -> String {
 }
 
 fn opacity(what: &str, ink: Ink) -> String {
-    if ink.alpha < 1.0 { format!(" {what}-opacity=\"{}\"", number(ink.alpha)) } else { String::new() }
+    if ink.alpha < 1.0 {
+        format!(" {what}-opacity=\"{}\"", number(ink.alpha))
+    } else {
+        String::new()
+    }
 }
 
 fn paint(fill: Option<Ink>) -> String {
-    fill.map(|ink| format!(" fill=\"{}\"{}", colour(ink), opacity("fill", ink))).unwrap_or_default()
+    fill.map(|ink| format!(" fill=\"{}\"{}", colour(ink), opacity("fill", ink)))
+        .unwrap_or_default()
 }
 
 fn stroke(pen: Option<Pen>) -> String {
-    let Some(Pen { ink, width, dash }) = pen else { return String::new() };
-    let mut text = format!(" stroke=\"{}\" stroke-width=\"{}\"{}", colour(ink), number(width), opacity("stroke", ink));
+    let Some(Pen { ink, width, dash }) = pen else {
+        return String::new();
+    };
+    let mut text = format!(
+        " stroke=\"{}\" stroke-width=\"{}\"{}",
+        colour(ink),
+        number(width),
+        opacity("stroke", ink)
+    );
     if !dash.is_empty() {
         let dash: Vec<String> = dash.iter().map(|length| number(*length * width)).collect();
         let _ = write!(text, " stroke-dasharray=\"{}\"", dash.join(" "));
@@ -118,10 +176,18 @@ fn stroke(pen: Option<Pen>) -> String {
 fn number(value: f64) -> String {
     let text = format!("{value:.3}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".into() } else { text.into() }
+    if text == "-0" {
+        "0".into()
+    } else {
+        text.into()
+    }
 }
 
 /// Text that can't end where it stands.
 fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;").replace('\'', "&#39;")
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
+        .replace('\'', "&#39;")
 }

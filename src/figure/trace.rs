@@ -18,7 +18,10 @@ pub struct Trace {
 
 /// The curve through the values, inside the rectangle of the scales.
 pub fn trace(x: &[f64], y: &[f64], x_scale: &Scale, y_scale: &Scale) -> Trace {
-    let bounds = [ordered(x_scale.start, x_scale.end), ordered(y_scale.start, y_scale.end)];
+    let bounds = [
+        ordered(x_scale.start, x_scale.end),
+        ordered(y_scale.start, y_scale.end),
+    ];
     let mut trace = Trace::default();
     let mut run: Vec<Place> = Vec::new();
     for (&x, &y) in x.iter().zip(y) {
@@ -40,7 +43,8 @@ impl Trace {
     fn end_run(&mut self, run: &mut Vec<Place>, bounds: [[f64; 2]; 2]) {
         let places = std::mem::take(run);
         if let [place] = places[..] {
-            let inside = (0..2).all(|axis| (bounds[axis][0]..=bounds[axis][1]).contains(&place[axis]));
+            let inside =
+                (0..2).all(|axis| (bounds[axis][0]..=bounds[axis][1]).contains(&place[axis]));
             self.dots.extend(inside.then_some(place));
             return;
         }
@@ -55,7 +59,9 @@ impl Trace {
             let mut travelled = -offset;
             let mut last = *first;
             for &place in line {
-                travelled += (place[0] - last[0]).abs().max(0.25 * (place[1] - last[1]).abs());
+                travelled += (place[0] - last[0])
+                    .abs()
+                    .max(0.25 * (place[1] - last[1]).abs());
                 last = place;
                 if travelled >= 0.0 {
                     places.push(place);
@@ -70,7 +76,10 @@ impl Trace {
 /// Fewer places that look the same.
 fn thin(places: Vec<Place>) -> Vec<Place> {
     let rises = places.windows(2).all(|pair| pair[1][0] >= pair[0][0]);
-    let width = places.last().zip(places.first()).map_or(0.0, |(last, first)| last[0] - first[0]);
+    let width = places
+        .last()
+        .zip(places.first())
+        .map_or(0.0, |(last, first)| last[0] - first[0]);
     if rises && places.len() as f64 > 4.0 * (width / COLUMN).max(1.0) + 4.0 {
         return columns(&places);
     }
@@ -91,12 +100,16 @@ fn columns(places: &[Place]) -> Vec<Place> {
     let mut thinned = Vec::new();
     for group in places.chunk_by(|a, b| column(a) == column(b)) {
         let by_height = |a: &&Place, b: &&Place| a[1].total_cmp(&b[1]);
-        let mut kept: Vec<Place> =
-            [group.first(), group.iter().min_by(by_height), group.iter().max_by(by_height), group.last()]
-                .into_iter()
-                .flatten()
-                .copied()
-                .collect();
+        let mut kept: Vec<Place> = [
+            group.first(),
+            group.iter().min_by(by_height),
+            group.iter().max_by(by_height),
+            group.last(),
+        ]
+        .into_iter()
+        .flatten()
+        .copied()
+        .collect();
         kept.sort_by(|a, b| a[0].total_cmp(&b[0]));
         kept.dedup();
         thinned.extend(kept);
@@ -114,7 +127,9 @@ fn clip(places: &[Place], bounds: [[f64; 2]; 2], lines: &mut Vec<Vec<Place>>) {
             line.clear();
             continue;
         };
-        let at = |part: f64| -> Place { std::array::from_fn(|axis| from[axis] + part * (to[axis] - from[axis])) };
+        let at = |part: f64| -> Place {
+            std::array::from_fn(|axis| from[axis] + part * (to[axis] - from[axis]))
+        };
         if line.is_empty() || enter > 0.0 {
             lines.extend((line.len() > 1).then(|| std::mem::take(&mut line)));
             line = vec![if enter > 0.0 { at(enter) } else { from }];
@@ -151,30 +166,51 @@ mod tests {
     use super::*;
 
     fn scale(low: f64, high: f64, start: f64, end: f64) -> Scale {
-        Scale { low, high, log: false, start, end }
+        Scale {
+            low,
+            high,
+            log: false,
+            start,
+            end,
+        }
     }
 
     fn traced(x: &[f64], y: &[f64]) -> Trace {
-        trace(x, y, &scale(0.0, 10.0, 0.0, 100.0), &scale(0.0, 1.0, 50.0, 0.0))
+        trace(
+            x,
+            y,
+            &scale(0.0, 10.0, 0.0, 100.0),
+            &scale(0.0, 1.0, 50.0, 0.0),
+        )
     }
 
     #[test]
     fn gaps_interrupt_and_single_values_are_dots() {
         let nan = f64::NAN;
-        let found = traced(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0], &[0.0, 1.0, nan, 0.5, nan, 0.2, 0.4]);
-        assert_eq!(found.lines, [[[0.0, 50.0], [10.0, 0.0]], [[50.0, 40.0], [60.0, 30.0]]]);
+        let found = traced(
+            &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0],
+            &[0.0, 1.0, nan, 0.5, nan, 0.2, 0.4],
+        );
+        assert_eq!(
+            found.lines,
+            [[[0.0, 50.0], [10.0, 0.0]], [[50.0, 40.0], [60.0, 30.0]]]
+        );
         assert_eq!(found.dots, [[30.0, 25.0]]);
     }
 
     #[test]
     fn lines_end_at_the_frame() {
         let found = traced(&[0.0, 2.0, 4.0, 6.0], &[0.0, 2.0, 2.0, 0.0]);
-        assert_eq!(found.lines, [[[0.0, 50.0], [10.0, 0.0]], [[50.0, 0.0], [60.0, 50.0]]]);
+        assert_eq!(
+            found.lines,
+            [[[0.0, 50.0], [10.0, 0.0]], [[50.0, 0.0], [60.0, 50.0]]]
+        );
         // Through the whole panel, from one side to the other.
         let found = traced(&[4.0, 6.0], &[1e300, -1e300]);
         let all: Vec<&Place> = found.lines.iter().flatten().collect();
         assert!(
-            all.iter().all(|place| (0.0..=50.0).contains(&place[1]) && (40.0..=60.0).contains(&place[0])),
+            all.iter()
+                .all(|place| (0.0..=50.0).contains(&place[1]) && (40.0..=60.0).contains(&place[0])),
             "{all:?}"
         );
     }
@@ -187,6 +223,8 @@ mod tests {
         let found = traced(&x, &y);
         let heights = || found.lines.iter().flatten().map(|place| place[1]);
         assert!(heights().count() < 5000, "{}", heights().count());
-        assert!(heights().fold(50.0, f64::min) < 1e-3 && heights().fold(0.0, f64::max) > 50.0 - 1e-3);
+        assert!(
+            heights().fold(50.0, f64::min) < 1e-3 && heights().fold(0.0, f64::max) > 50.0 - 1e-3
+        );
     }
 }

@@ -11,7 +11,11 @@ pub fn printable(text: &str) -> String {
             // XML knows no such characters.
             || matches!(c, '\u{fffe}' | '\u{ffff}')
     };
-    let mut printable: String = text.chars().take(LONGEST).map(|c| if is_trick(c) { '\u{fffd}' } else { c }).collect();
+    let mut printable: String = text
+        .chars()
+        .take(LONGEST)
+        .map(|c| if is_trick(c) { '\u{fffd}' } else { c })
+        .collect();
     if text.chars().nth(LONGEST).is_some() {
         printable.push('…');
     }
@@ -66,7 +70,10 @@ mod tests {
 
     #[test]
     fn tricks_are_replaced() {
-        assert_eq!(printable("a\u{1b}[31m\u{202e}b\u{ffff}\u{0}"), "a\u{fffd}[31m\u{fffd}b\u{fffd}\u{fffd}");
+        assert_eq!(
+            printable("a\u{1b}[31m\u{202e}b\u{ffff}\u{0}"),
+            "a\u{fffd}[31m\u{fffd}b\u{fffd}\u{fffd}"
+        );
         assert_eq!(printable("</script>\"&'🔒"), "</script>\"&'🔒");
         assert_eq!(printable(&"x".repeat(1000)).chars().count(), LONGEST + 1);
     }

@@ -26,11 +26,19 @@ impl Auto {
 
     /// The stepper at work.
     fn current(&self) -> &dyn Stepper {
-        if self.changed { &self.implicit } else { &self.explicit }
+        if self.changed {
+            &self.implicit
+        } else {
+            &self.explicit
+        }
     }
 
     fn current_mut(&mut self) -> &mut dyn Stepper {
-        if self.changed { &mut self.implicit } else { &mut self.explicit }
+        if self.changed {
+            &mut self.implicit
+        } else {
+            &mut self.explicit
+        }
     }
 }
 
@@ -44,7 +52,10 @@ impl Stepper for Auto {
     fn step(&mut self, ode: &mut dyn Ode, end: f64) -> Result<(), StepFailure> {
         if !self.changed && self.explicit.stiff() && self.explicit.t() != end {
             let (t, h) = (self.explicit.t(), self.explicit.proposal());
-            self.implicit.limits = Limits { initial_step: Some(h), ..self.limits };
+            self.implicit.limits = Limits {
+                initial_step: Some(h),
+                ..self.limits
+            };
             self.implicit.start(ode, t, self.explicit.y(), end)?;
             self.changed = true;
         }

@@ -10,7 +10,11 @@ const STRETCH: f64 = 1.01;
 
 /// √(Σ (eᵢ wᵢ)² / n) for errors e and weights w.
 pub(super) fn rms(errors: &[f64], weights: &[f64]) -> f64 {
-    let sum: f64 = errors.iter().zip(weights).map(|(e, w)| (e * w) * (e * w)).sum();
+    let sum: f64 = errors
+        .iter()
+        .zip(weights)
+        .map(|(e, w)| (e * w) * (e * w))
+        .sum();
     (sum / errors.len() as f64).sqrt()
 }
 
@@ -23,7 +27,11 @@ pub(super) fn weigh(tolerance: &Tolerance, y: &[f64], weights: &mut [f64]) {
 
 /// Whether all values are finite.
 pub(super) fn finite(values: &[f64]) -> Result<(), Refused> {
-    if values.iter().all(|v| v.is_finite()) { Ok(()) } else { Err(Refused) }
+    if values.iter().all(|v| v.is_finite()) {
+        Ok(())
+    } else {
+        Err(Refused)
+    }
 }
 
 /// The next step with its sign: `h` bounded by the longest step, and fitted to `end`.
@@ -45,7 +53,9 @@ pub(super) fn fit(t: f64, h: f64, end: f64, limits: &Limits) -> (f64, bool) {
 
 /// The shortest step from t.
 pub(super) fn shortest(t: f64, limits: &Limits) -> f64 {
-    (10.0 * f64::EPSILON * t.abs()).max(limits.min_step.unwrap_or(0.0)).max(f64::MIN_POSITIVE)
+    (10.0 * f64::EPSILON * t.abs())
+        .max(limits.min_step.unwrap_or(0.0))
+        .max(f64::MIN_POSITIVE)
 }
 
 /// Why a step was rejected.
@@ -96,24 +106,38 @@ pub(super) fn first_step(
     limits: &Limits,
     probe: Probe,
 ) -> (f64, u64) {
-    let longest = (end - t).abs().min(limits.max_step.unwrap_or(f64::INFINITY));
+    let longest = (end - t)
+        .abs()
+        .min(limits.max_step.unwrap_or(f64::INFINITY));
     if let Some(h) = limits.initial_step {
         return (h.abs().min(longest), 0);
     }
     let (size, slope) = (rms(y, probe.weights), rms(dy, probe.weights));
-    let mut h = if size < 1e-5 || slope < 1e-5 { 1e-6 } else { 0.01 * size / slope };
+    let mut h = if size < 1e-5 || slope < 1e-5 {
+        1e-6
+    } else {
+        0.01 * size / slope
+    };
     h = h.min(longest);
     for evaluations in 1..=20 {
         let signed = h.copysign(end - t);
         for ((to, y), dy) in probe.y.iter_mut().zip(y).zip(dy) {
             *to = y + signed * dy;
         }
-        if ode.eval(t + signed, probe.y, probe.dy).and_then(|()| finite(probe.dy)).is_ok() {
+        if ode
+            .eval(t + signed, probe.y, probe.dy)
+            .and_then(|()| finite(probe.dy))
+            .is_ok()
+        {
             for (next, dy) in probe.dy.iter_mut().zip(dy) {
                 *next -= dy;
             }
             let steepest = slope.max(rms(probe.dy, probe.weights) / h);
-            let second = if steepest <= 1e-15 { (1e-3 * h).max(1e-6) } else { (probe.root)(0.01 / steepest) };
+            let second = if steepest <= 1e-15 {
+                (1e-3 * h).max(1e-6)
+            } else {
+                (probe.root)(0.01 / steepest)
+            };
             return (second.min(100.0 * h).min(longest), evaluations);
         }
         h *= 0.1;

@@ -20,7 +20,9 @@
 //! Source: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd ed., Springer 1993,
 //! §II.4 (control), §II.5 (method), §II.6 (continuous extension), §II.10 (estimate).
 
-use super::control::{self, ATTEMPTS, Probe, Rejection, eighth_root, failure, finite, first_step, fit, shortest};
+use super::control::{
+    self, ATTEMPTS, Probe, Rejection, eighth_root, failure, finite, first_step, fit, shortest,
+};
 use super::dop853_tableau::*;
 use super::{Counters, Limits, Ode, Refused, StepFailure, Stepper, Tolerance};
 
@@ -102,7 +104,9 @@ fn slopes<'a, const N: usize>(row: &Row<N>, k: &'a [f64], n: usize) -> [&'a [f64
 /// Σ aⱼ kⱼᵢ.
 #[inline(always)]
 fn sum<const N: usize>(row: &Row<N>, slopes: &[&[f64]; N], i: usize) -> f64 {
-    row.iter().zip(slopes).fold(0.0, |sum, ((_, a), k)| sum + a * k[i])
+    row.iter()
+        .zip(slopes)
+        .fold(0.0, |sum, ((_, a), k)| sum + a * k[i])
 }
 
 /// y + h Σ aⱼ kⱼ.
@@ -145,10 +149,20 @@ impl Dop853 {
 
     /// Slope `s` of an attempt by h from `self.t`, by the row of its argument.
     #[inline(always)]
-    fn slope<const N: usize>(&mut self, ode: &mut dyn Ode, h: f64, s: usize, row: &Row<N>) -> Result<(), Refused> {
+    fn slope<const N: usize>(
+        &mut self,
+        ode: &mut dyn Ode,
+        h: f64,
+        s: usize,
+        row: &Row<N>,
+    ) -> Result<(), Refused> {
         combine(row, &self.k, h, &self.y, &mut self.stage);
         self.counters.evaluations += 1;
-        ode.eval(self.t + C[s] * h, &self.stage, &mut self.k[s * self.n..][..self.n])
+        ode.eval(
+            self.t + C[s] * h,
+            &self.stage,
+            &mut self.k[s * self.n..][..self.n],
+        )
     }
 
     /// Stages of a step by h: leaves its end in `next`, and returns its error over the tolerance.
@@ -197,7 +211,10 @@ impl Dop853 {
     /// Compares the two slopes and arguments at the end of the attempt.
     fn watch_stiffness(&mut self, h: f64) {
         let (mut slopes, mut arguments) = (0.0, 0.0);
-        let (stage, end) = (&self.k[(STAGES - 1) * self.n..][..self.n], &self.k[LAST * self.n..][..self.n]);
+        let (stage, end) = (
+            &self.k[(STAGES - 1) * self.n..][..self.n],
+            &self.k[LAST * self.n..][..self.n],
+        );
         for i in 0..self.n {
             let slope = (end[i] - stage[i]) * self.weights[i];
             let argument = (self.next[i] - self.stage[i]) * self.weights[i];
@@ -220,8 +237,18 @@ impl Dop853 {
         for i in 0..n {
             let (start, end) = (h * self.k[i], h * self.k[LAST * n + i]);
             let rise = self.y[i] - self.y_previous[i];
-            let higher = [sum(&D3, &d3, i), sum(&D4, &d4, i), sum(&D5, &d5, i), sum(&D6, &d6, i)].map(|d| h * d);
-            self.dense[DENSE * i..][..3].copy_from_slice(&[rise, start - rise, 2.0 * rise - (start + end)]);
+            let higher = [
+                sum(&D3, &d3, i),
+                sum(&D4, &d4, i),
+                sum(&D5, &d5, i),
+                sum(&D6, &d6, i),
+            ]
+            .map(|d| h * d);
+            self.dense[DENSE * i..][..3].copy_from_slice(&[
+                rise,
+                start - rise,
+                2.0 * rise - (start + end),
+            ]);
             self.dense[DENSE * i + 3..][..4].copy_from_slice(&higher);
         }
         self.dense_known = true;
@@ -229,7 +256,12 @@ impl Dop853 {
     }
 
     /// Slope `s` within the last accepted step.
-    fn extra_slope<const N: usize>(&mut self, ode: &mut dyn Ode, s: usize, row: &Row<N>) -> Result<(), Refused> {
+    fn extra_slope<const N: usize>(
+        &mut self,
+        ode: &mut dyn Ode,
+        s: usize,
+        row: &Row<N>,
+    ) -> Result<(), Refused> {
         combine(row, &self.k, self.taken, &self.y_previous, &mut self.stage);
         self.counters.evaluations += 1;
         let slope = &mut self.k[s * self.n..][..self.n];
@@ -241,9 +273,18 @@ impl Dop853 {
 impl Stepper for Dop853 {
     fn start(&mut self, ode: &mut dyn Ode, t: f64, y: &[f64], end: f64) -> Result<(), StepFailure> {
         let n = ode.dimension();
-        assert!(y.len() == n && self.tolerance.atol.len() == n, "y and atol have the dimension of the equations");
+        assert!(
+            y.len() == n && self.tolerance.atol.len() == n,
+            "y and atol have the dimension of the equations"
+        );
         self.n = n;
-        for vector in [&mut self.y, &mut self.y_previous, &mut self.stage, &mut self.next, &mut self.weights] {
+        for vector in [
+            &mut self.y,
+            &mut self.y_previous,
+            &mut self.stage,
+            &mut self.next,
+            &mut self.weights,
+        ] {
             vector.resize(n, 0.0);
         }
         self.k.resize(SLOPES * n, 0.0);
@@ -253,10 +294,17 @@ impl Stepper for Dop853 {
         self.y.copy_from_slice(y);
         let slope = &mut self.k[LAST * n..][..n];
         self.counters.evaluations += 1;
-        ode.eval(t, y, slope).and_then(|()| finite(slope)).map_err(|Refused| StepFailure::Refused { t })?;
+        ode.eval(t, y, slope)
+            .and_then(|()| finite(slope))
+            .map_err(|Refused| StepFailure::Refused { t })?;
         ode.accept(t, y);
         control::weigh(&self.tolerance, y, &mut self.weights);
-        let probe = Probe { root: eighth_root, weights: &self.weights, y: &mut self.stage, dy: &mut self.next };
+        let probe = Probe {
+            root: eighth_root,
+            weights: &self.weights,
+            y: &mut self.stage,
+            dy: &mut self.next,
+        };
         let (h, evaluations) = first_step(ode, t, y, slope, end, &self.limits, probe);
         self.h = h;
         self.counters.evaluations += evaluations;
@@ -284,12 +332,17 @@ impl Stepper for Dop853 {
                         let factor = (SAFETY / root).clamp(SHRINK, grow);
                         self.watch_stiffness(signed);
                         // a step cut for the end says nothing against the one proposed
-                        let cut = if attempt == 0 && signed.abs() < proposed { proposed } else { 0.0 };
+                        let cut = if attempt == 0 && signed.abs() < proposed {
+                            proposed
+                        } else {
+                            0.0
+                        };
                         self.h = (factor * signed.abs()).max(cut);
                         self.counters.steps += 1;
                         std::mem::swap(&mut self.y_previous, &mut self.y);
                         std::mem::swap(&mut self.y, &mut self.next);
-                        (self.previous, self.t, self.taken, self.dense_known) = (self.t, t, signed, false);
+                        (self.previous, self.t, self.taken, self.dense_known) =
+                            (self.t, t, signed, false);
                         ode.accept(self.t, &self.y);
                         return Ok(());
                     }
@@ -338,11 +391,19 @@ impl Stepper for Dop853 {
             self.extend(ode)?;
         }
         let x = (t - self.previous) / self.taken;
-        for ((y, start), dense) in y.iter_mut().zip(&self.y_previous).zip(self.dense.chunks_exact(DENSE)) {
+        for ((y, start), dense) in y
+            .iter_mut()
+            .zip(&self.y_previous)
+            .zip(self.dense.chunks_exact(DENSE))
+        {
             let polynomial =
-                dense.iter().enumerate().rev().fold(0.0, |sum, (power, coefficient)| {
-                    (sum + coefficient) * if power % 2 == 0 { x } else { 1.0 - x }
-                });
+                dense
+                    .iter()
+                    .enumerate()
+                    .rev()
+                    .fold(0.0, |sum, (power, coefficient)| {
+                        (sum + coefficient) * if power % 2 == 0 { x } else { 1.0 - x }
+                    });
             *y = start + polynomial;
         }
         Ok(())

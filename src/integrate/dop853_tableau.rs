@@ -43,11 +43,24 @@ pub(super) const A2: Row<2> = [(0, 0.0197250569845379), (1, 0.0591751709536137)]
 /// Argument of stage 3.
 pub(super) const A3: Row<2> = [(0, 0.02958758547680685), (2, 0.08876275643042054)];
 /// Argument of stage 4.
-pub(super) const A4: Row<3> = [(0, 0.2413651341592667), (2, -0.8845494793282861), (3, 0.924834003261792)];
+pub(super) const A4: Row<3> = [
+    (0, 0.2413651341592667),
+    (2, -0.8845494793282861),
+    (3, 0.924834003261792),
+];
 /// Argument of stage 5.
-pub(super) const A5: Row<3> = [(0, 0.037037037037037035), (3, 0.17082860872947386), (4, 0.12546768756682242)];
+pub(super) const A5: Row<3> = [
+    (0, 0.037037037037037035),
+    (3, 0.17082860872947386),
+    (4, 0.12546768756682242),
+];
 /// Argument of stage 6.
-pub(super) const A6: Row<4> = [(0, 0.037109375), (3, 0.17025221101954405), (4, 0.06021653898045596), (5, -0.017578125)];
+pub(super) const A6: Row<4> = [
+    (0, 0.037109375),
+    (3, 0.17025221101954405),
+    (4, 0.06021653898045596),
+    (5, -0.017578125),
+];
 /// Argument of stage 7.
 pub(super) const A7: Row<5> = [
     (0, 0.03709200011850479),
@@ -232,8 +245,24 @@ mod tests {
     /// The rows of A as a full matrix, up to the last stage of the continuous extension.
     fn full() -> [[f64; SLOPES]; SLOPES] {
         let mut a = [[0.0; SLOPES]; SLOPES];
-        let rows: [&[(usize, f64)]; SLOPES] =
-            [&[], &A1, &A2, &A3, &A4, &A5, &A6, &A7, &A8, &A9, &A10, &A11, &B, &A13, &A14, &A15];
+        let rows: [&[(usize, f64)]; SLOPES] = [
+            &[],
+            &A1,
+            &A2,
+            &A3,
+            &A4,
+            &A5,
+            &A6,
+            &A7,
+            &A8,
+            &A9,
+            &A10,
+            &A11,
+            &B,
+            &A13,
+            &A14,
+            &A15,
+        ];
         for (into, row) in a.iter_mut().zip(rows) {
             for &(stage, coefficient) in row {
                 into[stage] += coefficient;
@@ -247,7 +276,9 @@ mod tests {
     }
 
     fn product(a: &[[f64; SLOPES]; SLOPES], values: &[f64]) -> Vec<f64> {
-        a.iter().map(|row| row.iter().zip(values).map(|(a, v)| a * v).sum()).collect()
+        a.iter()
+            .map(|row| row.iter().zip(values).map(|(a, v)| a * v).sum())
+            .collect()
     }
 
     fn power(k: i32) -> Vec<f64> {
@@ -259,7 +290,10 @@ mod tests {
     }
 
     fn near(value: f64, expected: f64) {
-        assert!((value - expected).abs() < 3e-14, "{value} is not {expected}");
+        assert!(
+            (value - expected).abs() < 3e-14,
+            "{value} is not {expected}"
+        );
     }
 
     #[test]
@@ -275,7 +309,10 @@ mod tests {
         for k in 0..8 {
             near(weighted(&B, &power(k)), 1.0 / f64::from(k + 1));
         }
-        assert!((weighted(&B, &power(8)) - 1.0 / 9.0).abs() > 1e-6, "order 8, not 9");
+        assert!(
+            (weighted(&B, &power(8)) - 1.0 / 9.0).abs() > 1e-6,
+            "order 8, not 9"
+        );
         // trees with one branch Σ b cᵏ a cᵐ, up to order 8: k + m + 2 nodes
         for k in 0..7 {
             for m in 1..=6 - k {
@@ -293,7 +330,10 @@ mod tests {
         }
         let inner = product(&a, &power(2));
         near(weighted(&B, &times(&inner, &inner)), 1.0 / (7.0 * 9.0));
-        near(weighted(&B, &product(&a, &times(&inner, &power(2)))), 1.0 / (3.0 * 6.0 * 7.0));
+        near(
+            weighted(&B, &product(&a, &times(&inner, &power(2)))),
+            1.0 / (3.0 * 6.0 * 7.0),
+        );
     }
 
     #[test]
@@ -315,14 +355,24 @@ mod tests {
             let slopes: Vec<f64> = power(k).into_iter().map(|p| p * f64::from(k + 1)).collect();
             let higher = [&D3[..], &D4, &D5, &D6].map(|row| weighted(row, &slopes));
             let (start, end) = (slopes[0], slopes[LAST]);
-            let dense = [1.0, start - 1.0, 2.0 - start - end, higher[0], higher[1], higher[2], higher[3]];
+            let dense = [
+                1.0,
+                start - 1.0,
+                2.0 - start - end,
+                higher[0],
+                higher[1],
+                higher[2],
+                higher[3],
+            ];
             for x in [0.1, 0.37, 0.5, 0.93] {
-                let value = dense
-                    .iter()
-                    .enumerate()
-                    .rev()
-                    .fold(0.0, |sum, (power, d)| (sum + d) * if power % 2 == 0 { x } else { 1.0 - x });
-                assert!((value - f64::powi(x, k + 1)).abs() < 1e-12, "θ^{}: {value} at {x}", k + 1);
+                let value = dense.iter().enumerate().rev().fold(0.0, |sum, (power, d)| {
+                    (sum + d) * if power % 2 == 0 { x } else { 1.0 - x }
+                });
+                assert!(
+                    (value - f64::powi(x, k + 1)).abs() < 1e-12,
+                    "θ^{}: {value} at {x}",
+                    k + 1
+                );
             }
         }
     }

@@ -48,7 +48,10 @@ impl FromStr for Method {
     type Err = UnknownMethod;
 
     fn from_str(text: &str) -> Result<Self, UnknownMethod> {
-        Method::ALL.into_iter().find(|method| method.name() == text).ok_or_else(|| UnknownMethod(text.into()))
+        Method::ALL
+            .into_iter()
+            .find(|method| method.name() == text)
+            .ok_or_else(|| UnknownMethod(text.into()))
     }
 }
 
@@ -63,6 +66,11 @@ mod tests {
         }
         let unknown = "rk4".parse::<Method>().unwrap_err().to_string();
         assert!(unknown.contains("rk4"));
-        assert!(Method::ALL.iter().all(|method| unknown.contains(method.name())), "{unknown}");
+        assert!(
+            Method::ALL
+                .iter()
+                .all(|method| unknown.contains(method.name())),
+            "{unknown}"
+        );
     }
 }

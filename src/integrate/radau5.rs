@@ -14,7 +14,9 @@
 //!
 //! Source: E. Hairer, G. Wanner, *Solving Ordinary Differential Equations II*, 2nd ed., Springer 1996, §IV.8.
 
-use super::control::{ATTEMPTS, Probe, Rejection, failure, first_step, fit, fourth_root, shortest, weigh};
+use super::control::{
+    ATTEMPTS, Probe, Rejection, failure, first_step, fit, fourth_root, shortest, weigh,
+};
 use super::lu::Lu;
 use super::radau5_tableau::C;
 use super::{Counters, Limits, Ode, Refused, StepFailure, Stepper, Tolerance};
@@ -130,7 +132,13 @@ impl Radau5 {
     /// Makes room for n components.
     pub(super) fn reserve(&mut self, n: usize) {
         self.n = n;
-        for vector in [&mut self.y, &mut self.slope, &mut self.stage, &mut self.room, &mut self.weights] {
+        for vector in [
+            &mut self.y,
+            &mut self.slope,
+            &mut self.stage,
+            &mut self.room,
+            &mut self.weights,
+        ] {
             vector.resize(n, 0.0);
         }
         for vector in [&mut self.z, &mut self.w, &mut self.f, &mut self.dense] {
@@ -142,7 +150,13 @@ impl Radau5 {
     }
 
     /// An attempt by h that ends at t: its error, once f accepts its end, too (the slope is left in `room`).
-    fn attempt(&mut self, ode: &mut dyn Ode, h: f64, t: f64, careful: bool) -> Result<(f64, Converged), Rejection> {
+    fn attempt(
+        &mut self,
+        ode: &mut dyn Ode,
+        h: f64,
+        t: f64,
+        careful: bool,
+    ) -> Result<(f64, Converged), Rejection> {
         if self.age == Age::Stale {
             self.differentiate(ode, h)?;
         }
@@ -178,7 +192,8 @@ impl Radau5 {
         if error > 1.0 || self.taken == 0.0 {
             return factor;
         }
-        let predicted = SAFETY * (h / self.taken).abs() * fourth_root(self.error / error) / fourth_root(error);
+        let predicted =
+            SAFETY * (h / self.taken).abs() * fourth_root(self.error / error) / fourth_root(error);
         factor.min(predicted.clamp(SHRINK, GROW))
     }
 
@@ -205,7 +220,10 @@ impl Radau5 {
 impl Stepper for Radau5 {
     fn start(&mut self, ode: &mut dyn Ode, t: f64, y: &[f64], end: f64) -> Result<(), StepFailure> {
         let n = ode.dimension();
-        assert!(y.len() == n && self.given.atol.len() == n, "y and atol have the dimension of the equations");
+        assert!(
+            y.len() == n && self.given.atol.len() == n,
+            "y and atol have the dimension of the equations"
+        );
         self.reserve(n);
         let rtol = 0.1 * self.given.rtol.sqrt() * fourth_root(self.given.rtol);
         self.tolerance.rtol = rtol;
@@ -217,11 +235,17 @@ impl Stepper for Radau5 {
         (self.age, self.factored) = (Age::Stale, f64::NAN);
         self.y.copy_from_slice(y);
         self.stage.copy_from_slice(y);
-        self.eval(ode, t).map_err(|rejection| failure(rejection, t, 0.0))?;
+        self.eval(ode, t)
+            .map_err(|rejection| failure(rejection, t, 0.0))?;
         self.slope.copy_from_slice(&self.room);
         ode.accept(t, y);
         weigh(&self.tolerance, y, &mut self.weights);
-        let probe = Probe { root: fourth_root, weights: &self.weights, y: &mut self.stage, dy: &mut self.room };
+        let probe = Probe {
+            root: fourth_root,
+            weights: &self.weights,
+            y: &mut self.stage,
+            dy: &mut self.room,
+        };
         let (h, evaluations) = first_step(ode, t, y, &self.slope, end, &self.limits, probe);
         self.h = h;
         self.counters.evaluations += evaluations;
@@ -242,12 +266,18 @@ impl Stepper for Radau5 {
             let t = if last { end } else { self.t + signed };
             match self.attempt(ode, signed, t, !first || self.taken == 0.0) {
                 Ok((error, converged)) if error <= 1.0 => {
-                    let factor =
-                        self.factor_for(signed, error, converged.iterations).min(if first { GROW } else { 1.0 });
-                    let keep = converged.iterations <= KEEP_ITERATIONS || converged.rate <= KEEP_RATE;
+                    let factor = self
+                        .factor_for(signed, error, converged.iterations)
+                        .min(if first { GROW } else { 1.0 });
+                    let keep =
+                        converged.iterations <= KEEP_ITERATIONS || converged.rate <= KEEP_RATE;
                     self.age = if keep { Age::Kept } else { Age::Stale };
                     let stay = keep && (1.0..=KEEP_STEP).contains(&factor);
-                    let cut = if first && signed.abs() < proposed { proposed } else { 0.0 };
+                    let cut = if first && signed.abs() < proposed {
+                        proposed
+                    } else {
+                        0.0
+                    };
                     self.h = (if stay { 1.0 } else { factor } * signed.abs()).max(cut);
                     self.finish(ode, signed, t, error);
                     return Ok(());
@@ -292,7 +322,11 @@ impl Stepper for Radau5 {
     }
 
     fn interpolate(&mut self, _: &mut dyn Ode, t: f64, y: &mut [f64]) -> Result<(), Refused> {
-        let s = if self.taken == 0.0 { 0.0 } else { (t - self.t) / self.taken };
+        let s = if self.taken == 0.0 {
+            0.0
+        } else {
+            (t - self.t) / self.taken
+        };
         for (i, y) in y.iter_mut().enumerate() {
             *y = self.y[i] + self.polynomial(i, s);
         }

@@ -20,19 +20,31 @@ pub(super) const ALPHA: f64 = 2.6810828736277523;
 pub(super) const BETA: f64 = 3.0504301992474105;
 
 pub(super) const T: [[f64; 3]; 3] = [
-    [0.09443876248897524, -0.1412552950209542, 0.03002919410514742],
+    [
+        0.09443876248897524,
+        -0.1412552950209542,
+        0.03002919410514742,
+    ],
     [0.2502131229653333, 0.20412935229379994, -0.3829421127572619],
     [1.0, 1.0, 0.0],
 ];
 
 pub(super) const T_INVERSE: [[f64; 3]; 3] = [
     [4.178718591551904, 0.32768282076106237, 0.5233764454994495],
-    [-4.178718591551904, -0.32768282076106237, 0.47662355450055044],
+    [
+        -4.178718591551904,
+        -0.32768282076106237,
+        0.47662355450055044,
+    ],
     [0.5028726349457868, -2.571926949855605, 0.5960392048282249],
 ];
 
 /// Weights of the stages in the estimate: (γ/h − J) e = f(t, y) + Σ Eᵢ Zᵢ / h.
-pub(super) const E: [f64; 3] = [(-13.0 - 7.0 * ROOT) / 3.0, (-13.0 + 7.0 * ROOT) / 3.0, -1.0 / 3.0];
+pub(super) const E: [f64; 3] = [
+    (-13.0 - 7.0 * ROOT) / 3.0,
+    (-13.0 + 7.0 * ROOT) / 3.0,
+    -1.0 / 3.0,
+];
 
 #[cfg(test)]
 mod tests {
@@ -41,8 +53,16 @@ mod tests {
     type Matrix = [[f64; 3]; 3];
 
     const A: Matrix = [
-        [(88.0 - 7.0 * ROOT) / 360.0, (296.0 - 169.0 * ROOT) / 1800.0, (-2.0 + 3.0 * ROOT) / 225.0],
-        [(296.0 + 169.0 * ROOT) / 1800.0, (88.0 + 7.0 * ROOT) / 360.0, (-2.0 - 3.0 * ROOT) / 225.0],
+        [
+            (88.0 - 7.0 * ROOT) / 360.0,
+            (296.0 - 169.0 * ROOT) / 1800.0,
+            (-2.0 + 3.0 * ROOT) / 225.0,
+        ],
+        [
+            (296.0 + 169.0 * ROOT) / 1800.0,
+            (88.0 + 7.0 * ROOT) / 360.0,
+            (-2.0 - 3.0 * ROOT) / 225.0,
+        ],
         [(16.0 - ROOT) / 36.0, (16.0 + ROOT) / 36.0, 1.0 / 9.0],
     ];
 
@@ -58,7 +78,10 @@ mod tests {
 
     #[test]
     fn transformation_takes_the_stages_apart() {
-        near(&product(&T, &T_INVERSE), &[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+        near(
+            &product(&T, &T_INVERSE),
+            &[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        );
         let eigen = [[GAMMA, 0.0, 0.0], [0.0, ALPHA, BETA], [0.0, -BETA, ALPHA]];
         near(&product(&A, &product(&T, &eigen)), &T);
     }
@@ -67,7 +90,12 @@ mod tests {
     #[test]
     fn order_conditions_hold() {
         for k in 0..5 {
-            let sums = A.map(|row| row.iter().zip(C).map(|(a, c)| a * f64::powi(c, k)).sum::<f64>());
+            let sums = A.map(|row| {
+                row.iter()
+                    .zip(C)
+                    .map(|(a, c)| a * f64::powi(c, k))
+                    .sum::<f64>()
+            });
             for (i, (sum, c)) in sums.into_iter().zip(C).enumerate() {
                 if k < 3 || i == 2 {
                     assert!((sum - c.powi(k + 1) / f64::from(k + 1)).abs() < 1e-15);
@@ -79,7 +107,12 @@ mod tests {
     /// The estimate vanishes for y′ = tᵏ, k up to 2: f(0) + Σ Eᵢ Zᵢ = 0 with Zᵢ = cᵢ^(k+1) / (k+1).
     #[test]
     fn estimate_is_of_order_3() {
-        let estimate = |k: i32| -> f64 { E.iter().zip(C).map(|(e, c)| e * c.powi(k + 1) / f64::from(k + 1)).sum() };
+        let estimate = |k: i32| -> f64 {
+            E.iter()
+                .zip(C)
+                .map(|(e, c)| e * c.powi(k + 1) / f64::from(k + 1))
+                .sum()
+        };
         assert!((1.0 + estimate(0)).abs() < 1e-14);
         assert!(estimate(1).abs() < 1e-14 && estimate(2).abs() < 1e-14);
         assert!(estimate(3).abs() > 1e-3);

@@ -23,7 +23,9 @@ impl Model {
     /// No body holds both centres, not the one that the file names, or the centres are one.
     pub fn carrier(&self, name: &str, joint: &Joint) -> Option<Result<Carrier<'_>, Complaint>> {
         match &joint.kind {
-            JointKind::Gear { carrier, .. } => Some(self.find_carrier(name, &joint.between, carrier.as_deref())),
+            JointKind::Gear { carrier, .. } => {
+                Some(self.find_carrier(name, &joint.between, carrier.as_deref()))
+            }
             JointKind::Revolute { .. }
             | JointKind::Prismatic { .. }
             | JointKind::Slot { .. }
@@ -31,13 +33,28 @@ impl Model {
         }
     }
 
-    fn find_carrier(&self, name: &str, wheels: &[PointRef; 2], named: Option<&str>) -> Result<Carrier<'_>, Complaint> {
+    fn find_carrier(
+        &self,
+        name: &str,
+        wheels: &[PointRef; 2],
+        named: Option<&str>,
+    ) -> Result<Carrier<'_>, Complaint> {
         let [first, second] = wheels.each_ref().map(|wheel| self.places_of(wheel));
-        let on = |places: &[Place], body: &str| places.iter().find(|place| place.0 == body).map(|place| place.1);
-        let candidates = self.bodies.keys().filter(|body| wheels.iter().all(|wheel| wheel.body != **body));
+        let on = |places: &[Place], body: &str| {
+            places
+                .iter()
+                .find(|place| place.0 == body)
+                .map(|place| place.1)
+        };
+        let candidates = self
+            .bodies
+            .keys()
+            .filter(|body| wheels.iter().all(|wheel| wheel.body != **body));
         let mut carriers = candidates.filter_map(|body| {
             let centres = [on(&first, body)?, on(&second, body)?];
-            named.is_none_or(|named| named == body).then_some(Carrier { body, centres })
+            named
+                .is_none_or(|named| named == body)
+                .then_some(Carrier { body, centres })
         });
         let both = format!("both {} and {}", wheels[0], wheels[1]);
         let between = format!("joints.{name}.between");
@@ -65,10 +82,15 @@ impl Model {
         let mut next = 0;
         while let Some(&here) = places.get(next) {
             next += 1;
-            for joint in self.joints.values().filter(|joint| holds_points(&joint.kind)) {
+            for joint in self
+                .joints
+                .values()
+                .filter(|joint| holds_points(&joint.kind))
+            {
                 for (from, to) in [(0, 1), (1, 0)] {
                     let (from, to) = (&joint.between[from], &joint.between[to]);
-                    let other = (from.body == here.0 && self.place(from) == Some(here)).then(|| self.place(to));
+                    let other = (from.body == here.0 && self.place(from) == Some(here))
+                        .then(|| self.place(to));
                     places.extend(other.flatten().filter(|place| !places.contains(place)));
                 }
             }

@@ -26,9 +26,21 @@ pub(super) struct Checked<'a> {
 }
 
 /// Checks everything that concerns more than one value.
-pub(super) fn check<'a>(model: &'a Value, references: &[Reference], source: &Source) -> Checked<'a> {
-    let dotted = members(&model["bodies"]).map(|(name, _)| name.as_str()).filter(|name| name.contains('.')).collect();
-    let mut checked = Checked { model, dotted, complaints: Vec::new(), warnings: Vec::new() };
+pub(super) fn check<'a>(
+    model: &'a Value,
+    references: &[Reference],
+    source: &Source,
+) -> Checked<'a> {
+    let dotted = members(&model["bodies"])
+        .map(|(name, _)| name.as_str())
+        .filter(|name| name.contains('.'))
+        .collect();
+    let mut checked = Checked {
+        model,
+        dotted,
+        complaints: Vec::new(),
+        warnings: Vec::new(),
+    };
     for reference in references {
         checked.reference(reference, source);
     }
@@ -64,7 +76,11 @@ fn did_you_mean(word: &str, names: &Map<String, Value>, what: &str) -> String {
 }
 
 impl Checked<'_> {
-    pub(super) fn complain(&mut self, path: impl Into<String>, message: impl Into<String>) -> &mut Complaint {
+    pub(super) fn complain(
+        &mut self,
+        path: impl Into<String>,
+        message: impl Into<String>,
+    ) -> &mut Complaint {
         self.complaints.push(Complaint::new(path, message));
         let last = self.complaints.len() - 1;
         &mut self.complaints[last]
@@ -82,7 +98,8 @@ impl Checked<'_> {
             "driver" => self.named(path, text, "drivers", "driver"),
             _ => self.named(path, text, "joints", "joint"),
         };
-        self.complaints.extend(complaint.map(|complaint| source.place(complaint)));
+        self.complaints
+            .extend(complaint.map(|complaint| source.place(complaint)));
     }
 
     fn named(&self, path: &str, name: &str, map: &str, what: &str) -> Option<Complaint> {
@@ -122,7 +139,10 @@ impl Checked<'_> {
         let Some((body, point)) = text.split_once('.') else {
             let hint = match bodies.get(text).and_then(|body| body["points"].as_object()) {
                 Some(points) => {
-                    format!("write it as body.point; the points of {text:?}: {}", suggest::list(points.keys()))
+                    format!(
+                        "write it as body.point; the points of {text:?}: {}",
+                        suggest::list(points.keys())
+                    )
                 }
                 None => "write it as body.point, such as \"crank.A\"".into(),
             };
@@ -136,23 +156,33 @@ impl Checked<'_> {
                 None => &empty,
             },
             Some(_) => return None,
-            None if body == GROUND => match bodies.keys().find(|name| name.eq_ignore_ascii_case(GROUND)) {
-                Some(name) => {
-                    let hint = format!("the fixed body is written {GROUND:?}, not {name:?}");
-                    return Some(Complaint::new(path, format!("there is no body {GROUND:?}")).hint(hint));
+            None if body == GROUND => {
+                match bodies.keys().find(|name| name.eq_ignore_ascii_case(GROUND)) {
+                    Some(name) => {
+                        let hint = format!("the fixed body is written {GROUND:?}, not {name:?}");
+                        return Some(
+                            Complaint::new(path, format!("there is no body {GROUND:?}")).hint(hint),
+                        );
+                    }
+                    None => &empty,
                 }
-                None => &empty,
-            },
+            }
             None => {
                 let hint = did_you_mean(body, bodies, "the bodies");
                 return Some(Complaint::new(path, format!("there is no body {body:?}")).hint(hint));
             }
         };
-        if points.contains_key(point) || points.keys().any(|name| name.contains('.') && point.starts_with(name)) {
+        if points.contains_key(point)
+            || points
+                .keys()
+                .any(|name| name.contains('.') && point.starts_with(name))
+        {
             return None;
         }
         let mut hint = format!("its points: {}", suggest::list(points.keys()));
-        if let Some(near) = suggest::nearest(point, points.keys().map(String::as_str)).filter(|_| points.len() > 1) {
+        if let Some(near) =
+            suggest::nearest(point, points.keys().map(String::as_str)).filter(|_| points.len() > 1)
+        {
             hint = format!("did you mean {:?}? {hint}", format!("{body}.{near}"));
         }
         Some(Complaint::new(path, format!("body {body:?} has no point {point:?}")).hint(hint))
@@ -164,8 +194,13 @@ impl Checked<'_> {
             let mass = body["mass"].as_f64().unwrap_or(0.0);
             if mass > 0.0 && body.get("com").is_none() {
                 let path = join("bodies", name);
-                self.complain(path, "\"com\" is missing, it has no default where there is mass").hint =
-                    Some("give the centre of mass in the body's frame, as in \"com\": [0, 0]".into());
+                self.complain(
+                    path,
+                    "\"com\" is missing, it has no default where there is mass",
+                )
+                .hint = Some(
+                    "give the centre of mass in the body's frame, as in \"com\": [0, 0]".into(),
+                );
             }
         }
     }
@@ -178,8 +213,11 @@ impl Checked<'_> {
             if let (Some(first), Some(second)) = (first, second)
                 && first == second
             {
-                self.complain(format!("{path}.between"), format!("both points are of {first:?}")).hint =
-                    Some("a joint connects two bodies".into());
+                self.complain(
+                    format!("{path}.between"),
+                    format!("both points are of {first:?}"),
+                )
+                .hint = Some("a joint connects two bodies".into());
             }
             check_clearance::clearance(self, &joint["clearance"], &format!("{path}.clearance"));
             check_clearance::joint_friction(self, joint, &path);
@@ -201,16 +239,24 @@ impl Checked<'_> {
                     let other = text("relative_to").unwrap_or(GROUND);
                     if body == GROUND && other == GROUND {
                         let hint = "name the body that the driver turns";
-                        self.complain(format!("{path}.body"), "ground is fixed, nothing can turn it").hint =
-                            Some(hint.into());
+                        self.complain(
+                            format!("{path}.body"),
+                            "ground is fixed, nothing can turn it",
+                        )
+                        .hint = Some(hint.into());
                         continue;
                     }
                     if body == other {
-                        let message = format!("the angle of {body:?} relative to itself cannot be driven");
+                        let message =
+                            format!("the angle of {body:?} relative to itself cannot be driven");
                         self.complain(format!("{path}.body"), message);
                         continue;
                     }
-                    let (first, second) = if body < other { (body, other) } else { (other, body) };
+                    let (first, second) = if body < other {
+                        (body, other)
+                    } else {
+                        (other, body)
+                    };
                     format!("the angle between {first:?} and {second:?}")
                 }
                 Some("translation") => {
@@ -221,7 +267,9 @@ impl Checked<'_> {
                             format!("{path}.joint"),
                             format!("this joint is {kind}, neither prismatic nor slot"),
                         )
-                        .hint = Some("a translation drives the slide of a prismatic joint or a slot".into());
+                        .hint = Some(
+                            "a translation drives the slide of a prismatic joint or a slot".into(),
+                        );
                         continue;
                     }
                     format!("the slide of joint {joint:?}")
@@ -239,14 +287,17 @@ impl Checked<'_> {
 
     fn initial(&mut self) {
         let model = self.model;
-        let Some(bodies) = model["bodies"].as_object() else { return };
+        let Some(bodies) = model["bodies"].as_object() else {
+            return;
+        };
         for (name, _) in members(&model["initial"]) {
             let path = join("initial", name);
             if name == GROUND {
                 self.complain(path, "ground is fixed, it has no initial values");
             } else if !bodies.contains_key(name) {
                 let hint = did_you_mean(name, bodies, "the bodies");
-                self.complain(path, format!("there is no body {name:?}")).hint = Some(hint);
+                self.complain(path, format!("there is no body {name:?}"))
+                    .hint = Some(hint);
             }
         }
     }
@@ -257,8 +308,8 @@ impl Checked<'_> {
         for (index, point) in points.into_iter().flatten().enumerate() {
             let Some(text) = point.as_str() else { continue };
             if let Some(first) = seen.insert(text, index) {
-                self.complain(format!("points[{index}]"), "the point is listed twice").hint =
-                    Some(format!("first as points[{first}]"));
+                self.complain(format!("points[{index}]"), "the point is listed twice")
+                    .hint = Some(format!("first as points[{first}]"));
             }
         }
     }
@@ -271,7 +322,10 @@ impl Checked<'_> {
             return;
         }
         if transmission["output"].as_str() == Some(GROUND) {
-            self.complain("analysis.transmission.output", "ground is fixed, nothing is transmitted to it");
+            self.complain(
+                "analysis.transmission.output",
+                "ground is fixed, nothing is transmitted to it",
+            );
         }
         let drivers = members(&model["drivers"]).count();
         if transmission.get("driver").is_none() && drivers != 1 {
@@ -285,7 +339,9 @@ impl Checked<'_> {
     fn sample(&mut self) {
         let sample = &self.model["analysis"]["sample"];
         let [from, to, step] = ["from", "to", "step"].map(|key| sample[key].as_f64());
-        let (Some(from), Some(to), Some(step)) = (from, to, step) else { return };
+        let (Some(from), Some(to), Some(step)) = (from, to, step) else {
+            return;
+        };
         if ((to - from) / step).abs() > MOST_OUTPUTS as f64 {
             let message = format!("more than {MOST_OUTPUTS} outputs between \"from\" and \"to\"");
             self.complain("analysis.sample.step", message).hint = Some("take a larger step".into());
@@ -295,22 +351,40 @@ impl Checked<'_> {
     /// Exactly one way to say which instants are wanted.
     fn analysis(&mut self) {
         let analysis = &self.model["analysis"];
-        let Some(kind) = analysis["type"].as_str() else { return };
-        let [end, outputs, sample] = ["end", "outputs", "sample"].map(|key| analysis.get(key).is_some());
+        let Some(kind) = analysis["type"].as_str() else {
+            return;
+        };
+        let [end, outputs, sample] =
+            ["end", "outputs", "sample"].map(|key| analysis.get(key).is_some());
         let needed = !matches!(kind, "assembly" | "statics");
         if !needed && analysis["outputs_at"] == "events" {
-            self.complain("analysis.outputs_at", format!("{kind} has one instant and no events")).hint =
-                Some("leave it out, or choose an analysis of a motion".into());
+            self.complain(
+                "analysis.outputs_at",
+                format!("{kind} has one instant and no events"),
+            )
+            .hint = Some("leave it out, or choose an analysis of a motion".into());
         }
         let (path, message, hint) = match (end, outputs, sample) {
-            (true, _, true) => ("analysis.end", "\"end\" and \"sample\" exclude each other", "keep one of them"),
-            (false, true, true) => {
-                ("analysis.outputs", "\"outputs\" and \"sample\" exclude each other", "keep one of them")
-            }
-            (true, false, false) if needed => {
-                ("analysis", "\"outputs\" is missing", "the number of output instants, both ends included")
-            }
-            (false, true, false) if needed => ("analysis", "\"end\" is missing", "the end time, the start is 0"),
+            (true, _, true) => (
+                "analysis.end",
+                "\"end\" and \"sample\" exclude each other",
+                "keep one of them",
+            ),
+            (false, true, true) => (
+                "analysis.outputs",
+                "\"outputs\" and \"sample\" exclude each other",
+                "keep one of them",
+            ),
+            (true, false, false) if needed => (
+                "analysis",
+                "\"outputs\" is missing",
+                "the number of output instants, both ends included",
+            ),
+            (false, true, false) if needed => (
+                "analysis",
+                "\"end\" is missing",
+                "the end time, the start is 0",
+            ),
             (false, false, false) if needed => {
                 let hint = "give \"end\" and \"outputs\", or \"sample\"";
                 ("analysis", "it is not said for which instants", hint)

@@ -128,7 +128,10 @@ pub struct Normal {
 #[serde(untagged)]
 pub enum Elastic {
     /// Each its own.
-    Separate { bearing: Material, journal: Material },
+    Separate {
+        bearing: Material,
+        journal: Material,
+    },
     /// One for both.
     Same(Material),
 }

@@ -33,7 +33,12 @@ pub struct Powers {
 
 /// Exponents in the order length, mass, time, angle.
 pub(super) const fn powers(length: i32, mass: i32, time: i32, angle: i32) -> Powers {
-    Powers { length, mass, time, angle }
+    Powers {
+        length,
+        mass,
+        time,
+        angle,
+    }
 }
 
 impl Dimension {
@@ -73,7 +78,9 @@ impl Dimension {
             Dimension::Velocity => ("velocity", "m/s", powers(1, 0, -1, 0)),
             Dimension::AngularVelocity => ("angular_velocity", "rad/s", powers(0, 0, -1, 1)),
             Dimension::Acceleration => ("acceleration", "m/s^2", powers(1, 0, -2, 0)),
-            Dimension::AngularAcceleration => ("angular_acceleration", "rad/s^2", powers(0, 0, -2, 1)),
+            Dimension::AngularAcceleration => {
+                ("angular_acceleration", "rad/s^2", powers(0, 0, -2, 1))
+            }
             Dimension::Time => ("time", "s", powers(0, 0, 1, 0)),
             Dimension::Stress => ("stress", "Pa", powers(-1, 1, -2, 0)),
             Dimension::Frequency => ("frequency", "Hz", powers(0, 0, -1, 0)),
@@ -97,12 +104,17 @@ impl Dimension {
 
     /// The dimension of this name.
     pub fn from_name(name: &str) -> Option<Self> {
-        Dimension::NAMED.into_iter().chain([Dimension::Frequency]).find(|dimension| dimension.name() == name)
+        Dimension::NAMED
+            .into_iter()
+            .chain([Dimension::Frequency])
+            .find(|dimension| dimension.name() == name)
     }
 
     /// Where it stands in `NAMED`.
     pub fn index(self) -> Option<usize> {
-        Dimension::NAMED.iter().position(|&dimension| dimension == self)
+        Dimension::NAMED
+            .iter()
+            .position(|&dimension| dimension == self)
     }
 
     /// The named dimension of its `order`-th derivative by time, where there is one.
@@ -121,7 +133,10 @@ impl Dimension {
 impl Powers {
     /// The same, per second^order.
     pub fn per_second(self, order: i32) -> Powers {
-        Powers { time: self.time - order, ..self }
+        Powers {
+            time: self.time - order,
+            ..self
+        }
     }
 
     /// Whether a unit of the `given` exponents will do: exactly these, or with the radian of "per radian" left out.

@@ -1,7 +1,8 @@
 //! How to write each key whose value is more than a number: what complaints show where it is missing or of another kind.
 
 /// How to write `units`.
-pub(super) const UNITS: &str = r#""units": "SI", or name other units: {"length": "mm", "angle": "deg"}"#;
+pub(super) const UNITS: &str =
+    r#""units": "SI", or name other units: {"length": "mm", "angle": "deg"}"#;
 
 const MOTION: &str = r#""motion": { "type": "constant_velocity", "velocity": "60 rpm" }"#;
 
@@ -10,43 +11,123 @@ const EXAMPLES: [(&str, &str, &str); 41] = [
     ("format", "", r#""format": "linkdyn/1""#),
     ("units", "", UNITS),
     ("gravity", "", r#""gravity": [0, -9.81]"#),
-    ("between", "the two ends, ", r#""between": ["ground.A", "crank.A"]"#),
-    ("axis", "a direction in the first body, ", r#""axis": [1, 0]"#),
-    ("ratio", "turns of the second wheel per turn of the first, ", r#""ratio": -2; negative for an external mesh"#),
-    ("pose", "", r#""pose": { "position": [50, 0], "angle": "60 deg" }"#),
+    (
+        "between",
+        "the two ends, ",
+        r#""between": ["ground.A", "crank.A"]"#,
+    ),
+    (
+        "axis",
+        "a direction in the first body, ",
+        r#""axis": [1, 0]"#,
+    ),
+    (
+        "ratio",
+        "turns of the second wheel per turn of the first, ",
+        r#""ratio": -2; negative for an external mesh"#,
+    ),
+    (
+        "pose",
+        "",
+        r#""pose": { "position": [50, 0], "angle": "60 deg" }"#,
+    ),
     ("position", "", r#""position": [50, 0]"#),
     ("com", "", r#""com": [50, 0]"#),
     ("motion", "", MOTION),
     ("coefficients", "", r#""coefficients": [0, "10 rad/s"]"#),
     ("amplitude", "", r#""amplitude": "30 deg""#),
     ("frequency", "", r#""frequency": "2 Hz""#),
-    ("velocity", "", r#""velocity": "60 rpm", or "10 mm/s" of a slide"#),
-    ("acceleration", "", r#""acceleration": "2 rad/s^2", or "10 mm/s^2" of a slide"#),
+    (
+        "velocity",
+        "",
+        r#""velocity": "60 rpm", or "10 mm/s" of a slide"#,
+    ),
+    (
+        "acceleration",
+        "",
+        r#""acceleration": "2 rad/s^2", or "10 mm/s^2" of a slide"#,
+    ),
     ("body", "the name of a body, ", r#""body": "crank""#),
-    ("joint", "the name of a prismatic joint or a slot, ", r#""joint": "guide""#),
+    (
+        "joint",
+        "the name of a prismatic joint or a slot, ",
+        r#""joint": "guide""#,
+    ),
     ("at", "a point of a body, ", r#""at": "crank.A""#),
     ("vector", "", r#""vector": [0, -10]"#),
     ("value", "", r#""value": "5 N*m""#),
-    ("clearance", "", r#""clearance": { "model": "massless_link", "radius": "0.1 mm" }"#),
-    ("normal", "", r#""normal": { "law": "hunt_crossley", "stiffness": 1e9, "restitution": 0.9 }"#),
-    ("friction", "", r#""friction": { "law": "coulomb", "coefficient": 0.1, "threshold_velocity": "1 mm/s" }"#),
-    ("surface", "", r#""surface": { "stiffness": "1e8 N/m", "damping": "2e3 N*s/m" }"#),
+    (
+        "clearance",
+        "",
+        r#""clearance": { "model": "massless_link", "radius": "0.1 mm" }"#,
+    ),
+    (
+        "normal",
+        "",
+        r#""normal": { "law": "hunt_crossley", "stiffness": 1e9, "restitution": 0.9 }"#,
+    ),
+    (
+        "friction",
+        "",
+        r#""friction": { "law": "coulomb", "coefficient": 0.1, "threshold_velocity": "1 mm/s" }"#,
+    ),
+    (
+        "surface",
+        "",
+        r#""surface": { "stiffness": "1e8 N/m", "damping": "2e3 N*s/m" }"#,
+    ),
     ("impact", "", r#""impact": { "restitution": 0.9 }"#),
-    ("elastic", "", r#""elastic": { "young_modulus": "207 GPa", "poisson_ratio": 0.3 }"#),
+    (
+        "elastic",
+        "",
+        r#""elastic": { "young_modulus": "207 GPa", "poisson_ratio": 0.3 }"#,
+    ),
     ("young_modulus", "", r#""young_modulus": "207 GPa""#),
     ("poisson_ratio", "", r#""poisson_ratio": 0.3"#),
     ("columns", "", r#""columns": ["crank.*", "joint.b.f?"]"#),
-    ("sample", "", r#""sample": { "driver": "motor", "from": 0, "to": "360 deg", "step": "1 deg" }"#),
+    (
+        "sample",
+        "",
+        r#""sample": { "driver": "motor", "from": 0, "to": "360 deg", "step": "1 deg" }"#,
+    ),
     ("driver", "the name of a driver, ", r#""driver": "motor""#),
     ("output", "the name of a body, ", r#""output": "rocker""#),
     ("solver", "", r#""solver": { "rtol": 1e-8 }"#),
-    ("transmission", "", r#""transmission": { "output": "rocker" }"#),
-    ("analysis", "", r#""analysis": { "type": "kinematics", "end": 1, "outputs": 101 }"#),
-    ("bodies", "", r#""bodies": { "crank": { "points": { "A": [0, 0], "B": [50, 0] } } }"#),
-    ("joints", "", r#""joints": { "a": { "type": "revolute", "between": ["ground.A", "crank.A"] } }"#),
-    ("drivers", "", r#""drivers": { "motor": { "type": "rotation", "body": "crank", "motion": { … } } }"#),
-    ("forces", "", r#""forces": { "load": { "type": "force", "at": "crank.A", "vector": [0, -10] } }"#),
-    ("initial", "", r#""initial": { "crank": { "angle": "60 deg" } }"#),
+    (
+        "transmission",
+        "",
+        r#""transmission": { "output": "rocker" }"#,
+    ),
+    (
+        "analysis",
+        "",
+        r#""analysis": { "type": "kinematics", "end": 1, "outputs": 101 }"#,
+    ),
+    (
+        "bodies",
+        "",
+        r#""bodies": { "crank": { "points": { "A": [0, 0], "B": [50, 0] } } }"#,
+    ),
+    (
+        "joints",
+        "",
+        r#""joints": { "a": { "type": "revolute", "between": ["ground.A", "crank.A"] } }"#,
+    ),
+    (
+        "drivers",
+        "",
+        r#""drivers": { "motor": { "type": "rotation", "body": "crank", "motion": { … } } }"#,
+    ),
+    (
+        "forces",
+        "",
+        r#""forces": { "load": { "type": "force", "at": "crank.A", "vector": [0, -10] } }"#,
+    ),
+    (
+        "initial",
+        "",
+        r#""initial": { "crank": { "angle": "60 deg" } }"#,
+    ),
     ("stiffness", "", r#""stiffness": "1e8 N/m""#),
 ];
 
@@ -56,16 +137,23 @@ fn row(path: &str) -> Option<(&'static str, &'static str)> {
     let key = *steps.last()?;
     match steps.as_slice() {
         // A name that somebody gave.
-        ["bodies" | "joints" | "drivers" | "forces" | "initial" | "parameters", _] => None,
+        [
+            "bodies" | "joints" | "drivers" | "forces" | "initial" | "parameters",
+            _,
+        ] => None,
         [.., "points", _] => Some(("", r#""A": [50, 0]"#)),
         ["points"] => Some(("", r#""points": ["coupler.P"]"#)),
         ["bodies", _, "points"] => Some(("", r#""points": { "A": [0, 0], "B": [50, 0] }"#)),
         [.., "points"] => Some(("", r#""points": [[0, 0], [1, "90 deg"]]"#)),
         // In SI with the law's exponent; only that of a linear law has a unit that can be written.
-        [.., "normal", "stiffness"] => {
-            Some(("", r#""stiffness": 1e9, in N/m^exponent; only "kelvin_voigt" takes a unit"#))
-        }
-        _ => EXAMPLES.iter().find(|row| row.0 == key).map(|row| (row.1, row.2)),
+        [.., "normal", "stiffness"] => Some((
+            "",
+            r#""stiffness": 1e9, in N/m^exponent; only "kelvin_voigt" takes a unit"#,
+        )),
+        _ => EXAMPLES
+            .iter()
+            .find(|row| row.0 == key)
+            .map(|row| (row.1, row.2)),
     }
 }
 

@@ -25,7 +25,13 @@ const FIXED: [&str; 16] = [
 
 /// What to say where joints connect bodies, and neither a joint nor a spring connects one of them to ground.
 pub fn unheld(model: &Model) -> Option<Complaint> {
-    let on_joints = || model.joints.values().flat_map(|joint| &joint.between).map(|end| end.body.as_str());
+    let on_joints = || {
+        model
+            .joints
+            .values()
+            .flat_map(|joint| &joint.between)
+            .map(|end| end.body.as_str())
+    };
     let by_spring = model.forces.values().any(|force| match &force.kind {
         ForceKind::Spring { between, .. } => between.iter().any(|end| end.body == GROUND),
         ForceKind::TorsionSpring { between, .. } => between.iter().any(|body| body == GROUND),
@@ -43,14 +49,18 @@ pub fn unheld(model: &Model) -> Option<Complaint> {
         Some(body) => format!("rename the fixed body, probably {body:?}, to \"ground\""),
         None => "rename the fixed body to \"ground\"".to_string(),
     };
-    Some(Complaint::new("bodies", message).hint(format!("{rename}, unless all of it is to move freely")))
+    Some(
+        Complaint::new("bodies", message)
+            .hint(format!("{rename}, unless all of it is to move freely")),
+    )
 }
 
 /// The body that was probably meant to be fixed: by its name, or as the only one without mass.
 fn likely(model: &Model) -> Option<&str> {
     let moving = || model.bodies.iter().filter(|(name, _)| *name != GROUND);
     let is_word = |word: &str| FIXED.iter().any(|fixed| fixed.eq_ignore_ascii_case(word));
-    let mut named = moving().filter(|(name, _)| name.split(|c: char| !c.is_alphabetic()).any(is_word));
+    let mut named =
+        moving().filter(|(name, _)| name.split(|c: char| !c.is_alphabetic()).any(is_word));
     if let Some((name, _)) = named.next() {
         return Some(name);
     }

@@ -22,7 +22,10 @@ impl TryFrom<String> for PointRef {
 
     fn try_from(text: String) -> Result<Self, String> {
         match text.split_once('.') {
-            Some((body, point)) => Ok(PointRef { body: body.into(), point: point.into() }),
+            Some((body, point)) => Ok(PointRef {
+                body: body.into(),
+                point: point.into(),
+            }),
             None => Err(format!("{text:?} is not body.point")),
         }
     }

@@ -38,7 +38,14 @@ pub struct Repeat {
 /// # Errors
 /// The first fault of syntax.
 pub fn parse(text: &str) -> Result<(Node, Vec<Repeat>), Fault> {
-    let mut parser = Parser { text, at: 0, depth: 0, values: 0, path: Vec::new(), repeats: Vec::new() };
+    let mut parser = Parser {
+        text,
+        at: 0,
+        depth: 0,
+        values: 0,
+        path: Vec::new(),
+        repeats: Vec::new(),
+    };
     parser.skip_blanks();
     if parser.at == text.len() {
         return Err(parser.fault(0, "there is nothing in it"));
@@ -68,7 +75,11 @@ struct Parser<'a> {
 
 impl Parser<'_> {
     fn fault(&self, at: usize, message: impl Into<String>) -> Fault {
-        Fault { at, message: message.into(), hint: None }
+        Fault {
+            at,
+            message: message.into(),
+            hint: None,
+        }
     }
 
     fn peek(&self) -> Option<u8> {
@@ -84,27 +95,46 @@ impl Parser<'_> {
     /// Says what stands here instead of what is `wanted`.
     fn unexpected(&self, wanted: &str) -> Fault {
         let Some(found) = self.text[self.at..].chars().next() else {
-            return self.fault(self.at, format!("it ends where {wanted} is expected; it seems cut short"));
+            return self.fault(
+                self.at,
+                format!("it ends where {wanted} is expected; it seems cut short"),
+            );
         };
         let hint = match found {
-            '}' | ']' if wanted == "the end" => Some("there is one closing bracket too many, here or before"),
+            '}' | ']' if wanted == "the end" => {
+                Some("there is one closing bracket too many, here or before")
+            }
             '/' | '#' => Some("JSON has no comments; use \"note\""),
             _ if wanted == "the end" => Some("it is complete before this: take out what follows"),
             '\'' => Some("text stands in double quotes"),
             'N' | 'I' => Some("JSON knows neither NaN nor Infinity"),
-            '“' | '”' | '„' | '‘' | '’' | '«' | '»' => Some("text stands in straight double quotes"),
+            '“' | '”' | '„' | '‘' | '’' | '«' | '»' => {
+                Some("text stands in straight double quotes")
+            }
             'T' | 'F' if wanted == "a value" => Some("true and false are written in lower case"),
-            '+' | '.' if wanted == "a value" => Some("a number begins with a digit or a minus sign, as in 0.5"),
-            '0'..='9' if wanted.starts_with("a key") => Some("a decimal point is a point: 0.8, not 0,8"),
-            '"' | '{' | '[' if wanted.starts_with("\",\"") => Some("a comma may be missing before it"),
+            '+' | '.' if wanted == "a value" => {
+                Some("a number begins with a digit or a minus sign, as in 0.5")
+            }
+            '0'..='9' if wanted.starts_with("a key") => {
+                Some("a decimal point is a point: 0.8, not 0,8")
+            }
+            '"' | '{' | '[' if wanted.starts_with("\",\"") => {
+                Some("a comma may be missing before it")
+            }
             c if c.is_ascii_alphabetic() && wanted.starts_with("\",\"") => {
                 Some("a quote or a comma may be missing before it")
             }
-            '}' | ']' if !wanted.starts_with("\",\"") => Some("there may be a comma too many before it"),
+            '}' | ']' if !wanted.starts_with("\",\"") => {
+                Some("there may be a comma too many before it")
+            }
             c if c.is_ascii_alphabetic() => Some("text stands in double quotes"),
             _ => None,
         };
-        Fault { at: self.at, message: format!("{found:?} where {wanted} is expected"), hint }
+        Fault {
+            at: self.at,
+            message: format!("{found:?} where {wanted} is expected"),
+            hint,
+        }
     }
 
     fn value(&mut self) -> Result<Node, Fault> {
@@ -120,7 +150,10 @@ impl Parser<'_> {
             Some(b'-' | b'0'..=b'9') => Kind::Number(self.number()?),
             _ => self.word()?,
         };
-        Ok(Node { kind, origin: Origin::Text(start, self.at) })
+        Ok(Node {
+            kind,
+            origin: Origin::Text(start, self.at),
+        })
     }
 
     fn nested(&mut self, read: fn(&mut Self) -> Result<Kind, Fault>) -> Result<Kind, Fault> {
@@ -135,9 +168,15 @@ impl Parser<'_> {
     }
 
     fn word(&mut self) -> Result<Kind, Fault> {
-        for (word, kind) in [("null", Kind::Null), ("true", Kind::Bool(true)), ("false", Kind::Bool(false))] {
+        for (word, kind) in [
+            ("null", Kind::Null),
+            ("true", Kind::Bool(true)),
+            ("false", Kind::Bool(false)),
+        ] {
             let rest = &self.text[self.at..];
-            if rest.starts_with(word) && !rest[word.len()..].starts_with(|c: char| c.is_alphanumeric()) {
+            if rest.starts_with(word)
+                && !rest[word.len()..].starts_with(|c: char| c.is_alphanumeric())
+            {
                 self.at += word.len();
                 return Ok(kind);
             }
@@ -203,7 +242,12 @@ impl Parser<'_> {
                         Origin::Set(_) => start,
                     };
                     let (path, key) = (render(&self.path), slot.key().clone());
-                    self.repeats.push(Repeat { path, key, first, second: start });
+                    self.repeats.push(Repeat {
+                        path,
+                        key,
+                        first,
+                        second: start,
+                    });
                 }
             }
             self.skip_blanks();
@@ -237,7 +281,10 @@ impl Parser<'_> {
             return Err(self.unexpected("a digit"));
         }
         if count > 1 && self.text.as_bytes()[whole] == b'0' {
-            return Err(self.fault(start, "a number must not begin with a zero that counts nothing"));
+            return Err(self.fault(
+                start,
+                "a number must not begin with a zero that counts nothing",
+            ));
         }
         let mut integer = true;
         if self.peek() == Some(b'.') {
@@ -265,7 +312,12 @@ impl Parser<'_> {
             return Ok(number.into());
         }
         let number = text.parse().ok().and_then(Number::from_f64);
-        number.ok_or_else(|| self.fault(start, format!("{}: the number is too large for a double", excerpt(text))))
+        number.ok_or_else(|| {
+            self.fault(
+                start,
+                format!("{}: the number is too large for a double", excerpt(text)),
+            )
+        })
     }
 
     fn string(&mut self) -> Result<String, Fault> {
@@ -274,7 +326,9 @@ impl Parser<'_> {
         let mut out = String::new();
         loop {
             let rest = &self.text[self.at..];
-            let plain = rest.find(|c: char| c == '"' || c == '\\' || c < ' ').unwrap_or(rest.len());
+            let plain = rest
+                .find(|c: char| c == '"' || c == '\\' || c < ' ')
+                .unwrap_or(rest.len());
             out.push_str(&rest[..plain]);
             self.at += plain;
             match self.peek() {
@@ -283,13 +337,20 @@ impl Parser<'_> {
                     return Ok(out);
                 }
                 Some(b'\\') => out.push(self.escape()?),
-                Some(b'\n' | b'\r') => return Err(self.fault(start, "the text has no closing quote on its line")),
+                Some(b'\n' | b'\r') => {
+                    return Err(self.fault(start, "the text has no closing quote on its line"));
+                }
                 Some(_) => {
+                    return Err(self.fault(
+                        self.at,
+                        "a control character in a text; write a tab as \\t, another as \\u00XX",
+                    ));
+                }
+                None => {
                     return Err(
-                        self.fault(self.at, "a control character in a text; write a tab as \\t, another as \\u00XX")
+                        self.fault(start, "the text has no closing quote; it seems cut short")
                     );
                 }
-                None => return Err(self.fault(start, "the text has no closing quote; it seems cut short")),
             }
         }
     }
@@ -308,14 +369,20 @@ impl Parser<'_> {
             Some(b'r') => Ok('\r'),
             Some(b't') => Ok('\t'),
             Some(b'u') => self.unicode(start),
-            _ => Err(self.fault(start, "an escape that JSON does not know; a backslash itself is written \\\\")),
+            _ => Err(self.fault(
+                start,
+                "an escape that JSON does not know; a backslash itself is written \\\\",
+            )),
         }
     }
 
     /// `\uXXXX`, or two of them that are a surrogate pair.
     fn unicode(&mut self, start: usize) -> Result<char, Fault> {
-        let broken =
-            || Fault { at: start, message: "a broken \\u escape".into(), hint: Some("\\u and four hex digits") };
+        let broken = || Fault {
+            at: start,
+            message: "a broken \\u escape".into(),
+            hint: Some("\\u and four hex digits"),
+        };
         let high = self.hex().ok_or_else(broken)?;
         if !(0xD800..0xDC00).contains(&high) {
             return char::from_u32(high).ok_or_else(broken);
@@ -324,13 +391,19 @@ impl Parser<'_> {
             return Err(broken());
         }
         self.at += 2;
-        let low = self.hex().filter(|low| (0xDC00..0xE000).contains(low)).ok_or_else(broken)?;
+        let low = self
+            .hex()
+            .filter(|low| (0xDC00..0xE000).contains(low))
+            .ok_or_else(broken)?;
         char::from_u32(0x10000 + ((high - 0xD800) << 10) + (low - 0xDC00)).ok_or_else(broken)
     }
 
     fn hex(&mut self) -> Option<u32> {
         let digits = self.text.get(self.at..self.at + 4)?;
-        let code = digits.bytes().all(|byte| byte.is_ascii_hexdigit()).then(|| u32::from_str_radix(digits, 16).ok())?;
+        let code = digits
+            .bytes()
+            .all(|byte| byte.is_ascii_hexdigit())
+            .then(|| u32::from_str_radix(digits, 16).ok())?;
         self.at += 4;
         code
     }

@@ -57,7 +57,9 @@ fn read(path: &Path) -> Result<Vec<u8>, Complaint> {
     }
     // a device or pipe does not tell its length
     let mut bytes = Vec::new();
-    file.take(LARGEST + 1).read_to_end(&mut bytes).map_err(refuse)?;
+    file.take(LARGEST + 1)
+        .read_to_end(&mut bytes)
+        .map_err(refuse)?;
     Ok(bytes)
 }
 
@@ -67,7 +69,13 @@ fn fault(path: &Path, message: &str) -> Complaint {
 
 fn too_large(length: u64) -> Complaint {
     let megabytes = length.div_ceil(1024 * 1024);
-    Complaint::new("", format!("{megabytes} MB are too much for a model, at most {} MB are read", LARGEST >> 20))
+    Complaint::new(
+        "",
+        format!(
+            "{megabytes} MB are too much for a model, at most {} MB are read",
+            LARGEST >> 20
+        ),
+    )
 }
 
 /// Reads a model's text and puts `sets` (`PATH=VALUE`) over it.
@@ -90,21 +98,37 @@ pub fn load(text: &[u8], sets: &[String]) -> Result<Loaded, Vec<Complaint>> {
     let (root, repeats) = json::parse(text).map_err(|fault| vec![syntax(&source, &fault)])?;
     source.root = root;
     if !matches!(source.root.kind, Kind::Object(_)) {
-        let message = format!("a model is an object, {{ … }}, not {}", source.root.kind_name());
-        return Err(vec![source.complain(source.root.origin, None, Complaint::new("", message))]);
+        let message = format!(
+            "a model is an object, {{ … }}, not {}",
+            source.root.kind_name()
+        );
+        return Err(vec![source.complain(
+            source.root.origin,
+            None,
+            Complaint::new("", message),
+        )]);
     }
     let uncounted = repeats.len().saturating_sub(MOST_COMPLAINTS);
     for repeat in repeats.into_iter().take(MOST_COMPLAINTS) {
         let first = source.place_of(repeat.first);
-        let mut complaint = Complaint::new(node::join(&repeat.path, &repeat.key), "the key is given twice")
-            .found(format!("{:?}", repeat.key));
+        let mut complaint = Complaint::new(
+            node::join(&repeat.path, &repeat.key),
+            "the key is given twice",
+        )
+        .found(format!("{:?}", repeat.key));
         complaint.place = Some(source.place_of(repeat.second));
-        complaints.push(complaint.hint(format!("first on line {}, column {}", first.line, first.column)));
+        complaints.push(complaint.hint(format!(
+            "first on line {}, column {}",
+            first.line, first.column
+        )));
     }
 
     // what --set says, then all of it against the schema; of another format nothing else can be said
     set::apply(&mut source, &mut complaints);
-    let other_format = source.root.get("format").filter(|node| node.as_str() != Some(FORMAT));
+    let other_format = source
+        .root
+        .get("format")
+        .filter(|node| node.as_str() != Some(FORMAT));
     let findings = validate(&source);
     if other_format.is_some() {
         let of_format = |complaint: &Complaint| complaint.path == "format";
@@ -114,9 +138,19 @@ pub fn load(text: &[u8], sets: &[String]) -> Result<Loaded, Vec<Complaint>> {
     let more = findings.more + uncounted;
     let mut warnings = findings.warnings;
     let checked = check::check(&findings.value, &findings.references, &source);
-    complaints.extend(checked.complaints.into_iter().map(|complaint| source.place(complaint)));
-    warnings
-        .extend(checked.warnings.into_iter().take(MOST_COMPLAINTS).map(|warning| source.place(warning).to_string()));
+    complaints.extend(
+        checked
+            .complaints
+            .into_iter()
+            .map(|complaint| source.place(complaint)),
+    );
+    warnings.extend(
+        checked
+            .warnings
+            .into_iter()
+            .take(MOST_COMPLAINTS)
+            .map(|warning| source.place(warning).to_string()),
+    );
     if !complaints.is_empty() {
         return Err(sorted(complaints, more));
     }
@@ -126,8 +160,13 @@ pub fn load(text: &[u8], sets: &[String]) -> Result<Loaded, Vec<Complaint>> {
         Ok(mut model) => {
             model.display = display(source.root.get("units"));
             let complaints = gears(&model, &source);
-            let said = hold::unheld(&model).into_iter().chain(stale::stale(&source.root, sets));
-            warnings.extend(said.take(MOST_COMPLAINTS).map(|warning| source.place(warning).to_string()));
+            let said = hold::unheld(&model)
+                .into_iter()
+                .chain(stale::stale(&source.root, sets));
+            warnings.extend(
+                said.take(MOST_COMPLAINTS)
+                    .map(|warning| source.place(warning).to_string()),
+            );
             if complaints.is_empty() {
                 Ok(Loaded {
                     model,
@@ -140,14 +179,23 @@ pub fn load(text: &[u8], sets: &[String]) -> Result<Loaded, Vec<Complaint>> {
                 Err(sorted(complaints, 0))
             }
         }
-        Err(error) => Err(vec![Complaint::new("", format!("the schema allows what the model does not: {error}"))]),
+        Err(error) => Err(vec![Complaint::new(
+            "",
+            format!("the schema allows what the model does not: {error}"),
+        )]),
     }
 }
 
 /// Gears whose wheels have no common carrier.
 fn gears(model: &Model, source: &Source) -> Vec<Complaint> {
-    let carriers = model.joints.iter().filter_map(|(name, joint)| model.carrier(name, joint));
-    carriers.filter_map(Result::err).map(|complaint| source.place(complaint)).collect()
+    let carriers = model
+        .joints
+        .iter()
+        .filter_map(|(name, joint)| model.carrier(name, joint));
+    carriers
+        .filter_map(Result::err)
+        .map(|complaint| source.place(complaint))
+        .collect()
 }
 
 /// UTF-8 with or without its mark, neither empty nor too large.

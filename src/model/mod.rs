@@ -33,8 +33,8 @@ pub use analysis::{Analysis, AnalysisKind, OutputsAt, Sample, Solver, Transmissi
 pub use body::{Body, Initial, Pose};
 pub use carrier::Carrier;
 pub use clearance::{
-    Clearance, ClearanceModel, Elastic, Friction, FrictionLaw, Impact, ImpactSense, Material, Normal, NormalLaw,
-    Surface,
+    Clearance, ClearanceModel, Elastic, Friction, FrictionLaw, Impact, ImpactSense, Material,
+    Normal, NormalLaw, Surface,
 };
 pub use driver::{Driver, DriverKind, Motion};
 pub use expression::Parameter;

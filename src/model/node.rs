@@ -75,7 +75,9 @@ impl Node {
             Kind::String(text) => Value::String(text.clone()),
             Kind::Array(items) => Value::Array(items.iter().map(Node::to_value).collect()),
             Kind::Object(members) => {
-                let members = members.iter().map(|(key, member)| (key.clone(), member.node.to_value()));
+                let members = members
+                    .iter()
+                    .map(|(key, member)| (key.clone(), member.node.to_value()));
                 Value::Object(members.collect::<Map<_, _>>())
             }
         }
@@ -86,12 +88,21 @@ impl Node {
         self.origin = Origin::Set(index);
         match &mut self.kind {
             Kind::Array(items) => {
-                *items = std::mem::take(items).into_iter().map(|item| item.set_by(index)).collect();
+                *items = std::mem::take(items)
+                    .into_iter()
+                    .map(|item| item.set_by(index))
+                    .collect();
             }
             Kind::Object(members) => {
                 for member in members.values_mut() {
                     member.key = Origin::Set(index);
-                    let node = std::mem::replace(&mut member.node, Node { kind: Kind::Null, origin: self.origin });
+                    let node = std::mem::replace(
+                        &mut member.node,
+                        Node {
+                            kind: Kind::Null,
+                            origin: self.origin,
+                        },
+                    );
                     member.node = node.set_by(index);
                 }
             }
@@ -103,13 +114,21 @@ impl Node {
 
 /// Path of a key in the object at `path`.
 pub fn join(path: &str, key: &str) -> String {
-    if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") }
+    if path.is_empty() {
+        key.to_owned()
+    } else {
+        format!("{path}.{key}")
+    }
 }
 
 /// The beginning of a long text.
 pub fn excerpt(text: &str) -> String {
     const LENGTH: usize = 60;
-    let mut short: String = text.chars().take(LENGTH).map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let mut short: String = text
+        .chars()
+        .take(LENGTH)
+        .map(|c| if c.is_control() { ' ' } else { c })
+        .collect();
     if text.chars().nth(LENGTH).is_some() {
         short.push('…');
     }

@@ -42,8 +42,12 @@ pub(super) struct Units {
 /// The units in which messages speak: those of plain numbers.
 pub(super) fn display(node: Option<&Node>) -> DisplayUnits {
     let shown = |dimension: Dimension, otherwise: Shown| {
-        let text = node.and_then(|node| node.get(dimension.name())?.as_str()).map(str::trim);
-        let unit = text.and_then(|text| Unit::parse(text).ok()).filter(|unit| unit.powers == dimension.powers());
+        let text = node
+            .and_then(|node| node.get(dimension.name())?.as_str())
+            .map(str::trim);
+        let unit = text
+            .and_then(|text| Unit::parse(text).ok())
+            .filter(|unit| unit.powers == dimension.powers());
         let size = unit.and_then(|unit| unit.convert(1.0, Unit::si(dimension.powers())));
         match (text, size) {
             (Some("deg"), Some(size)) => Shown::new("°", size),
@@ -51,7 +55,12 @@ pub(super) fn display(node: Option<&Node>) -> DisplayUnits {
             (_, None) | (None, Some(_)) => otherwise,
         }
     };
-    let DisplayUnits { length, angle, mass, time } = DisplayUnits::default();
+    let DisplayUnits {
+        length,
+        angle,
+        mass,
+        time,
+    } = DisplayUnits::default();
     DisplayUnits {
         length: shown(Dimension::Length, length),
         angle: shown(Dimension::Angle, angle),
@@ -77,9 +86,14 @@ impl Units {
     pub fn read(node: Option<&Node>) -> Units {
         let named = Dimension::NAMED.map(|dimension| {
             let text = node?.get(dimension.name())?.as_str()?;
-            Unit::parse(text).ok().filter(|unit| dimension.powers().accepts(unit.powers))
+            Unit::parse(text)
+                .ok()
+                .filter(|unit| dimension.powers().accepts(unit.powers))
         });
-        Units { named, plain: Default::default() }
+        Units {
+            named,
+            plain: Default::default(),
+        }
     }
 
     fn of(&self, dimension: Dimension) -> Unit {
@@ -105,12 +119,23 @@ impl Units {
         ];
         let mut warnings = Vec::new();
         for dimension in angular {
-            let Some(index) = dimension.index().filter(|&index| self.named[index].is_none()) else { continue };
-            let Some(path) = &self.plain[index] else { continue };
+            let Some(index) = dimension
+                .index()
+                .filter(|&index| self.named[index].is_none())
+            else {
+                continue;
+            };
+            let Some(path) = &self.plain[index] else {
+                continue;
+            };
             let (name, si) = (dimension.name(), dimension.si());
             let message = format!("a plain {name} is in {si}, although \"angle\" has another unit");
             let hint = format!("name a unit for {name:?} in units, or write it with its unit");
-            warnings.push(source.place(Complaint::new(path.as_str(), message).hint(hint)).to_string());
+            warnings.push(
+                source
+                    .place(Complaint::new(path.as_str(), message).hint(hint))
+                    .to_string(),
+            );
         }
         warnings
     }
@@ -120,12 +145,20 @@ impl Units {
         if keyword == "linear stiffness" {
             // A plain stiffness of a contact is in SI whatever `units` names for springs.
             let plain = Unit::si(Dimension::Stiffness.powers());
-            return Some(Wanted { plain, dimension: None, ..self.derivative(Dimension::Stiffness, 0) });
+            return Some(Wanted {
+                plain,
+                dimension: None,
+                ..self.derivative(Dimension::Stiffness, 0)
+            });
         }
         let (dimension, order) = match (keyword, driven) {
             ("driven", Driven::Dimension(dimension)) => (dimension, 0),
-            ("driven velocity", Driven::Dimension(dimension)) => return Some(self.rate(dimension, 1)),
-            ("driven acceleration", Driven::Dimension(dimension)) => return Some(self.rate(dimension, 2)),
+            ("driven velocity", Driven::Dimension(dimension)) => {
+                return Some(self.rate(dimension, 1));
+            }
+            ("driven acceleration", Driven::Dimension(dimension)) => {
+                return Some(self.rate(dimension, 2));
+            }
             ("driven coefficient", Driven::Coefficient(dimension, order)) => (dimension, order),
             _ => (Dimension::from_name(keyword)?, 0),
         };
@@ -165,7 +198,13 @@ impl Units {
 
 impl Walk<'_> {
     /// The quantity in SI units, or none and a complaint.
-    pub(super) fn quantity(&mut self, node: &Node, keyword: &str, path: &str, driven: Driven) -> Option<f64> {
+    pub(super) fn quantity(
+        &mut self,
+        node: &Node,
+        keyword: &str,
+        path: &str,
+        driven: Driven,
+    ) -> Option<f64> {
         let wanted = self.units.wanted(keyword, driven);
         match &node.kind {
             Kind::Number(number) => {
@@ -183,7 +222,10 @@ impl Walk<'_> {
                 let wanted = wanted?;
                 let Some((number, unit)) = split_quantity(text) else {
                     let hint = format!("a number, or text such as \"5 {}\"", wanted.si);
-                    self.complain(node, Complaint::new(path, "this does not begin with a number").hint(hint));
+                    self.complain(
+                        node,
+                        Complaint::new(path, "this does not begin with a number").hint(hint),
+                    );
                     return None;
                 };
                 let unit = self.checked_unit(node, unit, &wanted, path)?;
@@ -191,7 +233,8 @@ impl Walk<'_> {
             }
             Kind::Null | Kind::Bool(_) | Kind::Array(_) | Kind::Object(_) => {
                 let mut complaint = wrong_kind(path, "a number", node);
-                complaint.hint = wanted.map(|wanted| format!("or text with a unit, such as \"5 {}\"", wanted.si));
+                complaint.hint = wanted
+                    .map(|wanted| format!("or text with a unit, such as \"5 {}\"", wanted.si));
                 self.complain(node, complaint);
                 None
             }
@@ -207,9 +250,14 @@ impl Walk<'_> {
                 if result.is_pure() {
                     return Some(result.value);
                 }
-                let complaint =
-                    Complaint::new(path, format!("this is {}, where a plain number is wanted", result.words()));
-                self.complain(node, complaint.hint(format!("divide it by 1 {}", result.unit())));
+                let complaint = Complaint::new(
+                    path,
+                    format!("this is {}, where a plain number is wanted", result.words()),
+                );
+                self.complain(
+                    node,
+                    complaint.hint(format!("divide it by 1 {}", result.unit())),
+                );
                 None
             }
             Kind::String(text) if self.decimal_comma(node, text, path) => None,
@@ -222,9 +270,17 @@ impl Walk<'_> {
 
     /// Complains about a decimal comma, where there is one.
     fn decimal_comma(&mut self, node: &Node, text: &str, path: &str) -> bool {
-        let Some(meant) = with_decimal_point(text) else { return false };
-        let hint = format!("a decimal point is a point: {:?}", super::node::excerpt(&meant));
-        self.complain(node, Complaint::new(path, "a number has no comma").hint(hint));
+        let Some(meant) = with_decimal_point(text) else {
+            return false;
+        };
+        let hint = format!(
+            "a decimal point is a point: {:?}",
+            super::node::excerpt(&meant)
+        );
+        self.complain(
+            node,
+            Complaint::new(path, "a number has no comma").hint(hint),
+        );
         true
     }
 
@@ -234,7 +290,13 @@ impl Walk<'_> {
         self.checked_unit(node, text, &wanted, path);
     }
 
-    fn checked_unit(&mut self, node: &Node, text: &str, wanted: &Wanted, path: &str) -> Option<Unit> {
+    fn checked_unit(
+        &mut self,
+        node: &Node,
+        text: &str,
+        wanted: &Wanted,
+        path: &str,
+    ) -> Option<Unit> {
         let text = super::node::excerpt(text);
         let such = if wanted.powers == Dimension::AngularVelocity.powers() {
             "such as \"rad/s\", \"deg/s\" or \"rpm\"".to_owned()
@@ -244,7 +306,10 @@ impl Walk<'_> {
         let (message, hint) = match Unit::parse(&text) {
             Ok(unit) if wanted.powers.accepts(unit.powers) => return Some(unit),
             Ok(_) => (format!("{text:?} is not a unit of {}", wanted.name), such),
-            Err(UnitFault::Missing) => (format!("the unit is missing, a unit of {}", wanted.name), such),
+            Err(UnitFault::Missing) => (
+                format!("the unit is missing, a unit of {}", wanted.name),
+                such,
+            ),
             Err(UnitFault::Unknown { symbol, nearest }) => {
                 let near = nearest.map(|near| format!("did you mean {near:?}?"));
                 (
@@ -264,7 +329,10 @@ impl Walk<'_> {
         match self.parameters.evaluate(text) {
             Ok(result) => result,
             Err(Misfit { at, fault }) => {
-                let complaint = Complaint { hint: fault.hint, ..Complaint::new(path, fault.message) };
+                let complaint = Complaint {
+                    hint: fault.hint,
+                    ..Complaint::new(path, fault.message)
+                };
                 self.complain_at(node, Some(at), complaint);
                 None
             }
@@ -278,20 +346,32 @@ impl Walk<'_> {
         let complaint = match result.pure {
             _ if !result.is_pure() && result.fits(wanted.powers) => return Some(result.value),
             _ if !result.is_pure() => {
-                let complaint = Complaint::new(path, format!("this is {}, where {place} is wanted", result.words()));
+                let complaint = Complaint::new(
+                    path,
+                    format!("this is {}, where {place} is wanted", result.words()),
+                );
                 let radians = result.radians_to(wanted.powers);
-                Complaint { hint: radians.map(|factor| format!("write it {factor}, if that is meant")), ..complaint }
+                Complaint {
+                    hint: radians.map(|factor| format!("write it {factor}, if that is meant")),
+                    ..complaint
+                }
             }
             Pure::Plain => return self.plain(node, &result.value.to_string(), wanted, path),
-            Pure::Circular if in_radians => return self.plain(node, &result.value.to_string(), wanted, path),
+            Pure::Circular if in_radians => {
+                return self.plain(node, &result.value.to_string(), wanted, path);
+            }
             Pure::Circular => {
-                let message =
-                    format!("a plain number made with pi, where {place} is wanted that is not in radians here");
+                let message = format!(
+                    "a plain number made with pi, where {place} is wanted that is not in radians here"
+                );
                 Complaint::new(path, message).hint("write it * 1 rad, or in deg")
             }
             Pure::Ratio => {
                 let message = format!("this is a ratio without unit, where {place} is wanted");
-                Complaint::new(path, message).hint(format!("multiply it by a quantity, such as 1 {}", wanted.si))
+                Complaint::new(path, message).hint(format!(
+                    "multiply it by a quantity, such as 1 {}",
+                    wanted.si
+                ))
             }
         };
         self.complain(node, complaint);
@@ -313,7 +393,10 @@ impl Walk<'_> {
         if number.is_finite() {
             return Some(number);
         }
-        self.complain(node, Complaint::new(path, "the number is too large for a double"));
+        self.complain(
+            node,
+            Complaint::new(path, "the number is too large for a double"),
+        );
         None
     }
 }

@@ -97,7 +97,11 @@ fn is_tagged(object: &Map<String, Value>) -> bool {
     object
         .get("oneOf")
         .and_then(Value::as_array)
-        .is_some_and(|variants| variants.iter().all(|variant| variant.pointer("/properties/type/const").is_some()))
+        .is_some_and(|variants| {
+            variants
+                .iter()
+                .all(|variant| variant.pointer("/properties/type/const").is_some())
+        })
 }
 
 /// Moves the keys that all variants share into each of them.
@@ -105,11 +109,20 @@ fn distribute(object: &mut Map<String, Value>) {
     let shared = object.remove("properties");
     let required = object.remove("required");
     object.remove("type");
-    for variant in object.get_mut("oneOf").and_then(Value::as_array_mut).into_iter().flatten() {
-        if let (Some(Value::Object(own)), Some(Value::Object(shared))) = (variant.get_mut("properties"), &shared) {
+    for variant in object
+        .get_mut("oneOf")
+        .and_then(Value::as_array_mut)
+        .into_iter()
+        .flatten()
+    {
+        if let (Some(Value::Object(own)), Some(Value::Object(shared))) =
+            (variant.get_mut("properties"), &shared)
+        {
             own.extend(shared.clone());
         }
-        if let (Some(Value::Array(own)), Some(Value::Array(required))) = (variant.get_mut("required"), &required) {
+        if let (Some(Value::Array(own)), Some(Value::Array(required))) =
+            (variant.get_mut("required"), &required)
+        {
             own.extend(required.clone());
         }
     }
@@ -131,8 +144,14 @@ fn close_object(object: &mut Map<String, Value>) {
         return;
     }
     let note = json!({ "description": "A remark, for whoever reads the file.", "type": "string" });
-    if let Some(additional) = object.get("additionalProperties").filter(|value| value.is_object()).cloned() {
-        object.entry("propertyNames").or_insert_with(|| json!({ "pattern": NAME_PATTERN }));
+    if let Some(additional) = object
+        .get("additionalProperties")
+        .filter(|value| value.is_object())
+        .cloned()
+    {
+        object
+            .entry("propertyNames")
+            .or_insert_with(|| json!({ "pattern": NAME_PATTERN }));
         let properties = object.entry("properties").or_insert_with(|| json!({}));
         properties["note"] = json!({ "anyOf": [note, additional] });
     } else if let Some(properties) = object.get_mut("properties") {
@@ -157,7 +176,11 @@ fn or_motion(generator: &mut SchemaGenerator, dimension: Dimension) -> Schema {
 fn units(_: &mut SchemaGenerator) -> Schema {
     let mut properties = Map::new();
     for dimension in Dimension::NAMED {
-        let description = format!("Unit of a plain number for {}, SI: {}.", dimension.name(), dimension.si());
+        let description = format!(
+            "Unit of a plain number for {}, SI: {}.",
+            dimension.name(),
+            dimension.si()
+        );
         properties.insert(
             dimension.name().into(),
             json!({ "description": description, "type": "string", "x-unit-of": dimension.name() }),
@@ -178,7 +201,10 @@ fn parameters(_: &mut SchemaGenerator) -> Schema {
 
 /// `bodies`: `ground` is one of its own kind.
 pub(super) fn bodies(generator: &mut SchemaGenerator) -> Schema {
-    let (ground, body) = (generator.subschema_for::<Ground>(), generator.subschema_for::<Body>());
+    let (ground, body) = (
+        generator.subschema_for::<Ground>(),
+        generator.subschema_for::<Body>(),
+    );
     json_schema!({ "type": "object", "properties": { "ground": ground }, "additionalProperties": body, "minProperties": 1 })
 }
 

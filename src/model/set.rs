@@ -21,7 +21,12 @@ pub(super) fn apply(source: &mut Source, complaints: &mut Vec<Complaint>) {
     let mut refused = Vec::new();
     for (index, set) in sets.iter().enumerate() {
         if let Err((message, hint)) = apply_one(&mut source.root, set, index) {
-            refused.push((set, Complaint::new("", message).found(format!("--set {}", node::excerpt(set))).hint(hint)));
+            refused.push((
+                set,
+                Complaint::new("", message)
+                    .found(format!("--set {}", node::excerpt(set)))
+                    .hint(hint),
+            ));
         }
     }
     for (kind, known) in KINDS.iter().zip(&given) {
@@ -36,7 +41,9 @@ pub(super) fn apply(source: &mut Source, complaints: &mut Vec<Complaint>) {
 
 /// Whether a `--set` changes something inside of what is at a path.
 fn is_inside(set: &str, path: &str) -> bool {
-    set.trim_start().strip_prefix(path).is_some_and(|rest| rest.starts_with(['.', '[']))
+    set.trim_start()
+        .strip_prefix(path)
+        .is_some_and(|rest| rest.starts_with(['.', '[']))
 }
 
 /// Maps of named things, what one is called, and what makes a new one whole.
@@ -51,7 +58,8 @@ const KINDS: [(&str, &str, &[&str]); 4] = [
 fn names(root: &Node) -> [Vec<String>; KINDS.len()] {
     KINDS.map(|(map, ..)| match root.get(map).map(|node| &node.kind) {
         Some(Kind::Object(members)) => members.keys().cloned().collect(),
-        Some(Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) | Kind::Array(_)) | None => Vec::new(),
+        Some(Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) | Kind::Array(_))
+        | None => Vec::new(),
     })
 }
 
@@ -62,25 +70,41 @@ fn take_fragments(
     known: &[String],
     sets: &[String],
 ) -> Vec<(String, Complaint)> {
-    let Kind::Object(members) = &mut root.kind else { return Vec::new() };
-    let Some(Kind::Object(members)) = members.get_mut(*map).map(|member| &mut member.node.kind) else {
+    let Kind::Object(members) = &mut root.kind else {
+        return Vec::new();
+    };
+    let Some(Kind::Object(members)) = members.get_mut(*map).map(|member| &mut member.node.kind)
+    else {
         return Vec::new();
     };
     let mut complaints = Vec::new();
     members.retain(|name, member| {
-        let (Origin::Set(index), Kind::Object(_)) = (member.key, &member.node.kind) else { return true };
+        let (Origin::Set(index), Kind::Object(_)) = (member.key, &member.node.kind) else {
+            return true;
+        };
         // What was given whole is complained about like anything in a file.
         let path = node::join(map, name);
-        if !is_inside(&sets[index], &path) || *name == GROUND || whole.iter().all(|key| member.node.get(key).is_some())
+        if !is_inside(&sets[index], &path)
+            || *name == GROUND
+            || whole.iter().all(|key| member.node.get(key).is_some())
         {
             return true;
         }
         let hint = match suggest::nearest(name, known.iter().map(String::as_str)) {
             Some(near) => format!("did you mean {near:?}?"),
-            None => format!("the {map}: {}; a new one needs {}", suggest::list(known.iter()), suggest::all_of(whole)),
+            None => format!(
+                "the {map}: {}; a new one needs {}",
+                suggest::list(known.iter()),
+                suggest::all_of(whole)
+            ),
         };
         let found = format!("--set {}", node::excerpt(&sets[index]));
-        complaints.push((path, Complaint::new("", format!("there is no {what} {name:?}")).found(found).hint(hint)));
+        complaints.push((
+            path,
+            Complaint::new("", format!("there is no {what} {name:?}"))
+                .found(found)
+                .hint(hint),
+        ));
         false
     });
     complaints
@@ -106,26 +130,44 @@ fn value(text: &str, index: usize) -> Result<Node, Refusal> {
         Ok(parsed) => parsed,
         Err(fault) if text.trim_start().starts_with(['[', '{']) => {
             let column = text[..fault.at].chars().count() + 1;
-            let hint =
-                fault.hint.unwrap_or("a list or an object is given as JSON: [0, -9.81] or {\"type\": \"fixed\"}");
-            return Err((format!("not JSON at character {column} of the value: {}", fault.message), hint.to_owned()));
+            let hint = fault.hint.unwrap_or(
+                "a list or an object is given as JSON: [0, -9.81] or {\"type\": \"fixed\"}",
+            );
+            return Err((
+                format!(
+                    "not JSON at character {column} of the value: {}",
+                    fault.message
+                ),
+                hint.to_owned(),
+            ));
         }
         // In a shell .5 is a number, though not in JSON.
         Err(_) => {
             let number = text.trim().parse::<f64>().ok().and_then(Number::from_f64);
             let kind = number.map_or_else(|| Kind::String(text.to_owned()), Kind::Number);
-            return Ok(Node { kind, origin: Origin::Set(index) });
+            return Ok(Node {
+                kind,
+                origin: Origin::Set(index),
+            });
         }
     };
     match repeats.first() {
-        Some(repeat) => Err((format!("the key {:?} is given twice", repeat.key), "keep one of them".into())),
+        Some(repeat) => Err((
+            format!("the key {:?} is given twice", repeat.key),
+            "keep one of them".into(),
+        )),
         None => Ok(node.set_by(index)),
     }
 }
 
 /// Splits `joints.b.between[1]`.
 fn steps(path: &str) -> Result<Vec<Step<'_>>, Refusal> {
-    let malformed = || (format!("{:?} is not a path", node::excerpt(path)), FORM.to_owned());
+    let malformed = || {
+        (
+            format!("{:?} is not a path", node::excerpt(path)),
+            FORM.to_owned(),
+        )
+    };
     let mut steps = Vec::new();
     let mut rest = path;
     loop {
@@ -152,32 +194,54 @@ fn steps(path: &str) -> Result<Vec<Step<'_>>, Refusal> {
 }
 
 /// The value at a path; objects that are missing on the way are made.
-fn reach<'a>(root: &'a mut Node, steps: &[Step<'_>], index: usize) -> Result<&'a mut Node, Refusal> {
+fn reach<'a>(
+    root: &'a mut Node,
+    steps: &[Step<'_>],
+    index: usize,
+) -> Result<&'a mut Node, Refusal> {
     let mut node = root;
     let mut way = String::new();
     for step in steps {
         let kind = node.kind_name();
-        let here = if way.is_empty() { "the model".to_owned() } else { way.clone() };
+        let here = if way.is_empty() {
+            "the model".to_owned()
+        } else {
+            way.clone()
+        };
         match (step, &mut node.kind) {
             (Step::Key(key), Kind::Object(members)) => {
                 way = node::join(&way, key);
-                let made = || Node { kind: Kind::Object(Box::default()), origin: Origin::Set(index) };
+                let made = || Node {
+                    kind: Kind::Object(Box::default()),
+                    origin: Origin::Set(index),
+                };
                 node = &mut members
                     .entry((*key).to_owned())
-                    .or_insert_with(|| Member { key: Origin::Set(index), node: made() })
+                    .or_insert_with(|| Member {
+                        key: Origin::Set(index),
+                        node: made(),
+                    })
                     .node;
             }
             (Step::Index(at), Kind::Array(items)) => {
                 way = format!("{way}[{at}]");
                 let count = items.len();
                 let entries = format!("it has {count}, counted from 0");
-                node = items.get_mut(*at).ok_or_else(|| (format!("{here} has no entry [{at}]"), entries))?;
+                node = items
+                    .get_mut(*at)
+                    .ok_or_else(|| (format!("{here} has no entry [{at}]"), entries))?;
             }
             (Step::Key(key), _) => {
-                return Err((format!("{here} is {kind} and has no keys"), format!("the path goes on with {key:?}")));
+                return Err((
+                    format!("{here} is {kind} and has no keys"),
+                    format!("the path goes on with {key:?}"),
+                ));
             }
             (Step::Index(at), _) => {
-                return Err((format!("{here} is {kind} and no list"), format!("the path goes on with [{at}]")));
+                return Err((
+                    format!("{here} is {kind} and no list"),
+                    format!("the path goes on with [{at}]"),
+                ));
             }
         }
     }
@@ -190,12 +254,24 @@ mod tests {
 
     #[test]
     fn numbers_as_a_shell_has_them_are_numbers() {
-        for (text, number) in [("0.5", 0.5), (".5", 0.5), ("+3", 3.0), ("-.81", -0.81), ("2.", 2.0)] {
+        for (text, number) in [
+            ("0.5", 0.5),
+            (".5", 0.5),
+            ("+3", 3.0),
+            ("-.81", -0.81),
+            ("2.", 2.0),
+        ] {
             let kind = value(text, 0).expect("a value").kind;
-            assert!(matches!(&kind, Kind::Number(found) if found.as_f64() == Some(number)), "{text}: {kind:?}");
+            assert!(
+                matches!(&kind, Kind::Number(found) if found.as_f64() == Some(number)),
+                "{text}: {kind:?}"
+            );
         }
         for text in ["10 um", "inf", "nan", "crank.A", ""] {
-            assert_eq!(value(text, 0).expect("a value").kind, Kind::String(text.into()));
+            assert_eq!(
+                value(text, 0).expect("a value").kind,
+                Kind::String(text.into())
+            );
         }
     }
 }

@@ -18,20 +18,38 @@ pub struct Source {
 impl Source {
     /// The text, before anything is read of it.
     pub(super) fn new(text: &str, sets: &[String]) -> Self {
-        let lines = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1)).collect();
-        let root = Node { kind: Kind::Null, origin: Origin::Text(0, 0) };
-        Source { text: text.to_owned(), lines, sets: sets.to_vec(), root }
+        let lines = std::iter::once(0)
+            .chain(text.match_indices('\n').map(|(at, _)| at + 1))
+            .collect();
+        let root = Node {
+            kind: Kind::Null,
+            origin: Origin::Text(0, 0),
+        };
+        Source {
+            text: text.to_owned(),
+            lines,
+            sets: sets.to_vec(),
+            root,
+        }
     }
 
     /// Line and column of a byte.
     pub(super) fn place_of(&self, at: usize) -> Place {
         let line = self.lines.partition_point(|&start| start <= at).max(1);
         let before = self.text.get(self.lines[line - 1]..at).unwrap_or_default();
-        Place { line, column: before.chars().count() + 1 }
+        Place {
+            line,
+            column: before.chars().count() + 1,
+        }
     }
 
     /// Fills in where something came from, and what stands there.
-    pub(super) fn complain(&self, origin: Origin, found: Option<String>, mut complaint: Complaint) -> Complaint {
+    pub(super) fn complain(
+        &self,
+        origin: Origin,
+        found: Option<String>,
+        mut complaint: Complaint,
+    ) -> Complaint {
         match origin {
             Origin::Text(start, _) => {
                 complaint.place = Some(self.place_of(start));
@@ -55,7 +73,9 @@ impl Source {
     /// Byte `at` of a text value, where the file holds it letter by letter; else the value.
     pub(super) fn within(&self, node: &Node, at: usize) -> Origin {
         match node.origin {
-            Origin::Text(start, end) if self.text.get(start + 1..end.saturating_sub(1)) == node.as_str() => {
+            Origin::Text(start, end)
+                if self.text.get(start + 1..end.saturating_sub(1)) == node.as_str() =>
+            {
                 Origin::Text(start + 1 + at, end)
             }
             origin @ (Origin::Text(..) | Origin::Set(_)) => origin,
@@ -71,15 +91,18 @@ impl Source {
                     let step = member_at(members, rest.strip_prefix('.').unwrap_or(rest));
                     step.map(|(member, rest)| (&member.node, member.key, rest))
                 }
-                Kind::Array(items) => {
-                    rest.strip_prefix('[').and_then(|text| text.split_once(']')).and_then(|(index, rest)| {
+                Kind::Array(items) => rest
+                    .strip_prefix('[')
+                    .and_then(|text| text.split_once(']'))
+                    .and_then(|(index, rest)| {
                         let item = items.get(index.parse::<usize>().ok()?)?;
                         Some((item, item.origin, rest))
-                    })
-                }
+                    }),
                 Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) => None,
             };
-            let Some((next, key, after)) = step else { return (node, origin, false) };
+            let Some((next, key, after)) = step else {
+                return (node, origin, false);
+            };
             (node, origin, rest) = (next, key, after);
         }
         (node, node.origin, true)
@@ -100,19 +123,30 @@ impl Source {
             return complaint;
         }
         let (node, origin, exact) = self.find(&complaint.path);
-        let found = complaint.found.clone().or_else(|| exact.then(|| self.found(node)).flatten());
+        let found = complaint
+            .found
+            .clone()
+            .or_else(|| exact.then(|| self.found(node)).flatten());
         self.complain(origin, found, complaint)
     }
 }
 
 /// The member that a path begins with, and the rest of the path.
-fn member_at<'a, 'p>(members: &'a IndexMap<String, Member>, path: &'p str) -> Option<(&'a Member, &'p str)> {
+fn member_at<'a, 'p>(
+    members: &'a IndexMap<String, Member>,
+    path: &'p str,
+) -> Option<(&'a Member, &'p str)> {
     let end = path.find(['.', '[']).unwrap_or(path.len());
     if let Some(member) = members.get(&path[..end]) {
         return Some((member, &path[end..]));
     }
     // a name may hold a dot where it should not: then the longest key wins
-    let rest = |key: &str| path.strip_prefix(key).filter(|rest| rest.is_empty() || rest.starts_with(['.', '[']));
-    let fitting = members.iter().filter_map(|(key, member)| Some((member, rest(key)?)));
+    let rest = |key: &str| {
+        path.strip_prefix(key)
+            .filter(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+    };
+    let fitting = members
+        .iter()
+        .filter_map(|(key, member)| Some((member, rest(key)?)));
     fitting.min_by_key(|(_, rest)| rest.len())
 }

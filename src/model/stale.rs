@@ -14,11 +14,16 @@ pub(super) fn stale(root: &Node, sets: &[String]) -> Vec<Complaint> {
         return found;
     }
     for (name, body) in members(root.get("bodies")).filter(|(name, _)| *name != GROUND) {
-        let mut moved = members(body.node.get("points")).filter_map(|(point, at)| Some((point, set_in(&at.node)?)));
-        let Some((_, set)) = moved.find(|(point, _)| is_joined(root, &format!("{name}.{point}"))) else {
+        let mut moved = members(body.node.get("points"))
+            .filter_map(|(point, at)| Some((point, set_in(&at.node)?)));
+        let Some((_, set)) = moved.find(|(point, _)| is_joined(root, &format!("{name}.{point}")))
+        else {
             continue;
         };
-        let left: Vec<&str> = KEYS.into_iter().filter(|key| body.node.get(key).is_some_and(is_left)).collect();
+        let left: Vec<&str> = KEYS
+            .into_iter()
+            .filter(|key| body.node.get(key).is_some_and(is_left))
+            .collect();
         let (keys, name) = (suggest::all_of(&left), format!("{name:?}"));
         let message = match left.len() {
             0 => continue,
@@ -26,7 +31,11 @@ pub(super) fn stale(root: &Node, sets: &[String]) -> Vec<Complaint> {
             _ => format!("{keys} of {name} stay as they were, those of the old shape"),
         };
         let hint = "set them, too, or change a parameter from which all of them follow";
-        found.push(Complaint::new("", message).found(format!("--set {}", excerpt(&sets[set]))).hint(hint));
+        found.push(
+            Complaint::new("", message)
+                .found(format!("--set {}", excerpt(&sets[set])))
+                .hint(hint),
+        );
     }
     found
 }
@@ -35,16 +44,22 @@ pub(super) fn stale(root: &Node, sets: &[String]) -> Vec<Complaint> {
 fn members(node: Option<&Node>) -> impl Iterator<Item = (&String, &Member)> {
     let members = match node.map(|node| &node.kind) {
         Some(Kind::Object(members)) => Some(members.iter()),
-        Some(Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) | Kind::Array(_)) | None => None,
+        Some(Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) | Kind::Array(_))
+        | None => None,
     };
     members.into_iter().flatten()
 }
 
 /// Whether a joint connects this point.
 fn is_joined(root: &Node, point: &str) -> bool {
-    members(root.get("joints")).any(|(_, joint)| match joint.node.get("between").map(|ends| &ends.kind) {
-        Some(Kind::Array(ends)) => ends.iter().any(|end| end.as_str() == Some(point)),
-        Some(Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) | Kind::Object(_)) | None => false,
+    members(root.get("joints")).any(|(_, joint)| {
+        match joint.node.get("between").map(|ends| &ends.kind) {
+            Some(Kind::Array(ends)) => ends.iter().any(|end| end.as_str() == Some(point)),
+            Some(
+                Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) | Kind::Object(_),
+            )
+            | None => false,
+        }
     })
 }
 
@@ -53,16 +68,22 @@ fn set_in(node: &Node) -> Option<usize> {
     match (node.origin, &node.kind) {
         (Origin::Set(index), _) => Some(index),
         (Origin::Text(..), Kind::Array(items)) => items.iter().find_map(set_in),
-        (Origin::Text(..), Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) | Kind::Object(_)) => None,
+        (
+            Origin::Text(..),
+            Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) | Kind::Object(_),
+        ) => None,
     }
 }
 
 /// Whether a value is the file's own; zeros stay right.
 fn is_left(node: &Node) -> bool {
-    let is_zero = |node: &Node| matches!(&node.kind, Kind::Number(number) if number.as_f64() == Some(0.0));
+    let is_zero =
+        |node: &Node| matches!(&node.kind, Kind::Number(number) if number.as_f64() == Some(0.0));
     let zero = match &node.kind {
         Kind::Array(items) => items.iter().all(is_zero),
-        Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) | Kind::Object(_) => is_zero(node),
+        Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) | Kind::Object(_) => {
+            is_zero(node)
+        }
     };
     set_in(node).is_none() && !zero
 }

@@ -18,7 +18,12 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
     };
     candidates
         .into_iter()
-        .map(|candidate| (damerau_levenshtein(&lower, &candidate.to_lowercase()), candidate))
+        .map(|candidate| {
+            (
+                damerau_levenshtein(&lower, &candidate.to_lowercase()),
+                candidate,
+            )
+        })
         // at least one letter must be right
         .filter(|&(distance, candidate)| {
             distance <= allowed && distance < candidate.chars().count().min(lower.chars().count())
@@ -50,9 +55,15 @@ const SYNONYMS: [(&str, &str); 17] = [
 
 /// The choice that was probably meant: the same in other words, or nearly the same word.
 pub fn meant<'a>(word: &str, choices: &[&'a str]) -> Option<&'a str> {
-    let synonyms = SYNONYMS.iter().filter(|(other, _)| other.eq_ignore_ascii_case(word));
-    let known = synonyms.filter_map(|(_, here)| choices.iter().find(|choice| *choice == here)).next();
-    known.copied().or_else(|| nearest(word, choices.iter().copied()))
+    let synonyms = SYNONYMS
+        .iter()
+        .filter(|(other, _)| other.eq_ignore_ascii_case(word));
+    let known = synonyms
+        .filter_map(|(_, here)| choices.iter().find(|choice| *choice == here))
+        .next();
+    known
+        .copied()
+        .or_else(|| nearest(word, choices.iter().copied()))
 }
 
 /// `"a", "b" or "c"`.

@@ -24,7 +24,10 @@ pub enum UnitFault {
     /// There is none.
     Missing,
     /// No unit has this symbol; the nearest that one has.
-    Unknown { symbol: String, nearest: Option<&'static str> },
+    Unknown {
+        symbol: String,
+        nearest: Option<&'static str>,
+    },
     /// Neither a product, a quotient nor a power of units.
     Malformed,
     /// Too many factors or too high a power.
@@ -148,14 +151,23 @@ const NAMES: [(&str, &str); 32] = [
 const MOST: i32 = 12;
 
 impl Unit {
-    const ONE: Unit = Unit { powers: powers(0, 0, 0, 0), num: 1.0, den: 1.0, ten: 0, pi: 0 };
+    const ONE: Unit = Unit {
+        powers: powers(0, 0, 0, 0),
+        num: 1.0,
+        den: 1.0,
+        ten: 0,
+        pi: 0,
+    };
 
     /// Reads a unit text.
     ///
     /// # Errors
     /// A symbol is unknown, or the text is no product, quotient or power of symbols.
     pub fn parse(text: &str) -> Result<Unit, UnitFault> {
-        let mut reader = Reader { rest: text.trim(), factors: 0 };
+        let mut reader = Reader {
+            rest: text.trim(),
+            factors: 0,
+        };
         if reader.rest.is_empty() {
             return Err(UnitFault::Missing);
         }
@@ -164,17 +176,27 @@ impl Unit {
             return Err(UnitFault::Malformed);
         }
         let factor = unit.factor();
-        if factor.is_finite() && factor > 0.0 { Ok(unit) } else { Err(UnitFault::TooLarge) }
+        if factor.is_finite() && factor > 0.0 {
+            Ok(unit)
+        } else {
+            Err(UnitFault::TooLarge)
+        }
     }
 
     /// The SI unit of a dimension.
     pub fn si(powers: Powers) -> Unit {
-        Unit { powers, ..Unit::ONE }
+        Unit {
+            powers,
+            ..Unit::ONE
+        }
     }
 
     /// The same unit, per second^order.
     pub fn per_second(self, order: i32) -> Unit {
-        Unit { powers: self.powers.per_second(order), ..self }
+        Unit {
+            powers: self.powers.per_second(order),
+            ..self
+        }
     }
 
     /// A decimal number of this unit, in SI: rounded once where the factor is a power of ten.
@@ -210,7 +232,11 @@ impl Unit {
     }
 
     fn times(self, other: Unit, power: i32) -> Unit {
-        let (num, den) = if power < 0 { (other.den, other.num) } else { (other.num, other.den) };
+        let (num, den) = if power < 0 {
+            (other.den, other.num)
+        } else {
+            (other.num, other.den)
+        };
         let count = power.abs();
         let mut unit = Unit {
             powers: Powers {
@@ -238,7 +264,9 @@ fn shifted(number: &str, ten: i32) -> Option<f64> {
         Some((mantissa, exponent)) => (mantissa, exponent.parse::<i32>().ok()?),
         None => (number, 0),
     };
-    format!("{mantissa}e{}", exponent.checked_add(ten)?).parse().ok()
+    format!("{mantissa}e{}", exponent.checked_add(ten)?)
+        .parse()
+        .ok()
 }
 
 /// Splits `"5 mm"` into number and unit text, where it begins with a decimal number.
@@ -276,7 +304,9 @@ pub fn split_quantity(text: &str) -> Option<(&str, &str)> {
 /// The same text with a decimal point, where it begins with a number that has a decimal comma.
 pub fn with_decimal_point(text: &str) -> Option<String> {
     let (number, rest) = split_quantity(text)?;
-    let rest = rest.strip_prefix(',').filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))?;
+    let rest = rest
+        .strip_prefix(',')
+        .filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))?;
     let is_whole = !number.contains(['.', 'e', 'E']);
     is_whole.then(|| format!("{number}.{rest}"))
 }
@@ -289,7 +319,11 @@ struct Reader<'a> {
 
 impl Reader<'_> {
     fn skip(&mut self, signs: &[char]) -> Option<char> {
-        let sign = self.rest.chars().next().filter(|sign| signs.contains(sign))?;
+        let sign = self
+            .rest
+            .chars()
+            .next()
+            .filter(|sign| signs.contains(sign))?;
         self.rest = self.rest[sign.len_utf8()..].trim_start();
         Some(sign)
     }
@@ -332,16 +366,27 @@ impl Reader<'_> {
             self.skip(&['1']);
             return Ok(Unit::ONE);
         }
-        let end = self.rest.find(|c: char| !(c.is_alphabetic() || "°%_'\"$".contains(c))).unwrap_or(self.rest.len());
+        let end = self
+            .rest
+            .find(|c: char| !(c.is_alphabetic() || "°%_'\"$".contains(c)))
+            .unwrap_or(self.rest.len());
         let (symbol, rest) = self.rest.split_at(end);
         if symbol.is_empty() {
             return Err(UnitFault::Malformed);
         }
         let row = SYMBOLS.iter().find(|row| row.0 == symbol);
-        let &(_, num, den, ten, pi, powers) =
-            row.ok_or_else(|| UnitFault::Unknown { symbol: symbol.into(), nearest: nearest(symbol) })?;
+        let &(_, num, den, ten, pi, powers) = row.ok_or_else(|| UnitFault::Unknown {
+            symbol: symbol.into(),
+            nearest: nearest(symbol),
+        })?;
         self.rest = rest.trim_start();
-        Ok(Unit { powers, num, den, ten, pi })
+        Ok(Unit {
+            powers,
+            num,
+            den,
+            ten,
+            pi,
+        })
     }
 
     fn exponent(&mut self) -> Result<i32, UnitFault> {
@@ -353,7 +398,10 @@ impl Reader<'_> {
             });
         }
         let sign = if self.skip(&['-']).is_some() { -1 } else { 1 };
-        let end = self.rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(self.rest.len());
+        let end = self
+            .rest
+            .find(|c: char| !c.is_ascii_digit())
+            .unwrap_or(self.rest.len());
         let (digits, rest) = self.rest.split_at(end);
         if digits.is_empty() {
             return Err(UnitFault::Malformed);
@@ -368,7 +416,10 @@ impl Reader<'_> {
 fn nearest(symbol: &str) -> Option<&'static str> {
     let lower = symbol.to_lowercase();
     let singular = lower.strip_suffix('s').unwrap_or(&lower);
-    if let Some((_, meant)) = NAMES.iter().find(|(name, _)| *name == lower || *name == singular) {
+    if let Some((_, meant)) = NAMES
+        .iter()
+        .find(|(name, _)| *name == lower || *name == singular)
+    {
         return Some(meant);
     }
     super::suggest::nearest(symbol, SYMBOLS.iter().map(|row| row.0))
@@ -382,7 +433,10 @@ mod tests {
     fn si(text: &str, dimension: Dimension) -> f64 {
         let (number, unit) = split_quantity(text).expect(text);
         let unit = Unit::parse(unit).unwrap_or_else(|fault| panic!("{text}: {fault:?}"));
-        assert!(dimension.powers().accepts(unit.powers), "{text} is no {dimension:?}");
+        assert!(
+            dimension.powers().accepts(unit.powers),
+            "{text} is no {dimension:?}"
+        );
         unit.to_si(number)
     }
 
@@ -423,14 +477,20 @@ mod tests {
             ("90 min", Dimension::Time, 5400.0),
         ] {
             let found = si(text, dimension);
-            assert!((found / value - 1.0).abs() <= f64::EPSILON, "{text}: {found} instead of {value}");
+            assert!(
+                (found / value - 1.0).abs() <= f64::EPSILON,
+                "{text}: {found} instead of {value}"
+            );
         }
     }
 
     #[test]
     fn angles_agree_with_the_library() {
         for degrees in [1.0, 30.0, 60.0, 90.0, 180.0, 213.7] {
-            assert_eq!(si(&format!("{degrees} deg"), Dimension::Angle), f64::to_radians(degrees));
+            assert_eq!(
+                si(&format!("{degrees} deg"), Dimension::Angle),
+                f64::to_radians(degrees)
+            );
         }
         assert_eq!(si("1 rev", Dimension::Angle), 2.0 * PI);
         assert_eq!(si("60 rpm", Dimension::AngularVelocity), 60.0 * (PI / 30.0));
@@ -442,7 +502,11 @@ mod tests {
 
     #[test]
     fn the_radian_stands_for_itself() {
-        let accepts = |dimension: Dimension, text: &str| dimension.powers().accepts(Unit::parse(text).unwrap().powers);
+        let accepts = |dimension: Dimension, text: &str| {
+            dimension
+                .powers()
+                .accepts(Unit::parse(text).unwrap().powers)
+        };
         assert!(!accepts(Dimension::AngularVelocity, "Hz"));
         assert!(!accepts(Dimension::Frequency, "rad/s"));
         assert!(!accepts(Dimension::Torque, "N*m/rad"));
@@ -453,11 +517,22 @@ mod tests {
     #[test]
     fn what_is_no_unit_is_said_so() {
         assert_eq!(Unit::parse(""), Err(UnitFault::Missing));
-        assert_eq!(Unit::parse("Mm"), Err(UnitFault::Unknown { symbol: "Mm".into(), nearest: Some("mm") }));
+        assert_eq!(
+            Unit::parse("Mm"),
+            Err(UnitFault::Unknown {
+                symbol: "Mm".into(),
+                nearest: Some("mm")
+            })
+        );
         for text in ["mm^", "*", "N*", "N//m", "(N", "N)", "m^x", "m3", "5"] {
             assert_eq!(Unit::parse(text), Err(UnitFault::Malformed), "{text}");
         }
-        for text in ["m^99", "m^99999999999", "m*m*m*m*m*m*m*m*m*m*m*m*m", &"(".repeat(1000)] {
+        for text in [
+            "m^99",
+            "m^99999999999",
+            "m*m*m*m*m*m*m*m*m*m*m*m*m",
+            &"(".repeat(1000),
+        ] {
             assert_eq!(Unit::parse(text), Err(UnitFault::TooLarge), "{text}");
         }
     }

@@ -43,7 +43,14 @@ pub(super) fn validate(source: &Source) -> Findings {
     let units = Units::read(source.root.get("units"));
     let written = source.root.get("parameters");
     let (parameters, faults) = Parameters::read(written, !units.in_radians());
-    let mut walk = Walk { source, units, parameters, complaints: Vec::new(), more: 0, references: Vec::new() };
+    let mut walk = Walk {
+        source,
+        units,
+        parameters,
+        complaints: Vec::new(),
+        more: 0,
+        references: Vec::new(),
+    };
     for fault in faults {
         walk.complain_at(fault.node, fault.at, fault.complaint);
     }
@@ -52,12 +59,26 @@ pub(super) fn validate(source: &Source) -> Findings {
     // what nothing uses may stay in a file, but a --set would be in vain
     let unused = walk.parameters.unused(written);
     let (in_vain, idle): (Vec<_>, Vec<_>) = unused.into_iter().partition(|(_, is_set)| *is_set);
-    warnings.extend(idle.into_iter().map(|(complaint, _)| source.place(complaint).to_string()));
+    warnings.extend(
+        idle.into_iter()
+            .map(|(complaint, _)| source.place(complaint).to_string()),
+    );
     if walk.complaints.is_empty() {
-        walk.complaints.extend(in_vain.into_iter().map(|(complaint, _)| source.place(complaint)));
+        walk.complaints.extend(
+            in_vain
+                .into_iter()
+                .map(|(complaint, _)| source.place(complaint)),
+        );
     }
     let parameters = walk.parameters.resolved();
-    Findings { value, complaints: walk.complaints, more: walk.more, references: walk.references, warnings, parameters }
+    Findings {
+        value,
+        complaints: walk.complaints,
+        more: walk.more,
+        references: walk.references,
+        warnings,
+        parameters,
+    }
 }
 
 /// The state of the walk.
@@ -73,7 +94,9 @@ pub(super) struct Walk<'a> {
 /// Follows a `$ref`.
 fn target(schema: &Value) -> &Value {
     let reference = schema.get("$ref").and_then(Value::as_str);
-    reference.and_then(|text| SCHEMA.pointer(text.trim_start_matches('#'))).unwrap_or(schema)
+    reference
+        .and_then(|text| SCHEMA.pointer(text.trim_start_matches('#')))
+        .unwrap_or(schema)
 }
 
 /// The texts that `const`, `enum` or a `oneOf` of them allow.
@@ -84,14 +107,26 @@ fn choices(schema: &Value) -> Option<Vec<&str>> {
     if let Some(texts) = schema.get("enum").and_then(Value::as_array) {
         return texts.iter().map(Value::as_str).collect();
     }
-    let variants: Vec<_> = schema.get("oneOf")?.as_array()?.iter().map(choices).collect::<Option<_>>()?;
+    let variants: Vec<_> = schema
+        .get("oneOf")?
+        .as_array()?
+        .iter()
+        .map(choices)
+        .collect::<Option<_>>()?;
     Some(variants.concat())
 }
 
 /// The variants of a union told apart by `type`, with their names.
 fn variants(schema: &Value) -> Option<Vec<(&str, &Value)>> {
     let variants = schema.get("oneOf")?.as_array()?.iter();
-    variants.map(|variant| Some((variant.pointer("/properties/type/const")?.as_str()?, variant))).collect()
+    variants
+        .map(|variant| {
+            Some((
+                variant.pointer("/properties/type/const")?.as_str()?,
+                variant,
+            ))
+        })
+        .collect()
 }
 
 impl Walk<'_> {
@@ -116,7 +151,8 @@ impl Walk<'_> {
 
     fn add(&mut self, origin: Origin, found: Option<String>, complaint: Complaint) {
         if self.complaints.len() < ENOUGH {
-            self.complaints.push(self.source.complain(origin, found, complaint));
+            self.complaints
+                .push(self.source.complain(origin, found, complaint));
         } else {
             self.more += 1;
         }
@@ -140,15 +176,24 @@ impl Walk<'_> {
         if let Some(choices) = choices(schema) {
             return self.choice(node, &choices, path);
         }
-        if let (Some(branches), None) = (schema.get("anyOf").and_then(Value::as_array), schema.get("properties")) {
+        if let (Some(branches), None) = (
+            schema.get("anyOf").and_then(Value::as_array),
+            schema.get("properties"),
+        ) {
             return self.value(node, branch(node, branches), path, driven);
         }
         if let Some(dimension) = schema.get("x-dimension").and_then(Value::as_str) {
             let number = self.quantity(node, dimension, path, driven);
-            return number.and_then(|number| self.bounded(node, number, schema, path)).map_or(Value::Null, Value::from);
+            return number
+                .and_then(|number| self.bounded(node, number, schema, path))
+                .map_or(Value::Null, Value::from);
         }
         match schema.get("x-plain").and_then(Value::as_str) {
-            Some("integer") => return self.whole(node, schema, path).map_or(Value::Null, Value::from),
+            Some("integer") => {
+                return self
+                    .whole(node, schema, path)
+                    .map_or(Value::Null, Value::from);
+            }
             Some(_) => {
                 let number = self.plain_number(node, path);
                 let number = number.and_then(|number| self.bounded(node, number, schema, path));
@@ -176,22 +221,34 @@ impl Walk<'_> {
         }
     }
 
-    fn tagged(&mut self, node: &Node, variants: &[(&str, &Value)], path: &str, driven: Driven) -> Value {
+    fn tagged(
+        &mut self,
+        node: &Node,
+        variants: &[(&str, &Value)],
+        path: &str,
+        driven: Driven,
+    ) -> Value {
         let names: Vec<&str> = variants.iter().map(|(name, _)| *name).collect();
         let Kind::Object(members) = &node.kind else {
             self.complain(node, wrong_kind(path, "an object", node));
             return Value::Null;
         };
         let Some(member) = members.get("type") else {
-            let misspelt = members.iter().find(|(key, _)| suggest::nearest(key, ["type"]).is_some());
+            let misspelt = members
+                .iter()
+                .find(|(key, _)| suggest::nearest(key, ["type"]).is_some());
             match misspelt {
                 Some((key, member)) => {
-                    let complaint = Complaint::new(join(path, key), "unknown key").hint("did you mean \"type\"?");
+                    let complaint = Complaint::new(join(path, key), "unknown key")
+                        .hint("did you mean \"type\"?");
                     self.complain_key(member.key, key, complaint);
                 }
                 None => {
                     let complaint = Complaint::new(path, "\"type\" is missing");
-                    self.complain(node, complaint.hint(format!("one of {}", suggest::any_of(names))));
+                    self.complain(
+                        node,
+                        complaint.hint(format!("one of {}", suggest::any_of(names))),
+                    );
                 }
             }
             return Value::Null;
@@ -204,7 +261,9 @@ impl Walk<'_> {
         match kind.and_then(|kind| suggest::nearest(kind, names.iter().copied())) {
             Some(name) => {
                 let variant = variants.iter().find(|(known, _)| *known == name);
-                variant.map_or(Value::Null, |(_, variant)| self.value(node, variant, path, driven))
+                variant.map_or(Value::Null, |(_, variant)| {
+                    self.value(node, variant, path, driven)
+                })
             }
             None => self.choice(&member.node, &names, &join(path, "type")),
         }
@@ -213,7 +272,13 @@ impl Walk<'_> {
     fn choice(&mut self, node: &Node, choices: &[&str], path: &str) -> Value {
         let Some(text) = node.as_str() else {
             let complaint = wrong_kind(path, "text", node);
-            self.complain(node, complaint.hint(format!("one of {}", suggest::any_of(choices.iter().copied()))));
+            self.complain(
+                node,
+                complaint.hint(format!(
+                    "one of {}",
+                    suggest::any_of(choices.iter().copied())
+                )),
+            );
             return Value::Null;
         };
         if choices.contains(&text) {
@@ -226,7 +291,10 @@ impl Walk<'_> {
             (_, Some(near)) => format!("did you mean {near:?}?"),
             (_, None) => format!("one of {}", suggest::any_of(choices.iter().copied())),
         };
-        self.complain(node, Complaint::new(path, format!("unknown {word}")).hint(hint));
+        self.complain(
+            node,
+            Complaint::new(path, format!("unknown {word}")).hint(hint),
+        );
         Value::Null
     }
 
@@ -236,8 +304,13 @@ impl Walk<'_> {
             return Value::Null;
         };
         let empty = Map::new();
-        let properties = schema.get("properties").and_then(Value::as_object).unwrap_or(&empty);
-        let additional = schema.get("additionalProperties").filter(|value| value.is_object());
+        let properties = schema
+            .get("properties")
+            .and_then(Value::as_object)
+            .unwrap_or(&empty);
+        let additional = schema
+            .get("additionalProperties")
+            .filter(|value| value.is_object());
         let mut out = Map::new();
         for (key, member) in members.iter() {
             let here = join(path, key);
@@ -246,15 +319,22 @@ impl Walk<'_> {
                 (Some(_), Some(_)) if key == "note" && member.node.as_str().is_some() => {}
                 (Some(property), _) if is_linear(property, members) => {
                     let number = self.quantity(&member.node, "linear stiffness", &here, driven);
-                    let number = number.and_then(|number| self.bounded(&member.node, number, property, &here));
+                    let number = number
+                        .and_then(|number| self.bounded(&member.node, number, property, &here));
                     out.insert(key.clone(), number.map_or(Value::Null, Value::from));
                 }
                 (Some(property), _) => {
-                    out.insert(key.clone(), self.value(&member.node, property, &here, driven));
+                    out.insert(
+                        key.clone(),
+                        self.value(&member.node, property, &here, driven),
+                    );
                 }
                 (None, Some(additional)) => {
                     self.name(key, member, &here);
-                    out.insert(key.clone(), self.value(&member.node, additional, &here, driven));
+                    out.insert(
+                        key.clone(),
+                        self.value(&member.node, additional, &here, driven),
+                    );
                 }
                 (None, None) => {
                     if let Some(meant) = self.unknown_key(key, schema, members, &here) {
@@ -263,8 +343,16 @@ impl Walk<'_> {
                 }
             }
         }
-        let required = schema.get("required").and_then(Value::as_array).into_iter().flatten().filter_map(Value::as_str);
-        for key in required.filter(|key| !out.contains_key(*key)).collect::<Vec<_>>() {
+        let required = schema
+            .get("required")
+            .and_then(Value::as_array)
+            .into_iter()
+            .flatten()
+            .filter_map(Value::as_str);
+        for key in required
+            .filter(|key| !out.contains_key(*key))
+            .collect::<Vec<_>>()
+        {
             let mut complaint = Complaint::new(path, format!("{key:?} is missing"));
             complaint.hint = examples::of_missing(path, key).or_else(|| {
                 let choices = choices(target(properties.get(key)?))?;
@@ -273,7 +361,10 @@ impl Walk<'_> {
             self.complain(node, complaint);
         }
         if out.is_empty() && schema.get("minProperties").is_some() {
-            self.complain(node, Complaint::new(path, "it is empty, at least one is needed"));
+            self.complain(
+                node,
+                Complaint::new(path, "it is empty, at least one is needed"),
+            );
             return Value::Null;
         }
         Value::Object(out)
@@ -288,12 +379,22 @@ impl Walk<'_> {
         path: &str,
     ) -> Option<String> {
         let origin = members.get(key)?.key;
-        if let Some(reason) = schema.get("x-refused").and_then(|refused| refused.get(key)?.as_str()) {
+        if let Some(reason) = schema
+            .get("x-refused")
+            .and_then(|refused| refused.get(key)?.as_str())
+        {
             self.complain_key(origin, key, Complaint::new(path, reason));
             return None;
         }
-        let known: Vec<&str> = schema["properties"].as_object()?.keys().map(String::as_str).collect();
-        let free = known.iter().copied().filter(|known| !members.contains_key(*known));
+        let known: Vec<&str> = schema["properties"]
+            .as_object()?
+            .keys()
+            .map(String::as_str)
+            .collect();
+        let free = known
+            .iter()
+            .copied()
+            .filter(|known| !members.contains_key(*known));
         let meant = suggest::nearest(key, free);
         let complaint = Complaint::new(path, "unknown key").hint(match meant {
             Some(meant) => format!("did you mean {meant:?}?"),
@@ -306,10 +407,24 @@ impl Walk<'_> {
     /// Complains about a name that the format does not allow.
     fn name(&mut self, name: &str, member: &Member, path: &str) {
         if name.is_empty() {
-            self.complain_key(member.key, name, Complaint::new(path, "a name must not be empty"));
-        } else if let Some(bad) = name.chars().find(|&c| ".[],=*?".contains(c) || c.is_control()) {
-            let complaint = Complaint::new(path, format!("a name must not contain {:?}", bad.to_string()));
-            self.complain_key(member.key, name, complaint.hint("nor any of . [ ] , = * ? and control characters"));
+            self.complain_key(
+                member.key,
+                name,
+                Complaint::new(path, "a name must not be empty"),
+            );
+        } else if let Some(bad) = name
+            .chars()
+            .find(|&c| ".[],=*?".contains(c) || c.is_control())
+        {
+            let complaint = Complaint::new(
+                path,
+                format!("a name must not contain {:?}", bad.to_string()),
+            );
+            self.complain_key(
+                member.key,
+                name,
+                complaint.hint("nor any of . [ ] , = * ? and control characters"),
+            );
         }
     }
 
@@ -318,12 +433,30 @@ impl Walk<'_> {
             self.complain(node, wrong_kind(path, "a list", node));
             return Value::Null;
         };
-        let bound = |key: &str| schema.get(key).and_then(Value::as_u64).and_then(|bound| usize::try_from(bound).ok());
-        let (least, most) = (bound("minItems").unwrap_or(0), bound("maxItems").unwrap_or(usize::MAX));
+        let bound = |key: &str| {
+            schema
+                .get(key)
+                .and_then(Value::as_u64)
+                .and_then(|bound| usize::try_from(bound).ok())
+        };
+        let (least, most) = (
+            bound("minItems").unwrap_or(0),
+            bound("maxItems").unwrap_or(usize::MAX),
+        );
         if items.len() < least || items.len() > most {
-            let wanted = if least == most { format!("{least}") } else { format!("at least {least}") };
+            let wanted = if least == most {
+                format!("{least}")
+            } else {
+                format!("at least {least}")
+            };
             let found = items.len();
-            self.complain(node, Complaint::new(path, format!("a list of {wanted} is expected, this one has {found}")));
+            self.complain(
+                node,
+                Complaint::new(
+                    path,
+                    format!("a list of {wanted} is expected, this one has {found}"),
+                ),
+            );
             return Value::Null;
         }
         let each = schema.get("items").unwrap_or(&Value::Null);
@@ -340,7 +473,10 @@ impl Walk<'_> {
         }
         let values = Value::Array(values);
         if is_zero(&values) && schema.pointer("/not/const").is_some_and(is_zero) {
-            self.complain(node, Complaint::new(path, "both components are zero, which is no direction"));
+            self.complain(
+                node,
+                Complaint::new(path, "both components are zero, which is no direction"),
+            );
             return Value::Null;
         }
         values
@@ -351,11 +487,19 @@ impl Walk<'_> {
             self.complain(node, wrong_kind(path, "text", node));
             return Value::Null;
         };
-        if let Some(dimension) = schema.get("x-unit-of").and_then(Value::as_str).and_then(Dimension::from_name) {
+        if let Some(dimension) = schema
+            .get("x-unit-of")
+            .and_then(Value::as_str)
+            .and_then(Dimension::from_name)
+        {
             self.unit(node, text, dimension, path);
         }
         if let Some(kind) = schema.get("x-reference").and_then(Value::as_str) {
-            self.references.push(Reference { path: path.into(), kind: kind.into(), text: text.into() });
+            self.references.push(Reference {
+                path: path.into(),
+                kind: kind.into(),
+                text: text.into(),
+            });
         }
         Value::from(text)
     }
@@ -367,14 +511,19 @@ impl Walk<'_> {
             return None;
         }
         // bounds keep it far below 2⁵³
-        self.bounded(node, number, schema, path).map(|number| number as u64)
+        self.bounded(node, number, schema, path)
+            .map(|number| number as u64)
     }
 
     /// The number, where it is within the schema's bounds.
     fn bounded(&mut self, node: &Node, number: f64, schema: &Value, path: &str) -> Option<f64> {
         let bound = |key: &str| schema.get(key).and_then(Value::as_f64);
         let fault = if let Some(least) = bound("minimum").filter(|least| number < *least) {
-            if least == 0.0 { "must not be negative".to_owned() } else { format!("must not be less than {least}") }
+            if least == 0.0 {
+                "must not be negative".to_owned()
+            } else {
+                format!("must not be less than {least}")
+            }
         } else if let Some(most) = bound("maximum").filter(|most| number > *most) {
             format!("must not be greater than {most}")
         } else if let Some(limit) = bound("exclusiveMinimum").filter(|limit| number <= *limit) {
@@ -392,10 +541,17 @@ impl Walk<'_> {
 /// The branch of a union that this value is most likely meant for.
 fn branch<'s>(node: &Node, branches: &'s [Value]) -> &'s Value {
     let keys = |branch: &Value| -> usize {
-        let Kind::Object(members) = &node.kind else { return 0 };
+        let Kind::Object(members) = &node.kind else {
+            return 0;
+        };
         let schema = target(branch);
         let properties = schema.get("properties").and_then(Value::as_object);
-        properties.map_or(0, |properties| members.keys().filter(|key| properties.contains_key(*key)).count())
+        properties.map_or(0, |properties| {
+            members
+                .keys()
+                .filter(|key| properties.contains_key(*key))
+                .count()
+        })
     };
     let is_object = |branch: &Value| {
         let schema = target(branch);
@@ -403,7 +559,10 @@ fn branch<'s>(node: &Node, branches: &'s [Value]) -> &'s Value {
     };
     let wanted = matches!(node.kind, Kind::Object(_));
     let fitting = branches.iter().filter(|branch| is_object(branch) == wanted);
-    fitting.rev().max_by_key(|branch| keys(branch)).unwrap_or(&branches[0])
+    fitting
+        .rev()
+        .max_by_key(|branch| keys(branch))
+        .unwrap_or(&branches[0])
 }
 
 /// Whether this is the stiffness of a law that is linear, so that it has a unit of its own.
@@ -424,5 +583,11 @@ fn is_zero(value: &Value) -> bool {
 /// Something else is expected here.
 pub(super) fn wrong_kind(path: &str, wanted: &str, node: &Node) -> Complaint {
     let hint = examples::example(path).map(|example| format!("as in {example}"));
-    Complaint { hint, ..Complaint::new(path, format!("{wanted} is expected, not {}", node.kind_name())) }
+    Complaint {
+        hint,
+        ..Complaint::new(
+            path,
+            format!("{wanted} is expected, not {}", node.kind_name()),
+        )
+    }
 }

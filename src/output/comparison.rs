@@ -55,10 +55,16 @@ impl Comparison {
     ///
     /// Runs are compared at instants that both have: with equally spaced outputs all, as far as both got.
     pub fn new(runs: &[Run], patterns: &[String]) -> Self {
-        let Some(first) = runs.first() else { return Comparison::default() };
+        let Some(first) = runs.first() else {
+            return Comparison::default();
+        };
         let mut comparison = Comparison::default();
         for pattern in patterns {
-            let found = first.trajectory.columns.iter().filter(|c| c.name != TIME && matches(pattern, &c.name));
+            let found = first
+                .trajectory
+                .columns
+                .iter()
+                .filter(|c| c.name != TIME && matches(pattern, &c.name));
             let mut found = found.peekable();
             if found.peek().is_none() {
                 comparison.unmatched.push(pattern.clone());
@@ -74,9 +80,18 @@ impl Comparison {
             let times = first.trajectory.values(TIME).unwrap_or_default();
             let reference = values_at(first.trajectory, column, &times);
             for run in &runs[1..] {
-                let (instants, numbers) = differences(&times, &reference, &values_at(run.trajectory, column, &times));
+                let (instants, numbers) = differences(
+                    &times,
+                    &reference,
+                    &values_at(run.trajectory, column, &times),
+                );
                 let (run, column) = (run.name.to_string(), column.clone());
-                comparison.differences.push(Difference { run, column, instants, numbers });
+                comparison.differences.push(Difference {
+                    run,
+                    column,
+                    instants,
+                    numbers,
+                });
             }
         }
         comparison
@@ -84,21 +99,30 @@ impl Comparison {
 
     /// Fills the curves.
     fn draw(&mut self, runs: &[Run]) {
-        let mut times: Vec<f64> = runs.iter().flat_map(|run| run.trajectory.values(TIME).unwrap_or_default()).collect();
+        let mut times: Vec<f64> = runs
+            .iter()
+            .flat_map(|run| run.trajectory.values(TIME).unwrap_or_default())
+            .collect();
         times.sort_by(f64::total_cmp);
         times.dedup();
         let mut columns = vec![Column::new(TIME, "s")];
         let mut values = vec![times.clone()];
         for column in &self.columns {
             for run in runs {
-                columns.push(Column::new(format!("{}:{}", run.name, column.name), column.unit));
+                columns.push(Column::new(
+                    format!("{}:{}", run.name, column.name),
+                    column.unit,
+                ));
                 values.push(values_at(run.trajectory, column, &times));
             }
         }
         self.curves = Trajectory::new(columns);
         self.curves.reserve(times.len());
         for row in 0..times.len() {
-            let row: Vec<f64> = values.iter().map(|values| values.get(row).copied().unwrap_or(f64::NAN)).collect();
+            let row: Vec<f64> = values
+                .iter()
+                .map(|values| values.get(row).copied().unwrap_or(f64::NAN))
+                .collect();
             self.curves.push_row(&row);
         }
     }
@@ -107,29 +131,47 @@ impl Comparison {
 /// Values of a column at these times, which stand in order; NaN where the table has no such row.
 fn values_at(table: &Trajectory, column: &Column, times: &[f64]) -> Vec<f64> {
     let known = table.values(TIME).unwrap_or_default();
-    let Some(values) = table.values(&column.label()) else { return vec![f64::NAN; times.len()] };
+    let Some(values) = table.values(&column.label()) else {
+        return vec![f64::NAN; times.len()];
+    };
     let mut next = 0;
     let at = |time: &f64| {
         while known.get(next).is_some_and(|known| known < time) {
             next += 1;
         }
-        if known.get(next) == Some(time) { values[next] } else { f64::NAN }
+        if known.get(next) == Some(time) {
+            values[next]
+        } else {
+            f64::NAN
+        }
     };
     times.iter().map(at).collect()
 }
 
 /// Instants with both values, and the numbers over them.
 fn differences(times: &[f64], reference: &[f64], values: &[f64]) -> (usize, Option<Numbers>) {
-    let differences = times.iter().zip(reference.iter().zip(values)).map(|(time, (a, b))| (*time, (b - a).abs()));
-    let known: Vec<(f64, f64)> = differences.filter(|(_, difference)| difference.is_finite()).collect();
+    let differences = times
+        .iter()
+        .zip(reference.iter().zip(values))
+        .map(|(time, (a, b))| (*time, (b - a).abs()));
+    let known: Vec<(f64, f64)> = differences
+        .filter(|(_, difference)| difference.is_finite())
+        .collect();
     let n = known.len() as f64;
-    let largest = known.iter().copied().reduce(|most, next| if next.1 > most.1 { next } else { most });
+    let largest = known
+        .iter()
+        .copied()
+        .reduce(|most, next| if next.1 > most.1 { next } else { most });
     let numbers = largest.map(|(max_time, max)| Numbers {
         max,
         max_time,
         mean: known.iter().map(|(_, difference)| difference).sum::<f64>() / n,
         // Scaled, so that no square overflows.
-        rms: if max > 0.0 { max * (known.iter().map(|(_, d)| (d / max).powi(2)).sum::<f64>() / n).sqrt() } else { 0.0 },
+        rms: if max > 0.0 {
+            max * (known.iter().map(|(_, d)| (d / max).powi(2)).sum::<f64>() / n).sqrt()
+        } else {
+            0.0
+        },
     });
     (known.len(), numbers)
 }
@@ -139,15 +181,31 @@ mod tests {
     use super::*;
 
     fn table(rows: &[[f64; 3]]) -> Trajectory {
-        let columns = [("time", "s"), ("a.x", "m"), ("a.y", "m")].map(|(name, unit)| Column::new(name, unit));
+        let columns =
+            [("time", "s"), ("a.x", "m"), ("a.y", "m")].map(|(name, unit)| Column::new(name, unit));
         let mut table = Trajectory::new(columns.to_vec());
         rows.iter().for_each(|row| table.push_row(row));
         table
     }
 
     fn compare(first: &Trajectory, second: &Trajectory, patterns: &[&str]) -> Comparison {
-        let runs = [Run { name: "ideal", trajectory: first }, Run { name: "contact", trajectory: second }];
-        Comparison::new(&runs, &patterns.iter().map(|pattern| (*pattern).to_string()).collect::<Vec<_>>())
+        let runs = [
+            Run {
+                name: "ideal",
+                trajectory: first,
+            },
+            Run {
+                name: "contact",
+                trajectory: second,
+            },
+        ];
+        Comparison::new(
+            &runs,
+            &patterns
+                .iter()
+                .map(|pattern| (*pattern).to_string())
+                .collect::<Vec<_>>(),
+        )
     }
 
     #[test]
@@ -155,11 +213,34 @@ mod tests {
         let first = table(&[[0.0, 1.0, 0.0], [1.0, 1.0, f64::NAN], [2.0, 1.0, 5.0]]);
         let second = table(&[[0.0, 4.0, 1.0], [1.0, -3.0, 2.0]]);
         let compared = compare(&first, &second, &["a.y", "a.*", "b"]);
-        let names: Vec<&str> = compared.columns.iter().map(|column| column.name.as_str()).collect();
-        assert_eq!((names, compared.unmatched.as_slice()), (vec!["a.y", "a.x"], ["b".to_string()].as_slice()));
-        let of = |k: usize| (compared.differences[k].instants, compared.differences[k].numbers.expect("some"));
+        let names: Vec<&str> = compared
+            .columns
+            .iter()
+            .map(|column| column.name.as_str())
+            .collect();
+        assert_eq!(
+            (names, compared.unmatched.as_slice()),
+            (vec!["a.y", "a.x"], ["b".to_string()].as_slice())
+        );
+        let of = |k: usize| {
+            (
+                compared.differences[k].instants,
+                compared.differences[k].numbers.expect("some"),
+            )
+        };
         let (instants, y) = of(0);
-        assert_eq!((instants, y), (1, Numbers { max: 1.0, max_time: 0.0, mean: 1.0, rms: 1.0 }));
+        assert_eq!(
+            (instants, y),
+            (
+                1,
+                Numbers {
+                    max: 1.0,
+                    max_time: 0.0,
+                    mean: 1.0,
+                    rms: 1.0
+                }
+            )
+        );
         let (instants, x) = of(1);
         assert_eq!((instants, x.max, x.max_time, x.mean), (2, 4.0, 1.0, 3.5));
         assert!((x.rms - 12.5f64.sqrt()).abs() < 1e-15, "{x:?}");
@@ -167,12 +248,19 @@ mod tests {
 
     #[test]
     fn curves_have_the_rows_of_the_longest_run() {
-        let compared = compare(&table(&[[0.0, 1.0, 0.0]]), &table(&[[0.0, 2.0, 0.0], [1.0, 3.0, 0.0]]), &["a.x"]);
+        let compared = compare(
+            &table(&[[0.0, 1.0, 0.0]]),
+            &table(&[[0.0, 2.0, 0.0], [1.0, 3.0, 0.0]]),
+            &["a.x"],
+        );
         let labels: Vec<String> = compared.curves.columns.iter().map(Column::label).collect();
         assert_eq!(labels, ["time[s]", "ideal:a.x[m]", "contact:a.x[m]"]);
         assert_eq!(compared.curves.row(0), [0.0, 1.0, 2.0]);
         let last = compared.curves.row(1);
-        assert!(last[0] == 1.0 && last[1].is_nan() && last[2] == 3.0, "{last:?}");
+        assert!(
+            last[0] == 1.0 && last[1].is_nan() && last[2] == 3.0,
+            "{last:?}"
+        );
     }
 
     #[test]

@@ -66,7 +66,11 @@ mod tests {
 
     #[test]
     fn cells_without_value_are_empty() {
-        let mut table = Trajectory::new(vec![Column::new("time", "s"), Column::new("a.x", "m"), Column::new("b", "N")]);
+        let mut table = Trajectory::new(vec![
+            Column::new("time", "s"),
+            Column::new("a.x", "m"),
+            Column::new("b", "N"),
+        ]);
         table.push_row(&[0.0, f64::NAN, 1.5]);
         table.push_row(&[1e-7, f64::INFINITY, f64::NEG_INFINITY]);
         assert_eq!(text(&table), "time[s],a.x[m],b[N]\n0.0,,1.5\n1e-7,,\n");
@@ -76,32 +80,63 @@ mod tests {
     fn hostile_names_are_quoted() {
         let names = ["time", "6\" bar.x", "🔒.x", "a\nb", "ordinary name"];
         let table = Trajectory::new(names.iter().map(|&name| Column::new(name, "m")).collect());
-        assert_eq!(text(&table), "time[m],\"6\"\" bar.x[m]\",🔒.x[m],\"a\nb[m]\",ordinary name[m]\n");
+        assert_eq!(
+            text(&table),
+            "time[m],\"6\"\" bar.x[m]\",🔒.x[m],\"a\nb[m]\",ordinary name[m]\n"
+        );
     }
 
     #[test]
     fn numbers_read_back_as_the_same_double() {
-        let values = [0.1, 1.0 / 3.0, f64::MAX, f64::MIN_POSITIVE, 5e-324, 1e16, -123_456_789.0, 1e21, 2.5e-5];
-        let mut table = Trajectory::new((0..values.len()).map(|i| Column::new(format!("c{i}"), "m")).collect());
+        let values = [
+            0.1,
+            1.0 / 3.0,
+            f64::MAX,
+            f64::MIN_POSITIVE,
+            5e-324,
+            1e16,
+            -123_456_789.0,
+            1e21,
+            2.5e-5,
+        ];
+        let mut table = Trajectory::new(
+            (0..values.len())
+                .map(|i| Column::new(format!("c{i}"), "m"))
+                .collect(),
+        );
         table.push_row(&values);
         let text = text(&table);
-        let read: Vec<f64> =
-            text.lines().nth(1).unwrap_or("").split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect();
+        let read: Vec<f64> = text
+            .lines()
+            .nth(1)
+            .unwrap_or("")
+            .split(',')
+            .map(|cell| cell.parse().unwrap_or(f64::NAN))
+            .collect();
         assert_eq!(read, values, "{text}");
     }
 
     #[test]
     fn a_table_without_rows_is_its_header() {
-        assert_eq!(text(&Trajectory::new(vec![Column::new("time", "s")])), "time[s]\n");
+        assert_eq!(
+            text(&Trajectory::new(vec![Column::new("time", "s")])),
+            "time[s]\n"
+        );
     }
 
     /// The lock case with everything kept: 1751 rows, 110 columns. Prints its time; the bound leaves room for a busy machine.
     #[test]
     fn a_large_table_is_written_fast() {
-        let mut table = Trajectory::new((0..110).map(|i| Column::new(format!("c{i}"), "m")).collect());
+        let mut table = Trajectory::new(
+            (0..110)
+                .map(|i| Column::new(format!("c{i}"), "m"))
+                .collect(),
+        );
         table.reserve(1751);
         for row in 0..1751 {
-            let values: Vec<f64> = (0..110).map(|column| (f64::from(row) * 0.37 + f64::from(column)).sin()).collect();
+            let values: Vec<f64> = (0..110)
+                .map(|column| (f64::from(row) * 0.37 + f64::from(column)).sin())
+                .collect();
             table.push_row(&values);
         }
         let fastest = (0..20).map(|_| {
@@ -111,6 +146,9 @@ mod tests {
         });
         let fastest = fastest.min().unwrap_or_default();
         println!("1751 x 110 cells as CSV: {fastest:?}");
-        assert!(cfg!(debug_assertions) || fastest.as_millis() < 40, "{fastest:?}");
+        assert!(
+            cfg!(debug_assertions) || fastest.as_millis() < 40,
+            "{fastest:?}"
+        );
     }
 }

@@ -34,10 +34,18 @@ impl Directory {
         if path.exists() && !path.is_dir() {
             return Err(WriteError::NotADirectory(path.to_owned()));
         }
-        fs::create_dir_all(path).map_err(|source| WriteError::MakeDirectory { path: path.to_owned(), source })?;
-        let directory = Directory { path: path.to_owned() };
+        fs::create_dir_all(path).map_err(|source| WriteError::MakeDirectory {
+            path: path.to_owned(),
+            source,
+        })?;
+        let directory = Directory {
+            path: path.to_owned(),
+        };
         let probe = directory.temporary("probe");
-        fs::write(&probe, b"").map_err(|source| WriteError::Write { path: path.to_owned(), source })?;
+        fs::write(&probe, b"").map_err(|source| WriteError::Write {
+            path: path.to_owned(),
+            source,
+        })?;
         // A probe that can't be removed is an empty hidden file: no reason to refuse.
         let _ = fs::remove_file(&probe);
         Ok(directory)
@@ -54,7 +62,11 @@ impl Directory {
     /// [`WriteError::InTheWay`].
     pub fn expect_free(&self, name: &str) -> Result<(), WriteError> {
         let path = self.path.join(name);
-        if path.is_dir() { Err(WriteError::InTheWay(path)) } else { Ok(()) }
+        if path.is_dir() {
+            Err(WriteError::InTheWay(path))
+        } else {
+            Ok(())
+        }
     }
 
     /// Writes a file, replacing one of that name; returns its path.
@@ -78,10 +90,15 @@ impl Directory {
         let path = self.path.join(name);
         let temporary = self.temporary(name);
         let written = File::create(&temporary).and_then(|mut file| content(&mut file));
-        written.and_then(|()| fs::rename(&temporary, &path)).map_err(|source| {
-            let _ = fs::remove_file(&temporary);
-            WriteError::Write { path: path.clone(), source }
-        })?;
+        written
+            .and_then(|()| fs::rename(&temporary, &path))
+            .map_err(|source| {
+                let _ = fs::remove_file(&temporary);
+                WriteError::Write {
+                    path: path.clone(),
+                    source,
+                }
+            })?;
         Ok(path)
     }
 
@@ -92,14 +109,17 @@ impl Directory {
     pub fn remove(&self, name: &str) -> Result<(), WriteError> {
         let path = self.path.join(name);
         match fs::remove_file(&path) {
-            Err(source) if source.kind() != io::ErrorKind::NotFound => Err(WriteError::Write { path, source }),
+            Err(source) if source.kind() != io::ErrorKind::NotFound => {
+                Err(WriteError::Write { path, source })
+            }
             Ok(()) | Err(_) => Ok(()),
         }
     }
 
     /// A name nobody else uses at the same time.
     fn temporary(&self, name: &str) -> PathBuf {
-        self.path.join(format!(".{name}.{}.part", std::process::id()))
+        self.path
+            .join(format!(".{name}.{}.part", std::process::id()))
     }
 }
 
@@ -108,7 +128,8 @@ mod tests {
     use super::*;
 
     fn scratch(name: &str) -> PathBuf {
-        let path = std::env::temp_dir().join(format!("linkdyn-files-{}-{name}", std::process::id()));
+        let path =
+            std::env::temp_dir().join(format!("linkdyn-files-{}-{name}", std::process::id()));
         let _ = fs::remove_dir_all(&path);
         path
     }
@@ -123,7 +144,10 @@ mod tests {
         directory.remove("b.csv").expect("removed");
         directory.remove("b.csv").expect("nothing to remove");
         assert_eq!(fs::read(path.join("deep/er/a.csv")).expect("there"), b"two");
-        assert_eq!(fs::read_dir(directory.path()).expect("a directory").count(), 1);
+        assert_eq!(
+            fs::read_dir(directory.path()).expect("a directory").count(),
+            1
+        );
         fs::remove_dir_all(&path).expect("removed");
     }
 
@@ -132,12 +156,19 @@ mod tests {
         let path = scratch("way");
         fs::create_dir_all(path.join("results.csv")).expect("made");
         fs::write(path.join("file"), b"").expect("written");
-        let said = Directory::open(&path.join("file")).expect_err("a file").to_string();
+        let said = Directory::open(&path.join("file"))
+            .expect_err("a file")
+            .to_string();
         assert!(said.contains("not a directory"), "{said}");
-        let said = Directory::open(&path.join("file/below")).expect_err("below a file").to_string();
+        let said = Directory::open(&path.join("file/below"))
+            .expect_err("below a file")
+            .to_string();
         assert!(said.contains("can't be made"), "{said}");
         let directory = Directory::open(&path).expect("fine");
-        let said = directory.write("results.csv", b"").expect_err("a directory").to_string();
+        let said = directory
+            .write("results.csv", b"")
+            .expect_err("a directory")
+            .to_string();
         assert!(said.contains("stands where a result file"), "{said}");
         fs::remove_dir_all(&path).expect("removed");
     }

@@ -19,7 +19,10 @@ pub enum ReadError {
     #[error("{}: a directory without {name} (linkdyn run … -o leaves one)", .path.display())]
     Without { path: PathBuf, name: &'static str },
     #[error("{}: can't be read: {source}", .path.display())]
-    Unreadable { path: PathBuf, source: std::io::Error },
+    Unreadable {
+        path: PathBuf,
+        source: std::io::Error,
+    },
     #[error("{}: larger than {LARGEST} bytes", .0.display())]
     TooLarge(PathBuf),
     #[error("{}: the file is empty", .0.display())]
@@ -31,9 +34,19 @@ pub enum ReadError {
     #[error("{}: not a table of results: it is not text in UTF-8", .0.display())]
     NotText(PathBuf),
     #[error("{}: line {line} has {cells} cells, the header has {columns}", .path.display())]
-    Ragged { path: PathBuf, line: u64, cells: usize, columns: usize },
+    Ragged {
+        path: PathBuf,
+        line: u64,
+        cells: usize,
+        columns: usize,
+    },
     #[error("{}: line {line}: {cell:?} in column {column:?} is not a number", .path.display())]
-    NotANumber { path: PathBuf, line: u64, column: String, cell: String },
+    NotANumber {
+        path: PathBuf,
+        line: u64,
+        column: String,
+        cell: String,
+    },
 }
 
 /// A column that was read.
@@ -51,7 +64,11 @@ pub struct ReadColumn {
 impl ReadColumn {
     /// `name[unit]`, as in the header.
     pub fn label(&self) -> String {
-        if self.unit.is_empty() { self.name.clone() } else { format!("{}[{}]", self.name, self.unit) }
+        if self.unit.is_empty() {
+            self.name.clone()
+        } else {
+            format!("{}[{}]", self.name, self.unit)
+        }
     }
 }
 
@@ -67,15 +84,23 @@ pub struct Table {
 /// # Errors
 /// When there is no such file, or it can't be read, or is too large.
 pub fn read_file(path: &Path, name: &'static str) -> Result<(PathBuf, Vec<u8>), ReadError> {
-    let file = if path.is_dir() { path.join(name) } else { path.to_owned() };
+    let file = if path.is_dir() {
+        path.join(name)
+    } else {
+        path.to_owned()
+    };
     if !file.exists() {
         return Err(match path.is_dir() {
-            true => ReadError::Without { path: path.to_owned(), name },
+            true => ReadError::Without {
+                path: path.to_owned(),
+                name,
+            },
             false => ReadError::Missing(path.to_owned()),
         });
     }
     let mut bytes = Vec::new();
-    let read = File::open(&file).and_then(|opened| opened.take(LARGEST + 1).read_to_end(&mut bytes));
+    let read =
+        File::open(&file).and_then(|opened| opened.take(LARGEST + 1).read_to_end(&mut bytes));
     match read {
         Err(source) => Err(ReadError::Unreadable { path: file, source }),
         Ok(size) if size as u64 > LARGEST => Err(ReadError::TooLarge(file)),
@@ -99,11 +124,17 @@ impl Table {
         if text.trim().is_empty() {
             return Err(ReadError::Empty(path));
         }
-        let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(text.as_bytes());
-        let header = reader.headers().map_err(|_| ReadError::NotText(path.clone()))?;
+        let mut reader = csv::ReaderBuilder::new()
+            .flexible(true)
+            .from_reader(text.as_bytes());
+        let header = reader
+            .headers()
+            .map_err(|_| ReadError::NotText(path.clone()))?;
         let mut columns: Vec<ReadColumn> = header.iter().map(column).collect();
         if let [only] = &columns[..]
-            && let Some(separator) = [';', '\t'].into_iter().find(|separator| only.label().contains(*separator))
+            && let Some(separator) = [';', '\t']
+                .into_iter()
+                .find(|separator| only.label().contains(*separator))
         {
             return Err(ReadError::Separator { path, separator });
         }
@@ -114,7 +145,12 @@ impl Table {
             let record = record.map_err(|_| ReadError::NotText(path.clone()))?;
             let line = record.position().map_or(0, csv::Position::line);
             if record.len() != columns.len() {
-                return Err(ReadError::Ragged { path, line, cells: record.len(), columns: columns.len() });
+                return Err(ReadError::Ragged {
+                    path,
+                    line,
+                    cells: record.len(),
+                    columns: columns.len(),
+                });
             }
             for (column, cell) in columns.iter_mut().zip(&record) {
                 column.push(cell.trim(), line);
@@ -127,10 +163,19 @@ impl Table {
     /// the same instant the others come last.
     pub fn insert(&mut self, others: &Table) {
         let is_same = self.columns.len() == others.columns.len()
-            && self.columns.iter().zip(&others.columns).all(|(own, other)| {
-                own.name == other.name && own.unit == other.unit && own.odd.is_none() && other.odd.is_none()
-            });
-        let (Some(times), Some(between)) = (self.column(TIME), others.column(TIME)) else { return };
+            && self
+                .columns
+                .iter()
+                .zip(&others.columns)
+                .all(|(own, other)| {
+                    own.name == other.name
+                        && own.unit == other.unit
+                        && own.odd.is_none()
+                        && other.odd.is_none()
+                });
+        let (Some(times), Some(between)) = (self.column(TIME), others.column(TIME)) else {
+            return;
+        };
         if !is_same || others.is_empty() {
             return;
         }
@@ -146,8 +191,13 @@ impl Table {
         }
         order.extend((next..others.len()).map(|row| (true, row)));
         for (column, other) in self.columns.iter_mut().zip(&others.columns) {
-            let value =
-                |&(is_other, row): &(bool, usize)| if is_other { other.values[row] } else { column.values[row] };
+            let value = |&(is_other, row): &(bool, usize)| {
+                if is_other {
+                    other.values[row]
+                } else {
+                    column.values[row]
+                }
+            };
             column.values = order.iter().map(value).collect();
         }
     }
@@ -164,8 +214,13 @@ impl Table {
 
     /// The column of that name, given with or without its `[unit]`; blanks around it count only where they tell two apart.
     pub fn column(&self, name: &str) -> Option<&ReadColumn> {
-        let exact = self.columns.iter().find(|column| column.name == name || column.label() == name);
-        let is_near = |column: &&ReadColumn| column.name.trim() == name.trim() || column.label().trim() == name.trim();
+        let exact = self
+            .columns
+            .iter()
+            .find(|column| column.name == name || column.label() == name);
+        let is_near = |column: &&ReadColumn| {
+            column.name.trim() == name.trim() || column.label().trim() == name.trim()
+        };
         exact.or_else(|| self.columns.iter().find(is_near))
     }
 
@@ -188,14 +243,26 @@ impl Table {
 
 /// `name[unit]`, split.
 fn column(header: &str) -> ReadColumn {
-    let split = header.trim_end().strip_suffix(']').and_then(|rest| rest.rsplit_once('['));
+    let split = header
+        .trim_end()
+        .strip_suffix(']')
+        .and_then(|rest| rest.rsplit_once('['));
     let (name, unit) = split.unwrap_or((header, ""));
-    ReadColumn { name: name.into(), unit: unit.into(), values: Vec::new(), odd: None }
+    ReadColumn {
+        name: name.into(),
+        unit: unit.into(),
+        values: Vec::new(),
+        odd: None,
+    }
 }
 
 impl ReadColumn {
     fn push(&mut self, cell: &str, line: u64) {
-        let value = if cell.is_empty() { Ok(f64::NAN) } else { cell.parse() };
+        let value = if cell.is_empty() {
+            Ok(f64::NAN)
+        } else {
+            cell.parse()
+        };
         if value.is_err() && self.odd.is_none() {
             self.odd = Some((line, cell.to_string()));
         }
@@ -214,18 +281,31 @@ mod tests {
 
     #[test]
     fn what_is_written_is_read() {
-        let mut table = Trajectory::new(vec![Column::new("time", "s"), Column::new("6\" bar, \"x\"\n🔒.x", "m")]);
+        let mut table = Trajectory::new(vec![
+            Column::new("time", "s"),
+            Column::new("6\" bar, \"x\"\n🔒.x", "m"),
+        ]);
         table.push_row(&[0.0, f64::NAN]);
         table.push_row(&[1.0 / 3.0, -5e-324]);
         let mut text = Vec::new();
         super::super::csv::write(&table, &mut text).expect("memory takes it");
         let read = Table::parse("r.csv".into(), &text).expect("sound");
         for (column, written) in read.columns.iter().zip(&table.columns) {
-            assert_eq!((column.name.as_str(), column.unit.as_str()), (written.name.as_str(), written.unit));
+            assert_eq!(
+                (column.name.as_str(), column.unit.as_str()),
+                (written.name.as_str(), written.unit)
+            );
         }
         assert!(read.columns[1].values[0].is_nan());
-        assert_eq!((read.columns[0].values[1], read.columns[1].values[1]), (1.0 / 3.0, -5e-324));
-        assert!(read.column("time").is_some() && read.column("time[s]").is_some() && read.column("time[ms]").is_none());
+        assert_eq!(
+            (read.columns[0].values[1], read.columns[1].values[1]),
+            (1.0 / 3.0, -5e-324)
+        );
+        assert!(
+            read.column("time").is_some()
+                && read.column("time[s]").is_some()
+                && read.column("time[ms]").is_none()
+        );
     }
 
     #[test]
@@ -235,7 +315,11 @@ mod tests {
         assert_eq!(table.columns[0].values, [0.0, 0.0, 0.5, 1.0, 2.0]);
         assert_eq!(table.columns[1].values[..2], [1.0, 3.0]);
         assert!(table.columns[1].values[2].is_nan() && table.columns[1].values[3..] == [2.0, 4.0]);
-        for strange in ["time[s],a.x[mm]\n0.5,3\n", "time[s]\n0.5\n", "time[s],a.x[m]\n0.5,word\n"] {
+        for strange in [
+            "time[s],a.x[mm]\n0.5,3\n",
+            "time[s]\n0.5\n",
+            "time[s],a.x[m]\n0.5,word\n",
+        ] {
             table.insert(&parse(strange).expect("a table"));
             assert_eq!(table.len(), 5, "{strange}");
         }
@@ -246,7 +330,10 @@ mod tests {
         for (text, said) in [
             ("", "r.csv: the file is empty"),
             ("\n \n", "r.csv: the file is empty"),
-            ("a,b\n1,2\n", "r.csv: not a table of results: its first line names no column as name[unit]"),
+            (
+                "a,b\n1,2\n",
+                "r.csv: not a table of results: its first line names no column as name[unit]",
+            ),
             (
                 "time[s];x[m]\n0,5;1\n",
                 "r.csv: its columns are separated by ';': commas are wanted, and points in numbers",
@@ -255,16 +342,33 @@ mod tests {
                 "time[s]\tx[m]\n0\t1\n",
                 "r.csv: its columns are separated by '\\t': commas are wanted, and points in numbers",
             ),
-            ("a[m],b\n1,2\n1\n", "r.csv: line 3 has 1 cells, the header has 2"),
+            (
+                "a[m],b\n1,2\n1\n",
+                "r.csv: line 3 has 1 cells, the header has 2",
+            ),
         ] {
             assert_eq!(parse(text), Err(said.to_string()));
         }
         let spaced = parse("time[s], x [m] , y\n0,1,2\n").expect("blanks do no harm");
-        assert!(["x", " x", "x [m]", "y"].iter().all(|name| spaced.column(name).is_some()), "{spaced:?}");
-        assert_eq!((spaced.columns[1].unit.as_str(), spaced.column("z")), ("m", None));
+        assert!(
+            ["x", " x", "x [m]", "y"]
+                .iter()
+                .all(|name| spaced.column(name).is_some()),
+            "{spaced:?}"
+        );
+        assert_eq!(
+            (spaced.columns[1].unit.as_str(), spaced.column("z")),
+            ("m", None)
+        );
         let table = parse("t[s],what[m]\n0,1\n1,none\n").expect("only one column is odd");
         assert!(table.values(&table.columns[0]).is_ok());
-        let said = table.values(&table.columns[1]).expect_err("a word").to_string();
-        assert_eq!(said, "r.csv: line 3: \"none\" in column \"what[m]\" is not a number");
+        let said = table
+            .values(&table.columns[1])
+            .expect_err("a word")
+            .to_string();
+        assert_eq!(
+            said,
+            "r.csv: line 3: \"none\" in column \"what[m]\" is not a number"
+        );
     }
 }

@@ -17,13 +17,22 @@ pub struct Stopwatch {
 impl Stopwatch {
     /// Starts now.
     pub fn start() -> Self {
-        Stopwatch { wall: Instant::now(), cpu: ProcessTime::try_now().ok() }
+        Stopwatch {
+            wall: Instant::now(),
+            cpu: ProcessTime::try_now().ok(),
+        }
     }
 
     /// Time since the start.
     pub fn read(&self) -> Stage {
-        let cpu = self.cpu.and_then(|cpu| cpu.try_elapsed().ok()).unwrap_or(Duration::ZERO);
-        Stage { wall: self.wall.elapsed().as_secs_f64(), cpu: cpu.as_secs_f64() }
+        let cpu = self
+            .cpu
+            .and_then(|cpu| cpu.try_elapsed().ok())
+            .unwrap_or(Duration::ZERO);
+        Stage {
+            wall: self.wall.elapsed().as_secs_f64(),
+            cpu: cpu.as_secs_f64(),
+        }
     }
 
     /// Time since the start or the last lap; the next one starts.
@@ -44,6 +53,9 @@ mod tests {
         std::thread::sleep(Duration::from_millis(20));
         let first = watch.lap();
         let second = watch.lap();
-        assert!(first.wall >= 0.02 && second.wall < first.wall, "{first:?} {second:?}");
+        assert!(
+            first.wall >= 0.02 && second.wall < first.wall,
+            "{first:?} {second:?}"
+        );
     }
 }

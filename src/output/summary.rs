@@ -54,7 +54,10 @@ pub fn facts(summary: &Summary) -> Map<String, Value> {
         json.insert("message".into(), message.as_str().into());
     }
     json.insert("engine".into(), env!("CARGO_PKG_VERSION").into());
-    json.insert("model".into(), json!({ "name": summary.model_name, "sha256": summary.model_sha256 }));
+    json.insert(
+        "model".into(),
+        json!({ "name": summary.model_name, "sha256": summary.model_sha256 }),
+    );
     json.insert("settings".into(), summary.settings.clone());
     json.insert(
         "mobility".into(),
@@ -98,7 +101,11 @@ pub fn facts(summary: &Summary) -> Map<String, Value> {
         json.insert("equilibrium".into(), equilibrium(found));
     }
     if !report.clearances.is_empty() {
-        let sums = report.clearances.iter().map(|sums| (sums.joint.clone(), clearance(sums))).collect();
+        let sums = report
+            .clearances
+            .iter()
+            .map(|sums| (sums.joint.clone(), clearance(sums)))
+            .collect();
         json.insert("clearances".into(), Value::Object(sums));
     }
     json.insert("warnings".into(), report.warnings.as_slice().into());
@@ -151,7 +158,11 @@ fn event(event: &Event) -> Value {
         ("end_value", event.end_value.map(Value::from)),
         ("note", event.note.as_deref().map(Value::from)),
     ];
-    json.extend(optional.into_iter().filter_map(|(key, value)| Some((key.to_string(), value?))));
+    json.extend(
+        optional
+            .into_iter()
+            .filter_map(|(key, value)| Some((key.to_string(), value?))),
+    );
     if let Some(episode) = &event.episode {
         let numbers = [
             ("duration", episode.end.map(|end| end - episode.start)),
@@ -162,7 +173,11 @@ fn event(event: &Event) -> Value {
             ("impulse", Some(episode.impulse)),
             ("energy_lost", Some(episode.energy_lost)),
         ];
-        json.extend(numbers.into_iter().filter_map(|(key, value)| Some((key.to_string(), value?.into()))));
+        json.extend(
+            numbers
+                .into_iter()
+                .filter_map(|(key, value)| Some((key.to_string(), value?.into()))),
+        );
     }
     Value::Object(json)
 }
@@ -173,7 +188,14 @@ fn extremes(trajectory: &Trajectory) -> Value {
         Some(e) => json!({ "min": e.min, "min_time": e.min_time, "max": e.max, "max_time": e.max_time }),
         None => json!({ "min": null, "min_time": null, "max": null, "max_time": null }),
     });
-    Value::Object(trajectory.columns.iter().map(|column| column.label()).zip(of_column).collect())
+    Value::Object(
+        trajectory
+            .columns
+            .iter()
+            .map(|column| column.label())
+            .zip(of_column)
+            .collect(),
+    )
 }
 
 #[cfg(test)]
@@ -191,13 +213,25 @@ mod tests {
             end_value: None,
             ..Event::default()
         };
-        let gap = Event { kind: "no_solution", end_time: Some(2.0), driver: None, value: None, ..change_point.clone() };
+        let gap = Event {
+            kind: "no_solution",
+            end_time: Some(2.0),
+            driver: None,
+            value: None,
+            ..change_point.clone()
+        };
         let report = Report {
             events: vec![change_point, gap],
-            quality: Quality { constraint_residual: f64::NAN, ..Quality::default() },
+            quality: Quality {
+                constraint_residual: f64::NAN,
+                ..Quality::default()
+            },
             ..Report::default()
         };
-        let mut trajectory = Trajectory::new(vec![Column::new("time", "s"), Column::new("crank.omega", "rad/s")]);
+        let mut trajectory = Trajectory::new(vec![
+            Column::new("time", "s"),
+            Column::new("crank.omega", "rad/s"),
+        ]);
         trajectory.push_row(&[0.0, 10.0]);
         trajectory.push_row(&[0.1, f64::NAN]);
         (report, trajectory)
@@ -244,8 +278,14 @@ mod tests {
             json["extremes"]["crank.omega[rad/s]"],
             json!({"min":10.0,"min_time":0.0,"max":10.0,"max_time":0.0})
         );
-        assert_eq!(json["events"][0], json!({"type":"change_point","time":1.7,"driver":"motor \"M\" 🔒","value":2.05}));
-        assert_eq!(json["events"][1], json!({"type":"no_solution","time":1.7,"end_time":2.0}));
+        assert_eq!(
+            json["events"][0],
+            json!({"type":"change_point","time":1.7,"driver":"motor \"M\" 🔒","value":2.05})
+        );
+        assert_eq!(
+            json["events"][1],
+            json!({"type":"no_solution","time":1.7,"end_time":2.0})
+        );
     }
 
     #[test]

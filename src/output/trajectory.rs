@@ -10,7 +10,10 @@ pub const TIME: &str = "time";
 impl Column {
     /// A column `name[unit]`.
     pub fn new(name: impl Into<String>, unit: &'static str) -> Self {
-        Column { name: name.into(), unit }
+        Column {
+            name: name.into(),
+            unit,
+        }
     }
 
     /// `name[unit]`, as written in results.
@@ -32,35 +35,57 @@ impl Selection {
     /// pattern at all keeps every column, `time` is always kept.
     pub fn new(columns: &[Column], patterns: &[String]) -> Self {
         if patterns.is_empty() {
-            return Selection { columns: (0..columns.len()).collect(), warnings: Vec::new() };
+            return Selection {
+                columns: (0..columns.len()).collect(),
+                warnings: Vec::new(),
+            };
         }
         let matches_one = |name: &str| patterns.iter().any(|pattern| matches(pattern, name));
         let kept = |column: &Column| column.name == TIME || matches_one(&column.name);
-        let kept = (0..columns.len()).filter(|&index| kept(&columns[index])).collect();
-        let unmatched = patterns.iter().filter(|pattern| !columns.iter().any(|column| matches(pattern, &column.name)));
-        Selection { columns: kept, warnings: unmatched.map(|pattern| no_match(pattern, columns)).collect() }
+        let kept = (0..columns.len())
+            .filter(|&index| kept(&columns[index]))
+            .collect();
+        let unmatched = patterns
+            .iter()
+            .filter(|pattern| !columns.iter().any(|column| matches(pattern, &column.name)));
+        Selection {
+            columns: kept,
+            warnings: unmatched
+                .map(|pattern| no_match(pattern, columns))
+                .collect(),
+        }
     }
 }
 
 /// The warning about a pattern that matches no column, with a hint where there is one.
 fn no_match(pattern: &str, columns: &[Column]) -> String {
     if pattern.contains('[') {
-        return format!("analysis.columns: {pattern:?} matches no column: patterns match names without their [unit]");
+        return format!(
+            "analysis.columns: {pattern:?} matches no column: patterns match names without their [unit]"
+        );
     }
     let near = columns
         .iter()
-        .map(|column| (strsim::normalized_damerau_levenshtein(pattern, &column.name), &column.name))
+        .map(|column| {
+            (
+                strsim::normalized_damerau_levenshtein(pattern, &column.name),
+                &column.name,
+            )
+        })
         .filter(|(similarity, _)| *similarity >= 0.6)
         .max_by(|a, b| a.0.total_cmp(&b.0));
     match near {
-        Some((_, name)) => format!("analysis.columns: {pattern:?} matches no column; the nearest is {name:?}"),
+        Some((_, name)) => {
+            format!("analysis.columns: {pattern:?} matches no column; the nearest is {name:?}")
+        }
         None => format!("analysis.columns: {pattern:?} matches no column"),
     }
 }
 
 /// Does `name` match `pattern`, where `*` stands for any text and `?` for one character?
 pub fn matches(pattern: &str, name: &str) -> bool {
-    let (pattern, name): (Vec<char>, Vec<char>) = (pattern.chars().collect(), name.chars().collect());
+    let (pattern, name): (Vec<char>, Vec<char>) =
+        (pattern.chars().collect(), name.chars().collect());
     let (mut p, mut n) = (0, 0);
     // Where to go on when a later character fails: behind the last star, one character further in the name.
     let mut retry: Option<(usize, usize)> = None;
@@ -90,7 +115,10 @@ pub fn matches(pattern: &str, name: &str) -> bool {
 impl Trajectory {
     /// An empty table.
     pub fn new(columns: Vec<Column>) -> Self {
-        Trajectory { columns, data: Vec::new() }
+        Trajectory {
+            columns,
+            data: Vec::new(),
+        }
     }
 
     /// Makes room for `rows` more rows, so that pushing them allocates nothing.
@@ -103,7 +131,11 @@ impl Trajectory {
     /// # Panics
     /// When the row has another length than the table is wide, which would shift all later rows.
     pub fn push_row(&mut self, row: &[f64]) {
-        assert_eq!(row.len(), self.columns.len(), "a row must have one value per column");
+        assert_eq!(
+            row.len(),
+            self.columns.len(),
+            "a row must have one value per column"
+        );
         self.data.extend_from_slice(row);
     }
 
@@ -112,9 +144,15 @@ impl Trajectory {
     /// # Panics
     /// When there are more or fewer values than rows.
     pub fn push_column(&mut self, column: Column, values: &[f64]) {
-        assert_eq!(values.len(), self.len(), "a column must have one value per row");
+        assert_eq!(
+            values.len(),
+            self.len(),
+            "a column must have one value per row"
+        );
         let rows = self.rows().zip(values);
-        self.data = rows.flat_map(|(row, value)| row.iter().chain(std::iter::once(value)).copied()).collect();
+        self.data = rows
+            .flat_map(|(row, value)| row.iter().chain(std::iter::once(value)).copied())
+            .collect();
         self.columns.push(column);
     }
 
@@ -147,7 +185,11 @@ impl Trajectory {
     pub fn column_index(&self, name: &str) -> Option<usize> {
         let is_it = |column: &Column| match name.strip_prefix(column.name.as_str()) {
             Some("") => true,
-            Some(rest) => rest.strip_prefix('[').and_then(|unit| unit.strip_suffix(']')) == Some(column.unit),
+            Some(rest) => {
+                rest.strip_prefix('[')
+                    .and_then(|unit| unit.strip_suffix(']'))
+                    == Some(column.unit)
+            }
             None => false,
         };
         self.columns.iter().position(is_it)
@@ -166,10 +208,19 @@ impl Trajectory {
     /// A table of the columns that `patterns` name (see [`Selection::new`]), none where that is all of them; and a warning per
     /// pattern that matches nothing.
     pub fn select(&self, patterns: &[String]) -> (Option<Trajectory>, Vec<String>) {
-        let Selection { columns: kept, warnings } = Selection::new(&self.columns, patterns);
+        let Selection {
+            columns: kept,
+            warnings,
+        } = Selection::new(&self.columns, patterns);
         let selected = (kept.len() < self.width()).then(|| Trajectory {
-            data: self.rows().flat_map(|row| kept.iter().map(|&column| row[column])).collect(),
-            columns: kept.iter().map(|&column| self.columns[column].clone()).collect(),
+            data: self
+                .rows()
+                .flat_map(|row| kept.iter().map(|&column| row[column]))
+                .collect(),
+            columns: kept
+                .iter()
+                .map(|&column| self.columns[column].clone())
+                .collect(),
         });
         (selected, warnings)
     }
@@ -178,8 +229,14 @@ impl Trajectory {
     /// the same instant the others come last.
     pub fn with_rows(&self, others: &Trajectory) -> Cow<'_, Trajectory> {
         let times = (self.column_index(TIME), others.column_index(TIME));
-        let from: Option<Vec<usize>> = self.columns.iter().map(|column| others.column_index(&column.label())).collect();
-        let ((Some(time), Some(other_time)), Some(from)) = (times, from) else { return Cow::Borrowed(self) };
+        let from: Option<Vec<usize>> = self
+            .columns
+            .iter()
+            .map(|column| others.column_index(&column.label()))
+            .collect();
+        let ((Some(time), Some(other_time)), Some(from)) = (times, from) else {
+            return Cow::Borrowed(self);
+        };
         if others.is_empty() {
             return Cow::Borrowed(self);
         }
@@ -188,11 +245,17 @@ impl Trajectory {
         let mut between = others.rows().peekable();
         for row in self.rows() {
             while let Some(other) = between.next_if(|other| other[other_time] < row[time]) {
-                together.data.extend(from.iter().map(|&column| other[column]));
+                together
+                    .data
+                    .extend(from.iter().map(|&column| other[column]));
             }
             together.data.extend_from_slice(row);
         }
-        between.for_each(|other| together.data.extend(from.iter().map(|&column| other[column])));
+        between.for_each(|other| {
+            together
+                .data
+                .extend(from.iter().map(|&column| other[column]))
+        });
         Cow::Owned(together)
     }
 
@@ -201,7 +264,11 @@ impl Trajectory {
         let time = self.column_index(TIME);
         let mut found = None;
         for row in self.rows() {
-            note(&mut found, row[column], time.map_or(f64::NAN, |time| row[time]));
+            note(
+                &mut found,
+                row[column],
+                time.map_or(f64::NAN, |time| row[time]),
+            );
         }
         found
     }
@@ -226,7 +293,14 @@ fn note(extremes: &mut Option<Extremes>, value: f64, time: f64) {
         return;
     }
     match extremes {
-        None => *extremes = Some(Extremes { min: value, min_time: time, max: value, max_time: time }),
+        None => {
+            *extremes = Some(Extremes {
+                min: value,
+                min_time: time,
+                max: value,
+                max_time: time,
+            })
+        }
         Some(known) if value < known.min => (known.min, known.min_time) = (value, time),
         Some(known) if value > known.max => (known.max, known.max_time) = (value, time),
         Some(_) => {}
@@ -283,7 +357,10 @@ mod tests {
         assert_eq!(table.columns, columns(&["time", "a.x", "b.x"]));
         assert_eq!(table.data, [0.0, 1.0, 3.0, 0.5, 4.0, 6.0]);
         assert_eq!(warnings.len(), 2, "{warnings:?}");
-        assert!(warnings[0].contains("a.z") && warnings[0].contains("nearest"), "{warnings:?}");
+        assert!(
+            warnings[0].contains("a.z") && warnings[0].contains("nearest"),
+            "{warnings:?}"
+        );
         assert!(warnings[1].contains("without their [unit]"), "{warnings:?}");
     }
 
@@ -312,7 +389,15 @@ mod tests {
             table.push_row(&[time, x, f64::NAN]);
         }
         let extremes = table.extremes();
-        assert_eq!(extremes[1], Some(Extremes { min: -1.0, min_time: 2.0, max: 3.0, max_time: 1.0 }));
+        assert_eq!(
+            extremes[1],
+            Some(Extremes {
+                min: -1.0,
+                min_time: 2.0,
+                max: 3.0,
+                max_time: 1.0
+            })
+        );
         assert_eq!(extremes[2], None);
     }
 
@@ -328,12 +413,28 @@ mod tests {
             others.push_row(&[time, 7.0, time]);
         }
         let together = table.with_rows(&others);
-        let expected = [[-1.0, -1.0], [0.0, 0.0], [0.0, 0.0], [0.5, 0.5], [1.0, 10.0], [2.0, 2.0]];
+        let expected = [
+            [-1.0, -1.0],
+            [0.0, 0.0],
+            [0.0, 0.0],
+            [0.5, 0.5],
+            [1.0, 10.0],
+            [2.0, 2.0],
+        ];
         assert_eq!(together.data, expected.concat());
         let most = together.extremes()[1].expect("values");
-        assert_eq!((most.min, most.min_time, most.max, most.max_time), (-1.0, -1.0, 10.0, 1.0));
-        let strange = Trajectory { columns: columns(&["time"]), data: vec![0.5] };
-        assert!(matches!(table.with_rows(&strange), Cow::Borrowed(_)), "without its columns they are none of its rows");
+        assert_eq!(
+            (most.min, most.min_time, most.max, most.max_time),
+            (-1.0, -1.0, 10.0, 1.0)
+        );
+        let strange = Trajectory {
+            columns: columns(&["time"]),
+            data: vec![0.5],
+        };
+        assert!(
+            matches!(table.with_rows(&strange), Cow::Borrowed(_)),
+            "without its columns they are none of its rows"
+        );
     }
 
     #[test]

@@ -69,8 +69,13 @@ impl<'s> Singularity<'s> {
         let mut evaluation = Evaluation::new(system);
         evaluation.set_position(q);
         evaluation.eval_jacobian(system, &inputs);
-        let spaces = svd_rank(&Dense::new(m, n, system.dense_scaled(&evaluation.jacobian)), NEAR)?;
-        let columns = |space: &Dense| -> Vec<Vec<f64>> { (0..space.columns()).map(|k| space.column(k)).collect() };
+        let spaces = svd_rank(
+            &Dense::new(m, n, system.dense_scaled(&evaluation.jacobian)),
+            NEAR,
+        )?;
+        let columns = |space: &Dense| -> Vec<Vec<f64>> {
+            (0..space.columns()).map(|k| space.column(k)).collect()
+        };
         let mut here = Singularity {
             system,
             inputs,
@@ -94,7 +99,11 @@ impl<'s> Singularity<'s> {
     /// The branches, first the one in which most of the scaled direction `wanted` (n) lies; of equal ones that whose bodies
     /// turn most alike.
     pub fn branches(&mut self, wanted: &[f64]) -> Vec<Branch> {
-        let pull: Vec<f64> = self.motions.iter().map(|motion| dot(motion, wanted)).collect();
+        let pull: Vec<f64> = self
+            .motions
+            .iter()
+            .map(|motion| dot(motion, wanted))
+            .collect();
         let mut found: Vec<(Branch, f64, Dense)> = Vec::new();
         for seed in self.seeds(wanted) {
             let Some(u) = self.root(seed) else { continue };
@@ -107,11 +116,21 @@ impl<'s> Singularity<'s> {
                 found.push((branch, apart, gradient));
             }
         }
-        let most = found.iter().fold(0.0, |most: f64, (branch, ..)| most.max(branch.along));
-        let tie = |along: f64| if along >= (1.0 - TIE) * most { f64::INFINITY } else { along };
+        let most = found
+            .iter()
+            .fold(0.0, |most: f64, (branch, ..)| most.max(branch.along));
+        let tie = |along: f64| {
+            if along >= (1.0 - TIE) * most {
+                f64::INFINITY
+            } else {
+                along
+            }
+        };
         found.sort_by(|(a, apart_a, _), (b, apart_b, _)| {
             let coarse = |x: f64| (x / TIE).round();
-            tie(b.along).total_cmp(&tie(a.along)).then(coarse(*apart_a).total_cmp(&coarse(*apart_b)))
+            tie(b.along)
+                .total_cmp(&tie(a.along))
+                .then(coarse(*apart_a).total_cmp(&coarse(*apart_b)))
         });
         found.into_iter().map(|(branch, ..)| branch).collect()
     }
@@ -124,21 +143,33 @@ impl<'s> Singularity<'s> {
         for k in 0..freedom {
             let tangent = tangents.column(k);
             let share = dot(&tangent, pull);
-            part.iter_mut().zip(&tangent).for_each(|(p, t)| *p += share * t);
+            part.iter_mut()
+                .zip(&tangent)
+                .for_each(|(p, t)| *p += share * t);
         }
         let along = dot(&part, &part).sqrt();
         let sign = if dot(u, &part) < 0.0 { -1.0 } else { 1.0 };
         let mut root: Vec<f64> = u.iter().map(|x| sign * x).collect();
         if along > NEAR * max_abs(pull) {
-            root = self.root(part.iter().zip(&root).map(|(p, x)| p / along + ASIDE * x).collect())?;
+            root = self.root(
+                part.iter()
+                    .zip(&root)
+                    .map(|(p, x)| p / along + ASIDE * x)
+                    .collect(),
+            )?;
         }
-        Some(Branch { direction: self.spread(&root), freedom, along })
+        Some(Branch {
+            direction: self.spread(&root),
+            freedom,
+            along,
+        })
     }
 
     /// Directions (f) to look from.
     fn seeds(&self, wanted: &[f64]) -> Vec<Vec<f64>> {
         let n = self.system.n();
-        let onto = |x: &[f64]| -> Vec<f64> { self.motions.iter().map(|motion| dot(motion, x)).collect() };
+        let onto =
+            |x: &[f64]| -> Vec<f64> { self.motions.iter().map(|motion| dot(motion, x)).collect() };
         let size = dot(wanted, wanted).sqrt();
         let mut seeds = Vec::with_capacity(4 * SEEDS + 1);
         if size > 0.0 {
@@ -147,7 +178,13 @@ impl<'s> Singularity<'s> {
         for k in 0..SEEDS {
             // Angles alone first: they are the same for a model that is turned or mirrored, up to the sign.
             let pattern: Vec<f64> = (0..n)
-                .map(|column| if k % 2 == 0 && column % 3 != 2 { 0.0 } else { spread_evenly(k * n + column) })
+                .map(|column| {
+                    if k % 2 == 0 && column % 3 != 2 {
+                        0.0
+                    } else {
+                        spread_evenly(k * n + column)
+                    }
+                })
                 .collect();
             let seed = onto(&pattern);
             let norm = dot(&seed, &seed).sqrt();
@@ -156,7 +193,13 @@ impl<'s> Singularity<'s> {
             }
             let unit: Vec<f64> = seed.iter().map(|x| x / norm).collect();
             if size > 0.0 {
-                let beside = |sign: f64| seeds[0].iter().zip(&unit).map(|(a, b)| a + sign * ASIDE * b).collect();
+                let beside = |sign: f64| {
+                    seeds[0]
+                        .iter()
+                        .zip(&unit)
+                        .map(|(a, b)| a + sign * ASIDE * b)
+                        .collect()
+                };
                 let (one, other) = (beside(1.0), beside(-1.0));
                 seeds.extend([one, other]);
             }
@@ -198,9 +241,16 @@ impl<'s> Singularity<'s> {
         self.system.scale_columns(&mut v);
         let mut gamma = vec![0.0; self.system.m()];
         self.evaluation.set_velocity(&v);
-        self.evaluation.eval_gamma(self.system, &self.inputs, &mut gamma);
-        gamma.iter_mut().enumerate().for_each(|(row, gamma)| *gamma /= self.system.row_scale(row));
-        self.stresses.iter().map(|stress| dot(stress, &gamma)).collect()
+        self.evaluation
+            .eval_gamma(self.system, &self.inputs, &mut gamma);
+        gamma
+            .iter_mut()
+            .enumerate()
+            .for_each(|(row, gamma)| *gamma /= self.system.row_scale(row));
+        self.stresses
+            .iter()
+            .map(|stress| dot(stress, &gamma))
+            .collect()
     }
 
     /// C(u) (k, f), by polarisation: without error but round-off.
@@ -225,23 +275,35 @@ impl<'s> Singularity<'s> {
     fn spread(&self, u: &[f64]) -> Vec<f64> {
         let mut direction = vec![0.0; self.system.n()];
         for (motion, u) in self.motions.iter().zip(u) {
-            direction.iter_mut().zip(motion).for_each(|(d, x)| *d += u * x);
+            direction
+                .iter_mut()
+                .zip(motion)
+                .for_each(|(d, x)| *d += u * x);
         }
         direction
     }
 
     /// How differently bodies, ground among them, turn in a direction: mean square of the rates' differences.
     fn apart(&self, direction: &[f64]) -> f64 {
-        let rates: Vec<f64> = direction.iter().skip(2).step_by(3).copied().chain([0.0]).collect();
+        let rates: Vec<f64> = direction
+            .iter()
+            .skip(2)
+            .step_by(3)
+            .copied()
+            .chain([0.0])
+            .collect();
         let mean = rates.iter().sum::<f64>() / rates.len() as f64;
-        rates.iter().map(|rate| (rate - mean).powi(2)).sum::<f64>() / dot(&rates, &rates).max(f64::MIN_POSITIVE)
+        rates.iter().map(|rate| (rate - mean).powi(2)).sum::<f64>()
+            / dot(&rates, &rates).max(f64::MIN_POSITIVE)
     }
 }
 
 /// Whether a root lies in the tangent space of the branch that has the gradient C.
 fn lies_in(gradient: &Dense, u: &[f64]) -> bool {
     let row = |k: usize| gradient.row(k);
-    let largest = (0..gradient.rows()).map(|k| max_abs(row(k))).fold(0.0, f64::max);
+    let largest = (0..gradient.rows())
+        .map(|k| max_abs(row(k)))
+        .fold(0.0, f64::max);
     (0..gradient.rows()).all(|k| dot(row(k), u).abs() <= SAME * largest)
 }
 

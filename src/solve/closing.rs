@@ -55,7 +55,13 @@ pub fn close(system: &System, blocks: &[&Block], guess: &[f64], inputs: &Inputs)
 
 /// As [`close`], with residuals of drivers and initial values weighed: where not everything can be met, a large weight
 /// leaves the whole gap to the joints. The gaps returned are unweighed.
-pub fn close_weighted(system: &System, blocks: &[&Block], weight: f64, guess: &[f64], inputs: &Inputs) -> Closed {
+pub fn close_weighted(
+    system: &System,
+    blocks: &[&Block],
+    weight: f64,
+    guess: &[f64],
+    inputs: &Inputs,
+) -> Closed {
     let n = system.n();
     let (rows, pattern) = layout(system, blocks, weight);
     let mut evaluation = Evaluation::new(system);
@@ -68,7 +74,11 @@ pub fn close_weighted(system: &System, blocks: &[&Block], weight: f64, guess: &[
     let mut iterations = 0;
     let mut trial = q.clone();
     let mut trial_phi = phi.clone();
-    while iterations < MAX_ITERATIONS && crate::math::max_abs(&phi) > CLOSED && nu < 1e14 && stalled < 12 {
+    while iterations < MAX_ITERATIONS
+        && crate::math::max_abs(&phi) > CLOSED
+        && nu < 1e14
+        && stalled < 12
+    {
         iterations += 1;
         evaluation.set_position(&q);
         matrix(system, &rows, &evaluation, inputs, &mut values);
@@ -76,7 +86,9 @@ pub fn close_weighted(system: &System, blocks: &[&Block], weight: f64, guess: &[
         for (k, &slot) in rows.diagonal.iter().enumerate() {
             values[slot as usize] = if k < n { 1.0 } else { -damping };
         }
-        let mut step: Vec<f64> = std::iter::repeat_n(0.0, n).chain(phi.iter().map(|p| -p)).collect();
+        let mut step: Vec<f64> = std::iter::repeat_n(0.0, n)
+            .chain(phi.iter().map(|p| -p))
+            .collect();
         if lu.factor(&values[..pattern.entries()]).is_err() {
             nu *= 8.0;
             continue;
@@ -87,9 +99,20 @@ pub fn close_weighted(system: &System, blocks: &[&Block], weight: f64, guess: &[
         for (k, t) in trial.iter_mut().enumerate() {
             *t = q[k] + shorten * step[k] * system.column_scale(k);
         }
-        let trial_norm = residual(system, &rows, &mut evaluation, &trial, inputs, &mut trial_phi);
+        let trial_norm = residual(
+            system,
+            &rows,
+            &mut evaluation,
+            &trial,
+            inputs,
+            &mut trial_phi,
+        );
         if trial_norm < norm {
-            stalled = if trial_norm > (1.0 - 1e-6) * norm { stalled + 1 } else { 0 };
+            stalled = if trial_norm > (1.0 - 1e-6) * norm {
+                stalled + 1
+            } else {
+                0
+            };
             std::mem::swap(&mut q, &mut trial);
             std::mem::swap(&mut phi, &mut trial_phi);
             norm = trial_norm;
@@ -108,11 +131,21 @@ pub fn close_weighted(system: &System, blocks: &[&Block], weight: f64, guess: &[
         .zip(blocks)
         .zip(&rows.weights)
         .map(|((&start, block), weight)| {
-            phi[start..start + block.rows].iter().map(|p| p * p).sum::<f64>().sqrt() / weight
+            phi[start..start + block.rows]
+                .iter()
+                .map(|p| p * p)
+                .sum::<f64>()
+                .sqrt()
+                / weight
         })
         .collect();
     let converged = crate::math::max_abs(&phi) <= 100.0 * CLOSED;
-    Closed { q, gaps, converged, iterations }
+    Closed {
+        q,
+        gaps,
+        converged,
+        iterations,
+    }
 }
 
 /// Velocities of least kinetic energy ½ vᵀ M v that satisfy J v = −φ_t and the initial velocities; where masses are
@@ -133,11 +166,18 @@ pub fn least_velocity(
     evaluation.eval_rate(system, inputs, &mut rate);
     // Rows of the system, then one per initial velocity, scaled.
     let mut rows: Vec<Vec<(usize, f64)>> = vec![Vec::new(); system.m()];
-    let mut rhs: Vec<f64> = rate.iter().enumerate().map(|(row, r)| -r / system.row_scale(row)).collect();
+    let mut rhs: Vec<f64> = rate
+        .iter()
+        .enumerate()
+        .map(|(row, r)| -r / system.row_scale(row))
+        .collect();
     for (entry, value) in system.entries.iter().zip(&evaluation.jacobian) {
         if let Some(column) = entry.column {
             let (row, column) = (entry.row as usize, column as usize);
-            rows[row].push((column, value * system.column_scale(column) / system.row_scale(row)));
+            rows[row].push((
+                column,
+                value * system.column_scale(column) / system.row_scale(row),
+            ));
         }
     }
     let at = evaluation.instant(inputs);
@@ -146,17 +186,24 @@ pub fn least_velocity(
         let mut values = vec![0.0; entries.len()];
         rate.jacobian(&at, &mut values);
         let scale = system.measure_scale(rate.rows()[0]);
-        let row = entries.iter().zip(&values).map(|(&(_, body, axis), value)| {
-            let column = 3 * (body.0 - 1) + axis as usize;
-            (column, value * system.column_scale(column) / scale)
-        });
+        let row = entries
+            .iter()
+            .zip(&values)
+            .map(|(&(_, body, axis), value)| {
+                let column = 3 * (body.0 - 1) + axis as usize;
+                (column, value * system.column_scale(column) / scale)
+            });
         rows.push(row.collect());
         rhs.push(-rate.value / scale);
     }
     let weights = weights(system);
     let m = rows.len();
     let mut entries: Vec<(usize, usize)> = (0..n + m).map(|k| (k, k)).collect();
-    let mut values: Vec<f64> = weights.iter().copied().chain(std::iter::repeat_n(-LEAST_DAMPING, m)).collect();
+    let mut values: Vec<f64> = weights
+        .iter()
+        .copied()
+        .chain(std::iter::repeat_n(-LEAST_DAMPING, m))
+        .collect();
     for (row, row_entries) in rows.iter().enumerate() {
         for &(column, value) in row_entries {
             entries.extend([(n + row, column), (column, n + row)]);
@@ -165,27 +212,45 @@ pub fn least_velocity(
     }
     let (pattern, slots) = square(n + m, &entries);
     let mut stored = vec![0.0; pattern.entries()];
-    slots.iter().zip(&values).for_each(|(&slot, value)| stored[slot as usize] = *value);
+    slots
+        .iter()
+        .zip(&values)
+        .for_each(|(&slot, value)| stored[slot as usize] = *value);
     let mut v: Vec<f64> = match near {
-        Some(near) => near.iter().enumerate().map(|(column, v)| v / system.column_scale(column)).collect(),
+        Some(near) => near
+            .iter()
+            .enumerate()
+            .map(|(column, v)| v / system.column_scale(column))
+            .collect(),
         None => vec![0.0; n],
     };
     let missing = |v: &[f64]| -> Vec<f64> {
-        let product = |row: &Vec<(usize, f64)>| row.iter().map(|&(column, value)| value * v[column]).sum::<f64>();
-        rhs.iter().zip(&rows).map(|(rhs, row)| rhs - product(row)).collect()
+        let product = |row: &Vec<(usize, f64)>| {
+            row.iter()
+                .map(|&(column, value)| value * v[column])
+                .sum::<f64>()
+        };
+        rhs.iter()
+            .zip(&rows)
+            .map(|(rhs, row)| rhs - product(row))
+            .collect()
     };
     let mut residual = missing(&v);
     let mut lu = SparseLu::new(pattern.clone(), ColumnOrder::amd(&pattern));
     if lu.factor(&stored).is_ok() {
         // The damping is refined away.
         for _ in 0..4 {
-            let mut step: Vec<f64> = std::iter::repeat_n(0.0, n).chain(residual.iter().copied()).collect();
+            let mut step: Vec<f64> = std::iter::repeat_n(0.0, n)
+                .chain(residual.iter().copied())
+                .collect();
             lu.solve(&mut step);
             v.iter_mut().zip(&step).for_each(|(v, d)| *v += d);
             residual = missing(&v);
         }
     }
-    v.iter_mut().enumerate().for_each(|(column, v)| *v *= system.column_scale(column));
+    v.iter_mut()
+        .enumerate()
+        .for_each(|(column, v)| *v *= system.column_scale(column));
     (v, residual)
 }
 
@@ -194,10 +259,18 @@ fn weights(system: &System) -> Vec<f64> {
     if !system.masses_known {
         return vec![1.0; system.n()];
     }
-    let scaled: Vec<f64> =
-        system.mass.iter().enumerate().map(|(k, m)| m * system.column_scale(k) * system.column_scale(k)).collect();
+    let scaled: Vec<f64> = system
+        .mass
+        .iter()
+        .enumerate()
+        .map(|(k, m)| m * system.column_scale(k) * system.column_scale(k))
+        .collect();
     let largest = crate::math::max_abs(&scaled);
-    if largest > 0.0 { scaled.iter().map(|w| (w / largest).max(MASSLESS)).collect() } else { vec![1.0; system.n()] }
+    if largest > 0.0 {
+        scaled.iter().map(|w| (w / largest).max(MASSLESS)).collect()
+    } else {
+        vec![1.0; system.n()]
+    }
 }
 
 /// Weight of a coordinate without mass, relative to the heaviest: enough to keep the matrix regular.
@@ -226,7 +299,10 @@ fn layout<'a>(system: &System, blocks: &'a [&'a Block], weight: f64) -> (Rows<'a
     }
     let (pattern, slots) = square(n + m, &entries);
     let spare = pattern.entries() as u32;
-    let owned = owners.into_iter().map(|owner| owner.map_or([spare; 2], |k| [slots[k], slots[k + 1]])).collect();
+    let owned = owners
+        .into_iter()
+        .map(|owner| owner.map_or([spare; 2], |k| [slots[k], slots[k + 1]]))
+        .collect();
     let weights = blocks
         .iter()
         .map(|block| match block.origin {
@@ -234,7 +310,17 @@ fn layout<'a>(system: &System, blocks: &'a [&'a Block], weight: f64) -> (Rows<'a
             Origin::Driver(_) | Origin::Initial(_) => weight,
         })
         .collect();
-    (Rows { blocks, slots: owned, diagonal: slots[..n + m].to_vec(), starts, weights, m }, pattern)
+    (
+        Rows {
+            blocks,
+            slots: owned,
+            diagonal: slots[..n + m].to_vec(),
+            starts,
+            weights,
+            m,
+        },
+        pattern,
+    )
 }
 
 /// Scaled residual of every row, and its Euclidean norm.
@@ -258,7 +344,13 @@ fn residual(
     phi.iter().map(|p| p * p).sum::<f64>().sqrt()
 }
 
-fn matrix(system: &System, rows: &Rows, evaluation: &Evaluation, inputs: &Inputs, values: &mut [f64]) {
+fn matrix(
+    system: &System,
+    rows: &Rows,
+    evaluation: &Evaluation,
+    inputs: &Inputs,
+    values: &mut [f64],
+) {
     let at = evaluation.instant(inputs);
     let mut buffer = [0.0; 16];
     let mut slots = rows.slots.iter();
@@ -268,7 +360,8 @@ fn matrix(system: &System, rows: &Rows, evaluation: &Evaluation, inputs: &Inputs
         block.constraint.jacobian(&at, buffer);
         for ((value, (row, _, axis)), slot) in buffer.iter().zip(entries).zip(&mut slots) {
             let column_scale = system.column_scale(axis as usize);
-            let scaled = value * column_scale * weight / system.measure_scale(block.constraint.rows()[row]);
+            let scaled =
+                value * column_scale * weight / system.measure_scale(block.constraint.rows()[row]);
             values[slot[0] as usize] = scaled;
             values[slot[1] as usize] = scaled;
         }

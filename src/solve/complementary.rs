@@ -30,7 +30,10 @@ pub fn complementary(mass: &DMatrix<f64>, free: &[f64]) -> Option<(Vec<bool>, Ve
     let candidates: Vec<usize> = (0..size).filter(|&k| free[k].is_finite()).collect();
     for choice in 0..1usize << candidates.len().min(FEW) {
         pressing.fill(false);
-        candidates.iter().enumerate().for_each(|(bit, &k)| pressing[k] = bit < FEW && choice >> bit & 1 == 1);
+        candidates
+            .iter()
+            .enumerate()
+            .for_each(|(bit, &k)| pressing[k] = bit < FEW && choice >> bit & 1 == 1);
         if let Attempt::Solved(x) = attempt(mass, free, &pressing) {
             return Some((pressing, x));
         }
@@ -49,16 +52,37 @@ enum Attempt {
 fn attempt(mass: &DMatrix<f64>, free: &[f64], pressing: &[bool]) -> Attempt {
     let size = free.len();
     let chosen: Vec<usize> = (0..size).filter(|&k| pressing[k]).collect();
-    let part = DMatrix::from_fn(chosen.len(), chosen.len(), |i, j| mass[(chosen[i], chosen[j])]);
+    let part = DMatrix::from_fn(chosen.len(), chosen.len(), |i, j| {
+        mass[(chosen[i], chosen[j])]
+    });
     let right = DVector::from_fn(chosen.len(), |i, _| free[chosen[i]]);
-    let forces = if chosen.is_empty() { Some(right) } else { part.lu().solve(&right) };
-    let Some(forces) = forces else { return Attempt::Singular };
+    let forces = if chosen.is_empty() {
+        Some(right)
+    } else {
+        part.lu().solve(&right)
+    };
+    let Some(forces) = forces else {
+        return Attempt::Singular;
+    };
     let mut x = vec![0.0; size];
-    chosen.iter().zip(forces.iter()).for_each(|(&k, force)| x[k] = *force);
-    let scale = free.iter().filter(|b| b.is_finite()).fold(0.0, |most: f64, b| most.max(b.abs()));
+    chosen
+        .iter()
+        .zip(forces.iter())
+        .for_each(|(&k, force)| x[k] = *force);
+    let scale = free
+        .iter()
+        .filter(|b| b.is_finite())
+        .fold(0.0, |most: f64, b| most.max(b.abs()));
     let wrong = (0..size).find(|&k| {
-        let held: f64 = chosen.iter().map(|&other| mass[(k, other)] * x[other]).sum();
-        if pressing[k] { x[k] < 0.0 } else { free[k] - held > EVEN * scale }
+        let held: f64 = chosen
+            .iter()
+            .map(|&other| mass[(k, other)] * x[other])
+            .sum();
+        if pressing[k] {
+            x[k] < 0.0
+        } else {
+            free[k] - held > EVEN * scale
+        }
     });
     wrong.map_or(Attempt::Solved(x), Attempt::Wrong)
 }
@@ -75,18 +99,30 @@ mod tests {
     fn one_presses_or_not() {
         let mass = matrix(1, &[2.0]);
         assert_eq!(complementary(&mass, &[3.0]), Some((vec![true], vec![1.5])));
-        assert_eq!(complementary(&mass, &[-3.0]), Some((vec![false], vec![0.0])));
-        assert_eq!(complementary(&mass, &[f64::NEG_INFINITY]), Some((vec![false], vec![0.0])));
+        assert_eq!(
+            complementary(&mass, &[-3.0]),
+            Some((vec![false], vec![0.0]))
+        );
+        assert_eq!(
+            complementary(&mass, &[f64::NEG_INFINITY]),
+            Some((vec![false], vec![0.0]))
+        );
         // a jam, and one that leaves
         assert_eq!(complementary(&matrix(1, &[-2.0]), &[3.0]), None);
-        assert_eq!(complementary(&matrix(1, &[-2.0]), &[-3.0]), Some((vec![false], vec![0.0])));
+        assert_eq!(
+            complementary(&matrix(1, &[-2.0]), &[-3.0]),
+            Some((vec![false], vec![0.0]))
+        );
     }
 
     #[test]
     fn one_takes_the_load_of_another() {
         // The second presses so that the first lets go, where each by itself would press.
         let mass = matrix(2, &[1.0, 2.0, 2.0, 5.0]);
-        assert_eq!(complementary(&mass, &[1.0, 4.0]), Some((vec![false, true], vec![0.0, 0.8])));
+        assert_eq!(
+            complementary(&mass, &[1.0, 4.0]),
+            Some((vec![false, true], vec![0.0, 0.8]))
+        );
     }
 
     /// All matrices of small whole numbers: what is found solves it, and where nothing is found no choice does.
@@ -95,7 +131,10 @@ mod tests {
         let mut none = 0;
         for code in 0..5_i32.pow(6) {
             let cell = |place: u32| f64::from(code / 5_i32.pow(place) % 5 - 2);
-            let (mass, free) = (matrix(2, &[cell(0), cell(1), cell(2), cell(3)]), [cell(4), cell(5)]);
+            let (mass, free) = (
+                matrix(2, &[cell(0), cell(1), cell(2), cell(3)]),
+                [cell(4), cell(5)],
+            );
             let solves = |x: &[f64]| {
                 (0..2).all(|k| {
                     let w = free[k] - mass[(k, 0)] * x[0] - mass[(k, 1)] * x[1];
@@ -120,7 +159,10 @@ mod tests {
                         (free[1] * mass[(0, 0)] - free[0] * mass[(1, 0)]) / determinant,
                     ];
                     for x in [[0.0; 2], one(0), one(1), both] {
-                        assert!(x.iter().any(|x| !x.is_finite()) || !solves(&x), "{mass} {free:?} {x:?}");
+                        assert!(
+                            x.iter().any(|x| !x.is_finite()) || !solves(&x),
+                            "{mass} {free:?} {x:?}"
+                        );
                     }
                 }
             }

@@ -65,13 +65,26 @@ impl Dense {
     /// # Panics
     /// When there are not that many values.
     pub fn new(rows: usize, columns: usize, values: Vec<f64>) -> Self {
-        assert_eq!(values.len(), rows * columns, "a {rows} × {columns} matrix wants {} values", rows * columns);
-        Dense { rows, columns, values }
+        assert_eq!(
+            values.len(),
+            rows * columns,
+            "a {rows} × {columns} matrix wants {} values",
+            rows * columns
+        );
+        Dense {
+            rows,
+            columns,
+            values,
+        }
     }
 
     /// All zero.
     pub fn zeros(rows: usize, columns: usize) -> Self {
-        Dense { rows, columns, values: vec![0.0; rows * columns] }
+        Dense {
+            rows,
+            columns,
+            values: vec![0.0; rows * columns],
+        }
     }
 
     /// Number of rows.
@@ -101,7 +114,12 @@ impl Dense {
 
     /// Sets one entry.
     pub fn set(&mut self, row: usize, column: usize, value: f64) {
-        assert!(row < self.rows && column < self.columns, "({row}, {column}) outside {} × {}", self.rows, self.columns);
+        assert!(
+            row < self.rows && column < self.columns,
+            "({row}, {column}) outside {} × {}",
+            self.rows,
+            self.columns
+        );
         self.values[row * self.columns + column] = value;
     }
 
@@ -111,7 +129,10 @@ impl Dense {
 
     fn check_finite(&self) -> Result<(), DenseFault> {
         match self.values.iter().position(|value| !value.is_finite()) {
-            Some(at) => Err(DenseFault::NotFinite { row: at / self.columns, column: at % self.columns }),
+            Some(at) => Err(DenseFault::NotFinite {
+                row: at / self.columns,
+                column: at % self.columns,
+            }),
             None => Ok(()),
         }
     }
@@ -129,19 +150,30 @@ impl Svd {
         a.check_finite()?;
         // No entries: every vector is a null vector.
         if a.values.is_empty() {
-            return Ok(Svd { left: identity(a.rows), singular_values: Vec::new(), right: identity(a.columns) });
+            return Ok(Svd {
+                left: identity(a.rows),
+                singular_values: Vec::new(),
+                right: identity(a.columns),
+            });
         }
         let svd = a.view().svd().map_err(|_| DenseFault::NoConvergence)?;
         let singular_values: Vec<f64> = svd.S().column_vector().iter().copied().collect();
         if singular_values.iter().any(|value| !value.is_finite()) {
             return Err(DenseFault::NoConvergence);
         }
-        Ok(Svd { left: copy(svd.U()), singular_values, right: copy(svd.V()) })
+        Ok(Svd {
+            left: copy(svd.U()),
+            singular_values,
+            right: copy(svd.V()),
+        })
     }
 
     fn rank(&self, tolerance: f64) -> usize {
         let largest = self.singular_values.first().copied().unwrap_or(0.0);
-        self.singular_values.iter().filter(|&&value| value > 0.0 && value > tolerance * largest).count()
+        self.singular_values
+            .iter()
+            .filter(|&&value| value > 0.0 && value > tolerance * largest)
+            .count()
     }
 }
 
@@ -162,7 +194,12 @@ pub fn svd_rank(a: &Dense, tolerance: f64) -> Result<SvdRank, DenseFault> {
         null
     };
     let (right_null, left_null) = (tail(&svd.right), tail(&svd.left));
-    Ok(SvdRank { rank, singular_values: svd.singular_values, right_null, left_null })
+    Ok(SvdRank {
+        rank,
+        singular_values: svd.singular_values,
+        right_null,
+        left_null,
+    })
 }
 
 /// The x of least norm among those that minimise |A x − b|, by the pseudo-inverse.
@@ -175,19 +212,35 @@ pub fn svd_rank(a: &Dense, tolerance: f64) -> Result<SvdRank, DenseFault> {
 pub fn least_norm_solve(a: &Dense, b: &[f64], tolerance: f64) -> Result<LeastNorm, DenseFault> {
     assert_eq!(b.len(), a.rows, "right-hand side and matrix differ in size");
     if let Some(row) = b.iter().position(|value| !value.is_finite()) {
-        return Err(DenseFault::NotFinite { row, column: a.columns });
+        return Err(DenseFault::NotFinite {
+            row,
+            column: a.columns,
+        });
     }
     let svd = Svd::new(a)?;
     let rank = svd.rank(tolerance);
     let mut x = vec![0.0; a.columns];
     for (index, sigma) in svd.singular_values[..rank].iter().enumerate() {
-        let share = (0..a.rows).map(|row| svd.left.get(row, index) * b[row]).sum::<f64>() / sigma;
+        let share = (0..a.rows)
+            .map(|row| svd.left.get(row, index) * b[row])
+            .sum::<f64>()
+            / sigma;
         for (row, value) in x.iter_mut().enumerate() {
             *value += share * svd.right.get(row, index);
         }
     }
-    let misfit = |row: usize| b[row] - a.row(row).iter().zip(&x).map(|(entry, value)| entry * value).sum::<f64>();
-    let residual = (0..a.rows).map(|row| misfit(row).powi(2)).sum::<f64>().sqrt();
+    let misfit = |row: usize| {
+        b[row]
+            - a.row(row)
+                .iter()
+                .zip(&x)
+                .map(|(entry, value)| entry * value)
+                .sum::<f64>()
+    };
+    let residual = (0..a.rows)
+        .map(|row| misfit(row).powi(2))
+        .sum::<f64>()
+        .sqrt();
     Ok(LeastNorm { x, rank, residual })
 }
 
@@ -205,7 +258,9 @@ pub fn qr_rank(a: &Dense, tolerance: f64) -> Result<usize, DenseFault> {
     let r = qr.thin_R();
     let diagonal = (0..r.nrows().min(r.ncols())).map(|i| r[(i, i)].abs());
     let largest = diagonal.clone().fold(0.0, f64::max);
-    Ok(diagonal.filter(|&size| size > 0.0 && size > tolerance * largest).count())
+    Ok(diagonal
+        .filter(|&size| size > 0.0 && size > tolerance * largest)
+        .count())
 }
 
 fn identity(n: usize) -> Dense {
@@ -241,7 +296,13 @@ mod tests {
         let mut a = Dense::zeros(rows, columns);
         for row in 0..rows {
             for column in 0..columns {
-                a.set(row, column, (0..rank).map(|k| left[row * rank + k] * right[k * columns + column]).sum());
+                a.set(
+                    row,
+                    column,
+                    (0..rank)
+                        .map(|k| left[row * rank + k] * right[k * columns + column])
+                        .sum(),
+                );
             }
         }
         a
@@ -288,8 +349,11 @@ mod tests {
     fn two_equal_rows_share_the_load() {
         let a = Dense::new(2, 1, vec![1.0, 1.0]);
         let solution = least_norm_solve(&a, &[1.0, 3.0], RANK_TOLERANCE).unwrap();
-        assert!((solution.x[0] - 2.0).abs() < 1e-15 && (solution.residual - 2f64.sqrt()).abs() < 1e-15);
-        let load = least_norm_solve(&Dense::new(1, 2, vec![1.0, 1.0]), &[4.0], RANK_TOLERANCE).unwrap();
+        assert!(
+            (solution.x[0] - 2.0).abs() < 1e-15 && (solution.residual - 2f64.sqrt()).abs() < 1e-15
+        );
+        let load =
+            least_norm_solve(&Dense::new(1, 2, vec![1.0, 1.0]), &[4.0], RANK_TOLERANCE).unwrap();
         assert!(load.x.iter().all(|x| (x - 2.0).abs() < 1e-15), "{load:?}");
     }
 
@@ -297,12 +361,31 @@ mod tests {
     fn no_rows_no_columns_no_sense() {
         let report = svd_rank(&Dense::zeros(0, 3), RANK_TOLERANCE).unwrap();
         assert_eq!((report.rank, report.right_null), (0, identity(3)));
-        assert_eq!(svd_rank(&Dense::zeros(2, 0), RANK_TOLERANCE).unwrap().left_null, identity(2));
-        assert_eq!(svd_rank(&Dense::zeros(2, 2), RANK_TOLERANCE).unwrap().rank, 0);
-        assert_eq!(least_norm_solve(&Dense::zeros(0, 2), &[], RANK_TOLERANCE).unwrap().x, [0.0, 0.0]);
+        assert_eq!(
+            svd_rank(&Dense::zeros(2, 0), RANK_TOLERANCE)
+                .unwrap()
+                .left_null,
+            identity(2)
+        );
+        assert_eq!(
+            svd_rank(&Dense::zeros(2, 2), RANK_TOLERANCE).unwrap().rank,
+            0
+        );
+        assert_eq!(
+            least_norm_solve(&Dense::zeros(0, 2), &[], RANK_TOLERANCE)
+                .unwrap()
+                .x,
+            [0.0, 0.0]
+        );
         let bad = Dense::new(2, 2, vec![1.0, 0.0, 0.0, f64::NAN]);
-        assert_eq!(svd_rank(&bad, RANK_TOLERANCE).unwrap_err(), DenseFault::NotFinite { row: 1, column: 1 });
-        assert_eq!(qr_rank(&bad, RANK_TOLERANCE), Err(DenseFault::NotFinite { row: 1, column: 1 }));
+        assert_eq!(
+            svd_rank(&bad, RANK_TOLERANCE).unwrap_err(),
+            DenseFault::NotFinite { row: 1, column: 1 }
+        );
+        assert_eq!(
+            qr_rank(&bad, RANK_TOLERANCE),
+            Err(DenseFault::NotFinite { row: 1, column: 1 })
+        );
         assert!(least_norm_solve(&identity(1), &[f64::INFINITY], RANK_TOLERANCE).is_err());
     }
 }

@@ -42,8 +42,14 @@ pub fn symmetric(a: &[f64], f: usize) -> (Vec<f64>, Vec<Vec<f64>>) {
     let eigen = ((&a + a.transpose()) * 0.5).symmetric_eigen();
     let mut order: Vec<usize> = (0..f).collect();
     order.sort_by(|&i, &j| eigen.eigenvalues[i].total_cmp(&eigen.eigenvalues[j]));
-    let vectors = order.iter().map(|&k| eigen.eigenvectors.column(k).iter().copied().collect()).collect();
-    (order.iter().map(|&k| eigen.eigenvalues[k]).collect(), vectors)
+    let vectors = order
+        .iter()
+        .map(|&k| eigen.eigenvectors.column(k).iter().copied().collect())
+        .collect();
+    (
+        order.iter().map(|&k| eigen.eigenvalues[k]).collect(),
+        vectors,
+    )
 }
 
 /// x with A x = b; none where A is singular.
@@ -52,15 +58,24 @@ pub fn solve(a: &[f64], b: &[f64]) -> Option<Vec<f64>> {
     if f == 0 {
         return Some(Vec::new());
     }
-    let x = DMatrix::from_row_slice(f, f, a).full_piv_lu().solve(&DVector::from_column_slice(b))?;
-    x.iter().all(|x| x.is_finite()).then(|| x.iter().copied().collect())
+    let x = DMatrix::from_row_slice(f, f, a)
+        .full_piv_lu()
+        .solve(&DVector::from_column_slice(b))?;
+    x.iter()
+        .all(|x| x.is_finite())
+        .then(|| x.iter().copied().collect())
 }
 
 /// All s and x, slowest first.
 ///
 /// # Errors
 /// See [`EigenFault`].
-pub fn quadratic(mass: &[f64], damping: &[f64], stiffness: &[f64], f: usize) -> Result<Vec<Eigenpair>, EigenFault> {
+pub fn quadratic(
+    mass: &[f64],
+    damping: &[f64],
+    stiffness: &[f64],
+    f: usize,
+) -> Result<Vec<Eigenpair>, EigenFault> {
     if f == 0 {
         return Ok(Vec::new());
     }
@@ -76,23 +91,37 @@ pub fn quadratic(mass: &[f64], damping: &[f64], stiffness: &[f64], f: usize) -> 
     if lower.diagonal().min() < ROUND_OFF.sqrt() {
         return Err(EigenFault::Massless);
     }
-    let inverse =
-        lower.clone().try_inverse().ok_or(EigenFault::Massless)? * DMatrix::from_diagonal(&scale.map(|s| 1.0 / s));
-    let (damping, stiffness) = (&inverse * damping * inverse.transpose(), &inverse * stiffness * inverse.transpose());
+    let inverse = lower.clone().try_inverse().ok_or(EigenFault::Massless)?
+        * DMatrix::from_diagonal(&scale.map(|s| 1.0 / s));
+    let (damping, stiffness) = (
+        &inverse * damping * inverse.transpose(),
+        &inverse * stiffness * inverse.transpose(),
+    );
     let rate = stiffness.amax().sqrt().max(damping.amax());
     let skew = (&stiffness - stiffness.transpose()).amax();
-    let mut pairs = if rate == 0.0 || (damping.amax() <= ROUND_OFF * rate && skew <= 1e-9 * stiffness.amax()) {
-        undamped(&stiffness)
-    } else {
-        companion(&damping, &stiffness, rate)?
-    };
+    let mut pairs =
+        if rate == 0.0 || (damping.amax() <= ROUND_OFF * rate && skew <= 1e-9 * stiffness.amax()) {
+            undamped(&stiffness)
+        } else {
+            companion(&damping, &stiffness, rate)?
+        };
     for pair in &mut pairs {
-        let part = |k: usize| inverse.transpose() * DVector::from_iterator(f, pair.vector.iter().map(|x| x[k]));
+        let part = |k: usize| {
+            inverse.transpose() * DVector::from_iterator(f, pair.vector.iter().map(|x| x[k]))
+        };
         let (re, im) = (part(0), part(1));
-        pair.vector = re.iter().zip(im.iter()).map(|(&re, &im)| [re, im]).collect();
+        pair.vector = re
+            .iter()
+            .zip(im.iter())
+            .map(|(&re, &im)| [re, im])
+            .collect();
     }
     let size = |pair: &Eigenpair| pair.value[0].hypot(pair.value[1]);
-    pairs.sort_by(|a, b| size(a).total_cmp(&size(b)).then(b.value[0].total_cmp(&a.value[0])));
+    pairs.sort_by(|a, b| {
+        size(a)
+            .total_cmp(&size(b))
+            .then(b.value[0].total_cmp(&a.value[0]))
+    });
     Ok(pairs)
 }
 
@@ -106,20 +135,36 @@ fn undamped(stiffness: &DMatrix<f64>) -> Vec<Eigenpair> {
     for (kappa, vector) in values.into_iter().zip(vectors) {
         let vector: Vec<[f64; 2]> = vector.into_iter().map(|x| [x, 0.0]).collect();
         if kappa.abs() <= zero {
-            pairs.push(Eigenpair { value: [0.0; 2], vector });
+            pairs.push(Eigenpair {
+                value: [0.0; 2],
+                vector,
+            });
         } else if kappa > 0.0 {
-            pairs.push(Eigenpair { value: [0.0, kappa.sqrt()], vector });
+            pairs.push(Eigenpair {
+                value: [0.0, kappa.sqrt()],
+                vector,
+            });
         } else {
             let root = (-kappa).sqrt();
-            pairs.push(Eigenpair { value: [root, 0.0], vector: vector.clone() });
-            pairs.push(Eigenpair { value: [-root, 0.0], vector });
+            pairs.push(Eigenpair {
+                value: [root, 0.0],
+                vector: vector.clone(),
+            });
+            pairs.push(Eigenpair {
+                value: [-root, 0.0],
+                vector,
+            });
         }
     }
     pairs
 }
 
 /// Eigenvalues of the companion matrix, in units of `rate`.
-fn companion(damping: &DMatrix<f64>, stiffness: &DMatrix<f64>, rate: f64) -> Result<Vec<Eigenpair>, EigenFault> {
+fn companion(
+    damping: &DMatrix<f64>,
+    stiffness: &DMatrix<f64>,
+    rate: f64,
+) -> Result<Vec<Eigenpair>, EigenFault> {
     let f = damping.nrows();
     let matrix = Mat::from_fn(2 * f, 2 * f, |i, j| match (i < f, j < f) {
         (true, _) => f64::from(u8::from(j == i + f)),
@@ -130,15 +175,30 @@ fn companion(damping: &DMatrix<f64>, stiffness: &DMatrix<f64>, rate: f64) -> Res
     let mut pairs = Vec::new();
     for k in 0..2 * f {
         let value = eigen.S()[k];
-        let small = |x: f64| if x.abs() <= ROUND_OFF_ROOT * ROUND_OFF_ROOT { 0.0 } else { x };
+        let small = |x: f64| {
+            if x.abs() <= ROUND_OFF_ROOT * ROUND_OFF_ROOT {
+                0.0
+            } else {
+                x
+            }
+        };
         let (re, im) = (small(value.re), small(value.im));
         // Both of a double zero are off by the root of round-off.
-        let (re, im) = if re.hypot(im) <= ROUND_OFF_ROOT.powf(1.3) { (0.0, 0.0) } else { (re, im) };
+        let (re, im) = if re.hypot(im) <= ROUND_OFF_ROOT.powf(1.3) {
+            (0.0, 0.0)
+        } else {
+            (re, im)
+        };
         if im < 0.0 {
             continue;
         }
-        let vector = (0..f).map(|i| [eigen.U()[(i, k)].re, eigen.U()[(i, k)].im]).collect();
-        pairs.push(Eigenpair { value: [re * rate, im * rate], vector });
+        let vector = (0..f)
+            .map(|i| [eigen.U()[(i, k)].re, eigen.U()[(i, k)].im])
+            .collect();
+        pairs.push(Eigenpair {
+            value: [re * rate, im * rate],
+            vector,
+        });
     }
     Ok(pairs)
 }

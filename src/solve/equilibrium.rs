@@ -73,18 +73,33 @@ impl Local {
     fn of(held: &mut Held, known: f64) -> Self {
         let f = held.freedom();
         let scales: Vec<f64> = (0..f).map(|k| held.scale(k)).collect();
-        let g: Vec<f64> = held.pull().iter().zip(&scales).map(|(g, s)| g * s).collect();
-        let k: Vec<f64> = held.stiffness().iter().enumerate().map(|(i, k)| k * scales[i / f] * scales[i % f]).collect();
+        let g: Vec<f64> = held
+            .pull()
+            .iter()
+            .zip(&scales)
+            .map(|(g, s)| g * s)
+            .collect();
+        let k: Vec<f64> = held
+            .stiffness()
+            .iter()
+            .enumerate()
+            .map(|(i, k)| k * scales[i / f] * scales[i % f])
+            .collect();
         let system = held.driven.system;
-        let largest =
-            held.force.iter().enumerate().fold(0.0, |m: f64, (c, q)| m.max((q * system.column_scale(c)).abs()));
+        let largest = held.force.iter().enumerate().fold(0.0, |m: f64, (c, q)| {
+            m.max((q * system.column_scale(c)).abs())
+        });
         let scale = known.max(largest + max_abs(&k));
         Local { g, k, scale }
     }
 
     /// Largest pull beside the largest force and stiffness.
     fn residual(&self) -> f64 {
-        if self.scale > 0.0 { max_abs(&self.g) / self.scale } else { 0.0 }
+        if self.scale > 0.0 {
+            max_abs(&self.g) / self.scale
+        } else {
+            0.0
+        }
     }
 
     /// A direction in which the forces do work.
@@ -108,10 +123,21 @@ impl Local {
         {
             return d;
         }
-        self.spectral(&values, &vectors, |kappa| if kappa.abs() > floor { 1.0 / kappa } else { 0.0 })
+        self.spectral(&values, &vectors, |kappa| {
+            if kappa.abs() > floor {
+                1.0 / kappa
+            } else {
+                0.0
+            }
+        })
     }
 
-    fn spectral(&self, values: &[f64], vectors: &[Vec<f64>], weight: impl Fn(f64) -> f64) -> Vec<f64> {
+    fn spectral(
+        &self,
+        values: &[f64],
+        vectors: &[Vec<f64>],
+        weight: impl Fn(f64) -> f64,
+    ) -> Vec<f64> {
         let mut d = vec![0.0; self.g.len()];
         for (&kappa, x) in values.iter().zip(vectors) {
             let part = weight(kappa) * dot(x, &self.g);
@@ -133,7 +159,9 @@ pub fn find(held: &mut Held, stopped: &dyn Fn() -> bool) -> Result<Balance, Lost
             return Err(Lost::Stopped);
         }
         if iterations == MAX_ITERATIONS {
-            return Err(Lost::Unbalanced { residual: local.residual() });
+            return Err(Lost::Unbalanced {
+                residual: local.residual(),
+            });
         }
         iterations += 1;
         step(held, &local)?;
@@ -141,7 +169,9 @@ pub fn find(held: &mut Held, stopped: &dyn Fn() -> bool) -> Result<Balance, Lost
         local = Local::of(held, local.scale);
     }
     for _ in 0..POLISHING {
-        let Some(better) = polish(held, &local) else { break };
+        let Some(better) = polish(held, &local) else {
+            break;
+        };
         local = better;
         iterations += 1;
     }
@@ -164,22 +194,39 @@ fn balance(held: &mut Held, local: &Local, iterations: u64) -> Balance {
         Some(_) | None => Stability::Stable,
     };
     let stiffness = symmetric(&held.stiffness(), f).0;
-    Balance { stability, stiffness, residual: local.residual(), iterations }
+    Balance {
+        stability,
+        stiffness,
+        residual: local.residual(),
+        iterations,
+    }
 }
 
 /// Moves by `part` of the scaled step `d`.
 fn advance(held: &mut Held, d: &[f64], part: f64) -> Result<(), Failure> {
-    let d: Vec<f64> = d.iter().enumerate().map(|(k, d)| part * d * held.scale(k)).collect();
+    let d: Vec<f64> = d
+        .iter()
+        .enumerate()
+        .map(|(k, d)| part * d * held.scale(k))
+        .collect();
     held.advance(&d)
 }
 
 fn pull(held: &Held) -> Vec<f64> {
-    held.pull().iter().enumerate().map(|(k, g)| g * held.scale(k)).collect()
+    held.pull()
+        .iter()
+        .enumerate()
+        .map(|(k, g)| g * held.scale(k))
+        .collect()
 }
 
 /// The largest motion of a coordinate in a scaled step [rad or sizes].
 fn extent(held: &Held, d: &[f64]) -> f64 {
-    let d: Vec<f64> = d.iter().enumerate().map(|(k, d)| d * held.scale(k)).collect();
+    let d: Vec<f64> = d
+        .iter()
+        .enumerate()
+        .map(|(k, d)| d * held.scale(k))
+        .collect();
     held.driven.system.scaled_norm(&held.along(&d))
 }
 

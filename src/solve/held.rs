@@ -49,7 +49,10 @@ impl<'s> Held<'s> {
     /// When they do not.
     pub fn new(system: &'s System, columns: &[usize], q: &[f64]) -> Result<Self, Failure> {
         let mut inputs = Inputs::at_time(system, 0.0);
-        inputs.drive.iter_mut().for_each(|jet| *jet = [jet[0], 0.0, 0.0]);
+        inputs
+            .drive
+            .iter_mut()
+            .for_each(|jet| *jet = [jet[0], 0.0, 0.0]);
         let driven = Driven::pinned(system, columns, q, &inputs)?;
         let n = system.n();
         let mut held = Held {
@@ -85,14 +88,18 @@ impl<'s> Held<'s> {
     pub fn along(&self, d: &[f64]) -> Vec<f64> {
         let mut sum = vec![0.0; self.q.len()];
         for (k, d) in d.iter().enumerate() {
-            sum.iter_mut().zip(self.motion(k)).for_each(|(sum, s)| *sum += d * s);
+            sum.iter_mut()
+                .zip(self.motion(k))
+                .for_each(|(sum, s)| *sum += d * s);
         }
         sum
     }
 
     /// g (f) [N or N·m].
     pub fn pull(&self) -> Vec<f64> {
-        (0..self.freedom()).map(|k| dot(self.motion(k), &self.force)).collect()
+        (0..self.freedom())
+            .map(|k| dot(self.motion(k), &self.force))
+            .collect()
     }
 
     /// Rows (of joints and drivers) that take part in what is nearest to a self-stress; none where that can't be had.
@@ -103,11 +110,14 @@ impl<'s> Held<'s> {
             return Vec::new();
         }
         let (mut right, mut left) = (vec![1.0; n], vec![1.0; n]);
-        self.driven.smallest_singular(STRAIN_ITERATIONS, &mut right, &mut left);
+        self.driven
+            .smallest_singular(STRAIN_ITERATIONS, &mut right, &mut left);
         let largest = max_abs(&left);
         let m = self.driven.system.m();
         let rows = self.driven.active_rows().iter().zip(&left);
-        rows.filter(|(row, part)| **row < m && part.abs() > STRAINED * largest).map(|(row, _)| *row).collect()
+        rows.filter(|(row, part)| **row < m && part.abs() > STRAINED * largest)
+            .map(|(row, _)| *row)
+            .collect()
     }
 
     /// Moves u by `d`, or leaves everything as it is.
@@ -135,7 +145,9 @@ impl<'s> Held<'s> {
     /// When the coordinates do not determine the rest.
     pub fn exchange(&mut self) -> Result<(), Failure> {
         for _ in 0..10 * (self.freedom() + 1) {
-            let Some((k, column)) = better_pin(&self.driven, &self.motions) else { break };
+            let Some((k, column)) = better_pin(&self.driven, &self.motions) else {
+                break;
+            };
             let mut columns: Vec<usize> = self.driven.pins.iter().map(|pin| pin.column).collect();
             columns[k] = column;
             self.driven.pin(&columns, &self.inputs)?;
@@ -158,15 +170,20 @@ impl<'s> Held<'s> {
         self.driven.prepare(&self.q, &self.inputs)?;
         let correction = self.driven.correct(&mut self.q, &self.inputs)?;
         if correction.contraction > CONTRACTION || correction.first_step > FARTHEST {
-            return Err(Failure::Diverged { residual: correction.residual });
+            return Err(Failure::Diverged {
+                residual: correction.residual,
+            });
         }
         self.residual = correction.residual;
         self.driven.factor(&self.inputs)?;
         let n = self.q.len();
         self.rest();
-        self.driven.evaluation.eval_force(self.driven.system, &self.inputs, &mut self.force);
+        self.driven
+            .evaluation
+            .eval_force(self.driven.system, &self.inputs, &mut self.force);
         for k in 0..self.freedom() {
-            self.driven.pin_motion(k, &mut self.motions[k * n..(k + 1) * n]);
+            self.driven
+                .pin_motion(k, &mut self.motions[k * n..(k + 1) * n]);
         }
         Ok(())
     }
@@ -232,7 +249,10 @@ impl<'s> Held<'s> {
         let mut evaluation = Evaluation::new(system);
         let (mut q, mut force) = (self.q.clone(), self.force.clone());
         let mut at = |h: f64| {
-            q.iter_mut().zip(&self.q).zip(&direction).for_each(|((q, here), d)| *q = here + h * d);
+            q.iter_mut()
+                .zip(&self.q)
+                .zip(&direction)
+                .for_each(|((q, here), d)| *q = here + h * d);
             evaluation.set_position(&q);
             evaluation.eval_force(system, &self.inputs, &mut force);
             force.clone()
@@ -240,7 +260,11 @@ impl<'s> Held<'s> {
         let noise = f64::EPSILON * max_abs(&self.force);
         let mut gradient = derivative(noise, |h| {
             let (ahead, behind) = (at(h), at(-h));
-            ahead.iter().zip(&behind).map(|(a, b)| (a - b) / (2.0 * h)).collect()
+            ahead
+                .iter()
+                .zip(&behind)
+                .map(|(a, b)| (a - b) / (2.0 * h))
+                .collect()
         });
         gradient.iter_mut().for_each(|g| *g /= scale);
         gradient
@@ -252,17 +276,24 @@ impl<'s> Held<'s> {
         let mut damping = vec![0.0; f * f];
         let mut evaluation = Evaluation::new(system);
         evaluation.set_position(&self.q);
-        let (mut v, mut ahead, mut behind) = (self.q.clone(), self.force.clone(), self.force.clone());
+        let (mut v, mut ahead, mut behind) =
+            (self.q.clone(), self.force.clone(), self.force.clone());
         for j in 0..f {
             let scale = self.scale(j);
             for (sign, force) in [(scale, &mut ahead), (-scale, &mut behind)] {
-                v.iter_mut().zip(self.motion(j)).for_each(|(v, s)| *v = sign * s);
+                v.iter_mut()
+                    .zip(self.motion(j))
+                    .for_each(|(v, s)| *v = sign * s);
                 evaluation.set_velocity(&v);
                 evaluation.eval_force(system, &self.inputs, force);
             }
             for i in 0..f {
-                let change: f64 =
-                    self.motion(i).iter().zip(ahead.iter().zip(&behind)).map(|(s, (a, b))| s * (a - b)).sum();
+                let change: f64 = self
+                    .motion(i)
+                    .iter()
+                    .zip(ahead.iter().zip(&behind))
+                    .map(|(s, (a, b))| s * (a - b))
+                    .sum();
                 damping[i * f + j] = -change / (2.0 * scale);
             }
         }
@@ -274,9 +305,16 @@ impl<'s> Held<'s> {
         let f = self.freedom();
         let mass = &self.driven.system.mass;
         let product = |i: usize, j: usize| -> f64 {
-            self.motion(i).iter().zip(self.motion(j)).zip(mass).map(|((a, b), m)| a * b * m).sum()
+            self.motion(i)
+                .iter()
+                .zip(self.motion(j))
+                .zip(mass)
+                .map(|((a, b), m)| a * b * m)
+                .sum()
         };
-        (0..f * f).map(|k| product((k / f).max(k % f), (k / f).min(k % f))).collect()
+        (0..f * f)
+            .map(|k| product((k / f).max(k % f), (k / f).min(k % f)))
+            .collect()
     }
 }
 
@@ -291,9 +329,20 @@ fn derivative(noise: f64, mut quotient: impl FnMut(f64) -> Vec<f64>) -> Vec<f64>
         let mut power = 1.0;
         for k in 0..row.len() {
             power *= 4.0;
-            let improved: Vec<f64> =
-                next[k].iter().zip(&row[k]).map(|(fine, coarse)| fine + (fine - coarse) / (power - 1.0)).collect();
-            let apart = |other: &[f64]| max_abs(&improved.iter().zip(other).map(|(a, b)| a - b).collect::<Vec<_>>());
+            let improved: Vec<f64> = next[k]
+                .iter()
+                .zip(&row[k])
+                .map(|(fine, coarse)| fine + (fine - coarse) / (power - 1.0))
+                .collect();
+            let apart = |other: &[f64]| {
+                max_abs(
+                    &improved
+                        .iter()
+                        .zip(other)
+                        .map(|(a, b)| a - b)
+                        .collect::<Vec<_>>(),
+                )
+            };
             let error = apart(&next[k]).max(apart(&row[k])) + noise / h;
             if error <= least {
                 least = error;

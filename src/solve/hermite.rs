@@ -53,8 +53,13 @@ impl Osculating {
     /// Through `nodes` (distinct s), scaled so that they lie within [−1, 1] around `centre`.
     pub fn new(nodes: &[Node], centre: f64) -> Self {
         let n = nodes[0].q.len();
-        let scale = nodes.iter().fold(0.0, |m: f64, node| m.max((node.s - centre).abs()));
-        let x: Vec<f64> = nodes.iter().flat_map(|node| [(node.s - centre) / scale; 3]).collect();
+        let scale = nodes
+            .iter()
+            .fold(0.0, |m: f64, node| m.max((node.s - centre).abs()));
+        let x: Vec<f64> = nodes
+            .iter()
+            .flat_map(|node| [(node.s - centre) / scale; 3])
+            .collect();
         let size = x.len();
         let mut coefficients = vec![0.0; size * n];
         for k in 0..n {
@@ -77,7 +82,13 @@ impl Osculating {
                 coefficients[i * n + k] = value;
             }
         }
-        Osculating { centre, scale, x, coefficients, n }
+        Osculating {
+            centre,
+            scale,
+            x,
+            coefficients,
+            n,
+        }
     }
 
     /// q, q′, q″ at `s`.
@@ -99,7 +110,11 @@ impl Osculating {
                 jet[2] * step + 2.0 * jet[1],
             ];
         }
-        [jet[0], jet[1] / self.scale, jet[2] / (self.scale * self.scale)]
+        [
+            jet[0],
+            jet[1] / self.scale,
+            jet[2] / (self.scale * self.scale),
+        ]
     }
 }
 
@@ -131,7 +146,13 @@ mod tests {
     fn quintic_is_of_sixth_order() {
         let error = |h: f64| {
             let (mut q, mut d) = ([0.0; 2], [0.0; 2]);
-            quintic(&node(0.3), &node(0.3 + h), 0.3 + 2.0 * h, &mut q, Some(&mut d));
+            quintic(
+                &node(0.3),
+                &node(0.3 + h),
+                0.3 + 2.0 * h,
+                &mut q,
+                Some(&mut d),
+            );
             let want = node(0.3 + 2.0 * h);
             ((q[0] - want.q[0]).abs(), (d[0] - want.d[0]).abs())
         };
@@ -152,7 +173,10 @@ mod tests {
             let want = node(s);
             for k in 0..2 {
                 assert!((q[k] - want.q[k]).abs() < 1e-14, "{s}: {q:?} {want:?}");
-                assert!((d[k] - want.d[k]).abs() < 1e-12 && (dd[k] - want.dd[k]).abs() < 1e-10, "{s}: {dd:?} {want:?}");
+                assert!(
+                    (d[k] - want.d[k]).abs() < 1e-12 && (dd[k] - want.dd[k]).abs() < 1e-10,
+                    "{s}: {dd:?} {want:?}"
+                );
             }
         }
     }

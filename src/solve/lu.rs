@@ -153,7 +153,11 @@ impl SparseLu {
     /// # Errors
     /// [`Singular`] when new pivots do not help either.
     pub fn refactor(&mut self, values: &[f64]) -> Result<(), Singular> {
-        assert_eq!(values.len(), self.pattern.entries(), "one value per entry of the pattern");
+        assert_eq!(
+            values.len(),
+            self.pattern.entries(),
+            "one value per entry of the pattern"
+        );
         if self.factored {
             if self.repeat(values) {
                 return Ok(());
@@ -172,7 +176,9 @@ impl SparseLu {
         for j in 0..n {
             // x = A(:, q_j)
             let mut scale = 0;
-            for entry in &self.gather[self.gather_start[j] as usize..self.gather_start[j + 1] as usize] {
+            for entry in
+                &self.gather[self.gather_start[j] as usize..self.gather_start[j + 1] as usize]
+            {
                 let value = values[entry.slot as usize];
                 scale = scale.max(magnitude(value));
                 x[entry.row as usize] = value;
@@ -181,7 +187,9 @@ impl SparseLu {
             // Subtract earlier columns of L, in order; what they are multiplied with is U(:, j).
             let begin = self.lower.start[j] as usize;
             let (done, rest) = self.lower.entries.split_at_mut(begin);
-            for entry in &mut self.upper.entries[self.upper.start[j] as usize..self.upper.start[j + 1] as usize] {
+            for entry in &mut self.upper.entries
+                [self.upper.start[j] as usize..self.upper.start[j + 1] as usize]
+            {
                 let k = entry.row as usize;
                 let u = std::mem::take(&mut x[k]);
                 entry.value = u;
@@ -207,7 +215,8 @@ impl SparseLu {
             largest_upper = largest_upper.max(magnitude(inverse)).max(magnitude(scale));
         }
         self.growth = f64::from_bits(largest_lower);
-        self.factored = !small && self.growth <= GROWTH_LIMIT && f64::from_bits(largest_upper).is_finite();
+        self.factored =
+            !small && self.growth <= GROWTH_LIMIT && f64::from_bits(largest_upper).is_finite();
         self.factored
     }
 
@@ -271,8 +280,15 @@ impl SparseLu {
     }
 
     fn assert_ready(&self, b: &[f64]) {
-        assert!(self.factored, "solve wants a successful factorisation before it");
-        assert_eq!(b.len(), self.inverse_pivot.len(), "right-hand side and matrix differ in size");
+        assert!(
+            self.factored,
+            "solve wants a successful factorisation before it"
+        );
+        assert_eq!(
+            b.len(),
+            self.inverse_pivot.len(),
+            "right-hand side and matrix differ in size"
+        );
     }
 
     /// The pattern of A.

@@ -39,7 +39,10 @@ impl Matching {
 
     /// No pairs yet.
     pub(super) fn empty(pattern: &Pattern) -> Self {
-        Matching { row_of_column: vec![NONE; pattern.columns()], column_of_row: vec![NONE; pattern.rows()] }
+        Matching {
+            row_of_column: vec![NONE; pattern.columns()],
+            column_of_row: vec![NONE; pattern.rows()],
+        }
     }
 
     /// Pairs a free row with a free column.
@@ -51,7 +54,11 @@ impl Matching {
 
     /// Adds pairs until there are no more, keeping matched rows and columns matched, though perhaps to others.
     pub(super) fn complete(&mut self, pattern: &Pattern, values: &[f64]) {
-        assert_eq!(values.len(), pattern.entries(), "one value per entry of the pattern");
+        assert_eq!(
+            values.len(),
+            pattern.entries(),
+            "one value per entry of the pattern"
+        );
         let candidates = Candidates::new(pattern, values);
         for column in 0..pattern.columns() {
             if self.row_of_column[column] != NONE {
@@ -67,7 +74,11 @@ impl Matching {
             for column in 0..pattern.columns() {
                 if self.row_of_column[column] == NONE {
                     search.augment(column as u32, self, |c| {
-                        if only_large { candidates.large(pattern, c) } else { candidates.all(pattern, c) }
+                        if only_large {
+                            candidates.large(pattern, c)
+                        } else {
+                            candidates.all(pattern, c)
+                        }
                     });
                 }
             }
@@ -88,7 +99,10 @@ impl Matching {
 
     /// Number of pairs.
     pub fn structural_rank(&self) -> usize {
-        self.row_of_column.iter().filter(|&&row| row != NONE).count()
+        self.row_of_column
+            .iter()
+            .filter(|&&row| row != NONE)
+            .count()
     }
 
     /// Whether every row and every column has a partner.
@@ -96,10 +110,17 @@ impl Matching {
     /// # Errors
     /// The ones without.
     pub fn check_perfect(&self) -> Result<(), Unmatched> {
-        let lonely =
-            |partners: &[u32]| -> Vec<usize> { (0..partners.len()).filter(|&i| partners[i] == NONE).collect() };
+        let lonely = |partners: &[u32]| -> Vec<usize> {
+            (0..partners.len())
+                .filter(|&i| partners[i] == NONE)
+                .collect()
+        };
         let (rows, columns) = (lonely(&self.column_of_row), lonely(&self.row_of_column));
-        if rows.is_empty() && columns.is_empty() { Ok(()) } else { Err(Unmatched { rows, columns }) }
+        if rows.is_empty() && columns.is_empty() {
+            Ok(())
+        } else {
+            Err(Unmatched { rows, columns })
+        }
     }
 }
 
@@ -120,8 +141,15 @@ impl Candidates {
             sorting.extend(sizes.zip(pattern.column(column).iter().copied()));
             // Stable, so that equal entries keep the order of rows and runs repeat.
             sorting.sort_by(|a, b| b.0.total_cmp(&a.0));
-            let limit = sorting.first().map_or(0.0, |&(largest, _)| LARGE_RATIO * largest);
-            large_count.push(sorting.iter().filter(|&&(size, _)| size > 0.0 && size >= limit).count() as u32);
+            let limit = sorting
+                .first()
+                .map_or(0.0, |&(largest, _)| LARGE_RATIO * largest);
+            large_count.push(
+                sorting
+                    .iter()
+                    .filter(|&&(size, _)| size > 0.0 && size >= limit)
+                    .count() as u32,
+            );
             rows.extend(sorting.iter().map(|&(_, row)| row));
         }
         Candidates { rows, large_count }
@@ -148,10 +176,20 @@ struct Paths {
 
 impl Paths {
     fn new(pattern: &Pattern) -> Self {
-        Paths { seen: vec![0; pattern.rows()], from: vec![NONE; pattern.rows()], queue: Vec::new(), searches: 0 }
+        Paths {
+            seen: vec![0; pattern.rows()],
+            from: vec![NONE; pattern.rows()],
+            queue: Vec::new(),
+            searches: 0,
+        }
     }
 
-    fn augment<'a>(&mut self, root: u32, matching: &mut Matching, rows_of: impl Fn(usize) -> &'a [u32]) {
+    fn augment<'a>(
+        &mut self,
+        root: u32,
+        matching: &mut Matching,
+        rows_of: impl Fn(usize) -> &'a [u32],
+    ) {
         self.searches += 1;
         self.queue.clear();
         self.queue.push(root);
@@ -217,6 +255,12 @@ mod tests {
         let pattern = Pattern::new(3, vec![0, 1, 3, 4], vec![1, 1, 2, 1]).unwrap();
         let matching = Matching::maximum(&pattern, &[1.0; 4]);
         assert_eq!(matching.structural_rank(), 2);
-        assert_eq!(matching.check_perfect(), Err(Unmatched { rows: vec![0], columns: vec![2] }));
+        assert_eq!(
+            matching.check_perfect(),
+            Err(Unmatched {
+                rows: vec![0],
+                columns: vec![2]
+            })
+        );
     }
 }

@@ -34,7 +34,10 @@ impl ColumnOrder {
     /// Columns as they come, pivots on the diagonal.
     pub fn natural(n: usize) -> Self {
         let columns: Vec<u32> = (0..n as u32).collect();
-        ColumnOrder { preferred: columns.clone(), columns }
+        ColumnOrder {
+            preferred: columns.clone(),
+            columns,
+        }
     }
 
     /// Minimum degree of A + Aᵀ, pivots on the diagonal: right for matrices with a sound diagonal.
@@ -42,10 +45,17 @@ impl ColumnOrder {
     /// # Panics
     /// When the pattern is not square.
     pub fn amd(pattern: &Pattern) -> Self {
-        assert_eq!(pattern.rows(), pattern.columns(), "an elimination order wants a square pattern");
+        assert_eq!(
+            pattern.rows(),
+            pattern.columns(),
+            "an elimination order wants a square pattern"
+        );
         let nodes: Vec<u32> = (0..pattern.columns() as u32).collect();
         let columns = minimum_degree(&compress(pattern, &nodes, &nodes, nodes.len()));
-        ColumnOrder { columns, preferred: nodes }
+        ColumnOrder {
+            columns,
+            preferred: nodes,
+        }
     }
 
     /// Minimum degree of pairs of rows and columns, for Jacobians and KKT matrices; values are those of a typical
@@ -57,17 +67,29 @@ impl ColumnOrder {
     /// # Panics
     /// When the pattern is not square.
     pub fn paired(pattern: &Pattern, values: &[f64]) -> Result<Self, Unmatched> {
-        assert_eq!(pattern.rows(), pattern.columns(), "an elimination order wants a square pattern");
+        assert_eq!(
+            pattern.rows(),
+            pattern.columns(),
+            "an elimination order wants a square pattern"
+        );
         let n = pattern.columns();
         let symmetric = pattern.transposed().0 == *pattern;
-        let partner = if symmetric { constraint_partners(pattern, values) } else { vec![NONE; n] };
+        let partner = if symmetric {
+            constraint_partners(pattern, values)
+        } else {
+            vec![NONE; n]
+        };
 
         // Start from the pairs and from sound diagonals, complete by whatever is left.
         let mut matching = Matching::empty(pattern);
         if symmetric {
             for index in 0..n {
                 let partner = partner[index];
-                let on_diagonal = || pattern.slot(index, index).is_some_and(|slot| values[slot] != 0.0);
+                let on_diagonal = || {
+                    pattern
+                        .slot(index, index)
+                        .is_some_and(|slot| values[slot] != 0.0)
+                };
                 if partner != NONE {
                     matching.pair(partner as usize, index);
                 } else if on_diagonal() {
@@ -92,7 +114,9 @@ impl ColumnOrder {
             }
             members.push([column as u32, partner]);
         }
-        let preferred: Vec<u32> = (0..n).map(|column| matching.row_of(column).map_or(NONE, |row| row as u32)).collect();
+        let preferred: Vec<u32> = (0..n)
+            .map(|column| matching.row_of(column).map_or(NONE, |row| row as u32))
+            .collect();
         let mut node_of_row = vec![NONE; n];
         for (column, &row) in preferred.iter().enumerate() {
             node_of_row[row as usize] = node_of_column[column];
@@ -131,13 +155,22 @@ impl ColumnOrder {
 /// ways.
 fn constraint_partners(pattern: &Pattern, values: &[f64]) -> Vec<u32> {
     let n = pattern.columns();
-    let is_coordinate: Vec<bool> =
-        (0..n).map(|index| pattern.slot(index, index).is_some_and(|slot| values[slot] > 0.0)).collect();
+    let is_coordinate: Vec<bool> = (0..n)
+        .map(|index| {
+            pattern
+                .slot(index, index)
+                .is_some_and(|slot| values[slot] > 0.0)
+        })
+        .collect();
     let mut entries = Vec::new();
     let mut sizes = Vec::new();
     let constraints: Vec<usize> = (0..n).filter(|&index| !is_coordinate[index]).collect();
     for (number, &constraint) in constraints.iter().enumerate() {
-        for (&row, &value) in pattern.column(constraint).iter().zip(&values[pattern.span(constraint)]) {
+        for (&row, &value) in pattern
+            .column(constraint)
+            .iter()
+            .zip(&values[pattern.span(constraint)])
+        {
             if is_coordinate[row as usize] {
                 entries.push((row as usize, number));
                 sizes.push(value);
@@ -159,10 +192,20 @@ fn constraint_partners(pattern: &Pattern, values: &[f64]) -> Vec<u32> {
 }
 
 /// Graph of the nodes: an edge wherever a row of one meets a column of the other.
-fn compress(pattern: &Pattern, node_of_row: &[u32], node_of_column: &[u32], nodes: usize) -> (Vec<u32>, Vec<u32>) {
+fn compress(
+    pattern: &Pattern,
+    node_of_row: &[u32],
+    node_of_column: &[u32],
+    nodes: usize,
+) -> (Vec<u32>, Vec<u32>) {
     let mut edges: Vec<(u32, u32)> = Vec::with_capacity(pattern.entries());
     for (column, &to) in node_of_column.iter().enumerate() {
-        edges.extend(pattern.column(column).iter().map(|&row| (to, node_of_row[row as usize])));
+        edges.extend(
+            pattern
+                .column(column)
+                .iter()
+                .map(|&row| (to, node_of_row[row as usize])),
+        );
     }
     edges.sort_unstable();
     edges.dedup();
@@ -183,7 +226,13 @@ fn minimum_degree((start, neighbour): &(Vec<u32>, Vec<u32>)) -> Vec<u32> {
     let graph = SymbolicSparseColMatRef::new_checked(n, n, start, None, neighbour);
     // faer counts the workspace without the nodes themselves.
     let mut memory = MemBuffer::new(amd::order_scratch::<u32>(n, neighbour.len() + n));
-    match amd::order(&mut order, &mut inverse, graph, Default::default(), MemStack::new(&mut memory)) {
+    match amd::order(
+        &mut order,
+        &mut inverse,
+        graph,
+        Default::default(),
+        MemStack::new(&mut memory),
+    ) {
         Ok(_) => order,
         // Only when the graph overflows 32 bits: any order is right, this one is merely slower.
         Err(_) => (0..n as u32).collect(),
@@ -197,7 +246,8 @@ mod tests {
     use super::*;
 
     fn sparse(matrix: &Matrix) -> (Pattern, Vec<f64>) {
-        let (pattern, slots) = Pattern::from_entries(matrix.rows, matrix.columns, &matrix.positions()).unwrap();
+        let (pattern, slots) =
+            Pattern::from_entries(matrix.rows, matrix.columns, &matrix.positions()).unwrap();
         let mut values = vec![0.0; pattern.entries()];
         for (&slot, &(_, _, value)) in slots.iter().zip(&matrix.entries) {
             values[slot as usize] += value;
@@ -209,7 +259,13 @@ mod tests {
         for list in [order.columns(), order.preferred()] {
             let mut sorted = list.to_vec();
             sorted.sort_unstable();
-            assert!(sorted.iter().enumerate().all(|(i, &entry)| entry as usize == i), "{list:?}");
+            assert!(
+                sorted
+                    .iter()
+                    .enumerate()
+                    .all(|(i, &entry)| entry as usize == i),
+                "{list:?}"
+            );
         }
     }
 
@@ -231,18 +287,29 @@ mod tests {
     #[test]
     fn pairing_keeps_fill_low() {
         let kkt = |(bodies, pins): (usize, Vec<_>)| {
-            sparse(&linkage::kkt(&linkage::jacobian(bodies, &pins, &[]), &mut Random(1)))
+            sparse(&linkage::kkt(
+                &linkage::jacobian(bodies, &pins, &[]),
+                &mut Random(1),
+            ))
         };
         // A chain costs the same per cell however long it is.
         let (pattern, values) = kkt(linkage::four_bar_chain(200, 0.8));
-        let paired = fill(&pattern, &values, ColumnOrder::paired(&pattern, &values).unwrap());
+        let paired = fill(
+            &pattern,
+            &values,
+            ColumnOrder::paired(&pattern, &values).unwrap(),
+        );
         assert!(paired < 100 * 200, "{paired}");
         let plain = fill(&pattern, &values, ColumnOrder::amd(&pattern));
         assert!(paired < 2 * plain, "{paired} against {plain}");
 
         // Many loops: this is where it pays.
         let (pattern, values) = kkt(linkage::grid(16));
-        let paired = fill(&pattern, &values, ColumnOrder::paired(&pattern, &values).unwrap());
+        let paired = fill(
+            &pattern,
+            &values,
+            ColumnOrder::paired(&pattern, &values).unwrap(),
+        );
         let plain = fill(&pattern, &values, ColumnOrder::amd(&pattern));
         assert!(3 * paired < plain, "{paired} against {plain}");
     }
@@ -251,7 +318,11 @@ mod tests {
     fn square_jacobian_of_a_driven_chain() {
         let (bodies, pins) = linkage::four_bar_chain(200, 0.8);
         let (pattern, values) = sparse(&linkage::jacobian(bodies, &pins, &[0]));
-        let paired = fill(&pattern, &values, ColumnOrder::paired(&pattern, &values).unwrap());
+        let paired = fill(
+            &pattern,
+            &values,
+            ColumnOrder::paired(&pattern, &values).unwrap(),
+        );
         assert!(paired < 4 * pattern.entries(), "{paired}");
     }
 
@@ -270,10 +341,16 @@ mod tests {
                 }
             }
             if change == 2 {
-                matrix.entries.extend((jac.columns..matrix.rows).map(|i| (i, i, -1e-8)));
+                matrix
+                    .entries
+                    .extend((jac.columns..matrix.rows).map(|i| (i, i, -1e-8)));
             }
             let (pattern, values) = sparse(&matrix);
-            fill(&pattern, &values, ColumnOrder::paired(&pattern, &values).unwrap());
+            fill(
+                &pattern,
+                &values,
+                ColumnOrder::paired(&pattern, &values).unwrap(),
+            );
         }
     }
 
@@ -283,6 +360,10 @@ mod tests {
         let pattern = Pattern::new(3, vec![0, 1, 3, 3], vec![0, 1, 2]).unwrap();
         let fault = ColumnOrder::paired(&pattern, &[1.0; 3]).unwrap_err();
         assert_eq!((fault.rows, fault.columns), (vec![2], vec![2]));
-        assert!(ColumnOrder::paired(&Pattern::new(0, vec![0], vec![]).unwrap(), &[]).unwrap().is_empty());
+        assert!(
+            ColumnOrder::paired(&Pattern::new(0, vec![0], vec![]).unwrap(), &[])
+                .unwrap()
+                .is_empty()
+        );
     }
 }

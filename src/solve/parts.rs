@@ -59,20 +59,38 @@ impl<'s> Parts<'s> {
     pub fn new(parts: Vec<Part<'s>>, rewrite: Box<dyn Rewrite<'s> + 's>) -> Self {
         let none = vec![None; parts.len()];
         let parts = parts.into_iter().map(Followed::new).collect();
-        Parts { parts, rewrite, now: none.clone(), next: none, others: Vec::new() }
+        Parts {
+            parts,
+            rewrite,
+            now: none.clone(),
+            next: none,
+            others: Vec::new(),
+        }
     }
 
     /// The same parts of a whole that is another one otherwise.
     pub fn rewritten_by(self, rewrite: Box<dyn Rewrite<'s> + 's>) -> Self {
         let none = vec![None; self.parts.len()];
-        Parts { rewrite, now: none.clone(), next: none, others: Vec::new(), ..self }
+        Parts {
+            rewrite,
+            now: none.clone(),
+            next: none,
+            others: Vec::new(),
+            ..self
+        }
     }
 
     /// Gives `driven` the solver for the surroundings of `q`, near the accepted point `here`.
     ///
     /// # Errors
     /// Where it can't be made.
-    pub fn enter(&mut self, driven: &mut Driven<'s>, q: &[f64], here: &Node, inputs: &Inputs) -> Result<(), Failure> {
+    pub fn enter(
+        &mut self,
+        driven: &mut Driven<'s>,
+        q: &[f64],
+        here: &Node,
+        inputs: &Inputs,
+    ) -> Result<(), Failure> {
         for (next, part) in self.next.iter_mut().zip(&mut self.parts) {
             *next = part.window_at(q, here);
         }
@@ -80,11 +98,20 @@ impl<'s> Parts<'s> {
             return Ok(());
         }
         let columns: Vec<usize> = driven.pins.iter().map(|pin| pin.column).collect();
-        let mut other = match self.others.iter().position(|(windows, _)| *windows == self.next) {
+        let mut other = match self
+            .others
+            .iter()
+            .position(|(windows, _)| *windows == self.next)
+        {
             Some(index) => self.others.swap_remove(index).1,
             None => Driven::pinned(self.system().ok_or(Failure::Singular)?, &columns, q, inputs)?,
         };
-        if other.pins.iter().zip(&columns).any(|(pin, column)| pin.column != *column) {
+        if other
+            .pins
+            .iter()
+            .zip(&columns)
+            .any(|(pin, column)| pin.column != *column)
+        {
             other.evaluation.set_position(q);
             if let Err(failure) = other.pin(&columns, inputs) {
                 self.others.push((self.next.clone(), other));
@@ -95,7 +122,8 @@ impl<'s> Parts<'s> {
         (other.last_step, other.done) = (driven.last_step, driven.done);
         std::mem::swap(&mut other.reactive, &mut driven.reactive);
         std::mem::swap(driven, &mut other);
-        self.others.push((std::mem::replace(&mut self.now, self.next.clone()), other));
+        self.others
+            .push((std::mem::replace(&mut self.now, self.next.clone()), other));
         Ok(())
     }
 
@@ -113,7 +141,11 @@ impl<'s> Parts<'s> {
     /// The solver of the mechanism's own equations, where another one is in use.
     pub fn own(&mut self) -> Option<&mut Driven<'s>> {
         let own = |windows: &Windows| windows.iter().all(Option::is_none);
-        self.others.iter_mut().find(|(windows, _)| own(windows)).map(|(_, driven)| driven).filter(|_| !own(&self.now))
+        self.others
+            .iter_mut()
+            .find(|(windows, _)| own(windows))
+            .map(|(_, driven)| driven)
+            .filter(|_| !own(&self.now))
     }
 }
 
@@ -141,13 +173,24 @@ struct Curve {
 impl<'s> Followed<'s> {
     fn new(part: Part<'s>) -> Self {
         let inputs = Inputs::at_time(part.system, 0.0);
-        Followed { part, inputs, driven: None, curves: Vec::new(), now: None, started: f64::NEG_INFINITY }
+        Followed {
+            part,
+            inputs,
+            driven: None,
+            curves: Vec::new(),
+            now: None,
+            started: f64::NEG_INFINITY,
+        }
     }
 
     /// The window, counted over all curves, that `q` is in.
     fn window_at(&mut self, q: &[f64], here: &Node) -> Option<usize> {
         let holds = |part: &Part, curve: &Curve| curve.path.holds(q[part.columns[curve.pin]]);
-        if !self.now.is_some_and(|now| holds(&self.part, &self.curves[now])) && self.started != here.s {
+        if !self
+            .now
+            .is_some_and(|now| holds(&self.part, &self.curves[now]))
+            && self.started != here.s
+        {
             self.started = here.s;
             self.now = self.find(here).or_else(|| self.follow(here));
         }
@@ -157,7 +200,11 @@ impl<'s> Followed<'s> {
     }
 
     fn positions(&self, here: &Node) -> Vec<f64> {
-        self.part.columns.iter().map(|&column| here.q[column]).collect()
+        self.part
+            .columns
+            .iter()
+            .map(|&column| here.q[column])
+            .collect()
     }
 
     /// A curve that the accepted point is on.
@@ -165,10 +212,14 @@ impl<'s> Followed<'s> {
         let q = self.positions(here);
         let (mut found, mut d, mut dd) = (q.clone(), q.clone(), q.clone());
         self.curves.iter().position(|curve| {
-            curve.path.guess(q[curve.pin], &mut found, &mut d, &mut dd).is_some() && {
-                found.iter_mut().zip(&q).for_each(|(found, q)| *found -= q);
-                self.part.system.scaled_norm(&found) < SAME
-            }
+            curve
+                .path
+                .guess(q[curve.pin], &mut found, &mut d, &mut dd)
+                .is_some()
+                && {
+                    found.iter_mut().zip(&q).for_each(|(found, q)| *found -= q);
+                    self.part.system.scaled_norm(&found) < SAME
+                }
         })
     }
 
@@ -185,7 +236,9 @@ impl<'s> Followed<'s> {
             driven.evaluation.set_position(&q);
             driven.factor(&self.inputs).ok()?;
             driven.pin_motion(0, &mut motion);
-            let Some((_, column)) = better_pin(&driven, &motion) else { break };
+            let Some((_, column)) = better_pin(&driven, &motion) else {
+                break;
+            };
             driven.pin(&[column], &self.inputs).ok()?;
         }
         let pin = driven.pins[0].column;
@@ -193,31 +246,62 @@ impl<'s> Followed<'s> {
         let (centre, reach) = (q[pin], if angle { HALF_TURN } else { system.size });
         let inputs = self.inputs.clone();
         let range = (centre - reach, centre + reach);
-        let found = follow(&mut driven, (Parameter::Pin, inputs), (centre, &q), range, &|_| false);
+        let found = follow(
+            &mut driven,
+            (Parameter::Pin, inputs),
+            (centre, &q),
+            range,
+            &|_| false,
+        );
         self.driven = Some(driven);
         let mut path = found.ok()?;
         if angle {
             path.close_turn(system, centre);
         }
-        let windows_before = self.curves.iter().map(|curve| curve.path.windows().len()).sum();
-        self.curves.push(Curve { path, pin, windows_before });
+        let windows_before = self
+            .curves
+            .iter()
+            .map(|curve| curve.path.windows().len())
+            .sum();
+        self.curves.push(Curve {
+            path,
+            pin,
+            windows_before,
+        });
         Some(self.curves.len() - 1)
     }
 
     /// Rows of the smooth branch in a window, for the blocks of the part's joints.
     fn exchange(&self, window: usize, constraints: &mut Vec<(usize, Box<dyn Constraint>)>) {
-        let Some(curve) = self.curves.iter().rfind(|curve| curve.windows_before <= window) else { return };
+        let Some(curve) = self
+            .curves
+            .iter()
+            .rfind(|curve| curve.windows_before <= window)
+        else {
+            return;
+        };
         let branch = Arc::new(curve.path.branch(window - curve.windows_before));
         let coordinate = |column: usize| {
             let column = self.part.columns[column];
-            (BodyId(column / 3 + 1), [Axis::X, Axis::Y, Axis::Theta][column % 3])
+            (
+                BodyId(column / 3 + 1),
+                [Axis::X, Axis::Y, Axis::Theta][column % 3],
+            )
         };
         let mut others = (0..self.part.columns.len()).filter(|column| *column != curve.pin);
         for &(block, rows) in &self.part.blocks {
             let columns: Vec<usize> = others.by_ref().take(rows).collect();
             let coordinates = columns.iter().map(|&column| coordinate(column)).collect();
             let branch = branch.clone();
-            constraints.push((block, Box::new(OnBranch { branch, columns, coordinates, pin: coordinate(curve.pin) })));
+            constraints.push((
+                block,
+                Box::new(OnBranch {
+                    branch,
+                    columns,
+                    coordinates,
+                    pin: coordinate(curve.pin),
+                }),
+            ));
         }
     }
 }
@@ -235,8 +319,16 @@ struct OnBranch {
 const L: Measure = Measure::Length;
 const A: Measure = Measure::Angle;
 /// By what rows measure: bit k says that row k is an angle.
-const MEASURES: [[Measure; 3]; 8] =
-    [[L, L, L], [A, L, L], [L, A, L], [A, A, L], [L, L, A], [A, L, A], [L, A, A], [A, A, A]];
+const MEASURES: [[Measure; 3]; 8] = [
+    [L, L, L],
+    [A, L, L],
+    [L, A, L],
+    [A, A, L],
+    [L, L, A],
+    [A, L, A],
+    [L, A, A],
+    [A, A, A],
+];
 
 fn value(at: &Instant, (body, axis): (BodyId, Axis)) -> f64 {
     let pose = &at.poses[body.0];
@@ -250,18 +342,26 @@ fn rate(at: &Instant, (body, axis): (BodyId, Axis)) -> f64 {
 
 impl Constraint for OnBranch {
     fn rows(&self) -> &'static [Measure] {
-        let angles = self.coordinates.iter().enumerate().map(|(k, (_, axis))| usize::from(*axis == Axis::Theta) << k);
+        let angles = self
+            .coordinates
+            .iter()
+            .enumerate()
+            .map(|(k, (_, axis))| usize::from(*axis == Axis::Theta) << k);
         &MEASURES[angles.sum::<usize>()][..self.columns.len()]
     }
 
     fn entries(&self) -> Vec<Entry> {
-        let of = |(k, (body, axis)): (usize, &(BodyId, Axis))| [(k, *body, *axis), (k, self.pin.0, self.pin.1)];
+        let of = |(k, (body, axis)): (usize, &(BodyId, Axis))| {
+            [(k, *body, *axis), (k, self.pin.0, self.pin.1)]
+        };
         self.coordinates.iter().enumerate().flat_map(of).collect()
     }
 
     fn position(&self, at: &Instant, phi: &mut [f64]) {
         let s = value(at, self.pin);
-        for ((phi, &column), &coordinate) in phi.iter_mut().zip(&self.columns).zip(&self.coordinates) {
+        for ((phi, &column), &coordinate) in
+            phi.iter_mut().zip(&self.columns).zip(&self.coordinates)
+        {
             *phi = value(at, coordinate) - self.branch.jet(column, s)[0];
         }
     }

@@ -38,7 +38,8 @@ impl Pattern {
         if rows > limit || start.len() > limit || row.len() > limit {
             return Err(PatternFault::TooLarge);
         }
-        let ends_meet = start.first() == Some(&0) && start.last().map(|&end| end as usize) == Some(row.len());
+        let ends_meet =
+            start.first() == Some(&0) && start.last().map(|&end| end as usize) == Some(row.len());
         if !ends_meet || start.windows(2).any(|pair| pair[0] > pair[1]) {
             return Err(PatternFault::Starts);
         }
@@ -67,7 +68,10 @@ impl Pattern {
         if rows > limit || columns > limit || entries.len() > limit {
             return Err(PatternFault::TooLarge);
         }
-        if let Some(&(_, column)) = entries.iter().find(|&&(row, column)| row >= rows || column >= columns) {
+        if let Some(&(_, column)) = entries
+            .iter()
+            .find(|&&(row, column)| row >= rows || column >= columns)
+        {
             return Err(PatternFault::Rows { column, rows });
         }
 
@@ -148,12 +152,22 @@ impl Pattern {
                 *there += 1;
             }
         }
-        (Pattern { rows: self.columns(), start, row }, slot)
+        (
+            Pattern {
+                rows: self.columns(),
+                start,
+                row,
+            },
+            slot,
+        )
     }
 
     /// result −= A x.
     pub fn subtract_product(&self, values: &[f64], x: &[f64], result: &mut [f64]) {
-        assert_eq!((values.len(), x.len(), result.len()), (self.entries(), self.columns(), self.rows));
+        assert_eq!(
+            (values.len(), x.len(), result.len()),
+            (self.entries(), self.columns(), self.rows)
+        );
         for (column, &factor) in x.iter().enumerate() {
             let span = self.span(column);
             for (&row, value) in self.row[span.clone()].iter().zip(&values[span]) {
@@ -164,11 +178,17 @@ impl Pattern {
 
     /// result −= Aᵀ x.
     pub fn subtract_transposed_product(&self, values: &[f64], x: &[f64], result: &mut [f64]) {
-        assert_eq!((values.len(), x.len(), result.len()), (self.entries(), self.rows, self.columns()));
+        assert_eq!(
+            (values.len(), x.len(), result.len()),
+            (self.entries(), self.rows, self.columns())
+        );
         for (column, target) in result.iter_mut().enumerate() {
             let span = self.span(column);
-            let dot: f64 =
-                self.row[span.clone()].iter().zip(&values[span]).map(|(&row, value)| value * x[row as usize]).sum();
+            let dot: f64 = self.row[span.clone()]
+                .iter()
+                .zip(&values[span])
+                .map(|(&row, value)| value * x[row as usize])
+                .sum();
             *target -= dot;
         }
     }
@@ -191,8 +211,12 @@ mod tests {
 
     #[test]
     fn entries_are_sorted_and_repeats_share_a_slot() {
-        let (pattern, slot) = Pattern::from_entries(3, 2, &[(2, 1), (0, 0), (2, 1), (1, 1)]).unwrap();
-        assert_eq!(pattern, Pattern::new(3, vec![0, 1, 3], vec![0, 1, 2]).unwrap());
+        let (pattern, slot) =
+            Pattern::from_entries(3, 2, &[(2, 1), (0, 0), (2, 1), (1, 1)]).unwrap();
+        assert_eq!(
+            pattern,
+            Pattern::new(3, vec![0, 1, 3], vec![0, 1, 2]).unwrap()
+        );
         assert_eq!(slot, [2, 0, 2, 1]);
         assert_eq!(pattern.slot(2, 1), Some(2));
         assert_eq!(pattern.slot(2, 0), None);
@@ -200,16 +224,26 @@ mod tests {
 
     #[test]
     fn faults_are_told() {
-        assert_eq!(Pattern::new(2, vec![0, 2], vec![1, 1]), Err(PatternFault::Rows { column: 0, rows: 2 }));
-        assert_eq!(Pattern::new(2, vec![0, 1], vec![2]), Err(PatternFault::Rows { column: 0, rows: 2 }));
-        assert_eq!(Pattern::new(2, vec![0, 2, 1], vec![0]), Err(PatternFault::Starts));
+        assert_eq!(
+            Pattern::new(2, vec![0, 2], vec![1, 1]),
+            Err(PatternFault::Rows { column: 0, rows: 2 })
+        );
+        assert_eq!(
+            Pattern::new(2, vec![0, 1], vec![2]),
+            Err(PatternFault::Rows { column: 0, rows: 2 })
+        );
+        assert_eq!(
+            Pattern::new(2, vec![0, 2, 1], vec![0]),
+            Err(PatternFault::Starts)
+        );
         assert_eq!(Pattern::new(2, vec![], vec![]), Err(PatternFault::Starts));
         assert!(Pattern::from_entries(1, 1, &[(1, 0)]).is_err());
     }
 
     #[test]
     fn transposed_twice_is_the_same() {
-        let (pattern, _) = Pattern::from_entries(3, 4, &[(2, 1), (0, 0), (1, 3), (1, 1), (2, 3)]).unwrap();
+        let (pattern, _) =
+            Pattern::from_entries(3, 4, &[(2, 1), (0, 0), (1, 3), (1, 1), (2, 3)]).unwrap();
         let (there, slot) = pattern.transposed();
         assert_eq!((there.rows(), there.columns()), (4, 3));
         assert_eq!(there.transposed().0, pattern);

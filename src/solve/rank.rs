@@ -94,7 +94,12 @@ impl SparseRows {
     /// # Panics
     /// When the values do not fill whole rows.
     pub fn from_dense(rows: usize, columns: usize, values: &[f64]) -> Result<Self, BadEntry> {
-        assert_eq!(values.len(), rows * columns, "a {rows} × {columns} matrix wants {} values", rows * columns);
+        assert_eq!(
+            values.len(),
+            rows * columns,
+            "a {rows} × {columns} matrix wants {} values",
+            rows * columns
+        );
         let entries: Vec<(usize, usize, f64)> = values
             .iter()
             .enumerate()
@@ -108,15 +113,26 @@ impl SparseRows {
     ///
     /// # Errors
     /// The first entry that is not finite or outside.
-    pub fn from_triplets(rows: usize, columns: usize, entries: &[(usize, usize, f64)]) -> Result<Self, BadEntry> {
-        let outside =
-            |&&(row, column, value): &&(usize, usize, f64)| row >= rows || column >= columns || !value.is_finite();
+    pub fn from_triplets(
+        rows: usize,
+        columns: usize,
+        entries: &[(usize, usize, f64)],
+    ) -> Result<Self, BadEntry> {
+        let outside = |&&(row, column, value): &&(usize, usize, f64)| {
+            row >= rows || column >= columns || !value.is_finite()
+        };
         if let Some(&(row, column, _)) = entries.iter().find(outside) {
             return Err(BadEntry { row, column });
         }
-        let positions: Vec<(usize, usize)> = entries.iter().map(|&(row, column, _)| (column, row)).collect();
+        let positions: Vec<(usize, usize)> = entries
+            .iter()
+            .map(|&(row, column, _)| (column, row))
+            .collect();
         let (transposed, slots) =
-            Pattern::from_entries(columns, rows, &positions).map_err(|_| BadEntry { row: rows, column: columns })?;
+            Pattern::from_entries(columns, rows, &positions).map_err(|_| BadEntry {
+                row: rows,
+                column: columns,
+            })?;
         let mut values = vec![0.0; transposed.entries()];
         for (&slot, &(_, _, value)) in slots.iter().zip(entries) {
             values[slot as usize] += value;
@@ -129,7 +145,11 @@ impl SparseRows {
     /// # Errors
     /// The first entry that is not finite.
     pub fn from_pattern(pattern: &Pattern, values: &[f64]) -> Result<Self, BadEntry> {
-        assert_eq!(values.len(), pattern.entries(), "one value per entry of the pattern");
+        assert_eq!(
+            values.len(),
+            pattern.entries(),
+            "one value per entry of the pattern"
+        );
         let (transposed, slots) = pattern.transposed();
         let values: Vec<f64> = slots.iter().map(|&slot| values[slot as usize]).collect();
         for row in 0..transposed.columns() {
@@ -156,7 +176,11 @@ impl SparseRows {
     /// Entries (column, value) of a row.
     pub fn row(&self, row: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
         let span = self.transposed.span(row);
-        self.transposed.column(row).iter().map(|&column| column as usize).zip(self.values[span].iter().copied())
+        self.transposed
+            .column(row)
+            .iter()
+            .map(|&column| column as usize)
+            .zip(self.values[span].iter().copied())
     }
 }
 
@@ -192,10 +216,18 @@ fn decide(rows: &SparseRows, tolerance: f64) -> (Elimination<'_>, RankReport) {
     if first.1.smallest_kept > DOUBTFUL {
         return first;
     }
-    let levels: Vec<f64> = LEVELS.into_iter().filter(|level| *level > tolerance).chain([tolerance]).collect();
+    let levels: Vec<f64> = LEVELS
+        .into_iter()
+        .filter(|level| *level > tolerance)
+        .chain([tolerance])
+        .collect();
     let certain = keep_by_levels(rows, &levels);
     // Where both agree, the earliest rows stay.
-    if certain.1.rank == first.1.rank { first } else { certain }
+    if certain.1.rank == first.1.rank {
+        first
+    } else {
+        certain
+    }
 }
 
 /// Keeps, level by level, the rows of which more than that is left.
@@ -224,7 +256,11 @@ fn keep_by_levels<'a>(rows: &'a SparseRows, levels: &[f64]) -> (Elimination<'a>,
             }
             if last {
                 let combination = elimination.combination(row, &kept);
-                report.dependent.push(Dependent { row, ratio, combination });
+                report.dependent.push(Dependent {
+                    row,
+                    ratio,
+                    combination,
+                });
                 report.largest_dropped = report.largest_dropped.max(ratio);
             }
             elimination.drop_row();
@@ -234,7 +270,9 @@ fn keep_by_levels<'a>(rows: &'a SparseRows, levels: &[f64]) -> (Elimination<'a>,
     report.rank = kept.len();
     kept.sort_unstable();
     report.independent = kept;
-    report.free_columns = (0..rows.columns()).filter(|&column| elimination.position[column] == NONE).collect();
+    report.free_columns = (0..rows.columns())
+        .filter(|&column| elimination.position[column] == NONE)
+        .collect();
     (elimination, report)
 }
 
@@ -256,7 +294,12 @@ pub fn free_direction(rows: &SparseRows, tolerance: f64) -> Option<Vec<f64>> {
         }
     }
     for (k, &column) in coordinates.iter().enumerate().rev() {
-        x[column] = -elimination.lower.column(k as u32).iter().map(|l| l.value * x[l.row as usize]).sum::<f64>();
+        x[column] = -elimination
+            .lower
+            .column(k as u32)
+            .iter()
+            .map(|l| l.value * x[l.row as usize])
+            .sum::<f64>();
     }
     let largest = crate::math::max_abs(&x);
     (largest > 0.0).then(|| x.iter().map(|x| x / largest).collect())
@@ -305,16 +348,22 @@ impl<'a> Elimination<'a> {
     }
 
     fn row_scale(&self, row: usize) -> f64 {
-        self.rows.values[self.rows.transposed.span(row)].iter().fold(0.0, |m, value| m.max(value.abs()))
+        self.rows.values[self.rows.transposed.span(row)]
+            .iter()
+            .fold(0.0, |m, value| m.max(value.abs()))
     }
 
     /// Subtracts the rows kept; gives the largest entry left over the largest there was.
     fn eliminate(&mut self, row: usize) -> f64 {
         let coordinates = self.rows.transposed.column(row);
-        self.search.find(self.searches, coordinates, &self.position, &self.lower);
+        self.search
+            .find(self.searches, coordinates, &self.position, &self.lower);
         self.searches += 1;
         let x = &mut self.work;
-        for (&coordinate, &value) in coordinates.iter().zip(&self.rows.values[self.rows.transposed.span(row)]) {
+        for (&coordinate, &value) in coordinates
+            .iter()
+            .zip(&self.rows.values[self.rows.transposed.span(row)])
+        {
             x[coordinate as usize] = value;
         }
         let mut left = 0.0f64;
@@ -339,7 +388,12 @@ impl<'a> Elimination<'a> {
 
     /// Makes what is left a column of L.
     fn keep(&mut self) {
-        let free = || self.search.reach().iter().filter(|&&c| self.position[c as usize] == NONE);
+        let free = || {
+            self.search
+                .reach()
+                .iter()
+                .filter(|&&c| self.position[c as usize] == NONE)
+        };
         let largest = free().fold(0.0f64, |m, &c| m.max(self.work[c as usize].abs()));
         let chosen = free()
             .filter(|&&c| self.work[c as usize].abs() >= PIVOT_THRESHOLD * largest)
@@ -352,7 +406,10 @@ impl<'a> Elimination<'a> {
             let value = std::mem::take(&mut self.work[coordinate as usize]);
             // What cancelled exactly leads nowhere.
             if value != 0.0 {
-                self.lower.entries.push(Entry { row: coordinate, value: value / pivot });
+                self.lower.entries.push(Entry {
+                    row: coordinate,
+                    value: value / pivot,
+                });
             }
         }
         self.lower.close_column();
@@ -376,7 +433,10 @@ impl<'a> Elimination<'a> {
         }
         let noise = SHARE_TOLERANCE * self.row_scale(row);
         let counts = |&k: &usize| (c[k] * self.scale[k]).abs() > noise;
-        let mut shares: Vec<(usize, f64)> = (0..c.len()).filter(counts).map(|k| (kept[k], c[k])).collect();
+        let mut shares: Vec<(usize, f64)> = (0..c.len())
+            .filter(counts)
+            .map(|k| (kept[k], c[k]))
+            .collect();
         shares.sort_unstable_by_key(|&(row, _)| row);
         shares
     }

@@ -106,37 +106,57 @@ impl ReactiveForces {
     /// The force that feeds on itself most.
     pub fn tightest(&self) -> usize {
         let k = self.sizes.len();
-        (0..k).min_by(|&a, &b| self.matrix[a * k + a].total_cmp(&self.matrix[b * k + b])).unwrap_or(0)
+        (0..k)
+            .min_by(|&a, &b| self.matrix[a * k + a].total_cmp(&self.matrix[b * k + b]))
+            .unwrap_or(0)
     }
 
     /// Power of all of them at velocities `v` (n) [W].
     pub fn power(&self, v: &[f64]) -> f64 {
-        self.units.chunks_exact(self.n.max(1)).zip(&self.sizes).map(|(unit, size)| size * dot(unit, v)).sum()
+        self.units
+            .chunks_exact(self.n.max(1))
+            .zip(&self.sizes)
+            .map(|(unit, size)| size * dot(unit, v))
+            .sum()
     }
 
     /// g_j at the position and velocity that `evaluation` has taken.
     pub fn eval_units(&mut self, system: &System, evaluation: &Evaluation, inputs: &Inputs) {
         let at = evaluation.instant(inputs);
         self.units.fill(0.0);
-        for (unit, reactive) in self.units.chunks_exact_mut(self.n.max(1)).zip(&system.reactive) {
+        for (unit, reactive) in self
+            .units
+            .chunks_exact_mut(self.n.max(1))
+            .zip(&system.reactive)
+        {
             reactive.force.apply_unit(&at, &mut Applied { q: unit });
         }
     }
 
     /// g_j, and where Λ_j goes.
     pub(super) fn units_and_responses(&mut self) -> impl Iterator<Item = (&[f64], &mut [f64])> {
-        self.units.chunks_exact(self.n.max(1)).zip(self.responses.chunks_exact_mut(self.m.max(1)))
+        self.units
+            .chunks_exact(self.n.max(1))
+            .zip(self.responses.chunks_exact_mut(self.m.max(1)))
     }
 
     /// g_j, and where Λ_j and ü of g_j go.
-    pub(super) fn units_responses_and_rates(&mut self) -> impl Iterator<Item = ((&[f64], &mut [f64]), &mut [f64])> {
+    pub(super) fn units_responses_and_rates(
+        &mut self,
+    ) -> impl Iterator<Item = ((&[f64], &mut [f64]), &mut [f64])> {
         let responses = self.responses.chunks_exact_mut(self.m.max(1));
         let rates = self.rates.chunks_exact_mut(self.f.max(1));
-        self.units.chunks_exact(self.n.max(1)).zip(responses).zip(rates)
+        self.units
+            .chunks_exact(self.n.max(1))
+            .zip(responses)
+            .zip(rates)
     }
 
     pub(super) fn sizes_and_rates(&self) -> impl Iterator<Item = (f64, &[f64])> {
-        self.sizes.iter().copied().zip(self.rates.chunks_exact(self.f.max(1)))
+        self.sizes
+            .iter()
+            .copied()
+            .zip(self.rates.chunks_exact(self.f.max(1)))
     }
 
     /// Adds Σ T_j g_j.
@@ -161,7 +181,18 @@ impl ReactiveForces {
         free: &[f64],
     ) -> Result<(), Failure> {
         let finite = free.iter().chain(&self.responses).all(|x| x.is_finite());
-        let found = if finite { self.find(free, &Here { system, evaluation, inputs }) } else { Err(Failure::Singular) };
+        let found = if finite {
+            self.find(
+                free,
+                &Here {
+                    system,
+                    evaluation,
+                    inputs,
+                },
+            )
+        } else {
+            Err(Failure::Singular)
+        };
         if found.is_err() {
             self.sizes.fill(f64::NAN);
         }
@@ -173,7 +204,10 @@ impl ReactiveForces {
         self.locked = None;
         self.sizes.fill(0.0);
         // Sizes are convex in λ, so a single one has no second solution with a positive determinant.
-        if self.iterate(free, laws, 1.0) && self.margin > 0.0 && (self.sizes.len() == 1 || self.contracts(laws)) {
+        if self.iterate(free, laws, 1.0)
+            && self.margin > 0.0
+            && (self.sizes.len() == 1 || self.contracts(laws))
+        {
             return Ok(());
         }
         self.kept.fill(0.0);
@@ -206,7 +240,9 @@ impl ReactiveForces {
                 break;
             }
             self.before.copy_from_slice(&self.sizes);
-            let plain = |sizes: &mut [f64], residual: &[f64]| sizes.iter_mut().zip(residual).for_each(|(t, r)| *t -= r);
+            let plain = |sizes: &mut [f64], residual: &[f64]| {
+                sizes.iter_mut().zip(residual).for_each(|(t, r)| *t -= r)
+            };
             // The step of the plain fixed point, in case Newton's is none.
             plain(&mut self.before, &self.residual);
             if eliminate(&mut self.work, &mut self.residual) != 0.0 {
@@ -248,11 +284,20 @@ impl ReactiveForces {
             }
             let size = part * laws.size(i, &lambda[..count], &mut slope[..count]);
             let residual = self.sizes[i] - size;
-            let whole = self.sizes[i].abs() + slope.iter().zip(terms).map(|(s, t)| (part * s).abs() * t).sum::<f64>();
+            let whole = self.sizes[i].abs()
+                + slope
+                    .iter()
+                    .zip(terms)
+                    .map(|(s, t)| (part * s).abs() * t)
+                    .sum::<f64>();
             if residual != 0.0 {
                 // f64::max would swallow what is no number
                 let ratio = residual.abs() / whole;
-                worst = if ratio > worst || ratio.is_nan() { ratio } else { worst };
+                worst = if ratio > worst || ratio.is_nan() {
+                    ratio
+                } else {
+                    worst
+                };
             }
             self.residual[i] = residual;
             self.slopes[i * ROWS..(i + 1) * ROWS].copy_from_slice(&slope);
@@ -320,14 +365,18 @@ impl Laws for Here<'_> {
 
     fn size(&self, force: usize, lambda: &[f64], slope: &mut [f64]) -> f64 {
         let at = self.evaluation.instant(self.inputs);
-        self.system.reactive[force].force.size(&at, self.inputs.memories[force], lambda, slope)
+        self.system.reactive[force]
+            .force
+            .size(&at, self.inputs.memories[force], lambda, slope)
     }
 }
 
 /// sum += Σ x_j v_j, the v_j of length `n` one after the other.
 fn add(vectors: &[f64], n: usize, x: &[f64], sum: &mut [f64]) {
     for (vector, x) in vectors.chunks_exact(n.max(1)).zip(x) {
-        sum.iter_mut().zip(vector).for_each(|(sum, v)| *sum += x * v);
+        sum.iter_mut()
+            .zip(vector)
+            .for_each(|(sum, v)| *sum += x * v);
     }
 }
 
@@ -336,7 +385,9 @@ fn eliminate(a: &mut [f64], b: &mut [f64]) -> f64 {
     let k = b.len();
     let mut determinant = 1.0;
     for p in 0..k {
-        let pivot = (p..k).max_by(|&i, &j| a[i * k + p].abs().total_cmp(&a[j * k + p].abs())).unwrap_or(p);
+        let pivot = (p..k)
+            .max_by(|&i, &j| a[i * k + p].abs().total_cmp(&a[j * k + p].abs()))
+            .unwrap_or(p);
         if a[pivot * k + p] == 0.0 || !a[pivot * k + p].is_finite() {
             return 0.0;
         }

@@ -12,13 +12,17 @@ pub const DEPENDENT: f64 = super::rank::DEPENDENCE_TOLERANCE;
 /// n rows (or as many as are independent) chosen for good condition from a dense row-major m × n matrix: those of `first`,
 /// then always the row with the largest remainder.
 pub fn well_conditioned_rows(dense: &[f64], m: usize, n: usize, first: &[usize]) -> Vec<usize> {
-    let mut rest: Vec<Vec<f64>> = (0..m).map(|row| dense[row * n..(row + 1) * n].to_vec()).collect();
+    let mut rest: Vec<Vec<f64>> = (0..m)
+        .map(|row| dense[row * n..(row + 1) * n].to_vec())
+        .collect();
     let mut chosen = Vec::with_capacity(n);
     while chosen.len() < n.min(m) {
         let candidate = first.iter().copied().find(|row| !chosen.contains(row));
         let length = |row: usize| dot(&rest[row], &rest[row]);
         let row = candidate.or_else(|| {
-            (0..m).filter(|row| !chosen.contains(row)).max_by(|&a, &b| length(a).total_cmp(&length(b)).then(b.cmp(&a)))
+            (0..m)
+                .filter(|row| !chosen.contains(row))
+                .max_by(|&a, &b| length(a).total_cmp(&length(b)).then(b.cmp(&a)))
         });
         let Some(row) = row else { break };
         let size = length(row).sqrt();

@@ -23,11 +23,15 @@ pub(super) struct Triangle {
 
 impl Triangle {
     pub(super) fn new() -> Self {
-        Triangle { start: vec![0], entries: Vec::new() }
+        Triangle {
+            start: vec![0],
+            entries: Vec::new(),
+        }
     }
 
     pub(super) fn column(&self, column: u32) -> &[Entry] {
-        &self.entries[self.start[column as usize] as usize..self.start[column as usize + 1] as usize]
+        &self.entries
+            [self.start[column as usize] as usize..self.start[column as usize + 1] as usize]
     }
 
     pub(super) fn clear(&mut self) {
@@ -41,7 +45,8 @@ impl Triangle {
 
     pub(super) fn sort_columns(&mut self) {
         for span in self.start.windows(2) {
-            self.entries[span[0] as usize..span[1] as usize].sort_unstable_by_key(|entry| entry.row);
+            self.entries[span[0] as usize..span[1] as usize]
+                .sort_unstable_by_key(|entry| entry.row);
         }
     }
 }
@@ -59,7 +64,11 @@ pub(super) struct Search {
 
 impl Search {
     pub(super) fn new(rows: usize) -> Self {
-        Search { mark: vec![NONE; rows], path: Vec::with_capacity(rows), reach: Vec::with_capacity(rows) }
+        Search {
+            mark: vec![NONE; rows],
+            path: Vec::with_capacity(rows),
+            reach: Vec::with_capacity(rows),
+        }
     }
 
     /// Forgets the steps seen.

@@ -90,7 +90,10 @@ impl Evaluation {
     /// Takes the velocities (n).
     pub fn set_velocity(&mut self, v: &[f64]) {
         for (twist, v) in self.twists[1..].iter_mut().zip(v.chunks_exact(3)) {
-            *twist = Twist { v: Vec2::new(v[0], v[1]), omega: v[2] };
+            *twist = Twist {
+                v: Vec2::new(v[0], v[1]),
+                omega: v[2],
+            };
         }
     }
 
@@ -99,7 +102,9 @@ impl Evaluation {
         let mut phi = std::mem::take(&mut self.phi);
         let at = self.instant(inputs);
         for block in &system.blocks {
-            block.constraint.position(&at, &mut phi[block.row..block.row + block.rows]);
+            block
+                .constraint
+                .position(&at, &mut phi[block.row..block.row + block.rows]);
         }
         self.phi = phi;
     }
@@ -109,7 +114,9 @@ impl Evaluation {
         let mut values = std::mem::take(&mut self.jacobian);
         let at = self.instant(inputs);
         for block in &system.blocks {
-            block.constraint.jacobian(&at, &mut values[block.entry..block.entry + block.entries]);
+            block
+                .constraint
+                .jacobian(&at, &mut values[block.entry..block.entry + block.entries]);
         }
         self.jacobian = values;
     }
@@ -118,7 +125,9 @@ impl Evaluation {
     pub fn eval_rate(&self, system: &System, inputs: &Inputs, phi_t: &mut [f64]) {
         let at = self.instant(inputs);
         for block in &system.blocks {
-            block.constraint.rate(&at, &mut phi_t[block.row..block.row + block.rows]);
+            block
+                .constraint
+                .rate(&at, &mut phi_t[block.row..block.row + block.rows]);
         }
     }
 
@@ -126,7 +135,9 @@ impl Evaluation {
     pub fn eval_gamma(&self, system: &System, inputs: &Inputs, gamma: &mut [f64]) {
         let at = self.instant(inputs);
         for block in &system.blocks {
-            block.constraint.gamma(&at, &mut gamma[block.row..block.row + block.rows]);
+            block
+                .constraint
+                .gamma(&at, &mut gamma[block.row..block.row + block.rows]);
         }
     }
 
@@ -154,7 +165,12 @@ impl Evaluation {
     /// Elastic energy of all contacts [J].
     pub fn contact_energy(&self, system: &System, inputs: &Inputs) -> f64 {
         let at = self.instant(inputs);
-        system.contacts.iter().zip(&inputs.contacts).map(|(contact, memory)| contact.potential(&at, memory)).sum()
+        system
+            .contacts
+            .iter()
+            .zip(&inputs.contacts)
+            .map(|(contact, memory)| contact.potential(&at, memory))
+            .sum()
     }
 
     /// Power that force elements bring in beside their potential [W].
@@ -165,15 +181,27 @@ impl Evaluation {
 
     /// Kinetic energy ½ vᵀ M v [J].
     pub fn kinetic_energy(&self, system: &System, v: &[f64]) -> f64 {
-        0.5 * v.iter().zip(&system.mass).map(|(v, m)| m * v * v).sum::<f64>()
+        0.5 * v
+            .iter()
+            .zip(&system.mass)
+            .map(|(v, m)| m * v * v)
+            .sum::<f64>()
     }
 
     /// Potential energy of gravity (zero at the ground's origin) and springs [J].
     pub fn potential_energy(&self, system: &System, inputs: &Inputs) -> f64 {
         let at = self.instant(inputs);
-        let weight: f64 =
-            self.poses[1..].iter().enumerate().map(|(k, pose)| -system.mass[3 * k] * system.gravity.dot(&pose.r)).sum();
-        weight + system.forces.iter().map(|force| force.potential(&at)).sum::<f64>()
+        let weight: f64 = self.poses[1..]
+            .iter()
+            .enumerate()
+            .map(|(k, pose)| -system.mass[3 * k] * system.gravity.dot(&pose.r))
+            .sum();
+        weight
+            + system
+                .forces
+                .iter()
+                .map(|force| force.potential(&at))
+                .sum::<f64>()
     }
 
     /// Place of a body.

@@ -170,11 +170,22 @@ impl System {
         let (row, entry) = (self.measures.len(), self.entries.len());
         self.measures.extend_from_slice(constraint.rows());
         for (block_row, body, axis) in constraint.entries() {
-            let column = (body != BodyId::GROUND).then(|| (3 * (body.0 - 1) + axis as usize) as u32);
-            self.entries.push(JacobianEntry { row: (row + block_row) as u32, column });
+            let column =
+                (body != BodyId::GROUND).then(|| (3 * (body.0 - 1) + axis as usize) as u32);
+            self.entries.push(JacobianEntry {
+                row: (row + block_row) as u32,
+                column,
+            });
         }
         let (rows, entries) = (self.measures.len() - row, self.entries.len() - entry);
-        self.blocks.push(Block { constraint, origin, row, rows, entry, entries });
+        self.blocks.push(Block {
+            constraint,
+            origin,
+            row,
+            rows,
+            entry,
+            entries,
+        });
     }
 
     /// Puts other equations in the place of those of some blocks.
@@ -201,7 +212,11 @@ impl System {
 
     /// Number of rows that joints make; the drivers' follow.
     pub fn joint_rows(&self) -> usize {
-        self.blocks.iter().filter(|b| matches!(b.origin, Origin::Joint(_))).map(|b| b.rows).sum()
+        self.blocks
+            .iter()
+            .filter(|b| matches!(b.origin, Origin::Joint(_)))
+            .map(|b| b.rows)
+            .sum()
     }
 
     /// Rows of driver `id`.

@@ -2,34 +2,67 @@
 
 use super::reference::ReferenceCase;
 use super::{
-    Case, CaseKind, flores_slider_crank, four_bar_spring, journal_billiard, lock, restitution, slider_crank_clearance,
-    tolerance_ladder,
+    Case, CaseKind, flores_slider_crank, four_bar_spring, journal_billiard, lock, restitution,
+    slider_crank_clearance, tolerance_ladder,
 };
 
 /// All bundled cases, in the order in which they are run; a test holds this against the folder `validation/`.
 pub const CASES: &[Case] = &[
-    Case { name: "lock", kind: CaseKind::Coded { about: lock::ABOUT, run: lock::run } },
-    Case { name: "lock-contact", kind: CaseKind::Coded { about: lock::contact::ABOUT, run: lock::contact::run } },
+    Case {
+        name: "lock",
+        kind: CaseKind::Coded {
+            about: lock::ABOUT,
+            run: lock::run,
+        },
+    },
+    Case {
+        name: "lock-contact",
+        kind: CaseKind::Coded {
+            about: lock::contact::ABOUT,
+            run: lock::contact::run,
+        },
+    },
     Case {
         name: "four-bar-spring",
-        kind: CaseKind::Coded { about: four_bar_spring::ABOUT, run: four_bar_spring::run },
+        kind: CaseKind::Coded {
+            about: four_bar_spring::ABOUT,
+            run: four_bar_spring::run,
+        },
     },
-    Case { name: "restitution", kind: CaseKind::Coded { about: restitution::ABOUT, run: restitution::run } },
+    Case {
+        name: "restitution",
+        kind: CaseKind::Coded {
+            about: restitution::ABOUT,
+            run: restitution::run,
+        },
+    },
     Case {
         name: "tolerance-ladder",
-        kind: CaseKind::Coded { about: tolerance_ladder::ABOUT, run: tolerance_ladder::run },
+        kind: CaseKind::Coded {
+            about: tolerance_ladder::ABOUT,
+            run: tolerance_ladder::run,
+        },
     },
     Case {
         name: "slider-crank-clearance",
-        kind: CaseKind::Coded { about: slider_crank_clearance::ABOUT, run: slider_crank_clearance::run },
+        kind: CaseKind::Coded {
+            about: slider_crank_clearance::ABOUT,
+            run: slider_crank_clearance::run,
+        },
     },
     Case {
         name: "flores-slider-crank",
-        kind: CaseKind::Coded { about: flores_slider_crank::ABOUT, run: flores_slider_crank::run },
+        kind: CaseKind::Coded {
+            about: flores_slider_crank::ABOUT,
+            run: flores_slider_crank::run,
+        },
     },
     Case {
         name: "journal-billiard",
-        kind: CaseKind::Coded { about: journal_billiard::ABOUT, run: journal_billiard::run },
+        kind: CaseKind::Coded {
+            about: journal_billiard::ABOUT,
+            run: journal_billiard::run,
+        },
     },
     reference(
         "lock-ideal",
@@ -200,5 +233,8 @@ pub const CASES: &[Case] = &[
 
 /// The case of a folder: its name, `case.json` and `reference.csv`.
 const fn reference(name: &'static str, case: &'static str, reference: &'static str) -> Case {
-    Case { name, kind: CaseKind::Reference(ReferenceCase { case, reference }) }
+    Case {
+        name,
+        kind: CaseKind::Reference(ReferenceCase { case, reference }),
+    }
 }

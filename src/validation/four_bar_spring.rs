@@ -10,8 +10,7 @@ use crate::model::{self, Model};
 use crate::output::Status;
 
 /// A line about the case.
-pub const ABOUT: &str =
-    "IFToMM's four-bar with a diagonal spring: equilibrium, stiffness, frequency, damped eigenvalue";
+pub const ABOUT: &str = "IFToMM's four-bar with a diagonal spring: equilibrium, stiffness, frequency, damped eigenvalue";
 
 const MODEL: &str = include_str!("../../validation/four-bar-spring/model.json");
 /// m g [N], k [N/m], c [N·s/m], and the effective inertia [kg·m²].
@@ -39,10 +38,25 @@ pub fn run(setting: &Setting) -> Result<CaseReport, CaseError> {
     let angle = damped.bodies[0].1[2];
     let ours = damped.modes[0].eigenvalue;
     let claims = vec![
-        claim("equilibrium as published [rad]", PUBLISHED, angle, PUBLISHED_TO),
+        claim(
+            "equilibrium as published [rad]",
+            PUBLISHED,
+            angle,
+            PUBLISHED_TO,
+        ),
         claim("equilibrium by bisection [rad]", phi, angle, EXACT),
-        claim("reduced stiffness by the rod's angle [N·m]", stiffness, damped.stiffness[0][0], EXACT * STIFFNESS),
-        claim("effective inertia [kg·m²]", INERTIA, damped.mass[0][0], EXACT),
+        claim(
+            "reduced stiffness by the rod's angle [N·m]",
+            stiffness,
+            damped.stiffness[0][0],
+            EXACT * STIFFNESS,
+        ),
+        claim(
+            "effective inertia [kg·m²]",
+            INERTIA,
+            damped.mass[0][0],
+            EXACT,
+        ),
         claim(
             "natural frequency without damping [rad/s]",
             (stiffness / INERTIA).sqrt(),
@@ -50,29 +64,44 @@ pub fn run(setting: &Setting) -> Result<CaseReport, CaseError> {
             EXACT,
         ),
         claim("real part of the eigenvalue [1/s]", decay, ours[0], EXACT),
-        claim("imaginary part [rad/s]", (stiffness / INERTIA - decay * decay).sqrt(), ours[1], EXACT),
+        claim(
+            "imaginary part [rad/s]",
+            (stiffness / INERTIA - decay * decay).sqrt(),
+            ours[1],
+            EXACT,
+        ),
     ];
-    Ok(CaseReport { text: String::new(), claims })
+    Ok(CaseReport {
+        text: String::new(),
+        claims,
+    })
 }
 
 fn read(sets: &[&str]) -> Result<Model, CaseError> {
     let sets: Vec<String> = sets.iter().map(|set| (*set).to_string()).collect();
-    let loaded = model::load(MODEL.as_bytes(), &sets).map_err(|said| CaseError::Broken(format!("{said:?}")))?;
+    let loaded = model::load(MODEL.as_bytes(), &sets)
+        .map_err(|said| CaseError::Broken(format!("{said:?}")))?;
     Ok(loaded.model)
 }
 
 fn linearise(model: &Model, setting: &Setting) -> Result<Linearised, CaseError> {
-    let found =
-        analysis::modes(model, false, &setting.control).map_err(|said| CaseError::Broken(format!("{said:?}")))?;
+    let found = analysis::modes(model, false, &setting.control)
+        .map_err(|said| CaseError::Broken(format!("{said:?}")))?;
     if found.status == Status::Interrupted {
         return Err(CaseError::Interrupted);
     }
     // Of the parallelogram's equal motions the first angle is the coordinate.
-    let by_angle = found.equilibrium.as_ref().is_some_and(|found| found.coordinates[0].ends_with(".angle"));
+    let by_angle = found
+        .equilibrium
+        .as_ref()
+        .is_some_and(|found| found.coordinates[0].ends_with(".angle"));
     match (&found.message, found.modes.len(), by_angle) {
         (None, 1, true) => Ok(found),
         (Some(message), ..) => Err(CaseError::Broken(message.clone())),
-        (None, modes, _) => Err(CaseError::Broken(format!("{modes} modes, by {:?}", found.equilibrium))),
+        (None, modes, _) => Err(CaseError::Broken(format!(
+            "{modes} modes, by {:?}",
+            found.equilibrium
+        ))),
     }
 }
 
@@ -92,14 +121,22 @@ fn equilibrium() -> f64 {
     let (mut left, mut right) = (2.0, 0.9 * PI);
     while right - left > f64::EPSILON * right {
         let middle = 0.5 * (left + right);
-        if (slope(middle) > 0.0) == (slope(left) > 0.0) { left = middle } else { right = middle }
+        if (slope(middle) > 0.0) == (slope(left) > 0.0) {
+            left = middle
+        } else {
+            right = middle
+        }
     }
     0.5 * (left + right)
 }
 
 fn claim(what: &str, reference: f64, ours: f64, tolerance: f64) -> Claim {
     let difference = ours - reference;
-    let verdict = if difference.abs() <= tolerance { Verdict::Agrees } else { Verdict::Fault };
+    let verdict = if difference.abs() <= tolerance {
+        Verdict::Agrees
+    } else {
+        Verdict::Fault
+    };
     Claim {
         what: what.into(),
         reference: reference.to_string(),

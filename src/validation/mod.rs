@@ -37,7 +37,10 @@ pub struct Case {
 #[derive(Debug, Clone, Copy)]
 pub enum CaseKind {
     /// A function, with a line about it.
-    Coded { about: &'static str, run: fn(&Setting) -> Result<CaseReport, CaseError> },
+    Coded {
+        about: &'static str,
+        run: fn(&Setting) -> Result<CaseReport, CaseError>,
+    },
     /// A model and a table of what it must give.
     Reference(ReferenceCase),
 }
@@ -96,13 +99,24 @@ const LINE_WIDTH: usize = 120;
 impl Claim {
     /// The claim in lines: what it is about with the verdict, then reference, ours and difference, in one line where they fit.
     pub fn lines(&self) -> Vec<String> {
-        let Claim { what, reference, ours, difference, verdict } = self;
+        let Claim {
+            what,
+            reference,
+            ours,
+            difference,
+            verdict,
+        } = self;
         let mut lines = vec![format!("  {:8}{what}", verdict.word())];
-        let short = format!("          reference {reference}, ours {ours}, difference {difference}");
+        let short =
+            format!("          reference {reference}, ours {ours}, difference {difference}");
         if short.chars().count() <= LINE_WIDTH {
             lines.push(short);
         } else {
-            for (name, text) in [("reference", reference), ("ours", ours), ("difference", difference)] {
+            for (name, text) in [
+                ("reference", reference),
+                ("ours", ours),
+                ("difference", difference),
+            ] {
                 lines.extend(wrap(name, text));
             }
         }
@@ -152,10 +166,16 @@ impl Case {
     /// When it can't be run or written.
     pub fn run(&self, output: Option<&Path>, control: &Control) -> Result<CaseReport, CaseError> {
         let output = output.map(|output| output.join(self.name));
-        let setting = Setting { output, control: control.clone() };
+        let setting = Setting {
+            output,
+            control: control.clone(),
+        };
         let report = match self.kind {
             CaseKind::Coded { run, .. } => run(&setting)?,
-            CaseKind::Reference(case) => CaseReport { text: String::new(), claims: case.run(&setting)? },
+            CaseKind::Reference(case) => CaseReport {
+                text: String::new(),
+                claims: case.run(&setting)?,
+            },
         };
         if let Some(output) = &setting.output {
             let directory = Directory::open(output)?;
@@ -169,7 +189,12 @@ impl Case {
 
     /// The report as text.
     fn page(&self, report: &CaseReport) -> String {
-        let mut page = format!("# {}: {}\n\n```text\n{}", self.name, self.about(), report.text);
+        let mut page = format!(
+            "# {}: {}\n\n```text\n{}",
+            self.name,
+            self.about(),
+            report.text
+        );
         for line in report.claims.iter().flat_map(Claim::lines) {
             page.push_str(line.trim_end());
             page.push('\n');
@@ -191,7 +216,11 @@ fn at_most(what: String, value: f64, most: f64) -> Claim {
 
 /// Of what must hold.
 fn verdict(holds: bool) -> Verdict {
-    if holds { Verdict::Agrees } else { Verdict::Fault }
+    if holds {
+        Verdict::Agrees
+    } else {
+        Verdict::Fault
+    }
 }
 
 fn broken(what: impl Into<String>) -> CaseError {
@@ -204,7 +233,11 @@ fn finished(run: Result<Outcome, Vec<Complaint>>) -> Result<Outcome, CaseError> 
     match outcome.report.status {
         Status::Completed => Ok(outcome),
         Status::Interrupted => Err(CaseError::Interrupted),
-        status => Err(broken(format!("{}: {:?}", status.word(), outcome.report.message))),
+        status => Err(broken(format!(
+            "{}: {:?}",
+            status.word(),
+            outcome.report.message
+        ))),
     }
 }
 
@@ -219,7 +252,10 @@ fn claims_json(claims: &[Claim]) -> String {
             "verdict": claim.verdict.word().to_lowercase(),
         })
     };
-    format!("{:#}\n", claims.iter().map(claim).collect::<serde_json::Value>())
+    format!(
+        "{:#}\n",
+        claims.iter().map(claim).collect::<serde_json::Value>()
+    )
 }
 
 #[cfg(test)]
@@ -235,15 +271,28 @@ mod tests {
             difference: "1.6e-3".into(),
             verdict: Verdict::Finding,
         };
-        Ok(CaseReport { text: String::new(), claims: vec![claim] })
+        Ok(CaseReport {
+            text: String::new(),
+            claims: vec![claim],
+        })
     }
 
     #[test]
     fn a_coded_case_writes_its_claims() {
-        let case = Case { name: "dummy", kind: CaseKind::Coded { about: "a number", run: one_claim } };
-        let output = std::env::temp_dir().join(format!("linkdyn-validation-{}", std::process::id()));
+        let case = Case {
+            name: "dummy",
+            kind: CaseKind::Coded {
+                about: "a number",
+                run: one_claim,
+            },
+        };
+        let output =
+            std::env::temp_dir().join(format!("linkdyn-validation-{}", std::process::id()));
         let report = case.run(Some(&output), &Control::default()).expect("runs");
-        assert_eq!((report.claims.len(), case.about().as_str()), (1, "a number"));
+        assert_eq!(
+            (report.claims.len(), case.about().as_str()),
+            (1, "a number")
+        );
         let written = std::fs::read_to_string(output.join("dummy/claims.json")).expect("written");
         let written: serde_json::Value = serde_json::from_str(&written).expect("valid JSON");
         assert_eq!(written[0]["verdict"], "finding");
@@ -253,15 +302,28 @@ mod tests {
     #[test]
     fn every_case_folder_is_bundled_and_has_a_source() {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("validation");
-        let entries = std::fs::read_dir(&folder).into_iter().flatten().filter_map(Result::ok);
-        let cases = entries.map(|entry| entry.path()).filter(|path| path.join("case.json").exists());
+        let entries = std::fs::read_dir(&folder)
+            .into_iter()
+            .flatten()
+            .filter_map(Result::ok);
+        let cases = entries
+            .map(|entry| entry.path())
+            .filter(|path| path.join("case.json").exists());
         let mut folders = BTreeSet::new();
         for case in cases {
             assert!(case.join("SOURCE.md").exists(), "{case:?}");
-            folders.extend(case.file_name().and_then(|name| name.to_str()).map(String::from));
+            folders.extend(
+                case.file_name()
+                    .and_then(|name| name.to_str())
+                    .map(String::from),
+            );
         }
         let is_reference = |case: &&Case| matches!(case.kind, CaseKind::Reference(_));
-        let bundled: BTreeSet<String> = CASES.iter().filter(is_reference).map(|case| case.name.to_string()).collect();
+        let bundled: BTreeSet<String> = CASES
+            .iter()
+            .filter(is_reference)
+            .map(|case| case.name.to_string())
+            .collect();
         assert_eq!(folders, bundled);
     }
 }

@@ -81,7 +81,13 @@ pub struct Tolerance {
 impl Tolerance {
     /// One entry per unit, so that each unit's worst value is told.
     fn entries(&self) -> Vec<Compare> {
-        let Tolerance { position, velocity, acceleration, force, effort } = *self;
+        let Tolerance {
+            position,
+            velocity,
+            acceleration,
+            force,
+            effort,
+        } = *self;
         let by_column = [
             ("driver.*.effort", effort),
             ("*[m]", position),
@@ -163,7 +169,8 @@ impl ReferenceCase {
     /// # Errors
     /// When `case.json` is not what it should be.
     pub fn read(&self) -> Result<CaseWords, CaseError> {
-        serde_json::from_str(self.case).map_err(|error| CaseError::Broken(format!("case.json: {error}")))
+        serde_json::from_str(self.case)
+            .map_err(|error| CaseError::Broken(format!("case.json: {error}")))
     }
 
     /// Runs the model and compares.
@@ -172,7 +179,8 @@ impl ReferenceCase {
     /// When the case can't be run, or its results can't be written.
     pub fn run(&self, setting: &Setting) -> Result<Vec<Claim>, CaseError> {
         let words = self.read()?;
-        let table = Table::parse(self.reference).map_err(|said| CaseError::Broken(format!("reference.csv: {said}")))?;
+        let table = Table::parse(self.reference)
+            .map_err(|said| CaseError::Broken(format!("reference.csv: {said}")))?;
         let broken = |complaints: Vec<crate::error::Complaint>| {
             let complaints: Vec<String> = complaints.iter().map(ToString::to_string).collect();
             CaseError::Broken(format!("model: {}", complaints.join("; ")))
@@ -180,7 +188,8 @@ impl ReferenceCase {
         let loaded = model::load(&model_bytes(&words.model)?, &words.set).map_err(broken)?;
         let outcome = analysis::run(&loaded.model, &setting.control).map_err(broken)?;
         if let Some(output) = &setting.output {
-            Directory::open(output)?.write_with("results.csv", |file| csv::write(&outcome.trajectory, file))?;
+            Directory::open(output)?
+                .write_with("results.csv", |file| csv::write(&outcome.trajectory, file))?;
         }
         match outcome.report.status {
             Status::Interrupted => Err(CaseError::Interrupted),
@@ -191,9 +200,8 @@ impl ReferenceCase {
             | Status::AssemblyFailed
             | Status::StepTooSmall
             | Status::Singular
-            | Status::TimeLimit => {
-                compare(&table, &outcome.trajectory, &words.comparisons()).map_err(CaseError::Broken)
-            }
+            | Status::TimeLimit => compare(&table, &outcome.trajectory, &words.comparisons())
+                .map_err(CaseError::Broken),
         }
     }
 }
@@ -203,7 +211,9 @@ fn model_bytes(model: &Value) -> Result<Vec<u8>, CaseError> {
     match model {
         Value::String(name) => match bundled::find(name) {
             Some(bundled) => Ok(bundled.text.as_bytes().to_vec()),
-            None => Err(CaseError::Broken(format!("case.json: no bundled model {name:?}"))),
+            None => Err(CaseError::Broken(format!(
+                "case.json: no bundled model {name:?}"
+            ))),
         },
         model => Ok(model.to_string().into_bytes()),
     }
@@ -231,24 +241,42 @@ struct Worst {
 ///
 /// # Errors
 /// When the reference has a column that the results do not have, or no column to compare.
-pub fn compare(reference: &Table, ours: &Trajectory, how: &[Compare]) -> Result<Vec<Claim>, String> {
-    let time = reference.columns.iter().position(|column| column == "time[s]");
+pub fn compare(
+    reference: &Table,
+    ours: &Trajectory,
+    how: &[Compare],
+) -> Result<Vec<Claim>, String> {
+    let time = reference
+        .columns
+        .iter()
+        .position(|column| column == "time[s]");
     let time = time.ok_or("reference.csv: no column time[s]")?;
-    let times = ours.values("time[s]").ok_or("the results have no column time[s]")?;
-    let rows: Vec<Option<usize>> = reference.rows.iter().map(|row| same_instant(&times, row[time])).collect();
+    let times = ours
+        .values("time[s]")
+        .ok_or("the results have no column time[s]")?;
+    let rows: Vec<Option<usize>> = reference
+        .rows
+        .iter()
+        .map(|row| same_instant(&times, row[time]))
+        .collect();
     let mut groups: Vec<Group> = how.iter().cloned().map(Group::new).collect();
     for (index, label) in reference.columns.iter().enumerate() {
         if index == time {
             continue;
         }
-        let our_column = ours.column_index(label).filter(|&column| ours.columns[column].label() == *label);
-        let our_column = our_column.ok_or_else(|| format!("reference.csv: the results have no column {label:?}"))?;
+        let our_column = ours
+            .column_index(label)
+            .filter(|&column| ours.columns[column].label() == *label);
+        let our_column = our_column
+            .ok_or_else(|| format!("reference.csv: the results have no column {label:?}"))?;
         let group = group_of(&mut groups, label);
         group.columns += 1;
         let values = reference.rows.iter().map(|row| row[index]);
         let scale = values
             .filter(|value| !value.is_nan())
-            .fold(group.how.scale_at_least, |scale: f64, value| scale.max(value.abs()));
+            .fold(group.how.scale_at_least, |scale: f64, value| {
+                scale.max(value.abs())
+            });
         let tolerance = group.how.tolerance_absolute + group.how.tolerance_relative * scale;
         for (row, &our_row) in reference.rows.iter().zip(&rows) {
             let our_value = our_row.map_or(f64::NAN, |our_row| ours.row(our_row)[our_column]);
@@ -256,19 +284,27 @@ pub fn compare(reference: &Table, ours: &Trajectory, how: &[Compare]) -> Result<
         }
     }
     let claims: Vec<Claim> = groups.iter().filter_map(Group::claim).collect();
-    if claims.is_empty() { Err("reference.csv: nothing to compare".into()) } else { Ok(claims) }
+    if claims.is_empty() {
+        Err("reference.csv: nothing to compare".into())
+    } else {
+        Ok(claims)
+    }
 }
 
 /// Row of the instant, where there is one.
 fn same_instant(times: &[f64], time: f64) -> Option<usize> {
     let row = times.partition_point(|&our_time| our_time < time - SAME_INSTANT);
-    times.get(row).filter(|&&our_time| (our_time - time).abs() <= SAME_INSTANT).map(|_| row)
+    times
+        .get(row)
+        .filter(|&&our_time| (our_time - time).abs() <= SAME_INSTANT)
+        .map(|_| row)
 }
 
 /// The first group whose pattern matches the column, else one for its unit.
 fn group_of<'a>(groups: &'a mut Vec<Group>, label: &str) -> &'a mut Group {
     let (name, unit) = label.rsplit_once('[').unwrap_or((label, ""));
-    let belongs = |group: &Group| matches(&group.how.column, label) || matches(&group.how.column, name);
+    let belongs =
+        |group: &Group| matches(&group.how.column, label) || matches(&group.how.column, name);
     let index = groups.iter().position(belongs).unwrap_or_else(|| {
         groups.push(Group::new(default_tolerance(unit.trim_end_matches(']'))));
         groups.len() - 1
@@ -278,7 +314,12 @@ fn group_of<'a>(groups: &'a mut Vec<Group>, label: &str) -> &'a mut Group {
 
 impl Group {
     fn new(how: Compare) -> Self {
-        Group { how, values: 0, columns: 0, worst: None }
+        Group {
+            how,
+            values: 0,
+            columns: 0,
+            worst: None,
+        }
     }
 
     /// Takes one value in; an empty reference cell is not compared, a value that only we lack is infinitely wrong.
@@ -287,27 +328,58 @@ impl Group {
             return;
         }
         self.values += 1;
-        let difference = if ours.is_finite() { (ours - reference).abs() } else { f64::INFINITY };
-        let share = if difference == 0.0 { 0.0 } else { difference / tolerance };
+        let difference = if ours.is_finite() {
+            (ours - reference).abs()
+        } else {
+            f64::INFINITY
+        };
+        let share = if difference == 0.0 {
+            0.0
+        } else {
+            difference / tolerance
+        };
         if self.worst.as_ref().is_none_or(|worst| share > worst.share) {
-            self.worst = Some(Worst { column: column.to_string(), time, reference, ours, share });
+            self.worst = Some(Worst {
+                column: column.to_string(),
+                time,
+                reference,
+                ours,
+                share,
+            });
         }
     }
 
     /// What the worst value says; none where nothing was compared.
     fn claim(&self) -> Option<Claim> {
-        let Worst { column, time, reference, ours, share } = self.worst.as_ref()?;
+        let Worst {
+            column,
+            time,
+            reference,
+            ours,
+            share,
+        } = self.worst.as_ref()?;
         let ours_exists = ours.is_finite();
         Some(Claim {
-            what: format!("{column} at {time} s, worst of {} values in {} columns", self.values, self.columns),
+            what: format!(
+                "{column} at {time} s, worst of {} values in {} columns",
+                self.values, self.columns
+            ),
             reference: format!("{reference}"),
-            ours: if ours_exists { format!("{ours}") } else { "no value".into() },
+            ours: if ours_exists {
+                format!("{ours}")
+            } else {
+                "no value".into()
+            },
             difference: if ours_exists {
                 format!("{:.1e} ({share:.1e} of tolerance)", ours - reference)
             } else {
                 "–".into()
             },
-            verdict: if *share <= 1.0 { Verdict::Agrees } else { self.how.verdict.verdict() },
+            verdict: if *share <= 1.0 {
+                Verdict::Agrees
+            } else {
+                self.how.verdict.verdict()
+            },
         })
     }
 }
@@ -318,8 +390,18 @@ mod tests {
     use crate::output::Column;
 
     fn results() -> Trajectory {
-        let columns = [("time", "s"), ("a.x", "m"), ("a.y", "m"), ("joint.b.fx", "N")];
-        let mut table = Trajectory::new(columns.iter().map(|&(name, unit)| Column::new(name, unit)).collect());
+        let columns = [
+            ("time", "s"),
+            ("a.x", "m"),
+            ("a.y", "m"),
+            ("joint.b.fx", "N"),
+        ];
+        let mut table = Trajectory::new(
+            columns
+                .iter()
+                .map(|&(name, unit)| Column::new(name, unit))
+                .collect(),
+        );
         table.push_row(&[0.0, 1.0, 0.0, 100.0]);
         table.push_row(&[0.1, 2.0, 0.0, f64::NAN]);
         table.push_row(&[0.2, 3.0, 0.0, -100.0]);
@@ -342,32 +424,65 @@ mod tests {
 
     #[test]
     fn the_worst_value_of_each_group_is_named() {
-        let reference = table("time[s],a.x[m],a.y[m],joint.b.fx[N]\n0.1,2.0000001,0,\n0.2000000001,3,5e-10,-101\n");
+        let reference = table(
+            "time[s],a.x[m],a.y[m],joint.b.fx[N]\n0.1,2.0000001,0,\n0.2000000001,3,5e-10,-101\n",
+        );
         let claims = compare(&reference, &results(), &[]).expect("compared");
         assert_eq!(claims.len(), 2);
-        assert!(claims[0].what.starts_with("a.y[m] at 0.2000000001 s, worst of 4 values in 2"), "{claims:?}");
+        assert!(
+            claims[0]
+                .what
+                .starts_with("a.y[m] at 0.2000000001 s, worst of 4 values in 2"),
+            "{claims:?}"
+        );
         assert_eq!(claims[0].verdict, Verdict::Agrees);
-        assert_eq!((claims[1].verdict, claims[1].ours.as_str()), (Verdict::Fault, "-100"));
+        assert_eq!(
+            (claims[1].verdict, claims[1].ours.as_str()),
+            (Verdict::Fault, "-100")
+        );
     }
 
     #[test]
     fn entries_say_how_and_what_a_difference_is() {
         let reference = table("time[s],a.x[m],joint.b.fx[N]\n0.2,3.1,-101\n");
-        let how = [entry("*.f?", 0.02, OnDifference::Fault), entry("a.x[m]", 0.01, OnDifference::Finding)];
+        let how = [
+            entry("*.f?", 0.02, OnDifference::Fault),
+            entry("a.x[m]", 0.01, OnDifference::Finding),
+        ];
         let claims = compare(&reference, &results(), &how).expect("compared");
-        assert_eq!(claims.iter().map(|claim| claim.verdict).collect::<Vec<_>>(), [Verdict::Agrees, Verdict::Finding]);
+        assert_eq!(
+            claims.iter().map(|claim| claim.verdict).collect::<Vec<_>>(),
+            [Verdict::Agrees, Verdict::Finding]
+        );
     }
 
     #[test]
     fn a_tolerance_by_kind_is_relative_to_the_column_but_never_below_one() {
-        let tolerance = Tolerance { position: 1e-3, velocity: 0.0, acceleration: 0.0, force: 1e-3, effort: 0.0 };
+        let tolerance = Tolerance {
+            position: 1e-3,
+            velocity: 0.0,
+            acceleration: 0.0,
+            force: 1e-3,
+            effort: 0.0,
+        };
         // 0.0009 off at a scale below 1, 0.099 off at a scale of 100: within; 0.101 off: not.
         for (reference, verdicts) in [
-            ("time[s],a.y[m],joint.b.fx[N]\n0,0.0009,100.099\n", [Verdict::Agrees, Verdict::Agrees]),
-            ("time[s],a.y[m],joint.b.fx[N]\n0,0.0011,100.102\n", [Verdict::Fault, Verdict::Fault]),
+            (
+                "time[s],a.y[m],joint.b.fx[N]\n0,0.0009,100.099\n",
+                [Verdict::Agrees, Verdict::Agrees],
+            ),
+            (
+                "time[s],a.y[m],joint.b.fx[N]\n0,0.0011,100.102\n",
+                [Verdict::Fault, Verdict::Fault],
+            ),
         ] {
-            let claims = compare(&table(reference), &results(), &tolerance.entries()).expect("compared");
-            assert_eq!(claims.iter().map(|claim| claim.verdict).collect::<Vec<_>>(), verdicts, "{claims:?}");
+            let claims =
+                compare(&table(reference), &results(), &tolerance.entries()).expect("compared");
+            assert_eq!(
+                claims.iter().map(|claim| claim.verdict).collect::<Vec<_>>(),
+                verdicts,
+                "{claims:?}"
+            );
         }
     }
 
@@ -375,7 +490,11 @@ mod tests {
     fn missing_instants_and_cells_are_faults() {
         for reference in ["time[s],a.x[m]\n0.15,2\n", "time[s],joint.b.fx[N]\n0.1,0\n"] {
             let claims = compare(&table(reference), &results(), &[]).expect("compared");
-            assert_eq!((claims[0].verdict, claims[0].ours.as_str()), (Verdict::Fault, "no value"), "{reference}");
+            assert_eq!(
+                (claims[0].verdict, claims[0].ours.as_str()),
+                (Verdict::Fault, "no value"),
+                "{reference}"
+            );
         }
     }
 
@@ -397,7 +516,8 @@ mod tests {
         let how = [entry("*", 0.0, OnDifference::Fault)];
         let claims = compare(&table("time[s],a.x[m]\n0,1\n"), &results(), &how).expect("compared");
         assert_eq!(claims[0].verdict, Verdict::Agrees);
-        let claims = compare(&table("time[s],a.x[m]\n0,1.5\n"), &results(), &how).expect("compared");
+        let claims =
+            compare(&table("time[s],a.x[m]\n0,1.5\n"), &results(), &how).expect("compared");
         assert_eq!(claims[0].verdict, Verdict::Fault);
     }
 
@@ -405,10 +525,24 @@ mod tests {
     fn the_words_of_a_case_are_read() {
         let case = r#"{ "about": "a", "source": "s", "model": "four-bar",
             "compare": [{ "column": "*", "tolerance_relative": 1e-3, "verdict": "finding" }] }"#;
-        let words = ReferenceCase { case, reference: "" }.read().expect("valid");
+        let words = ReferenceCase {
+            case,
+            reference: "",
+        }
+        .read()
+        .expect("valid");
         assert_eq!(words.compare[0].verdict, OnDifference::Finding);
-        assert!(model_bytes(&words.model).expect("bundled").starts_with(b"{"));
-        let broken = ReferenceCase { case: r#"{ "abuot": "a" }"#, reference: "" }.read().expect_err("misspelt");
+        assert!(
+            model_bytes(&words.model)
+                .expect("bundled")
+                .starts_with(b"{")
+        );
+        let broken = ReferenceCase {
+            case: r#"{ "abuot": "a" }"#,
+            reference: "",
+        }
+        .read()
+        .expect_err("misspelt");
         assert!(broken.to_string().contains("abuot"), "{broken}");
     }
 }

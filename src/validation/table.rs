@@ -15,13 +15,20 @@ impl Table {
     /// # Errors
     /// When there is no header, a row has another number of cells, or a cell is no finite number.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
+        let lines = text
+            .lines()
+            .enumerate()
+            .filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
         let mut records = lines.map(|(index, line)| (index + 1, split(line)));
         let (_, columns) = records.next().ok_or("no header line")?;
         let mut rows = Vec::new();
         for (line, cells) in records {
             if cells.len() != columns.len() {
-                return Err(format!("line {line}: {} cells under {} columns", cells.len(), columns.len()));
+                return Err(format!(
+                    "line {line}: {} cells under {} columns",
+                    cells.len(),
+                    columns.len()
+                ));
             }
             let row: Result<Vec<f64>, String> = cells.iter().map(|cell| number(cell)).collect();
             rows.push(row.map_err(|cell| format!("line {line}: {cell:?} is no number"))?);
@@ -35,7 +42,11 @@ fn number(cell: &str) -> Result<f64, String> {
     if cell.trim().is_empty() {
         return Ok(f64::NAN);
     }
-    cell.trim().parse().ok().filter(|value: &f64| value.is_finite()).ok_or_else(|| cell.to_string())
+    cell.trim()
+        .parse()
+        .ok()
+        .filter(|value: &f64| value.is_finite())
+        .ok_or_else(|| cell.to_string())
 }
 
 /// The fields of a line.
@@ -64,7 +75,8 @@ mod tests {
 
     #[test]
     fn a_table_is_read() {
-        let table = Table::parse("# from a book\ntime[s],\"6\"\" bar.x[m]\"\r\n0,1.5\n\n1e-3, \n").expect("valid");
+        let table = Table::parse("# from a book\ntime[s],\"6\"\" bar.x[m]\"\r\n0,1.5\n\n1e-3, \n")
+            .expect("valid");
         assert_eq!(table.columns, ["time[s]", "6\" bar.x[m]"]);
         assert_eq!(table.rows[0], [0.0, 1.5]);
         assert!(table.rows[1][1].is_nan());

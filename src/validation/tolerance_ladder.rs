@@ -18,8 +18,7 @@ use crate::system::Inputs;
 use crate::system::compile::compile;
 
 /// A line about the case.
-pub const ABOUT: &str =
-    "errors of forward dynamics at rtol of 1e-5 to 1e-10 beside SciPy's DOP853; steps at flat positions";
+pub const ABOUT: &str = "errors of forward dynamics at rtol of 1e-5 to 1e-10 beside SciPy's DOP853; steps at flat positions";
 
 const SCIPY: &str = include_str!("../../validation/tolerance-ladder/scipy.csv");
 const REFERENCE: &str = include_str!("../../validation/tolerance-ladder/reference.csv");
@@ -80,12 +79,26 @@ pub fn run(setting: &Setting) -> Result<CaseReport, CaseError> {
         let theirs = column(&scipy, &format!("{}.error[-]", problem.name))?;
         let evaluations = column(&scipy, &format!("{}.evaluations[-]", problem.name))?;
         let mut ours = Vec::new();
-        let _ =
-            writeln!(report.text, "{:10} rtol       ours    SciPy  ratio   evaluations of ours, SciPy", problem.name);
+        let _ = writeln!(
+            report.text,
+            "{:10} rtol       ours    SciPy  ratio   evaluations of ours, SciPy",
+            problem.name
+        );
         for ((tolerance, theirs), evaluations) in tolerances.iter().zip(&theirs).zip(&evaluations) {
             let solver = json!({ "method": "dop853", "rtol": tolerance, "atol": tolerance });
-            let outcome = simulate(&problem.model, problem.end, problem.outputs, &solver, setting)?;
-            let error = error(&outcome, &problem.columns, &problem.reference, problem.measure)?;
+            let outcome = simulate(
+                &problem.model,
+                problem.end,
+                problem.outputs,
+                &solver,
+                setting,
+            )?;
+            let error = error(
+                &outcome,
+                &problem.columns,
+                &problem.reference,
+                problem.measure,
+            )?;
             let _ = writeln!(
                 report.text,
                 "{:10} {tolerance:.0e} {error:10.1e} {theirs:8.1e} {:6.2} {:10} {evaluations:8}",
@@ -95,9 +108,16 @@ pub fn run(setting: &Setting) -> Result<CaseReport, CaseError> {
             );
             ours.push(error);
         }
-        report.claims.push(slope_claim(problem.name, &tolerances, &ours, &theirs));
-        let rungs: Vec<String> = tolerances.iter().map(|tolerance| format!("{tolerance:.0e}")).collect();
-        report.claims.push(ratio_claim(problem.name, &rungs, &ours, &theirs));
+        report
+            .claims
+            .push(slope_claim(problem.name, &tolerances, &ours, &theirs));
+        let rungs: Vec<String> = tolerances
+            .iter()
+            .map(|tolerance| format!("{tolerance:.0e}"))
+            .collect();
+        report
+            .claims
+            .push(ratio_claim(problem.name, &rungs, &ours, &theirs));
     }
     let (long, theirs) = (table(LONG)?, column(&table(LONG_SCIPY)?, "error[m]")?);
     let mut ours = Vec::new();
@@ -105,12 +125,21 @@ pub fn run(setting: &Setting) -> Result<CaseReport, CaseError> {
     for ((loops, case), theirs) in [(2, FOUR_BARS), (40, FORTY)].into_iter().zip(&theirs) {
         report.claims.push(flat_steps(loops, case)?);
         let (far, claims) = long_run(loops, case, &long, setting)?;
-        let _ = writeln!(report.text, "{loops:15} {far:10.1e} {theirs:8.1e} {:6.2}", far / theirs);
+        let _ = writeln!(
+            report.text,
+            "{loops:15} {far:10.1e} {theirs:8.1e} {:6.2}",
+            far / theirs
+        );
         ours.push(far);
         report.claims.extend(claims);
     }
     let names = ["N = 2", "N = 40"].map(String::from);
-    report.claims.push(ratio_claim(&format!("A02, 200 s at {FLAT:e}"), &names, &ours, &theirs));
+    report.claims.push(ratio_claim(
+        &format!("A02, 200 s at {FLAT:e}"),
+        &names,
+        &ours,
+        &theirs,
+    ));
     Ok(report)
 }
 
@@ -159,35 +188,53 @@ fn problems() -> Result<Vec<Problem>, CaseError> {
 
 /// The model in the words of a reference case.
 fn model_of(case: &str) -> Result<Value, CaseError> {
-    let mut words: Value = serde_json::from_str(case).map_err(|error| CaseError::Broken(error.to_string()))?;
+    let mut words: Value =
+        serde_json::from_str(case).map_err(|error| CaseError::Broken(error.to_string()))?;
     Ok(words["model"].take())
 }
 
 /// A02 with two loops without its second one.
 fn one_loop(mut model: Value) -> Value {
-    for (group, name) in
-        [("bodies", "rocker2"), ("bodies", "coupler1"), ("joints", "a2"), ("joints", "l1"), ("joints", "r1")]
-    {
-        model[group].as_object_mut().and_then(|group| group.shift_remove(name));
+    for (group, name) in [
+        ("bodies", "rocker2"),
+        ("bodies", "coupler1"),
+        ("joints", "a2"),
+        ("joints", "l1"),
+        ("joints", "r1"),
+    ] {
+        model[group]
+            .as_object_mut()
+            .and_then(|group| group.shift_remove(name));
     }
     model
 }
 
 fn load(model: &Value) -> Result<Model, CaseError> {
-    let loaded =
-        model::load(model.to_string().as_bytes(), &[]).map_err(|said| CaseError::Broken(format!("{said:?}")))?;
+    let loaded = model::load(model.to_string().as_bytes(), &[])
+        .map_err(|said| CaseError::Broken(format!("{said:?}")))?;
     Ok(loaded.model)
 }
 
-fn simulate(model: &Value, end: f64, outputs: usize, solver: &Value, setting: &Setting) -> Result<Outcome, CaseError> {
+fn simulate(
+    model: &Value,
+    end: f64,
+    outputs: usize,
+    solver: &Value,
+    setting: &Setting,
+) -> Result<Outcome, CaseError> {
     let mut model = model.clone();
-    model["analysis"] = json!({ "type": "dynamics", "end": end, "outputs": outputs, "solver": solver });
-    let outcome =
-        analysis::run(&load(&model)?, &setting.control).map_err(|said| CaseError::Broken(format!("{said:?}")))?;
+    model["analysis"] =
+        json!({ "type": "dynamics", "end": end, "outputs": outputs, "solver": solver });
+    let outcome = analysis::run(&load(&model)?, &setting.control)
+        .map_err(|said| CaseError::Broken(format!("{said:?}")))?;
     match outcome.report.status {
         Status::Completed => Ok(outcome),
         Status::Interrupted => Err(CaseError::Interrupted),
-        status => Err(CaseError::Broken(format!("{}: {:?}", status.word(), outcome.report.message))),
+        status => Err(CaseError::Broken(format!(
+            "{}: {:?}",
+            status.word(),
+            outcome.report.message
+        ))),
     }
 }
 
@@ -207,15 +254,27 @@ fn columns(table: &Table, names: &[&str]) -> Result<Vec<Vec<f64>>, CaseError> {
 
 /// Values of a column of the results, by `name[unit]`.
 fn values(outcome: &Outcome, name: &str) -> Result<Vec<f64>, CaseError> {
-    outcome.trajectory.values(name).ok_or_else(|| CaseError::Broken(format!("the results have no column {name}")))
+    outcome
+        .trajectory
+        .values(name)
+        .ok_or_else(|| CaseError::Broken(format!("the results have no column {name}")))
 }
 
-fn error(outcome: &Outcome, names: &[&str], exact: &[Vec<f64>], measure: Measure) -> Result<f64, CaseError> {
+fn error(
+    outcome: &Outcome,
+    names: &[&str],
+    exact: &[Vec<f64>],
+    measure: Measure,
+) -> Result<f64, CaseError> {
     let mut squares = vec![0.0; outcome.trajectory.len()];
     for (name, exact) in names.iter().zip(exact) {
         let ours = values(outcome, name)?;
         if exact.len() != ours.len() {
-            return Err(CaseError::Broken(format!("{name}: {} rows for {}", ours.len(), exact.len())));
+            return Err(CaseError::Broken(format!(
+                "{name}: {} rows for {}",
+                ours.len(),
+                exact.len()
+            )));
         }
         for (square, (a, b)) in squares.iter_mut().zip(ours.iter().zip(exact)) {
             *square += (a - b) * (a - b);
@@ -249,7 +308,12 @@ fn slope(tolerances: &[f64], errors: &[f64]) -> f64 {
     let n = tolerances.len() as f64;
     let mean = |values: &[f64]| values.iter().map(|v| v.ln()).sum::<f64>() / n;
     let (x, y) = (mean(tolerances), mean(errors));
-    let pairs = || tolerances.iter().zip(errors).map(|(t, e)| (t.ln() - x, e.ln() - y));
+    let pairs = || {
+        tolerances
+            .iter()
+            .zip(errors)
+            .map(|(t, e)| (t.ln() - x, e.ln() - y))
+    };
     pairs().map(|(t, e)| t * e).sum::<f64>() / pairs().map(|(t, _)| t * t).sum::<f64>()
 }
 
@@ -281,26 +345,44 @@ fn ratio_claim(name: &str, rungs: &[String], ours: &[f64], theirs: &[f64]) -> Cl
 
 /// (c): the shortest step over a flat position of A02, over the median of all steps, in 20 s.
 fn flat_steps(loops: usize, case: &str) -> Result<Claim, CaseError> {
-    let broken = |what: &dyn std::fmt::Debug| CaseError::Broken(format!("steps of A02, N = {loops}: {what:?}"));
+    let broken = |what: &dyn std::fmt::Debug| {
+        CaseError::Broken(format!("steps of A02, N = {loops}: {what:?}"))
+    };
     let model = load(&model_of(case)?)?;
     let system = compile(&model, AnalysisKind::Dynamics).map_err(|said| broken(&said))?;
     let inputs = Inputs::at_time(&system, 0.0);
     let start = assembly::assemble(&system, &inputs).map_err(|stop| broken(&stop))?;
     let v = assembly::velocities(&system, &start.q, &inputs).map_err(|stop| broken(&stop))?;
-    let mut reduced =
-        Reduced::new(&system, &start.all.free_columns, &start.q, &v, 0.0).map_err(|failure| broken(&failure))?;
+    let mut reduced = Reduced::new(&system, &start.all.free_columns, &start.q, &v, 0.0)
+        .map_err(|failure| broken(&failure))?;
     reduced.lag = LAG * FLAT;
-    let rocker = system.bodies.iter().position(|body| body.name == "rocker0").ok_or_else(|| broken(&"no rocker0"))?;
+    let rocker = system
+        .bodies
+        .iter()
+        .position(|body| body.name == "rocker0")
+        .ok_or_else(|| broken(&"no rocker0"))?;
     let height = |reduced: &Reduced| reduced.q[3 * rocker + 2].sin();
-    let begin = |reduced: &mut Reduced, t: f64, step: Option<f64>| -> Result<Box<dyn Stepper>, CaseError> {
-        let limits = Limits { initial_step: step, ..Limits::default() };
-        let mut y = vec![0.0; 2 * reduced.freedom()];
-        let mut stepper =
-            Method::Dop853.stepper(Tolerance { rtol: FLAT, atol: vec![FLAT; y.len()], cap: Vec::new() }, limits);
-        reduced.state(&mut y);
-        stepper.start(reduced, t, &y, 20.0).map_err(|failure| broken(&failure))?;
-        Ok(stepper)
-    };
+    let begin =
+        |reduced: &mut Reduced, t: f64, step: Option<f64>| -> Result<Box<dyn Stepper>, CaseError> {
+            let limits = Limits {
+                initial_step: step,
+                ..Limits::default()
+            };
+            let mut y = vec![0.0; 2 * reduced.freedom()];
+            let mut stepper = Method::Dop853.stepper(
+                Tolerance {
+                    rtol: FLAT,
+                    atol: vec![FLAT; y.len()],
+                    cap: Vec::new(),
+                },
+                limits,
+            );
+            reduced.state(&mut y);
+            stepper
+                .start(reduced, t, &y, 20.0)
+                .map_err(|failure| broken(&failure))?;
+            Ok(stepper)
+        };
     let mut stepper = begin(&mut reduced, 0.0, None)?;
     let (mut steps, mut flat, mut before) = (Vec::new(), Vec::new(), height(&reduced));
     while stepper.t() < 20.0 {
@@ -308,7 +390,9 @@ fn flat_steps(loops: usize, case: &str) -> Result<Claim, CaseError> {
             let step = stepper.t() - stepper.previous();
             stepper = begin(&mut reduced, stepper.t(), (step > 0.0).then_some(step))?;
         }
-        stepper.step(&mut reduced, 20.0).map_err(|failure| broken(&failure))?;
+        stepper
+            .step(&mut reduced, 20.0)
+            .map_err(|failure| broken(&failure))?;
         let (step, now) = (stepper.t() - stepper.previous(), height(&reduced));
         steps.push(step);
         if (now > 0.0) != (before > 0.0) {
@@ -321,7 +405,9 @@ fn flat_steps(loops: usize, case: &str) -> Result<Claim, CaseError> {
     let shortest = flat.iter().copied().fold(f64::INFINITY, f64::min);
     let ratio = shortest / median;
     Ok(Claim {
-        what: format!("A02, N = {loops}: shortest step over a flat position by the median step, 20 s at {FLAT:e} [-]"),
+        what: format!(
+            "A02, N = {loops}: shortest step over a flat position by the median step, 20 s at {FLAT:e} [-]"
+        ),
         reference: format!("at least {SHORTEST}"),
         ours: format!(
             "{ratio:.2}: {shortest:.4} s of {} such steps, median {median:.4} s of {} steps",
@@ -329,34 +415,63 @@ fn flat_steps(loops: usize, case: &str) -> Result<Claim, CaseError> {
             steps.len()
         ),
         difference: format!("{:.2}", ratio - SHORTEST),
-        verdict: if !flat.is_empty() && ratio >= SHORTEST { Verdict::Agrees } else { Verdict::Fault },
+        verdict: if !flat.is_empty() && ratio >= SHORTEST {
+            Verdict::Agrees
+        } else {
+            Verdict::Fault
+        },
     })
 }
 
 /// (c): 200 s of A02, past some two hundred flat positions.
 ///
 /// The distance from the closed form [m], and claims.
-fn long_run(loops: usize, case: &str, long: &Table, setting: &Setting) -> Result<(f64, [Claim; 2]), CaseError> {
+fn long_run(
+    loops: usize,
+    case: &str,
+    long: &Table,
+    setting: &Setting,
+) -> Result<(f64, [Claim; 2]), CaseError> {
     let solver = json!({ "method": "dop853", "rtol": FLAT, "atol": FLAT });
     let outcome = simulate(&model_of(case)?, 200.0, 101, &solver, setting)?;
-    let exact = columns(long, &[&format!("A02-{loops}.x[m]"), &format!("A02-{loops}.y[m]")])?;
-    let far = error(&outcome, &["rocker0.B.x[m]", "rocker0.B.y[m]"], &exact, Measure::Largest)?;
+    let exact = columns(
+        long,
+        &[&format!("A02-{loops}.x[m]"), &format!("A02-{loops}.y[m]")],
+    )?;
+    let far = error(
+        &outcome,
+        &["rocker0.B.x[m]", "rocker0.B.y[m]"],
+        &exact,
+        Measure::Largest,
+    )?;
     let drift = outcome.report.quality.energy_drift.unwrap_or(f64::INFINITY);
     let mut turned = 0.0;
     for coupler in 0..loops {
         turned = values(&outcome, &format!("coupler{coupler}.angle"))?
             .into_iter()
-            .fold(turned, |most: f64, angle| if angle.is_nan() { f64::INFINITY } else { most.max(angle.abs()) });
+            .fold(turned, |most: f64, angle| {
+                if angle.is_nan() {
+                    f64::INFINITY
+                } else {
+                    most.max(angle.abs())
+                }
+            });
     }
     let claim = |what: &str, value: f64, most: f64| Claim {
         what: format!("A02, N = {loops}, 200 s at {FLAT:e}: {what}"),
         reference: format!("at most {most:e}"),
         ours: format!("{value:.1e}"),
         difference: format!("{:.1e}", value - most),
-        verdict: if value <= most { Verdict::Agrees } else { Verdict::Fault },
+        verdict: if value <= most {
+            Verdict::Agrees
+        } else {
+            Verdict::Fault
+        },
     };
-    let claims =
-        [claim("energy drift [-]", drift, FLAT_DRIFT), claim("largest angle of a coupler [rad]", turned, TURNED)];
+    let claims = [
+        claim("energy drift [-]", drift, FLAT_DRIFT),
+        claim("largest angle of a coupler [rad]", turned, TURNED),
+    ];
     Ok((far, claims))
 }
 
@@ -378,7 +493,13 @@ mod tests {
         let tolerances = [1e-5, 1e-6, 1e-7];
         assert!((slope(&tolerances, &[3e-4, 3e-5, 3e-6]) - 1.0).abs() < 1e-12);
         let steep = [1e-10, 1e-12, 1e-14];
-        assert_eq!(slope_claim("a", &tolerances, &steep, &tolerances).verdict, Verdict::Fault);
-        assert_eq!(slope_claim("a", &tolerances, &steep, &steep).verdict, Verdict::Finding);
+        assert_eq!(
+            slope_claim("a", &tolerances, &steep, &tolerances).verdict,
+            Verdict::Fault
+        );
+        assert_eq!(
+            slope_claim("a", &tolerances, &steep, &steep).verdict,
+            Verdict::Finding
+        );
     }
 }

@@ -31,7 +31,9 @@ pub fn pendulum() -> Value {
 pub fn four_bars(loops: usize) -> Value {
     let mut bodies = serde_json::Map::new();
     let mut joints = serde_json::Map::new();
-    let feet: serde_json::Map<String, Value> = (0..=loops).map(|i| (format!("O{i}"), json!([i, 0]))).collect();
+    let feet: serde_json::Map<String, Value> = (0..=loops)
+        .map(|i| (format!("O{i}"), json!([i, 0])))
+        .collect();
     bodies.insert("ground".into(), json!({ "points": feet }));
     let rod = |x: f64, y: f64, angle: f64| {
         json!({ "mass": 1, "inertia": 1.0 / 12.0, "com": [0.5, 0], "points": { "A": [0, 0], "B": [1, 0] },
@@ -40,11 +42,20 @@ pub fn four_bars(loops: usize) -> Value {
     let pin = |a: String, b: String| json!({ "type": "revolute", "between": [a, b] });
     for i in 0..=loops {
         bodies.insert(format!("rocker{i}"), rod(i as f64, 0.0, FRAC_PI_2));
-        joints.insert(format!("foot{i}"), pin(format!("ground.O{i}"), format!("rocker{i}.A")));
+        joints.insert(
+            format!("foot{i}"),
+            pin(format!("ground.O{i}"), format!("rocker{i}.A")),
+        );
         if i < loops {
             bodies.insert(format!("coupler{i}"), rod(i as f64, 1.0, 0.0));
-            joints.insert(format!("left{i}"), pin(format!("rocker{i}.B"), format!("coupler{i}.A")));
-            joints.insert(format!("right{i}"), pin(format!("coupler{i}.B"), format!("rocker{}.B", i + 1)));
+            joints.insert(
+                format!("left{i}"),
+                pin(format!("rocker{i}.B"), format!("coupler{i}.A")),
+            );
+            joints.insert(
+                format!("right{i}"),
+                pin(format!("coupler{i}.B"), format!("rocker{}.B", i + 1)),
+            );
         }
     }
     json!({
@@ -68,16 +79,20 @@ pub fn squeezer() -> Value {
     );
     let (a, b): ([f64; 2], [f64; 2]) = ([-0.06934, -0.00227], [-0.03635, 0.03273]);
     let from = |start: [f64; 2], angle: f64, along: f64, across: f64| {
-        [start[0] + along * angle.cos() - across * angle.sin(), start[1] + along * angle.sin() + across * angle.cos()]
+        [
+            start[0] + along * angle.cos() - across * angle.sin(),
+            start[1] + along * angle.sin() + across * angle.cos(),
+        ]
     };
     // Frames at F, H and G; those of the others are at the bearings O, B and A.
     let f = from([0.0, 0.0], beta, 0.007, 0.0);
     let h = from(a, delta, 0.04, 0.0);
     let g = from(a, epsilon, 0.0, -0.04);
-    let body = |mass: f64, inertia: f64, com: [f64; 2], points: Value, position: [f64; 2], angle: f64| {
-        json!({ "mass": mass, "inertia": inertia, "com": com, "points": points,
+    let body =
+        |mass: f64, inertia: f64, com: [f64; 2], points: Value, position: [f64; 2], angle: f64| {
+            json!({ "mass": mass, "inertia": inertia, "com": com, "points": points,
                 "pose": { "position": position, "angle": angle } })
-    };
+        };
     let pin = |a: &str, b: &str| json!({ "type": "revolute", "between": [a, b] });
     json!({
         "format": "linkdyn/1", "name": "A03", "units": "SI",
@@ -128,7 +143,10 @@ fn amplitude(k: f64) -> (impl Fn(f64) -> f64, f64) {
     }
     let am = move |u: f64| {
         let last = f64::from(1 << ratios.len()) * a * u;
-        ratios.iter().rev().fold(last, |phi, ratio| 0.5 * (phi + (ratio * phi.sin()).asin()))
+        ratios
+            .iter()
+            .rev()
+            .fold(last, |phi, ratio| 0.5 * (phi + (ratio * phi.sin()).asin()))
     };
     (am, FRAC_PI_2 / a)
 }

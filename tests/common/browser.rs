@@ -26,7 +26,8 @@ impl Scratch {
     pub fn new(name: &str) -> Self {
         static COUNT: AtomicUsize = AtomicUsize::new(0);
         let number = COUNT.fetch_add(1, Ordering::Relaxed);
-        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}-{}-{number}", std::process::id()));
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR"))
+            .join(format!("{name}-{}-{number}", std::process::id()));
         fs::create_dir_all(&path).expect("a scratch directory");
         Scratch(path)
     }
@@ -41,10 +42,14 @@ impl Drop for Scratch {
 /// The browser's path; none, and a word about it, where there is none. On the gate that is a failure.
 pub fn find() -> Option<PathBuf> {
     let folders = std::env::var_os("PATH")?;
-    let found =
-        std::env::split_paths(&folders).flat_map(|folder| NAMES.map(|name| folder.join(name))).find(|p| p.is_file());
+    let found = std::env::split_paths(&folders)
+        .flat_map(|folder| NAMES.map(|name| folder.join(name)))
+        .find(|p| p.is_file());
     if found.is_none() {
-        assert!(std::env::var("CI").as_deref() != Ok("true"), "no Chromium: the report can't be tested");
+        assert!(
+            std::env::var("CI").as_deref() != Ok("true"),
+            "no Chromium: the report can't be tested"
+        );
         eprintln!("skipped: no Chromium is installed");
     }
     found
@@ -56,15 +61,43 @@ pub fn open(browser: &Path, page: &str, budget: Option<u32>) -> Visit {
     let file = scratch.0.join("page.html");
     fs::write(&file, page).expect("written");
     let mut command = Command::new(browser);
-    command.args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"]);
-    command.args(["--disable-background-networking", "--disable-component-update", "--disable-sync"]);
-    command.args(["--enable-logging=stderr", "--window-size=1280,900", "--dump-dom"]);
-    command.arg(format!("--user-data-dir={}", scratch.0.join("profile").display()));
+    command.args([
+        "--headless",
+        "--no-sandbox",
+        "--disable-gpu",
+        "--disable-quic",
+        "--no-first-run",
+    ]);
+    command.args([
+        "--disable-background-networking",
+        "--disable-component-update",
+        "--disable-sync",
+    ]);
+    command.args([
+        "--enable-logging=stderr",
+        "--window-size=1280,900",
+        "--dump-dom",
+    ]);
+    command.arg(format!(
+        "--user-data-dir={}",
+        scratch.0.join("profile").display()
+    ));
     command.args(budget.map(|budget| format!("--virtual-time-budget={budget}")));
-    let output = command.arg(format!("file://{}", file.display())).stdin(Stdio::null()).output().expect("it starts");
+    let output = command
+        .arg(format!("file://{}", file.display()))
+        .stdin(Stdio::null())
+        .output()
+        .expect("it starts");
     let said = String::from_utf8_lossy(&output.stderr);
-    let console = said.lines().filter(|line| line.contains("CONSOLE")).map(String::from).collect();
-    Visit { dom: String::from_utf8_lossy(&output.stdout).into_owned(), console }
+    let console = said
+        .lines()
+        .filter(|line| line.contains("CONSOLE"))
+        .map(String::from)
+        .collect();
+    Visit {
+        dom: String::from_utf8_lossy(&output.stdout).into_owned(),
+        console,
+    }
 }
 
 /// The answer of a script that runs behind the page's own and calls `answer(value)`. The page's policy stays in force, with this
@@ -74,12 +107,24 @@ pub fn ask(browser: &Path, page: &str, script: &str, budget: Option<u32>) -> (Va
         "const answer = (value) => {{ const box = document.createElement('pre'); box.id = 'answer'; \
          box.textContent = encodeURIComponent(JSON.stringify(value)); document.body.append(box); }};\n{script}"
     );
-    let hash = format!("script-src 'sha256-{}' ", base64(&Sha256::digest(script.as_bytes())));
+    let hash = format!(
+        "script-src 'sha256-{}' ",
+        base64(&Sha256::digest(script.as_bytes()))
+    );
     let page = page.replacen("script-src ", &hash, 1);
     let (before, after) = page.rsplit_once("</body>").expect("a body");
-    let visit = open(browser, &format!("{before}<script>{script}</script></body>{after}"), budget);
-    let text = visit.dom.split_once("id=\"answer\">").and_then(|(_, rest)| rest.split_once("</pre>"));
-    let Some((text, _)) = text else { panic!("no answer: {:?}", visit.console) };
+    let visit = open(
+        browser,
+        &format!("{before}<script>{script}</script></body>{after}"),
+        budget,
+    );
+    let text = visit
+        .dom
+        .split_once("id=\"answer\">")
+        .and_then(|(_, rest)| rest.split_once("</pre>"));
+    let Some((text, _)) = text else {
+        panic!("no answer: {:?}", visit.console)
+    };
     (serde_json::from_str(&decoded(text)).expect("JSON"), visit)
 }
 
@@ -88,7 +133,11 @@ fn decoded(text: &str) -> String {
     let mut bytes = Vec::new();
     let mut rest = text.as_bytes();
     while let [first, tail @ ..] = rest {
-        let code = if *first == b'%' { std::str::from_utf8(&tail[..2]).ok() } else { None };
+        let code = if *first == b'%' {
+            std::str::from_utf8(&tail[..2]).ok()
+        } else {
+            None
+        };
         match code.and_then(|code| u8::from_str_radix(code, 16).ok()) {
             Some(byte) => {
                 bytes.push(byte);
@@ -104,8 +153,16 @@ fn decoded(text: &str) -> String {
 }
 
 fn base64(bytes: &[u8]) -> String {
-    let digits: Vec<char> = ('A'..='Z').chain('a'..='z').chain('0'..='9').chain(['+', '/']).collect();
-    let bit = |at: usize| bytes.get(at / 8).is_some_and(|byte| byte >> (7 - at % 8) & 1 == 1);
+    let digits: Vec<char> = ('A'..='Z')
+        .chain('a'..='z')
+        .chain('0'..='9')
+        .chain(['+', '/'])
+        .collect();
+    let bit = |at: usize| {
+        bytes
+            .get(at / 8)
+            .is_some_and(|byte| byte >> (7 - at % 8) & 1 == 1)
+    };
     let mut text: String = (0..bytes.len() * 8)
         .step_by(6)
         .map(|at| digits[(at..at + 6).fold(0, |digit, at| digit << 1 | usize::from(bit(at)))])

@@ -21,7 +21,10 @@ impl Matrix {
     }
 
     pub fn positions(&self) -> Vec<(usize, usize)> {
-        self.entries.iter().map(|&(row, column, _)| (row, column)).collect()
+        self.entries
+            .iter()
+            .map(|&(row, column, _)| (row, column))
+            .collect()
     }
 }
 
@@ -67,19 +70,34 @@ pub fn jacobian(bodies: usize, pins: &[(End, End)], driven: &[usize]) -> Matrix 
     for (number, &body) in driven.iter().enumerate() {
         entries.push((2 * pins.len() + number, 3 * body + 2, 1.0));
     }
-    Matrix { rows: 2 * pins.len() + driven.len(), columns: 3 * bodies, entries }
+    Matrix {
+        rows: 2 * pins.len() + driven.len(),
+        columns: 3 * bodies,
+        entries,
+    }
 }
 
 /// [M Jᵀ; J 0], with mass 1 kg, inertia 0.1 kg·m², varied by up to a half.
 pub fn kkt(jac: &Matrix, random: &mut Random) -> Matrix {
     let q = jac.columns;
-    let mut entries: Vec<(usize, usize, f64)> =
-        (0..q).map(|i| (i, i, (if i % 3 == 2 { 0.1 } else { 1.0 }) * (1.0 + 0.5 * random.signed()))).collect();
+    let mut entries: Vec<(usize, usize, f64)> = (0..q)
+        .map(|i| {
+            (
+                i,
+                i,
+                (if i % 3 == 2 { 0.1 } else { 1.0 }) * (1.0 + 0.5 * random.signed()),
+            )
+        })
+        .collect();
     for &(row, column, value) in &jac.entries {
         entries.push((q + row, column, value));
         entries.push((column, q + row, value));
     }
-    Matrix { rows: q + jac.rows, columns: q + jac.rows, entries }
+    Matrix {
+        rows: q + jac.rows,
+        columns: q + jac.rows,
+        entries,
+    }
 }
 
 /// `cells` parallel cranks in a row, joined by couplers: 2 cells + 1 bodies, one degree of freedom. Crank angle [rad].
@@ -92,8 +110,14 @@ pub fn four_bar_chain(cells: usize, angle: f64) -> (usize, Vec<(End, End)>) {
     for i in 0..=cells {
         pins.push(((None, [0.0; 2]), (Some(2 * i), scaled(up, -0.5 * crank(i)))));
         if i < cells {
-            pins.push(((Some(2 * i), scaled(up, 0.5 * crank(i))), (Some(2 * i + 1), scaled(along, -0.4))));
-            pins.push(((Some(2 * i + 1), scaled(along, 0.4)), (Some(2 * i + 2), scaled(up, 0.5 * crank(i + 1)))));
+            pins.push((
+                (Some(2 * i), scaled(up, 0.5 * crank(i))),
+                (Some(2 * i + 1), scaled(along, -0.4)),
+            ));
+            pins.push((
+                (Some(2 * i + 1), scaled(along, 0.4)),
+                (Some(2 * i + 2), scaled(up, 0.5 * crank(i + 1))),
+            ));
         }
     }
     (2 * cells + 1, pins)
@@ -113,7 +137,10 @@ pub fn grid(cells: usize) -> (usize, Vec<(End, End)>) {
                 if r > k || c > k || row == 0 && step.0 == 0 {
                     continue;
                 }
-                let tilt = [reach[0] + 0.1 * random.signed(), reach[1] + 0.1 * random.signed()];
+                let tilt = [
+                    reach[0] + 0.1 * random.signed(),
+                    reach[1] + 0.1 * random.signed(),
+                ];
                 at_node[row * (k + 1) + column].push((bodies, [-tilt[0], -tilt[1]]));
                 at_node[r * (k + 1) + c].push((bodies, tilt));
                 bodies += 1;
@@ -124,7 +151,9 @@ pub fn grid(cells: usize) -> (usize, Vec<(End, End)>) {
     for (node, ends) in at_node.iter().enumerate() {
         let (mut first, mut rest) = ((None, [0.0; 2]), &ends[..]);
         if node > k {
-            let Some((&(body, arm), others)) = ends.split_first() else { continue };
+            let Some((&(body, arm), others)) = ends.split_first() else {
+                continue;
+            };
             (first, rest) = ((Some(body), arm), others);
         }
         pins.extend(rest.iter().map(|&(body, arm)| (first, (Some(body), arm))));
@@ -148,11 +177,23 @@ pub fn six_bar(angle: f64) -> Matrix {
 }
 
 /// Bodies pinned one to an earlier one or the ground, `loops` more pins between any two; arms up to 1 m.
-pub fn random_linkage(bodies: usize, loops: usize, random: &mut Random) -> (usize, Vec<(End, End)>) {
+pub fn random_linkage(
+    bodies: usize,
+    loops: usize,
+    random: &mut Random,
+) -> (usize, Vec<(End, End)>) {
     let mut pins = Vec::new();
     for number in 0..bodies + loops {
-        let body = if number < bodies { number } else { random.below(bodies) };
-        let other = if number < bodies { random.below(number + 1) } else { random.below(bodies + 1) };
+        let body = if number < bodies {
+            number
+        } else {
+            random.below(bodies)
+        };
+        let other = if number < bodies {
+            random.below(number + 1)
+        } else {
+            random.below(bodies + 1)
+        };
         // The last number stands for the ground, and a body is not pinned to itself.
         let ground = if number < bodies { number } else { bodies };
         let other = (other != ground && other != body).then_some(other);

@@ -40,7 +40,11 @@ pub fn parallelogram(cells: usize, third: bool, start: f64, motion: &Value) -> V
         joints["pm"] = pin("h0.M", "cm.B");
     }
     bodies["ground"] = json!({ "points": points });
-    model(bodies, joints, json!({ "motor": { "type": "rotation", "body": "c0", "motion": motion } }))
+    model(
+        bodies,
+        joints,
+        json!({ "motor": { "type": "rotation", "body": "c0", "motion": motion } }),
+    )
 }
 
 /// Slider-crank on the x axis, crank `r`, rod `l`, drawn at crank angle `start`; driven at the crank or, with
@@ -83,10 +87,14 @@ pub fn loaded(model: &Value) -> Loaded {
 
 /// Runs a model that must be good input.
 pub fn outcome(model: &Value) -> Outcome {
-    run(&loaded(model).model, &Control::default()).unwrap_or_else(|complaints| panic!("{complaints:?}"))
+    run(&loaded(model).model, &Control::default())
+        .unwrap_or_else(|complaints| panic!("{complaints:?}"))
 }
 
 /// A result column.
 pub fn column(outcome: &Outcome, name: &str) -> Vec<f64> {
-    outcome.trajectory.values(name).unwrap_or_else(|| panic!("no column {name}"))
+    outcome
+        .trajectory
+        .values(name)
+        .unwrap_or_else(|| panic!("no column {name}"))
 }

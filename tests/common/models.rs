@@ -24,7 +24,10 @@ pub fn all() -> Vec<Named> {
     let cases = CASES.iter().filter_map(|case| match case.kind {
         CaseKind::Reference(reference) => {
             let words = reference.read().expect("valid words");
-            words.model.is_object().then(|| Named { name: format!("case {}", case.name), json: words.model })
+            words.model.is_object().then(|| Named {
+                name: format!("case {}", case.name),
+                json: words.model,
+            })
         }
         CaseKind::Coded { .. } => None,
     });
@@ -35,13 +38,17 @@ pub fn all() -> Vec<Named> {
 pub fn load_bundled(name: &str, sets: &[&str]) -> Model {
     let text = bundled::find(name).expect("bundled").text;
     let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
-    model::load(text.as_bytes(), &sets).unwrap_or_else(|said| panic!("{name}: {said:?}")).model
+    model::load(text.as_bytes(), &sets)
+        .unwrap_or_else(|said| panic!("{name}: {said:?}"))
+        .model
 }
 
 /// The model that a JSON text says.
 #[track_caller]
 pub fn load(json: &Value) -> Model {
-    model::load(json.to_string().as_bytes(), &[]).unwrap_or_else(|said| panic!("{said:?}\n{json:#}")).model
+    model::load(json.to_string().as_bytes(), &[])
+        .unwrap_or_else(|said| panic!("{said:?}\n{json:#}"))
+        .model
 }
 
 /// Runs a model's analysis.
@@ -53,5 +60,8 @@ pub fn solve(model: &Model) -> Outcome {
 /// Values of a column.
 #[track_caller]
 pub fn values(outcome: &Outcome, column: &str) -> Vec<f64> {
-    outcome.trajectory.values(column).unwrap_or_else(|| panic!("no column {column}"))
+    outcome
+        .trajectory
+        .values(column)
+        .unwrap_or_else(|| panic!("no column {column}"))
 }

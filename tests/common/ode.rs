@@ -15,7 +15,13 @@ pub struct Problem {
 
 impl Problem {
     pub fn new(n: usize, f: fn(f64, &[f64], &mut [f64])) -> Self {
-        Problem { n, f, allowed: |_, _| true, evaluations: 0, accepted: 0 }
+        Problem {
+            n,
+            f,
+            allowed: |_, _| true,
+            evaluations: 0,
+            accepted: 0,
+        }
     }
 }
 
@@ -67,16 +73,33 @@ pub fn robertson(_: f64, y: &[f64], dy: &mut [f64]) {
 
 /// The same relative and absolute tolerance.
 pub fn tolerance(n: usize, tolerance: f64) -> Tolerance {
-    Tolerance { rtol: tolerance, atol: vec![tolerance; n], cap: Vec::new() }
+    Tolerance {
+        rtol: tolerance,
+        atol: vec![tolerance; n],
+        cap: Vec::new(),
+    }
 }
 
 /// Steps of one length, whatever their error.
 pub fn fixed(n: usize, h: f64) -> (Tolerance, Limits) {
-    (tolerance(n, 1e3), Limits { initial_step: Some(h), max_step: Some(h), min_step: None })
+    (
+        tolerance(n, 1e3),
+        Limits {
+            initial_step: Some(h),
+            max_step: Some(h),
+            min_step: None,
+        },
+    )
 }
 
 /// Steps to the end.
-pub fn run(stepper: &mut dyn Stepper, problem: &mut dyn Ode, start: f64, y: &[f64], end: f64) -> Vec<f64> {
+pub fn run(
+    stepper: &mut dyn Stepper,
+    problem: &mut dyn Ode,
+    start: f64,
+    y: &[f64],
+    end: f64,
+) -> Vec<f64> {
     stepper.start(problem, start, y, end).expect("starts");
     while stepper.t() != end {
         stepper.step(problem, end).expect("goes on");
@@ -85,14 +108,21 @@ pub fn run(stepper: &mut dyn Stepper, problem: &mut dyn Ode, start: f64, y: &[f6
 }
 
 /// y at 1, 2, … up to `end`, by dense output.
-pub fn sample(stepper: &mut dyn Stepper, problem: &mut dyn Ode, y: &[f64], end: f64) -> Vec<Vec<f64>> {
+pub fn sample(
+    stepper: &mut dyn Stepper,
+    problem: &mut dyn Ode,
+    y: &[f64],
+    end: f64,
+) -> Vec<Vec<f64>> {
     let mut samples: Vec<Vec<f64>> = Vec::new();
     stepper.start(problem, 0.0, y, end).expect("starts");
     while stepper.t() != end {
         stepper.step(problem, end).expect("goes on");
         while samples.len() as f64 + 1.0 <= stepper.t() {
             let mut at = vec![0.0; y.len()];
-            stepper.interpolate(problem, samples.len() as f64 + 1.0, &mut at).expect("no refusal");
+            stepper
+                .interpolate(problem, samples.len() as f64 + 1.0, &mut at)
+                .expect("no refusal");
             samples.push(at);
         }
     }
@@ -101,7 +131,9 @@ pub fn sample(stepper: &mut dyn Stepper, problem: &mut dyn Ode, y: &[f64], end: 
 
 /// Largest difference.
 pub fn distance(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()))
+    a.iter()
+        .zip(b)
+        .fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()))
 }
 
 /// A harmonic motion from (1, 0).
@@ -133,7 +165,12 @@ pub fn kepler_at(t: f64) -> Vec<f64> {
         anomaly -= (anomaly - 0.5 * anomaly.sin() - t) / (1.0 - 0.5 * anomaly.cos());
     }
     let (r, minor) = (1.0 - 0.5 * anomaly.cos(), 0.75_f64.sqrt());
-    vec![anomaly.cos() - 0.5, minor * anomaly.sin(), -anomaly.sin() / r, minor * anomaly.cos() / r]
+    vec![
+        anomaly.cos() - 0.5,
+        minor * anomaly.sin(),
+        -anomaly.sin() / r,
+        minor * anomaly.cos() / r,
+    ]
 }
 
 /// A problem with its start and solution.
@@ -144,9 +181,21 @@ pub struct Solved {
 }
 
 pub const SOLVED: [Solved; 3] = [
-    Solved { name: "harmonic", f: harmonic, at: harmonic_at },
-    Solved { name: "pendulum", f: pendulum, at: pendulum_at },
-    Solved { name: "kepler", f: kepler, at: kepler_at },
+    Solved {
+        name: "harmonic",
+        f: harmonic,
+        at: harmonic_at,
+    },
+    Solved {
+        name: "pendulum",
+        f: pendulum,
+        at: pendulum_at,
+    },
+    Solved {
+        name: "kepler",
+        f: kepler,
+        at: kepler_at,
+    },
 ];
 
 impl Solved {
@@ -160,6 +209,9 @@ impl Solved {
 
     /// Largest error of samples at 1, 2, ….
     pub fn error(&self, samples: &[Vec<f64>]) -> f64 {
-        (1..).zip(samples).map(|(t, y)| distance(y, &(self.at)(f64::from(t)))).fold(0.0, f64::max)
+        (1..)
+            .zip(samples)
+            .map(|(t, y)| distance(y, &(self.at)(f64::from(t))))
+            .fold(0.0, f64::max)
     }
 }

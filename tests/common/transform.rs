@@ -6,7 +6,8 @@
 
 use indexmap::IndexMap;
 use linkdyn::model::{
-    Driver, DriverKind, Force, ForceKind, Frame, GROUND, Joint, JointKind, Model, Motion, PointRef, Value,
+    Driver, DriverKind, Force, ForceKind, Frame, GROUND, Joint, JointKind, Model, Motion, PointRef,
+    Value,
 };
 
 /// A plane vector turned by an angle.
@@ -17,26 +18,44 @@ pub fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
 
 /// f(t) ↦ factor·f(t) + offset.
 fn affine(motion: &Motion, factor: f64, offset: f64) -> Motion {
-    let all = |values: &[f64]| values.iter().map(|value| value * factor).collect::<Vec<f64>>();
+    let all = |values: &[f64]| {
+        values
+            .iter()
+            .map(|value| value * factor)
+            .collect::<Vec<f64>>()
+    };
     match motion {
         Motion::Polynomial { coefficients } => {
             let mut coefficients = all(coefficients);
             coefficients[0] += offset;
             Motion::Polynomial { coefficients }
         }
-        Motion::Harmonic { offset: mean, amplitude, frequency, phase } => Motion::Harmonic {
+        Motion::Harmonic {
+            offset: mean,
+            amplitude,
+            frequency,
+            phase,
+        } => Motion::Harmonic {
             offset: mean * factor + offset,
             amplitude: amplitude * factor,
             frequency: *frequency,
             phase: *phase,
         },
-        Motion::Table { points } => {
-            Motion::Table { points: points.iter().map(|[t, value]| [*t, value * factor + offset]).collect() }
-        }
-        Motion::ConstantVelocity { start, velocity } => {
-            Motion::ConstantVelocity { start: start * factor + offset, velocity: velocity * factor }
-        }
-        Motion::ConstantAcceleration { start, velocity, acceleration } => Motion::ConstantAcceleration {
+        Motion::Table { points } => Motion::Table {
+            points: points
+                .iter()
+                .map(|[t, value]| [*t, value * factor + offset])
+                .collect(),
+        },
+        Motion::ConstantVelocity { start, velocity } => Motion::ConstantVelocity {
+            start: start * factor + offset,
+            velocity: velocity * factor,
+        },
+        Motion::ConstantAcceleration {
+            start,
+            velocity,
+            acceleration,
+        } => Motion::ConstantAcceleration {
             start: start * factor + offset,
             velocity: velocity * factor,
             acceleration: acceleration * factor,
@@ -52,8 +71,17 @@ fn affine_value(value: &Value, factor: f64, offset: f64) -> Value {
 }
 
 fn each_sampled_angle(model: &mut Model, change: impl Fn(f64) -> f64) {
-    let Some(sample) = model.analysis.as_mut().and_then(|analysis| analysis.sample.as_mut()) else { return };
-    let is_rotation = matches!(&model.drivers[&sample.driver].kind, DriverKind::Rotation { .. });
+    let Some(sample) = model
+        .analysis
+        .as_mut()
+        .and_then(|analysis| analysis.sample.as_mut())
+    else {
+        return;
+    };
+    let is_rotation = matches!(
+        &model.drivers[&sample.driver].kind,
+        DriverKind::Rotation { .. }
+    );
     if is_rotation {
         sample.from = change(sample.from);
         sample.to = change(sample.to);
@@ -63,7 +91,9 @@ fn each_sampled_angle(model: &mut Model, change: impl Fn(f64) -> f64) {
 /// Whether a driver's value is an angle against the ground.
 pub fn is_absolute(driver: &Driver) -> bool {
     match &driver.kind {
-        DriverKind::Rotation { relative_to, .. } => relative_to.as_deref().is_none_or(|body| body == GROUND),
+        DriverKind::Rotation { relative_to, .. } => {
+            relative_to.as_deref().is_none_or(|body| body == GROUND)
+        }
         DriverKind::Translation { .. } => false,
     }
 }
@@ -76,13 +106,18 @@ fn carrier(model: &Model, name: &str) -> Option<String> {
 
 /// The whole mechanism turned about the ground's origin; the ground's frame stays.
 pub fn rotate(model: &Model, angle: f64) -> Model {
-    assert!(model.initial.is_empty(), "exact initial values can't be turned one by one");
+    assert!(
+        model.initial.is_empty(),
+        "exact initial values can't be turned one by one"
+    );
     let original = model;
     let mut model = model.clone();
     model.gravity = turned(model.gravity, angle);
     for (name, body) in &mut model.bodies {
         if name == GROUND {
-            body.points.values_mut().for_each(|point| *point = turned(*point, angle));
+            body.points
+                .values_mut()
+                .for_each(|point| *point = turned(*point, angle));
         } else {
             body.pose.position = turned(body.pose.position, angle);
             body.pose.angle += angle;
@@ -95,7 +130,11 @@ pub fn rotate(model: &Model, angle: f64) -> Model {
         let relative = angle * (f64::from(u8::from(first)) - f64::from(u8::from(second)));
         match &mut joint.kind {
             JointKind::Revolute { .. } => {}
-            JointKind::Prismatic { axis, angle: relative_angle, .. } => {
+            JointKind::Prismatic {
+                axis,
+                angle: relative_angle,
+                ..
+            } => {
                 if first {
                     *axis = turned(*axis, angle);
                 }
@@ -106,20 +145,31 @@ pub fn rotate(model: &Model, angle: f64) -> Model {
                     *axis = turned(*axis, angle);
                 }
             }
-            JointKind::Gear { ratio, angle: mesh, .. } => {
+            JointKind::Gear {
+                ratio, angle: mesh, ..
+            } => {
                 let turns = |fixed: bool| if fixed { 0.0 } else { angle };
                 let carried = turns(carrier.as_deref() == Some(GROUND));
                 if let Some(mesh) = mesh {
                     *mesh += turns(second) - carried - *ratio * (turns(first) - carried);
                 }
             }
-            JointKind::Fixed { angle: relative_angle } => *relative_angle += relative,
+            JointKind::Fixed {
+                angle: relative_angle,
+            } => *relative_angle += relative,
         }
     }
-    for driver in model.drivers.values_mut().filter(|driver| is_absolute(driver)) {
+    for driver in model
+        .drivers
+        .values_mut()
+        .filter(|driver| is_absolute(driver))
+    {
         driver.motion = affine(&driver.motion, 1.0, angle);
     }
-    if let Some(sample) = model.analysis.as_ref().and_then(|analysis| analysis.sample.as_ref())
+    if let Some(sample) = model
+        .analysis
+        .as_ref()
+        .and_then(|analysis| analysis.sample.as_ref())
         && is_absolute(&model.drivers[&sample.driver])
     {
         each_sampled_angle(&mut model, |value| value + angle);
@@ -139,8 +189,13 @@ fn rotate_force(kind: &ForceKind, angle: f64) -> Vec<(&'static str, ForceKind)> 
     let mut kind = kind.clone();
     match &mut kind {
         ForceKind::Spring { .. } | ForceKind::Torque { .. } => {}
-        ForceKind::TorsionSpring { between, free_angle, .. } => {
-            let [first, second] = [0, 1].map(|end: usize| f64::from(u8::from(between[end] == GROUND)));
+        ForceKind::TorsionSpring {
+            between,
+            free_angle,
+            ..
+        } => {
+            let [first, second] =
+                [0, 1].map(|end: usize| f64::from(u8::from(between[end] == GROUND)));
             *free_angle = affine_value(free_angle, 1.0, angle * (first - second));
         }
         ForceKind::Load { at, vector, frame } => match frame {
@@ -161,12 +216,17 @@ fn rotate_force(kind: &ForceKind, angle: f64) -> Vec<(&'static str, ForceKind)> 
 
 /// The whole mechanism moved.
 pub fn translate(model: &Model, by: [f64; 2]) -> Model {
-    assert!(model.initial.is_empty(), "exact initial values are not moved");
+    assert!(
+        model.initial.is_empty(),
+        "exact initial values are not moved"
+    );
     let mut model = model.clone();
     let moved = |[x, y]: [f64; 2]| [x + by[0], y + by[1]];
     for (name, body) in &mut model.bodies {
         if name == GROUND {
-            body.points.values_mut().for_each(|point| *point = moved(*point));
+            body.points
+                .values_mut()
+                .for_each(|point| *point = moved(*point));
         } else {
             body.pose.position = moved(body.pose.position);
         }
@@ -176,12 +236,17 @@ pub fn translate(model: &Model, by: [f64; 2]) -> Model {
 
 /// The mechanism behind a mirror, x ↦ −x, body frames mirrored too: angles and torques change their sign.
 pub fn mirror(model: &Model) -> Model {
-    assert!(model.initial.is_empty(), "exact initial values are not mirrored");
+    assert!(
+        model.initial.is_empty(),
+        "exact initial values are not mirrored"
+    );
     let mut model = model.clone();
     let mirrored = |[x, y]: [f64; 2]| [-x, y];
     model.gravity = mirrored(model.gravity);
     for body in model.bodies.values_mut() {
-        body.points.values_mut().for_each(|point| *point = mirrored(*point));
+        body.points
+            .values_mut()
+            .for_each(|point| *point = mirrored(*point));
         body.com = body.com.map(mirrored);
         body.pose.position = mirrored(body.pose.position);
         body.pose.angle = -body.pose.angle;
@@ -207,7 +272,10 @@ pub fn mirror(model: &Model) -> Model {
     for force in model.forces.values_mut() {
         match &mut force.kind {
             ForceKind::Spring { .. } => {}
-            ForceKind::TorsionSpring { free_angle: value, .. } | ForceKind::Torque { value, .. } => {
+            ForceKind::TorsionSpring {
+                free_angle: value, ..
+            }
+            | ForceKind::Torque { value, .. } => {
                 *value = affine_value(value, -1.0, 0.0);
             }
             ForceKind::Load { vector, .. } => vector[0] = affine_value(&vector[0], -1.0, 0.0),
@@ -218,7 +286,11 @@ pub fn mirror(model: &Model) -> Model {
 
 /// A name no model has.
 pub fn renamed(name: &str) -> String {
-    if name == GROUND { name.to_string() } else { format!("{name} ♣") }
+    if name == GROUND {
+        name.to_string()
+    } else {
+        format!("{name} ♣")
+    }
 }
 
 /// Every name changed, everything in the opposite order.
@@ -257,7 +329,9 @@ pub fn rename_and_reverse(model: &Model) -> Model {
                 between.iter_mut().for_each(|body| *body = renamed(body));
             }
             ForceKind::Load { at, .. } => reference(at),
-            ForceKind::Torque { body, relative_to, .. } => {
+            ForceKind::Torque {
+                body, relative_to, ..
+            } => {
                 *body = renamed(body);
                 *relative_to = relative_to.as_deref().map(renamed);
             }
@@ -265,14 +339,21 @@ pub fn rename_and_reverse(model: &Model) -> Model {
     }
     model.points.reverse();
     model.points.iter_mut().for_each(reference);
-    if let Some(sample) = model.analysis.as_mut().and_then(|analysis| analysis.sample.as_mut()) {
+    if let Some(sample) = model
+        .analysis
+        .as_mut()
+        .and_then(|analysis| analysis.sample.as_mut())
+    {
         sample.driver = renamed(&sample.driver);
     }
     model
 }
 
 fn reversed<T>(map: IndexMap<String, T>) -> IndexMap<String, T> {
-    map.into_iter().rev().map(|(name, value)| (renamed(&name), value)).collect()
+    map.into_iter()
+        .rev()
+        .map(|(name, value)| (renamed(&name), value))
+        .collect()
 }
 
 /// First and second body of every revolute and fixed joint and of every gear exchanged.

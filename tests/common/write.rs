@@ -1,8 +1,8 @@
 //! A model as the text of a file, in units of choice.
 
 use linkdyn::model::{
-    AnalysisKind, Driver, DriverKind, Force, ForceKind, Frame, Friction, FrictionLaw, GROUND, JointKind, Model, Motion,
-    PointRef, Value as Law,
+    AnalysisKind, Driver, DriverKind, Force, ForceKind, Frame, Friction, FrictionLaw, GROUND,
+    JointKind, Model, Motion, PointRef, Value as Law,
 };
 use serde_json::{Map, Value, json};
 
@@ -16,7 +16,12 @@ pub struct Scale {
     pub mass: f64,
 }
 
-pub const SI: Scale = Scale { names: &[], length: 1.0, angle: 1.0, mass: 1.0 };
+pub const SI: Scale = Scale {
+    names: &[],
+    length: 1.0,
+    angle: 1.0,
+    mass: 1.0,
+};
 
 /// Millimetres, degrees, tonnes: forces in N, torques in N·mm.
 pub const WORKSHOP: Scale = Scale {
@@ -43,7 +48,11 @@ pub const WORKSHOP: Scale = Scale {
 impl Scale {
     /// The model as JSON; its clearances are left out.
     pub fn write(&self, model: &Model) -> Value {
-        let units = self.names.iter().map(|(name, unit)| (name.to_string(), json!(unit))).collect::<Map<_, _>>();
+        let units = self
+            .names
+            .iter()
+            .map(|(name, unit)| (name.to_string(), json!(unit)))
+            .collect::<Map<_, _>>();
         let analysis = model.analysis.as_ref().expect("an analysis");
         assert_eq!(analysis.kind, AnalysisKind::InverseDynamics);
         let mut words = json!({ "type": "inverse_dynamics" });
@@ -75,15 +84,18 @@ impl Scale {
     fn bodies(&self, model: &Model) -> Value {
         let mut bodies = Map::new();
         for (name, body) in &model.bodies {
-            let points = body.points.iter().map(|(name, point)| (name.clone(), self.pair(*point)));
+            let points = body
+                .points
+                .iter()
+                .map(|(name, point)| (name.clone(), self.pair(*point)));
             let mut words = json!({ "points": points.collect::<Map<_, _>>() });
             if name != GROUND {
-                words["pose"] =
-                    json!({ "position": self.pair(body.pose.position), "angle": body.pose.angle * self.angle });
+                words["pose"] = json!({ "position": self.pair(body.pose.position), "angle": body.pose.angle * self.angle });
                 let inertia = self.mass * self.length * self.length;
-                for (key, value) in
-                    [("mass", body.mass.map(|m| m * self.mass)), ("inertia", body.inertia.map(|i| i * inertia))]
-                {
+                for (key, value) in [
+                    ("mass", body.mass.map(|m| m * self.mass)),
+                    ("inertia", body.inertia.map(|i| i * inertia)),
+                ] {
                     if let Some(value) = value {
                         words[key] = json!(value);
                     }
@@ -98,12 +110,18 @@ impl Scale {
     }
 
     /// Coulomb's friction, the only one among these models.
-    fn friction(&self, words: &mut Value, friction: Option<&Friction>, (key, length): (&str, Option<f64>)) {
+    fn friction(
+        &self,
+        words: &mut Value,
+        friction: Option<&Friction>,
+        (key, length): (&str, Option<f64>),
+    ) {
         let Some(friction) = friction else { return };
         assert_eq!(friction.law, FrictionLaw::Coulomb);
-        let threshold = friction.threshold_velocity.map(|velocity| velocity * self.length);
-        words["friction"] =
-            json!({ "law": "coulomb", "coefficient": friction.coefficient, "threshold_velocity": threshold });
+        let threshold = friction
+            .threshold_velocity
+            .map(|velocity| velocity * self.length);
+        words["friction"] = json!({ "law": "coulomb", "coefficient": friction.coefficient, "threshold_velocity": threshold });
         if let Some(length) = length {
             words[key] = json!(length * self.length);
         }
@@ -114,19 +132,38 @@ impl Scale {
         for (name, joint) in &model.joints {
             let between = joint.between.each_ref().map(PointRef::to_string);
             let words = match &joint.kind {
-                JointKind::Revolute { friction, pin_radius, .. } => {
+                JointKind::Revolute {
+                    friction,
+                    pin_radius,
+                    ..
+                } => {
                     let mut words = json!({ "type": "revolute", "between": between });
                     self.friction(&mut words, friction.as_deref(), ("pin_radius", *pin_radius));
                     words
                 }
-                JointKind::Prismatic { axis, angle, friction, guide_length } => {
+                JointKind::Prismatic {
+                    axis,
+                    angle,
+                    friction,
+                    guide_length,
+                } => {
                     let angle = angle * self.angle;
                     let mut words = json!({ "type": "prismatic", "between": between, "axis": axis, "angle": angle });
-                    self.friction(&mut words, friction.as_deref(), ("guide_length", *guide_length));
+                    self.friction(
+                        &mut words,
+                        friction.as_deref(),
+                        ("guide_length", *guide_length),
+                    );
                     words
                 }
-                JointKind::Slot { axis } => json!({ "type": "slot", "between": between, "axis": axis }),
-                JointKind::Gear { ratio, carrier, angle } => {
+                JointKind::Slot { axis } => {
+                    json!({ "type": "slot", "between": between, "axis": axis })
+                }
+                JointKind::Gear {
+                    ratio,
+                    carrier,
+                    angle,
+                } => {
                     let mut words = json!({ "type": "gear", "between": between, "ratio": ratio });
                     if let Some(carrier) = carrier {
                         words["carrier"] = json!(carrier);
@@ -156,13 +193,21 @@ impl Scale {
     fn driver(&self, driver: &Driver) -> Value {
         let motion = self.motion(&driver.motion, self.driven(driver));
         match &driver.kind {
-            DriverKind::Rotation { body, relative_to: None } => {
+            DriverKind::Rotation {
+                body,
+                relative_to: None,
+            } => {
                 json!({ "type": "rotation", "body": body, "motion": motion })
             }
-            DriverKind::Rotation { body, relative_to: Some(other) } => {
+            DriverKind::Rotation {
+                body,
+                relative_to: Some(other),
+            } => {
                 json!({ "type": "rotation", "body": body, "relative_to": other, "motion": motion })
             }
-            DriverKind::Translation { joint } => json!({ "type": "translation", "joint": joint, "motion": motion }),
+            DriverKind::Translation { joint } => {
+                json!({ "type": "translation", "joint": joint, "motion": motion })
+            }
         }
     }
 
@@ -171,7 +216,12 @@ impl Scale {
             Motion::Polynomial { coefficients } => {
                 json!({ "type": "polynomial", "coefficients": coefficients.iter().map(|c| c * unit).collect::<Vec<_>>() })
             }
-            Motion::Harmonic { offset, amplitude, frequency, phase } => json!({ "type": "harmonic",
+            Motion::Harmonic {
+                offset,
+                amplitude,
+                frequency,
+                phase,
+            } => json!({ "type": "harmonic",
                 "offset": offset * unit, "amplitude": amplitude * unit, "frequency": frequency, "phase": phase * self.angle }),
             Motion::Table { points } => {
                 json!({ "type": "table", "points": points.iter().map(|[t, f]| [*t, f * unit]).collect::<Vec<_>>() })
@@ -179,7 +229,11 @@ impl Scale {
             Motion::ConstantVelocity { start, velocity } => {
                 json!({ "type": "constant_velocity", "start": start * unit, "velocity": velocity * unit })
             }
-            Motion::ConstantAcceleration { start, velocity, acceleration } => json!({ "type": "constant_acceleration",
+            Motion::ConstantAcceleration {
+                start,
+                velocity,
+                acceleration,
+            } => json!({ "type": "constant_acceleration",
                 "start": start * unit, "velocity": velocity * unit, "acceleration": acceleration * unit }),
         }
     }
@@ -194,16 +248,30 @@ impl Scale {
     /// Forces in N, torques in N·m times the length's scale (N·mm).
     fn force(&self, force: &Force) -> Value {
         match &force.kind {
-            ForceKind::Spring { between, stiffness, damping, free_length } => json!({ "type": "spring",
+            ForceKind::Spring {
+                between,
+                stiffness,
+                damping,
+                free_length,
+            } => json!({ "type": "spring",
                 "between": between.each_ref().map(PointRef::to_string), "stiffness": stiffness / self.length,
                 "damping": damping / self.length, "free_length": self.law(free_length, self.length) }),
-            ForceKind::TorsionSpring { between, stiffness, damping, free_angle } => json!({ "type": "torsion_spring",
+            ForceKind::TorsionSpring {
+                between,
+                stiffness,
+                damping,
+                free_angle,
+            } => json!({ "type": "torsion_spring",
                 "between": between, "stiffness": stiffness * self.length / self.angle,
                 "damping": damping * self.length / self.angle, "free_angle": self.law(free_angle, self.angle) }),
             ForceKind::Load { at, vector, frame } => json!({ "type": "force", "at": at.to_string(),
                 "vector": vector.each_ref().map(|law| self.law(law, 1.0)),
                 "frame": match frame { Frame::Ground => "ground", Frame::Body => "body" } }),
-            ForceKind::Torque { body, value, relative_to } => {
+            ForceKind::Torque {
+                body,
+                value,
+                relative_to,
+            } => {
                 let mut words = json!({ "type": "torque", "body": body, "value": self.law(value, self.length) });
                 if let Some(other) = relative_to {
                     words["relative_to"] = json!(other);

@@ -60,7 +60,12 @@ impl Outputs<'_, '_> {
         driven.evaluation.set_position(&self.sample.q);
         driven.evaluation.set_velocity(&self.sample.v);
         driven.evaluation.eval_phi(self.system, &self.inputs);
-        balance(self.system, &driven.evaluation, &self.inputs, &mut self.sample);
+        balance(
+            self.system,
+            &driven.evaluation,
+            &self.inputs,
+            &mut self.sample,
+        );
     }
 
     /// At a change point: reactions of the singular loop do not exist, nor does friction that they cause; the others are
@@ -72,9 +77,12 @@ impl Outputs<'_, '_> {
         let mut limit = vec![0.0; system.m()];
         let mut sizes = vec![0.0; system.reactive.len()];
         // Mean of both sides at h and 2h, then (4 M(h) − M(2h)) / 3: error O(h⁴).
-        for (part, weight) in
-            [(LIMIT, 4.0 / 6.0), (-LIMIT, 4.0 / 6.0), (2.0 * LIMIT, -1.0 / 6.0), (-2.0 * LIMIT, -1.0 / 6.0)]
-        {
+        for (part, weight) in [
+            (LIMIT, 4.0 / 6.0),
+            (-LIMIT, 4.0 / 6.0),
+            (2.0 * LIMIT, -1.0 / 6.0),
+            (-2.0 * LIMIT, -1.0 / 6.0),
+        ] {
             let Sample { q, v, a, .. } = &mut self.scratch;
             path.guess(s + part * window.width, q, v, a);
             for (v, a) in v.iter_mut().zip(a.iter_mut()) {
@@ -91,8 +99,14 @@ impl Outputs<'_, '_> {
                     self.scratch.lambda.fill(f64::NAN);
                     self.note_locked(driven);
                 }
-                limit.iter_mut().zip(&self.scratch.lambda).for_each(|(sum, l)| *sum += weight * l);
-                sizes.iter_mut().zip(&self.scratch.reactive).for_each(|(sum, size)| *sum += weight * size);
+                limit
+                    .iter_mut()
+                    .zip(&self.scratch.lambda)
+                    .for_each(|(sum, l)| *sum += weight * l);
+                sizes
+                    .iter_mut()
+                    .zip(&self.scratch.reactive)
+                    .for_each(|(sum, size)| *sum += weight * size);
             } else {
                 limit.fill(f64::NAN);
                 sizes.fill(f64::NAN);
@@ -104,8 +118,9 @@ impl Outputs<'_, '_> {
         let largest = crate::math::max_abs(stress);
         for block in &system.blocks {
             let rows = block.row..block.row + block.rows;
-            let stressed =
-                stress.get(rows.clone()).is_some_and(|part| crate::math::max_abs(part) > UNBOUNDED * largest);
+            let stressed = stress
+                .get(rows.clone())
+                .is_some_and(|part| crate::math::max_abs(part) > UNBOUNDED * largest);
             if stressed {
                 limit[rows].fill(f64::NAN);
                 if let Origin::Joint(id) = block.origin {
@@ -124,7 +139,9 @@ impl Outputs<'_, '_> {
         self.sample.lambda.copy_from_slice(&limit);
         self.sample.reactive.copy_from_slice(&sizes);
         if !sizes.is_empty() {
-            driven.reactive.eval_units(system, &driven.evaluation, &self.inputs);
+            driven
+                .reactive
+                .eval_units(system, &driven.evaluation, &self.inputs);
             driven.reactive.set_sizes(&sizes);
             driven.reactive.add_forces(&mut self.sample.force);
             driven.reactive.add_forces(&mut self.sample.balance);

@@ -23,7 +23,11 @@ use passages::range;
 ///
 /// # Errors
 /// Faults of the input, and failures before the first output.
-pub fn run(system: &System, analysis: &Analysis, control: &Control) -> Result<(Trajectory, Report), Stop> {
+pub fn run(
+    system: &System,
+    analysis: &Analysis,
+    control: &Control,
+) -> Result<(Trajectory, Report), Stop> {
     let clock = Stopwatch::start();
     let reactions = super::has_reactions(analysis.kind);
     let at_events = analysis.outputs_at == OutputsAt::Events;
@@ -33,7 +37,11 @@ pub fn run(system: &System, analysis: &Analysis, control: &Control) -> Result<(T
     let assembled = assemble(system, &start)?;
     check_driven(system, &assembled, &start)?;
     super::assembly::velocities(system, &assembled.q, &start)?;
-    let mut report = Report { mobility: assembled.mobility.clone(), warnings: assembled.warnings, ..Report::default() };
+    let mut report = Report {
+        mobility: assembled.mobility.clone(),
+        warnings: assembled.warnings,
+        ..Report::default()
+    };
     report.statistics.newton_iterations = assembled.iterations;
 
     let singular = |_: Failure| {
@@ -50,7 +58,11 @@ pub fn run(system: &System, analysis: &Analysis, control: &Control) -> Result<(T
     let clock = Stopwatch::start();
     let range = range(system, &instants);
     let parameter = Parameter::of(system);
-    let first = if parameter == Parameter::DriverValue { start.drive[0][0] } else { 0.0 };
+    let first = if parameter == Parameter::DriverValue {
+        start.drive[0][0]
+    } else {
+        0.0
+    };
     let path = path(&mut driven, (first, &q), range, control).map_err(singular)?;
     report.statistics.steps = path.steps;
     report.statistics.rejected = path.rejected;
@@ -78,8 +90,17 @@ fn refuse(system: &System, reactions: bool, at_events: bool) -> Result<(), Stop>
         ]));
     }
     let remembers = |force: usize| system.reactive[force].force.memory_scale().is_some();
-    let bristles = |joint: &&JointData| joint.friction.is_some_and(|friction| remembers(friction.force));
-    match system.joints.iter().find(bristles).filter(|_| reactions || system.links > 0) {
+    let bristles = |joint: &&JointData| {
+        joint
+            .friction
+            .is_some_and(|friction| remembers(friction.force))
+    };
+    match system
+        .joints
+        .iter()
+        .find(bristles)
+        .filter(|_| reactions || system.links > 0)
+    {
         Some(joint) => Err(Stop::Input(vec![
             Complaint::new(
                 format!("joints.{}.friction.law", joint.name),
@@ -93,7 +114,12 @@ fn refuse(system: &System, reactions: bool, at_events: bool) -> Result<(), Stop>
 }
 
 /// The path over `range`: of a crank that goes round more than once and comes back, one turn stands for all.
-fn path(driven: &mut Driven, start: (f64, &[f64]), range: (f64, f64), control: &Control) -> Result<Path, Failure> {
+fn path(
+    driven: &mut Driven,
+    start: (f64, &[f64]),
+    range: (f64, f64),
+    control: &Control,
+) -> Result<Path, Failure> {
     let system = driven.system;
     let parameter = Parameter::of(system);
     let half_way = |s: f64, (low, high): (f64, f64)| {
@@ -105,16 +131,33 @@ fn path(driven: &mut Driven, start: (f64, &[f64]), range: (f64, f64), control: &
     let turns = parameter == Parameter::DriverValue && system.drivers[0].measure == Measure::Angle;
     if turns && range.1 - range.0 > 4.0 * HALF_TURN {
         let around = (start.0 - HALF_TURN, start.0 + HALF_TURN);
-        let mut path = follow(driven, (parameter, Inputs::still(system)), start, around, &|s| half_way(s, around))?;
+        let mut path = follow(
+            driven,
+            (parameter, Inputs::still(system)),
+            start,
+            around,
+            &|s| half_way(s, around),
+        )?;
         if path.close_turn(system, start.0) {
             return Ok(path);
         }
     }
-    follow(driven, (parameter, Inputs::still(system)), start, range, &|s| half_way(s, range))
+    follow(
+        driven,
+        (parameter, Inputs::still(system)),
+        start,
+        range,
+        &|s| half_way(s, range),
+    )
 }
 
 /// Kept for the six-bar benchmark: solves one instant, all reactions, without output.
-pub fn solve_instant(driven: &mut Driven, path: &Path, inputs: &Inputs, sample: &mut Sample) -> Result<(), Failure> {
+pub fn solve_instant(
+    driven: &mut Driven,
+    path: &Path,
+    inputs: &Inputs,
+    sample: &mut Sample,
+) -> Result<(), Failure> {
     let s = match path.parameter {
         Parameter::DriverValue => inputs.drive[0][0],
         Parameter::Time | Parameter::Pin => inputs.time,

@@ -17,7 +17,11 @@ const STRESSED: f64 = 1e-6;
 
 /// Why and when somebody asked to stop.
 fn stopped(status: Status, when: &str) -> String {
-    let why = if status == Status::Interrupted { "interrupted" } else { "max_wall_time is over" };
+    let why = if status == Status::Interrupted {
+        "interrupted"
+    } else {
+        "max_wall_time is over"
+    };
     format!("{why} {when}")
 }
 
@@ -41,7 +45,11 @@ pub(super) struct Outputs<'a, 'r> {
 
 impl<'a, 'r> Outputs<'a, 'r> {
     pub fn new(system: &'a System, reactions: bool, rows: usize, report: &'r mut Report) -> Self {
-        let contents = Contents { velocities: true, accelerations: true, reactions };
+        let contents = Contents {
+            velocities: true,
+            accelerations: true,
+            reactions,
+        };
         Outputs {
             system,
             links: ClearanceLinks::of(system),
@@ -72,11 +80,18 @@ impl<'a, 'r> Outputs<'a, 'r> {
         if [path.low, path.high].contains(&End::Interrupted) {
             let status = control.stop().unwrap_or(Status::Interrupted);
             self.report.status = status;
-            self.report.message = Some(stopped(status, "while the path was followed, before the first output"));
+            self.report.message = Some(stopped(
+                status,
+                "while the path was followed, before the first output",
+            ));
             return;
         }
         let limit = self.limits(path, end);
-        self.events(path, range(self.system, instants), limit.as_ref().map_or(end, |(time, ..)| *time));
+        self.events(
+            path,
+            range(self.system, instants),
+            limit.as_ref().map_or(end, |(time, ..)| *time),
+        );
         let passages: &[Event] = if at_events { &self.report.events } else { &[] };
         for instant in &with_passages(instants, passages) {
             control.progress.note(end + instant.time, 2.0 * end);
@@ -95,7 +110,10 @@ impl<'a, 'r> Outputs<'a, 'r> {
             }
             if let Some(status) = control.stop() {
                 self.report.status = status;
-                let at = format!("at t = {}; the rows until then are kept", self.system.display.time(instant.time));
+                let at = format!(
+                    "at t = {}; the rows until then are kept",
+                    self.system.display.time(instant.time)
+                );
                 self.report.message = Some(stopped(status, &at));
                 return;
             }
@@ -114,22 +132,28 @@ impl<'a, 'r> Outputs<'a, 'r> {
 
     /// Where the path ends before the outputs do.
     fn limits(&self, path: &Path, end: f64) -> Option<(f64, Status, String)> {
-        let ends = [path.low, path.high].into_iter().filter_map(|side| match side {
-            End::Reached | End::Interrupted => None,
-            End::DeadCentre { s } => {
-                let time = times_of(self.system, s, end).first().copied()?;
-                Some((time, Status::DeadCentre, self.dead_centre_text(path, s, time)))
-            }
-            End::Stuck { s } => {
-                let time = times_of(self.system, s, end).first().copied()?;
-                let what = format!(
-                    "{} can't be followed beyond {}; the results until there are kept",
-                    self.drivers_text(),
-                    self.position_text(s, time)
-                );
-                Some((time, Status::Singular, what))
-            }
-        });
+        let ends = [path.low, path.high]
+            .into_iter()
+            .filter_map(|side| match side {
+                End::Reached | End::Interrupted => None,
+                End::DeadCentre { s } => {
+                    let time = times_of(self.system, s, end).first().copied()?;
+                    Some((
+                        time,
+                        Status::DeadCentre,
+                        self.dead_centre_text(path, s, time),
+                    ))
+                }
+                End::Stuck { s } => {
+                    let time = times_of(self.system, s, end).first().copied()?;
+                    let what = format!(
+                        "{} can't be followed beyond {}; the results until there are kept",
+                        self.drivers_text(),
+                        self.position_text(s, time)
+                    );
+                    Some((time, Status::Singular, what))
+                }
+            });
         ends.min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
@@ -154,7 +178,9 @@ impl<'a, 'r> Outputs<'a, 'r> {
 
     /// `driver "motor" can't go on beyond …, where "coupler" and "rocker" are in line`, and what to try.
     fn dead_centre_text(&self, path: &Path, s: f64, time: f64) -> String {
-        let stress = path.singular_at(s).map(|position| stressed_rows(self.system, &position.self_stress));
+        let stress = path
+            .singular_at(s)
+            .map(|position| stressed_rows(self.system, &position.self_stress));
         let what = singular_text(self.system, &stress.unwrap_or_default());
         let what = what.map_or_else(String::new, |what| format!(", where {what}"));
         format!(
@@ -189,7 +215,10 @@ impl<'a, 'r> Outputs<'a, 'r> {
     }
 
     fn driver_value(&self) -> Option<(String, f64)> {
-        self.system.drivers.first().map(|driver| (driver.name.clone(), self.inputs.drive[0][0]))
+        self.system
+            .drivers
+            .first()
+            .map(|driver| (driver.name.clone(), self.inputs.drive[0][0]))
     }
 
     fn solve(&mut self, driven: &mut Driven, path: &Path) -> Result<(), Failure> {
@@ -199,9 +228,14 @@ impl<'a, 'r> Outputs<'a, 'r> {
             Parameter::DriverValue => self.inputs.drive[0],
             Parameter::Time | Parameter::Pin => [self.inputs.time, 1.0, 0.0],
         };
-        self.inputs.offset.iter_mut().for_each(|offset| offset.fill(crate::math::Vec2::zeros()));
+        self.inputs
+            .offset
+            .iter_mut()
+            .for_each(|offset| offset.fill(crate::math::Vec2::zeros()));
         let Sample { q, v, a, .. } = &mut self.sample;
-        let Some(source) = path.guess(s, q, v, a) else { return Err(Failure::Singular) };
+        let Some(source) = path.guess(s, q, v, a) else {
+            return Err(Failure::Singular);
+        };
         let mut residual;
         match source {
             Source::Regular => {
@@ -260,11 +294,13 @@ impl<'a, 'r> Outputs<'a, 'r> {
             driven.evaluation.eval_phi(system, &self.inputs);
             residual = system.scaled_residual(&driven.evaluation.phi);
         }
-        self.report.quality.constraint_residual = self.report.quality.constraint_residual.max(residual);
+        self.report.quality.constraint_residual =
+            self.report.quality.constraint_residual.max(residual);
         if self.reactions {
             self.account();
         }
-        self.recorder.push(system, &driven.evaluation, &self.inputs, &self.sample);
+        self.recorder
+            .push(system, &driven.evaluation, &self.inputs, &self.sample);
         Ok(())
     }
 
@@ -281,7 +317,8 @@ impl<'a, 'r> Outputs<'a, 'r> {
     pub fn note_locked(&mut self, driven: &Driven) {
         if let Some(force) = driven.reactive.locked() {
             let (time, driver) = (self.inputs.time, self.driver_value());
-            self.locking.extend("self_locking", time, driver, &locked(self.system, force));
+            self.locking
+                .extend("self_locking", time, driver, &locked(self.system, force));
             self.report.status = Status::CompletedWithGaps;
         }
     }
@@ -305,12 +342,21 @@ impl<'a, 'r> Outputs<'a, 'r> {
 
     /// Power of drivers + power of forces = change of kinetic energy.
     fn account(&mut self) {
-        let Sample { v, a, lambda, force, .. } = &self.sample;
+        let Sample {
+            v,
+            a,
+            lambda,
+            force,
+            ..
+        } = &self.sample;
         let efforts = &lambda[self.system.joint_rows()..];
         if efforts.iter().any(|effort| !effort.is_finite()) {
             return;
         }
-        let drivers = efforts.iter().zip(&self.inputs.drive).map(|(effort, jet)| (*effort, jet[1]));
+        let drivers = efforts
+            .iter()
+            .zip(&self.inputs.drive)
+            .map(|(effort, jet)| (*effort, jet[1]));
         self.powers.note(self.system, [v, a, force], drivers);
     }
 
@@ -337,17 +383,33 @@ impl<'a, 'r> Outputs<'a, 'r> {
             ));
         }
         if self.reactions {
-            self.report.warnings.extend(unsure_friction(self.system, &self.report.mobility.reactions_not_unique));
+            self.report.warnings.extend(unsure_friction(
+                self.system,
+                &self.report.mobility.reactions_not_unique,
+            ));
         }
         for (kind, what) in [
-            ("not_converged", "the clearance fixed point does not converge"),
+            (
+                "not_converged",
+                "the clearance fixed point does not converge",
+            ),
             ("no_solution", "there is no assembly"),
-            ("self_locking", "a joint locks itself by its friction: forces do not exist"),
+            (
+                "self_locking",
+                "a joint locks itself by its friction: forces do not exist",
+            ),
         ] {
-            let count = self.report.events.iter().filter(|event| event.kind == kind).count();
+            let count = self
+                .report
+                .events
+                .iter()
+                .filter(|event| event.kind == kind)
+                .count();
             if count > 0 {
                 let intervals = if count == 1 { "interval" } else { "intervals" };
-                self.report.warnings.push(format!("in {count} {intervals} {what} (see events)"));
+                self.report
+                    .warnings
+                    .push(format!("in {count} {intervals} {what} (see events)"));
             }
         }
         self.recorder.trajectory
@@ -358,10 +420,17 @@ impl<'a, 'r> Outputs<'a, 'r> {
 fn with_passages(instants: &[OutputInstant], events: &[Event]) -> Vec<OutputInstant> {
     let mut all = instants.to_vec();
     let end = instants.last().map_or(0.0, |last| last.time);
-    let is_near = |time: f64| instants.iter().any(|instant| (instant.time - time).abs() <= ON_THE_EDGE * end);
+    let is_near = |time: f64| {
+        instants
+            .iter()
+            .any(|instant| (instant.time - time).abs() <= ON_THE_EDGE * end)
+    };
     let between = events.iter().filter(|event| !is_near(event.time));
     // By value there is one driver that counts.
-    all.extend(between.map(|event| OutputInstant { time: event.time, exact: event.value.map(|value| (0, value)) }));
+    all.extend(between.map(|event| OutputInstant {
+        time: event.time,
+        exact: event.value.map(|value| (0, value)),
+    }));
     all.sort_by(|a, b| a.time.total_cmp(&b.time));
     all
 }
@@ -377,7 +446,9 @@ fn describe(system: &System, failure: Failure) -> String {
             format!("Newton's iteration does not converge (residual {residual:.1e} of the size)")
         }
         Failure::Inconsistent { residual } => {
-            format!("redundant constraints contradict each other by {residual:.1e} of the mechanism's size")
+            format!(
+                "redundant constraints contradict each other by {residual:.1e} of the mechanism's size"
+            )
         }
     }
 }

@@ -13,9 +13,19 @@ pub(super) fn range(system: &System, instants: &[OutputInstant]) -> (f64, f64) {
         Parameter::DriverValue => {
             let law = &system.drivers[0].law;
             let enough = law.repeats_after().unwrap_or(usize::MAX);
-            let turns = law.turning_times(end).take(enough).chain([0.0, end]).map(|t| law.jet(t)[0]);
-            let sampled = instants.iter().filter_map(|instant| instant.exact.map(|(_, value)| value));
-            turns.chain(sampled).fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), s| (low.min(s), high.max(s)))
+            let turns = law
+                .turning_times(end)
+                .take(enough)
+                .chain([0.0, end])
+                .map(|t| law.jet(t)[0]);
+            let sampled = instants
+                .iter()
+                .filter_map(|instant| instant.exact.map(|(_, value)| value));
+            turns
+                .chain(sampled)
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), s| {
+                    (low.min(s), high.max(s))
+                })
         }
     }
 }
@@ -50,7 +60,11 @@ fn passages(law: &Law, value: f64, end: f64) -> Vec<f64> {
         } else if b.abs() <= edge {
             Some(right)
         } else if a * b < 0.0 {
-            Some(crate::motion::bisect(|t| (law.jet(t)[0] - value) * a, left, right))
+            Some(crate::motion::bisect(
+                |t| (law.jet(t)[0] - value) * a,
+                left,
+                right,
+            ))
         } else {
             None
         };

@@ -59,7 +59,12 @@ impl Looking {
             insert(outputs, &rows);
             rows.clear();
         }
-        rows.extend(self.watch.rows_beyond(outputs).into_iter().map(<[f64]>::to_vec));
+        rows.extend(
+            self.watch
+                .rows_beyond(outputs)
+                .into_iter()
+                .map(<[f64]>::to_vec),
+        );
         let mut peaks = Trajectory::new(outputs.columns.clone());
         by_time(rows).iter().for_each(|row| peaks.push_row(row));
         peaks
@@ -71,7 +76,10 @@ impl Integration {
     fn fill(&self, motion: &mut Motion, watch: &mut Watch, node: &mut Node) {
         let [dissipated, _] = self.ledger(motion);
         let reduced = &motion.reduced;
-        let elastic = reduced.driven.evaluation.contact_energy(motion.system(), &reduced.inputs);
+        let elastic = reduced
+            .driven
+            .evaluation
+            .contact_energy(motion.system(), &reduced.inputs);
         watch.sampling.take(motion);
         watch.sampling.sample.contact_energy = [elastic, dissipated];
         watch.sampling.recorder.trajectory.data.clear();
@@ -81,13 +89,25 @@ impl Integration {
 
     /// A smooth piece of the motion begins at `time`, with the state in `y`: at the start of the run, or after an event.
     pub(super) fn watch_from(&mut self, motion: &mut Motion, time: f64) {
-        let Some(mut looking) = self.looking.take() else { return };
+        let Some(mut looking) = self.looking.take() else {
+            return;
+        };
         if motion.evaluate_exactly(time, &self.y).is_ok() {
-            let Looking { watch, episodes, here, happened, .. } = &mut *looking;
+            let Looking {
+                watch,
+                episodes,
+                here,
+                happened,
+                ..
+            } = &mut *looking;
             self.fill(motion, watch, here);
             watch.offer(here, true);
             let mut told = 0;
-            let count = self.histories.iter().map(|history| history.episodes + history.switches).sum();
+            let count = self
+                .histories
+                .iter()
+                .map(|history| history.episodes + history.switches)
+                .sum();
             let is_new = std::mem::replace(happened, count) != count;
             for (contact, memory) in motion.reduced.inputs.contacts.iter().enumerate() {
                 match (memory.phase != Phase::Flight, episodes.is_open(contact)) {
@@ -112,9 +132,22 @@ impl Integration {
     }
 
     /// A contact may have been found to press more than before in its episode, at `time`, where the mechanism is evaluated.
-    pub(super) fn watch_peak(&mut self, motion: &mut Motion, contact: usize, force: f64, time: f64) {
-        let Some(mut looking) = self.looking.take() else { return };
-        let Looking { watch, episodes, here, .. } = &mut *looking;
+    pub(super) fn watch_peak(
+        &mut self,
+        motion: &mut Motion,
+        contact: usize,
+        force: f64,
+        time: f64,
+    ) {
+        let Some(mut looking) = self.looking.take() else {
+            return;
+        };
+        let Looking {
+            watch,
+            episodes,
+            here,
+            ..
+        } = &mut *looking;
         if episodes.rises(contact, force) && motion.evaluate_exactly(time, &self.y).is_ok() {
             self.fill(motion, watch, here);
             episodes.rise(contact, force, &here.row, true);
@@ -125,9 +158,16 @@ impl Integration {
 
     /// Looks at the last step, up to its event where there is one. The mechanism is evaluated at its end, which is in `y`.
     pub(super) fn watch_step(&mut self, motion: &mut Motion) {
-        let Some(mut looking) = self.looking.take() else { return };
+        let Some(mut looking) = self.looking.take() else {
+            return;
+        };
         let (from, until) = (self.stepper.previous(), self.reached());
-        let Looking { watch, episodes, here, .. } = &mut *looking;
+        let Looking {
+            watch,
+            episodes,
+            here,
+            ..
+        } = &mut *looking;
         let rises = |contact: &usize| {
             motion.reduced.inputs.contacts[*contact].phase == Phase::Contact
                 && episodes.rises(*contact, motion.reading(*contact).normal)
@@ -147,7 +187,8 @@ impl Integration {
         }
         watch.offer(here, is_exact);
         // A step that was taken again for an output begins elsewhere.
-        let goes_on = watch.end.time() == from || self.watch_again_from(motion, watch, from).is_ok();
+        let goes_on =
+            watch.end.time() == from || self.watch_again_from(motion, watch, from).is_ok();
         watch.advance();
         std::mem::swap(&mut watch.end, here);
         let is_final = watch.start_is_inexact() || episodes.is_inexact_at(from);
@@ -162,7 +203,12 @@ impl Integration {
     }
 
     /// The beginning of a step that does not begin where the last one ended.
-    fn watch_again_from(&mut self, motion: &mut Motion, watch: &mut Watch, from: f64) -> Result<(), Refused> {
+    fn watch_again_from(
+        &mut self,
+        motion: &mut Motion,
+        watch: &mut Watch,
+        from: f64,
+    ) -> Result<(), Refused> {
         self.evaluate_at(motion, from)?;
         let mut node = std::mem::take(&mut watch.end);
         self.fill(motion, watch, &mut node);
@@ -187,7 +233,12 @@ impl Integration {
         let places = within::points();
         let middle = POINTS / 2;
         // One point within tells most steps from those that matter.
-        self.look_at(motion, looking, from + places[middle] * (until - from), Some(middle))?;
+        self.look_at(
+            motion,
+            looking,
+            from + places[middle] * (until - from),
+            Some(middle),
+        )?;
         if !looking.watch.is_within(&looking.inner[middle]) {
             return Ok(());
         }
@@ -203,7 +254,8 @@ impl Integration {
         for _ in 0..MOST {
             let watch = &looking.watch;
             let gain = |&(quantity, side, _, value): &Top| {
-                (SIDES[side] * (value - watch.extreme(quantity, side))) / watch.near[quantity].max(f64::MIN_POSITIVE)
+                (SIDES[side] * (value - watch.extreme(quantity, side)))
+                    / watch.near[quantity].max(f64::MIN_POSITIVE)
             };
             tops.retain(|top| gain(top) > 1.0);
             let best = (0..tops.len()).max_by(|&a, &b| gain(&tops[a]).total_cmp(&gain(&tops[b])));
@@ -226,8 +278,12 @@ impl Integration {
         point: Option<usize>,
     ) -> Result<(), Refused> {
         self.stepper.interpolate(motion, time, &mut self.y)?;
-        motion.evaluate_exactly(time, &self.y).map_err(|_| Refused)?;
-        let Looking { watch, inner, here, .. } = looking;
+        motion
+            .evaluate_exactly(time, &self.y)
+            .map_err(|_| Refused)?;
+        let Looking {
+            watch, inner, here, ..
+        } = looking;
         let node = match point {
             Some(point) => &mut inner[point],
             None => here,
@@ -259,7 +315,12 @@ impl Integration {
             let middle = place.clamp(width, 1.0 - width);
             let mut values = [0.0; 3];
             for (value, at) in values.iter_mut().zip([-1.0, 0.0, 1.0]) {
-                self.look_at(motion, looking, from + (middle + at * width) * (until - from), None)?;
+                self.look_at(
+                    motion,
+                    looking,
+                    from + (middle + at * width) * (until - from),
+                    None,
+                )?;
                 *value = SIDES[side] * looking.here.values[quantity];
             }
             place = within::vertex(values, middle, width);
@@ -277,7 +338,9 @@ impl Looking {
             let values = self.inner.each_ref().map(|node| node.values[quantity]);
             let (low, high) = values
                 .iter()
-                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(*value), high.max(*value)));
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+                    (low.min(*value), high.max(*value))
+                });
             for (side, sign) in SIDES.into_iter().enumerate() {
                 let extreme = sign * self.watch.extreme(quantity, side);
                 let largest = if side == 0 { -low } else { high };
@@ -296,7 +359,10 @@ impl Looking {
     /// Whether the row that was evaluated last is not what the polynomial says of its top.
     fn is_wrong(&self, &(quantity, _, _, value): &Top) -> bool {
         let values = self.inner.iter().map(|node| node.values[quantity]);
-        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
-        (self.here.values[quantity] - value).abs() > WRONG * (high - low) + self.watch.near[quantity]
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
+            (low.min(v), high.max(v))
+        });
+        (self.here.values[quantity] - value).abs()
+            > WRONG * (high - low) + self.watch.near[quantity]
     }
 }

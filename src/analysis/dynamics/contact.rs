@@ -44,17 +44,23 @@ pub fn worst_guard(journal: &Journal, memory: &Contact, reading: &Reading) -> f6
     match (&journal.surface, memory.phase) {
         (Surface::Compliant(_), Phase::Flight) => reading.penetration,
         // On its way out it may still be where it touched.
-        (Surface::Rigid(_), Phase::Flight) => reading.penetration.min((reading.rate - CREEP) * SECOND),
-        (Surface::Rigid(rigid), Phase::Contact) => {
-            lets_go(reading).max(past(&rigid.friction_law(), memory, reading) - PAST_RIGID * rigid.threshold)
+        (Surface::Rigid(_), Phase::Flight) => {
+            reading.penetration.min((reading.rate - CREEP) * SECOND)
         }
+        (Surface::Rigid(rigid), Phase::Contact) => lets_go(reading)
+            .max(past(&rigid.friction_law(), memory, reading) - PAST_RIGID * rigid.threshold),
         (Surface::Compliant(laws), Phase::Contact) => {
-            let hold = laws.normal.hold(reading.penetration, reading.rate, memory.approach);
-            gone(journal, reading).max(-hold).max(past(&laws.friction, memory, reading) - PAST)
+            let hold = laws
+                .normal
+                .hold(reading.penetration, reading.rate, memory.approach);
+            gone(journal, reading)
+                .max(-hold)
+                .max(past(&laws.friction, memory, reading) - PAST)
         }
-        (Surface::Compliant(laws), Phase::Released) => {
-            gone(journal, reading).max(laws.normal.hold(reading.penetration, reading.rate, memory.approach))
-        }
+        (Surface::Compliant(laws), Phase::Released) => gone(journal, reading).max(
+            laws.normal
+                .hold(reading.penetration, reading.rate, memory.approach),
+        ),
         (Surface::Rigid(_), Phase::Released) => f64::NEG_INFINITY,
     }
 }
@@ -84,7 +90,11 @@ pub fn first_phase(journal: &Journal, reading: &Reading) -> Contact {
 }
 
 fn begin(journal: &Journal, reading: &Reading, memory: &mut Contact) {
-    *memory = Contact { phase: Phase::Contact, approach: reading.rate.max(0.0), ..Contact::default() };
+    *memory = Contact {
+        phase: Phase::Contact,
+        approach: reading.rate.max(0.0),
+        ..Contact::default()
+    };
     if let Surface::Compliant(laws) = &journal.surface {
         memory.piece = laws.friction.piece(reading.sliding);
     }
@@ -127,18 +137,26 @@ pub fn change(journal: &Journal, memory: &mut Contact, reading: &Reading) -> Opt
             Some(Change::End)
         }
         Phase::Contact => {
-            if laws.normal.hold(reading.penetration, reading.rate, memory.approach) < 0.0 {
+            if laws
+                .normal
+                .hold(reading.penetration, reading.rate, memory.approach)
+                < 0.0
+            {
                 memory.phase = Phase::Released;
                 Some(Change::Release)
             } else {
                 next_piece(&laws.friction, memory, PAST)
             }
         }
-        Phase::Released => (laws.normal.hold(reading.penetration, reading.rate, memory.approach) > 0.0).then(|| {
-            memory.phase = Phase::Contact;
-            memory.piece = laws.friction.piece(reading.sliding);
-            Change::Press
-        }),
+        Phase::Released => (laws
+            .normal
+            .hold(reading.penetration, reading.rate, memory.approach)
+            > 0.0)
+            .then(|| {
+                memory.phase = Phase::Contact;
+                memory.piece = laws.friction.piece(reading.sliding);
+                Change::Press
+            }),
     }
 }
 
@@ -170,7 +188,11 @@ pub struct Sums {
 impl Sums {
     /// From their components of y.
     pub fn of(parts: &[f64]) -> Self {
-        Sums { dissipated: parts[0], impulse: parts[1], sliding: parts[2] }
+        Sums {
+            dissipated: parts[0],
+            impulse: parts[1],
+            sliding: parts[2],
+        }
     }
 }
 
@@ -214,7 +236,11 @@ impl History {
 
     /// An episode begins.
     pub fn begin(&mut self, time: f64, reading: &Reading, sums: Sums, angle: f64) {
-        let episode = Episode { start: time, approach_speed: reading.rate, ..Episode::default() };
+        let episode = Episode {
+            start: time,
+            approach_speed: reading.rate,
+            ..Episode::default()
+        };
         self.open = Some((episode, sums));
         self.last = sums;
         self.last_angle = angle;
@@ -245,7 +271,9 @@ impl History {
 
     /// Largest penetration of the open episode.
     pub fn deepest(&self) -> Option<f64> {
-        self.open.as_ref().map(|(episode, _)| episode.peak_penetration)
+        self.open
+            .as_ref()
+            .map(|(episode, _)| episode.peak_penetration)
     }
 
     /// The episode ends (for now): the last end counts.
@@ -267,7 +295,9 @@ impl History {
 
     /// The journal has left.
     pub fn end(&mut self) {
-        let Some((episode, _)) = self.open.take() else { return };
+        let Some((episode, _)) = self.open.take() else {
+            return;
+        };
         self.episodes += 1;
         self.most = self.most.max(episode.peak_penetration);
         self.time_in_contact += episode.end.unwrap_or(episode.start) - episode.start;
@@ -295,16 +325,29 @@ impl History {
 
     /// Impacts have become so low, `height` in words, that the journal follows the surface from now on.
     pub fn follow(&mut self, time: f64, height: &str) {
-        let note = format!("impacts lower than {height} would follow: the journal stays on the bearing's surface");
+        let note = format!(
+            "impacts lower than {height} would follow: the journal stays on the bearing's surface"
+        );
         let (kind, joint, note) = ("following", Some(self.joint.clone()), Some(note));
-        self.list(Event { kind, time, joint, note, ..Event::default() });
+        self.list(Event {
+            kind,
+            time,
+            joint,
+            note,
+            ..Event::default()
+        });
     }
 
     /// The journal sticks or slips from now on.
     pub fn switch(&mut self, time: f64, sticks: bool) {
         self.switches += 1;
         let kind = if sticks { "stick" } else { "slip" };
-        self.list(Event { kind, time, joint: Some(self.joint.clone()), ..Event::default() });
+        self.list(Event {
+            kind,
+            time,
+            joint: Some(self.joint.clone()),
+            ..Event::default()
+        });
     }
 
     fn list(&mut self, event: Event) {
@@ -323,11 +366,18 @@ impl History {
         }
         let bins = WEAR_BINS as f64;
         let turn = (angle - self.last_angle + 0.5 * TAU).rem_euclid(TAU) - 0.5 * TAU;
-        let (from, to) = (self.last_angle / TAU * bins, (self.last_angle + turn) / TAU * bins);
+        let (from, to) = (
+            self.last_angle / TAU * bins,
+            (self.last_angle + turn) / TAU * bins,
+        );
         let (low, high) = (from.min(to), from.max(to));
         let mut bin = low.floor();
         loop {
-            let share = if high > low { ((bin + 1.0).min(high) - bin.max(low)) / (high - low) } else { 1.0 };
+            let share = if high > low {
+                ((bin + 1.0).min(high) - bin.max(low)) / (high - low)
+            } else {
+                1.0
+            };
             self.wear[bin.rem_euclid(bins) as usize % WEAR_BINS] += share * part;
             bin += 1.0;
             if bin >= high {
@@ -346,12 +396,28 @@ mod tests {
         let mut history = History::new("a");
         let degrees = f64::to_radians;
         history.begin(0.0, &Reading::default(), Sums::default(), degrees(-2.5));
-        history.go_on(&Reading::default(), Sums { sliding: 3.0, ..Sums::default() }, degrees(12.5));
-        let bins: Vec<(usize, f64)> = history.wear.iter().copied().enumerate().filter(|(_, s)| *s > 0.0).collect();
+        history.go_on(
+            &Reading::default(),
+            Sums {
+                sliding: 3.0,
+                ..Sums::default()
+            },
+            degrees(12.5),
+        );
+        let bins: Vec<(usize, f64)> = history
+            .wear
+            .iter()
+            .copied()
+            .enumerate()
+            .filter(|(_, s)| *s > 0.0)
+            .collect();
         let expected = [(0, 1.0), (1, 1.0), (2, 0.5), (71, 0.5)];
         assert_eq!(bins.len(), 4, "{bins:?}");
         for ((bin, sum), (expected_bin, expected)) in bins.iter().zip(expected) {
-            assert!(*bin == expected_bin && (sum - expected).abs() < 1e-12, "{bins:?}");
+            assert!(
+                *bin == expected_bin && (sum - expected).abs() < 1e-12,
+                "{bins:?}"
+            );
         }
     }
 
@@ -359,7 +425,14 @@ mod tests {
     fn wear_at_one_angle_goes_to_one_bin() {
         let mut history = History::new("a");
         history.begin(0.0, &Reading::default(), Sums::default(), -1e-12);
-        history.go_on(&Reading::default(), Sums { sliding: 1.0, ..Sums::default() }, -1e-12);
+        history.go_on(
+            &Reading::default(),
+            Sums {
+                sliding: 1.0,
+                ..Sums::default()
+            },
+            -1e-12,
+        );
         assert_eq!(history.wear[71], 1.0);
     }
 }

@@ -28,7 +28,12 @@ pub struct Episodes {
 
 impl Episodes {
     pub fn new(contacts: usize, all: bool) -> Self {
-        Episodes { all, open: vec![None; contacts], done: Vec::new(), others: Vec::new() }
+        Episodes {
+            all,
+            open: vec![None; contacts],
+            done: Vec::new(),
+            others: Vec::new(),
+        }
     }
 
     /// Whether the contact goes on.
@@ -38,12 +43,19 @@ impl Episodes {
 
     /// A contact begins with this row.
     pub fn begin(&mut self, contact: usize, force: f64, row: &[f64]) {
-        self.open[contact] = Some(Episode { force, peak: row.to_vec(), is_exact: true, ends: vec![row.to_vec()] });
+        self.open[contact] = Some(Episode {
+            force,
+            peak: row.to_vec(),
+            is_exact: true,
+            ends: vec![row.to_vec()],
+        });
     }
 
     /// Whether the force is larger than all before in this contact.
     pub fn rises(&self, contact: usize, force: f64) -> bool {
-        self.open[contact].as_ref().is_some_and(|episode| force > episode.force)
+        self.open[contact]
+            .as_ref()
+            .is_some_and(|episode| force > episode.force)
     }
 
     /// The contact presses most in this row, so far.
@@ -57,7 +69,10 @@ impl Episodes {
 
     /// Whether a contact has its peak at this time, by a row that is not exact.
     pub fn is_inexact_at(&self, time: f64) -> bool {
-        self.open.iter().flatten().any(|episode| !episode.is_exact && episode.peak.first() == Some(&time))
+        self.open
+            .iter()
+            .flatten()
+            .any(|episode| !episode.is_exact && episode.peak.first() == Some(&time))
     }
 
     /// Exchanges rows of peaks at the same time that are not exact.
@@ -107,7 +122,10 @@ impl Episodes {
         if !self.all {
             self.thin();
         }
-        let rows = self.done.into_iter().flat_map(|episode| episode.ends.into_iter().chain([episode.peak]));
+        let rows = self
+            .done
+            .into_iter()
+            .flat_map(|episode| episode.ends.into_iter().chain([episode.peak]));
         (rows.chain(self.others).collect(), self.all)
     }
 }
@@ -116,7 +134,11 @@ impl Episodes {
 pub fn by_time(mut rows: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
     rows.retain(|row| !row.is_empty());
     rows.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    rows.dedup_by(|a, b| a.iter().zip(b.iter()).all(|(a, b)| a.to_bits() == b.to_bits()));
+    rows.dedup_by(|a, b| {
+        a.iter()
+            .zip(b.iter())
+            .all(|(a, b)| a.to_bits() == b.to_bits())
+    });
     rows
 }
 
@@ -159,8 +181,12 @@ mod tests {
         for time in [0.0, 1.0, 2.0] {
             table.push_row(&[time, 0.0]);
         }
-        let rows = [[0.5, 1.0], [0.5, 2.0], [1.0, 3.0], [1.5, 4.0], [2.5, 5.0]].map(|row| row.to_vec());
-        insert(&mut table, &by_time(rows.into_iter().rev().chain([Vec::new()]).collect()));
+        let rows =
+            [[0.5, 1.0], [0.5, 2.0], [1.0, 3.0], [1.5, 4.0], [2.5, 5.0]].map(|row| row.to_vec());
+        insert(
+            &mut table,
+            &by_time(rows.into_iter().rev().chain([Vec::new()]).collect()),
+        );
         let times: Vec<f64> = table.column(0).collect();
         assert_eq!(times, [0.0, 0.5, 1.0, 1.5, 2.0, 2.5]);
         assert_eq!(table.row(2)[1], 0.0, "an output stays what it is");
@@ -181,7 +207,14 @@ mod tests {
         }
         let (rows, _) = episodes.rows();
         assert_eq!(rows.len(), 3 * MOST_DRAWN);
-        let peaks = rows.iter().filter(|row| (row[0].fract() - 0.1).abs() < 1e-9);
-        assert!(peaks.clone().count() == MOST_DRAWN && peaks.into_iter().all(|row| (row[0] as u32 * 37) % 1000 >= 800));
+        let peaks = rows
+            .iter()
+            .filter(|row| (row[0].fract() - 0.1).abs() < 1e-9);
+        assert!(
+            peaks.clone().count() == MOST_DRAWN
+                && peaks
+                    .into_iter()
+                    .all(|row| (row[0] as u32 * 37) % 1000 >= 800)
+        );
     }
 }

@@ -57,7 +57,8 @@ impl Integration {
                 self.impact(motion, contact, &reading, time)?;
             }
             if round > 2 * MANY {
-                let touching = (0..self.histories.len()).filter(|&contact| touches(motion, contact, f64::INFINITY));
+                let touching = (0..self.histories.len())
+                    .filter(|&contact| touches(motion, contact, f64::INFINITY));
                 self.jammed = touching.filter(|&contact| motion.rubs(contact)).collect();
                 return Err(Failure::Singular);
             }
@@ -68,14 +69,23 @@ impl Integration {
     /// Journals that touch their bearings with speeds below `slow` lose what brings them nearer, all at once, and of those
     /// that stay the ones that press follow: with p, N ≥ 0 their impulses and normal forces, δ̇ = v − W p ≤ 0 and then
     /// δ̈ = b − W N − W_t T(N) ≤ 0, in each pair one of the two zero.
-    pub(super) fn settle(&mut self, motion: &mut Motion, slow: f64, time: f64) -> Result<(), Failure> {
+    pub(super) fn settle(
+        &mut self,
+        motion: &mut Motion,
+        slow: f64,
+        time: f64,
+    ) -> Result<(), Failure> {
         let were = motion.followers();
         self.go_on_as(motion, &vec![false; were.len()], time)?;
-        let contacts: Vec<usize> =
-            (0..were.len()).filter(|&contact| were[contact] || touches(motion, contact, slow)).collect();
+        let contacts: Vec<usize> = (0..were.len())
+            .filter(|&contact| were[contact] || touches(motion, contact, slow))
+            .collect();
         let points = Point::of(motion, &contacts);
         let mass = inverse_mass(&points, &vec![0.0; contacts.len()]);
-        let rates: Vec<f64> = contacts.iter().map(|&contact| motion.reading(contact).rate).collect();
+        let rates: Vec<f64> = contacts
+            .iter()
+            .map(|&contact| motion.reading(contact).rate)
+            .collect();
         let (stays, impulses) = complementary(&mass, &rates).ok_or(Failure::Singular)?;
         let pushes: Vec<[f64; 2]> = impulses.iter().map(|&impulse| [impulse, 0.0]).collect();
         self.push_all(motion, &contacts, &points, &pushes);
@@ -88,17 +98,31 @@ impl Integration {
                 // What an impact has stopped may leave by round-off.
                 let least = if were[contact] { slow } else { AT_REST };
                 let at_rest = stays || motion.reading(contact).rate.abs() <= least;
-                if at_rest { approach_acceleration(motion, contact, point) } else { f64::NEG_INFINITY }
+                if at_rest {
+                    approach_acceleration(motion, contact, point)
+                } else {
+                    f64::NEG_INFINITY
+                }
             })
             .collect();
-        let ratios: Vec<f64> = contacts.iter().map(|&contact| rubbing(motion, contact)).collect();
+        let ratios: Vec<f64> = contacts
+            .iter()
+            .map(|&contact| rubbing(motion, contact))
+            .collect();
         let rubbed = inverse_mass(&points, &ratios);
-        let jam = Jam { were: &were, contacts: &contacts, points: &points };
+        let jam = Jam {
+            were: &were,
+            contacts: &contacts,
+            points: &points,
+        };
         let Some((presses, _)) = complementary(&rubbed, &free) else {
             return self.unjam(motion, &jam, 0.0, time);
         };
         let mut following = vec![false; were.len()];
-        contacts.iter().zip(&presses).for_each(|(&contact, &presses)| following[contact] = presses);
+        contacts
+            .iter()
+            .zip(&presses)
+            .for_each(|(&contact, &presses)| following[contact] = presses);
         match self.go_on(motion, &following, time) {
             // These forces answer the motion, but do not come of those without friction.
             Err(Failure::Locked { .. }) => self.unjam(motion, &jam, 0.0, time),
@@ -107,13 +131,23 @@ impl Integration {
     }
 
     /// Other followers, from the position and velocities at hand; those that were and are not any more end their episodes.
-    pub(super) fn go_on(&mut self, motion: &mut Motion, following: &[bool], time: f64) -> Result<(), Failure> {
+    pub(super) fn go_on(
+        &mut self,
+        motion: &mut Motion,
+        following: &[bool],
+        time: f64,
+    ) -> Result<(), Failure> {
         self.go_on_as(motion, following, time)?;
         for (contact, &follows) in following.iter().enumerate() {
-            let Surface::Rigid(rigid) = motion.system().contacts[contact].surface else { continue };
+            let Surface::Rigid(rigid) = motion.system().contacts[contact].surface else {
+                continue;
+            };
             let (reading, sums) = (motion.reading(contact), self.sums(motion, contact));
             let history = &mut self.histories[contact];
-            match (motion.reduced.inputs.contacts[contact].phase == Phase::Contact, follows) {
+            match (
+                motion.reduced.inputs.contacts[contact].phase == Phase::Contact,
+                follows,
+            ) {
                 (true, false) => {
                     history.go_on(&reading, sums, motion.contact_angle(contact, &reading));
                     history.rest(time, &reading, sums);
@@ -121,7 +155,12 @@ impl Integration {
                     motion.reduced.inputs.contacts[contact] = Contact::default();
                 }
                 (false, true) => {
-                    history.begin(time, &reading, sums, motion.contact_angle(contact, &reading));
+                    history.begin(
+                        time,
+                        &reading,
+                        sums,
+                        motion.contact_angle(contact, &reading),
+                    );
                     let memory = &mut motion.reduced.inputs.contacts[contact];
                     memory.phase = Phase::Contact;
                     memory.piece = rigid.friction_law().piece(reading.sliding);
@@ -133,11 +172,18 @@ impl Integration {
     }
 
     /// The equations with these followers.
-    pub(super) fn go_on_as(&mut self, motion: &mut Motion, following: &[bool], time: f64) -> Result<(), Failure> {
+    pub(super) fn go_on_as(
+        &mut self,
+        motion: &mut Motion,
+        following: &[bool],
+        time: f64,
+    ) -> Result<(), Failure> {
         let tail = self.y.split_off(2 * motion.reduced.freedom());
         if let Err(failure) = motion.follow(following, time) {
             if let Failure::Locked { .. } = failure {
-                self.jammed = (0..following.len()).filter(|&contact| following[contact]).collect();
+                self.jammed = (0..following.len())
+                    .filter(|&contact| following[contact])
+                    .collect();
             }
             self.y.extend(tail);
             return Err(failure);
@@ -158,9 +204,14 @@ impl Integration {
     ) -> Result<(), Failure> {
         let system = motion.system();
         let journal = &system.contacts[contact];
-        let Surface::Rigid(rigid) = journal.surface else { return Ok(()) };
+        let Surface::Rigid(rigid) = journal.surface else {
+            return Ok(());
+        };
         let point = Point::new(motion, contact, reading);
-        let plastic = Rigid { restitution: 0.0, ..rigid };
+        let plastic = Rigid {
+            restitution: 0.0,
+            ..rigid
+        };
         let start = self.sums(motion, contact);
         let angle = motion.contact_angle(contact, reading);
         let height = self.solver.rtol.max(LOWEST) * journal.clearance;
@@ -171,7 +222,11 @@ impl Integration {
         // Followers that jam at the new velocities are free again before it goes on.
         let jams = !answered(motion.evaluate(time, &self.y))?;
         let after = motion.reading(contact);
-        let fall = if jams { 0.0 } else { approach_acceleration(motion, contact, &point) };
+        let fall = if jams {
+            0.0
+        } else {
+            approach_acceleration(motion, contact, &point)
+        };
         let stays = fall > 0.0 && after.rate * after.rate < 2.0 * fall * height;
         self.histories[contact].begin(time, reading, start, angle);
         let mut strike = strike;
@@ -184,7 +239,13 @@ impl Integration {
         }
         if strike.parts {
             let restitution = if stays { 0.0 } else { rigid.restitution };
-            self.strike_all(motion, contact, restitution, strike.impulse[1] / strike.impulse[0], time)?;
+            self.strike_all(
+                motion,
+                contact,
+                restitution,
+                strike.impulse[1] / strike.impulse[0],
+                time,
+            )?;
         } else {
             if stays {
                 point.apply(&mut self.y, strike.impulse);
@@ -194,12 +255,17 @@ impl Integration {
             self.y[sums] += strike.loss;
             self.y[sums + 1] += strike.impulse[0];
             self.y[sums + 2] += strike.sliding;
-            self.y[component] += motion
-                .impulsive_work(&point.sum(&point.forces, strike.impulse), &point.sum(&point.changes, strike.impulse));
+            self.y[component] += motion.impulsive_work(
+                &point.sum(&point.forces, strike.impulse),
+                &point.sum(&point.changes, strike.impulse),
+            );
         }
         if stays {
-            motion.reduced.inputs.contacts[contact] =
-                Contact { phase: Phase::Contact, approach: reading.rate, ..Contact::default() };
+            motion.reduced.inputs.contacts[contact] = Contact {
+                phase: Phase::Contact,
+                approach: reading.rate,
+                ..Contact::default()
+            };
         } else {
             let (after, sums) = (motion.reading(contact), self.sums(motion, contact));
             self.histories[contact].go_on(&after, sums, angle);
@@ -207,7 +273,11 @@ impl Integration {
             self.histories[contact].end();
         }
         if stays || strike.parts || jams {
-            let slow = if stays { (2.0 * fall.max(0.0) * height).sqrt().max(AT_REST) } else { AT_REST };
+            let slow = if stays {
+                (2.0 * fall.max(0.0) * height).sqrt().max(AT_REST)
+            } else {
+                AT_REST
+            };
             self.settle(motion, slow, time)?;
             if motion.followers()[contact] {
                 self.histories[contact].follow(time, &motion.system().display.length_to(height, 2));
@@ -229,16 +299,42 @@ impl Integration {
         reading: &Reading,
     ) -> Result<Strike, Failure> {
         let velocity = [-reading.rate, reading.sliding];
-        let found = resolve(point.mass, velocity, law.restitution, law.friction, law.sense);
+        let found = resolve(
+            point.mass,
+            velocity,
+            law.restitution,
+            law.friction,
+            law.sense,
+        );
         if found.wedged {
             // Nothing can move between the followers, or friction holds it there.
-            let ratio = -law.friction * if reading.sliding == 0.0 { 0.0 } else { reading.sliding.signum() };
-            return Ok(Strike { impulse: [1.0, ratio], loss: 0.0, sliding: 0.0, parts: true });
+            let ratio = -law.friction
+                * if reading.sliding == 0.0 {
+                    0.0
+                } else {
+                    reading.sliding.signum()
+                };
+            return Ok(Strike {
+                impulse: [1.0, ratio],
+                loss: 0.0,
+                sliding: 0.0,
+                parts: true,
+            });
         }
-        let (impulse, change) = (point.sum(&point.forces, found.impulse), point.sum(&point.changes, found.impulse));
+        let (impulse, change) = (
+            point.sum(&point.forces, found.impulse),
+            point.sum(&point.changes, found.impulse),
+        );
         let pulled = motion.pulled(&impulse, &change);
-        let parts = pulled.is_some_and(|(follower, pull)| follower != contact && pull < -PULLED * found.impulse[0]);
-        Ok(Strike { impulse: found.impulse, loss: found.loss, sliding: found.sliding, parts })
+        let parts = pulled.is_some_and(|(follower, pull)| {
+            follower != contact && pull < -PULLED * found.impulse[0]
+        });
+        Ok(Strike {
+            impulse: found.impulse,
+            loss: found.loss,
+            sliding: found.sliding,
+            parts,
+        })
     }
 
     /// An impact from which followers part: they and the journal that strikes get their impulses p ≥ 0 all at once, so that
@@ -253,24 +349,39 @@ impl Integration {
     ) -> Result<(), Failure> {
         let were = motion.followers();
         self.go_on_as(motion, &vec![false; were.len()], time)?;
-        let contacts: Vec<usize> = (0..were.len()).filter(|&other| were[other] || other == contact).collect();
+        let contacts: Vec<usize> = (0..were.len())
+            .filter(|&other| were[other] || other == contact)
+            .collect();
         let points = Point::of(motion, &contacts);
         let wanted: Vec<f64> = contacts
             .iter()
             .map(|&other| {
                 let rate = motion.reading(other).rate;
-                if other == contact { (1.0 + restitution) * rate } else { rate }
+                if other == contact {
+                    (1.0 + restitution) * rate
+                } else {
+                    rate
+                }
             })
             .collect();
         // With friction there may be no such impulses, or some that give energy; without there are always some that take it.
         let pushes = [ratio, 0.0].into_iter().find_map(|ratio| {
-            let ratios: Vec<f64> = contacts.iter().map(|&other| if other == contact { ratio } else { 0.0 }).collect();
+            let ratios: Vec<f64> = contacts
+                .iter()
+                .map(|&other| if other == contact { ratio } else { 0.0 })
+                .collect();
             let (_, impulses) = complementary(&inverse_mass(&points, &ratios), &wanted)?;
-            let pushes: Vec<[f64; 2]> =
-                ratios.iter().zip(&impulses).map(|(ratio, impulse)| [*impulse, ratio * impulse]).collect();
+            let pushes: Vec<[f64; 2]> = ratios
+                .iter()
+                .zip(&impulses)
+                .map(|(ratio, impulse)| [*impulse, ratio * impulse])
+                .collect();
             let halfway = halfway(motion, &points, &pushes);
-            let work: f64 =
-                points.iter().zip(&pushes).map(|(point, &push)| dot(&point.sum(&point.forces, push), &halfway)).sum();
+            let work: f64 = points
+                .iter()
+                .zip(&pushes)
+                .map(|(point, &push)| dot(&point.sum(&point.forces, push), &halfway))
+                .sum();
             (ratio == 0.0 || work <= 0.0).then_some(pushes)
         });
         let pushes = pushes.ok_or(Failure::Singular)?;
@@ -279,7 +390,13 @@ impl Integration {
     }
 
     /// Applies impulses at several contacts at once, none of which follows.
-    pub(super) fn push_all(&mut self, motion: &mut Motion, contacts: &[usize], points: &[Point], pushes: &[[f64; 2]]) {
+    pub(super) fn push_all(
+        &mut self,
+        motion: &mut Motion,
+        contacts: &[usize],
+        points: &[Point],
+        pushes: &[[f64; 2]],
+    ) {
         let halfway = halfway(motion, points, pushes);
         for ((&contact, point), &push) in contacts.iter().zip(points).zip(pushes) {
             let force = point.sum(&point.forces, push);
@@ -299,7 +416,10 @@ fn halfway(motion: &Motion, points: &[Point], pushes: &[[f64; 2]]) -> Vec<f64> {
     let mut halfway = motion.reduced.v.clone();
     for (point, &push) in points.iter().zip(pushes) {
         let change = point.sum(&point.changes, push);
-        halfway.iter_mut().zip(&change).for_each(|(v, change)| *v += 0.5 * change);
+        halfway
+            .iter_mut()
+            .zip(&change)
+            .for_each(|(v, change)| *v += 0.5 * change);
     }
     halfway
 }
@@ -326,7 +446,12 @@ fn answered(evaluated: Result<(), Failure>) -> Result<bool, Failure> {
 /// T/N of a rigid journal that begins to follow its bearing.
 pub(super) fn rubbing(motion: &Motion, contact: usize) -> f64 {
     match &motion.system().contacts[contact].surface {
-        Surface::Rigid(rigid) => rigid.friction_law().force(motion.reading(contact).sliding, 1.0, 0.0).force,
+        Surface::Rigid(rigid) => {
+            rigid
+                .friction_law()
+                .force(motion.reading(contact).sliding, 1.0, 0.0)
+                .force
+        }
         Surface::Compliant(_) => 0.0,
     }
 }
@@ -343,7 +468,10 @@ fn touches(motion: &Motion, contact: usize, slow: f64) -> bool {
 /// W̃ (k, k) of contacts whose impulses or forces along t are `ratios` of those along −n: what each does to δ̇ of the others.
 pub(super) fn inverse_mass(points: &[Point], ratios: &[f64]) -> DMatrix<f64> {
     DMatrix::from_fn(points.len(), points.len(), |i, j| {
-        let [normal, tangential] = points[j].changes.each_ref().map(|change| dot(&points[i].forces[0], change));
+        let [normal, tangential] = points[j]
+            .changes
+            .each_ref()
+            .map(|change| dot(&points[i].forces[0], change));
         normal + ratios[j] * tangential
     })
 }
@@ -353,10 +481,16 @@ fn acting(motion: &Motion) -> Option<usize> {
     let system = motion.system();
     (0..system.contacts.len()).find(|&contact| {
         let journal = &system.contacts[contact];
-        let (memory, reading) = (&motion.reduced.inputs.contacts[contact], motion.reading(contact));
+        let (memory, reading) = (
+            &motion.reduced.inputs.contacts[contact],
+            motion.reading(contact),
+        );
         // What friction does asks for no impulse.
-        let guard =
-            if memory.phase == Phase::Contact { lets_go(&reading) } else { worst_guard(journal, memory, &reading) };
+        let guard = if memory.phase == Phase::Contact {
+            lets_go(&reading)
+        } else {
+            worst_guard(journal, memory, &reading)
+        };
         matches!(journal.surface, Surface::Rigid(_)) && guard > 0.0
     })
 }
@@ -374,7 +508,10 @@ fn approach_acceleration(motion: &Motion, contact: usize, point: &Point) -> f64 
 impl Point {
     /// Of some contacts, as they are at the last evaluation.
     pub(super) fn of(motion: &Motion, contacts: &[usize]) -> Vec<Point> {
-        contacts.iter().map(|&contact| Point::new(motion, contact, &motion.reading(contact))).collect()
+        contacts
+            .iter()
+            .map(|&contact| Point::new(motion, contact, &motion.reading(contact)))
+            .collect()
     }
 
     fn new(motion: &Motion, contact: usize, reading: &Reading) -> Self {
@@ -398,13 +535,25 @@ impl Point {
             change
         });
         let coupling = dot(&forces[1], &changes[0]);
-        let mass = [[dot(&forces[0], &changes[0]), coupling], [coupling, dot(&forces[1], &changes[1])]];
-        Point { forces, rates, changes, mass }
+        let mass = [
+            [dot(&forces[0], &changes[0]), coupling],
+            [coupling, dot(&forces[1], &changes[1])],
+        ];
+        Point {
+            forces,
+            rates,
+            changes,
+            mass,
+        }
     }
 
     /// What impulses make of `forces` or `changes`.
     pub(super) fn sum(&self, parts: &[Vec<f64>; 2], [normal, tangential]: [f64; 2]) -> Vec<f64> {
-        parts[0].iter().zip(&parts[1]).map(|(n, t)| normal * n + tangential * t).collect()
+        parts[0]
+            .iter()
+            .zip(&parts[1])
+            .map(|(n, t)| normal * n + tangential * t)
+            .collect()
     }
 
     /// Changes the rates in y by impulses.

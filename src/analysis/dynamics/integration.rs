@@ -75,7 +75,12 @@ impl Integration {
     ///
     /// # Errors
     /// A start with deep penetration, or where the equations can't be evaluated.
-    pub fn new(method: Method, solver: &Solver, motion: &mut Motion, end: f64) -> Result<Self, Stop> {
+    pub fn new(
+        method: Method,
+        solver: &Solver,
+        motion: &mut Motion,
+        end: f64,
+    ) -> Result<Self, Stop> {
         let system = motion.system();
         let contacts = system.contacts.len();
         let mut solver = solver.clone();
@@ -84,8 +89,16 @@ impl Integration {
             solver.rtol = (IMPACTS * solver.rtol).max(FINEST.min(solver.rtol));
             motion.reduced.lag = CONTACT_LAG.min(LAG * solver.rtol);
         }
-        let limits = Limits { initial_step: solver.initial_step, max_step: solver.max_step, ..Limits::default() };
-        let names = system.joints.iter().filter(|joint| joint.contact.is_some()).map(|joint| joint.name.as_str());
+        let limits = Limits {
+            initial_step: solver.initial_step,
+            max_step: solver.max_step,
+            ..Limits::default()
+        };
+        let names = system
+            .joints
+            .iter()
+            .filter(|joint| joint.contact.is_some())
+            .map(|joint| joint.name.as_str());
         let mut integration = Integration {
             method,
             stepper: method.stepper(motion.tolerance(&solver), limits),
@@ -99,7 +112,11 @@ impl Integration {
             released: vec![0.0; contacts],
             jammed: Vec::new(),
             last_jam: (f64::NEG_INFINITY, 0),
-            margins: [Margin { time: f64::NEG_INFINITY, left: 1.0, force: 0 }; 2],
+            margins: [Margin {
+                time: f64::NEG_INFINITY,
+                left: 1.0,
+                force: 0,
+            }; 2],
             looking: None,
         };
         for (contact, journal) in system.contacts.iter().enumerate() {
@@ -114,7 +131,12 @@ impl Integration {
             }
             motion.reduced.inputs.contacts[contact] = first_phase(journal, &reading);
             if reading.penetration > 0.0 {
-                history.begin(0.0, &reading, Sums::default(), motion.contact_angle(contact, &reading));
+                history.begin(
+                    0.0,
+                    &reading,
+                    Sums::default(),
+                    motion.contact_angle(contact, &reading),
+                );
             }
             let first = motion.reading(contact);
             integration.histories[contact].peak(first.penetration, first.normal);
@@ -124,8 +146,12 @@ impl Integration {
         let y = std::mem::take(&mut integration.y);
         let started = integration.stepper.start(motion, 0.0, &y, end);
         integration.y = y;
-        started
-            .map_err(|failure| Stop::failed(Status::Singular, describe(failure, 0.0, "", &motion.system().display)))?;
+        started.map_err(|failure| {
+            Stop::failed(
+                Status::Singular,
+                describe(failure, 0.0, "", &motion.system().display),
+            )
+        })?;
         Ok(integration)
     }
 
@@ -143,22 +169,38 @@ impl Integration {
         step: Option<f64>,
     ) -> Result<(), StepFailure> {
         let counters = self.stepper.counters();
-        for (sum, part) in self.before.iter_mut().zip([counters.steps, counters.rejected, counters.evaluations]) {
+        for (sum, part) in
+            self.before
+                .iter_mut()
+                .zip([counters.steps, counters.rejected, counters.evaluations])
+        {
             *sum += part;
         }
-        let limits = Limits { initial_step: step, max_step: self.solver.max_step, ..Limits::default() };
+        let limits = Limits {
+            initial_step: step,
+            max_step: self.solver.max_step,
+            ..Limits::default()
+        };
         self.stepper = self.method.stepper(motion.tolerance(&self.solver), limits);
         self.stepper.start(motion, time, y, self.end)
     }
 
     /// Steps until `time` lies within the last step, before its event.
-    pub fn reach(&mut self, motion: &mut Motion, time: f64, control: &Control) -> Result<(), Ended> {
+    pub fn reach(
+        &mut self,
+        motion: &mut Motion,
+        time: f64,
+        control: &Control,
+    ) -> Result<(), Ended> {
         while self.reached() < time {
             control.progress.note(self.stepper.t(), self.end);
             if let Some(status) = control.stop() {
                 let why = match status {
                     Status::Interrupted => "interrupted".to_string(),
-                    _ => format!("max_wall_time is over at t = {}", motion.system().display.time(self.stepper.t())),
+                    _ => format!(
+                        "max_wall_time is over at t = {}",
+                        motion.system().display.time(self.stepper.t())
+                    ),
                 };
                 return Err((status, format!("{why}; the rows until then are kept")));
             }
@@ -173,21 +215,34 @@ impl Integration {
     /// What a step that can't be taken means.
     fn ended(&self, motion: &mut Motion, failure: StepFailure, now: f64) -> Ended {
         let refused = matches!(failure, StepFailure::Refused { .. });
-        let lock = motion.reduced.driven.reactive.locked().filter(|_| refused).or_else(|| self.lock_ahead());
+        let lock = motion
+            .reduced
+            .driven
+            .reactive
+            .locked()
+            .filter(|_| refused)
+            .or_else(|| self.lock_ahead());
         if let Some(force) = lock {
             let who = locked(motion.system(), force);
             let when = motion.system().display.time(now);
-            return (Status::Singular, format!("at t = {when} {who}; the rows until there are kept"));
+            return (
+                Status::Singular,
+                format!("at t = {when} {who}; the rows until there are kept"),
+            );
         }
         let display = &motion.system().display;
         match failure {
-            StepFailure::TooSmall { .. } => {
-                (Status::StepTooSmall, format!("{}{}", describe(failure, now, "", display), tight(motion)))
-            }
+            StepFailure::TooSmall { .. } => (
+                Status::StepTooSmall,
+                format!("{}{}", describe(failure, now, "", display), tight(motion)),
+            ),
             StepFailure::Refused { .. } if !self.jammed.is_empty() => {
                 (Status::Singular, jam(motion, &self.jammed, now))
             }
-            StepFailure::Refused { .. } => (Status::Singular, describe(failure, now, &culprits(motion), display)),
+            StepFailure::Refused { .. } => (
+                Status::Singular,
+                describe(failure, now, &culprits(motion), display),
+            ),
         }
     }
 
@@ -197,7 +252,11 @@ impl Integration {
         if motion.system().reactive.is_empty() || reactive.locked().is_some() {
             return;
         }
-        let here = Margin { time: self.stepper.t(), left: reactive.margin(), force: reactive.tightest() };
+        let here = Margin {
+            time: self.stepper.t(),
+            left: reactive.margin(),
+            force: reactive.tightest(),
+        };
         if here.time > self.margins[1].time {
             self.margins = [self.margins[1], here];
         }
@@ -220,7 +279,11 @@ impl Integration {
         if let Some(time) = self.pending.take() {
             self.change(motion, time)?;
         }
-        if motion.reduced.repin().map_err(|_: Failure| StepFailure::Refused { t: now })? {
+        if motion
+            .reduced
+            .repin()
+            .map_err(|_: Failure| StepFailure::Refused { t: now })?
+        {
             self.y.copy_from_slice(self.stepper.y());
             motion.state(&mut self.y);
             self.begin_again(motion, now)?;
@@ -261,7 +324,9 @@ impl Integration {
         if self.histories.is_empty() {
             return [0.0; 2];
         }
-        let dissipated = (0..self.histories.len()).map(|contact| self.sums(motion, contact).dissipated).sum();
+        let dissipated = (0..self.histories.len())
+            .map(|contact| self.sums(motion, contact).dissipated)
+            .sum();
         [dissipated, self.y[motion.work()]]
     }
 
@@ -269,14 +334,17 @@ impl Integration {
     fn change(&mut self, motion: &mut Motion, time: f64) -> Result<(), StepFailure> {
         let refused = |_| StepFailure::Refused { t: time };
         self.evaluate_at(motion, time).map_err(refused)?;
-        self.collide(motion, time).map_err(|_: Failure| StepFailure::Refused { t: time })?;
+        self.collide(motion, time)
+            .map_err(|_: Failure| StepFailure::Refused { t: time })?;
         let system = motion.system();
         for contact in 0..self.histories.len() {
             let reading = motion.reading(contact);
             let before = motion.reduced.inputs.contacts[contact];
             let journal = &system.contacts[contact];
             let mut memory = before;
-            let Some(change) = change(journal, &mut memory, &reading) else { continue };
+            let Some(change) = change(journal, &mut memory, &reading) else {
+                continue;
+            };
             let stored = |memory| motion.stored(contact, memory);
             self.released[contact] += stored(&before) - stored(&memory);
             let sums = self.sums(motion, contact);
@@ -285,7 +353,12 @@ impl Integration {
             let history = &mut self.histories[contact];
             match change {
                 Change::Begin => {
-                    history.begin(time, &reading, sums, motion.contact_angle(contact, &reading));
+                    history.begin(
+                        time,
+                        &reading,
+                        sums,
+                        motion.contact_angle(contact, &reading),
+                    );
                     // The force of some laws begins at once.
                     history.peak(now.penetration, now.normal);
                     if let Some(component) = motion.bristle(contact) {
@@ -322,7 +395,9 @@ impl Integration {
         for _ in 0..HALVINGS {
             match self.point(motion, time) {
                 // Long steps of smooth motions have stages, or predictions, that are too far from it.
-                Err(Failure::Singular | Failure::Diverged { .. }) if time > self.stepper.previous() => {
+                Err(Failure::Singular | Failure::Diverged { .. })
+                    if time > self.stepper.previous() =>
+                {
                     let refused = |_| Failure::Singular;
                     self.halve(motion, time).map_err(refused)?;
                     if !self.histories.is_empty() {
@@ -343,10 +418,12 @@ impl Integration {
         if time == self.stepper.t() {
             self.y.copy_from_slice(self.stepper.y());
         } else {
-            self.stepper.interpolate(motion, time, &mut self.y).map_err(|_| {
-                let locked = motion.reduced.driven.reactive.locked();
-                locked.map_or(Failure::Singular, |force| Failure::Locked { force })
-            })?;
+            self.stepper
+                .interpolate(motion, time, &mut self.y)
+                .map_err(|_| {
+                    let locked = motion.reduced.driven.reactive.locked();
+                    locked.map_or(Failure::Singular, |force| Failure::Locked { force })
+                })?;
         }
         motion.evaluate_exactly(time, &self.y)
     }
@@ -357,7 +434,11 @@ impl Integration {
         report.statistics.steps = self.before[0] + counters.steps;
         report.statistics.rejected = self.before[1] + counters.rejected;
         report.statistics.evaluations = self.before[2] + counters.evaluations;
-        let joints = motion.system().joints.iter().filter(|joint| joint.contact.is_some());
+        let joints = motion
+            .system()
+            .joints
+            .iter()
+            .filter(|joint| joint.contact.is_some());
         for (contact, joint) in joints.enumerate() {
             let sums = self.sums(motion, contact);
             let history = &mut self.histories[contact];
@@ -372,7 +453,12 @@ impl Integration {
                 wear: std::mem::take(&mut history.wear),
             });
             let (display, journal) = (&motion.system().display, &motion.system().contacts[contact]);
-            report.warnings.extend(beyond_range(display, joint.name.as_str(), journal, history.most));
+            report.warnings.extend(beyond_range(
+                display,
+                joint.name.as_str(),
+                journal,
+                history.most,
+            ));
             if history.unlisted > 0 {
                 report.warnings.push(format!(
                     "joint \"{}\": {} further contacts and changes between stick and slip are counted but not listed",

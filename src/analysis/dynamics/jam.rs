@@ -48,9 +48,19 @@ impl Integration {
     ///
     /// # Errors
     /// Where no such impulse is found, or jams follow each other without end.
-    pub(super) fn unjam(&mut self, motion: &mut Motion, jam: &Jam, loose: f64, time: f64) -> Result<(), Failure> {
+    pub(super) fn unjam(
+        &mut self,
+        motion: &mut Motion,
+        jam: &Jam,
+        loose: f64,
+        time: f64,
+    ) -> Result<(), Failure> {
         let contacts = jam.contacts;
-        self.jammed = contacts.iter().copied().filter(|&contact| motion.rubs(contact)).collect();
+        self.jammed = contacts
+            .iter()
+            .copied()
+            .filter(|&contact| motion.rubs(contact))
+            .collect();
         if self.last_jam.0 != time {
             self.last_jam = (time, 0);
         }
@@ -67,7 +77,9 @@ impl Integration {
             if way.margin > most {
                 break;
             }
-            let Some(pushes) = way.until_one_stops(motion, jam) else { break };
+            let Some(pushes) = way.until_one_stops(motion, jam) else {
+                break;
+            };
             self.push_all(motion, contacts, jam.points, &pushes);
             motion.evaluate(time, &self.y)?;
             (way, most) = (Way::find(motion, jam).ok_or(Failure::Singular)?, 0.0);
@@ -99,7 +111,16 @@ impl Integration {
             self.go_on_as(motion, &vec![false; were.len()], time)?;
             let contacts: Vec<usize> = (0..were.len()).filter(|&contact| were[contact]).collect();
             let points = Point::of(motion, &contacts);
-            self.unjam(motion, &Jam { were: &were, contacts: &contacts, points: &points }, TIGHT, time)?;
+            self.unjam(
+                motion,
+                &Jam {
+                    were: &were,
+                    contacts: &contacts,
+                    points: &points,
+                },
+                TIGHT,
+                time,
+            )?;
             self.collide(motion, time)
         });
         ended.is_ok()
@@ -120,15 +141,23 @@ struct Way {
 impl Way {
     /// That with the least d. Where a journal slides no faster than its threshold it sticks, if friction is enough for that.
     fn find(motion: &Motion, jam: &Jam) -> Option<Way> {
-        let mut ratios: Vec<f64> = jam.contacts.iter().map(|&contact| rubbing(motion, contact)).collect();
+        let mut ratios: Vec<f64> = jam
+            .contacts
+            .iter()
+            .map(|&contact| rubbing(motion, contact))
+            .collect();
         let mut way = Way::with(jam, &ratios)?;
         for _ in 0..ROUNDS * ratios.len() {
             let mut change = 0.0_f64;
             for (k, &contact) in jam.contacts.iter().enumerate() {
-                let Some(Rigid { friction, .. }) = sticking(motion, contact) else { continue };
-                let tangent = dot(&jam.points[k].forces[1], &jam.points[k].changes[1]) * way.sizes[k];
+                let Some(Rigid { friction, .. }) = sticking(motion, contact) else {
+                    continue;
+                };
+                let tangent =
+                    dot(&jam.points[k].forces[1], &jam.points[k].changes[1]) * way.sizes[k];
                 if tangent > 0.0 {
-                    let ratio = (ratios[k] - way.sliding_rate(jam, k) / tangent).clamp(-friction, friction);
+                    let ratio =
+                        (ratios[k] - way.sliding_rate(jam, k) / tangent).clamp(-friction, friction);
                     change = change.max((ratio - ratios[k]).abs() / friction);
                     ratios[k] = ratio;
                 }
@@ -147,13 +176,21 @@ impl Way {
         let rubbed = inverse_mass(points, ratios);
         let ways = (0..size).map(|leader| {
             let others: Vec<usize> = (0..size).filter(|&other| other != leader).collect();
-            let part = DMatrix::from_fn(others.len(), others.len(), |i, j| rubbed[(others[i], others[j])]);
-            let free: Vec<f64> = others.iter().map(|&other| -rubbed[(other, leader)]).collect();
+            let part = DMatrix::from_fn(others.len(), others.len(), |i, j| {
+                rubbed[(others[i], others[j])]
+            });
+            let free: Vec<f64> = others
+                .iter()
+                .map(|&other| -rubbed[(other, leader)])
+                .collect();
             let mut sizes = vec![0.0; size];
             sizes[leader] = 1.0;
             // Where the others would jam too, they come nearer as well.
             if let Some((_, answers)) = complementary(&part, &free) {
-                others.iter().zip(answers).for_each(|(&other, answer)| sizes[other] = answer);
+                others
+                    .iter()
+                    .zip(answers)
+                    .for_each(|(&other, answer)| sizes[other] = answer);
             }
             let d: f64 = (0..size).map(|j| rubbed[(leader, j)] * sizes[j]).sum();
             Way {
@@ -163,23 +200,31 @@ impl Way {
                 ratios: ratios.to_vec(),
             }
         });
-        ways.filter(|way| way.margin.is_finite()).min_by(|a, b| a.margin.total_cmp(&b.margin))
+        ways.filter(|way| way.margin.is_finite())
+            .min_by(|a, b| a.margin.total_cmp(&b.margin))
     }
 
     fn pushes(&self, size: f64) -> Vec<[f64; 2]> {
-        self.sizes.iter().zip(&self.ratios).map(|(part, ratio)| [part * size, ratio * part * size]).collect()
+        self.sizes
+            .iter()
+            .zip(&self.ratios)
+            .map(|(part, ratio)| [part * size, ratio * part * size])
+            .collect()
     }
 
     /// dv_t/dp of a contact.
     fn sliding_rate(&self, jam: &Jam, k: usize) -> f64 {
         let pushed = jam.points.iter().zip(self.pushes(1.0));
-        pushed.map(|(point, push)| dot(&jam.points[k].forces[1], &point.sum(&point.changes, push))).sum()
+        pushed
+            .map(|(point, push)| dot(&jam.points[k].forces[1], &point.sum(&point.changes, push)))
+            .sum()
     }
 
     /// The pushes after which the first of the contacts slides no more.
     fn until_one_stops(&self, motion: &Motion, jam: &Jam) -> Option<Vec<[f64; 2]>> {
         let stops = jam.contacts.iter().enumerate().filter_map(|(k, &contact)| {
-            if !motion.rubs(contact) || self.sizes[k] == 0.0 || sticking(motion, contact).is_some() {
+            if !motion.rubs(contact) || self.sizes[k] == 0.0 || sticking(motion, contact).is_some()
+            {
                 return None;
             }
             let (sliding, rate) = (motion.reading(contact).sliding, self.sliding_rate(jam, k));
@@ -195,11 +240,16 @@ impl Way {
             let pushes = self.rest(motion, jam, &press)?;
             let nearer = (0..press.len()).find(|&k| {
                 let pushed = jam.points.iter().zip(&pushes);
-                let change: f64 =
-                    pushed.map(|(point, &push)| dot(&jam.points[k].forces[0], &point.sum(&point.changes, push))).sum();
+                let change: f64 = pushed
+                    .map(|(point, &push)| {
+                        dot(&jam.points[k].forces[0], &point.sum(&point.changes, push))
+                    })
+                    .sum();
                 !press[k] && motion.reading(jam.contacts[k]).rate - change > AT_REST
             });
-            let Some(nearer) = nearer else { return Some(pushes) };
+            let Some(nearer) = nearer else {
+                return Some(pushes);
+            };
             press[nearer] = true;
         }
     }
@@ -212,7 +262,17 @@ impl Way {
         for k in (0..press.len()).filter(|&k| press[k]) {
             let reading = motion.reading(jam.contacts[k]);
             let sticks = sticking(motion, jam.contacts[k]);
-            unknowns.push((k, [1.0, if sticks.is_some() { 0.0 } else { self.ratios[k] }]));
+            unknowns.push((
+                k,
+                [
+                    1.0,
+                    if sticks.is_some() {
+                        0.0
+                    } else {
+                        self.ratios[k]
+                    },
+                ],
+            ));
             wanted.push((k, 0, reading.rate));
             if let Some(rigid) = sticks {
                 let creeping = -self.ratios[k] / rigid.friction * rigid.threshold;
@@ -220,23 +280,34 @@ impl Way {
                 wanted.push((k, 1, creeping - reading.sliding));
             }
         }
-        let changes: Vec<Vec<f64>> =
-            unknowns.iter().map(|&(k, push)| jam.points[k].sum(&jam.points[k].changes, push)).collect();
+        let changes: Vec<Vec<f64>> = unknowns
+            .iter()
+            .map(|&(k, push)| jam.points[k].sum(&jam.points[k].changes, push))
+            .collect();
         let mass = DMatrix::from_fn(wanted.len(), unknowns.len(), |i, j| {
             dot(&jam.points[wanted[i].0].forces[wanted[i].1], &changes[j])
         });
-        let found =
-            mass.lu().solve(&DVector::from_iterator(wanted.len(), wanted.iter().map(|&(_, _, change)| change)))?;
+        let found = mass.lu().solve(&DVector::from_iterator(
+            wanted.len(),
+            wanted.iter().map(|&(_, _, change)| change),
+        ))?;
         let mut pushes = vec![[0.0; 2]; press.len()];
         for (&(k, push), size) in unknowns.iter().zip(found.iter()) {
             pushes[k] = [pushes[k][0] + size * push[0], pushes[k][1] + size * push[1]];
         }
-        pushes.iter().flatten().all(|push| push.is_finite()).then_some(pushes)
+        pushes
+            .iter()
+            .flatten()
+            .all(|push| push.is_finite())
+            .then_some(pushes)
     }
 }
 
 /// The surfaces of a journal that slides no faster than its threshold, where there is friction.
 fn sticking(motion: &Motion, contact: usize) -> Option<Rigid> {
-    let Surface::Rigid(rigid) = motion.system().contacts[contact].surface else { return None };
-    (rigid.friction > 0.0 && motion.reading(contact).sliding.abs() <= rigid.threshold).then_some(rigid)
+    let Surface::Rigid(rigid) = motion.system().contacts[contact].surface else {
+        return None;
+    };
+    (rigid.friction > 0.0 && motion.reading(contact).sliding.abs() <= rigid.threshold)
+        .then_some(rigid)
 }

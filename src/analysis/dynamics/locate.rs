@@ -28,7 +28,11 @@ pub fn locate<E>(
             let estimate = low - at_low * width / (at_high - at_low);
             // Towards the end that is farther from the estimate, which comes near so.
             let aside = (0.02 * width).max(0.5 * narrow);
-            let shifted = if estimate - low > high - estimate { estimate - aside } else { estimate + aside };
+            let shifted = if estimate - low > high - estimate {
+                estimate - aside
+            } else {
+                estimate + aside
+            };
             shifted.clamp(low + 0.01 * width, high - 0.01 * width)
         };
         let at_x = f(x)?;
@@ -58,7 +62,10 @@ mod tests {
     fn roots_are_met_from_beyond() {
         let met = |low: f64, high: f64, expected: f64, f: &dyn Fn(f64) -> f64| {
             let (found, calls) = root(low, high, f);
-            assert!(found >= expected && found - expected <= 1.01e-10 * (high - low), "{found} for {expected}");
+            assert!(
+                found >= expected && found - expected <= 1.01e-10 * (high - low),
+                "{found} for {expected}"
+            );
             assert!(f(found) > 0.0 && calls <= 100, "{calls} calls");
         };
         met(0.0, 1.0, 0.3_f64.sqrt(), &|x| x * x - 0.3);

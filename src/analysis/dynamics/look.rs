@@ -28,7 +28,8 @@ impl Integration {
     pub(super) fn halve(&mut self, motion: &mut Motion, time: f64) -> Result<(), Refused> {
         self.pending = None;
         let from = self.stepper.previous();
-        self.step_again(motion, from, 0.5 * (from + time)).map_err(|_| Refused)
+        self.step_again(motion, from, 0.5 * (from + time))
+            .map_err(|_| Refused)
     }
 
     /// y and the mechanism at a time within the last step.
@@ -48,12 +49,18 @@ impl Integration {
         if let Some(time) = self.pending
             && from + (1.0 + BEYOND) * (time - from) < to
         {
-            self.step_again(motion, from, from + (1.0 + BEYOND) * (time - from)).map_err(|_| Refused)?;
+            self.step_again(motion, from, from + (1.0 + BEYOND) * (time - from))
+                .map_err(|_| Refused)?;
             (from, to) = (self.stepper.previous(), self.stepper.t());
             self.pending = self.first_event(motion, from, to)?;
         }
         let until = self.reached();
-        let touching = motion.reduced.inputs.contacts.iter().any(|memory| memory.phase != Phase::Flight);
+        let touching = motion
+            .reduced
+            .inputs
+            .contacts
+            .iter()
+            .any(|memory| memory.phase != Phase::Flight);
         if !touching && !has_passed {
             // The step's last evaluation was at its end.
             self.y.resize(motion.dimension(), 0.0);
@@ -81,7 +88,10 @@ impl Integration {
     fn step_again(&mut self, motion: &mut Motion, from: f64, to: f64) -> Result<(), StepFailure> {
         let mut y = std::mem::take(&mut self.y);
         y.resize(motion.dimension(), 0.0);
-        let known = self.stepper.interpolate(motion, from, &mut y).map_err(|_| StepFailure::Refused { t: from });
+        let known = self
+            .stepper
+            .interpolate(motion, from, &mut y)
+            .map_err(|_| StepFailure::Refused { t: from });
         let end = std::mem::replace(&mut self.end, to);
         let restarted = known.and_then(|()| self.restart(motion, from, &y, Some(to - from)));
         (self.y, self.end) = (y, end);
@@ -91,14 +101,23 @@ impl Integration {
     }
 
     /// The first instant in (from, to] at which a guard is positive, where there is one.
-    fn first_event(&mut self, motion: &mut Motion, from: f64, to: f64) -> Result<Option<f64>, Refused> {
+    fn first_event(
+        &mut self,
+        motion: &mut Motion,
+        from: f64,
+        to: f64,
+    ) -> Result<Option<f64>, Refused> {
         let guard = |integration: &mut Self, motion: &mut Motion, time: f64| {
             integration.evaluate_at(motion, time)?;
             Ok::<f64, Refused>(motion.worst())
         };
         let mut low = (from, guard(self, motion, from)?.min(0.0));
         for look in 1..=LOOKS {
-            let time = if look == LOOKS { to } else { from + (to - from) * look as f64 / LOOKS as f64 };
+            let time = if look == LOOKS {
+                to
+            } else {
+                from + (to - from) * look as f64 / LOOKS as f64
+            };
             let high = (time, guard(self, motion, time)?);
             if high.1 > 0.0 {
                 return locate(low, high, |time| guard(self, motion, time)).map(Some);

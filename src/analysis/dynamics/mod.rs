@@ -74,14 +74,23 @@ pub fn run(
         reduced.cross(parts, variants.rewrite(&[]));
     }
     let mut motion = Motion::new(&variants, reduced);
-    let mut report = Report { mobility: assembled.mobility, warnings: assembled.warnings, ..Report::default() };
+    let mut report = Report {
+        mobility: assembled.mobility,
+        warnings: assembled.warnings,
+        ..Report::default()
+    };
     report.assemble = assembling;
     let instants = instants(system, analysis).map_err(Stop::Input)?;
     let end = instants.last().map_or(0.0, |last| last.time);
     let mut solver = Integration::new(method, &analysis.solver, &mut motion, end)?;
     if !system.contacts.is_empty() {
         let all = analysis.outputs_at == OutputsAt::Events;
-        solver.looking = Some(Box::new(Looking::new(&motion, contents, &analysis.columns, all)));
+        solver.looking = Some(Box::new(Looking::new(
+            &motion,
+            contents,
+            &analysis.columns,
+            all,
+        )));
         solver.watch_from(&mut motion, 0.0);
     }
     let mut outputs = Outputs::new(system, contents, instants.len(), &mut report);
@@ -100,15 +109,25 @@ pub fn run(
                     locked(system, force)
                 ),
                 Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. } => {
-                    format!("the position at t = {} can't be solved", system.display.time(instant.time))
+                    format!(
+                        "the position at t = {} can't be solved",
+                        system.display.time(instant.time)
+                    )
                 }
             });
             break;
         }
     }
     let mut trajectory = outputs.finish();
-    let peaks = solver.looking.take().map(|looking| looking.finish(&mut trajectory)).unwrap_or_default();
-    report.warnings.extend(unsure_friction(system, &report.mobility.reactions_not_unique));
+    let peaks = solver
+        .looking
+        .take()
+        .map(|looking| looking.finish(&mut trajectory))
+        .unwrap_or_default();
+    report.warnings.extend(unsure_friction(
+        system,
+        &report.mobility.reactions_not_unique,
+    ));
     report.warnings.extend(motion.reduced.passed_change_point().map(|time| {
         format!(
             "at t = {} or a little before the motion passes a change point: friction from reactions that have no bound \
@@ -128,8 +147,11 @@ pub fn run(
 fn refuse(system: &System, analysis: &Analysis) -> Result<(), Stop> {
     if analysis.sample.is_some() && system.contacts.is_empty() {
         return Err(Stop::Input(vec![
-            Complaint::new("analysis.sample", "outputs at driver values need a motion that is prescribed")
-                .hint("give \"end\" and \"outputs\" instead"),
+            Complaint::new(
+                "analysis.sample",
+                "outputs at driver values need a motion that is prescribed",
+            )
+            .hint("give \"end\" and \"outputs\" instead"),
         ]));
     }
     if let Some(joint) = system.joints.iter().find(|joint| joint.clearance.is_some()) {
@@ -146,9 +168,15 @@ fn refuse(system: &System, analysis: &Analysis) -> Result<(), Stop> {
 }
 
 fn method(solver: &Solver) -> Result<Method, Stop> {
-    solver.method.parse().map_err(|unknown: crate::integrate::UnknownMethod| {
-        Stop::Input(vec![Complaint::new("analysis.solver.method", unknown.to_string())])
-    })
+    solver
+        .method
+        .parse()
+        .map_err(|unknown: crate::integrate::UnknownMethod| {
+            Stop::Input(vec![Complaint::new(
+                "analysis.solver.method",
+                unknown.to_string(),
+            )])
+        })
 }
 
 /// The equations of motion at the assembled state.
@@ -173,14 +201,20 @@ fn start<'s>(system: &'s System, assembled: &Assembled, v: &[f64]) -> Result<Red
             Failure::Singular if !massless.is_empty() => Stop::Input(vec![
                 Complaint::new(
                     "bodies",
-                    format!("something free to move has neither mass nor inertia (without: {})", massless.join(", ")),
+                    format!(
+                        "something free to move has neither mass nor inertia (without: {})",
+                        massless.join(", ")
+                    ),
                 )
                 .hint("give mass and inertia to what the joints leave free"),
             ]),
-            Failure::Locked { force } => {
-                Stop::failed(Status::Singular, format!("at the start {}", locked(system, force)))
+            Failure::Locked { force } => Stop::failed(
+                Status::Singular,
+                format!("at the start {}", locked(system, force)),
+            ),
+            Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. } => {
+                singular()
             }
-            Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. } => singular(),
         }
     })?;
     if singularity(system, assembled, &reduced.inputs)?.is_some() {

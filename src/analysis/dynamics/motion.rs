@@ -98,7 +98,10 @@ impl<'s> Motion<'s> {
             bristles,
             memories,
             bristle_count,
-            moving_drivers: system.drivers.iter().any(|driver| !driver.law.is_constant()),
+            moving_drivers: system
+                .drivers
+                .iter()
+                .any(|driver| !driver.law.is_constant()),
             lambda: vec![0.0; system.m()],
             marks: [(f64::NEG_INFINITY, f64::NEG_INFINITY); MARKS],
             next_mark: 0,
@@ -141,9 +144,11 @@ impl<'s> Motion<'s> {
     /// A contact at the point of the last evaluation.
     pub fn reading(&self, contact: usize) -> Reading {
         let evaluation = &self.reduced.driven.evaluation;
-        let mut reading = evaluation.contact(self.system(), &self.reduced.inputs, ContactId(contact));
+        let mut reading =
+            evaluation.contact(self.system(), &self.reduced.inputs, ContactId(contact));
         if self.following[contact].is_some() {
-            let friction = self.rubbing[contact].map_or(0.0, |force| self.reduced.driven.reactive.sizes()[force]);
+            let friction = self.rubbing[contact]
+                .map_or(0.0, |force| self.reduced.driven.reactive.sizes()[force]);
             reading.follow(self.pressing[contact], friction);
         }
         reading
@@ -172,7 +177,10 @@ impl<'s> Motion<'s> {
         let system = match self.known.get(following) {
             Some(system) => system,
             None => {
-                let system = self.variants.get(following, Vec::new()).ok_or(Failure::Singular)?;
+                let system = self
+                    .variants
+                    .get(following, Vec::new())
+                    .ok_or(Failure::Singular)?;
                 self.known.insert(following.to_vec(), system);
                 system
             }
@@ -181,8 +189,16 @@ impl<'s> Motion<'s> {
         let (q, v) = (&self.reduced.q, &self.reduced.v);
         let (_, all) = ranks(system, q, &inputs);
         let mut reduced = Reduced::new(system, &all.free_columns, q, v, time)?;
-        reduced.inputs.contacts.clone_from(&self.reduced.inputs.contacts);
-        for (memory, was) in reduced.inputs.memories.iter_mut().zip(&self.reduced.inputs.memories) {
+        reduced
+            .inputs
+            .contacts
+            .clone_from(&self.reduced.inputs.contacts);
+        for (memory, was) in reduced
+            .inputs
+            .memories
+            .iter_mut()
+            .zip(&self.reduced.inputs.memories)
+        {
             *memory = *was;
         }
         reduced.lag = self.reduced.lag;
@@ -190,7 +206,11 @@ impl<'s> Motion<'s> {
         reduced.cross_as(&mut self.reduced, self.variants.rewrite(following));
         self.reduced = reduced;
         self.lambda.resize(system.m(), 0.0);
-        let rows = system.joints.iter().zip(&system.blocks).filter(|(joint, _)| joint.contact.is_some());
+        let rows = system
+            .joints
+            .iter()
+            .zip(&system.blocks)
+            .filter(|(joint, _)| joint.contact.is_some());
         // Those of contacts stand behind the joints' own.
         let mut next = self.memories.len();
         for (contact, (_, block)) in rows.enumerate() {
@@ -205,10 +225,16 @@ impl<'s> Motion<'s> {
     /// The follower that an impulse and its change of the velocities pull most towards its bearing, and its own impulse.
     pub fn pulled(&mut self, impulse: &[f64], change: &[f64]) -> Option<(usize, f64)> {
         self.following.iter().any(Option::is_some).then(|| {
-            self.reduced.impulsive_multipliers(impulse, change, &mut self.lambda);
+            self.reduced
+                .impulsive_multipliers(impulse, change, &mut self.lambda);
         })?;
-        let rows = self.following.iter().enumerate().filter_map(|(contact, row)| Some((contact, (*row)?)));
-        rows.map(|(contact, row)| (contact, self.lambda[row])).min_by(|a, b| a.1.total_cmp(&b.1))
+        let rows = self
+            .following
+            .iter()
+            .enumerate()
+            .filter_map(|(contact, row)| Some((contact, (*row)?)));
+        rows.map(|(contact, row)| (contact, self.lambda[row]))
+            .min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
     /// Work that moving drivers do in an impulse that changes the velocities (n) [J].
@@ -216,9 +242,14 @@ impl<'s> Motion<'s> {
         if !self.moving_drivers {
             return 0.0;
         }
-        self.reduced.impulsive_multipliers(impulse, change, &mut self.lambda);
+        self.reduced
+            .impulsive_multipliers(impulse, change, &mut self.lambda);
         let efforts = &self.lambda[self.system().joint_rows()..];
-        efforts.iter().zip(&self.reduced.inputs.drive).map(|(effort, jet)| effort * jet[1]).sum()
+        efforts
+            .iter()
+            .zip(&self.reduced.inputs.drive)
+            .map(|(effort, jet)| effort * jet[1])
+            .sum()
     }
 
     /// Angle of a contact in the bearing's body [rad].
@@ -290,7 +321,9 @@ impl<'s> Motion<'s> {
 
     /// Whether an evaluation within (from, to] has passed an event.
     pub fn passed(&self, from: f64, to: f64) -> bool {
-        self.marks.iter().any(|&(t, guard)| t > from && t <= to && guard > 0.0)
+        self.marks
+            .iter()
+            .any(|&(t, guard)| t > from && t <= to && guard > 0.0)
     }
 
     /// The bound of the local error. In a mechanism with contacts lengths are measured against the smallest clearance, or the
@@ -300,27 +333,54 @@ impl<'s> Motion<'s> {
         let f = self.reduced.freedom();
         let dimension = self.dimension();
         let system = self.system();
-        let (rtol, atol) = (solver.rtol.max(ROUND_OFF), solver.atol.max(ROUND_OFF * system.size.min(1.0)));
-        let clearance = system.contacts.iter().map(|contact| contact.clearance).fold(f64::INFINITY, f64::min);
+        let (rtol, atol) = (
+            solver.rtol.max(ROUND_OFF),
+            solver.atol.max(ROUND_OFF * system.size.min(1.0)),
+        );
+        let clearance = system
+            .contacts
+            .iter()
+            .map(|contact| contact.clearance)
+            .fold(f64::INFINITY, f64::min);
         let mut tolerance = if clearance.is_finite() {
-            Tolerance { rtol, atol: vec![f64::MAX; dimension], cap: vec![f64::INFINITY; dimension] }
+            Tolerance {
+                rtol,
+                atol: vec![f64::MAX; dimension],
+                cap: vec![f64::INFINITY; dimension],
+            }
         } else {
-            Tolerance { rtol, atol: vec![atol; dimension], cap: Vec::new() }
+            Tolerance {
+                rtol,
+                atol: vec![atol; dimension],
+                cap: Vec::new(),
+            }
         };
         for (force, reactive) in system.reactive.iter().enumerate() {
-            if let (Some(component), Some(scale)) = (self.memory(force), reactive.force.memory_scale()) {
+            if let (Some(component), Some(scale)) =
+                (self.memory(force), reactive.force.memory_scale())
+            {
                 tolerance.atol[component] = rtol * scale;
             }
         }
         if !clearance.is_finite() {
             return tolerance;
         }
-        let energy = self.reduced.driven.evaluation.kinetic_energy(system, &self.reduced.v);
-        let depth = system.contacts.iter().map(|contact| depth(contact, energy)).fold(f64::INFINITY, f64::min);
+        let energy = self
+            .reduced
+            .driven
+            .evaluation
+            .kinetic_energy(system, &self.reduced.v);
+        let depth = system
+            .contacts
+            .iter()
+            .map(|contact| depth(contact, energy))
+            .fold(f64::INFINITY, f64::min);
         for (k, pin) in self.reduced.driven.pins.iter().enumerate() {
             let small = depth / system.size * system.column_scale(pin.column);
             tolerance.cap[k] = small;
-            tolerance.atol[k] = atol.min(rtol * small).max(LEAST * system.column_scale(pin.column));
+            tolerance.atol[k] = atol
+                .min(rtol * small)
+                .max(LEAST * system.column_scale(pin.column));
             tolerance.atol[f + k] = atol.min(SLOW * rtol);
         }
         for contact in 0..self.contacts() {
@@ -341,11 +401,19 @@ impl<'s> Motion<'s> {
     fn eval_ledger(&mut self, t: f64, dy: &mut [f64]) {
         let system = self.system();
         let work = self.work();
-        let mut power = self.reduced.driven.evaluation.supplied(system, &self.reduced.inputs);
+        let mut power = self
+            .reduced
+            .driven
+            .evaluation
+            .supplied(system, &self.reduced.inputs);
         if self.moving_drivers {
             self.reduced.multipliers(&mut self.lambda);
             let efforts = &self.lambda[system.joint_rows()..];
-            power += efforts.iter().zip(&self.reduced.inputs.drive).map(|(effort, jet)| effort * jet[1]).sum::<f64>();
+            power += efforts
+                .iter()
+                .zip(&self.reduced.inputs.drive)
+                .map(|(effort, jet)| effort * jet[1])
+                .sum::<f64>();
         }
         power += self.reduced.driven.reactive.power(&self.reduced.v);
         // Of contacts it counts as dissipated there.
@@ -361,8 +429,16 @@ impl<'s> Motion<'s> {
             let memory = self.reduced.inputs.contacts[contact];
             worst = worst.max(worst_guard(&system.contacts[contact], &memory, &reading));
             let k = self.dissipated(contact);
-            let pressed = if memory.phase == Phase::Contact { reading.normal } else { 0.0 };
-            dy[k..k + PER_CONTACT].copy_from_slice(&[reading.dissipation, pressed, pressed * reading.sliding.abs()]);
+            let pressed = if memory.phase == Phase::Contact {
+                reading.normal
+            } else {
+                0.0
+            };
+            dy[k..k + PER_CONTACT].copy_from_slice(&[
+                reading.dissipation,
+                pressed,
+                pressed * reading.sliding.abs(),
+            ]);
             if let Some(component) = self.bristle(contact) {
                 dy[component] = reading.bristle_rate;
             }
@@ -374,7 +450,9 @@ impl<'s> Motion<'s> {
 
 /// Depth at which a contact would hold this energy, within [`SHALLOW`] … 1 of its clearance [m].
 fn depth(contact: &Journal, energy: f64) -> f64 {
-    let Surface::Compliant(laws) = &contact.surface else { return contact.clearance };
+    let Surface::Compliant(laws) = &contact.surface else {
+        return contact.clearance;
+    };
     let (mut low, mut high) = (SHALLOW * contact.clearance, contact.clearance);
     if laws.normal.elastic_energy(high) <= energy {
         return high;
@@ -382,7 +460,11 @@ fn depth(contact: &Journal, energy: f64) -> f64 {
     // Its order of magnitude is enough.
     while high > 1.1 * low {
         let middle = (low * high).sqrt();
-        if laws.normal.elastic_energy(middle) < energy { low = middle } else { high = middle }
+        if laws.normal.elastic_energy(middle) < energy {
+            low = middle
+        } else {
+            high = middle
+        }
     }
     low
 }
@@ -408,7 +490,11 @@ impl Ode for Reduced<'_> {
 impl Ode for Motion<'_> {
     fn dimension(&self) -> usize {
         let contacts = self.contacts();
-        if contacts == 0 { self.work() } else { self.work() + 1 + PER_CONTACT * contacts }
+        if contacts == 0 {
+            self.work()
+        } else {
+            self.work() + 1 + PER_CONTACT * contacts
+        }
     }
 
     fn eval(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Refused> {

@@ -28,7 +28,12 @@ struct Ledger {
 }
 
 impl<'a, 'r> Outputs<'a, 'r> {
-    pub fn new(system: &'a System, contents: Contents, rows: usize, report: &'r mut Report) -> Self {
+    pub fn new(
+        system: &'a System,
+        contents: Contents,
+        rows: usize,
+        report: &'r mut Report,
+    ) -> Self {
         Outputs {
             system,
             sampling: Sampling::new(system, contents, rows),
@@ -43,20 +48,36 @@ impl<'a, 'r> Outputs<'a, 'r> {
     ///
     /// # Errors
     /// Where the position can't be solved.
-    pub fn record(&mut self, solver: &mut Integration, motion: &mut Motion, time: f64) -> Result<(), Failure> {
+    pub fn record(
+        &mut self,
+        solver: &mut Integration,
+        motion: &mut Motion,
+        time: f64,
+    ) -> Result<(), Failure> {
         solver.output(motion, time)?;
         self.sampling.take(motion);
         let [dissipated, work] = solver.ledger(motion);
         let reduced = &mut motion.reduced;
         let system = reduced.own().system;
-        let Sample { q, v, a, lambda, force, .. } = &self.sampling.sample;
+        let Sample {
+            q,
+            v,
+            a,
+            lambda,
+            force,
+            ..
+        } = &self.sampling.sample;
         let evaluation = &mut reduced.driven.evaluation;
         evaluation.set_position(q);
         evaluation.eval_phi(system, &reduced.inputs);
         let residual = system.scaled_residual(&evaluation.phi);
-        self.report.quality.constraint_residual = self.report.quality.constraint_residual.max(residual);
+        self.report.quality.constraint_residual =
+            self.report.quality.constraint_residual.max(residual);
         let efforts = &lambda[system.joint_rows()..];
-        let drivers = efforts.iter().zip(&reduced.inputs.drive).map(|(effort, jet)| (*effort, jet[1]));
+        let drivers = efforts
+            .iter()
+            .zip(&reduced.inputs.drive)
+            .map(|(effort, jet)| (*effort, jet[1]));
         self.powers.note(self.system, [v, a, force], drivers);
         let moving = evaluation.kinetic_energy(self.system, v);
         let potential = evaluation.potential_energy(self.system, &reduced.inputs);
@@ -66,9 +87,15 @@ impl<'a, 'r> Outputs<'a, 'r> {
         self.energy = Some([least.min(energy), most.max(energy), largest.max(moving)]);
         if !self.system.contacts.is_empty() {
             let sum = energy + elastic + dissipated - work;
-            let ledger = self.ledger.get_or_insert(Ledger { start: sum, imbalance: 0.0, largest: 0.0 });
+            let ledger = self.ledger.get_or_insert(Ledger {
+                start: sum,
+                imbalance: 0.0,
+                largest: 0.0,
+            });
             ledger.imbalance = ledger.imbalance.max((sum - ledger.start).abs());
-            ledger.largest = [moving, elastic, dissipated, work.abs()].into_iter().fold(ledger.largest, f64::max);
+            ledger.largest = [moving, elastic, dissipated, work.abs()]
+                .into_iter()
+                .fold(ledger.largest, f64::max);
         }
         self.sampling.sample.contact_energy = [elastic, dissipated];
         self.sampling.push(motion);
@@ -80,7 +107,9 @@ impl<'a, 'r> Outputs<'a, 'r> {
         let part = |imbalance: f64, whole: f64| if whole > 0.0 { imbalance / whole } else { 0.0 };
         let quality = &mut self.report.quality;
         quality.power_imbalance = Some(self.powers.relative_imbalance());
-        quality.energy_imbalance = self.ledger.map(|ledger| part(ledger.imbalance, ledger.largest));
+        quality.energy_imbalance = self
+            .ledger
+            .map(|ledger| part(ledger.imbalance, ledger.largest));
         if self.system.is_conservative()
             && let Some([least, most, largest]) = self.energy
         {

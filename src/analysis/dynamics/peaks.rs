@@ -25,9 +25,14 @@ impl Integration {
         from: f64,
         to: f64,
     ) -> Result<bool, Refused> {
-        let Surface::Compliant(laws) = &motion.system().contacts[contact].surface else { return Ok(false) };
+        let Surface::Compliant(laws) = &motion.system().contacts[contact].surface else {
+            return Ok(false);
+        };
         let (a, b) = (self.last[contact], end);
-        if self.histories[contact].deepest().is_some_and(|deepest| a.penetration.max(b.penetration) < 0.5 * deepest) {
+        if self.histories[contact]
+            .deepest()
+            .is_some_and(|deepest| a.penetration.max(b.penetration) < 0.5 * deepest)
+        {
             return Ok(false);
         }
         let approach = motion.reduced.inputs.contacts[contact].approach;

@@ -13,19 +13,32 @@ pub struct Sampling {
 
 impl Sampling {
     pub fn new(system: &System, contents: Contents, rows: usize) -> Self {
-        Sampling { recorder: Recorder::new(system, contents, rows), sample: Sample::new(system) }
+        Sampling {
+            recorder: Recorder::new(system, contents, rows),
+            sample: Sample::new(system),
+        }
     }
 
     /// Motion, forces and contacts of the last evaluation; the energy of contacts is the caller's.
     pub fn take(&mut self, motion: &mut Motion) {
         for (contact, journal) in motion.system().contacts.iter().enumerate() {
             let memory = &motion.reduced.inputs.contacts[contact];
-            self.sample.contacts[contact] =
-                ContactSample { reading: motion.reading(contact), state: state(journal, memory) };
+            self.sample.contacts[contact] = ContactSample {
+                reading: motion.reading(contact),
+                state: state(journal, memory),
+            };
         }
         let reduced = &mut motion.reduced;
         let system = reduced.own().system;
-        let Sample { q, v, a, lambda, force, reactive, .. } = &mut self.sample;
+        let Sample {
+            q,
+            v,
+            a,
+            lambda,
+            force,
+            reactive,
+            ..
+        } = &mut self.sample;
         lambda.resize(system.m(), 0.0);
         q.copy_from_slice(&reduced.q);
         v.copy_from_slice(&reduced.v);
@@ -41,6 +54,11 @@ impl Sampling {
     pub fn push(&mut self, motion: &mut Motion) {
         let reduced = &mut motion.reduced;
         let system = reduced.own().system;
-        self.recorder.push(system, &reduced.driven.evaluation, &reduced.inputs, &self.sample);
+        self.recorder.push(
+            system,
+            &reduced.driven.evaluation,
+            &reduced.inputs,
+            &self.sample,
+        );
     }
 }

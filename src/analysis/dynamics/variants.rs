@@ -16,12 +16,19 @@ pub struct Variants<'m> {
 
 impl<'m> Variants<'m> {
     pub fn new(model: &'m Model) -> Self {
-        Variants { model, systems: Arena::new() }
+        Variants {
+            model,
+            systems: Arena::new(),
+        }
     }
 
     /// The system in which the contacts of `following` are constraints, and with other constraints in the place of those of
     /// some blocks; none where the model can't be compiled, which it has been before.
-    pub fn get(&self, following: &[bool], exchanged: Vec<(usize, Box<dyn Constraint>)>) -> Option<&System> {
+    pub fn get(
+        &self,
+        following: &[bool],
+        exchanged: Vec<(usize, Box<dyn Constraint>)>,
+    ) -> Option<&System> {
         let mut system = recompile(self.model, Lowering::Open { following }).ok()?;
         if !exchanged.is_empty() {
             system.exchange(exchanged);
@@ -36,7 +43,10 @@ impl<'m> Variants<'m> {
 
     /// Exchanges constraints where the contacts of `following` are constraints.
     pub fn rewrite<'s>(&'s self, following: &[bool]) -> Box<dyn Rewrite<'s> + 's> {
-        Box::new(Following { variants: self, following: following.to_vec() })
+        Box::new(Following {
+            variants: self,
+            following: following.to_vec(),
+        })
     }
 }
 

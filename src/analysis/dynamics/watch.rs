@@ -106,7 +106,11 @@ impl Watch {
         let sampling = Sampling::new(system, contents, 1);
         let columns = &sampling.recorder.trajectory.columns;
         let (watched, units) = watched(columns, patterns);
-        let none = [f64::INFINITY, f64::NEG_INFINITY].map(|value| Extreme { value, row: None, is_exact: false });
+        let none = [f64::INFINITY, f64::NEG_INFINITY].map(|value| Extreme {
+            value,
+            row: None,
+            is_exact: false,
+        });
         Watch {
             extremes: vec![none; watched.len()],
             near: vec![0.0; watched.len()],
@@ -136,7 +140,11 @@ impl Watch {
     pub fn fill(&self, node: &mut Node) {
         node.row.clone_from(&self.sampling.recorder.trajectory.data);
         node.values.clear();
-        node.values.extend(self.watched.iter().map(|watched| watched.quantity.of(&node.row)));
+        node.values.extend(
+            self.watched
+                .iter()
+                .map(|watched| watched.quantity.of(&node.row)),
+        );
     }
 
     /// Takes the node's values for extremes where they are, and where they stand for inexact ones.
@@ -147,10 +155,16 @@ impl Watch {
             for (side, sign) in SIDES.into_iter().enumerate() {
                 let known = self.extremes[quantity][side];
                 let lack = sign * (known.value - value);
-                let beats = lack < 0.0 || (is_exact && !known.is_exact && lack <= self.near[quantity]);
+                let beats =
+                    lack < 0.0 || (is_exact && !known.is_exact && lack <= self.near[quantity]);
                 if beats && value.is_finite() {
-                    let row = *slot.get_or_insert_with(|| keep(&mut self.kept, &mut self.free, &node.row));
-                    self.extremes[quantity][side] = Extreme { value, row: Some(row), is_exact };
+                    let row = *slot
+                        .get_or_insert_with(|| keep(&mut self.kept, &mut self.free, &node.row));
+                    self.extremes[quantity][side] = Extreme {
+                        value,
+                        row: Some(row),
+                        is_exact,
+                    };
                     self.kept[row].uses += 1;
                     if let Some(old) = known.row {
                         self.kept[old].uses -= 1;
@@ -189,7 +203,10 @@ impl Watch {
     pub fn start_is_inexact(&self) -> bool {
         let time = self.start.time();
         let is_there = |extreme: &Extreme| {
-            !extreme.is_exact && extreme.row.is_some_and(|row| self.kept[row].row.first() == Some(&time))
+            !extreme.is_exact
+                && extreme
+                    .row
+                    .is_some_and(|row| self.kept[row].row.first() == Some(&time))
         };
         self.extremes.iter().flatten().any(is_there)
     }
@@ -219,7 +236,8 @@ impl Watch {
             (0..2).any(|side| {
                 let [a, m, b] = values.map(|value| SIDES[side] * value);
                 let most = SIDES[side] * self.extreme(quantity, side) + self.near[quantity];
-                estimate([times[1], times[0], times[2]], [m, a, b]).is_some_and(|estimate| estimate > most)
+                estimate([times[1], times[0], times[2]], [m, a, b])
+                    .is_some_and(|estimate| estimate > most)
             })
         };
         (0..self.len()).any(is_within)
@@ -241,7 +259,8 @@ impl Watch {
         }
         if self.has_before() {
             let z = self.before.values[quantity];
-            let bend = ((b - a) * (t1 - t0) - (a - z) * (t2 - t1)) / ((t2 - t1) * (t1 - t0) * (t2 - t0));
+            let bend =
+                ((b - a) * (t1 - t0) - (a - z) * (t2 - t1)) / ((t2 - t1) * (t1 - t0) * (t2 - t0));
             let side = usize::from(bend < 0.0);
             let sign = SIDES[side];
             let rise = 0.25 * bend.abs() * (t2 - t1) * (t2 - t1);
@@ -250,7 +269,9 @@ impl Watch {
             let top = || estimate(times, [sign * z, sign * a, sign * b]);
             return !is_far && top().is_some_and(|top| top > bound(side));
         }
-        let rises = |side: usize| (SIDES[side] * a).max(SIDES[side] * b) + FIRST_RISE * (b - a).abs() > bound(side);
+        let rises = |side: usize| {
+            (SIDES[side] * a).max(SIDES[side] * b) + FIRST_RISE * (b - a).abs() > bound(side)
+        };
         !watched.steady && (0..2).any(rises)
     }
 
@@ -268,7 +289,12 @@ impl Watch {
         let mut wanted = vec![false; self.kept.len()];
         for ((extremes, known), near) in self.extremes.iter().zip(&known).zip(&self.near) {
             for (side, sign) in SIDES.into_iter().enumerate() {
-                if let Extreme { value, row: Some(row), .. } = extremes[side] {
+                if let Extreme {
+                    value,
+                    row: Some(row),
+                    ..
+                } = extremes[side]
+                {
                     wanted[row] |= sign * value > sign * known[side] + near;
                 }
             }
@@ -332,10 +358,13 @@ fn watched(columns: &[Column], patterns: &[String]) -> (Vec<Watched>, usize) {
     let at = |name: String| columns.iter().position(|column| column.name == name);
     let mut units: Vec<&'static str> = Vec::new();
     let mut unit = |column: &Column| {
-        units.iter().position(|unit| *unit == column.unit).unwrap_or_else(|| {
-            units.push(column.unit);
-            units.len() - 1
-        })
+        units
+            .iter()
+            .position(|unit| *unit == column.unit)
+            .unwrap_or_else(|| {
+                units.push(column.unit);
+                units.len() - 1
+            })
     };
     let mut found: Vec<(usize, Watched)> = Vec::new();
     let selected = Selection::new(columns, patterns).columns;
@@ -364,16 +393,41 @@ fn watched(columns: &[Column], patterns: &[String]) -> (Vec<Watched>, usize) {
             Some("driver" | "energy") => 1,
             _ => 2,
         };
-        found.push((rank, Watched { quantity: Quantity::Column(index), unit, rate, steady, of_contact }));
-        let across = if last == "fx" { at(format!("{owner}.fy")) } else { None };
+        found.push((
+            rank,
+            Watched {
+                quantity: Quantity::Column(index),
+                unit,
+                rate,
+                steady,
+                of_contact,
+            },
+        ));
+        let across = if last == "fx" {
+            at(format!("{owner}.fy"))
+        } else {
+            None
+        };
         if let Some(across) = across.filter(|across| selected.contains(across)) {
             let quantity = Quantity::Size([index, across]);
-            found.push((0, Watched { quantity, unit, rate: None, steady: false, of_contact }));
+            found.push((
+                0,
+                Watched {
+                    quantity,
+                    unit,
+                    rate: None,
+                    steady: false,
+                    of_contact,
+                },
+            ));
         }
     }
     found.sort_by_key(|(rank, _)| *rank);
     found.truncate(MOST_WATCHED);
-    (found.into_iter().map(|(_, watched)| watched).collect(), units.len())
+    (
+        found.into_iter().map(|(_, watched)| watched).collect(),
+        units.len(),
+    )
 }
 
 #[cfg(test)]
@@ -387,7 +441,11 @@ mod tests {
         assert!((5.0..5.2).contains(&top), "{top}");
         let rising = [0.0, 1.0, 2.0];
         assert_eq!(estimate(rising, rising), None);
-        assert_eq!(estimate(rising, [2.0, 1.0, 2.0]), None, "it has its least there");
+        assert_eq!(
+            estimate(rising, [2.0, 1.0, 2.0]),
+            None,
+            "it has its least there"
+        );
         assert_eq!(estimate(rising, [f64::NAN, 1.0, 2.0]), None);
     }
 

@@ -43,7 +43,10 @@ pub fn top(values: &[f64; POINTS]) -> (f64, f64) {
     let points = points();
     let at = |s: f64| value(values, &points, s);
     let largest = (0..POINTS).fold(0, |best, k| if values[k] > values[best] { k } else { best });
-    let (from, to) = (points[largest.saturating_sub(1)], points[(largest + 1).min(POINTS - 1)]);
+    let (from, to) = (
+        points[largest.saturating_sub(1)],
+        points[(largest + 1).min(POINTS - 1)],
+    );
     let mut width = (to - from) / INTERVALS as f64;
     let mut best = (points[largest], values[largest]);
     for k in 0..=INTERVALS {
@@ -54,7 +57,12 @@ pub fn top(values: &[f64; POINTS]) -> (f64, f64) {
         }
     }
     for _ in 0..PARABOLAS {
-        let s = vertex([at(best.0 - width), best.1, at(best.0 + width)], best.0, width).clamp(0.0, 1.0);
+        let s = vertex(
+            [at(best.0 - width), best.1, at(best.0 + width)],
+            best.0,
+            width,
+        )
+        .clamp(0.0, 1.0);
         let there = at(s);
         if there > best.1 {
             best = (s, there);
@@ -68,7 +76,11 @@ pub fn top(values: &[f64; POINTS]) -> (f64, f64) {
 /// from its middle.
 pub fn vertex([before, here, after]: [f64; 3], middle: f64, width: f64) -> f64 {
     let bend = before - 2.0 * here + after;
-    let shift = if bend < 0.0 { (0.5 * (before - after) / bend).clamp(-1.0, 1.0) } else { 0.0 };
+    let shift = if bend < 0.0 {
+        (0.5 * (before - after) / bend).clamp(-1.0, 1.0)
+    } else {
+        0.0
+    };
     middle + width * shift
 }
 
@@ -83,7 +95,10 @@ mod tests {
     #[test]
     fn the_top_of_a_polynomial_is_met() {
         let (s, value) = of(|s| 3.0 - (s - 0.3).powi(2) * (1.0 + s));
-        assert!((s - 0.3).abs() < 1e-7 && (value - 3.0).abs() < 1e-14, "{s} {value}");
+        assert!(
+            (s - 0.3).abs() < 1e-7 && (value - 3.0).abs() < 1e-14,
+            "{s} {value}"
+        );
     }
 
     #[test]
@@ -91,7 +106,10 @@ mod tests {
         // A step of half a radian, as those of an impact are: only the place has to be good, the value is evaluated there.
         for phase in [0.05, 0.2, 0.3, 0.45] {
             let (s, value) = of(|s| (0.5 * s - phase).cos());
-            assert!((s - phase / 0.5).abs() < 1e-6 && (value - 1.0).abs() < 1e-10, "{s} {value}");
+            assert!(
+                (s - phase / 0.5).abs() < 1e-6 && (value - 1.0).abs() < 1e-10,
+                "{s} {value}"
+            );
         }
     }
 

@@ -17,9 +17,16 @@ const PENETRATION_DIGITS: usize = 4;
 
 /// Rigid contacts, by number, that no forces answer.
 pub(super) fn jam(motion: &Motion, jammed: &[usize], now: f64) -> String {
-    let joints = motion.system().joints.iter().filter(|joint| joint.contact.is_some());
+    let joints = motion
+        .system()
+        .joints
+        .iter()
+        .filter(|joint| joint.contact.is_some());
     let names: Vec<&str> = joints.map(|joint| joint.name.as_str()).collect();
-    let jammed: Vec<String> = jammed.iter().map(|&contact| format!("\"{}\"", names[contact])).collect();
+    let jammed: Vec<String> = jammed
+        .iter()
+        .map(|&contact| format!("\"{}\"", names[contact]))
+        .collect();
     format!(
         "at t = {} the journals that slide on their bearings jam in {} {}: with this friction neither normal forces nor \
          impulses answer the motion (Painlevé's paradox); a smaller coefficient, or the model \"contact\", goes on; the rows until there are kept",
@@ -30,8 +37,15 @@ pub(super) fn jam(motion: &Motion, jammed: &[usize], now: f64) -> String {
 }
 
 /// What is said where the penetration was beyond what the law of the normal force was made for.
-pub(super) fn beyond_range(display: &DisplayUnits, joint: &str, journal: &Journal, deepest: f64) -> Option<String> {
-    let Surface::Compliant(laws) = &journal.surface else { return None };
+pub(super) fn beyond_range(
+    display: &DisplayUnits,
+    joint: &str,
+    journal: &Journal,
+    deepest: f64,
+) -> Option<String> {
+    let Surface::Compliant(laws) = &journal.surface else {
+        return None;
+    };
     let Some(range) = laws.normal.range() else {
         let radius = journal.bearing_radius - journal.clearance;
         return (radius > 0.0 && deepest > DEEP * radius).then(|| {
@@ -53,7 +67,11 @@ pub(super) fn beyond_range(display: &DisplayUnits, joint: &str, journal: &Journa
 }
 
 pub(super) fn deep_start(system: &System, contact: usize, reading: &Reading) -> Complaint {
-    let joint = system.joints.iter().filter(|joint| joint.contact.is_some()).nth(contact);
+    let joint = system
+        .joints
+        .iter()
+        .filter(|joint| joint.contact.is_some())
+        .nth(contact);
     let name = joint.map_or("", |joint| joint.name.as_str());
     let clearance = system.contacts[contact].clearance;
     Complaint::new(
@@ -81,11 +99,19 @@ pub(super) fn tight(motion: &Motion) -> String {
         return String::new();
     }
     let block = &system.blocks[system.reactive[reactive.tightest()].block];
-    format!(" ({} is about to lock itself by its friction)", system.origin_name(&block.origin))
+    format!(
+        " ({} is about to lock itself by its friction)",
+        system.origin_name(&block.origin)
+    )
 }
 
 /// What a failed step means; `what` says what is singular.
-pub(super) fn describe(failure: StepFailure, now: f64, what: &str, display: &DisplayUnits) -> String {
+pub(super) fn describe(
+    failure: StepFailure,
+    now: f64,
+    what: &str,
+    display: &DisplayUnits,
+) -> String {
     match failure {
         StepFailure::TooSmall { t, h } => format!(
             "step too small at t = {}: the tolerances ask for steps below {}; the rows until there are kept. \

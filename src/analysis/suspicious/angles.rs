@@ -10,7 +10,18 @@ use crate::model::{DriverKind, JointKind, Model, Motion};
 /// Angles of a drawing beyond this are degrees taken for radians [rad].
 const MOST_TURNED: f64 = 4.0 * PI;
 /// Angles that are written in radians, as fractions of π.
-const FRACTIONS: [f64; 10] = [1.0 / 6.0, 0.25, 1.0 / 3.0, 0.5, 2.0 / 3.0, 0.75, 5.0 / 6.0, 1.0, 1.5, 2.0];
+const FRACTIONS: [f64; 10] = [
+    1.0 / 6.0,
+    0.25,
+    1.0 / 3.0,
+    0.5,
+    2.0 / 3.0,
+    0.75,
+    5.0 / 6.0,
+    1.0,
+    1.5,
+    2.0,
+];
 /// How near to one of them a number of degrees must be: 6.28, 1.57 and 0.785 are [–].
 const NEAR_FRACTION: f64 = 6e-4;
 /// The same for other multiples of π/6, which lie closer: 104.72 (1000 rpm) is [–].
@@ -23,13 +34,26 @@ pub(super) fn angles(model: &Model, degrees: bool, found: &mut Vec<Complaint>) {
     let mut look = |path: String, angle: f64| {
         let shown = angle * 180.0 / PI;
         if angle.abs() > MOST_TURNED {
-            let message =
-                format!("the angle is {} rad, {} turns", number(angle, DIGITS), number(angle.abs() / TAU, DIGITS));
+            let message = format!(
+                "the angle is {} rad, {} turns",
+                number(angle, DIGITS),
+                number(angle.abs() / TAU, DIGITS)
+            );
             let hint = "for degrees write \"60 deg\", or name \"angle\": \"deg\" in units";
             found.push(Complaint::new(path, message).hint(hint));
-        } else if degrees && FRACTIONS.iter().any(|part| near(shown.abs() / PI, *part, NEAR_FRACTION)) {
-            let message = format!("the angle is {} deg, which looks like radians", number(shown, DIGITS));
-            found.push(Complaint::new(path, message).hint("plain angles are in degrees here; write \"1.5708 rad\""));
+        } else if degrees
+            && FRACTIONS
+                .iter()
+                .any(|part| near(shown.abs() / PI, *part, NEAR_FRACTION))
+        {
+            let message = format!(
+                "the angle is {} deg, which looks like radians",
+                number(shown, DIGITS)
+            );
+            found.push(
+                Complaint::new(path, message)
+                    .hint("plain angles are in degrees here; write \"1.5708 rad\""),
+            );
         }
     };
     for (name, body) in moving(model) {
@@ -51,9 +75,9 @@ pub(super) fn angles(model: &Model, degrees: bool, found: &mut Vec<Complaint>) {
     for (name, driver) in &model.drivers {
         let start = match (&driver.kind, &driver.motion) {
             (DriverKind::Translation { .. }, _) => continue,
-            (DriverKind::Rotation { .. }, Motion::Polynomial { coefficients }) => {
-                coefficients.first().map(|start| ("coefficients[0]", *start))
-            }
+            (DriverKind::Rotation { .. }, Motion::Polynomial { coefficients }) => coefficients
+                .first()
+                .map(|start| ("coefficients[0]", *start)),
             (
                 DriverKind::Rotation { .. },
                 Motion::ConstantVelocity { start, .. } | Motion::ConstantAcceleration { start, .. },
@@ -77,25 +101,51 @@ fn radians(model: &Model, found: &mut Vec<Complaint>) {
         }
         let looked: Vec<(String, f64, &str)> = match &driver.motion {
             // The first value is looked at like the angles of a drawing.
-            Motion::Polynomial { coefficients } => (coefficients.iter().zip(RATES).enumerate().skip(1))
-                .map(|(k, (value, per))| (format!("coefficients[{k}]"), *value, per))
-                .collect(),
-            Motion::Harmonic { offset, amplitude, .. } => {
-                vec![("offset".into(), *offset, RATES[0]), ("amplitude".into(), *amplitude, RATES[0])]
+            Motion::Polynomial { coefficients } => {
+                (coefficients.iter().zip(RATES).enumerate().skip(1))
+                    .map(|(k, (value, per))| (format!("coefficients[{k}]"), *value, per))
+                    .collect()
             }
-            Motion::Table { points } => travel(points).map(|travel| ("points".into(), travel, RATES[0])).to_vec(),
-            Motion::ConstantVelocity { velocity, .. } => vec![("velocity".into(), *velocity, RATES[1])],
-            Motion::ConstantAcceleration { velocity, acceleration, .. } => {
-                vec![("velocity".into(), *velocity, RATES[1]), ("acceleration".into(), *acceleration, RATES[2])]
+            Motion::Harmonic {
+                offset, amplitude, ..
+            } => {
+                vec![
+                    ("offset".into(), *offset, RATES[0]),
+                    ("amplitude".into(), *amplitude, RATES[0]),
+                ]
+            }
+            Motion::Table { points } => travel(points)
+                .map(|travel| ("points".into(), travel, RATES[0]))
+                .to_vec(),
+            Motion::ConstantVelocity { velocity, .. } => {
+                vec![("velocity".into(), *velocity, RATES[1])]
+            }
+            Motion::ConstantAcceleration {
+                velocity,
+                acceleration,
+                ..
+            } => {
+                vec![
+                    ("velocity".into(), *velocity, RATES[1]),
+                    ("acceleration".into(), *acceleration, RATES[2]),
+                ]
             }
         };
-        let odd = looked.iter().find(|(_, value, _)| looks_like_radians(value.to_degrees()));
+        let odd = looked
+            .iter()
+            .find(|(_, value, _)| looks_like_radians(value.to_degrees()));
         found.extend(odd.map(|(key, value, per)| {
             let degrees = value.to_degrees();
             let shown: f64 = format!("{degrees:.6}").parse().unwrap_or(degrees);
-            let what = if key == "points" { "the motion goes over" } else { "this is" };
+            let what = if key == "points" {
+                "the motion goes over"
+            } else {
+                "this is"
+            };
             let message = format!("{what} {shown} deg{per}, which looks like radians");
-            let hint = format!("plain numbers are in degrees here; write degrees, or text with the unit rad{per}");
+            let hint = format!(
+                "plain numbers are in degrees here; write degrees, or text with the unit rad{per}"
+            );
             Complaint::new(format!("drivers.{name}.motion.{key}"), message).hint(hint)
         }));
     }
@@ -107,8 +157,14 @@ const RATES: [&str; 3] = ["", "/s", "/s^2"];
 /// From the first value of a table to the last, and from the least to the greatest.
 fn travel(points: &[[f64; 2]]) -> [f64; 2] {
     let values = || points.iter().map(|point| point[1]);
-    let ends = points.first().zip(points.last()).map_or(0.0, |(first, last)| last[1] - first[1]);
-    [ends, values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)]
+    let ends = points
+        .first()
+        .zip(points.last())
+        .map_or(0.0, |(first, last)| last[1] - first[1]);
+    [
+        ends,
+        values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min),
+    ]
 }
 
 /// Whether a number of degrees is a usual fraction or multiple of π, and no whole number.
@@ -118,7 +174,11 @@ fn looks_like_radians(degrees: f64) -> bool {
     let whole = (degrees - degrees.round()).abs() <= 1e-9 * degrees.abs();
     let sixth = (6.0 * multiple).round() / 6.0;
     let large = (2.0..=MOST_MULTIPLE).contains(&multiple) && near(multiple, sixth, NEAR_MULTIPLE);
-    !whole && (large || FRACTIONS.iter().any(|&fraction| near(multiple, fraction, NEAR_FRACTION)))
+    !whole
+        && (large
+            || FRACTIONS
+                .iter()
+                .any(|&fraction| near(multiple, fraction, NEAR_FRACTION)))
 }
 
 fn near(multiple: f64, wanted: f64, within: f64) -> bool {

@@ -25,8 +25,14 @@ fn points(body: &Body) -> impl Iterator<Item = Vec2> {
 /// Largest distance of two points of a body [m]; zero where it has one or none.
 pub(super) fn extent(body: &Body) -> f64 {
     let low = points(body).fold(Vec2::repeat(f64::INFINITY), |low, point| low.inf(&point));
-    let high = points(body).fold(Vec2::repeat(f64::NEG_INFINITY), |high, point| high.sup(&point));
-    if body.points.len() < 2 { 0.0 } else { (high - low).norm() }
+    let high = points(body).fold(Vec2::repeat(f64::NEG_INFINITY), |high, point| {
+        high.sup(&point)
+    });
+    if body.points.len() < 2 {
+        0.0
+    } else {
+        (high - low).norm()
+    }
 }
 
 /// The middle one of the mechanism's lengths: of bodies, from their centres of mass to their points, between their drawn
@@ -40,19 +46,29 @@ fn middle(model: &Model) -> Option<f64> {
             continue;
         }
         let com = body.com.map(Vec2::from);
-        lengths.extend(com.map(|com| points(body).map(|point| (point - com).norm()).fold(0.0, f64::max)));
+        lengths.extend(com.map(|com| {
+            points(body)
+                .map(|point| (point - com).norm())
+                .fold(0.0, f64::max)
+        }));
         let place = Vec2::from(body.pose.position);
         lengths.push((place - *first.get_or_insert(place)).norm());
     }
     lengths.retain(|length| *length > 0.0);
     lengths.sort_by(f64::total_cmp);
-    if lengths.len() < LEAST_LENGTHS { None } else { lengths.get((lengths.len() - 1) / 2).copied() }
+    if lengths.len() < LEAST_LENGTHS {
+        None
+    } else {
+        lengths.get((lengths.len() - 1) / 2).copied()
+    }
 }
 
 /// Lengths and centres of mass that look like a slip.
 pub(super) fn lengths(model: &Model) -> Vec<Complaint> {
     let mut found = Vec::new();
-    let Some(middle) = middle(model) else { return found };
+    let Some(middle) = middle(model) else {
+        return found;
+    };
     let text = |length: f64| model.display.length_to(length, DIGITS);
     for (name, body) in &model.bodies {
         let extent = extent(body);
@@ -67,7 +83,10 @@ pub(super) fn lengths(model: &Model) -> Vec<Complaint> {
             );
             let hint = "check its points and their unit";
             found.push(Complaint::new(format!("bodies.{name}.points"), message).hint(hint));
-        } else if let Some(message) = body.com.and_then(|com| stray_com(body, Vec2::from(com), extent, middle, text)) {
+        } else if let Some(message) = body
+            .com
+            .and_then(|com| stray_com(body, Vec2::from(com), extent, middle, text))
+        {
             let hint = "check its numbers and their unit; \"com\" is in the body's frame";
             found.push(Complaint::new(format!("bodies.{name}.com"), message).hint(hint));
         }
@@ -76,7 +95,13 @@ pub(super) fn lengths(model: &Model) -> Vec<Complaint> {
 }
 
 /// What is odd about a centre of mass.
-fn stray_com(body: &Body, com: Vec2, extent: f64, middle: f64, text: impl Fn(f64) -> String) -> Option<String> {
+fn stray_com(
+    body: &Body,
+    com: Vec2,
+    extent: f64,
+    middle: f64,
+    text: impl Fn(f64) -> String,
+) -> Option<String> {
     let (point, nearest) = body
         .points
         .iter()
@@ -85,22 +110,28 @@ fn stray_com(body: &Body, com: Vec2, extent: f64, middle: f64, text: impl Fn(f64
     let reach = extent.max(middle);
     if nearest > LENGTH_SPREAD * reach {
         let (far, reach) = (text(nearest), text(reach));
-        return Some(format!("the centre of mass is {far} from the nearest point, {point}, in a mechanism of {reach}"));
+        return Some(format!(
+            "the centre of mass is {far} from the nearest point, {point}, in a mechanism of {reach}"
+        ));
     }
     // A balanced crank has its centre of mass near its pin, but hardly at a thousandth of a place amid its points.
     let amid = points(body).sum::<Vec2>() / body.points.len() as f64;
     let within = (com * THOUSAND - amid).norm() <= 0.25 * extent;
     if nearest > 0.0 && nearest < COM_BESIDE * extent && within {
         let (near, extent) = (text(nearest), text(extent));
-        return Some(format!("the centre of mass is beside point {point}, {near} off it, in a body of {extent}"));
+        return Some(format!(
+            "the centre of mass is beside point {point}, {near} off it, in a body of {extent}"
+        ));
     }
     None
 }
 
 /// A mechanism that is large or small as a whole.
 pub(super) fn whole(model: &Model) -> Option<Complaint> {
-    let mut extents: Vec<(&String, f64)> =
-        moving(model).map(|(name, body)| (name, extent(body))).filter(|(_, extent)| *extent > 0.0).collect();
+    let mut extents: Vec<(&String, f64)> = moving(model)
+        .map(|(name, body)| (name, extent(body)))
+        .filter(|(_, extent)| *extent > 0.0)
+        .collect();
     extents.sort_by(|a, b| a.1.total_cmp(&b.1));
     let (_, middle) = extents.get(extents.len().checked_sub(1)? / 2)?;
     let (name, extent) = extents.last()?;

@@ -11,7 +11,9 @@ use std::f64::consts::TAU;
 use crate::analysis::instants::MOST_OUTPUTS;
 use crate::display::number;
 use crate::error::Complaint;
-use crate::model::{Analysis, AnalysisKind, Body, DriverKind, ForceKind, GROUND, JointKind, Model, Motion, Value};
+use crate::model::{
+    Analysis, AnalysisKind, Body, DriverKind, ForceKind, GROUND, JointKind, Model, Motion, Value,
+};
 use crate::system::compile::law;
 use lengths::extent;
 pub(super) use times::tables;
@@ -41,9 +43,17 @@ pub fn suspicious(model: &Model, degrees: bool) -> Vec<Complaint> {
     }
     // A body of doubtful lengths is not blamed for its inertia.
     let doubtful = |body: &str| {
-        all_doubtful || lengths.iter().any(|slip| slip.path.rsplit_once('.').is_some_and(|(of, _)| of == body))
+        all_doubtful
+            || lengths
+                .iter()
+                .any(|slip| slip.path.rsplit_once('.').is_some_and(|(of, _)| of == body))
     };
-    found.retain(|complaint| !complaint.path.strip_suffix(".inertia").is_some_and(doubtful));
+    found.retain(|complaint| {
+        !complaint
+            .path
+            .strip_suffix(".inertia")
+            .is_some_and(doubtful)
+    });
     [lengths, found].concat()
 }
 
@@ -62,9 +72,13 @@ fn middle(mut values: Vec<f64>) -> Option<f64> {
 const DIGITS: usize = 4;
 
 fn masses(model: &Model, found: &mut Vec<Complaint>) {
-    let masses: Vec<(&String, f64)> =
-        moving(model).filter_map(|(name, body)| Some((name, body.mass?))).filter(|(_, mass)| *mass > 0.0).collect();
-    let Some(middle) = middle(masses.iter().map(|(_, mass)| *mass).collect()) else { return };
+    let masses: Vec<(&String, f64)> = moving(model)
+        .filter_map(|(name, body)| Some((name, body.mass?)))
+        .filter(|(_, mass)| *mass > 0.0)
+        .collect();
+    let Some(middle) = middle(masses.iter().map(|(_, mass)| *mass).collect()) else {
+        return;
+    };
     let text = |mass: f64| model.display.mass_to(mass, DIGITS);
     for (name, mass) in masses {
         let ratio = mass / middle;
@@ -73,7 +87,11 @@ fn masses(model: &Model, found: &mut Vec<Complaint>) {
             found.push(
                 Complaint::new(
                     format!("bodies.{name}.mass"),
-                    format!("the body is {than}, {}, where others weigh near {}", text(mass), text(middle)),
+                    format!(
+                        "the body is {than}, {}, where others weigh near {}",
+                        text(mass),
+                        text(middle)
+                    ),
                 )
                 .hint("check the unit: a plain mass is in kg unless \"units\" names another"),
             );
@@ -82,10 +100,18 @@ fn masses(model: &Model, found: &mut Vec<Complaint>) {
 }
 
 fn inertias(model: &Model, found: &mut Vec<Complaint>) {
-    let size = moving(model).map(|(_, body)| extent(body)).fold(0.0, f64::max);
+    let size = moving(model)
+        .map(|(_, body)| extent(body))
+        .fold(0.0, f64::max);
     for (name, body) in moving(model) {
-        let (Some(mass), Some(inertia), Some(com)) = (body.mass, body.inertia, body.com) else { continue };
-        let radius = body.points.values().map(|p| (p[0] - com[0]).hypot(p[1] - com[1])).fold(0.0, f64::max);
+        let (Some(mass), Some(inertia), Some(com)) = (body.mass, body.inertia, body.com) else {
+            continue;
+        };
+        let radius = body
+            .points
+            .values()
+            .map(|p| (p[0] - com[0]).hypot(p[1] - com[1]))
+            .fold(0.0, f64::max);
         // Without mass or inertia it is a massless rod or a point mass, and meant.
         if mass == 0.0 || inertia == 0.0 || size == 0.0 {
             continue;
@@ -115,7 +141,10 @@ fn inertias(model: &Model, found: &mut Vec<Complaint>) {
 fn gravity(model: &Model, found: &mut Vec<Complaint>) {
     let g = model.gravity[0].hypot(model.gravity[1]);
     if g > 0.0 && !(GRAVITY[0]..=GRAVITY[1]).contains(&g) {
-        let message = format!("gravity is {} m/s^2, that of the earth is 9.81 m/s^2", number(g, DIGITS));
+        let message = format!(
+            "gravity is {} m/s^2, that of the earth is 9.81 m/s^2",
+            number(g, DIGITS)
+        );
         found.push(Complaint::new("gravity", message).hint(
             "a plain number is in m/s^2 whatever the unit of length; write 9.81, or its unit, as in \"9810 mm/s^2\"",
         ));
@@ -125,40 +154,81 @@ fn gravity(model: &Model, found: &mut Vec<Complaint>) {
 fn clearances(model: &Model, found: &mut Vec<Complaint>) {
     let text = |length: f64| model.display.length_to(length, DIGITS);
     for (name, joint) in &model.joints {
-        let JointKind::Revolute { clearance: Some(clearance), .. } = &joint.kind else { continue };
-        let Some(radius) = clearance.radius else { continue };
+        let JointKind::Revolute {
+            clearance: Some(clearance),
+            ..
+        } = &joint.kind
+        else {
+            continue;
+        };
+        let Some(radius) = clearance.radius else {
+            continue;
+        };
         let path = format!("joints.{name}.clearance.radius");
-        if let Some(bearing) = clearance.bearing_radius.filter(|bearing| radius >= *bearing) {
-            let message =
-                format!("the radial clearance, {}, leaves no journal in a bearing of {}", text(radius), text(bearing));
-            found.push(Complaint::new(path, message).hint("radius is the bearing's radius minus the journal's"));
+        if let Some(bearing) = clearance
+            .bearing_radius
+            .filter(|bearing| radius >= *bearing)
+        {
+            let message = format!(
+                "the radial clearance, {}, leaves no journal in a bearing of {}",
+                text(radius),
+                text(bearing)
+            );
+            found.push(
+                Complaint::new(path, message)
+                    .hint("radius is the bearing's radius minus the journal's"),
+            );
             continue;
         }
-        let ends = joint.between.iter().filter(|end| end.body != GROUND).filter_map(|end| model.bodies.get(&end.body));
-        let shortest = ends.map(extent).filter(|extent| *extent > 0.0).fold(f64::INFINITY, f64::min);
+        let ends = joint
+            .between
+            .iter()
+            .filter(|end| end.body != GROUND)
+            .filter_map(|end| model.bodies.get(&end.body));
+        let shortest = ends
+            .map(extent)
+            .filter(|extent| *extent > 0.0)
+            .fold(f64::INFINITY, f64::min);
         if radius >= shortest {
-            let message =
-                format!("the radial clearance, {}, is longer than the link, {}", text(radius), text(shortest));
-            found.push(Complaint::new(path, message).hint("check its unit: clearances are mostly some micrometres"));
+            let message = format!(
+                "the radial clearance, {}, is longer than the link, {}",
+                text(radius),
+                text(shortest)
+            );
+            found.push(
+                Complaint::new(path, message)
+                    .hint("check its unit: clearances are mostly some micrometres"),
+            );
         }
     }
 }
 
 /// Motions that go further between two outputs than they can show.
 fn speeds(model: &Model, analysis: &Analysis, found: &mut Vec<Complaint>) {
-    if matches!(analysis.kind, AnalysisKind::Assembly | AnalysisKind::Statics) {
+    if matches!(
+        analysis.kind,
+        AnalysisKind::Assembly | AnalysisKind::Statics
+    ) {
         return;
     }
     if let Some(sample) = &analysis.sample {
-        let turns = model.drivers.get(&sample.driver).is_some_and(|d| matches!(d.kind, DriverKind::Rotation { .. }));
+        let turns = model
+            .drivers
+            .get(&sample.driver)
+            .is_some_and(|d| matches!(d.kind, DriverKind::Rotation { .. }));
         let per_turn = TAU / sample.step.abs();
         if turns && per_turn < LEAST_OUTPUTS {
-            let message = format!("{} outputs per turn show another motion than there is", number(per_turn, DIGITS));
+            let message = format!(
+                "{} outputs per turn show another motion than there is",
+                number(per_turn, DIGITS)
+            );
             found.push(Complaint::new("analysis.sample.step", message).hint("take a smaller step"));
         }
         return;
     }
-    let (Some(end), Some(outputs)) = (analysis.end, analysis.outputs) else { return };
+    let (Some(end), Some(outputs)) = (analysis.end, analysis.outputs) else {
+        return;
+    };
     let step = end / (outputs.max(2) - 1) as f64;
     let mut look = |path: String, per_turn: f64, what: &str| {
         if per_turn < LEAST_OUTPUTS {
@@ -183,20 +253,30 @@ fn speeds(model: &Model, analysis: &Analysis, found: &mut Vec<Complaint>) {
             look(path, 1.0 / (frequency.abs() * step), "period");
         } else if matches!(driver.kind, DriverKind::Rotation { .. }) {
             let law = law(&driver.motion);
-            let fastest = (0..=64).map(|k| law.jet(end * f64::from(k) / 64.0)[1].abs()).fold(0.0, f64::max);
+            let fastest = (0..=64)
+                .map(|k| law.jet(end * f64::from(k) / 64.0)[1].abs())
+                .fold(0.0, f64::max);
             look(path, TAU / (fastest * step), "turn");
         }
     }
     for (name, force) in &model.forces {
         let values: Vec<&Value> = match &force.kind {
-            ForceKind::Spring { free_length: value, .. }
-            | ForceKind::TorsionSpring { free_angle: value, .. }
+            ForceKind::Spring {
+                free_length: value, ..
+            }
+            | ForceKind::TorsionSpring {
+                free_angle: value, ..
+            }
             | ForceKind::Torque { value, .. } => vec![value],
             ForceKind::Load { vector, .. } => vector.iter().collect(),
         };
         for value in values {
             if let Value::Motion(Motion::Harmonic { frequency, .. }) = value {
-                look(format!("forces.{name}"), 1.0 / (frequency.abs() * step), "period");
+                look(
+                    format!("forces.{name}"),
+                    1.0 / (frequency.abs() * step),
+                    "period",
+                );
             }
         }
     }

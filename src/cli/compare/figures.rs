@@ -22,7 +22,11 @@ pub fn figures(columns: &[Column], models: &[(&str, Trajectory)]) -> Vec<Figure>
     let mut figures: Vec<Figure> = Vec::new();
     for column in columns {
         let curve = |(model, table): &(&str, Trajectory)| {
-            let values = |name: &str| table.values(name).unwrap_or_else(|| vec![f64::NAN; table.len()]);
+            let values = |name: &str| {
+                table
+                    .values(name)
+                    .unwrap_or_else(|| vec![f64::NAN; table.len()])
+            };
             Curve::new(*model, values(TIME), values(&column.label()))
         };
         let unit = if column.unit == "1" { "" } else { column.unit };
@@ -51,26 +55,41 @@ pub fn figures(columns: &[Column], models: &[(&str, Trajectory)]) -> Vec<Figure>
 
 /// A range that leaves out a few peaks, where they would squeeze the rest, and the range of all values.
 fn without_peaks(curves: &[Curve]) -> Option<([f64; 2], [f64; 2])> {
-    let mut values: Vec<f64> = curves.iter().flat_map(|curve| &curve.y).copied().filter(|y| y.is_finite()).collect();
+    let mut values: Vec<f64> = curves
+        .iter()
+        .flat_map(|curve| &curve.y)
+        .copied()
+        .filter(|y| y.is_finite())
+        .collect();
     values.sort_by(f64::total_cmp);
     let all = [*values.first()?, *values.last()?];
     let rank = (PEAKS * values.len() as f64) as usize;
     let [low, high] = [values[rank], values[values.len() - 1 - rank]];
     let margin = 0.25 * (high - low);
-    (margin > 0.0 && all[1] - all[0] > SQUEEZED * (high - low)).then_some(([low - margin, high + margin], all))
+    (margin > 0.0 && all[1] - all[0] > SQUEEZED * (high - low))
+        .then_some(([low - margin, high + margin], all))
 }
 
 /// What is told of peaks.
 fn cut_off(ends: [f64; 2], unit: &str) -> String {
     let [least, most] = ends.map(|value| words::minus(&short(value)));
-    format!("peaks cut off: values from {least} to {most} {}", words::unit(unit)).trim_end().to_string()
+    format!(
+        "peaks cut off: values from {least} to {most} {}",
+        words::unit(unit)
+    )
+    .trim_end()
+    .to_string()
 }
 
 /// A number to four digits.
 fn short(x: f64) -> String {
     if x == 0.0 || (1e-3..1e5).contains(&x.abs()) {
         let digits = (3.0 - x.abs().max(1e-3).log10().floor()).clamp(0.0, 6.0) as usize;
-        if x == 0.0 { "0".into() } else { format!("{x:.digits$}") }
+        if x == 0.0 {
+            "0".into()
+        } else {
+            format!("{x:.digits$}")
+        }
     } else {
         format!("{x:.3e}")
     }
@@ -80,10 +99,19 @@ fn short(x: f64) -> String {
 fn file_name(column: &str, others: &[Figure]) -> String {
     let is_plain = |letter: char| letter.is_alphanumeric() || ['.', '-', '_'].contains(&letter);
     let plain = column.trim_start_matches('.').chars().take(LONGEST);
-    let plain: String = plain.map(|letter| if is_plain(letter) { letter } else { '_' }).collect();
-    let is_new = |name: &String| others.iter().all(|(other, _)| other.to_lowercase() != name.to_lowercase());
+    let plain: String = plain
+        .map(|letter| if is_plain(letter) { letter } else { '_' })
+        .collect();
+    let is_new = |name: &String| {
+        others
+            .iter()
+            .all(|(other, _)| other.to_lowercase() != name.to_lowercase())
+    };
     let numbered = (2..).map(|number| format!("{plain}-{number}.svg"));
-    std::iter::once(format!("{plain}.svg")).chain(numbered).find(is_new).unwrap_or_default()
+    std::iter::once(format!("{plain}.svg"))
+        .chain(numbered)
+        .find(is_new)
+        .unwrap_or_default()
 }
 
 #[cfg(test)]
@@ -94,18 +122,33 @@ mod tests {
     fn a_few_peaks_do_not_squeeze_the_rest() {
         let times: Vec<f64> = (0..1001).map(f64::from).collect();
         let mut y: Vec<f64> = times.iter().map(|t| (0.1 * t).sin()).collect();
-        assert_eq!(without_peaks(&[Curve::new("a", times.clone(), y.clone())]), None);
+        assert_eq!(
+            without_peaks(&[Curve::new("a", times.clone(), y.clone())]),
+            None
+        );
         (y[500], y[700]) = (1e6, f64::NAN);
         let (range, all) = without_peaks(&[Curve::new("a", times, y)]).expect("a peak");
-        assert!(all[1] == 1e6 && range[0] < -1.4 && range[1] > 1.4 && range[1] < 2.0, "{range:?} {all:?}");
-        assert_eq!(without_peaks(&[Curve::new("a", vec![0.0, 1.0], vec![0.0, 1e9])]), None);
+        assert!(
+            all[1] == 1e6 && range[0] < -1.4 && range[1] > 1.4 && range[1] < 2.0,
+            "{range:?} {all:?}"
+        );
+        assert_eq!(
+            without_peaks(&[Curve::new("a", vec![0.0, 1.0], vec![0.0, 1e9])]),
+            None
+        );
         assert_eq!(without_peaks(&[]), None);
     }
 
     #[test]
     fn peaks_are_told_in_units_as_the_axis_writes_them() {
-        assert_eq!(cut_off([-134.6, 17730.0], "N*m"), "peaks cut off: values from −134.6 to 17730 N·m");
-        assert_eq!(cut_off([-1e-5, 2e9], ""), "peaks cut off: values from −1.000e−5 to 2.000e9");
+        assert_eq!(
+            cut_off([-134.6, 17730.0], "N*m"),
+            "peaks cut off: values from −134.6 to 17730 N·m"
+        );
+        assert_eq!(
+            cut_off([-1e-5, 2e9], ""),
+            "peaks cut off: values from −1.000e−5 to 2.000e9"
+        );
     }
 
     #[test]

@@ -20,7 +20,13 @@ use crate::output::{Column, Directory, Trajectory, csv};
 use report::Report;
 
 /// The ladder of clearance models, simple ones first.
-const LADDER: [&str; 5] = ["ideal", "massless_link", "two_state", "three_state", "contact"];
+const LADDER: [&str; 5] = [
+    "ideal",
+    "massless_link",
+    "two_state",
+    "three_state",
+    "contact",
+];
 const TABLE: &str = "compare.csv";
 const SUMMARY: &str = "compare.json";
 /// All joints that have a clearance.
@@ -72,7 +78,10 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let mut rungs = Vec::new();
     let mut exit = Exit::Done;
     for &model in &models {
-        let rung = Rung { model, ran: run(options, &joints, model, directory.as_ref())? };
+        let rung = Rung {
+            model,
+            ran: run(options, &joints, model, directory.as_ref())?,
+        };
         let ended = match &rung.ran {
             Ok(outcome) => Exit::from(outcome.report.status),
             Err(_) if wanted => Exit::BadInput,
@@ -82,9 +91,12 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         rungs.push(rung);
         // All runs have the columns of the first one, so that the others need not be waited for.
         if rungs.iter().filter(|rung| rung.ran.is_ok()).count() == 1 {
-            let unmatched = compare(&opened.loaded.model, &joints, &rungs, &options.columns).unmatched;
+            let unmatched =
+                compare(&opened.loaded.model, &joints, &rungs, &options.columns).unmatched;
             if !unmatched.is_empty() {
-                return Err(BadInput(unmatched.iter().map(|pattern| no_column(pattern)).collect()));
+                return Err(BadInput(
+                    unmatched.iter().map(|pattern| no_column(pattern)).collect(),
+                ));
             }
         }
         // Also between two runs, and where a run ended before it looked.
@@ -94,13 +106,25 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         }
     }
     if rungs.iter().all(|rung| rung.ran.is_err()) {
-        let reasons = rungs.iter().filter_map(|rung| Some((rung.model, rung.ran.as_ref().err()?)));
-        return Err(BadInput(reasons.map(|(model, why)| format!("{}: {model}: {why}", opened.label)).collect()));
+        let reasons = rungs
+            .iter()
+            .filter_map(|rung| Some((rung.model, rung.ran.as_ref().err()?)));
+        return Err(BadInput(
+            reasons
+                .map(|(model, why)| format!("{}: {model}: {why}", opened.label))
+                .collect(),
+        ));
     }
     let comparison = compare(&opened.loaded.model, &joints, &rungs, &options.columns);
     let curves = curves(&joints, &rungs);
-    let report =
-        Report { opened: &opened, joints: &joints, rungs: &rungs, wanted, comparison: &comparison, curves: &curves };
+    let report = Report {
+        opened: &opened,
+        joints: &joints,
+        rungs: &rungs,
+        wanted,
+        comparison: &comparison,
+        curves: &curves,
+    };
     let mut written = Vec::new();
     if let Some(directory) = &directory {
         written.push(directory.write_with(TABLE, |file| csv::write(&comparison.curves, file))?);
@@ -111,14 +135,21 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     }
     print(&report.page(&written))?;
     if rungs.len() < models.len() {
-        complain(&format!("interrupted: {} left out", models[rungs.len()..].join(", ")));
+        complain(&format!(
+            "interrupted: {} left out",
+            models[rungs.len()..].join(", ")
+        ));
     }
     for rung in &rungs {
         match &rung.ran {
             Err(why) if wanted => complain(&format!("{}: {why}", rung.model)),
             Ok(outcome) if Exit::from(outcome.report.status) != Exit::Done => {
                 let status = outcome.report.status.word();
-                complain(&format!("{}: {}", rung.model, outcome.report.message.as_deref().unwrap_or(status)));
+                complain(&format!(
+                    "{}: {}",
+                    rung.model,
+                    outcome.report.message.as_deref().unwrap_or(status)
+                ));
             }
             Ok(_) | Err(_) => {}
         }
@@ -156,22 +187,35 @@ fn joints(opened: &Opened, names: &[String]) -> Result<Vec<String>, BadInput> {
                 let all = known.iter().filter(|(_, joint)| has_clearance(&joint.kind));
                 found.extend(all.map(|(name, _)| name.clone()));
                 if found.is_empty() {
-                    let said = Complaint::new("joints", "no joint has a \"clearance\" whose model could be changed");
+                    let said = Complaint::new(
+                        "joints",
+                        "no joint has a \"clearance\" whose model could be changed",
+                    );
                     complaints.push(said.hint(ADD));
                 }
             }
             None => {
-                let said = Complaint::new("joints", format!("there is no joint {name:?}, as --joint says"));
+                let said = Complaint::new(
+                    "joints",
+                    format!("there is no joint {name:?}, as --joint says"),
+                );
                 complaints.push(match nearest(name, known.keys().map(String::as_str)) {
                     Some(near) => said.hint(format!("did you mean {near:?}?")),
-                    None => said.hint(format!("there are {}", known.keys().cloned().collect::<Vec<_>>().join(", "))),
+                    None => said.hint(format!(
+                        "there are {}",
+                        known.keys().cloned().collect::<Vec<_>>().join(", ")
+                    )),
                 });
             }
         }
     }
     let mut seen = std::collections::HashSet::new();
     found.retain(|name| seen.insert(name.clone()));
-    if complaints.is_empty() { Ok(found) } else { Err(opened.bad_input(complaints)) }
+    if complaints.is_empty() {
+        Ok(found)
+    } else {
+        Err(opened.bad_input(complaints))
+    }
 }
 
 const ADD: &str = "add \"clearance\": { \"model\": \"ideal\", \"radius\": …, and the parameters of the models to compare: \
@@ -183,8 +227,12 @@ fn without(name: &str, kind: &JointKind) -> Complaint {
         JointKind::Revolute { .. } => {
             Complaint::new(path, "has no \"clearance\" whose model could be changed").hint(ADD)
         }
-        JointKind::Prismatic { .. } | JointKind::Slot { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => {
-            Complaint::new(path, "only a revolute joint can have a clearance").hint("name another joint")
+        JointKind::Prismatic { .. }
+        | JointKind::Slot { .. }
+        | JointKind::Gear { .. }
+        | JointKind::Fixed { .. } => {
+            Complaint::new(path, "only a revolute joint can have a clearance")
+                .hint("name another joint")
         }
     }
 }
@@ -197,10 +245,13 @@ fn models(names: &[String]) -> Result<Vec<&'static str>, BadInput> {
     let mut models = Vec::new();
     for name in names {
         let Some(model) = LADDER.into_iter().find(|model| model == name) else {
-            let hint = nearest(name, LADDER.into_iter()).map(|near| format!(" (did you mean {near:?}?)"));
+            let hint =
+                nearest(name, LADDER.into_iter()).map(|near| format!(" (did you mean {near:?}?)"));
             let known = LADDER.join(", ");
             let hint = hint.unwrap_or_default();
-            return Err(BadInput(vec![format!("--models: there is no clearance model {name:?}, only {known}{hint}")]));
+            return Err(BadInput(vec![format!(
+                "--models: there is no clearance model {name:?}, only {known}{hint}"
+            )]));
         };
         if !models.contains(&model) {
             models.push(model);
@@ -224,13 +275,20 @@ fn run(
     directory: Option<&Directory>,
 ) -> Result<Result<Outcome, String>, BadInput> {
     let started = Instant::now();
-    let sets: Vec<String> = joints.iter().map(|joint| format!("joints.{joint}.clearance.model={model}")).collect();
+    let sets: Vec<String> = joints
+        .iter()
+        .map(|joint| format!("joints.{joint}.clearance.model={model}"))
+        .collect();
     let opened = match options.model.open_with(&sets)? {
         Ok(opened) => opened,
         Err(complaints) => return Ok(Err(reason(&complaints))),
     };
     let deadline = deadline(&opened.loaded.model, started);
-    let control = Control { deadline, interrupted: interrupt::watch(), ..Control::default() };
+    let control = Control {
+        deadline,
+        interrupted: interrupt::watch(),
+        ..Control::default()
+    };
     let progress = control.progress.clone();
     let line = Line::start(started, model, move || progress.share());
     let ran = analysis::run(&opened.loaded.model, &control);
@@ -239,7 +297,10 @@ fn run(
         Ok(outcome) => outcome,
         Err(complaints) => return Ok(Err(reason(&complaints))),
     };
-    outcome.report.warnings.splice(0..0, opened.loaded.warnings.iter().cloned());
+    outcome
+        .report
+        .warnings
+        .splice(0..0, opened.loaded.warnings.iter().cloned());
     if let Some(directory) = directory {
         let directory = open_directory(&directory.path().join(model))?;
         write(&directory, &opened, &outcome)?;
@@ -249,60 +310,104 @@ fn run(
 
 /// Complaints as a line; where they stand in the file does not matter here.
 fn reason(complaints: &[Complaint]) -> String {
-    let said = complaints.iter().map(|Complaint { path, message, hint, .. }| {
-        let hint = hint.as_ref().map(|hint| format!(" ({hint})")).unwrap_or_default();
-        format!("{path}: {message}{hint}")
-    });
+    let said = complaints.iter().map(
+        |Complaint {
+             path,
+             message,
+             hint,
+             ..
+         }| {
+            let hint = hint
+                .as_ref()
+                .map(|hint| format!(" ({hint})"))
+                .unwrap_or_default();
+            format!("{path}: {message}{hint}")
+        },
+    );
     said.collect::<Vec<_>>().join("; ")
 }
 
 fn compare(model: &Model, joints: &[String], rungs: &[Rung], patterns: &[String]) -> Comparison {
-    let outcomes = rungs.iter().filter_map(|rung| Some((rung.model, rung.ran.as_ref().ok()?)));
-    let tables: Vec<(&str, Trajectory)> =
-        outcomes.map(|(name, outcome)| (name, with_forces(outcome.trajectory.clone(), joints))).collect();
-    let runs: Vec<Run> = tables.iter().map(|(name, trajectory)| Run { name, trajectory }).collect();
+    let outcomes = rungs
+        .iter()
+        .filter_map(|rung| Some((rung.model, rung.ran.as_ref().ok()?)));
+    let tables: Vec<(&str, Trajectory)> = outcomes
+        .map(|(name, outcome)| (name, with_forces(outcome.trajectory.clone(), joints)))
+        .collect();
+    let runs: Vec<Run> = tables
+        .iter()
+        .map(|(name, trajectory)| Run { name, trajectory })
+        .collect();
     if !patterns.is_empty() {
         return Comparison::new(&runs, patterns);
     }
     let mut usual = vec!["driver.*.effort".to_string()];
-    usual.extend(
-        joints.iter().flat_map(|joint| ["force", "fx", "fy"].map(|quantity| format!("joint.{joint}.{quantity}"))),
-    );
+    usual.extend(joints.iter().flat_map(|joint| {
+        ["force", "fx", "fy"].map(|quantity| format!("joint.{joint}.{quantity}"))
+    }));
     if let Some(last) = last_body(model) {
         // A slider does not turn, a body on the ground's pin stays in place.
         let moves = |name: &String| {
-            let values = || runs.iter().filter_map(|run| run.trajectory.values(name)).flatten();
-            let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
+            let values = || {
+                runs.iter()
+                    .filter_map(|run| run.trajectory.values(name))
+                    .flatten()
+            };
+            let (low, high) = (
+                values().fold(f64::INFINITY, f64::min),
+                values().fold(f64::NEG_INFINITY, f64::max),
+            );
             high - low > STILL
         };
-        usual.extend(MOTION.map(|quantity| format!("{last}.{quantity}")).into_iter().filter(moves));
+        usual.extend(
+            MOTION
+                .map(|quantity| format!("{last}.{quantity}"))
+                .into_iter()
+                .filter(moves),
+        );
     }
     // Kinematics has no forces, `analysis.columns` may have left out any.
-    Comparison { unmatched: Vec::new(), ..Comparison::new(&runs, &usual) }
+    Comparison {
+        unmatched: Vec::new(),
+        ..Comparison::new(&runs, &usual)
+    }
 }
 
 /// What each model's curves are drawn from: its outputs, and the rows of peaks between them.
 fn curves(joints: &[String], rungs: &[Rung]) -> Vec<(&'static str, Trajectory)> {
-    let ran = rungs.iter().filter_map(|rung| Some((rung.model, rung.ran.as_ref().ok()?)));
-    ran.map(|(model, outcome)| (model, with_forces(outcome.curves().into_owned(), joints))).collect()
+    let ran = rungs
+        .iter()
+        .filter_map(|rung| Some((rung.model, rung.ran.as_ref().ok()?)));
+    ran.map(|(model, outcome)| (model, with_forces(outcome.curves().into_owned(), joints)))
+        .collect()
 }
 
 /// The last body that no driver turns by itself, or the last.
 fn last_body(model: &Model) -> Option<&String> {
     let turned = |name: &String| {
-        model.drivers.values().any(|driver| matches!(&driver.kind, DriverKind::Rotation { body, .. } if body == name))
+        model
+            .drivers
+            .values()
+            .any(|driver| matches!(&driver.kind, DriverKind::Rotation { body, .. } if body == name))
     };
     let mut bodies = model.bodies.keys().filter(|name| *name != GROUND);
-    bodies.clone().rfind(|name| !turned(name)).or(bodies.next_back())
+    bodies
+        .clone()
+        .rfind(|name| !turned(name))
+        .or(bodies.next_back())
 }
 
 /// The table with the magnitude of the joints' forces.
 fn with_forces(mut table: Trajectory, joints: &[String]) -> Trajectory {
     for joint in joints {
-        let components = ["fx", "fy"].map(|quantity| table.values(&format!("joint.{joint}.{quantity}")));
+        let components =
+            ["fx", "fy"].map(|quantity| table.values(&format!("joint.{joint}.{quantity}")));
         if let [Some(fx), Some(fy)] = components {
             let magnitudes: Vec<f64> = fx.iter().zip(&fy).map(|(x, y)| x.hypot(*y)).collect();
-            table.push_column(Column::new(format!("joint.{joint}.force"), "N"), &magnitudes);
+            table.push_column(
+                Column::new(format!("joint.{joint}.force"), "N"),
+                &magnitudes,
+            );
         }
     }
     table
@@ -314,11 +419,24 @@ mod tests {
 
     #[test]
     fn models_are_known_by_name_and_taken_once() {
-        let models = |names: &[&str]| models(&names.iter().map(|name| (*name).to_string()).collect::<Vec<_>>());
+        let models = |names: &[&str]| {
+            models(
+                &names
+                    .iter()
+                    .map(|name| (*name).to_string())
+                    .collect::<Vec<_>>(),
+            )
+        };
         assert_eq!(models(&[]), Ok(LADDER.to_vec()));
-        assert_eq!(models(&["contact", "ideal", "contact"]), Ok(vec!["contact", "ideal"]));
+        assert_eq!(
+            models(&["contact", "ideal", "contact"]),
+            Ok(vec!["contact", "ideal"])
+        );
         let said = models(&["contacts"]).expect_err("unknown");
-        assert!(said.0[0].ends_with("(did you mean \"contact\"?)"), "{said:?}");
+        assert!(
+            said.0[0].ends_with("(did you mean \"contact\"?)"),
+            "{said:?}"
+        );
     }
 
     #[test]

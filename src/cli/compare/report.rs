@@ -30,10 +30,20 @@ pub struct Report<'a> {
 impl Report<'_> {
     /// The table for people.
     pub fn page(&self, written: &[PathBuf]) -> String {
-        let Report { opened, joints, comparison, .. } = self;
+        let Report {
+            opened,
+            joints,
+            comparison,
+            ..
+        } = self;
         let mut page = Page::default();
         let of = if joints.len() == 1 { "joint" } else { "joints" };
-        page.line(format!("{} ({}): clearance of {of} {}", opened.name, opened.label, joints.join(", ")));
+        page.line(format!(
+            "{} ({}): clearance of {of} {}",
+            opened.name,
+            opened.label,
+            joints.join(", ")
+        ));
         for rung in self.rungs {
             match &rung.ran {
                 Err(why) => page.row(rung.model, format!("{}: {why}", self.refusal())),
@@ -43,11 +53,18 @@ impl Report<'_> {
                 }
             }
         }
-        let ran: Vec<&str> = self.rungs.iter().filter(|rung| rung.ran.is_ok()).map(|rung| rung.model).collect();
+        let ran: Vec<&str> = self
+            .rungs
+            .iter()
+            .filter(|rung| rung.ran.is_ok())
+            .map(|rung| rung.model)
+            .collect();
         let compared = match ran[..] {
             [] => &[],
             [only] => {
-                page.line(format!("  nothing to compare {only} with: no other model was run"));
+                page.line(format!(
+                    "  nothing to compare {only} with: no other model was run"
+                ));
                 &[]
             }
             [first, ..] if comparison.columns.is_empty() => {
@@ -65,22 +82,41 @@ impl Report<'_> {
         };
         for column in compared {
             page.line(format!("  {} [{}]", column.name, unit_words(column.unit)));
-            for difference in comparison.differences.iter().filter(|difference| difference.column == *column) {
-                let numbers = difference.numbers.map_or([f64::NAN; 4], |n| [n.max, n.max_time, n.mean, n.rms]);
-                page.line(table_row(&format!("  {}", difference.run), numbers.map(|value| number(value, DIGITS))));
+            for difference in comparison
+                .differences
+                .iter()
+                .filter(|difference| difference.column == *column)
+            {
+                let numbers = difference
+                    .numbers
+                    .map_or([f64::NAN; 4], |n| [n.max, n.max_time, n.mean, n.rms]);
+                page.line(table_row(
+                    &format!("  {}", difference.run),
+                    numbers.map(|value| number(value, DIGITS)),
+                ));
             }
         }
         if !compared.is_empty() {
-            page.line(table_row("smallest and largest", ["min", "at t [s]", "max", "at t [s]"].map(String::from)));
+            page.line(table_row(
+                "smallest and largest",
+                ["min", "at t [s]", "max", "at t [s]"].map(String::from),
+            ));
         }
         for column in compared {
             page.line(format!("  {} [{}]", column.name, unit_words(column.unit)));
             for (model, extremes) in self.extremes(column) {
-                let numbers = extremes.map_or([f64::NAN; 4], |e| [e.min, e.min_time, e.max, e.max_time]);
-                page.line(table_row(&format!("  {model}"), numbers.map(|value| number(value, DIGITS))));
+                let numbers =
+                    extremes.map_or([f64::NAN; 4], |e| [e.min, e.min_time, e.max, e.max_time]);
+                page.line(table_row(
+                    &format!("  {model}"),
+                    numbers.map(|value| number(value, DIGITS)),
+                ));
             }
         }
-        page.rows("written", written.iter().map(|path| path.display().to_string()));
+        page.rows(
+            "written",
+            written.iter().map(|path| path.display().to_string()),
+        );
         page.text().to_string()
     }
 
@@ -94,7 +130,9 @@ impl Report<'_> {
 
     /// How a run went.
     fn ran(&self, outcome: &Outcome) -> String {
-        let contacts = self.contacts(outcome).map(|n| format!(", {}", count(n as usize, "contact")));
+        let contacts = self
+            .contacts(outcome)
+            .map(|n| format!(", {}", count(n as usize, "contact")));
         format!(
             "{}, {}, {}{}, CPU {}",
             status_words(outcome.report.status),
@@ -122,8 +160,16 @@ impl Report<'_> {
             }),
         };
         let mut differences = Map::new();
-        for Difference { run, column, instants, numbers } in &self.comparison.differences {
-            let of_column = differences.entry(column.label()).or_insert_with(|| json!({}));
+        for Difference {
+            run,
+            column,
+            instants,
+            numbers,
+        } in &self.comparison.differences
+        {
+            let of_column = differences
+                .entry(column.label())
+                .or_insert_with(|| json!({}));
             of_column[run] = json!({
                 "max": numbers.map(|n| n.max),
                 "max_time": numbers.map(|n| n.max_time),
@@ -158,7 +204,10 @@ impl Report<'_> {
 
     /// The model that the others are compared with.
     fn reference(&self) -> Option<&'static str> {
-        self.rungs.iter().find(|rung| rung.ran.is_ok()).map(|rung| rung.model)
+        self.rungs
+            .iter()
+            .find(|rung| rung.ran.is_ok())
+            .map(|rung| rung.model)
     }
 
     /// Word for a model that can't be run.
@@ -168,7 +217,11 @@ impl Report<'_> {
 
     /// Contacts of the joints, where the model has any.
     fn contacts(&self, outcome: &Outcome) -> Option<u64> {
-        let counted = outcome.report.clearances.iter().filter(|sums| self.joints.contains(&sums.joint));
+        let counted = outcome
+            .report
+            .clearances
+            .iter()
+            .filter(|sums| self.joints.contains(&sums.joint));
         counted.map(|sums| sums.episodes).reduce(|a, b| a + b)
     }
 }

@@ -83,21 +83,30 @@ impl Pair {
     /// Johnson's law.
     pub fn johnson(&self) -> Logarithmic {
         let modulus = self.modulus();
-        Logarithmic { modulus, scale: 4.0 * modulus * self.clearance / E }
+        Logarithmic {
+            modulus,
+            scale: 4.0 * modulus * self.clearance / E,
+        }
     }
 
     /// Radzimovsky's law.
     pub fn radzimovsky(&self) -> Logarithmic {
         let modulus = self.modulus();
         // 16/1.6² = 6.25
-        Logarithmic { modulus, scale: 6.25 / PI * (2.0_f64 / 3.0).exp() * modulus * self.clearance }
+        Logarithmic {
+            modulus,
+            scale: 6.25 / PI * (2.0_f64 / 3.0).exp() * modulus * self.clearance,
+        }
     }
 
     /// Dubowsky's and Freudenstein's law.
     pub fn dubowsky_freudenstein(&self) -> Logarithmic {
         let modulus = self.modulus();
         let radii = self.bearing_radius * (self.bearing_radius - self.clearance);
-        Logarithmic { modulus, scale: E * modulus * self.clearance * self.length * self.length / radii }
+        Logarithmic {
+            modulus,
+            scale: E * modulus * self.clearance * self.length * self.length / radii,
+        }
     }
 
     /// K [N/mⁿ] and n of Pereira, Ramalho and Ambrósio; none outside the clearances it was fitted for.
@@ -110,7 +119,8 @@ impl Pair {
         };
         let exponent = y * millimetres.powf(-0.005);
         // L [mm] · E* [N/mm²] = 1e-3 L E* in SI
-        let per_millimetre = (0.965 * millimetres + 0.0965) / millimetres * 1e-3 * self.length / self.flexibility;
+        let per_millimetre =
+            (0.965 * millimetres + 0.0965) / millimetres * 1e-3 * self.length / self.flexibility;
         Some((per_millimetre * 1e3_f64.powf(exponent), exponent))
     }
 }
@@ -134,7 +144,11 @@ impl Logarithmic {
     /// ∫₀^δ F dδ [J] at δ > 0.
     pub fn energy(&self, penetration: f64) -> f64 {
         let beyond = (penetration - self.range()).max(0.0);
-        let u = if beyond > 0.0 { END } else { self.logarithm(penetration) };
+        let u = if beyond > 0.0 {
+            END
+        } else {
+            self.logarithm(penetration)
+        };
         let force = u.exp() * self.scale;
         let within = force * force / self.modulus * (-2.0 * u - 1.0) / 4.0;
         within + beyond * (force + 0.5 * self.modulus * beyond)
@@ -162,13 +176,23 @@ mod tests {
     use super::*;
 
     /// Steel, 10 mm against 9.5 mm, 20 mm long.
-    const PAIR: Pair = Pair { bearing_radius: 0.01, clearance: 0.0005, length: 0.02, flexibility: 2.0 * 0.91 / 207e9 };
+    const PAIR: Pair = Pair {
+        bearing_radius: 0.01,
+        clearance: 0.0005,
+        length: 0.02,
+        flexibility: 2.0 * 0.91 / 207e9,
+    };
 
     type Penetration = Box<dyn Fn(f64) -> f64>;
 
     /// δ(F) as printed.
     fn printed(pair: &Pair) -> [(Logarithmic, Penetration); 3] {
-        let Pair { bearing_radius: bearing, clearance, length, flexibility } = *pair;
+        let Pair {
+            bearing_radius: bearing,
+            clearance,
+            length,
+            flexibility,
+        } = *pair;
         let (modulus, journal) = (1.0 / flexibility, bearing - clearance);
         let johnson = move |force: f64| {
             let f = force / length;
@@ -181,7 +205,8 @@ mod tests {
         };
         let dubowsky = move |force: f64| {
             let h = flexibility / PI;
-            force * h / length * ((length.powi(3) * clearance / (force * bearing * journal * h)).ln() + 1.0)
+            force * h / length
+                * ((length.powi(3) * clearance / (force * bearing * journal * h)).ln() + 1.0)
         };
         [
             (pair.johnson(), Box::new(johnson)),
@@ -196,7 +221,10 @@ mod tests {
             for x in [1e-200, 1e-12, 1e-6, 1e-3, 0.05, 0.1353] {
                 let force = x * law.scale;
                 let found = law.force(penetration(force)).0;
-                assert!((found / force - 1.0).abs() < 1e-13, "{law:?} {x}: {found:e} {force:e}");
+                assert!(
+                    (found / force - 1.0).abs() < 1e-13,
+                    "{law:?} {x}: {found:e} {force:e}"
+                );
             }
         }
     }
@@ -205,9 +233,18 @@ mod tests {
     fn it_goes_on_straight_at_the_end_of_its_range() {
         for (law, _) in printed(&PAIR) {
             let end = law.range();
-            let (before, after) = (law.force(end * (1.0 - 1e-12)), law.force(end * (1.0 + 1e-12)));
-            assert!((before.0 / after.0 - 1.0).abs() < 1e-11, "{before:?} {after:?}");
-            assert!((before.1 / after.1 - 1.0).abs() < 1e-10, "{before:?} {after:?}");
+            let (before, after) = (
+                law.force(end * (1.0 - 1e-12)),
+                law.force(end * (1.0 + 1e-12)),
+            );
+            assert!(
+                (before.0 / after.0 - 1.0).abs() < 1e-11,
+                "{before:?} {after:?}"
+            );
+            assert!(
+                (before.1 / after.1 - 1.0).abs() < 1e-10,
+                "{before:?} {after:?}"
+            );
             let (near, far) = (law.force(2.0 * end), law.force(3.0 * end));
             assert!((far.0 - near.0 - law.modulus * end).abs() < 1e-12 * far.0);
         }
@@ -220,7 +257,10 @@ mod tests {
         let mut last = (0.0, 0.0);
         for exponent in (-307..-3).step_by(4) {
             let (force, slope) = law.force(10_f64.powi(exponent));
-            assert!(force > last.0 && slope > last.1 && slope.is_finite(), "1e{exponent}: {force:e} {slope:e}");
+            assert!(
+                force > last.0 && slope > last.1 && slope.is_finite(),
+                "1e{exponent}: {force:e} {slope:e}"
+            );
             last = (force, slope);
         }
         assert!(!law.force(5e-324).0.is_nan());

@@ -90,7 +90,11 @@ fn exact(e: f64) -> f64 {
         if d <= low || d >= high {
             return low / e;
         }
-        if psi(d / e) < e * e * psi(-d) { low = d } else { high = d }
+        if psi(d / e) < e * e * psi(-d) {
+            low = d
+        } else {
+            high = d
+        }
     }
 }
 
@@ -100,7 +104,9 @@ fn psi(x: f64) -> f64 {
         return (x.ln_1p() - x) / (x * x);
     }
     // −1/2 + x/3 − x²/4 + …; what is left out is below 0.1¹⁸/20
-    (2..20).rev().fold(0.0, |sum, k| -x * sum - 1.0 / f64::from(k))
+    (2..20)
+        .rev()
+        .fold(0.0, |sum, k| -x * sum - 1.0 / f64::from(k))
 }
 
 #[cfg(test)]
@@ -117,17 +123,37 @@ mod tests {
     #[test]
     fn at_zero_the_factor_is_infinite_where_said() {
         for rule in Rule::ALL {
-            assert_eq!(rule.factor(0.0).is_infinite(), rule.needs_rebound(), "{rule:?}");
-            assert!(!rule.factor(0.0).is_nan() && rule.factor(1e-6) > 0.0, "{rule:?}");
+            assert_eq!(
+                rule.factor(0.0).is_infinite(),
+                rule.needs_rebound(),
+                "{rule:?}"
+            );
+            assert!(
+                !rule.factor(0.0).is_nan() && rule.factor(1e-6) > 0.0,
+                "{rule:?}"
+            );
         }
     }
 
     /// By hand at e = 0.5: 0.75, 3/3 = 1, 0.375, 0.5625, 1.6, –, 0.5625·e, 1.5.
     #[test]
     fn factors_at_one_half() {
-        let factors = [0.75, 1.0, 0.375, 0.5625, 1.6, 1.4327505, 0.5625 * std::f64::consts::E, 1.5];
+        let factors = [
+            0.75,
+            1.0,
+            0.375,
+            0.5625,
+            1.6,
+            1.4327505,
+            0.5625 * std::f64::consts::E,
+            1.5,
+        ];
         for (rule, factor) in Rule::ALL.into_iter().zip(factors) {
-            assert!((rule.factor(0.5) - factor).abs() < 5e-8, "{rule:?} {}", rule.factor(0.5));
+            assert!(
+                (rule.factor(0.5) - factor).abs() < 5e-8,
+                "{rule:?} {}",
+                rule.factor(0.5)
+            );
         }
     }
 
@@ -149,11 +175,18 @@ mod tests {
             assert!((found - chi).abs() < 6e-8, "{e}: {found}");
             let misses = found * (1.0 + e) - ((1.0 + found) / (1.0 - found * e)).ln();
             // 1 − χe loses digits for small e
-            assert!(misses.abs() < 4e-16 * found / (1.0 - found * e) + 1e-15, "{e}: {misses:e}");
+            assert!(
+                misses.abs() < 4e-16 * found / (1.0 - found * e) + 1e-15,
+                "{e}: {misses:e}"
+            );
         }
         // From ψ's series, −(1 − e²)/2 + χ(1 + e³)/3 = 0 to first order: χ → 3(1 − e)/2.
         let e = 1.0 - 1e-7;
-        assert!((Rule::Gonthier.factor(e) / 1.5e-7 - 1.0).abs() < 1e-6, "{}", Rule::Gonthier.factor(e));
+        assert!(
+            (Rule::Gonthier.factor(e) / 1.5e-7 - 1.0).abs() < 1e-6,
+            "{}",
+            Rule::Gonthier.factor(e)
+        );
         assert!((Rule::Gonthier.factor(1e-9) * 1e-9 - 1.0).abs() < 1e-12);
     }
 }

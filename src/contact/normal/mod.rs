@@ -33,9 +33,16 @@ pub enum Law {
     /// F = K δ + D δ̇: `stiffness` K [N/m] above 0, `damping` D [N·s/m] at least 0.
     KelvinVoigt { stiffness: f64, damping: f64 },
     /// F = K δⁿ (1 + χ δ̇/δ̇₀): as with Hertz, `hysteresis` χ [–] at least 0.
-    Dissipative { stiffness: f64, exponent: f64, hysteresis: f64 },
+    Dissipative {
+        stiffness: f64,
+        exponent: f64,
+        hysteresis: f64,
+    },
     /// F = F_e(δ) (1 + χ δ̇/δ̇₀): parallel cylinders, one in the other.
-    Cylindrical { elastic: Logarithmic, hysteresis: f64 },
+    Cylindrical {
+        elastic: Logarithmic,
+        hysteresis: f64,
+    },
 }
 
 impl Law {
@@ -46,17 +53,35 @@ impl Law {
         }
         let (elastic, slope) = self.elastic(penetration);
         let value = match *self {
-            Law::Hertz { .. } => Value { force: elastic, d_penetration: slope, d_rate: 0.0 },
-            Law::KelvinVoigt { damping, .. } => {
-                Value { force: elastic + damping * rate, d_penetration: slope, d_rate: damping }
-            }
+            Law::Hertz { .. } => Value {
+                force: elastic,
+                d_penetration: slope,
+                d_rate: 0.0,
+            },
+            Law::KelvinVoigt { damping, .. } => Value {
+                force: elastic + damping * rate,
+                d_penetration: slope,
+                d_rate: damping,
+            },
             Law::Dissipative { hysteresis, .. } | Law::Cylindrical { hysteresis, .. } => {
-                let loss = if approach > 0.0 { hysteresis / approach } else { 0.0 };
+                let loss = if approach > 0.0 {
+                    hysteresis / approach
+                } else {
+                    0.0
+                };
                 let factor = 1.0 + loss * rate;
-                Value { force: elastic * factor, d_penetration: slope * factor, d_rate: elastic * loss }
+                Value {
+                    force: elastic * factor,
+                    d_penetration: slope * factor,
+                    d_rate: elastic * loss,
+                }
             }
         };
-        if value.force > 0.0 { value } else { Value::default() }
+        if value.force > 0.0 {
+            value
+        } else {
+            Value::default()
+        }
     }
 
     /// The formula as it stands also where it pulls, F_e odd in δ: smooth across the end of a contact, for whoever locates it.
@@ -73,13 +98,19 @@ impl Law {
 
     /// The elastic part of [`Law::continued`].
     pub fn elastic_continued(&self, penetration: f64) -> f64 {
-        if penetration == 0.0 { 0.0 } else { self.elastic(penetration.abs()).0.copysign(penetration) }
+        if penetration == 0.0 {
+            0.0
+        } else {
+            self.elastic(penetration.abs()).0.copysign(penetration)
+        }
     }
 
     /// Above zero as long as the formula presses at δ > 0: K δ + D δ̇ [N], or 1 + χ δ̇/δ̇₀ [–].
     pub fn hold(&self, penetration: f64, rate: f64, approach: f64) -> f64 {
         match *self {
-            Law::KelvinVoigt { stiffness, damping } if damping > 0.0 => stiffness * penetration + damping * rate,
+            Law::KelvinVoigt { stiffness, damping } if damping > 0.0 => {
+                stiffness * penetration + damping * rate
+            }
             Law::Hertz { .. } | Law::KelvinVoigt { .. } => 1.0,
             Law::Dissipative { hysteresis, .. } | Law::Cylindrical { hysteresis, .. } => {
                 loss_factor(hysteresis, rate, approach)
@@ -89,7 +120,11 @@ impl Law {
 
     /// The force without damping [N]; zero where δ ≤ 0.
     pub fn elastic_force(&self, penetration: f64) -> f64 {
-        if penetration > 0.0 { self.elastic(penetration).0 } else { 0.0 }
+        if penetration > 0.0 {
+            self.elastic(penetration).0
+        } else {
+            0.0
+        }
     }
 
     /// Energy stored by the force without damping, ∫₀^δ F dδ [J]; zero where δ ≤ 0.
@@ -98,7 +133,15 @@ impl Law {
             return 0.0;
         }
         match *self {
-            Law::Hertz { stiffness, exponent } | Law::Dissipative { stiffness, exponent, .. } => {
+            Law::Hertz {
+                stiffness,
+                exponent,
+            }
+            | Law::Dissipative {
+                stiffness,
+                exponent,
+                ..
+            } => {
                 let force = stiffness * penetration * power(penetration, exponent - 1.0);
                 force * penetration / (exponent + 1.0)
             }
@@ -118,7 +161,15 @@ impl Law {
     /// Elastic force and its slope at δ > 0.
     fn elastic(&self, penetration: f64) -> (f64, f64) {
         match *self {
-            Law::Hertz { stiffness, exponent } | Law::Dissipative { stiffness, exponent, .. } => {
+            Law::Hertz {
+                stiffness,
+                exponent,
+            }
+            | Law::Dissipative {
+                stiffness,
+                exponent,
+                ..
+            } => {
                 let slope = stiffness * power(penetration, exponent - 1.0);
                 (slope * penetration, slope * exponent)
             }
@@ -130,7 +181,11 @@ impl Law {
 
 /// 1 + χ δ̇/δ̇₀; without an approach nothing can be said of the loss.
 fn loss_factor(hysteresis: f64, rate: f64, approach: f64) -> f64 {
-    if approach > 0.0 { 1.0 + hysteresis / approach * rate } else { 1.0 }
+    if approach > 0.0 {
+        1.0 + hysteresis / approach * rate
+    } else {
+        1.0
+    }
 }
 
 /// xⁿ, for Hertz's exponent by the root, which is rounded alike everywhere.
@@ -144,15 +199,41 @@ mod tests {
 
     /// One of each, and of the powers that have an own branch.
     fn laws() -> Vec<Law> {
-        let elastic = Logarithmic { modulus: 3e9, scale: 4e6 };
+        let elastic = Logarithmic {
+            modulus: 3e9,
+            scale: 4e6,
+        };
         vec![
-            Law::Hertz { stiffness: 1e9, exponent: 1.5 },
-            Law::Hertz { stiffness: 1e7, exponent: 1.0 },
-            Law::KelvinVoigt { stiffness: 1e7, damping: 300.0 },
-            Law::Dissipative { stiffness: 1e9, exponent: 1.5, hysteresis: 0.1425 },
-            Law::Dissipative { stiffness: 3e8, exponent: 10.0 / 9.0, hysteresis: 1.2 },
-            Law::Cylindrical { elastic, hysteresis: 0.0 },
-            Law::Cylindrical { elastic, hysteresis: 0.7 },
+            Law::Hertz {
+                stiffness: 1e9,
+                exponent: 1.5,
+            },
+            Law::Hertz {
+                stiffness: 1e7,
+                exponent: 1.0,
+            },
+            Law::KelvinVoigt {
+                stiffness: 1e7,
+                damping: 300.0,
+            },
+            Law::Dissipative {
+                stiffness: 1e9,
+                exponent: 1.5,
+                hysteresis: 0.1425,
+            },
+            Law::Dissipative {
+                stiffness: 3e8,
+                exponent: 10.0 / 9.0,
+                hysteresis: 1.2,
+            },
+            Law::Cylindrical {
+                elastic,
+                hysteresis: 0.0,
+            },
+            Law::Cylindrical {
+                elastic,
+                hysteresis: 0.7,
+            },
         ]
     }
 
@@ -166,8 +247,15 @@ mod tests {
                     let value = law.force(penetration, rate, approach);
                     // Central differences of a smooth function: error h²/6·F‴, here below 1e-8 of the scale.
                     let by = 1e-5;
-                    let force = |factor: f64, plus: f64| law.force(penetration * factor, rate + plus, approach).force;
-                    let ends = [force(1.0 + by, 0.0), force(1.0 - by, 0.0), force(1.0, by), force(1.0, -by)];
+                    let force = |factor: f64, plus: f64| {
+                        law.force(penetration * factor, rate + plus, approach).force
+                    };
+                    let ends = [
+                        force(1.0 + by, 0.0),
+                        force(1.0 - by, 0.0),
+                        force(1.0, by),
+                        force(1.0, -by),
+                    ];
                     // Where the force is cut off next by there is no derivative.
                     if ends.contains(&0.0) {
                         continue;
@@ -175,9 +263,17 @@ mod tests {
                     let slope = (ends[0] - ends[1]) / (2.0 * by * penetration);
                     let damping = (ends[2] - ends[3]) / (2.0 * by);
                     let scale = value.force.max(law.elastic_force(penetration));
-                    let said = format!("{law:?} δ {penetration:e} δ̇ {rate}: {value:?}, {slope:e}, {damping:e}");
-                    assert!((slope - value.d_penetration).abs() <= 1e-8 * scale / penetration, "{said}");
-                    assert!((damping - value.d_rate).abs() <= 1e-8 * scale / approach, "{said}");
+                    let said = format!(
+                        "{law:?} δ {penetration:e} δ̇ {rate}: {value:?}, {slope:e}, {damping:e}"
+                    );
+                    assert!(
+                        (slope - value.d_penetration).abs() <= 1e-8 * scale / penetration,
+                        "{said}"
+                    );
+                    assert!(
+                        (damping - value.d_rate).abs() <= 1e-8 * scale / approach,
+                        "{said}"
+                    );
                     compared += 1;
                 }
             }
@@ -191,7 +287,10 @@ mod tests {
             for penetration in [1e-6, 3e-4, 9e-4] {
                 let integral = quadrature(|at| law.elastic_force(at), penetration);
                 let energy = law.elastic_energy(penetration);
-                assert!((integral - energy).abs() <= 1e-9 * energy, "{law:?} {penetration}: {integral:e} {energy:e}");
+                assert!(
+                    (integral - energy).abs() <= 1e-9 * energy,
+                    "{law:?} {penetration}: {integral:e} {energy:e}"
+                );
             }
         }
     }
@@ -202,7 +301,11 @@ mod tests {
         let sum: f64 = (0..=STEPS)
             .map(|k| {
                 let s = k as f64 / STEPS as f64;
-                let weight = if k == 0 || k == STEPS { 1.0 } else { 2.0 + 2.0 * (k % 2) as f64 };
+                let weight = if k == 0 || k == STEPS {
+                    1.0
+                } else {
+                    2.0 + 2.0 * (k % 2) as f64
+                };
                 weight * f(end * s.powi(4)) * 4.0 * end * s.powi(3)
             })
             .sum();
@@ -220,13 +323,20 @@ mod tests {
                     assert_eq!(value, Value::default(), "{law:?} {penetration} {rate}");
                 }
             }
-            assert_eq!((law.elastic_force(-1.0), law.elastic_energy(-1.0)), (0.0, 0.0));
+            assert_eq!(
+                (law.elastic_force(-1.0), law.elastic_energy(-1.0)),
+                (0.0, 0.0)
+            );
         }
     }
 
     #[test]
     fn a_contact_that_begins_without_approach_is_elastic() {
-        let law = Law::Dissipative { stiffness: 1e9, exponent: 1.5, hysteresis: 0.5 };
+        let law = Law::Dissipative {
+            stiffness: 1e9,
+            exponent: 1.5,
+            hysteresis: 0.5,
+        };
         let value = law.force(1e-4, 0.3, 0.0);
         assert_eq!((value.force, value.d_rate), (law.elastic_force(1e-4), 0.0));
     }

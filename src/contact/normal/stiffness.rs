@@ -32,6 +32,9 @@ mod tests {
     fn a_steel_pin_in_a_steel_hole() {
         let h = flexibility(207e9, 0.3);
         let stiffness = sphere_in_cup(2.0 * h, 0.01, 0.0095);
-        assert!((stiffness / 6.610198e10 - 1.0).abs() < 1e-6, "{stiffness:e}");
+        assert!(
+            (stiffness / 6.610198e10 - 1.0).abs() < 1e-6,
+            "{stiffness:e}"
+        );
     }
 }

@@ -9,7 +9,9 @@ impl Radau5 {
     /// Evaluates f at `self.stage` into `self.room`.
     pub(super) fn eval(&mut self, ode: &mut dyn Ode, t: f64) -> Result<(), Rejection> {
         self.counters.evaluations += 1;
-        ode.eval(t, &self.stage, &mut self.room).and_then(|()| finite(&self.room)).map_err(|Refused| Rejection::Refused)
+        ode.eval(t, &self.stage, &mut self.room)
+            .and_then(|()| finite(&self.room))
+            .map_err(|Refused| Rejection::Refused)
     }
 
     /// J by differences, each towards where the step h leads, or to the other side where that is refused.
@@ -18,7 +20,10 @@ impl Radau5 {
         self.counters.jacobians += 1;
         for j in 0..n {
             let moved = h * self.slope[j];
-            let size = self.y[j].abs().max(moved.abs()).max(self.given.atol[j] / self.given.rtol);
+            let size = self.y[j]
+                .abs()
+                .max(moved.abs())
+                .max(self.given.atol[j] / self.given.rtol);
             let delta = (f64::EPSILON.sqrt() * size).copysign(moved);
             self.stage.copy_from_slice(&self.y);
             self.stage[j] = self.y[j] + delta;
@@ -67,7 +72,11 @@ impl Radau5 {
         let n = self.n;
         for i in 0..n {
             for (stage, c) in C.into_iter().enumerate() {
-                self.z[stage * n + i] = if self.taken == 0.0 { 0.0 } else { self.polynomial(i, c * h / self.taken) };
+                self.z[stage * n + i] = if self.taken == 0.0 {
+                    0.0
+                } else {
+                    self.polynomial(i, c * h / self.taken)
+                };
             }
         }
         transform(&T_INVERSE, &self.z, &mut self.w);
@@ -108,7 +117,12 @@ impl Radau5 {
             let (real, complex) = self.z.split_at_mut(n);
             self.real.solve(real);
             self.complex.solve(complex);
-            let sum: f64 = self.z.chunks_exact(n).map(|z| rms(z, &self.weights)).map(|norm| norm * norm).sum();
+            let sum: f64 = self
+                .z
+                .chunks_exact(n)
+                .map(|z| rms(z, &self.weights))
+                .map(|norm| norm * norm)
+                .sum();
             let norm = (sum / 3.0).sqrt();
             if !norm.is_finite() {
                 return Err(Rejection::Error);
@@ -127,7 +141,10 @@ impl Radau5 {
             }
             transform(&T, &self.w, &mut self.z);
             if self.eta * norm <= self.converged {
-                return Ok(Converged { iterations: iteration, rate });
+                return Ok(Converged {
+                    iterations: iteration,
+                    rate,
+                });
             }
             last = norm;
         }
@@ -140,7 +157,11 @@ impl Radau5 {
         let slope = if improved { &self.room } else { &self.slope };
         let error = &mut self.f[..n];
         for i in 0..n {
-            let stages: f64 = E.into_iter().zip(self.z.iter().skip(i).step_by(n)).map(|(e, z)| e * z).sum();
+            let stages: f64 = E
+                .into_iter()
+                .zip(self.z.iter().skip(i).step_by(n))
+                .map(|(e, z)| e * z)
+                .sum();
             error[i] = slope[i] + stages / h;
             let size = self.y[i].abs().max((self.y[i] + self.z[2 * n + i]).abs());
             self.weights[i] = 1.0 / (self.tolerance.atol[i] + self.tolerance.rtol * size);

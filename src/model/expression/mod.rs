@@ -134,11 +134,17 @@ impl Expression {
     ///
     /// # Errors
     /// Dimensions that do not go together, division by zero, and the like.
-    pub fn evaluate(&self, values: &[Option<Quantity>], degrees: bool) -> Result<Option<Quantity>, Misfit> {
+    pub fn evaluate(
+        &self,
+        values: &[Option<Quantity>],
+        degrees: bool,
+    ) -> Result<Option<Quantity>, Misfit> {
         let mut stack: Vec<Quantity> = Vec::new();
         for &(at, step) in &self.0 {
             if let Step::Parameter(index) = step {
-                let Some(value) = values[index] else { return Ok(None) };
+                let Some(value) = values[index] else {
+                    return Ok(None);
+                };
                 stack.push(value);
                 continue;
             }
@@ -172,7 +178,12 @@ fn apply(step: Step, values: &[Quantity], degrees: bool) -> quantity::Outcome {
     }
 }
 
-fn call(function: Function, first: Quantity, rest: &[Quantity], degrees: bool) -> quantity::Outcome {
+fn call(
+    function: Function,
+    first: Quantity,
+    rest: &[Quantity],
+    degrees: bool,
+) -> quantity::Outcome {
     let second = rest.first().copied().unwrap_or(first);
     match function {
         Function::Sin => first.circular("sin", degrees, f64::sin),
@@ -184,7 +195,9 @@ fn call(function: Function, first: Quantity, rest: &[Quantity], degrees: bool) -
         Function::Atan2 => first.atan2(second),
         Function::Sqrt => first.sqrt(),
         Function::Abs => Ok(first.abs()),
-        Function::Min => rest.iter().try_fold(first, |least, value| least.min(*value)),
+        Function::Min => rest
+            .iter()
+            .try_fold(first, |least, value| least.min(*value)),
         Function::Max => rest.iter().try_fold(first, |most, value| most.max(*value)),
         Function::Hypot => first.hypot(second),
         Function::Exp => first.function("exp", f64::exp),

@@ -51,25 +51,42 @@ impl Parameters {
     pub fn read(node: Option<&Node>, degrees: bool) -> (Parameters, Vec<Found<'_>>) {
         let mut faults = Vec::new();
         let mut nodes = Vec::new();
-        let mut parameters =
-            Parameters { names: Vec::new(), places: HashMap::new(), values: Vec::new(), used: Vec::new(), degrees };
+        let mut parameters = Parameters {
+            names: Vec::new(),
+            places: HashMap::new(),
+            values: Vec::new(),
+            used: Vec::new(),
+            degrees,
+        };
         match node.map(|node| (&node.kind, node)) {
             None => {}
             Some((Kind::Object(members), _)) => {
-                let members = members.iter().filter(|(key, member)| *key != "note" || member.node.as_str().is_none());
+                let members = members
+                    .iter()
+                    .filter(|(key, member)| *key != "note" || member.node.as_str().is_none());
                 for (key, member) in members {
                     if let Some((message, hint)) = refused_name(key) {
                         let complaint = Complaint::new(path(key), message).hint(hint);
-                        faults.push(Found { node: &member.node, at: None, complaint });
+                        faults.push(Found {
+                            node: &member.node,
+                            at: None,
+                            complaint,
+                        });
                     }
-                    parameters.places.insert(key.clone(), parameters.names.len());
+                    parameters
+                        .places
+                        .insert(key.clone(), parameters.names.len());
                     parameters.names.push(key.clone());
                     nodes.push(&member.node);
                 }
             }
             Some((_, node)) => {
                 let message = format!("an object is expected, not {}", node.kind_name());
-                faults.push(Found { node, at: None, complaint: Complaint::new("parameters", message) });
+                faults.push(Found {
+                    node,
+                    at: None,
+                    complaint: Complaint::new("parameters", message),
+                });
             }
         }
         parameters.used = vec![false; nodes.len()];
@@ -84,8 +101,15 @@ impl Parameters {
 
     fn written<'a>(&self, node: &'a Node, name: &str, faults: &mut Vec<Found<'a>>) -> Written {
         let mut add = |at: Option<usize>, fault: Fault| {
-            let complaint = Complaint { hint: fault.hint, ..Complaint::new(path(name), fault.message) };
-            faults.push(Found { node, at, complaint });
+            let complaint = Complaint {
+                hint: fault.hint,
+                ..Complaint::new(path(name), fault.message)
+            };
+            faults.push(Found {
+                node,
+                at,
+                complaint,
+            });
             Written::Faulty
         };
         match &node.kind {
@@ -97,12 +121,15 @@ impl Parameters {
                 Ok(expression) => Written::Expression(expression),
                 Err(misfit) => add(Some(misfit.at), misfit.fault),
             },
-            Kind::String(text) => quantity(text).map_or_else(|fault| add(None, fault), Written::Value),
+            Kind::String(text) => {
+                quantity(text).map_or_else(|fault| add(None, fault), Written::Value)
+            }
             Kind::Null | Kind::Bool(_) | Kind::Array(_) | Kind::Object(_) => {
                 let message = format!("a number is expected, not {}", node.kind_name());
                 add(
                     None,
-                    Fault::new(message).hint("or text: with a unit, such as \"5 mm\", or an expression, \"=2*r\""),
+                    Fault::new(message)
+                        .hint("or text: with a unit, such as \"5 mm\", or an expression, \"=2*r\""),
                 )
             }
         }
@@ -113,31 +140,46 @@ impl Parameters {
     }
 
     /// Evaluates each after those that it names, and complains about circles.
-    fn evaluate_all<'a>(&mut self, nodes: &[&'a Node], written: &[Written], faults: &mut Vec<Found<'a>>) {
+    fn evaluate_all<'a>(
+        &mut self,
+        nodes: &[&'a Node],
+        written: &[Written],
+        faults: &mut Vec<Found<'a>>,
+    ) {
         self.values = vec![None; written.len()];
         let mut followers: Vec<Vec<usize>> = vec![Vec::new(); written.len()];
         let mut waits = vec![0_usize; written.len()];
         for (index, written) in written.iter().enumerate() {
-            let Written::Expression(expression) = written else { continue };
+            let Written::Expression(expression) = written else {
+                continue;
+            };
             for named in expression.parameters() {
                 self.used[named] = true;
                 followers[named].push(index);
                 waits[index] += 1;
             }
         }
-        let mut ready: Vec<usize> = (0..written.len()).filter(|&index| waits[index] == 0).collect();
+        let mut ready: Vec<usize> = (0..written.len())
+            .filter(|&index| waits[index] == 0)
+            .collect();
         while let Some(index) = ready.pop() {
             self.values[index] = match &written[index] {
                 Written::Value(value) => Some(*value),
                 Written::Faulty => None,
-                Written::Expression(expression) => {
-                    expression.evaluate(&self.values, self.degrees).unwrap_or_else(|Misfit { at, fault }| {
-                        let complaint =
-                            Complaint { hint: fault.hint, ..Complaint::new(path(&self.names[index]), fault.message) };
-                        faults.push(Found { node: nodes[index], at: Some(at), complaint });
+                Written::Expression(expression) => expression
+                    .evaluate(&self.values, self.degrees)
+                    .unwrap_or_else(|Misfit { at, fault }| {
+                        let complaint = Complaint {
+                            hint: fault.hint,
+                            ..Complaint::new(path(&self.names[index]), fault.message)
+                        };
+                        faults.push(Found {
+                            node: nodes[index],
+                            at: Some(at),
+                            complaint,
+                        });
                         None
-                    })
-                }
+                    }),
             };
             for &follower in &followers[index] {
                 waits[follower] -= 1;
@@ -150,7 +192,13 @@ impl Parameters {
     }
 
     /// Complains about each circle among those that still wait.
-    fn circles<'a>(&self, nodes: &[&'a Node], written: &[Written], waits: &[usize], faults: &mut Vec<Found<'a>>) {
+    fn circles<'a>(
+        &self,
+        nodes: &[&'a Node],
+        written: &[Written],
+        waits: &[usize],
+        faults: &mut Vec<Found<'a>>,
+    ) {
         // walk number in which one was met
         let mut met = vec![None; waits.len()];
         for start in (0..waits.len()).filter(|&index| waits[index] > 0) {
@@ -160,22 +208,39 @@ impl Parameters {
                 met[index] = Some(start);
                 walk.push(index);
                 next = match &written[index] {
-                    Written::Expression(expression) => expression.parameters().find(|&named| waits[named] > 0),
+                    Written::Expression(expression) => {
+                        expression.parameters().find(|&named| waits[named] > 0)
+                    }
                     Written::Value(_) | Written::Faulty => None,
                 };
             }
-            let Some(closing) = next.filter(|&index| met[index] == Some(start)) else { continue };
-            let circle: Vec<usize> = walk.into_iter().skip_while(|&index| index != closing).collect();
-            let mut names: Vec<String> =
-                circle.iter().take(MOST_NAMED).map(|&index| excerpt(&self.names[index])).collect();
+            let Some(closing) = next.filter(|&index| met[index] == Some(start)) else {
+                continue;
+            };
+            let circle: Vec<usize> = walk
+                .into_iter()
+                .skip_while(|&index| index != closing)
+                .collect();
+            let mut names: Vec<String> = circle
+                .iter()
+                .take(MOST_NAMED)
+                .map(|&index| excerpt(&self.names[index]))
+                .collect();
             if circle.len() > MOST_NAMED {
                 names.push("…".into());
             }
             names.push(excerpt(&self.names[closing]));
-            let message = format!("the parameters follow from each other in a circle: {}", names.join(" → "));
-            let complaint =
-                Complaint::new(path(&self.names[closing]), message).hint("give one of them a value of its own");
-            faults.push(Found { node: nodes[closing], at: None, complaint });
+            let message = format!(
+                "the parameters follow from each other in a circle: {}",
+                names.join(" → ")
+            );
+            let complaint = Complaint::new(path(&self.names[closing]), message)
+                .hint("give one of them a value of its own");
+            faults.push(Found {
+                node: nodes[closing],
+                at: None,
+                complaint,
+            });
         }
     }
 
@@ -185,7 +250,9 @@ impl Parameters {
     /// What is wrong with it, and where.
     pub fn evaluate(&mut self, text: &str) -> Result<Option<Quantity>, Misfit> {
         let expression = self.parse(text)?;
-        expression.parameters().for_each(|index| self.used[index] = true);
+        expression
+            .parameters()
+            .for_each(|index| self.used[index] = true);
         expression.evaluate(&self.values, self.degrees)
     }
 
@@ -193,18 +260,32 @@ impl Parameters {
     pub fn resolved(&self) -> Vec<Parameter> {
         let found = self.names.iter().zip(&self.values);
         let resolved = found.filter_map(|(name, value)| {
-            Some(Parameter { name: name.clone(), value: (*value)?.value, unit: (*value)?.unit() })
+            Some(Parameter {
+                name: name.clone(),
+                value: (*value)?.value,
+                unit: (*value)?.unit(),
+            })
         });
         resolved.collect()
     }
 
     /// A complaint per parameter that nothing uses, and whether `--set` brought it.
     pub fn unused(&self, node: Option<&Node>) -> Vec<(Complaint, bool)> {
-        let Some(Kind::Object(members)) = node.map(|node| &node.kind) else { return Vec::new() };
-        let unused = self.names.iter().zip(&self.used).filter(|(_, used)| !**used);
+        let Some(Kind::Object(members)) = node.map(|node| &node.kind) else {
+            return Vec::new();
+        };
+        let unused = self
+            .names
+            .iter()
+            .zip(&self.used)
+            .filter(|(_, used)| !**used);
         let complaints = unused.filter_map(|(name, _)| {
             let complaint = Complaint::new(path(name), "no expression uses this parameter");
-            let others = self.names.iter().map(String::as_str).filter(|other| other != name);
+            let others = self
+                .names
+                .iter()
+                .map(String::as_str)
+                .filter(|other| other != name);
             let complaint = match suggest::nearest(name, others) {
                 Some(near) => complaint.hint(format!("did you mean {near:?}?")),
                 None => complaint,
@@ -222,12 +303,19 @@ fn path(name: &str) -> String {
 /// Why a name can't be one of a parameter, and what would be.
 fn refused_name(name: &str) -> Option<(String, &'static str)> {
     let letters = |c: char| c.is_ascii_alphanumeric() || c == '_';
-    if name.is_empty() || !name.chars().all(letters) || name.starts_with(|c: char| c.is_ascii_digit()) {
-        let message = "the name of a parameter consists of letters, digits and _, with a letter first";
+    if name.is_empty()
+        || !name.chars().all(letters)
+        || name.starts_with(|c: char| c.is_ascii_digit())
+    {
+        let message =
+            "the name of a parameter consists of letters, digits and _, with a letter first";
         return Some((message.into(), "as in crank_length or r2"));
     }
     if name == PI || name == "note" || FUNCTIONS.iter().any(|row| row.0 == name) {
-        return Some((format!("{name:?} has a meaning of its own"), "give the parameter another name"));
+        return Some((
+            format!("{name:?} has a meaning of its own"),
+            "give the parameter another name",
+        ));
     }
     None
 }
@@ -240,11 +328,15 @@ fn quantity(text: &str) -> Result<Quantity, Fault> {
     }
     let Some((number, unit)) = split_quantity(text) else {
         let fault = Fault::new("this does not begin with a number");
-        return Err(fault.hint("a number, text with a unit such as \"5 mm\", or an expression such as \"=2*r\""));
+        return Err(fault.hint(
+            "a number, text with a unit such as \"5 mm\", or an expression such as \"=2*r\"",
+        ));
     };
     let short = excerpt(unit);
     let unit = Unit::parse(unit).map_err(|found| match found {
-        UnitFault::Missing => Fault::new("the unit is missing").hint("write a plain number without quotes"),
+        UnitFault::Missing => {
+            Fault::new("the unit is missing").hint("write a plain number without quotes")
+        }
         UnitFault::Unknown { symbol, nearest } => {
             let fault = Fault::new(format!("unknown unit {:?}", excerpt(&symbol)));
             let near = nearest.map(|near| format!("did you mean {near:?}?"));

@@ -27,14 +27,28 @@ fn is_name(c: char) -> bool {
 }
 
 impl<'a> Parser<'a> {
-    pub fn new(text: &'a str, find: &'a dyn Fn(&str) -> Option<usize>, names: &'a [String]) -> Self {
-        Parser { text, at: 0, depth: 0, steps: Vec::new(), find, names }
+    pub fn new(
+        text: &'a str,
+        find: &'a dyn Fn(&str) -> Option<usize>,
+        names: &'a [String],
+    ) -> Self {
+        Parser {
+            text,
+            at: 0,
+            depth: 0,
+            steps: Vec::new(),
+            find,
+            names,
+        }
     }
 
     /// Reads all of it.
     pub fn read(mut self) -> Read<Vec<(usize, Step)>> {
         if self.text.len() > LONGEST {
-            return fault(0, Fault::new(format!("an expression has at most {LONGEST} characters")));
+            return fault(
+                0,
+                Fault::new(format!("an expression has at most {LONGEST} characters")),
+            );
         }
         self.skip_blanks();
         self.at += usize::from(self.rest().starts_with('='));
@@ -43,9 +57,19 @@ impl<'a> Parser<'a> {
             None => Ok(self.steps),
             Some(')') => fault(self.at, Fault::new("this \")\" closes nothing")),
             Some(found) => {
-                let said = Fault::new(format!("{:?} where an operator is expected", found.to_string()));
+                let said = Fault::new(format!(
+                    "{:?} where an operator is expected",
+                    found.to_string()
+                ));
                 let product = found == '(' || is_name(found);
-                fault(self.at, if product { said.hint("a product is written with *") } else { said })
+                fault(
+                    self.at,
+                    if product {
+                        said.hint("a product is written with *")
+                    } else {
+                        said
+                    },
+                )
             }
         }
     }
@@ -75,7 +99,10 @@ impl<'a> Parser<'a> {
 
     fn nested(&mut self, read: fn(&mut Self) -> Read<()>) -> Read<()> {
         if self.depth == DEEPEST {
-            return fault(self.at, Fault::new(format!("nested more than {DEEPEST} deep")));
+            return fault(
+                self.at,
+                Fault::new(format!("nested more than {DEEPEST} deep")),
+            );
         }
         self.depth += 1;
         read(self)?;
@@ -87,7 +114,14 @@ impl<'a> Parser<'a> {
         self.product()?;
         while let Some((at, sign)) = self.take(&['+', '-', '−']) {
             self.product()?;
-            self.steps.push((at, if sign == '+' { Step::Add } else { Step::Subtract }));
+            self.steps.push((
+                at,
+                if sign == '+' {
+                    Step::Add
+                } else {
+                    Step::Subtract
+                },
+            ));
         }
         Ok(())
     }
@@ -96,10 +130,20 @@ impl<'a> Parser<'a> {
         self.signed()?;
         while let Some((at, sign)) = self.take(&['*', '·', '×', '/']) {
             if self.rest().starts_with('*') {
-                return fault(at, Fault::new("unknown operator \"**\"").hint("a power is written ^"));
+                return fault(
+                    at,
+                    Fault::new("unknown operator \"**\"").hint("a power is written ^"),
+                );
             }
             self.signed()?;
-            self.steps.push((at, if sign == '/' { Step::Divide } else { Step::Multiply }));
+            self.steps.push((
+                at,
+                if sign == '/' {
+                    Step::Divide
+                } else {
+                    Step::Multiply
+                },
+            ));
         }
         Ok(())
     }
@@ -122,7 +166,10 @@ impl<'a> Parser<'a> {
 
     fn atom(&mut self) -> Read<()> {
         match self.peek() {
-            None => fault(self.text.trim_end().len(), Fault::new("the expression ends where a value is expected")),
+            None => fault(
+                self.text.trim_end().len(),
+                Fault::new("the expression ends where a value is expected"),
+            ),
             Some('(') => {
                 let open = self.at;
                 self.at += 1;
@@ -131,7 +178,10 @@ impl<'a> Parser<'a> {
             }
             Some(c) if c.is_ascii_digit() || c == '.' => self.number(),
             Some(c) if c.is_alphabetic() || c == '_' => self.name(),
-            Some(found) => fault(self.at, Fault::new(format!("{:?} where a value is expected", found.to_string()))),
+            Some(found) => fault(
+                self.at,
+                Fault::new(format!("{:?} where a value is expected", found.to_string())),
+            ),
         }
     }
 
@@ -140,7 +190,10 @@ impl<'a> Parser<'a> {
             (Some(_), _) => Ok(()),
             (None, None) => fault(open, Fault::new("this \"(\" is not closed")),
             (None, Some(found)) => {
-                let message = format!("{:?} where an operator or \")\" is expected", found.to_string());
+                let message = format!(
+                    "{:?} where an operator or \")\" is expected",
+                    found.to_string()
+                );
                 fault(self.at, Fault::new(message))
             }
         }
@@ -162,7 +215,11 @@ impl<'a> Parser<'a> {
                 Some(&(name, function, least, most)) => {
                     let count = self.values(open)?;
                     if count < least || count > most {
-                        let takes = if least < most { format!("at least {least}") } else { format!("{least}") };
+                        let takes = if least < most {
+                            format!("at least {least}")
+                        } else {
+                            format!("{least}")
+                        };
                         let values = if most == 1 { "value" } else { "values" };
                         let message = format!("{name} takes {takes} {values}, here it has {count}");
                         return fault(at, Fault::new(message));
@@ -176,9 +233,14 @@ impl<'a> Parser<'a> {
                 }
                 None => {
                     let names = FUNCTIONS.iter().map(|row| row.0);
-                    let near = suggest::nearest(word, names.clone()).map(|near| format!("did you mean {near:?}?"));
+                    let near = suggest::nearest(word, names.clone())
+                        .map(|near| format!("did you mean {near:?}?"));
                     let all = || format!("the functions: {}", names.collect::<Vec<_>>().join(", "));
-                    fault(at, Fault::new(format!("there is no function {word:?}")).hint(near.unwrap_or_else(all)))
+                    fault(
+                        at,
+                        Fault::new(format!("there is no function {word:?}"))
+                            .hint(near.unwrap_or_else(all)),
+                    )
                 }
             };
         }
@@ -187,7 +249,10 @@ impl<'a> Parser<'a> {
         } else if let Some(index) = (self.find)(word) {
             self.steps.push((at, Step::Parameter(index)));
         } else if function.is_some() {
-            return fault(at, Fault::new(format!("{word:?} is a function")).hint(format!("write {word}( … )")));
+            return fault(
+                at,
+                Fault::new(format!("{word:?} is a function")).hint(format!("write {word}( … )")),
+            );
         } else {
             return fault(at, self.unknown(word));
         }
@@ -196,7 +261,10 @@ impl<'a> Parser<'a> {
 
     fn unknown(&self, word: &str) -> Fault {
         let near = suggest::nearest(word, self.names.iter().map(String::as_str).chain([PI]));
-        let said = Fault::new(format!("there is no parameter {:?}", super::super::node::excerpt(word)));
+        let said = Fault::new(format!(
+            "there is no parameter {:?}",
+            super::super::node::excerpt(word)
+        ));
         if let Some(near) = near {
             return said.hint(format!("did you mean {near:?}?"));
         }
@@ -240,7 +308,10 @@ impl<'a> Parser<'a> {
         } else {
             self.unit_end(number)?;
             let unit = self.text[start..self.at].trim();
-            let unit = Unit::parse(unit).map_err(|found| Misfit { at: start, fault: unit_fault(unit, &found) })?;
+            let unit = Unit::parse(unit).map_err(|found| Misfit {
+                at: start,
+                fault: unit_fault(unit, &found),
+            })?;
             Quantity::si(unit.to_si(number), unit.powers)
         };
         if !value.value.is_finite() {
@@ -258,7 +329,10 @@ impl<'a> Parser<'a> {
             let is_parameter = (self.find)(word).is_some();
             if !is_unit(word) && is_parameter {
                 let said = Fault::new(format!("{word:?} where a unit or an operator is expected"));
-                return fault(at, said.hint(format!("a product is written with *: {number}*{word}")));
+                return fault(
+                    at,
+                    said.hint(format!("a product is written with *: {number}*{word}")),
+                );
             }
             if is_parameter && at > first {
                 return fault(at, two_meanings(word));
@@ -271,10 +345,18 @@ impl<'a> Parser<'a> {
             let mut end = self.at;
             if self.peek() == Some('^') {
                 let exponent = self.rest()[1..].trim_start().trim_start_matches('-');
-                let digits = exponent.len() - exponent.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+                let digits = exponent.len()
+                    - exponent
+                        .trim_start_matches(|c: char| c.is_ascii_digit())
+                        .len();
                 if digits == 0 {
                     let said = Fault::new("the power of a unit is a whole number");
-                    return fault(self.at, said.hint(format!("put the quantity in brackets: ({number} {word})^ …")));
+                    return fault(
+                        self.at,
+                        said.hint(format!(
+                            "put the quantity in brackets: ({number} {word})^ …"
+                        )),
+                    );
                 }
                 end = self.text.len() - exponent.len() + digits;
             }
@@ -287,7 +369,11 @@ impl<'a> Parser<'a> {
             }
             self.at = end;
             // 2 m is no 2*m, which should be said where m is a parameter
-            return if is_parameter && end == at + word.len() { fault(at, two_meanings(word)) } else { Ok(()) };
+            return if is_parameter && end == at + word.len() {
+                fault(at, two_meanings(word))
+            } else {
+                Ok(())
+            };
         }
     }
 }
@@ -299,7 +385,9 @@ fn is_unit(word: &str) -> bool {
 
 fn two_meanings(word: &str) -> Fault {
     let said = Fault::new(format!("{word:?} is a unit here, and a parameter, too"));
-    said.hint(format!("put the parameter in brackets, *({word}), or give it another name"))
+    said.hint(format!(
+        "put the parameter in brackets, *({word}), or give it another name"
+    ))
 }
 
 fn unit_fault(unit: &str, found: &UnitFault) -> Fault {
@@ -312,7 +400,9 @@ fn unit_fault(unit: &str, found: &UnitFault) -> Fault {
             }
         }
         UnitFault::TooLarge => Fault::new(format!("{unit:?} is too much of a unit")),
-        UnitFault::Missing | UnitFault::Malformed => Fault::new(format!("{unit:?} cannot be read as a unit")),
+        UnitFault::Missing | UnitFault::Malformed => {
+            Fault::new(format!("{unit:?} cannot be read as a unit"))
+        }
     }
 }
 

@@ -42,7 +42,10 @@ pub struct Fault {
 
 impl Fault {
     pub fn new(message: impl Into<String>) -> Self {
-        Fault { message: message.into(), hint: None }
+        Fault {
+            message: message.into(),
+            hint: None,
+        }
     }
 
     pub fn hint(mut self, hint: impl Into<String>) -> Self {
@@ -61,16 +64,27 @@ fn whole(powers: Powers) -> [i32; 4] {
 impl Quantity {
     /// A plain number.
     pub fn plain(value: f64) -> Self {
-        Quantity { value, exponents: [0; 4], pure: Pure::Plain }
+        Quantity {
+            value,
+            exponents: [0; 4],
+            pure: Pure::Plain,
+        }
     }
 
     pub fn pi() -> Self {
-        Quantity { pure: Pure::Circular, ..Quantity::plain(std::f64::consts::PI) }
+        Quantity {
+            pure: Pure::Circular,
+            ..Quantity::plain(std::f64::consts::PI)
+        }
     }
 
     /// A number in the SI unit of these powers.
     pub fn si(value: f64, powers: Powers) -> Self {
-        Quantity { value, exponents: whole(powers), pure: Pure::Ratio }
+        Quantity {
+            value,
+            exponents: whole(powers),
+            pure: Pure::Ratio,
+        }
     }
 
     /// A number made of others.
@@ -81,7 +95,11 @@ impl Quantity {
         if exponents.iter().any(|power| power.abs() > MOST) {
             return Err(Fault::new("the power of a unit gets too high"));
         }
-        Ok(Quantity { value, exponents, pure })
+        Ok(Quantity {
+            value,
+            exponents,
+            pure,
+        })
     }
 
     /// Whether it has no dimension.
@@ -92,21 +110,34 @@ impl Quantity {
     /// Its unit in SI; empty where it is pure.
     pub fn unit(self) -> String {
         let named = Dimension::NAMED.into_iter().chain([Dimension::Frequency]);
-        if let Some(dimension) = named.into_iter().find(|dimension| whole(dimension.powers()) == self.exponents) {
+        if let Some(dimension) = named
+            .into_iter()
+            .find(|dimension| whole(dimension.powers()) == self.exponents)
+        {
             return dimension.si().to_owned();
         }
         let symbols = [(1, "kg"), (0, "m"), (2, "s"), (3, "rad")];
         let part = |sign: i32| {
-            let factors = symbols.iter().filter(|(index, _)| sign * self.exponents[*index] > 0);
-            let factors = factors.map(|&(index, symbol)| match f64::from(sign * self.exponents[index]) / 12.0 {
-                1.0 => symbol.to_owned(),
-                power => format!("{symbol}^{}", (power * 1e4).round() / 1e4),
+            let factors = symbols
+                .iter()
+                .filter(|(index, _)| sign * self.exponents[*index] > 0);
+            let factors = factors.map(|&(index, symbol)| {
+                match f64::from(sign * self.exponents[index]) / 12.0 {
+                    1.0 => symbol.to_owned(),
+                    power => format!("{symbol}^{}", (power * 1e4).round() / 1e4),
+                }
             });
             factors.collect::<Vec<_>>()
         };
         let (above, below) = (part(1).join("*"), part(-1));
-        let above = if above.is_empty() && !below.is_empty() { "1".to_owned() } else { above };
-        below.iter().fold(above, |text, factor| format!("{text}/{factor}"))
+        let above = if above.is_empty() && !below.is_empty() {
+            "1".to_owned()
+        } else {
+            above
+        };
+        below
+            .iter()
+            .fold(above, |text, factor| format!("{text}/{factor}"))
     }
 
     /// What it is, in words: `a length [m]`, `a plain number`.
@@ -115,7 +146,10 @@ impl Quantity {
             return "a plain number".into();
         }
         let named = Dimension::NAMED.into_iter().chain([Dimension::Frequency]);
-        match named.into_iter().find(|dimension| whole(dimension.powers()) == self.exponents) {
+        match named
+            .into_iter()
+            .find(|dimension| whole(dimension.powers()) == self.exponents)
+        {
             Some(dimension) => with_article(dimension.name(), dimension.si()),
             None => format!("a quantity in {}", self.unit()),
         }
@@ -124,7 +158,8 @@ impl Quantity {
     /// Whether it may stand where a quantity of these powers is wanted.
     pub fn fits(self, wanted: Powers) -> bool {
         let wanted = whole(wanted);
-        let per_radian_left_out = wanted[3] < 0 && self.exponents[3] == 0 && self.exponents[..3] == wanted[..3];
+        let per_radian_left_out =
+            wanted[3] < 0 && self.exponents[3] == 0 && self.exponents[..3] == wanted[..3];
         per_radian_left_out || alike(self.exponents, wanted)
     }
 
@@ -135,23 +170,46 @@ impl Quantity {
         (self.exponents[..3] == wanted[..3] && !self.is_pure()).then(|| match lacking {
             1.0 => "* 1 rad".to_owned(),
             -1.0 => "/ 1 rad".to_owned(),
-            power => format!("* (1 rad)^{}", if power < 0.0 { format!("({power})") } else { format!("{power}") }),
+            power => format!(
+                "* (1 rad)^{}",
+                if power < 0.0 {
+                    format!("({power})")
+                } else {
+                    format!("{power}")
+                }
+            ),
         })
     }
 
     pub fn negate(self) -> Self {
-        Quantity { value: -self.value, ..self }
+        Quantity {
+            value: -self.value,
+            ..self
+        }
     }
 
     /// The dimension that both have, for what `verb` does.
     fn common(self, other: Self, verb: &str) -> Result<[i32; 4], Fault> {
         if alike(self.exponents, other.exponents) {
             let radians = self.exponents[3].min(other.exponents[3]);
-            return Ok([self.exponents[0], self.exponents[1], self.exponents[2], radians]);
+            return Ok([
+                self.exponents[0],
+                self.exponents[1],
+                self.exponents[2],
+                radians,
+            ]);
         }
-        let fault = Fault::new(format!("{} and {} can't be {verb}", self.words(), other.words()));
+        let fault = Fault::new(format!(
+            "{} and {} can't be {verb}",
+            self.words(),
+            other.words()
+        ));
         Err(if self.is_pure() != other.is_pure() {
-            let unit = if self.is_pure() { other.unit() } else { self.unit() };
+            let unit = if self.is_pure() {
+                other.unit()
+            } else {
+                self.unit()
+            };
             fault.hint(format!("a number gets a unit as in 2 {unit}"))
         } else {
             fault
@@ -160,17 +218,29 @@ impl Quantity {
 
     pub fn add(self, other: Self) -> Outcome {
         let exponents = self.common(other, "added")?;
-        Self::made(self.value + other.value, exponents, self.pure.max(other.pure))
+        Self::made(
+            self.value + other.value,
+            exponents,
+            self.pure.max(other.pure),
+        )
     }
 
     pub fn subtract(self, other: Self) -> Outcome {
         let exponents = self.common(other, "subtracted")?;
-        Self::made(self.value - other.value, exponents, self.pure.max(other.pure))
+        Self::made(
+            self.value - other.value,
+            exponents,
+            self.pure.max(other.pure),
+        )
     }
 
     pub fn multiply(self, other: Self) -> Outcome {
         let exponents = std::array::from_fn(|index| self.exponents[index] + other.exponents[index]);
-        Self::made(self.value * other.value, exponents, self.pure.max(other.pure))
+        Self::made(
+            self.value * other.value,
+            exponents,
+            self.pure.max(other.pure),
+        )
     }
 
     pub fn divide(self, other: Self) -> Outcome {
@@ -178,15 +248,24 @@ impl Quantity {
             return Err(Fault::new("this divides by zero"));
         }
         let exponents = std::array::from_fn(|index| self.exponents[index] - other.exponents[index]);
-        Self::made(self.value / other.value, exponents, self.pure.max(other.pure))
+        Self::made(
+            self.value / other.value,
+            exponents,
+            self.pure.max(other.pure),
+        )
     }
 
     pub fn power(self, exponent: Self) -> Outcome {
         if !exponent.is_pure() {
-            return Err(Fault::new(format!("an exponent is a plain number, not {}", exponent.words())));
+            return Err(Fault::new(format!(
+                "an exponent is a plain number, not {}",
+                exponent.words()
+            )));
         }
         if self.value < 0.0 && exponent.value.fract() != 0.0 {
-            return Err(Fault::new("a negative number has no power that is not whole"));
+            return Err(Fault::new(
+                "a negative number has no power that is not whole",
+            ));
         }
         if self.value == 0.0 && exponent.value < 0.0 {
             return Err(Fault::new("this divides by zero"));
@@ -198,40 +277,68 @@ impl Quantity {
                 return Err(Fault::new("the power of a unit gets too high"));
             }
             if (scaled - scaled.round()).abs() > 1e-9 {
-                let message = format!("the exponent of {} must be whole or a simple fraction", self.words());
+                let message = format!(
+                    "the exponent of {} must be whole or a simple fraction",
+                    self.words()
+                );
                 return Err(Fault::new(message).hint("as in ^2, ^0.5 or ^(1/3)"));
             }
             // bounded above
             *power = scaled.round() as i32;
         }
-        Self::made(self.value.powf(exponent.value), exponents, self.pure.max(exponent.pure))
+        Self::made(
+            self.value.powf(exponent.value),
+            exponents,
+            self.pure.max(exponent.pure),
+        )
     }
 
     pub fn sqrt(self) -> Outcome {
         if self.value < 0.0 {
             return Err(Fault::new("a negative number has no square root"));
         }
-        let half = Quantity { pure: self.pure, ..Quantity::plain(0.5) };
-        Ok(Quantity { value: self.value.sqrt(), ..self.power(half)? })
+        let half = Quantity {
+            pure: self.pure,
+            ..Quantity::plain(0.5)
+        };
+        Ok(Quantity {
+            value: self.value.sqrt(),
+            ..self.power(half)?
+        })
     }
 
     pub fn abs(self) -> Self {
-        Quantity { value: self.value.abs(), ..self }
+        Quantity {
+            value: self.value.abs(),
+            ..self
+        }
     }
 
     pub fn min(self, other: Self) -> Outcome {
         let exponents = self.common(other, "compared")?;
-        Self::made(self.value.min(other.value), exponents, self.pure.max(other.pure))
+        Self::made(
+            self.value.min(other.value),
+            exponents,
+            self.pure.max(other.pure),
+        )
     }
 
     pub fn max(self, other: Self) -> Outcome {
         let exponents = self.common(other, "compared")?;
-        Self::made(self.value.max(other.value), exponents, self.pure.max(other.pure))
+        Self::made(
+            self.value.max(other.value),
+            exponents,
+            self.pure.max(other.pure),
+        )
     }
 
     pub fn hypot(self, other: Self) -> Outcome {
         let exponents = self.common(other, "the sides of one triangle")?;
-        Self::made(self.value.hypot(other.value), exponents, self.pure.max(other.pure))
+        Self::made(
+            self.value.hypot(other.value),
+            exponents,
+            self.pure.max(other.pure),
+        )
     }
 
     /// The angle of a vector, from its y and x.
@@ -247,10 +354,14 @@ impl Quantity {
     /// A function of an angle; of plain numbers where these can only be radians.
     pub fn circular(self, name: &str, degrees: bool, function: fn(f64) -> f64) -> Outcome {
         if self.exponents != ANGLE && !self.is_pure() {
-            return Err(Fault::new(format!("{name} takes an angle, not {}", self.words())));
+            return Err(Fault::new(format!(
+                "{name} takes an angle, not {}",
+                self.words()
+            )));
         }
         if self.is_pure() && self.pure == Pure::Plain && degrees && self.value != 0.0 {
-            let message = format!("{name} of a plain number, although the file's angles are not in radians");
+            let message =
+                format!("{name} of a plain number, although the file's angles are not in radians");
             return Err(Fault::new(message).hint("give it a unit, as in 30 deg or 0.5 rad"));
         }
         Self::made(function(self.value), [0; 4], Pure::Ratio)
@@ -260,7 +371,10 @@ impl Quantity {
     pub fn inverse_circular(self, name: &str, bounded: bool, function: fn(f64) -> f64) -> Outcome {
         self.expect_pure(name)?;
         if bounded && self.value.abs() > 1.0 {
-            return Err(Fault::new(format!("{name} takes numbers from -1 to 1, this is {}", self.value)));
+            return Err(Fault::new(format!(
+                "{name} takes numbers from -1 to 1, this is {}",
+                self.value
+            )));
         }
         Self::angle(function(self.value))
     }
@@ -295,6 +409,10 @@ fn alike(one: [i32; 4], other: [i32; 4]) -> bool {
 
 /// `an angular velocity [rad/s]`.
 pub fn with_article(name: &str, unit: &str) -> String {
-    let article = if name.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
+    let article = if name.starts_with(['a', 'e', 'i', 'o', 'u']) {
+        "an"
+    } else {
+        "a"
+    };
     format!("{article} {} [{unit}]", name.replace('_', " "))
 }

@@ -13,14 +13,22 @@ fn known() -> (Vec<String>, Vec<Option<Quantity>>) {
         ("omega", Quantity::si(10.0, powers(0, 0, -1, 1))),
         ("m", Quantity::plain(1.0)),
     ];
-    (quantities.iter().map(|(name, _)| name.to_string()).collect(), quantities.map(|(_, value)| Some(value)).into())
+    (
+        quantities
+            .iter()
+            .map(|(name, _)| name.to_string())
+            .collect(),
+        quantities.map(|(_, value)| Some(value)).into(),
+    )
 }
 
 fn evaluate(text: &str) -> Result<Quantity, Misfit> {
     let (names, values) = known();
     let find = |name: &str| names.iter().position(|known| known == name);
     let expression = Expression::parse(text, &find, &names)?;
-    Ok(expression.evaluate(&values, true)?.expect("all have values"))
+    Ok(expression
+        .evaluate(&values, true)?
+        .expect("all have values"))
 }
 
 #[test]
@@ -42,7 +50,11 @@ fn values_and_units_are_those_of_the_hand() {
         ("=r*omega + 1 m/s", 1.5, "m/s"),
         ("=sqrt(r)", 0.05_f64.sqrt(), "m^0.5"),
         ("=sqrt(r)^4", 0.05_f64.sqrt().powi(4), "m^2"),
-        ("=r^(1/3)*r^(2/3)", 0.05_f64.powf(1.0 / 3.0) * 0.05_f64.powf(2.0 / 3.0), "m"),
+        (
+            "=r^(1/3)*r^(2/3)",
+            0.05_f64.powf(1.0 / 3.0) * 0.05_f64.powf(2.0 / 3.0),
+            "m",
+        ),
         ("=r + 5 mm", 0.055, "m"),
         ("=r+5mm*2", 0.060000000000000005, "m"),
         ("=2 N/mm", 2000.0, "N/m"),
@@ -72,7 +84,11 @@ fn values_and_units_are_those_of_the_hand() {
         ("=.5*n", 2.0, ""),
     ] {
         let found = evaluate(text).unwrap_or_else(|misfit| panic!("{text}: {misfit:?}"));
-        assert_eq!((found.value, found.unit().as_str()), (value, unit), "{text}");
+        assert_eq!(
+            (found.value, found.unit().as_str()),
+            (value, unit),
+            "{text}"
+        );
     }
 }
 
@@ -83,10 +99,26 @@ fn what_does_not_go_is_told_where_and_why() {
         ("=r+  ", 3, "the expression ends where a value is expected"),
         ("=r+*2", 3, "\"*\" where a value is expected"),
         ("=2**3", 2, "unknown operator \"**\" (a power is written ^)"),
-        ("=2(3)", 2, "\"(\" where an operator is expected (a product is written with *)"),
-        ("=r l", 3, "\"l\" where an operator is expected (a product is written with *)"),
-        ("=2 r", 3, "\"r\" where a unit or an operator is expected (a product is written with *: 2*r)"),
-        ("=2 parsec", 3, "unknown unit \"parsec\" (a product is written with *)"),
+        (
+            "=2(3)",
+            2,
+            "\"(\" where an operator is expected (a product is written with *)",
+        ),
+        (
+            "=r l",
+            3,
+            "\"l\" where an operator is expected (a product is written with *)",
+        ),
+        (
+            "=2 r",
+            3,
+            "\"r\" where a unit or an operator is expected (a product is written with *: 2*r)",
+        ),
+        (
+            "=2 parsec",
+            3,
+            "unknown unit \"parsec\" (a product is written with *)",
+        ),
         (
             "=2 m",
             3,
@@ -97,12 +129,20 @@ fn what_does_not_go_is_told_where_and_why() {
             8,
             "\"m\" is a unit here, and a parameter, too (put the parameter in brackets, *(m), or give it another name)",
         ),
-        ("=2 mm^n", 5, "the power of a unit is a whole number (put the quantity in brackets: (2 mm)^ …)"),
+        (
+            "=2 mm^n",
+            5,
+            "the power of a unit is a whole number (put the quantity in brackets: (2 mm)^ …)",
+        ),
         ("=(r", 1, "this \"(\" is not closed"),
         ("=r)", 2, "this \")\" closes nothing"),
         ("=(r, l)", 3, "\",\" where an operator or \")\" is expected"),
         ("=r%2", 2, "\"%\" where an operator is expected"),
-        ("=3*omga", 3, "there is no parameter \"omga\" (did you mean \"omega\"?)"),
+        (
+            "=3*omga",
+            3,
+            "there is no parameter \"omga\" (did you mean \"omega\"?)",
+        ),
         (
             "=2*kg",
             3,
@@ -113,31 +153,79 @@ fn what_does_not_go_is_told_where_and_why() {
             3,
             "there is no parameter \"deg\" (the parameters: r, l, k, mass, phi, n, omega, m; a unit stands behind a number, as in 1 deg)",
         ),
-        ("=2*width", 3, "there is no parameter \"width\" (the parameters: r, l, k, mass, phi, n, omega, m)"),
+        (
+            "=2*width",
+            3,
+            "there is no parameter \"width\" (the parameters: r, l, k, mass, phi, n, omega, m)",
+        ),
         ("=sin", 1, "\"sin\" is a function (write sin( … ))"),
-        ("=sinn(1)", 1, "there is no function \"sinn\" (did you mean \"sin\"?)"),
-        ("=r(2)", 1, "\"r\" is no function (a product is written with *)"),
+        (
+            "=sinn(1)",
+            1,
+            "there is no function \"sinn\" (did you mean \"sin\"?)",
+        ),
+        (
+            "=r(2)",
+            1,
+            "\"r\" is no function (a product is written with *)",
+        ),
         ("=atan2(1)", 1, "atan2 takes 2 values, here it has 1"),
         ("=sin(1, 2)", 1, "sin takes 1 value, here it has 2"),
         ("=min(1)", 1, "min takes at least 2 values, here it has 1"),
-        ("=r+2", 2, "a length [m] and a plain number can't be added (a number gets a unit as in 2 m)"),
-        ("=r-mass", 2, "a length [m] and a mass [kg] can't be subtracted"),
-        ("=phi+1", 4, "an angle [rad] and a plain number can't be added (a number gets a unit as in 2 rad)"),
-        ("=omega+1 Hz", 6, "an angular velocity [rad/s] and a frequency [Hz] can't be added"),
-        ("=max(r, n)", 1, "a length [m] and a plain number can't be compared (a number gets a unit as in 2 m)"),
+        (
+            "=r+2",
+            2,
+            "a length [m] and a plain number can't be added (a number gets a unit as in 2 m)",
+        ),
+        (
+            "=r-mass",
+            2,
+            "a length [m] and a mass [kg] can't be subtracted",
+        ),
+        (
+            "=phi+1",
+            4,
+            "an angle [rad] and a plain number can't be added (a number gets a unit as in 2 rad)",
+        ),
+        (
+            "=omega+1 Hz",
+            6,
+            "an angular velocity [rad/s] and a frequency [Hz] can't be added",
+        ),
+        (
+            "=max(r, n)",
+            1,
+            "a length [m] and a plain number can't be compared (a number gets a unit as in 2 m)",
+        ),
         ("=1/(n-4)", 2, "this divides by zero"),
         ("=0^-1", 2, "this divides by zero"),
         ("=sqrt(-n)", 1, "a negative number has no square root"),
-        ("=(-2)^0.5", 5, "a negative number has no power that is not whole"),
-        ("=r^0.123", 2, "the exponent of a length [m] must be whole or a simple fraction (as in ^2, ^0.5 or ^(1/3))"),
+        (
+            "=(-2)^0.5",
+            5,
+            "a negative number has no power that is not whole",
+        ),
+        (
+            "=r^0.123",
+            2,
+            "the exponent of a length [m] must be whole or a simple fraction (as in ^2, ^0.5 or ^(1/3))",
+        ),
         ("=2^r", 2, "an exponent is a plain number, not a length [m]"),
         ("=r^1000", 2, "the power of a unit gets too high"),
         ("=10^400", 3, "the result is too large for a double"),
         ("=1e999", 1, "the number is too large for a double"),
         ("=2^2^2^2^2^2^2", 6, "the result is too large for a double"),
         ("=ln(0)", 1, "ln takes numbers greater than zero"),
-        ("=ln(r)", 1, "ln takes a plain number, not a length [m] (divide it by 1 m)"),
-        ("=acos(1.5)", 1, "acos takes numbers from -1 to 1, this is 1.5"),
+        (
+            "=ln(r)",
+            1,
+            "ln takes a plain number, not a length [m] (divide it by 1 m)",
+        ),
+        (
+            "=acos(1.5)",
+            1,
+            "acos takes numbers from -1 to 1, this is 1.5",
+        ),
         ("=sin(r)", 1, "sin takes an angle, not a length [m]"),
         (
             "=sin(30)",
@@ -151,18 +239,36 @@ fn what_does_not_go_is_told_where_and_why() {
         ),
     ] {
         let misfit = evaluate(text).expect_err(text);
-        let hint = misfit.fault.hint.map(|hint| format!(" ({hint})")).unwrap_or_default();
-        assert_eq!((misfit.at, format!("{}{hint}", misfit.fault.message).as_str()), (at, words), "{text}");
+        let hint = misfit
+            .fault
+            .hint
+            .map(|hint| format!(" ({hint})"))
+            .unwrap_or_default();
+        assert_eq!(
+            (
+                misfit.at,
+                format!("{}{hint}", misfit.fault.message).as_str()
+            ),
+            (at, words),
+            "{text}"
+        );
     }
 }
 
 #[test]
 fn nothing_hostile_hangs_or_overflows() {
-    let deep = |open: &str, close: &str, count: usize| format!("={}1{}", open.repeat(count), close.repeat(count));
-    for text in
-        [deep("(", ")", 500_000), "=".to_owned() + &"(".repeat(1_000_000), "=".to_owned() + &"1+".repeat(1_000_000)]
-    {
-        assert_eq!(evaluate(&text).expect_err("long").fault.message, "an expression has at most 4096 characters");
+    let deep = |open: &str, close: &str, count: usize| {
+        format!("={}1{}", open.repeat(count), close.repeat(count))
+    };
+    for text in [
+        deep("(", ")", 500_000),
+        "=".to_owned() + &"(".repeat(1_000_000),
+        "=".to_owned() + &"1+".repeat(1_000_000),
+    ] {
+        assert_eq!(
+            evaluate(&text).expect_err("long").fault.message,
+            "an expression has at most 4096 characters"
+        );
     }
     for text in [
         deep("(", ")", 2000),
@@ -171,9 +277,21 @@ fn nothing_hostile_hangs_or_overflows() {
         deep("min(1,", ")", 500),
         deep("(-", ")", 1000),
     ] {
-        assert_eq!(evaluate(&text).expect_err("deep").fault.message, "nested more than 64 deep");
+        assert_eq!(
+            evaluate(&text).expect_err("deep").fault.message,
+            "nested more than 64 deep"
+        );
     }
-    assert_eq!(evaluate(&deep("-", "", 4000)).map(|found| found.value), Ok(1.0));
-    assert_eq!(evaluate(&format!("=1{}", "+1".repeat(2000))).map(|found| found.value), Ok(2001.0));
-    assert_eq!(evaluate(&deep("(", ")", 64)).map(|found| found.value), Ok(1.0));
+    assert_eq!(
+        evaluate(&deep("-", "", 4000)).map(|found| found.value),
+        Ok(1.0)
+    );
+    assert_eq!(
+        evaluate(&format!("=1{}", "+1".repeat(2000))).map(|found| found.value),
+        Ok(2001.0)
+    );
+    assert_eq!(
+        evaluate(&deep("(", ")", 64)).map(|found| found.value),
+        Ok(1.0)
+    );
 }

@@ -14,7 +14,9 @@ use sha2::{Digest, Sha256};
 
 use super::{Column, Summary, Trajectory, summary};
 use encode::{Source, Worth, base64, plan, values};
-pub use mechanism::{Body, Clearance, Driver, Gear, Joint, Load, Mechanism, PointId, Spring, TorsionSpring};
+pub use mechanism::{
+    Body, Clearance, Driver, Gear, Joint, Load, Mechanism, PointId, Spring, TorsionSpring,
+};
 
 /// Largest size of a page [bytes].
 pub const LIMIT: usize = 5_000_000;
@@ -29,7 +31,11 @@ const LARGEST_DRAWING: usize = 3_500_000;
 const LARGEST_SETTINGS: usize = 100_000;
 
 const PAGE: &str = include_str!("page.html");
-const STYLE: &str = concat!(include_str!("vendor/uPlot.min.css"), "\n", include_str!("page.css"));
+const STYLE: &str = concat!(
+    include_str!("vendor/uPlot.min.css"),
+    "\n",
+    include_str!("page.css")
+);
 const PLOT_LIBRARY: &str = include_str!("vendor/uPlot.iife.min.js");
 /// Its licence asks to stand in every copy.
 const LICENCE: &str = include_str!("vendor/uPlot.LICENSE");
@@ -76,11 +82,24 @@ pub fn to_text(page: &Page) -> String {
     }
     let texts = [page.about, page.source].map(|text| escaped(&json!(text.map(cut)).to_string()));
     let fixed = PAGE.len() + STYLE.len() + LICENCE.len() + PLOT_LIBRARY.len() + SCRIPT.len();
-    let used = fixed + facts.len() + mechanism.len() + texts[0].len() + texts[1].len() + notes.concat().len();
+    let used = fixed
+        + facts.len()
+        + mechanism.len()
+        + texts[0].len()
+        + texts[1].len()
+        + notes.concat().len();
     let sources = sources(page);
     let rows = page.complete.len();
-    let plan = plan(&sources, rows, LIMIT.saturating_sub(used + MARGIN), |source| heading(source).len() + 1);
-    let kept: Vec<&Source> = sources.iter().filter(|source| source.worth <= plan.worth).collect();
+    let plan = plan(
+        &sources,
+        rows,
+        LIMIT.saturating_sub(used + MARGIN),
+        |source| heading(source).len() + 1,
+    );
+    let kept: Vec<&Source> = sources
+        .iter()
+        .filter(|source| source.worth <= plan.worth)
+        .collect();
     if plan.rows.len() < rows {
         let extremes = match plan.all_extremes {
             true => "All extremes are among them",
@@ -131,10 +150,20 @@ pub fn to_text(page: &Page) -> String {
 
 /// The template with its `{{words}}` replaced, in one pass: what is put in is not looked at again.
 fn fill(parts: &[(&str, &str)]) -> String {
-    let mut text = String::with_capacity(PAGE.len() + parts.iter().map(|(_, part)| part.len()).sum::<usize>());
+    let mut text =
+        String::with_capacity(PAGE.len() + parts.iter().map(|(_, part)| part.len()).sum::<usize>());
     for (index, piece) in PAGE.split("{{").enumerate() {
-        let (word, rest) = if index == 0 { ("", piece) } else { piece.split_once("}}").unwrap_or(("", piece)) };
-        text.extend(parts.iter().find(|(name, _)| *name == word).map(|(_, part)| *part));
+        let (word, rest) = if index == 0 {
+            ("", piece)
+        } else {
+            piece.split_once("}}").unwrap_or(("", piece))
+        };
+        text.extend(
+            parts
+                .iter()
+                .find(|(name, _)| *name == word)
+                .map(|(_, part)| *part),
+        );
         text.push_str(rest);
     }
     text
@@ -182,16 +211,25 @@ fn facts(summary: &Summary, notes: &mut Vec<String>) -> Value {
     if let Some(Value::Array(events)) = facts.get_mut("events")
         && events.len() > MOST_EVENTS
     {
-        notes.push(format!("The first {MOST_EVENTS} of {} events are shown; summary.json has all.", events.len()));
+        notes.push(format!(
+            "The first {MOST_EVENTS} of {} events are shown; summary.json has all.",
+            events.len()
+        ));
         events.truncate(MOST_EVENTS);
     }
     if let Some(Value::Array(warnings)) = facts.get_mut("warnings")
         && warnings.len() > MOST_WARNINGS
     {
-        notes.push(format!("The first {MOST_WARNINGS} of {} warnings are shown.", warnings.len()));
+        notes.push(format!(
+            "The first {MOST_WARNINGS} of {} warnings are shown.",
+            warnings.len()
+        ));
         warnings.truncate(MOST_WARNINGS);
     }
-    if facts.get("settings").is_some_and(|settings| settings.to_string().len() > LARGEST_SETTINGS) {
+    if facts
+        .get("settings")
+        .is_some_and(|settings| settings.to_string().len() > LARGEST_SETTINGS)
+    {
         facts.remove("settings");
         notes.push("The settings are too long to be shown; summary.json has them.".into());
     }
@@ -238,26 +276,49 @@ fn sources<'a>(page: &Page<'a>) -> Vec<Source<'a>> {
     let chosen = shown.width() < page.complete.width();
     // The columns shown are a subsequence of all.
     let mut next = 0;
-    let results = page.complete.columns.iter().enumerate().map(|(index, column)| {
-        let wanted = shown.columns.get(next) == Some(column);
-        next += usize::from(wanted);
-        let worth = if chosen && wanted { Worth::Asked } else { worth(&column.name) };
-        Source { column, table: page.complete, index, worth, wanted }
-    });
-    let derived = page.derived.columns.iter().enumerate().map(|(index, column)| Source {
-        column,
-        table: page.derived,
-        index,
-        worth: Worth::Overall,
-        wanted: true,
-    });
+    let results = page
+        .complete
+        .columns
+        .iter()
+        .enumerate()
+        .map(|(index, column)| {
+            let wanted = shown.columns.get(next) == Some(column);
+            next += usize::from(wanted);
+            let worth = if chosen && wanted {
+                Worth::Asked
+            } else {
+                worth(&column.name)
+            };
+            Source {
+                column,
+                table: page.complete,
+                index,
+                worth,
+                wanted,
+            }
+        });
+    let derived = page
+        .derived
+        .columns
+        .iter()
+        .enumerate()
+        .map(|(index, column)| Source {
+            column,
+            table: page.derived,
+            index,
+            worth: Worth::Overall,
+            wanted: true,
+        });
     results.chain(derived).collect()
 }
 
 /// What a column is worth by its name.
 fn worth(name: &str) -> Worth {
     let mut words = name.split('.');
-    let (owner, quantity) = (words.next().unwrap_or_default(), name.rsplit('.').next().unwrap_or_default());
+    let (owner, quantity) = (
+        words.next().unwrap_or_default(),
+        name.rsplit('.').next().unwrap_or_default(),
+    );
     let of_body = words.count() == 1;
     match quantity {
         "time" | "value" => Worth::Asked,
@@ -277,7 +338,10 @@ mod tests {
     #[test]
     fn json_in_a_script_element_can_not_end_it() {
         let text = escaped(&json!("</script><!-- & \u{2028}\u{2029} \" ok").to_string());
-        assert!(!text.contains(['<', '>', '&', '\u{2028}', '\u{2029}']), "{text}");
+        assert!(
+            !text.contains(['<', '>', '&', '\u{2028}', '\u{2029}']),
+            "{text}"
+        );
         let back: String = serde_json::from_str(&text).expect("still JSON");
         assert_eq!(back, "</script><!-- & \u{2028}\u{2029} \" ok");
     }
@@ -285,15 +349,37 @@ mod tests {
     #[test]
     fn the_scripts_can_stand_in_a_page() {
         for text in [SCRIPT, PLOT_LIBRARY, STYLE] {
-            assert!(!text.to_lowercase().contains("</script") && !text.contains("<!--") && !text.contains("</style"));
+            assert!(
+                !text.to_lowercase().contains("</script")
+                    && !text.contains("<!--")
+                    && !text.contains("</style")
+            );
         }
     }
 
     #[test]
     fn every_word_of_the_template_is_filled_in() {
-        let words: Vec<&str> = PAGE.split("{{").skip(1).filter_map(|piece| Some(piece.split_once("}}")?.0)).collect();
-        assert_eq!(words, ["policy", "style", "data", "values", "licence", "plot_library", "script"]);
-        assert!(!LICENCE.contains("--"), "it would end the comment it stands in");
+        let words: Vec<&str> = PAGE
+            .split("{{")
+            .skip(1)
+            .filter_map(|piece| Some(piece.split_once("}}")?.0))
+            .collect();
+        assert_eq!(
+            words,
+            [
+                "policy",
+                "style",
+                "data",
+                "values",
+                "licence",
+                "plot_library",
+                "script"
+            ]
+        );
+        assert!(
+            !LICENCE.contains("--"),
+            "it would end the comment it stands in"
+        );
     }
 
     #[test]

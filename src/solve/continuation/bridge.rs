@@ -25,18 +25,29 @@ impl Path {
         let (a, b) = (self.nodes[gap].s, self.nodes[gap + 1].s);
         let (low, high) = self.covered();
         let around = |k: usize| self.nodes[k.min(self.nodes.len() - 1)].s;
-        let step = (b - a).max(around(gap + 2) - b).max(a - around(gap.saturating_sub(1)));
+        let step = (b - a)
+            .max(around(gap + 2) - b)
+            .max(a - around(gap.saturating_sub(1)));
         let width = WINDOW * step;
         let mut centre = 0.5 * (a + b);
         // One choice of rows for the whole window, so that the test function is one function.
         walker.set(b);
-        if walker.driven.prepare(&self.nodes[gap + 1].q, &walker.inputs).is_err() {
+        if walker
+            .driven
+            .prepare(&self.nodes[gap + 1].q, &walker.inputs)
+            .is_err()
+        {
             return;
         }
         // Vectors of the test function: the null vectors seen from one side.
-        let Some(vectors) = self.null_vectors(walker, b) else { return };
+        let Some(vectors) = self.null_vectors(walker, b) else {
+            return;
+        };
         let mut edge = 0.0_f64;
-        for (pass, width) in [width, 0.25 * width, 0.0625 * width].into_iter().enumerate() {
+        for (pass, width) in [width, 0.25 * width, 0.0625 * width]
+            .into_iter()
+            .enumerate()
+        {
             let mut x = Vec::new();
             let mut f = Vec::new();
             for side in [-1.0, 1.0] {
@@ -59,7 +70,9 @@ impl Path {
             }
             let root = root_of(&x, &f, centre, width);
             match root {
-                Some(root) if root >= a - 0.01 * (b - a) && root <= b + 0.01 * (b - a) => centre = root,
+                Some(root) if root >= a - 0.01 * (b - a) && root <= b + 0.01 * (b - a) => {
+                    centre = root
+                }
                 // No root: the sign changed through a pole.
                 _ => return,
             }
@@ -68,7 +81,11 @@ impl Path {
         if at_root.is_some_and(|test| test.abs() > VANISHES.sqrt() * edge) {
             return;
         }
-        if self.singular.iter().any(|p| (p.s - centre).abs() < 1e-9 * width) {
+        if self
+            .singular
+            .iter()
+            .any(|p| (p.s - centre).abs() < 1e-9 * width)
+        {
             return;
         }
         // Placed first: the window keeps its distance from the others.
@@ -97,7 +114,10 @@ impl Path {
     fn null_vectors(&self, walker: &mut Walker, s: f64) -> Option<NullVectors> {
         self.solve_at(walker, s)?;
         let condition = walker.condition(None);
-        Some(NullVectors { right: condition.right, left: condition.left })
+        Some(NullVectors {
+            right: condition.right,
+            left: condition.left,
+        })
     }
 
     fn test_at(&self, walker: &mut Walker, s: f64, vectors: &NullVectors) -> Option<f64> {
@@ -148,7 +168,12 @@ impl Path {
                         error = error.max(walker.driven.system.scaled_norm(&off));
                     }
                 }
-                let window = Window { s: centre, radius: WINDOW_NODES[0] * width, width, branch };
+                let window = Window {
+                    s: centre,
+                    radius: WINDOW_NODES[0] * width,
+                    width,
+                    branch,
+                };
                 // What is left when a smaller width does not help any more is round-off.
                 let better = best.as_ref().is_none_or(|(least, _)| error < 0.5 * least);
                 if better {

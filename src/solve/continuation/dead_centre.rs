@@ -10,12 +10,21 @@ use crate::math::dot;
 
 impl Walker<'_, '_> {
     /// Root of ds/dp near the end of a path, p the direction in which the position runs off there.
-    pub(super) fn dead_centre(&mut self, last: &Node, before: Option<&Node>, direction: f64) -> Option<f64> {
+    pub(super) fn dead_centre(
+        &mut self,
+        last: &Node,
+        before: Option<&Node>,
+        direction: f64,
+    ) -> Option<f64> {
         let system = self.driven.system;
         // With a pin the path is only wanted as far as the pin is good.
         let before = before.filter(|_| self.parameter != Parameter::Pin)?;
-        let scaled =
-            |x: &[f64]| -> Vec<f64> { x.iter().enumerate().map(|(k, x)| x / system.column_scale(k)).collect() };
+        let scaled = |x: &[f64]| -> Vec<f64> {
+            x.iter()
+                .enumerate()
+                .map(|(k, x)| x / system.column_scale(k))
+                .collect()
+        };
         let mut border = scaled(&last.d);
         let length = dot(&border, &border).sqrt() * direction;
         border.iter_mut().for_each(|b| *b /= length);
@@ -24,18 +33,32 @@ impl Walker<'_, '_> {
         let offset: Vec<f64> = before.q.iter().zip(&last.q).map(|(a, b)| a - b).collect();
         let g = direction / dot(&arc.border, &scaled(&before.d)).abs();
         let ends = [
-            Point { p: dot(&arc.border, &scaled(&offset)), s: before.s, g },
-            Point { p: 0.0, s: last.s, g: direction / length.abs() },
+            Point {
+                p: dot(&arc.border, &scaled(&offset)),
+                s: before.s,
+                g,
+            },
+            Point {
+                p: 0.0,
+                s: last.s,
+                g: direction / length.abs(),
+            },
         ];
         let [mut earlier, mut here] = ends;
         let (mut q, mut s) = (last.q.clone(), last.s);
         for _ in 0..60 {
             let step = -here.g * (here.p - earlier.p) / (here.g - earlier.g);
             let limit = 4.0 * (here.p - earlier.p).abs().max(1e-9);
-            let step = if step.is_finite() { step.clamp(-limit, limit) } else { limit };
+            let step = if step.is_finite() {
+                step.clamp(-limit, limit)
+            } else {
+                limit
+            };
             let p = here.p + step;
             // Where several parts have their dead centres at once the bordered matrix is singular there, too.
-            let Some(g) = arc.solve(p, &mut q, &mut s) else { break };
+            let Some(g) = arc.solve(p, &mut q, &mut s) else {
+                break;
+            };
             (earlier, here) = (here, Point { p, s, g });
             if (s - last.s).abs() > 1e-3 * (1.0 + last.s.abs()) {
                 break;
@@ -44,7 +67,11 @@ impl Walker<'_, '_> {
                 if g.abs() >= 1e-6 * (direction / length).abs().max(1.0) {
                     break;
                 }
-                return Some(if p.abs() > RUNS_OFF { asymptote(earlier, here) } else { s });
+                return Some(if p.abs() > RUNS_OFF {
+                    asymptote(earlier, here)
+                } else {
+                    s
+                });
             }
         }
         fold(ends)
@@ -70,7 +97,8 @@ fn fold([before, last]: [Point; 2]) -> Option<f64> {
     let centre = last.p - last.g * (last.p - before.p) / (last.g - before.g);
     let ahead = |point: Point| 0.5 * point.g * (centre - point.p);
     let s = last.s + ahead(last);
-    let agree = (before.s + ahead(before) - s).abs() <= FOLDS * ahead(last).abs().max(f64::EPSILON * s.abs() / FOLDS);
+    let agree = (before.s + ahead(before) - s).abs()
+        <= FOLDS * ahead(last).abs().max(f64::EPSILON * s.abs() / FOLDS);
     (agree && before.g.abs() > last.g.abs()).then_some(s)
 }
 
@@ -99,7 +127,9 @@ impl<'a, 'b, 's> Arc<'a, 'b, 's> {
         let mut places = Vec::new();
         let mut entries = Vec::new();
         for (k, entry) in system.entries.iter().enumerate() {
-            if let (Some(column), Ok(row)) = (entry.column, active.binary_search(&(entry.row as usize))) {
+            if let (Some(column), Ok(row)) =
+                (entry.column, active.binary_search(&(entry.row as usize)))
+            {
                 places.push((row, column as usize));
                 entries.push(k);
             }
@@ -108,7 +138,15 @@ impl<'a, 'b, 's> Arc<'a, 'b, 's> {
         places.extend((0..n).map(|column| (n, column)));
         let (pattern, slots) = square(n + 1, &places);
         let lu = SparseLu::new(pattern.clone(), ColumnOrder::amd(&pattern));
-        Arc { walker, border, origin: last.q.clone(), entries, slots, pattern, lu }
+        Arc {
+            walker,
+            border,
+            origin: last.q.clone(),
+            entries,
+            slots,
+            pattern,
+            lu,
+        }
     }
 
     /// Solves for (q, s) at `p` from the guess in them; returns ds/dp.
@@ -129,17 +167,25 @@ impl<'a, 'b, 's> Arc<'a, 'b, 's> {
             let entry_values = self.entries.iter().map(|&k| {
                 let entry = system.entries[k];
                 let column = entry.column.unwrap_or(0) as usize;
-                evaluation.jacobian[k] * system.column_scale(column) / system.row_scale(entry.row as usize)
+                evaluation.jacobian[k] * system.column_scale(column)
+                    / system.row_scale(entry.row as usize)
             });
             let last_column = active.iter().map(|&row| rate[row] / system.row_scale(row));
-            let all = entry_values.chain(last_column).chain(self.border.iter().copied());
+            let all = entry_values
+                .chain(last_column)
+                .chain(self.border.iter().copied());
             for (&slot, value) in self.slots.iter().zip(all) {
                 values[slot as usize] = value;
             }
             self.lu.factor(&values).ok()?;
-            let place: f64 = (0..n).map(|k| self.border[k] * (q[k] - self.origin[k]) / system.column_scale(k)).sum();
-            let mut step: Vec<f64> =
-                active.iter().map(|&row| -evaluation.phi[row] / system.row_scale(row)).chain([p - place]).collect();
+            let place: f64 = (0..n)
+                .map(|k| self.border[k] * (q[k] - self.origin[k]) / system.column_scale(k))
+                .sum();
+            let mut step: Vec<f64> = active
+                .iter()
+                .map(|&row| -evaluation.phi[row] / system.row_scale(row))
+                .chain([p - place])
+                .collect();
             self.lu.solve(&mut step);
             for k in 0..n {
                 q[k] += step[k] * system.column_scale(k);

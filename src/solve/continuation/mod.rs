@@ -38,7 +38,11 @@ pub enum Parameter {
 impl Parameter {
     /// One driver: its value; several or none: time.
     pub fn of(system: &System) -> Self {
-        if system.drivers.len() == 1 { Parameter::DriverValue } else { Parameter::Time }
+        if system.drivers.len() == 1 {
+            Parameter::DriverValue
+        } else {
+            Parameter::Time
+        }
     }
 
     /// Inputs at `s`, derivatives with respect to s.
@@ -105,14 +109,34 @@ pub fn follow(
     range: (f64, f64),
     stop: &dyn Fn(f64) -> bool,
 ) -> Result<Path, Failure> {
-    let mut walker = Walker { inputs, parameter, driven, stop, steps: 0, rejected: 0 };
+    let mut walker = Walker {
+        inputs,
+        parameter,
+        driven,
+        stop,
+        steps: 0,
+        rejected: 0,
+    };
     let mut first = walker.node(start.0, start.1.to_vec())?.0;
     first.s = start.0;
     // A mechanism without moving inputs has a path of one point.
-    let still = walker.driven.system.drivers.iter().all(|d| d.law.is_constant()) && range.0 == range.1;
-    let (mut up, high) =
-        if still { (Vec::new(), End::Reached) } else { walker.march(&first, range.1.max(start.0), 1.0) };
-    let (down, low) = if range.0 < start.0 { walker.march(&first, range.0, -1.0) } else { (Vec::new(), End::Reached) };
+    let still = walker
+        .driven
+        .system
+        .drivers
+        .iter()
+        .all(|d| d.law.is_constant())
+        && range.0 == range.1;
+    let (mut up, high) = if still {
+        (Vec::new(), End::Reached)
+    } else {
+        walker.march(&first, range.1.max(start.0), 1.0)
+    };
+    let (down, low) = if range.0 < start.0 {
+        walker.march(&first, range.0, -1.0)
+    } else {
+        (Vec::new(), End::Reached)
+    };
     // Ascending: the nodes below, the start, the nodes above. A crossing mark belongs to the gap before its node.
     let mut nodes = Vec::with_capacity(up.len() + down.len() + 1);
     let mut crossings = Vec::new();
@@ -144,7 +168,11 @@ pub fn follow(
     for (end, node) in [(low, 0), (high, path.nodes.len() - 1)] {
         if let End::DeadCentre { s: dead } = end {
             let self_stress = walker.self_stress_beside(&path.nodes[node]);
-            path.singular.push(SingularPosition { kind: SingularKind::DeadCentre, s: dead, self_stress });
+            path.singular.push(SingularPosition {
+                kind: SingularKind::DeadCentre,
+                s: dead,
+                self_stress,
+            });
         }
     }
     for gap in crossings {

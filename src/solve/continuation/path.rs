@@ -50,7 +50,9 @@ pub struct Branch {
 impl Branch {
     /// q_k, q_k′, q_k″ at `s`, of the turn that `s` is in.
     pub fn jet(&self, k: usize, s: f64) -> [f64; 3] {
-        let Some(shift) = &self.shift else { return self.osculating.jet(k, s) };
+        let Some(shift) = &self.shift else {
+            return self.osculating.jet(k, s);
+        };
         let turns = ((s - self.s) / TAU).round();
         let [q, d, dd] = self.osculating.jet(k, s - turns * TAU);
         [q + turns * shift[k], d, dd]
@@ -69,10 +71,14 @@ pub enum Source {
 impl Path {
     /// q, and q′, q″ on a bridged stretch, at `s`; none outside what the path covers.
     pub fn guess(&self, s: f64, q: &mut [f64], d: &mut [f64], dd: &mut [f64]) -> Option<Source> {
-        let Some((centre, shift)) = &self.turn else { return self.guess_followed(s, q, d, dd) };
+        let Some((centre, shift)) = &self.turn else {
+            return self.guess_followed(s, q, d, dd);
+        };
         let turns = ((s - centre) / TAU).round();
         let source = self.guess_followed(s - turns * TAU, q, d, dd)?;
-        q.iter_mut().zip(shift).for_each(|(q, shift)| *q += turns * shift);
+        q.iter_mut()
+            .zip(shift)
+            .for_each(|(q, shift)| *q += turns * shift);
         Some(source)
     }
 
@@ -82,13 +88,23 @@ impl Path {
         let n = system.n();
         let (mut from, mut to) = (vec![0.0; n], vec![0.0; n]);
         let (mut d, mut dd) = (vec![0.0; n], vec![0.0; n]);
-        let ends = [(centre - 0.5 * TAU, &mut from), (centre + 0.5 * TAU, &mut to)];
-        if ends.into_iter().any(|(s, q)| self.guess_followed(s, q, &mut d, &mut dd).is_none()) {
+        let ends = [
+            (centre - 0.5 * TAU, &mut from),
+            (centre + 0.5 * TAU, &mut to),
+        ];
+        if ends
+            .into_iter()
+            .any(|(s, q)| self.guess_followed(s, q, &mut d, &mut dd).is_none())
+        {
             return false;
         }
         let mut shift = Vec::with_capacity(n);
         for (column, (to, from)) in to.iter().zip(&from).enumerate() {
-            let whole = if column % 3 == 2 { ((to - from) / TAU).round() * TAU } else { 0.0 };
+            let whole = if column % 3 == 2 {
+                ((to - from) / TAU).round() * TAU
+            } else {
+                0.0
+            };
             if ((to - from - whole) / system.column_scale(column)).abs() > CLOSES {
                 return false;
             }
@@ -106,14 +122,20 @@ impl Path {
                 None => 0..=0,
                 Some((centre, _)) if (position.s - centre).abs() > 0.5 * TAU => continue,
                 Some(_) => {
-                    let (first, last) = (((low - position.s) / TAU).ceil(), ((high - position.s) / TAU).floor());
+                    let (first, last) = (
+                        ((low - position.s) / TAU).ceil(),
+                        ((high - position.s) / TAU).floor(),
+                    );
                     first as i64..=(last as i64).min(first as i64 + MOST_TURNS)
                 }
             };
             for turn in turns {
                 let s = position.s + turn as f64 * TAU;
                 if s >= low && s <= high {
-                    found.push(SingularPosition { s, ..position.clone() });
+                    found.push(SingularPosition {
+                        s,
+                        ..position.clone()
+                    });
                 }
             }
         }
@@ -129,11 +151,20 @@ impl Path {
     /// The self-stress of the change point that a window bridges.
     pub fn self_stress(&self, window: usize) -> &[f64] {
         let s = self.windows[window].s;
-        let nearest = self.singular.iter().min_by(|a, b| (a.s - s).abs().total_cmp(&(b.s - s).abs()));
+        let nearest = self
+            .singular
+            .iter()
+            .min_by(|a, b| (a.s - s).abs().total_cmp(&(b.s - s).abs()));
         nearest.map_or(&[], |position| &position.self_stress)
     }
 
-    pub(super) fn guess_followed(&self, s: f64, q: &mut [f64], d: &mut [f64], dd: &mut [f64]) -> Option<Source> {
+    pub(super) fn guess_followed(
+        &self,
+        s: f64,
+        q: &mut [f64],
+        d: &mut [f64],
+        dd: &mut [f64],
+    ) -> Option<Source> {
         for (index, window) in self.windows.iter().enumerate() {
             let distance = s - window.s;
             if distance.abs() <= window.radius {
@@ -154,7 +185,10 @@ impl Path {
         if s < low || s > high {
             return false;
         }
-        let k = self.nodes.partition_point(|node| node.s <= s).clamp(1, self.nodes.len() - 1);
+        let k = self
+            .nodes
+            .partition_point(|node| node.s <= s)
+            .clamp(1, self.nodes.len() - 1);
         quintic(&self.nodes[k - 1], &self.nodes[k], s, q, None);
         true
     }
@@ -170,7 +204,9 @@ impl Path {
             Some((centre, _)) => s - ((s - centre) / TAU).round() * TAU,
             None => s,
         };
-        self.windows.iter().position(|window| (s - window.s).abs() <= window.radius)
+        self.windows
+            .iter()
+            .position(|window| (s - window.s).abs() <= window.radius)
     }
 
     /// Whether `s` is on the stretch that was followed, or on one that repeats it.
@@ -182,7 +218,11 @@ impl Path {
     /// The smooth branch across the change point of a window.
     pub fn branch(&self, window: usize) -> Branch {
         let Window { s, branch, .. } = &self.windows[window];
-        Branch { s: *s, osculating: branch.clone(), shift: self.turn.as_ref().map(|(_, shift)| shift.clone()) }
+        Branch {
+            s: *s,
+            osculating: branch.clone(),
+            shift: self.turn.as_ref().map(|(_, shift)| shift.clone()),
+        }
     }
 
     /// The windows around change points.

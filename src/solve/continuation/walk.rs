@@ -65,13 +65,20 @@ impl Walker<'_, '_> {
     /// Condition at the last factors; the one of the node before is a good start where the rows are the same.
     pub(super) fn condition(&mut self, before: Option<Condition>) -> Condition {
         let n = self.driven.system.n();
-        let (iterations, mut right, mut left) = match before.filter(|_| !self.driven.is_redundant()) {
+        let (iterations, mut right, mut left) = match before.filter(|_| !self.driven.is_redundant())
+        {
             Some(before) => (1, before.right, before.left),
             None => (FIRST_ITERATIONS, vec![1.0; n], vec![1.0; n]),
         };
-        self.driven.smallest_singular(iterations, &mut right, &mut left);
+        self.driven
+            .smallest_singular(iterations, &mut right, &mut left);
         let test = self.driven.test_function(&right, &left);
-        Condition { sign: self.driven.determinant_sign(), right, left, test }
+        Condition {
+            sign: self.driven.determinant_sign(),
+            right,
+            left,
+            test,
+        }
     }
 
     /// The self-stress (m) of the dead centre that a node lies beside, by a solver of its own, so that it moves nothing; empty
@@ -82,7 +89,9 @@ impl Walker<'_, '_> {
         }
         self.set(node.s);
         let system = self.driven.system;
-        let Ok(mut driven) = Driven::new(system, &node.q, &self.inputs) else { return Vec::new() };
+        let Ok(mut driven) = Driven::new(system, &node.q, &self.inputs) else {
+            return Vec::new();
+        };
         let (mut right, mut left) = (vec![1.0; system.n()], vec![1.0; system.n()]);
         driven.smallest_singular(FIRST_ITERATIONS, &mut right, &mut left);
         let mut self_stress = vec![0.0; system.m()];
@@ -135,7 +144,10 @@ impl Walker<'_, '_> {
                     return (marks, End::Reached);
                 }
                 let end = self.dead_centre(&current, previous.as_ref(), direction);
-                return (marks, end.map_or(End::Stuck { s: current.s }, |s| End::DeadCentre { s }));
+                return (
+                    marks,
+                    end.map_or(End::Stuck { s: current.s }, |s| End::DeadCentre { s }),
+                );
             }
             let s = current.s + direction * h;
             match &previous {
@@ -179,7 +191,10 @@ impl Walker<'_, '_> {
             if covered {
                 beyond += 1;
             }
-            marks.push(Mark { node: node.clone(), crossing });
+            marks.push(Mark {
+                node: node.clone(),
+                crossing,
+            });
             previous = Some(std::mem::replace(&mut current, node));
         }
     }

@@ -131,16 +131,31 @@ impl<'s> Driven<'s> {
     ///
     /// # Errors
     /// When fewer than n rows are independent there.
-    pub fn pinned(system: &'s System, columns: &[usize], q: &[f64], inputs: &Inputs) -> Result<Self, Failure> {
+    pub fn pinned(
+        system: &'s System,
+        columns: &[usize],
+        q: &[f64],
+        inputs: &Inputs,
+    ) -> Result<Self, Failure> {
         let mut evaluation = Evaluation::new(system);
         evaluation.set_position(q);
         evaluation.eval_jacobian(system, inputs);
-        let pins: Vec<Pin> = columns.iter().map(|&column| Pin { column, jet: [q[column], 0.0, 0.0] }).collect();
+        let pins: Vec<Pin> = columns
+            .iter()
+            .map(|&column| Pin {
+                column,
+                jet: [q[column], 0.0, 0.0],
+            })
+            .collect();
         let selection = Driven::select(system, &pins, &evaluation)?;
         let scales = system
             .entries
             .iter()
-            .map(|e| e.column.map_or(0.0, |c| system.column_scale(c as usize) / system.row_scale(e.row as usize)))
+            .map(|e| {
+                e.column.map_or(0.0, |c| {
+                    system.column_scale(c as usize) / system.row_scale(e.row as usize)
+                })
+            })
             .collect();
         let (n, m) = (system.n(), system.m());
         let (pattern, slots, values) = Driven::layout(system, &pins, &selection);
@@ -181,7 +196,12 @@ impl<'s> Driven<'s> {
     }
 
     fn scatter(&mut self) {
-        for ((&slot, &scale), &value) in self.slots.iter().zip(&self.scales).zip(&self.evaluation.jacobian) {
+        for ((&slot, &scale), &value) in self
+            .slots
+            .iter()
+            .zip(&self.scales)
+            .zip(&self.evaluation.jacobian)
+        {
             self.values[slot as usize] = value * scale;
         }
     }
@@ -199,7 +219,11 @@ impl<'s> Driven<'s> {
 
     /// x = S_q J̃_A⁻¹ S_φ⁻¹ rhs, where `rhs` is in `self.rows`; the result goes to `x`.
     fn solve_rows(&mut self, x: &mut [f64]) {
-        for ((w, &row), scale) in x.iter_mut().zip(&self.selection.active).zip(&self.row_scales) {
+        for ((w, &row), scale) in x
+            .iter_mut()
+            .zip(&self.selection.active)
+            .zip(&self.row_scales)
+        {
             *w = self.rows[row] / scale;
         }
         self.lu.solve(x);
@@ -217,7 +241,12 @@ impl<'s> Driven<'s> {
         result
     }
 
-    fn iterate(&mut self, q: &mut [f64], inputs: &Inputs, step: &mut [f64]) -> Result<Correction, Failure> {
+    fn iterate(
+        &mut self,
+        q: &mut [f64],
+        inputs: &Inputs,
+        step: &mut [f64],
+    ) -> Result<Correction, Failure> {
         let (mut first, mut last, mut contraction) = (0.0, f64::INFINITY, 0.0_f64);
         for iteration in 0..MAX_ITERATIONS {
             self.evaluation.set_position(q);
@@ -232,7 +261,12 @@ impl<'s> Driven<'s> {
                 return if residual > INCONSISTENT {
                     Err(Failure::Inconsistent { residual })
                 } else {
-                    Ok(Correction { first_step: first, contraction, residual, last_step: last })
+                    Ok(Correction {
+                        first_step: first,
+                        contraction,
+                        residual,
+                        last_step: last,
+                    })
                 };
             }
             self.factor(inputs)?;
@@ -255,7 +289,9 @@ impl<'s> Driven<'s> {
             last = size;
             q.iter_mut().zip(&*step).for_each(|(q, d)| *q += d);
         }
-        Err(Failure::Diverged { residual: self.active_residual(q) })
+        Err(Failure::Diverged {
+            residual: self.active_residual(q),
+        })
     }
 
     /// Right-hand sides of the pins' rows.
@@ -267,20 +303,28 @@ impl<'s> Driven<'s> {
 
     fn active_residual(&self, q: &[f64]) -> f64 {
         let m = self.system.m();
-        self.selection.active.iter().zip(&self.row_scales).fold(0.0, |largest: f64, (&row, scale)| {
-            let phi = match row.checked_sub(m) {
-                Some(pin) => self.pins[pin].jet[0] - q[self.pins[pin].column],
-                None => self.evaluation.phi[row],
-            };
-            let r = phi.abs() / scale;
-            if r > largest || r.is_nan() { r } else { largest }
-        })
+        self.selection.active.iter().zip(&self.row_scales).fold(
+            0.0,
+            |largest: f64, (&row, scale)| {
+                let phi = match row.checked_sub(m) {
+                    Some(pin) => self.pins[pin].jet[0] - q[self.pins[pin].column],
+                    None => self.evaluation.phi[row],
+                };
+                let r = phi.abs() / scale;
+                if r > largest || r.is_nan() {
+                    r
+                } else {
+                    largest
+                }
+            },
+        )
     }
 
     /// Velocities at the position last taken; [`Driven::factor`] must have been called there.
     pub fn velocity(&mut self, inputs: &Inputs, v: &mut [f64]) {
         let m = self.system.m();
-        self.evaluation.eval_rate(self.system, inputs, &mut self.rows[..m]);
+        self.evaluation
+            .eval_rate(self.system, inputs, &mut self.rows[..m]);
         self.rows.iter_mut().for_each(|r| *r = -*r);
         self.pin_rows(|pin| -pin.jet[1]);
         self.solve_rows(v);
@@ -290,7 +334,8 @@ impl<'s> Driven<'s> {
     /// Accelerations at the position and velocity last taken.
     pub fn acceleration(&mut self, inputs: &Inputs, a: &mut [f64]) {
         let m = self.system.m();
-        self.evaluation.eval_gamma(self.system, inputs, &mut self.rows[..m]);
+        self.evaluation
+            .eval_gamma(self.system, inputs, &mut self.rows[..m]);
         self.pin_rows(|pin| -pin.jet[2]);
         self.solve_rows(a);
     }
@@ -309,7 +354,12 @@ impl<'s> Driven<'s> {
 
     /// The smallest singular value with its right (n) and left (n, by active row) vectors at the last factors, by inverse
     /// iterations from the vectors given.
-    pub fn smallest_singular(&mut self, iterations: usize, right: &mut [f64], left: &mut [f64]) -> f64 {
+    pub fn smallest_singular(
+        &mut self,
+        iterations: usize,
+        right: &mut [f64],
+        left: &mut [f64],
+    ) -> f64 {
         self.lu.smallest_singular(iterations, right, left)
     }
 

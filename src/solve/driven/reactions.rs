@@ -59,7 +59,9 @@ impl Driven<'_> {
         g.copy_from_slice(b);
         self.system.scale_columns(g);
         self.lu.solve_transposed(g);
-        g.iter_mut().zip(&self.row_scales).for_each(|(g, scale)| *g /= scale);
+        g.iter_mut()
+            .zip(&self.row_scales)
+            .for_each(|(g, scale)| *g /= scale);
     }
 
     /// Basis of the self-stresses, {z (m): Jᵀ z = 0}, one vector per redundant row, at the last factors.
@@ -71,7 +73,8 @@ impl Driven<'_> {
             let mut z = vec![0.0; m];
             z[row] = 1.0;
             let mut pull = vec![0.0; n];
-            self.evaluation.transposed_product(self.system, &z, &mut pull);
+            self.evaluation
+                .transposed_product(self.system, &z, &mut pull);
             let mut g = vec![0.0; n];
             self.solve_transposed(&pull, &mut g);
             for (g, &active) in g.iter().zip(&self.selection.active) {

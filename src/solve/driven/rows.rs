@@ -13,11 +13,18 @@ const CONTRACTION: f64 = 0.1;
 const OUTGROWN: f64 = 2.0;
 
 impl Driven<'_> {
-    pub(super) fn select(system: &System, pins: &[Pin], evaluation: &Evaluation) -> Result<Selection, Failure> {
+    pub(super) fn select(
+        system: &System,
+        pins: &[Pin],
+        evaluation: &Evaluation,
+    ) -> Result<Selection, Failure> {
         let n = system.n();
         let m = system.m() + pins.len();
         if m == n {
-            return Ok(Selection { active: (0..n).collect(), redundant: Vec::new() });
+            return Ok(Selection {
+                active: (0..n).collect(),
+                redundant: Vec::new(),
+            });
         }
         // Drivers and pins first: they are what moves the mechanism.
         let mut dense = system.dense_scaled(&evaluation.jacobian);
@@ -31,17 +38,26 @@ impl Driven<'_> {
             return Err(Failure::Singular);
         }
         active.sort_unstable();
-        let redundant = (0..m).filter(|row| active.binary_search(row).is_err()).collect();
+        let redundant = (0..m)
+            .filter(|row| active.binary_search(row).is_err())
+            .collect();
         Ok(Selection { active, redundant })
     }
 
     /// Pattern of the active rows, slot of each system entry (the last cell for what has none), and the values with the
     /// pins' constant entries in place.
-    pub(super) fn layout(system: &System, pins: &[Pin], selection: &Selection) -> (Pattern, Vec<u32>, Vec<f64>) {
+    pub(super) fn layout(
+        system: &System,
+        pins: &[Pin],
+        selection: &Selection,
+    ) -> (Pattern, Vec<u32>, Vec<f64>) {
         let mut entries = Vec::new();
         let mut owners = Vec::new();
         for (k, entry) in system.entries.iter().enumerate() {
-            if let (Some(column), Ok(row)) = (entry.column, selection.active.binary_search(&(entry.row as usize))) {
+            if let (Some(column), Ok(row)) = (
+                entry.column,
+                selection.active.binary_search(&(entry.row as usize)),
+            ) {
                 entries.push((row, column as usize));
                 owners.push(k);
             }
@@ -57,12 +73,15 @@ impl Driven<'_> {
             slots[owner] = slot;
         }
         let mut values = vec![0.0; pattern.entries() + 1];
-        inner[owners.len()..].iter().for_each(|&slot| values[slot as usize] = -1.0);
+        inner[owners.len()..]
+            .iter()
+            .for_each(|&slot| values[slot as usize] = -1.0);
         (pattern, slots, values)
     }
 
     pub(super) fn order(&mut self, pattern: &Pattern) -> Result<(), Failure> {
-        let order = ColumnOrder::paired(pattern, &self.values[..self.nnz]).map_err(|_| Failure::Singular)?;
+        let order = ColumnOrder::paired(pattern, &self.values[..self.nnz])
+            .map_err(|_| Failure::Singular)?;
         self.lu = SparseLu::new(pattern.clone(), order);
         self.done.factorisations += 1;
         Ok(self.lu.factor(&self.values[..self.nnz])?)
@@ -78,7 +97,11 @@ impl Driven<'_> {
         }
         self.evaluation.eval_jacobian(self.system, inputs);
         let selection = Driven::select(self.system, &self.pins, &self.evaluation)?;
-        if selection != self.selection { self.adopt(selection) } else { Ok(()) }
+        if selection != self.selection {
+            self.adopt(selection)
+        } else {
+            Ok(())
+        }
     }
 
     /// With redundancy: chooses the rows for `q`, which may be anywhere on the path; so they depend on the position alone.
@@ -97,7 +120,11 @@ impl Driven<'_> {
     ///
     /// # Errors
     /// See [`Failure`]; `q` is then wherever the iteration was.
-    pub fn correct_by_any_rows(&mut self, q: &mut [f64], inputs: &Inputs) -> Result<Correction, Failure> {
+    pub fn correct_by_any_rows(
+        &mut self,
+        q: &mut [f64],
+        inputs: &Inputs,
+    ) -> Result<Correction, Failure> {
         if !self.is_redundant() {
             return self.correct(q, inputs);
         }
@@ -121,9 +148,14 @@ impl Driven<'_> {
     /// When fewer than n rows are independent there.
     pub fn exchange_rows(&mut self) -> Result<(), Failure> {
         for _ in 0..10 * (self.selection.redundant.len() + 1) {
-            let Some((redundant, active)) = self.outgrown() else { break };
+            let Some((redundant, active)) = self.outgrown() else {
+                break;
+            };
             let mut selection = self.selection.clone();
-            std::mem::swap(&mut selection.redundant[redundant], &mut selection.active[active]);
+            std::mem::swap(
+                &mut selection.redundant[redundant],
+                &mut selection.active[active],
+            );
             selection.active.sort_unstable();
             selection.redundant.sort_unstable();
             self.adopt(selection)?;
@@ -135,7 +167,10 @@ impl Driven<'_> {
     fn outgrown(&mut self) -> Option<(usize, usize)> {
         let (system, m) = (self.system, self.system.m());
         let mut most: (f64, Option<(usize, usize)>) = (OUTGROWN, None);
-        let (mut pull, mut shares) = (std::mem::take(&mut self.spare), std::mem::take(&mut self.work));
+        let (mut pull, mut shares) = (
+            std::mem::take(&mut self.spare),
+            std::mem::take(&mut self.work),
+        );
         for (k, &row) in self.selection.redundant.iter().enumerate() {
             pull.fill(0.0);
             for (entry, value) in system.entries.iter().zip(&self.evaluation.jacobian) {
@@ -189,6 +224,7 @@ impl Driven<'_> {
             None => system.row_scale(row),
         };
         self.row_scales.clear();
-        self.row_scales.extend(self.selection.active.iter().map(scale));
+        self.row_scales
+            .extend(self.selection.active.iter().map(scale));
     }
 }

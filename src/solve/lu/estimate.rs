@@ -10,7 +10,9 @@ impl SparseLu {
     /// # Panics
     /// As [`SparseLu::solve`].
     pub fn solve_refined(&mut self, values: &[f64], b: &mut [f64]) {
-        self.refine(b, Self::solve, |lu, x, residual| lu.pattern.subtract_product(values, x, residual));
+        self.refine(b, Self::solve, |lu, x, residual| {
+            lu.pattern.subtract_product(values, x, residual)
+        });
     }
 
     /// As [`SparseLu::solve_refined`] for Aᵀ x = b.
@@ -49,7 +51,10 @@ impl SparseLu {
     /// # Panics
     /// Without factors.
     pub fn determinant(&self) -> (f64, f64) {
-        assert!(self.factored, "determinant wants a successful factorisation before it");
+        assert!(
+            self.factored,
+            "determinant wants a successful factorisation before it"
+        );
         let mut sign = self.permutation_sign;
         let mut ln_abs = 0.0;
         for &inverse in &self.inverse_pivot {
@@ -79,8 +84,14 @@ impl SparseLu {
             .inverse_pivot
             .iter()
             .map(|inverse| inverse.abs())
-            .fold((f64::INFINITY, 0.0), |(low, high), size| (size.min(low), size.max(high)));
-        if largest == 0.0 { 1.0 } else { smallest / largest }
+            .fold((f64::INFINITY, 0.0), |(low, high), size| {
+                (size.min(low), size.max(high))
+            });
+        if largest == 0.0 {
+            1.0
+        } else {
+            smallest / largest
+        }
     }
 
     /// Estimates the smallest singular value σ of A by inverse iterations, with unit vectors A · right ≈ σ · left.
@@ -95,7 +106,12 @@ impl SparseLu {
     ///
     /// # Panics
     /// Without factors, or when a vector is not as long as the matrix.
-    pub fn smallest_singular(&mut self, iterations: usize, right: &mut [f64], left: &mut [f64]) -> f64 {
+    pub fn smallest_singular(
+        &mut self,
+        iterations: usize,
+        right: &mut [f64],
+        left: &mut [f64],
+    ) -> f64 {
         self.assert_ready(right);
         self.assert_ready(left);
         // Start from a vector without pattern, so that it is not orthogonal to a smooth or alternating one.

@@ -10,16 +10,27 @@ impl SparseLu {
     /// [`Singular`] with the first column, in elimination order, that depends on those before it, or with the first
     /// entry that is not finite. No factors are left then.
     pub fn factor(&mut self, values: &[f64]) -> Result<(), Singular> {
-        assert_eq!(values.len(), self.pattern.entries(), "one value per entry of the pattern");
+        assert_eq!(
+            values.len(),
+            self.pattern.entries(),
+            "one value per entry of the pattern"
+        );
         self.factored = false;
         self.factorisations += 1;
         self.scan(values)?;
         self.start();
         for step in 0..self.inverse_pivot.len() {
             let column = self.order.columns()[step] as usize;
-            self.search.find(step as u32, self.pattern.column(column), &self.position, &self.lower);
+            self.search.find(
+                step as u32,
+                self.pattern.column(column),
+                &self.position,
+                &self.lower,
+            );
             self.eliminate(step, values);
-            let pivot_row = self.choose_pivot(step).inspect_err(|_| self.column.fill(0.0))?;
+            let pivot_row = self
+                .choose_pivot(step)
+                .inspect_err(|_| self.column.fill(0.0))?;
             self.store(step, pivot_row);
         }
         self.freeze();
@@ -33,9 +44,18 @@ impl SparseLu {
         let scale = &mut self.original_row_scale;
         scale.fill(0.0);
         for column in 0..self.pattern.columns() {
-            for (&row, value) in self.pattern.column(column).iter().zip(&values[self.pattern.span(column)]) {
+            for (&row, value) in self
+                .pattern
+                .column(column)
+                .iter()
+                .zip(&values[self.pattern.span(column)])
+            {
                 if !value.is_finite() {
-                    return Err(Singular { column, row: Some(row as usize), ratio: f64::NAN });
+                    return Err(Singular {
+                        column,
+                        row: Some(row as usize),
+                        ratio: f64::NAN,
+                    });
                 }
                 let row = row as usize;
                 scale[row] = scale[row].max(value.abs());
@@ -57,7 +77,12 @@ impl SparseLu {
         let x = &mut self.column;
         let column = self.order.columns()[step] as usize;
         let mut scale = 0.0f64;
-        for (&row, &value) in self.pattern.column(column).iter().zip(&values[self.pattern.span(column)]) {
+        for (&row, &value) in self
+            .pattern
+            .column(column)
+            .iter()
+            .zip(&values[self.pattern.span(column)])
+        {
             x[row as usize] = value;
             scale = scale.max(value.abs());
         }
@@ -95,16 +120,28 @@ impl SparseLu {
             }
         }
         if best == NONE {
-            return Err(Singular { column: column as usize, row: None, ratio: 0.0 });
+            return Err(Singular {
+                column: column as usize,
+                row: None,
+                ratio: 0.0,
+            });
         }
         if partner > 0.0 && partner >= PIVOT_THRESHOLD * largest {
             (best, largest) = (preferred, partner);
         }
         let scale = self.column_scale[step].min(self.original_row_scale[best as usize]);
         let ratio = if largest == 0.0 { 0.0 } else { largest / scale };
-        if ratio.is_nan() || ratio <= SINGULAR_RATIO || !largest.is_finite() || !(1.0 / largest).is_finite() {
+        if ratio.is_nan()
+            || ratio <= SINGULAR_RATIO
+            || !largest.is_finite()
+            || !(1.0 / largest).is_finite()
+        {
             let ratio = if largest.is_finite() { ratio } else { f64::NAN };
-            return Err(Singular { column: column as usize, row: Some(best as usize), ratio });
+            return Err(Singular {
+                column: column as usize,
+                row: Some(best as usize),
+                ratio,
+            });
         }
         Ok(best)
     }
@@ -137,22 +174,37 @@ impl SparseLu {
         self.gather_start.push(0);
         for &column in self.order.columns() {
             let column = column as usize;
-            for (&row, slot) in self.pattern.column(column).iter().zip(self.pattern.span(column)) {
-                self.gather.push(Gather { row: self.position[row as usize], slot: slot as u32 });
+            for (&row, slot) in self
+                .pattern
+                .column(column)
+                .iter()
+                .zip(self.pattern.span(column))
+            {
+                self.gather.push(Gather {
+                    row: self.position[row as usize],
+                    slot: slot as u32,
+                });
             }
             self.gather_start.push(self.gather.len() as u32);
         }
-        self.permutation_sign =
-            parity(&self.position, self.search.marks()) * parity(self.order.columns(), self.search.marks());
+        self.permutation_sign = parity(&self.position, self.search.marks())
+            * parity(self.order.columns(), self.search.marks());
     }
 
     /// Products can overflow although entries and pivots do not.
     fn check_finite(&self) -> Result<(), Singular> {
         for (step, span) in self.upper.start.windows(2).enumerate() {
             let column = &self.upper.entries[span[0] as usize..span[1] as usize];
-            let largest = column.iter().chain(self.lower.column(step as u32)).fold(0, |m, e| m.max(magnitude(e.value)));
+            let largest = column
+                .iter()
+                .chain(self.lower.column(step as u32))
+                .fold(0, |m, e| m.max(magnitude(e.value)));
             if !f64::from_bits(largest).is_finite() {
-                return Err(Singular { column: self.order.columns()[step] as usize, row: None, ratio: f64::NAN });
+                return Err(Singular {
+                    column: self.order.columns()[step] as usize,
+                    row: None,
+                    ratio: f64::NAN,
+                });
             }
         }
         Ok(())

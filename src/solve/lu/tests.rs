@@ -6,7 +6,8 @@ use super::*;
 
 /// Pattern and values of a matrix.
 fn sparse(matrix: &Matrix) -> (Pattern, Vec<f64>) {
-    let (pattern, slots) = Pattern::from_entries(matrix.rows, matrix.columns, &matrix.positions()).unwrap();
+    let (pattern, slots) =
+        Pattern::from_entries(matrix.rows, matrix.columns, &matrix.positions()).unwrap();
     let mut values = vec![0.0; pattern.entries()];
     for (&slot, &(_, _, value)) in slots.iter().zip(&matrix.entries) {
         values[slot as usize] += value;
@@ -23,7 +24,11 @@ fn paired(matrix: &Matrix) -> (SparseLu, Vec<f64>) {
 fn dense(pattern: &Pattern, values: &[f64]) -> DMatrix<f64> {
     let mut a = DMatrix::zeros(pattern.rows(), pattern.columns());
     for column in 0..pattern.columns() {
-        for (&row, &value) in pattern.column(column).iter().zip(&values[pattern.span(column)]) {
+        for (&row, &value) in pattern
+            .column(column)
+            .iter()
+            .zip(&values[pattern.span(column)])
+        {
             a[(row as usize, column)] = value;
         }
     }
@@ -32,8 +37,14 @@ fn dense(pattern: &Pattern, values: &[f64]) -> DMatrix<f64> {
 
 /// |b − A x| / (|A| |x| + |b|) in the maximum norm.
 fn backward_error(a: &DMatrix<f64>, x: &[f64], b: &[f64]) -> f64 {
-    let (x, b) = (nalgebra::DVector::from_column_slice(x), nalgebra::DVector::from_column_slice(b));
-    let norm = a.row_iter().map(|row| row.iter().map(|v| v.abs()).sum::<f64>()).fold(0.0, f64::max);
+    let (x, b) = (
+        nalgebra::DVector::from_column_slice(x),
+        nalgebra::DVector::from_column_slice(b),
+    );
+    let norm = a
+        .row_iter()
+        .map(|row| row.iter().map(|v| v.abs()).sum::<f64>())
+        .fold(0.0, f64::max);
     (&b - a * &x).amax() / (norm * x.amax() + b.amax())
 }
 
@@ -51,8 +62,14 @@ fn check_solves(lu: &mut SparseLu, values: &[f64], tolerance: f64) {
             lu.solve(&mut x);
             lu.solve_transposed(&mut y);
         }
-        let errors = (backward_error(&a, &x, &b), backward_error(&a.transpose(), &y, &b));
-        assert!(errors.0 < tolerance && errors.1 < tolerance, "backward errors {errors:?}, refined {refined}");
+        let errors = (
+            backward_error(&a, &x, &b),
+            backward_error(&a.transpose(), &y, &b),
+        );
+        assert!(
+            errors.0 < tolerance && errors.1 < tolerance,
+            "backward errors {errors:?}, refined {refined}"
+        );
     }
 }
 
@@ -67,7 +84,10 @@ fn check_determinant(lu: &SparseLu, values: &[f64]) {
         ln_abs += u[(i, i)].abs().ln();
     }
     let ours = lu.determinant();
-    assert!(ours.0 == sign && (ours.1 - ln_abs).abs() < 1e-7, "{ours:?} against ({sign}, {ln_abs})");
+    assert!(
+        ours.0 == sign && (ours.1 - ln_abs).abs() < 1e-7,
+        "{ours:?} against ({sign}, {ln_abs})"
+    );
 }
 
 /// A random matrix with a full transversal, so that it is structurally nonsingular.
@@ -77,12 +97,23 @@ fn random_matrix(n: usize, seed: u64) -> Matrix {
     for i in (1..n).rev() {
         rows.swap(i, random.below(i + 1));
     }
-    let mut positions: Vec<(usize, usize)> = rows.into_iter().enumerate().map(|(column, row)| (row, column)).collect();
+    let mut positions: Vec<(usize, usize)> = rows
+        .into_iter()
+        .enumerate()
+        .map(|(column, row)| (row, column))
+        .collect();
     positions.extend((0..2 * n).map(|_| (random.below(n), random.below(n))));
     positions.sort_unstable();
     positions.dedup();
-    let entries = positions.into_iter().map(|(row, column)| (row, column, random.signed())).collect();
-    Matrix { rows: n, columns: n, entries }
+    let entries = positions
+        .into_iter()
+        .map(|(row, column)| (row, column, random.signed()))
+        .collect();
+    Matrix {
+        rows: n,
+        columns: n,
+        entries,
+    }
 }
 
 proptest! {
@@ -137,7 +168,10 @@ proptest! {
 #[test]
 fn chain_and_six_bar_turn_with_few_new_pivots() {
     let (bodies, pins) = linkage::four_bar_chain(10, 1.1);
-    let (mut lu, values) = paired(&linkage::kkt(&linkage::jacobian(bodies, &pins, &[]), &mut Random(1)));
+    let (mut lu, values) = paired(&linkage::kkt(
+        &linkage::jacobian(bodies, &pins, &[]),
+        &mut Random(1),
+    ));
     lu.refactor(&values).unwrap();
     check_solves(&mut lu, &values, 1e-13);
 
@@ -184,7 +218,14 @@ fn singular_matrices_are_refused() {
         check_solves(&mut lu, &sound, 1e-15);
     }
     let mut lu = SparseLu::new(pattern(), ColumnOrder::natural(3));
-    assert_eq!(lu.factor(&zero_column), Err(Singular { column: 1, row: Some(1), ratio: 0.0 }));
+    assert_eq!(
+        lu.factor(&zero_column),
+        Err(Singular {
+            column: 1,
+            row: Some(1),
+            ratio: 0.0
+        })
+    );
     assert_eq!(lu.factor(&zero_row).unwrap_err().row, Some(1));
 }
 
@@ -200,7 +241,11 @@ fn scaling_rows_or_columns_is_not_singular() {
         let pattern = Pattern::new(3, vec![0, 3, 6, 9], vec![0, 1, 2, 0, 1, 2, 0, 1, 2]).unwrap();
         let mut lu = SparseLu::new(pattern, ColumnOrder::natural(3));
         lu.factor(&values).unwrap();
-        assert!(lu.smallest_pivot_ratio() > 1e-3, "{}", lu.smallest_pivot_ratio());
+        assert!(
+            lu.smallest_pivot_ratio() > 1e-3,
+            "{}",
+            lu.smallest_pivot_ratio()
+        );
         lu.refactor(&values).unwrap();
         assert_eq!(lu.fallbacks(), 0);
     }
@@ -216,7 +261,10 @@ fn values_that_are_not_finite_are_refused_wherever_they_stand() {
             lu.refactor(&sound).unwrap();
             let fault = lu.refactor(&values).unwrap_err();
             assert!(fault.ratio.is_nan());
-            assert_eq!(lu.pattern().slot(fault.row.unwrap(), fault.column), Some(slot));
+            assert_eq!(
+                lu.pattern().slot(fault.row.unwrap(), fault.column),
+                Some(slot)
+            );
         }
     }
     // Finite entries whose elimination overflows.
@@ -230,14 +278,20 @@ fn values_that_are_not_finite_are_refused_wherever_they_stand() {
 fn aligned_and_redundant_linkages_are_singular() {
     // All links on one line.
     let (bodies, pins) = linkage::four_bar_chain(10, 0.0);
-    let (mut lu, values) = paired(&linkage::kkt(&linkage::jacobian(bodies, &pins, &[]), &mut Random(3)));
+    let (mut lu, values) = paired(&linkage::kkt(
+        &linkage::jacobian(bodies, &pins, &[]),
+        &mut Random(3),
+    ));
     let fault = lu.refactor(&values).unwrap_err();
     assert!(fault.ratio < 1e-15, "{fault}");
 
     // The same pin twice, on links with freedom enough that the pattern does not tell.
     let (bodies, mut pins) = linkage::random_linkage(20, 0, &mut Random(4));
     pins.push(pins[12]);
-    let (mut lu, values) = paired(&linkage::kkt(&linkage::jacobian(bodies, &pins, &[]), &mut Random(3)));
+    let (mut lu, values) = paired(&linkage::kkt(
+        &linkage::jacobian(bodies, &pins, &[]),
+        &mut Random(3),
+    ));
     let fault = lu.refactor(&values).unwrap_err();
     assert!(fault.ratio < 1e-14, "{fault}");
 
@@ -247,11 +301,16 @@ fn aligned_and_redundant_linkages_are_singular() {
     let jac = linkage::jacobian(bodies, &pins, &[]);
     let (pattern, values) = sparse(&linkage::kkt(&jac, &mut Random(3)));
     let lonely = ColumnOrder::paired(&pattern, &values).unwrap_err();
-    assert!(lonely.rows.len() == 1 && lonely.rows[0] >= jac.columns, "{lonely}");
+    assert!(
+        lonely.rows.len() == 1 && lonely.rows[0] >= jac.columns,
+        "{lonely}"
+    );
 
     // With a regularised corner it is fine.
     let mut matrix = linkage::kkt(&jac, &mut Random(3));
-    matrix.entries.extend((jac.columns..matrix.rows).map(|i| (i, i, -1e-8)));
+    matrix
+        .entries
+        .extend((jac.columns..matrix.rows).map(|i| (i, i, -1e-8)));
     let (mut lu, values) = paired(&matrix);
     lu.refactor(&values).unwrap();
     check_solves(&mut lu, &values, 1e-12);
@@ -266,8 +325,14 @@ fn smallest_singular_value_and_vectors() {
         let expected = a.singular_values().min();
         let (mut right, mut left) = (vec![0.0; 15], vec![0.0; 15]);
         let sigma = lu.smallest_singular(8, &mut right, &mut left);
-        assert!(sigma >= expected * (1.0 - 1e-9) && sigma < 1.05 * expected, "{sigma} against {expected}");
-        let (right, left) = (nalgebra::DVector::from_vec(right), nalgebra::DVector::from_vec(left));
+        assert!(
+            sigma >= expected * (1.0 - 1e-9) && sigma < 1.05 * expected,
+            "{sigma} against {expected}"
+        );
+        let (right, left) = (
+            nalgebra::DVector::from_vec(right),
+            nalgebra::DVector::from_vec(left),
+        );
         assert!((a.transpose() * &left - &right * sigma).norm() < 1e-12);
         assert!((a * right - left * sigma).norm() < 0.3 * sigma);
     }
@@ -293,12 +358,18 @@ fn determinant_turns_with_permutations_and_signs() {
 
 #[test]
 fn empty_and_single() {
-    let mut lu = SparseLu::new(Pattern::new(0, vec![0], vec![]).unwrap(), ColumnOrder::natural(0));
+    let mut lu = SparseLu::new(
+        Pattern::new(0, vec![0], vec![]).unwrap(),
+        ColumnOrder::natural(0),
+    );
     lu.refactor(&[]).unwrap();
     lu.refactor(&[]).unwrap();
     lu.solve(&mut []);
     assert_eq!(lu.determinant(), (1.0, 0.0));
-    let mut lu = SparseLu::new(Pattern::new(1, vec![0, 1], vec![0]).unwrap(), ColumnOrder::natural(1));
+    let mut lu = SparseLu::new(
+        Pattern::new(1, vec![0, 1], vec![0]).unwrap(),
+        ColumnOrder::natural(1),
+    );
     lu.refactor(&[-4.0]).unwrap();
     let mut b = [2.0];
     lu.solve_transposed(&mut b);

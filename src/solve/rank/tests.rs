@@ -6,12 +6,20 @@ use super::*;
 
 #[test]
 fn what_is_free_is_orthogonal_to_all_rows() {
-    let entries = [(0, 0, 1.0), (1, 1, 2.0), (2, 2, 1.0), (2, 3, 1.0), (3, 2, 2.0), (3, 3, 2.0)];
+    let entries = [
+        (0, 0, 1.0),
+        (1, 1, 2.0),
+        (2, 2, 1.0),
+        (2, 3, 1.0),
+        (3, 2, 2.0),
+        (3, 3, 2.0),
+    ];
     let rows = SparseRows::from_triplets(4, 4, &entries).expect("finite");
     let z = free_direction(&rows, DEPENDENCE_TOLERANCE).expect("one is free");
     assert_eq!(z[..2], [0.0, 0.0]);
     assert!((z[2] + z[3]).abs() < 1e-15 && z[2].abs() == 1.0, "{z:?}");
-    let rows = SparseRows::from_triplets(2, 2, &[(0, 0, 1.0), (1, 0, 1.0), (1, 1, 1.0)]).expect("finite");
+    let rows =
+        SparseRows::from_triplets(2, 2, &[(0, 0, 1.0), (1, 0, 1.0), (1, 1, 1.0)]).expect("finite");
     assert_eq!(free_direction(&rows, DEPENDENCE_TOLERANCE), None);
 }
 
@@ -31,7 +39,12 @@ fn check_combinations(dense: &[f64], columns: usize, report: &RankReport) {
             }
         }
         let left = row.iter().fold(0.0f64, |m, v| m.max(v.abs()));
-        assert!(left < 1e-6, "row {} is off by {left} from {:?}", dependent.row, dependent.combination);
+        assert!(
+            left < 1e-6,
+            "row {} is off by {left} from {:?}",
+            dependent.row,
+            dependent.combination
+        );
     }
 }
 
@@ -83,11 +96,18 @@ fn second_of_two_pins_is_named_with_the_first() {
     pins.push(again);
     let report = report(&linkage::jacobian(bodies, &pins, &[]));
     let twice = 2 * (pins.len() - 1);
-    let named: Vec<_> = report.dependent.iter().map(|d| (d.row, d.combination.clone())).collect();
+    let named: Vec<_> = report
+        .dependent
+        .iter()
+        .map(|d| (d.row, d.combination.clone()))
+        .collect();
     assert_eq!(named.len(), 2);
     for (number, (row, combination)) in named.iter().enumerate() {
         assert_eq!(*row, twice + number);
-        assert!(combination.len() == 1 && combination[0].0 == 6 + number, "{combination:?}");
+        assert!(
+            combination.len() == 1 && combination[0].0 == 6 + number,
+            "{combination:?}"
+        );
         assert!((combination[0].1 - 1.0).abs() < 1e-12);
     }
 }
@@ -104,25 +124,55 @@ fn aligned_links_and_a_second_driver_are_found() {
     let (bodies, pins) = linkage::four_bar_chain(1, 0.9);
     let driven = linkage::jacobian(bodies, &pins, &[0, 2]);
     let report = report(&driven);
-    assert_eq!(report.dependent.iter().map(|d| d.row).collect::<Vec<_>>(), [driven.rows - 1]);
-    assert!(report.dependent[0].combination.iter().any(|&(row, _)| row == driven.rows - 2));
+    assert_eq!(
+        report.dependent.iter().map(|d| d.row).collect::<Vec<_>>(),
+        [driven.rows - 1]
+    );
+    assert!(
+        report.dependent[0]
+            .combination
+            .iter()
+            .any(|&(row, _)| row == driven.rows - 2)
+    );
 }
 
 #[test]
 fn zero_rows_and_bad_entries() {
-    let report = independent_rows(&SparseRows::from_dense(2, 2, &[0.0, 0.0, 0.0, 3.0]).unwrap(), 1e-9);
-    assert_eq!(report.dependent, [Dependent { row: 0, ratio: 0.0, combination: vec![] }]);
+    let report = independent_rows(
+        &SparseRows::from_dense(2, 2, &[0.0, 0.0, 0.0, 3.0]).unwrap(),
+        1e-9,
+    );
+    assert_eq!(
+        report.dependent,
+        [Dependent {
+            row: 0,
+            ratio: 0.0,
+            combination: vec![]
+        }]
+    );
     assert_eq!((report.rank, report.smallest_kept), (1, 1.0));
-    assert_eq!(independent_rows(&SparseRows::from_dense(0, 2, &[]).unwrap(), 1e-9).rank, 0);
-    assert_eq!(SparseRows::from_dense(1, 2, &[0.0, f64::NAN]).unwrap_err(), BadEntry { row: 0, column: 1 });
+    assert_eq!(
+        independent_rows(&SparseRows::from_dense(0, 2, &[]).unwrap(), 1e-9).rank,
+        0
+    );
+    assert_eq!(
+        SparseRows::from_dense(1, 2, &[0.0, f64::NAN]).unwrap_err(),
+        BadEntry { row: 0, column: 1 }
+    );
     assert!(SparseRows::from_triplets(1, 1, &[(0, 1, 1.0)]).is_err());
     let pattern = Pattern::new(2, vec![0, 2], vec![0, 1]).unwrap();
-    assert_eq!(SparseRows::from_pattern(&pattern, &[1.0, f64::NAN]).unwrap_err(), BadEntry { row: 1, column: 0 });
+    assert_eq!(
+        SparseRows::from_pattern(&pattern, &[1.0, f64::NAN]).unwrap_err(),
+        BadEntry { row: 1, column: 0 }
+    );
 }
 
 #[test]
 fn long_chain_and_grid_stay_sparse() {
-    for (name, (bodies, pins)) in [("chain", linkage::four_bar_chain(1000, 0.8)), ("grid", linkage::grid(16))] {
+    for (name, (bodies, pins)) in [
+        ("chain", linkage::four_bar_chain(1000, 0.8)),
+        ("grid", linkage::grid(16)),
+    ] {
         let matrix = linkage::jacobian(bodies, &pins, &[]);
         let rows = SparseRows::from_triplets(matrix.rows, matrix.columns, &matrix.entries).unwrap();
         let mut elimination = Elimination::new(&rows);
@@ -133,26 +183,46 @@ fn long_chain_and_grid_stay_sparse() {
             elimination.keep();
         }
         let fill = elimination.lower.entries.len() + elimination.upper.entries.len();
-        println!("{name}: {} rows, {fill} entries, smallest {smallest:e}, {:?}", matrix.rows, begin.elapsed());
-        assert!(smallest > 1e-6 && fill < 40 * matrix.entries.len(), "{smallest} {fill}");
+        println!(
+            "{name}: {} rows, {fill} entries, smallest {smallest:e}, {:?}",
+            matrix.rows,
+            begin.elapsed()
+        );
+        assert!(
+            smallest > 1e-6 && fill < 40 * matrix.entries.len(),
+            "{smallest} {fill}"
+        );
     }
 }
 
 #[test]
 fn what_is_left_of_a_weak_row_makes_no_dependent_row_independent() {
     // Row 1 is row 0 and a ten-thousandth of row 2 less row 3, but for rounding in the last column.
-    let dense = [1.0, 0.0, 0.0, 0.0, 1.0, 1e-4, 0.0, 1e-12, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
-    let report = independent_rows(&SparseRows::from_dense(4, 4, &dense).unwrap(), DEPENDENCE_TOLERANCE);
+    let dense = [
+        1.0, 0.0, 0.0, 0.0, 1.0, 1e-4, 0.0, 1e-12, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0,
+    ];
+    let report = independent_rows(
+        &SparseRows::from_dense(4, 4, &dense).unwrap(),
+        DEPENDENCE_TOLERANCE,
+    );
     assert_eq!((report.rank, report.free_columns), (3, vec![3]));
     assert_eq!(report.dependent[0].row, 1);
     let shares = &report.dependent[0].combination;
     assert!(
-        shares.len() == 3 && shares.iter().map(|s| s.0).eq([0, 2, 3]) && (shares[1].1 - 1e-4).abs() < 1e-15,
+        shares.len() == 3
+            && shares.iter().map(|s| s.0).eq([0, 2, 3])
+            && (shares[1].1 - 1e-4).abs() < 1e-15,
         "{shares:?}"
     );
 
     // Where nothing but the order is in question, the earliest rows stay.
     let dense = [1.0, 0.0, 0.0, 1.0, 1e-4, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
-    let report = independent_rows(&SparseRows::from_dense(4, 3, &dense).unwrap(), DEPENDENCE_TOLERANCE);
-    assert_eq!((report.independent, report.dependent[0].row), (vec![0, 1, 3], 2));
+    let report = independent_rows(
+        &SparseRows::from_dense(4, 3, &dense).unwrap(),
+        DEPENDENCE_TOLERANCE,
+    );
+    assert_eq!(
+        (report.independent, report.dependent[0].row),
+        (vec![0, 1, 3], 2)
+    );
 }

@@ -9,7 +9,12 @@ impl Laws for Coulomb {
     }
 
     fn size(&self, force: usize, lambda: &[f64], slope: &mut [f64]) -> f64 {
-        slope[0] = self.0[force] * if lambda[0] == 0.0 { 0.0 } else { lambda[0].signum() };
+        slope[0] = self.0[force]
+            * if lambda[0] == 0.0 {
+                0.0
+            } else {
+                lambda[0].signum()
+            };
         self.0[force] * lambda[0].abs()
     }
 }
@@ -36,15 +41,30 @@ fn find(laws: &[f64], responses: &[f64], free: &[f64]) -> (Result<(), Failure>, 
 /// λ = a + b T, T = μ|λ|: T = μ a/(1 − μ b) while μ b < 1, for a > 0.
 #[test]
 fn one_force_by_hand_up_to_where_it_locks() {
-    for (mu, b) in [(0.1, 2.0), (0.4, 2.0), (0.499, 2.0), (0.3, -1.0), (5.0, -1.0), (0.3, 0.0), (-0.3, 2.0)] {
+    for (mu, b) in [
+        (0.1, 2.0),
+        (0.4, 2.0),
+        (0.499, 2.0),
+        (0.3, -1.0),
+        (5.0, -1.0),
+        (0.3, 0.0),
+        (-0.3, 2.0),
+    ] {
         let (found, sizes, margin) = find(&[mu], &[b], &[7.0]);
         assert_eq!(found, Ok(()), "{mu} {b}");
         let wanted = mu * 7.0 / (1.0 - mu * b);
-        assert!((sizes[0] - wanted).abs() < 1e-12 * wanted.abs(), "{mu} {b}: {sizes:?} {wanted}");
+        assert!(
+            (sizes[0] - wanted).abs() < 1e-12 * wanted.abs(),
+            "{mu} {b}: {sizes:?} {wanted}"
+        );
         assert!((margin - (1.0 - mu * b)).abs() < 1e-12, "{margin}");
     }
     for (mu, b) in [(0.5, 2.0), (0.501, 2.0), (3.0, 2.0), (-3.0, -2.0)] {
-        assert_eq!(find(&[mu], &[b], &[7.0]).0, Err(Failure::Locked { force: 0 }), "{mu} {b}");
+        assert_eq!(
+            find(&[mu], &[b], &[7.0]).0,
+            Err(Failure::Locked { force: 0 }),
+            "{mu} {b}"
+        );
     }
     assert_eq!(find(&[0.3], &[2.0], &[0.0]).1, [0.0]);
 }
@@ -66,11 +86,15 @@ fn several_forces_as_the_plain_fixed_point_finds_them() {
     assert_eq!(found, Ok(()));
     let mut t = [0.0_f64; 3];
     for _ in 0..200 {
-        let lambda: Vec<f64> =
-            (0..3).map(|i| free[i] + (0..3).map(|j| responses[3 * j + i] * t[j]).sum::<f64>()).collect();
+        let lambda: Vec<f64> = (0..3)
+            .map(|i| free[i] + (0..3).map(|j| responses[3 * j + i] * t[j]).sum::<f64>())
+            .collect();
         (0..3).for_each(|i| t[i] = laws[i] * lambda[i].abs());
     }
-    assert!(sizes.iter().zip(t).all(|(a, b)| (a - b).abs() < 1e-13), "{sizes:?} {t:?}");
+    assert!(
+        sizes.iter().zip(t).all(|(a, b)| (a - b).abs() < 1e-13),
+        "{sizes:?} {t:?}"
+    );
     assert!(margin > 0.5 && margin < 2.0);
 }
 

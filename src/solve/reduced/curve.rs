@@ -21,7 +21,9 @@ impl Reduced<'_> {
         self.motions.copy_from_slice(&self.tangent);
         self.driven.evaluation.set_position(&self.q);
         self.driven.evaluation.set_velocity(&self.v);
-        self.driven.evaluation.eval_force(system, &self.inputs, &mut self.force);
+        self.driven
+            .evaluation
+            .eval_force(system, &self.inputs, &mut self.force);
         self.eval_balance();
         self.finish(time)
     }
@@ -30,11 +32,16 @@ impl Reduced<'_> {
     pub(super) fn on_curve(&mut self, u: f64) -> Option<Source> {
         for attempt in 0..2 {
             if let Some(curve) = &self.curve {
-                if let Some(source) = curve.guess(u, &mut self.q, &mut self.tangent, &mut self.bend) {
+                if let Some(source) = curve.guess(u, &mut self.q, &mut self.tangent, &mut self.bend)
+                {
                     return Some(source);
                 }
                 // Beyond a dead centre of the pin there is no curve to follow.
-                let reached = if u < curve.covered().0 { curve.low } else { curve.high };
+                let reached = if u < curve.covered().0 {
+                    curve.low
+                } else {
+                    curve.high
+                };
                 if reached != End::Reached {
                     return None;
                 }

@@ -13,16 +13,27 @@ impl Reduced<'_> {
             self.rhs[i] = crate::math::dot(si, &self.balance);
             // Motions of few bodies have few components.
             self.momenta.clear();
-            let moved = si.iter().zip(mass).enumerate().filter(|(_, (s, _))| **s != 0.0);
-            self.momenta.extend(moved.map(|(column, (s, m))| (column, s * m)));
+            let moved = si
+                .iter()
+                .zip(mass)
+                .enumerate()
+                .filter(|(_, (s, _))| **s != 0.0);
+            self.momenta
+                .extend(moved.map(|(column, (s, m))| (column, s * m)));
             for j in 0..=i {
                 let sj = &self.motions[j * n..(j + 1) * n];
-                self.mass[i * f + j] = self.momenta.iter().map(|&(column, momentum)| momentum * sj[column]).sum();
+                self.mass[i * f + j] = self
+                    .momenta
+                    .iter()
+                    .map(|&(column, momentum)| momentum * sj[column])
+                    .sum();
             }
         }
         for i in 0..f {
             for j in 0..=i {
-                let sum: f64 = (0..j).map(|k| self.mass[i * f + k] * self.mass[j * f + k]).sum();
+                let sum: f64 = (0..j)
+                    .map(|k| self.mass[i * f + k] * self.mass[j * f + k])
+                    .sum();
                 let rest = self.mass[i * f + j] - sum;
                 if i == j {
                     if rest.is_nan() || rest <= MASSLESS * self.mass[i * f + i].abs() {
@@ -51,7 +62,10 @@ impl Reduced<'_> {
     pub fn spread(&self, rates: &[f64], change: &mut [f64]) {
         change.fill(0.0);
         for (motion, rate) in self.motions.chunks_exact(change.len().max(1)).zip(rates) {
-            change.iter_mut().zip(motion).for_each(|(v, s)| *v += rate * s);
+            change
+                .iter_mut()
+                .zip(motion)
+                .for_each(|(v, s)| *v += rate * s);
         }
     }
 }

@@ -81,12 +81,23 @@ impl<'s> Reduced<'s> {
     ///
     /// # Errors
     /// When they do not.
-    pub fn new(system: &'s System, columns: &[usize], q: &[f64], v: &[f64], time: f64) -> Result<Self, Failure> {
+    pub fn new(
+        system: &'s System,
+        columns: &[usize],
+        q: &[f64],
+        v: &[f64],
+        time: f64,
+    ) -> Result<Self, Failure> {
         let inputs = Inputs::at_time(system, time);
         let driven = Driven::pinned(system, columns, q, &inputs)?;
         let (n, f) = (system.n(), columns.len());
         let zero = vec![0.0; n];
-        let here = Node { s: time, q: q.to_vec(), d: v.to_vec(), dd: zero.clone() };
+        let here = Node {
+            s: time,
+            q: q.to_vec(),
+            d: v.to_vec(),
+            dd: zero.clone(),
+        };
         let mut reduced = Reduced {
             driven,
             inputs,
@@ -153,7 +164,9 @@ impl<'s> Reduced<'s> {
         self.driven.factor(&self.inputs)?;
         self.eval_motions();
         for _ in 0..10 * (self.freedom() + 1) {
-            let Some((k, column)) = better_pin(&self.driven, &self.motions) else { break };
+            let Some((k, column)) = better_pin(&self.driven, &self.motions) else {
+                break;
+            };
             let mut columns: Vec<usize> = self.driven.pins.iter().map(|pin| pin.column).collect();
             columns[k] = column;
             self.driven.pin(&columns, &self.inputs)?;
@@ -195,17 +208,23 @@ impl<'s> Reduced<'s> {
     fn eval_motions(&mut self) {
         let n = self.driven.system.n();
         for k in 0..self.freedom() {
-            self.driven.pin_motion(k, &mut self.motions[k * n..(k + 1) * n]);
+            self.driven
+                .pin_motion(k, &mut self.motions[k * n..(k + 1) * n]);
         }
     }
 
     /// Predicts the position at `time` with the pins at their values.
     fn predict(&mut self, time: f64) {
         match &self.before {
-            Some(before) if before.s < self.here.s => quintic(before, &self.here, time, &mut self.q, None),
+            Some(before) if before.s < self.here.s => {
+                quintic(before, &self.here, time, &mut self.q, None)
+            }
             _ => {
                 let h = time - self.here.s;
-                for (q, ((q0, d), dd)) in self.q.iter_mut().zip(self.here.q.iter().zip(&self.here.d).zip(&self.here.dd))
+                for (q, ((q0, d), dd)) in self
+                    .q
+                    .iter_mut()
+                    .zip(self.here.q.iter().zip(&self.here.d).zip(&self.here.dd))
                 {
                     *q = q0 + h * (d + 0.5 * h * dd);
                 }
@@ -214,7 +233,11 @@ impl<'s> Reduced<'s> {
         let n = self.q.len();
         for (k, pin) in self.driven.pins.iter().enumerate() {
             let off = pin.jet[0] - self.q[pin.column];
-            for (q, s) in self.q.iter_mut().zip(&self.here_motions[k * n..(k + 1) * n]) {
+            for (q, s) in self
+                .q
+                .iter_mut()
+                .zip(&self.here_motions[k * n..(k + 1) * n])
+            {
                 *q += off * s;
             }
         }
@@ -228,7 +251,11 @@ impl<'s> Reduced<'s> {
         let system = self.driven.system;
         let f = self.freedom();
         self.at = None;
-        let source = if self.has_curve() { self.on_curve(y[0]) } else { None };
+        let source = if self.has_curve() {
+            self.on_curve(y[0])
+        } else {
+            None
+        };
         self.inputs.set_time(system, time);
         for (k, pin) in self.driven.pins.iter_mut().enumerate() {
             pin.jet = [y[k], y[f + k], 0.0];
@@ -249,7 +276,9 @@ impl<'s> Reduced<'s> {
         }
         let correction = self.driven.correct_by_any_rows(&mut self.q, &self.inputs)?;
         if correction.contraction > CONTRACTION || correction.first_step > FARTHEST {
-            return Err(Failure::Diverged { residual: correction.residual });
+            return Err(Failure::Diverged {
+                residual: correction.residual,
+            });
         }
         if correction.last_step > self.lag {
             self.driven.factor(&self.inputs)?;
@@ -261,7 +290,9 @@ impl<'s> Reduced<'s> {
             self.driven.velocity(&self.inputs, &mut self.v);
         }
         self.driven.acceleration(&self.inputs, &mut self.a);
-        self.driven.evaluation.eval_force(system, &self.inputs, &mut self.force);
+        self.driven
+            .evaluation
+            .eval_force(system, &self.inputs, &mut self.force);
         self.eval_balance();
         self.finish(time)
     }
@@ -271,7 +302,10 @@ impl<'s> Reduced<'s> {
         let n = self.v.len();
         self.v.fill(0.0);
         for (motion, rate) in self.motions.chunks_exact(n.max(1)).zip(rates) {
-            self.v.iter_mut().zip(motion).for_each(|(v, s)| *v += rate * s);
+            self.v
+                .iter_mut()
+                .zip(motion)
+                .for_each(|(v, s)| *v += rate * s);
         }
         self.driven.evaluation.set_velocity(&self.v);
     }
@@ -322,7 +356,10 @@ impl<'s> Reduced<'s> {
                 for (k, (rate, s)) in rates.iter().zip(self.motions.chunks_exact(n)).enumerate() {
                     self.rhs[k] += size * rate;
                     self.driven.pins[k].jet[2] = self.rhs[k];
-                    self.a.iter_mut().zip(s).for_each(|(a, s)| *a += size * rate * s);
+                    self.a
+                        .iter_mut()
+                        .zip(s)
+                        .for_each(|(a, s)| *a += size * rate * s);
                 }
             }
         }
@@ -346,10 +383,13 @@ impl<'s> Reduced<'s> {
         }
         let n = system.n();
         let (mut right, mut left) = (vec![1.0; n], vec![1.0; n]);
-        self.driven.smallest_singular(STRAIN_ITERATIONS, &mut right, &mut left);
+        self.driven
+            .smallest_singular(STRAIN_ITERATIONS, &mut right, &mut left);
         let largest = crate::math::max_abs(&left);
         let rows = self.driven.active_rows().iter().zip(&left);
-        rows.filter(|(row, part)| **row < system.m() && part.abs() > STRAINED * largest).map(|(row, _)| *row).collect()
+        rows.filter(|(row, part)| **row < system.m() && part.abs() > STRAINED * largest)
+            .map(|(row, _)| *row)
+            .collect()
     }
 
     /// ü of the last evaluation.
@@ -372,7 +412,8 @@ impl<'s> Reduced<'s> {
     /// point of the whole, where they can't be computed, they are NaN.
     pub fn multipliers(&mut self, lambda: &mut [f64]) {
         if self.bridged {
-            let ready = self.driven.prepare(&self.q, &self.inputs).is_ok() && self.driven.factor(&self.inputs).is_ok();
+            let ready = self.driven.prepare(&self.q, &self.inputs).is_ok()
+                && self.driven.factor(&self.inputs).is_ok();
             if !ready {
                 lambda.fill(f64::NAN);
                 return;
@@ -385,7 +426,9 @@ impl<'s> Reduced<'s> {
     /// The same for all joints; near a change point of a part, where they can't be computed, they are NaN.
     pub fn reactions(&mut self, lambda: &mut [f64]) {
         self.eval_balance();
-        let Some(own) = self.parts.as_mut().and_then(Parts::own) else { return self.multipliers(lambda) };
+        let Some(own) = self.parts.as_mut().and_then(Parts::own) else {
+            return self.multipliers(lambda);
+        };
         own.evaluation.set_position(&self.q);
         if own.factor(&self.inputs).is_err() {
             lambda.fill(f64::NAN);
@@ -397,7 +440,13 @@ impl<'s> Reduced<'s> {
     /// Q − M a.
     fn eval_balance(&mut self) {
         let mass = &self.driven.system.mass;
-        for (((b, q), a), m) in self.balance.iter_mut().zip(&self.force).zip(&self.a).zip(mass) {
+        for (((b, q), a), m) in self
+            .balance
+            .iter_mut()
+            .zip(&self.force)
+            .zip(&self.a)
+            .zip(mass)
+        {
             *b = q - m * a;
         }
     }
@@ -407,7 +456,12 @@ impl<'s> Reduced<'s> {
         // First-same-as-last methods have just been there.
         let f = self.freedom();
         let there = self.at == Some(time)
-            && self.driven.pins.iter().enumerate().all(|(k, pin)| pin.jet[0] == y[k] && pin.jet[1] == y[f + k]);
+            && self
+                .driven
+                .pins
+                .iter()
+                .enumerate()
+                .all(|(k, pin)| pin.jet[0] == y[k] && pin.jet[1] == y[f + k]);
         if there || self.evaluate(time, y).is_ok() {
             self.keep(time);
         }
@@ -426,7 +480,10 @@ impl<'s> Reduced<'s> {
             let column = self.driven.pins[0].column;
             let (from, to) = (self.here.q[column], self.q[column]);
             let between = curve.singular_between(from.min(to), from.max(to));
-            self.passed = between.iter().any(|position| position.kind == SingularKind::ChangePoint).then_some(time);
+            self.passed = between
+                .iter()
+                .any(|position| position.kind == SingularKind::ChangePoint)
+                .then_some(time);
         }
         if self.here.s != time {
             let before = self.before.get_or_insert_with(|| self.here.clone());

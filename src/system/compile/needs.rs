@@ -31,7 +31,10 @@ impl<'a> Joints<'a> {
 pub(super) fn clearance(kind: &JointKind) -> Option<&crate::model::Clearance> {
     match kind {
         JointKind::Revolute { clearance, .. } => clearance.as_deref(),
-        JointKind::Prismatic { .. } | JointKind::Slot { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => None,
+        JointKind::Prismatic { .. }
+        | JointKind::Slot { .. }
+        | JointKind::Gear { .. }
+        | JointKind::Fixed { .. } => None,
     }
 }
 
@@ -39,11 +42,19 @@ pub(super) fn clearance(kind: &JointKind) -> Option<&crate::model::Clearance> {
 fn surfaces<'a>(model: &'a Model, complaints: &mut Vec<Complaint>) -> HashMap<&'a str, Surface> {
     let mut surfaces = HashMap::new();
     for (name, joint) in &model.joints {
-        let Some(clearance) = clearance(&joint.kind) else { continue };
+        let Some(clearance) = clearance(&joint.kind) else {
+            continue;
+        };
         let path = format!("joints.{name}.clearance");
-        let words = Words { clearance, path: &path };
+        let words = Words {
+            clearance,
+            path: &path,
+        };
         let compliant = |normal: Result<normal::Law, Complaint>| {
-            Ok(Surface::Compliant(Compliant { normal: normal?, friction: words.friction_law()? }))
+            Ok(Surface::Compliant(Compliant {
+                normal: normal?,
+                friction: words.friction_law()?,
+            }))
         };
         let surface = match clearance.model {
             ClearanceModel::Ideal | ClearanceModel::MasslessLink => continue,
@@ -62,23 +73,39 @@ fn surfaces<'a>(model: &'a Model, complaints: &mut Vec<Complaint>) -> HashMap<&'
 }
 
 /// Laws of the joints that rub though they are ideal.
-fn frictions<'a>(model: &'a Model, complaints: &mut Vec<Complaint>) -> HashMap<&'a str, friction::Law> {
+fn frictions<'a>(
+    model: &'a Model,
+    complaints: &mut Vec<Complaint>,
+) -> HashMap<&'a str, friction::Law> {
     let mut frictions = HashMap::new();
     for (name, joint) in &model.joints {
         let path = format!("joints.{name}");
         let (words, pin) = match &joint.kind {
-            JointKind::Revolute { friction: Some(words), pin_radius, .. } => (words, Some(*pin_radius)),
-            JointKind::Prismatic { friction: Some(words), .. } => (words, None),
+            JointKind::Revolute {
+                friction: Some(words),
+                pin_radius,
+                ..
+            } => (words, Some(*pin_radius)),
+            JointKind::Prismatic {
+                friction: Some(words),
+                ..
+            } => (words, None),
             JointKind::Revolute { .. }
             | JointKind::Prismatic { .. }
             | JointKind::Slot { .. }
             | JointKind::Gear { .. }
             | JointKind::Fixed { .. } => continue,
         };
-        let radius = pin.map_or(Ok(0.0), |radius| need(&path, "pin_radius", radius, |radius| radius > 0.0));
-        match friction_law(words, &path)
-            .and_then(|law| if law == friction::Law::None { Ok(law) } else { radius.map(|_| law) })
-        {
+        let radius = pin.map_or(Ok(0.0), |radius| {
+            need(&path, "pin_radius", radius, |radius| radius > 0.0)
+        });
+        match friction_law(words, &path).and_then(|law| {
+            if law == friction::Law::None {
+                Ok(law)
+            } else {
+                radius.map(|_| law)
+            }
+        }) {
             Ok(friction::Law::None) => {}
             Ok(law) => {
                 frictions.insert(name.as_str(), law);
@@ -92,7 +119,10 @@ fn frictions<'a>(model: &'a Model, complaints: &mut Vec<Complaint>) -> HashMap<&
 /// Without a bearing radius the journal is taken for a point.
 pub(super) fn bearing(clearance: &crate::model::Clearance) -> Bearing {
     let radius = clearance.radius.unwrap_or(0.0);
-    Bearing { clearance: radius, bearing_radius: clearance.bearing_radius.unwrap_or(radius) }
+    Bearing {
+        clearance: radius,
+        bearing_radius: clearance.bearing_radius.unwrap_or(radius),
+    }
 }
 
 /// What the analysis needs and the model lacks.
@@ -100,7 +130,9 @@ pub(super) fn missing(model: &Model, analysis: AnalysisKind) -> Vec<Complaint> {
     let mut complaints = Vec::new();
     let mut linked = None;
     for (name, joint) in &model.joints {
-        let Some(clearance) = clearance(&joint.kind) else { continue };
+        let Some(clearance) = clearance(&joint.kind) else {
+            continue;
+        };
         match clearance.model {
             ClearanceModel::Ideal => {}
             ClearanceModel::MasslessLink => {
@@ -109,8 +141,9 @@ pub(super) fn missing(model: &Model, analysis: AnalysisKind) -> Vec<Complaint> {
                 )));
             }
             ClearanceModel::TwoState | ClearanceModel::ThreeState | ClearanceModel::Contact => {
-                linked =
-                    linked.or(Some(format!("the journal of joint \"{name}\", which moves freely in its bearing,")));
+                linked = linked.or(Some(format!(
+                    "the journal of joint \"{name}\", which moves freely in its bearing,"
+                )));
             }
         }
     }
@@ -121,7 +154,9 @@ pub(super) fn missing(model: &Model, analysis: AnalysisKind) -> Vec<Complaint> {
             Some("statics under gravity".to_string())
         }
         (AnalysisKind::Kinematics, Some(who)) => Some(who),
-        (AnalysisKind::Kinematics, None) | (AnalysisKind::Assembly | AnalysisKind::Statics, _) => None,
+        (AnalysisKind::Kinematics, None) | (AnalysisKind::Assembly | AnalysisKind::Statics, _) => {
+            None
+        }
     };
     if let Some(why) = why {
         let ends = model.joints.values().flat_map(|joint| &joint.between);
@@ -130,7 +165,10 @@ pub(super) fn missing(model: &Model, analysis: AnalysisKind) -> Vec<Complaint> {
             let (stray, hint) = if held.contains(name.as_str()) {
                 ("", "")
             } else {
-                (", which no joint holds", "; or take the body out, or connect it by a joint")
+                (
+                    ", which no joint holds",
+                    "; or take the body out, or connect it by a joint",
+                )
             };
             // At rest nothing is turned.
             let inertia = body.inertia.is_none() && analysis != AnalysisKind::Statics;
@@ -151,7 +189,10 @@ pub(super) fn missing(model: &Model, analysis: AnalysisKind) -> Vec<Complaint> {
 }
 
 /// The carrier of each gear.
-fn carriers<'a>(model: &'a Model, complaints: &mut Vec<Complaint>) -> HashMap<&'a str, Carrier<'a>> {
+fn carriers<'a>(
+    model: &'a Model,
+    complaints: &mut Vec<Complaint>,
+) -> HashMap<&'a str, Carrier<'a>> {
     let mut carriers = HashMap::new();
     for (name, joint) in &model.joints {
         match model.carrier(name, joint) {

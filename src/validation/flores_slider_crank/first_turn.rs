@@ -31,14 +31,23 @@ const COLUMNS: [&str; 7] = [
 type Measured = fn(&Episode) -> f64;
 
 /// Claims of one clearance.
-pub fn compare(setting: &Setting, clearance: f64, report: &mut CaseReport) -> Result<(), CaseError> {
-    let (rows, impacts) = (Block::of(REFERENCE, clearance)?, Block::of(IMPACTS, clearance)?);
+pub fn compare(
+    setting: &Setting,
+    clearance: f64,
+    report: &mut CaseReport,
+) -> Result<(), CaseError> {
+    let (rows, impacts) = (
+        Block::of(REFERENCE, clearance)?,
+        Block::of(IMPACTS, clearance)?,
+    );
     let name = millimetres(clearance);
     for rtol in RTOL {
         let outcome = solve(setting, clearance, rtol, 1, OUTPUTS)?;
         let off = |column: &str| distance(&values(&outcome, column)?, &rows.column(column)?);
         let error = off("slider.x[m]")?.max(ROD * off("rod.angle[rad]")?) / clearance;
-        let what = format!("{name}, first turn at rtol {rtol:.0e}: trajectory, error by the clearance [–]");
+        let what = format!(
+            "{name}, first turn at rtol {rtol:.0e}: trajectory, error by the clearance [–]"
+        );
         report.claims.push(at_most(what, error, GROWTH * rtol));
         if rtol == RTOL[RTOL.len() - 1] {
             tightest(&outcome, &rows, &impacts, &name, report)?;
@@ -60,9 +69,16 @@ fn tightest(
     for column in COLUMNS {
         let exact = rows.column(column)?;
         let error = distance(&values(outcome, column)?, &exact)? / largest(&exact);
-        worst = if error > worst.0 { (error, column) } else { worst };
+        worst = if error > worst.0 {
+            (error, column)
+        } else {
+            worst
+        };
     }
-    let what = format!("{name}, first turn: seven columns, worst error by the largest value ({}) [–]", worst.1);
+    let what = format!(
+        "{name}, first turn: seven columns, worst error by the largest value ({}) [–]",
+        worst.1
+    );
     report.claims.push(at_most(what, worst.0, most));
     let ours = episodes(outcome);
     let times = impacts.column("time[s]")?;
@@ -78,8 +94,12 @@ fn tightest(
     }
     let quantities: [(&str, &str, Measured); 4] = [
         ("times", "time[s]", |episode| episode.start),
-        ("approach speeds", "approach_speed[m/s]", |episode| episode.approach_speed),
-        ("largest penetrations", "penetration[m]", |episode| episode.peak_penetration),
+        ("approach speeds", "approach_speed[m/s]", |episode| {
+            episode.approach_speed
+        }),
+        ("largest penetrations", "penetration[m]", |episode| {
+            episode.peak_penetration
+        }),
         ("largest forces", "force[N]", |episode| episode.peak_force),
     ];
     for (quantity, column, of) in quantities {
@@ -101,7 +121,11 @@ impl Block {
     fn of(text: &str, clearance: f64) -> Result<Self, CaseError> {
         let Table { columns, rows } = Table::parse(text).map_err(CaseError::Broken)?;
         let rows: Vec<Vec<f64>> = rows.into_iter().filter(|row| row[0] == clearance).collect();
-        if rows.is_empty() { Err(broken(format!("no rows for {clearance}"))) } else { Ok(Block { columns, rows }) }
+        if rows.is_empty() {
+            Err(broken(format!("no rows for {clearance}")))
+        } else {
+            Ok(Block { columns, rows })
+        }
     }
 
     fn column(&self, name: &str) -> Result<Vec<f64>, CaseError> {
@@ -112,7 +136,9 @@ impl Block {
 }
 
 fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |largest, value| largest.max(value.abs()))
+    values
+        .iter()
+        .fold(0.0, |largest, value| largest.max(value.abs()))
 }
 
 /// Largest difference of two columns.
@@ -120,5 +146,9 @@ fn distance(ours: &[f64], exact: &[f64]) -> Result<f64, CaseError> {
     if ours.len() != exact.len() {
         return Err(broken(format!("{} rows for {}", ours.len(), exact.len())));
     }
-    Ok(ours.iter().zip(exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max))
+    Ok(ours
+        .iter()
+        .zip(exact)
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, f64::max))
 }

@@ -14,8 +14,7 @@ use crate::output::{Directory, Episode};
 use long_run::LongRun;
 
 /// A line about the case.
-pub const ABOUT: &str =
-    "slider-crank at 5000 rpm, clearance 0.1, 0.2, 0.5 mm: first turn, orbits, Poincaré maps of 60 turns";
+pub const ABOUT: &str = "slider-crank at 5000 rpm, clearance 0.1, 0.2, 0.5 mm: first turn, orbits, Poincaré maps of 60 turns";
 
 const MODEL: &str = include_str!("../../../validation/slider-crank-clearance/model.json");
 
@@ -59,7 +58,13 @@ pub fn run(setting: &Setting) -> Result<CaseReport, CaseError> {
 }
 
 /// The mechanism at a clearance.
-fn solve(setting: &Setting, clearance: f64, rtol: f64, turns: u32, outputs: u32) -> Result<Outcome, CaseError> {
+fn solve(
+    setting: &Setting,
+    clearance: f64,
+    rtol: f64,
+    turns: u32,
+    outputs: u32,
+) -> Result<Outcome, CaseError> {
     let sets = [
         "bodies.crank.inertia=1e-4".into(),
         format!("joints.b.clearance.radius={clearance:e}"),
@@ -67,16 +72,25 @@ fn solve(setting: &Setting, clearance: f64, rtol: f64, turns: u32, outputs: u32)
         format!("analysis.end={}", f64::from(turns) * TURN),
         format!("analysis.outputs={}", turns * outputs + 1),
     ];
-    let loaded = model::load(MODEL.as_bytes(), &sets).map_err(|said| broken(format!("{said:?}")))?;
+    let loaded =
+        model::load(MODEL.as_bytes(), &sets).map_err(|said| broken(format!("{said:?}")))?;
     finished(analysis::run(&loaded.model, &setting.control))
 }
 
 fn episodes(outcome: &Outcome) -> Vec<Episode> {
-    outcome.report.events.iter().filter_map(|event| event.episode).collect()
+    outcome
+        .report
+        .events
+        .iter()
+        .filter_map(|event| event.episode)
+        .collect()
 }
 
 fn values(outcome: &Outcome, name: &str) -> Result<Vec<f64>, CaseError> {
-    outcome.trajectory.values(name).ok_or_else(|| broken(format!("the results have no column {name}")))
+    outcome
+        .trajectory
+        .values(name)
+        .ok_or_else(|| broken(format!("the results have no column {name}")))
 }
 
 fn millimetres(clearance: f64) -> String {

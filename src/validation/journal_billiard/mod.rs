@@ -10,8 +10,7 @@ use crate::model;
 use crate::output::Episode;
 
 /// A line about the case.
-pub const ABOUT: &str =
-    "a rigid journal without gravity: a thousand impacts of a billiard in a circle, friction in impacts";
+pub const ABOUT: &str = "a rigid journal without gravity: a thousand impacts of a billiard in a circle, friction in impacts";
 
 const MODEL: &str = include_str!("../../../validation/journal-billiard/model.json");
 
@@ -41,14 +40,28 @@ fn solve(setting: &Setting, sets: &[String]) -> Result<Outcome, CaseError> {
 }
 
 fn episodes(outcome: &Outcome) -> Vec<Episode> {
-    outcome.report.events.iter().filter_map(|event| event.episode).collect()
+    outcome
+        .report
+        .events
+        .iter()
+        .filter_map(|event| event.episode)
+        .collect()
 }
 
 fn values(outcome: &Outcome, name: &str) -> Result<Vec<f64>, CaseError> {
-    outcome.trajectory.values(name).ok_or_else(|| broken(format!("the results have no column {name}")))
+    outcome
+        .trajectory
+        .values(name)
+        .ok_or_else(|| broken(format!("the results have no column {name}")))
 }
 
 /// The largest of `f` over what is given; not a number counts as infinite.
 fn largest(values: impl Iterator<Item = f64>) -> f64 {
-    values.fold(0.0, |largest: f64, value| if value.is_nan() { f64::INFINITY } else { largest.max(value.abs()) })
+    values.fold(0.0, |largest: f64, value| {
+        if value.is_nan() {
+            f64::INFINITY
+        } else {
+            largest.max(value.abs())
+        }
+    })
 }

@@ -126,22 +126,36 @@ impl Centres {
     pub const MODEL: Centres = Centres::alike(Centre::Joints);
 
     /// Those whose table of deviations is printed.
-    pub const TABLES: [Centres; 3] =
-        [Centres::MODEL, Centres::alike(Centre::FirstLoop), Centres::alike(Centre::LongSide)];
+    pub const TABLES: [Centres; 3] = [
+        Centres::MODEL,
+        Centres::alike(Centre::FirstLoop),
+        Centres::alike(Centre::LongSide),
+    ];
 
     /// The same in both links.
     const fn alike(centre: Centre) -> Self {
-        Centres { link3: centre, link4: centre }
+        Centres {
+            link3: centre,
+            link4: centre,
+        }
     }
 
     /// All of them, link 3 slower than link 4.
     pub fn all() -> impl Iterator<Item = Centres> {
-        Centre::ALL.into_iter().flat_map(|link3| Centre::ALL.into_iter().map(move |link4| Centres { link3, link4 }))
+        Centre::ALL.into_iter().flat_map(|link3| {
+            Centre::ALL
+                .into_iter()
+                .map(move |link4| Centres { link3, link4 })
+        })
     }
 
     /// In the paper's symbols: `l3, l4a`.
     pub fn symbols(self) -> String {
-        format!("{}, {}", Ternary::Link3.symbol(self.link3), Ternary::Link4.symbol(self.link4))
+        format!(
+            "{}, {}",
+            Ternary::Link3.symbol(self.link3),
+            Ternary::Link4.symbol(self.link4)
+        )
     }
 
     /// In words.
@@ -152,7 +166,10 @@ impl Centres {
         let third = Ternary::Link3.words(self.link3);
         match (self.link3.of(), self.link4.of()) {
             ([_, _], [_, _]) => format!("{third} and {}", Ternary::Link4.symbol(self.link4)),
-            _ => format!("link 3: {third}, link 4: {}", Ternary::Link4.words(self.link4)),
+            _ => format!(
+                "link 3: {third}, link 4: {}",
+                Ternary::Link4.words(self.link4)
+            ),
         }
     }
 
@@ -176,7 +193,11 @@ mod tests {
     use super::*;
 
     fn com(document: &Value, body: &str) -> [f64; 2] {
-        [0, 1].map(|axis| document["bodies"][body]["com"][axis].as_f64().expect("a number"))
+        [0, 1].map(|axis| {
+            document["bodies"][body]["com"][axis]
+                .as_f64()
+                .expect("a number")
+        })
     }
 
     #[test]
@@ -184,9 +205,13 @@ mod tests {
         let printed = Request::ideal(1.0).document().expect("bundled");
         let mut placed = printed.clone();
         for (link, body) in [(Ternary::Link3, "link3"), (Ternary::Link4, "link4")] {
-            link.place(Centre::Joints, &mut placed).expect("it has its joints");
+            link.place(Centre::Joints, &mut placed)
+                .expect("it has its joints");
             let (ours, theirs) = (com(&placed, body), com(&printed, body));
-            assert!((0..2).all(|axis| (ours[axis] - theirs[axis]).abs() < 1e-12), "{body}: {ours:?}, {theirs:?}");
+            assert!(
+                (0..2).all(|axis| (ours[axis] - theirs[axis]).abs() < 1e-12),
+                "{body}: {ours:?}, {theirs:?}"
+            );
         }
     }
 
@@ -195,15 +220,29 @@ mod tests {
         let all: Vec<Centres> = Centres::all().collect();
         assert_eq!(all.len(), 49);
         let places = all.iter().map(|centres| {
-            let document = Request { centres: *centres, ..Request::ideal(1.0) }.document().expect("bundled");
+            let document = Request {
+                centres: *centres,
+                ..Request::ideal(1.0)
+            }
+            .document()
+            .expect("bundled");
             [com(&document, "link3"), com(&document, "link4")]
         });
         let places: Vec<[[f64; 2]; 2]> = places.collect();
-        assert!((0..49).all(|a| (0..a).all(|b| places[a] != places[b])), "{places:?}");
+        assert!(
+            (0..49).all(|a| (0..a).all(|b| places[a] != places[b])),
+            "{places:?}"
+        );
         // |gd| = 505 mm: the middle of l4a is half as far from g.
-        let at = all.iter().position(|centres| centres.symbols() == "l3, l4a").expect("one of them");
+        let at = all
+            .iter()
+            .position(|centres| centres.symbols() == "l3, l4a")
+            .expect("one of them");
         let [third, fourth] = places[at];
         assert_eq!(third, [215.0, 0.0]);
-        assert!((fourth[0].hypot(fourth[1]) - 252.5).abs() < 1e-9, "{fourth:?}");
+        assert!(
+            (fourth[0].hypot(fourth[1]) - 252.5).abs() < 1e-9,
+            "{fourth:?}"
+        );
     }
 }

@@ -62,11 +62,27 @@ impl Violations {
         let (work, all) = (self.by_work, self.instants);
         [
             ("vector loops close (eqs 5, 6, 11, 12)", self.closure, work),
-            ("M_d by Lagrange's equation = M_d by the multipliers (eqs 4, 10)", self.torque, work),
-            ("seven hinge forces by virtual work = by the multipliers (eq. 10)", self.forces, work),
-            ("generalized forces of the seven clearance links vanish (eq. 10)", self.links, work),
+            (
+                "M_d by Lagrange's equation = M_d by the multipliers (eqs 4, 10)",
+                self.torque,
+                work,
+            ),
+            (
+                "seven hinge forces by virtual work = by the multipliers (eq. 10)",
+                self.forces,
+                work,
+            ),
+            (
+                "generalized forces of the seven clearance links vanish (eq. 10)",
+                self.links,
+                work,
+            ),
             ("wrench balance of every link (eq. 7)", self.wrench, all),
-            ("reciprocity of wrench and twist at every hinge (eq. 8)", self.reciprocity, all),
+            (
+                "reciprocity of wrench and twist at every hinge (eq. 8)",
+                self.reciprocity,
+                all,
+            ),
         ]
     }
 }
@@ -82,8 +98,13 @@ struct Frame {
 }
 
 impl Frame {
-    const GROUND: Frame =
-        Frame { angle: 0.0, velocity: Vec2::new(0.0, 0.0), omega: 0.0, acceleration: Vec2::new(0.0, 0.0), alpha: 0.0 };
+    const GROUND: Frame = Frame {
+        angle: 0.0,
+        velocity: Vec2::new(0.0, 0.0),
+        omega: 0.0,
+        acceleration: Vec2::new(0.0, 0.0),
+        alpha: 0.0,
+    };
 
     fn arm(&self, p: [f64; 2]) -> Vec2 {
         let (sin, cos) = self.angle.sin_cos();
@@ -108,12 +129,18 @@ struct Row<'a> {
 
 impl Row<'_> {
     fn get(&self, name: &str) -> Result<f64, CaseError> {
-        let column = self.trajectory.column_index(name).ok_or_else(|| broken(format!("no column {name}")))?;
+        let column = self
+            .trajectory
+            .column_index(name)
+            .ok_or_else(|| broken(format!("no column {name}")))?;
         Ok(self.row[column])
     }
 
     fn pair(&self, owner: &str, x: &str, y: &str) -> Result<Vec2, CaseError> {
-        Ok(Vec2::new(self.get(&format!("{owner}.{x}"))?, self.get(&format!("{owner}.{y}"))?))
+        Ok(Vec2::new(
+            self.get(&format!("{owner}.{x}"))?,
+            self.get(&format!("{owner}.{y}"))?,
+        ))
     }
 
     fn frame(&self, link: &str) -> Result<Frame, CaseError> {
@@ -147,7 +174,13 @@ impl Instant {
             *force = row.pair(&format!("joint.{joint}"), "fx", "fy")?;
             *offset = row.pair(&format!("joint.{joint}"), "ex", "ey")?;
         }
-        Ok(Instant { frames, forces, offsets, torque: row.get("driver.motor.effort")?, time: row.get("time")? })
+        Ok(Instant {
+            frames,
+            forces,
+            offsets,
+            torque: row.get("driver.motor.effort")?,
+            time: row.get("time")?,
+        })
     }
 
     /// Velocities ṙ of the clearance links that turned uniformly since the row `before`.
@@ -166,11 +199,25 @@ impl Instant {
     }
 
     /// The frame and place in it of a joint's end.
-    fn end(&self, model: &Model, end: &PointRef) -> Result<(Option<usize>, Frame, [f64; 2]), CaseError> {
-        let body = model.bodies.get(&end.body).ok_or_else(|| broken(format!("no body {}", end.body)))?;
-        let place = body.points.get(&end.point).ok_or_else(|| broken(format!("no point {}", end.point)))?;
+    fn end(
+        &self,
+        model: &Model,
+        end: &PointRef,
+    ) -> Result<(Option<usize>, Frame, [f64; 2]), CaseError> {
+        let body = model
+            .bodies
+            .get(&end.body)
+            .ok_or_else(|| broken(format!("no body {}", end.body)))?;
+        let place = body
+            .points
+            .get(&end.point)
+            .ok_or_else(|| broken(format!("no point {}", end.point)))?;
         let link = LINKS.iter().position(|link| *link == end.body);
-        Ok((link, link.map_or(Frame::GROUND, |link| self.frames[link]), *place))
+        Ok((
+            link,
+            link.map_or(Frame::GROUND, |link| self.frames[link]),
+            *place,
+        ))
     }
 }
 
@@ -178,8 +225,14 @@ impl Instant {
 ///
 /// # Errors
 /// When a column is missing.
-pub fn angles_and_forces(trajectory: &Trajectory, row: usize) -> Result<(Angles, [Vec2; 7]), CaseError> {
-    let instant = Instant::read(&Row { trajectory, row: trajectory.row(row) })?;
+pub fn angles_and_forces(
+    trajectory: &Trajectory,
+    row: usize,
+) -> Result<(Angles, [Vec2; 7]), CaseError> {
+    let instant = Instant::read(&Row {
+        trajectory,
+        row: trajectory.row(row),
+    })?;
     Ok((instant.angles(), instant.forces))
 }
 
@@ -197,12 +250,23 @@ pub fn check(stroke: &Stroke) -> Result<Violations, CaseError> {
     let longest = longest_side(&stroke.model)?;
     let mut before: Option<Instant> = None;
     for (row, found) in stroke.trajectory.rows().zip(&stroke.found) {
-        let instant = Instant::read(&Row { trajectory: &stroke.trajectory, row })?;
-        let force = instant.forces.iter().fold(0.0, |worst: f64, force| worst.max(force.norm()));
+        let instant = Instant::read(&Row {
+            trajectory: &stroke.trajectory,
+            row,
+        })?;
+        let force = instant
+            .forces
+            .iter()
+            .fold(0.0, |worst: f64, force| worst.max(force.norm()));
         let rates = instant.rates(before.as_ref());
-        if *found == Found::Solution && instant.forces.iter().all(|force| force.norm().is_finite()) {
+        if *found == Found::Solution && instant.forces.iter().all(|force| force.norm().is_finite())
+        {
             worst.instants += 1;
-            let scale = Scale { force, moment: (force * longest).max(instant.torque.abs()), length: longest };
+            let scale = Scale {
+                force,
+                moment: (force * longest).max(instant.torque.abs()),
+                length: longest,
+            };
             if let Some(lock) = &lock {
                 worst.by_work += 1;
                 lagrange(lock, &stroke.model, &instant, scale, &mut worst)?;
@@ -224,17 +288,30 @@ struct Scale {
 
 /// l3a [m].
 fn longest_side(model: &Model) -> Result<f64, CaseError> {
-    let corner = model.bodies.get("link3").and_then(|body| body.points.get("f"));
-    corner.map(|p| p[0].hypot(p[1])).ok_or_else(|| broken("no point link3.f"))
+    let corner = model
+        .bodies
+        .get("link3")
+        .and_then(|body| body.points.get("f"));
+    corner
+        .map(|p| p[0].hypot(p[1]))
+        .ok_or_else(|| broken("no point link3.f"))
 }
 
 /// Largest of the two; not a number counts as infinite, so that it can't hide.
 fn raise(worst: &mut f64, value: f64) {
-    *worst = worst.max(if value.is_nan() { f64::INFINITY } else { value.abs() });
+    *worst = worst.max(if value.is_nan() {
+        f64::INFINITY
+    } else {
+        value.abs()
+    });
 }
 
 fn com(model: &Model, link: usize) -> [f64; 2] {
-    model.bodies.get(LINKS[link]).and_then(|body| body.com).unwrap_or_default()
+    model
+        .bodies
+        .get(LINKS[link])
+        .and_then(|body| body.com)
+        .unwrap_or_default()
 }
 
 fn lagrange(
@@ -244,22 +321,37 @@ fn lagrange(
     scale: Scale,
     worst: &mut Violations,
 ) -> Result<(), CaseError> {
-    let mut accelerations = Accelerations { centres: [Vec2::zeros(); 5], angles: [0.0; 5] };
+    let mut accelerations = Accelerations {
+        centres: [Vec2::zeros(); 5],
+        angles: [0.0; 5],
+    };
     for (link, frame) in instant.frames.iter().enumerate() {
         accelerations.centres[link] = frame.acceleration_of(com(model, link));
         accelerations.angles[link] = frame.alpha;
     }
     let theta = instant.angles();
-    raise(&mut worst.closure, lock.residual(&theta, &instant.offsets) / scale.length);
+    raise(
+        &mut worst.closure,
+        lock.residual(&theta, &instant.offsets) / scale.length,
+    );
     let generalized = lock.generalized(&theta, &accelerations)?;
-    raise(&mut worst.torque, (generalized.torque - instant.torque) / scale.moment);
+    raise(
+        &mut worst.torque,
+        (generalized.torque - instant.torque) / scale.moment,
+    );
     for (hinge, force) in instant.forces.iter().enumerate() {
-        raise(&mut worst.forces, (generalized.forces[hinge] - force).norm() / scale.force);
+        raise(
+            &mut worst.forces,
+            (generalized.forces[hinge] - force).norm() / scale.force,
+        );
         let offset = instant.offsets[hinge];
         let moment = perp(offset).dot(&generalized.forces[hinge]);
         raise(&mut worst.links, moment / scale.moment);
         if offset.norm() > 0.0 {
-            raise(&mut worst.misalignment, moment / (offset.norm() * scale.force));
+            raise(
+                &mut worst.misalignment,
+                moment / (offset.norm() * scale.force),
+            );
         }
     }
     Ok(())
@@ -277,7 +369,9 @@ fn newton_euler(
     let mut moment = [0.0; 5];
     for (link, frame) in instant.frames.iter().enumerate() {
         let body = model.bodies.get(LINKS[link]);
-        let (mass, inertia) = body.and_then(|body| body.mass.zip(body.inertia)).unwrap_or_default();
+        let (mass, inertia) = body
+            .and_then(|body| body.mass.zip(body.inertia))
+            .unwrap_or_default();
         force[link] = (gravity - frame.acceleration_of(com(model, link))) * mass;
         moment[link] = -inertia * frame.alpha;
     }
@@ -286,8 +380,14 @@ fn newton_euler(
     let mut speed = 0.0_f64;
     let mut power = 0.0_f64;
     for ((joint, &on_second), rate) in JOINTS.iter().zip(&instant.forces).zip(rates) {
-        let words = model.joints.get(*joint).ok_or_else(|| broken(format!("no joint {joint}")))?;
-        let ends = [instant.end(model, &words.between[0])?, instant.end(model, &words.between[1])?];
+        let words = model
+            .joints
+            .get(*joint)
+            .ok_or_else(|| broken(format!("no joint {joint}")))?;
+        let ends = [
+            instant.end(model, &words.between[0])?,
+            instant.end(model, &words.between[1])?,
+        ];
         for ((link, frame, place), pull) in ends.into_iter().zip([-on_second, on_second]) {
             if let Some(link) = link {
                 let arm = frame.arm(place) - frame.arm(com(model, link));

@@ -53,13 +53,21 @@ impl Reproduced {
         match self {
             Reproduced::Yes => "reproduced",
             Reproduced::Partly => "partly",
-            Reproduced::ForSomeCentres => "possible for some centres of mass, which the paper does not give",
+            Reproduced::ForSomeCentres => {
+                "possible for some centres of mass, which the paper does not give"
+            }
             Reproduced::No => "not",
         }
     }
 
     fn judged(self, what: &str, reference: &str, rule: String, figures: String) -> Judged {
-        Judged { reproduced: self, what: what.into(), reference: reference.into(), rule, figures }
+        Judged {
+            reproduced: self,
+            what: what.into(),
+            reference: reference.into(),
+            rule,
+            figures,
+        }
     }
 }
 
@@ -83,7 +91,9 @@ impl Judged {
             difference: format!("rule: {}", self.rule),
             verdict: match self.reproduced {
                 Reproduced::Yes => Verdict::Agrees,
-                Reproduced::Partly | Reproduced::ForSomeCentres | Reproduced::No => Verdict::Finding,
+                Reproduced::Partly | Reproduced::ForSomeCentres | Reproduced::No => {
+                    Verdict::Finding
+                }
             },
         }
     }
@@ -98,28 +108,48 @@ pub fn claims(runs: &Runs, map: &[ForceNear]) -> Vec<Claim> {
 
 /// C3 to C6.
 pub fn of_deviations(deviations: &Deviations) -> [Judged; 4] {
-    [largest(deviations), sensitive(deviations), wider(deviations), little(deviations)]
+    [
+        largest(deviations),
+        sensitive(deviations),
+        wider(deviations),
+        little(deviations),
+    ]
 }
 
 fn smooth(runs: &Runs) -> Judged {
-    let ratio = |quantity: Quantity| jump(&runs.ideal[3], quantity) / jump(&runs.ideal[1], quantity);
-    let ratios = Quantity::ALL[..4].iter().map(|&quantity| (quantity, ratio(quantity)));
+    let ratio =
+        |quantity: Quantity| jump(&runs.ideal[3], quantity) / jump(&runs.ideal[1], quantity);
+    let ratios = Quantity::ALL[..4]
+        .iter()
+        .map(|&quantity| (quantity, ratio(quantity)));
     let held = ratios.clone().filter(|(_, ratio)| *ratio <= SMOOTH).count();
-    let figures: Vec<String> = ratios.map(|(quantity, ratio)| format!("{} {ratio:.3}", quantity.symbol())).collect();
+    let figures: Vec<String> = ratios
+        .map(|(quantity, ratio)| format!("{} {ratio:.3}", quantity.symbol()))
+        .collect();
     Reproduced::of(held, 4).judged(
         "C1: at e = 0 theta2, omega2, alpha2, M_d are smooth over the stroke",
         "smooth curves",
-        format!("largest change between outputs at {}° by that at {}° is at most {SMOOTH}", STEPS[3], STEPS[1]),
+        format!(
+            "largest change between outputs at {}° by that at {}° is at most {SMOOTH}",
+            STEPS[3], STEPS[1]
+        ),
         figures.join(", "),
     )
 }
 
 /// Largest change between neighbouring outputs.
 fn jump(stroke: &Stroke, quantity: Quantity) -> f64 {
-    stroke.curve(quantity).windows(2).fold(0.0, |largest: f64, pair| {
-        let change = (pair[1] - pair[0]).abs();
-        if change.is_nan() { f64::INFINITY } else { largest.max(change) }
-    })
+    stroke
+        .curve(quantity)
+        .windows(2)
+        .fold(0.0, |largest: f64, pair| {
+            let change = (pair[1] - pair[0]).abs();
+            if change.is_nan() {
+                f64::INFINITY
+            } else {
+                largest.max(change)
+            }
+        })
 }
 
 /// C2, of F12 for every choice of the centres of mass that the paper leaves open.
@@ -130,14 +160,28 @@ fn abrupt(map: &[ForceNear]) -> Judged {
         count if count == map.len() => Reproduced::Yes,
         _ => Reproduced::ForSomeCentres,
     };
-    let ratios = |near: &ForceNear| format!("change {:.1}, turn {:.1} of the median", near.change, near.turn_near);
-    let elsewhere = map.iter().filter(|near| near.turn_most >= ABRUPT && !near.abrupt()).count();
+    let ratios = |near: &ForceNear| {
+        format!(
+            "change {:.1}, turn {:.1} of the median",
+            near.change, near.turn_near
+        )
+    };
+    let elsewhere = map
+        .iter()
+        .filter(|near| near.turn_most >= ABRUPT && !near.abrupt())
+        .count();
     let mut figures = vec![format!("{} of {} choices", held.len(), map.len())];
     figures.extend(held.iter().take(MOST_CHOICES).map(|near| {
         let [size, at] = near.least;
-        format!("[{}] {}, least |F12| {size:.1} N at {at:.1}°", near.centres.symbols(), ratios(near))
+        format!(
+            "[{}] {}, least |F12| {size:.1} N at {at:.1}°",
+            near.centres.symbols(),
+            ratios(near)
+        )
     }));
-    figures.push(format!("with {elsewhere} others the direction turns as fast elsewhere"));
+    figures.push(format!(
+        "with {elsewhere} others the direction turns as fast elsewhere"
+    ));
     let model = map.iter().find(|near| near.centres == Centres::MODEL);
     figures.extend(model.map(|near| format!("the model's choice: {}", ratios(near))));
     reproduced.judged(
@@ -153,10 +197,19 @@ fn abrupt(map: &[ForceNear]) -> Judged {
 
 fn largest(deviations: &Deviations) -> Judged {
     let count = |quantities: &[Quantity], position: f64| {
-        let rows = quantities.iter().flat_map(|&q| (0..RADII.len()).flat_map(move |radius| deviations.row(radius, q)));
+        let rows = quantities
+            .iter()
+            .flat_map(|&q| (0..RADII.len()).flat_map(move |radius| deviations.row(radius, q)));
         let places: Vec<f64> = rows.map(|deviation| deviation.at).collect();
-        let held = places.iter().filter(|at| (*at - position).abs() <= NEAR).count();
-        let (low, high) = places.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), at| (l.min(*at), h.max(*at)));
+        let held = places
+            .iter()
+            .filter(|at| (*at - position).abs() <= NEAR)
+            .count();
+        let (low, high) = places
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), at| {
+                (l.min(*at), h.max(*at))
+            });
         (held, places.len(), low, high)
     };
     let first = count(&Quantity::ALL[..4], NEAR_CHANGE_POINT);
@@ -177,7 +230,10 @@ fn at_steps(mut holds: impl FnMut(usize) -> bool) -> (Reproduced, String) {
     let held: Vec<bool> = (0..STEPS.len()).map(&mut holds).collect();
     let names = |wanted: bool| {
         let steps = STEPS.iter().zip(&held).filter(|(_, held)| **held == wanted);
-        steps.map(|(step, _)| format!("{step}°")).collect::<Vec<_>>().join(", ")
+        steps
+            .map(|(step, _)| format!("{step}°"))
+            .collect::<Vec<_>>()
+            .join(", ")
     };
     let count = held.iter().filter(|held| **held).count();
     let reproduced = Reproduced::of(count, STEPS.len());
@@ -195,13 +251,19 @@ fn by_step(figure: impl Fn(usize) -> String) -> String {
 }
 
 fn sensitive(deviations: &Deviations) -> Judged {
-    let share =
-        |radius: usize, step: usize, q: Quantity| deviations.at(radius, step, q).max / deviations.ranges[q.index()];
-    let others = |step: usize| {
-        let shares = Quantity::ALL[1..].iter().flat_map(|&q| (0..RADII.len()).map(move |radius| (radius, q)));
-        shares.fold(f64::INFINITY, |least, (radius, q)| least.min(share(radius, step, q)))
+    let share = |radius: usize, step: usize, q: Quantity| {
+        deviations.at(radius, step, q).max / deviations.ranges[q.index()]
     };
-    let angle = |step: usize| share(0, step, Quantity::Theta2).max(share(1, step, Quantity::Theta2));
+    let others = |step: usize| {
+        let shares = Quantity::ALL[1..]
+            .iter()
+            .flat_map(|&q| (0..RADII.len()).map(move |radius| (radius, q)));
+        shares.fold(f64::INFINITY, |least, (radius, q)| {
+            least.min(share(radius, step, q))
+        })
+    };
+    let angle =
+        |step: usize| share(0, step, Quantity::Theta2).max(share(1, step, Quantity::Theta2));
     let (reproduced, text) = at_steps(|step| angle(step) <= DISTURBED && others(step) > DISTURBED);
     reproduced.judged(
         "C4: theta2 is hardly affected by the clearance, omega2, alpha2, M_d, F12 strongly",
@@ -222,10 +284,15 @@ fn wider(deviations: &Deviations) -> Judged {
     let mean = |radius, step, q| deviations.at(radius, step, q).mean;
     let width = |radius, step, q| deviations.at(radius, step, q).disturbed;
     let (reproduced, text) = at_steps(|step| {
-        Quantity::ALL.iter().all(|&q| mean(1, step, q) > mean(0, step, q))
-            && Quantity::ALL[1..].iter().all(|&q| width(1, step, q) > width(0, step, q))
+        Quantity::ALL
+            .iter()
+            .all(|&q| mean(1, step, q) > mean(0, step, q))
+            && Quantity::ALL[1..]
+                .iter()
+                .all(|&q| width(1, step, q) > width(0, step, q))
     });
-    let widths = |radius| by_step(|step| format!("{:.0}", 100.0 * width(radius, step, Quantity::Alpha2)));
+    let widths =
+        |radius| by_step(|step| format!("{:.0}", 100.0 * width(radius, step, Quantity::Alpha2)));
     reproduced.judged(
         "C5: the larger e, the larger the mean deviations and the wider the disturbed range",
         "in words",
@@ -244,12 +311,16 @@ fn wider(deviations: &Deviations) -> Judged {
 
 fn little(deviations: &Deviations) -> Judged {
     let share = |step: usize| {
-        let shares = Quantity::ALL.iter().map(|&q| deviations.at(0, step, q).mean / deviations.ranges[q.index()]);
+        let shares = Quantity::ALL
+            .iter()
+            .map(|&q| deviations.at(0, step, q).mean / deviations.ranges[q.index()]);
         shares.fold(0.0, f64::max)
     };
     let more = |step: usize| {
         let ratio = |q: Quantity| deviations.at(1, step, q).mean / deviations.at(0, step, q).mean;
-        Quantity::ALL[1..].iter().fold(f64::INFINITY, |least, &q| least.min(ratio(q)))
+        Quantity::ALL[1..]
+            .iter()
+            .fold(f64::INFINITY, |least, &q| least.min(ratio(q)))
     };
     let (reproduced, text) = at_steps(|step| share(step) <= LITTLE && more(step) >= CLEARLY_MORE);
     reproduced.judged(
@@ -274,13 +345,21 @@ mod tests {
 
     #[test]
     fn all_some_and_none() {
-        let words: Vec<&str> = [4, 1, 0].map(|held| Reproduced::of(held, 4).word()).to_vec();
+        let words: Vec<&str> = [4, 1, 0]
+            .map(|held| Reproduced::of(held, 4).word())
+            .to_vec();
         assert_eq!(words, ["reproduced", "partly", "not"]);
     }
 
     #[test]
     fn steps_that_hold_are_named() {
-        assert_eq!(at_steps(|step| step < 2), (Reproduced::Partly, "holds at 2.5°, 1°, not at 0.5°, 0.1°".into()));
+        assert_eq!(
+            at_steps(|step| step < 2),
+            (
+                Reproduced::Partly,
+                "holds at 2.5°, 1°, not at 0.5°, 0.1°".into()
+            )
+        );
         assert_eq!(at_steps(|_| true).0, Reproduced::Yes);
     }
 
@@ -300,8 +379,12 @@ mod tests {
 
     #[test]
     fn what_holds_with_some_centres_of_mass_is_possible_and_not_reproduced() {
-        let claims = [turning(|_| 9.9), turning(|index| if index < 4 { 10.0 } else { 1.0 }), turning(|_| 10.1)]
-            .map(|map| abrupt(&map).claim());
+        let claims = [
+            turning(|_| 9.9),
+            turning(|index| if index < 4 { 10.0 } else { 1.0 }),
+            turning(|_| 10.1),
+        ]
+        .map(|map| abrupt(&map).claim());
         let begins = [
             "not: 0 of 49",
             "possible for some centres of mass, which the paper does not give: 4 of 49",
@@ -310,6 +393,9 @@ mod tests {
         for (claim, begin) in claims.iter().zip(begins) {
             assert!(claim.ours.starts_with(begin), "{claim:?}");
         }
-        assert_eq!(claims.map(|claim| claim.verdict), [Verdict::Finding, Verdict::Finding, Verdict::Agrees]);
+        assert_eq!(
+            claims.map(|claim| claim.verdict),
+            [Verdict::Finding, Verdict::Finding, Verdict::Agrees]
+        );
     }
 }

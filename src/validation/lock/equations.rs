@@ -59,24 +59,35 @@ impl Walk {
     }
 
     fn start(constant: Vec2) -> Self {
-        Walk { constant, ..Walk::default() }
+        Walk {
+            constant,
+            ..Walk::default()
+        }
     }
 
     fn place(&self, theta: &Angles, r: &Offsets) -> Vec2 {
         let turned = self.turned.iter().map(|&(link, p)| turned(theta[link], p));
         let offsets = self.offsets.iter().map(|&(hinge, sign)| r[hinge] * sign);
-        turned.chain(offsets).fold(self.constant, |sum, part| sum + part)
+        turned
+            .chain(offsets)
+            .fold(self.constant, |sum, part| sum + part)
     }
 
     /// ∂/∂θ of a link.
     fn by_angle(&self, theta: &Angles, link: usize) -> Vec2 {
         let parts = self.turned.iter().filter(|(of, _)| *of == link);
-        parts.fold(Vec2::zeros(), |sum, &(_, p)| sum + perp(turned(theta[link], p)))
+        parts.fold(Vec2::zeros(), |sum, &(_, p)| {
+            sum + perp(turned(theta[link], p))
+        })
     }
 
     /// ∂/∂r of a hinge, a multiple of the unit matrix.
     fn by_offset(&self, hinge: usize) -> f64 {
-        self.offsets.iter().filter(|(of, _)| *of == hinge).map(|(_, sign)| sign).sum()
+        self.offsets
+            .iter()
+            .filter(|(of, _)| *of == hinge)
+            .map(|(_, sign)| sign)
+            .sum()
     }
 }
 
@@ -118,9 +129,17 @@ impl Lock {
     /// # Errors
     /// When a number is missing.
     pub fn new(model: &Model) -> Result<Self, CaseError> {
-        let body = |k: usize| model.bodies.get(LINKS[k]).ok_or_else(|| broken(format!("no body {}", LINKS[k])));
+        let body = |k: usize| {
+            model
+                .bodies
+                .get(LINKS[k])
+                .ok_or_else(|| broken(format!("no body {}", LINKS[k])))
+        };
         let point = |k: usize, name: &str| -> Result<Vec2, CaseError> {
-            let p = body(k)?.points.get(name).ok_or_else(|| broken(format!("no point {}.{name}", LINKS[k])))?;
+            let p = body(k)?
+                .points
+                .get(name)
+                .ok_or_else(|| broken(format!("no point {}.{name}", LINKS[k])))?;
             Ok(Vec2::new(p[0], p[1]))
         };
         let (mut mass, mut inertia, mut com) = ([0.0; 5], [0.0; 5], [Vec2::zeros(); 5]);
@@ -130,19 +149,40 @@ impl Lock {
             let ((m, j), c) = numbers.ok_or_else(|| broken(format!("{} has no mass", LINKS[k])))?;
             (mass[k], inertia[k], com[k]) = (m, j, Vec2::new(c[0], c[1]));
         }
-        let ground = model.bodies.get("ground").and_then(|ground| ground.points.get("g"));
-        let ground = ground.map(|p| Vec2::new(p[0], p[1])).ok_or_else(|| broken("no point ground.g"))?;
+        let ground = model
+            .bodies
+            .get("ground")
+            .and_then(|ground| ground.points.get("g"));
+        let ground = ground
+            .map(|p| Vec2::new(p[0], p[1]))
+            .ok_or_else(|| broken("no point ground.g"))?;
         // Frames of binary links and the first joints of ternary ones are at their origins.
         let (b2, c3, f3) = (point(0, "b")?, point(1, "c")?, point(1, "f")?);
-        let (c4, d4, d5, e6) = (point(2, "c")?, point(2, "d")?, point(3, "d")?, point(4, "e")?);
+        let (c4, d4, d5, e6) = (
+            point(2, "c")?,
+            point(2, "d")?,
+            point(3, "d")?,
+            point(4, "e")?,
+        );
         let link3 = Walk::default().hinge(A, 1.0).turn(0, b2).hinge(B, 1.0);
         let link4 = Walk::start(ground).hinge(G, 1.0);
         let link6 = link3.clone().turn(1, f3).hinge(F, 1.0);
         let link5 = link6.clone().turn(DRIVEN, e6).hinge(E, -1.0);
-        let first = Walk { constant: -ground, ..link3.clone() };
+        let first = Walk {
+            constant: -ground,
+            ..link3.clone()
+        };
         let first = first.turn(1, c3).hinge(C, 1.0).turn(2, -c4).hinge(G, -1.0);
-        let second = Walk::default().hinge(F, 1.0).turn(DRIVEN, e6).hinge(E, -1.0).turn(3, d5);
-        let second = second.turn(1, f3 - c3).hinge(C, -1.0).turn(2, c4 - d4).hinge(D, -1.0);
+        let second = Walk::default()
+            .hinge(F, 1.0)
+            .turn(DRIVEN, e6)
+            .hinge(E, -1.0)
+            .turn(3, d5);
+        let second = second
+            .turn(1, f3 - c3)
+            .hinge(C, -1.0)
+            .turn(2, c4 - d4)
+            .hinge(D, -1.0);
         Ok(Lock {
             mass,
             inertia,
@@ -160,7 +200,9 @@ impl Lock {
 
     /// Largest component of Φ₁, Φ₂ [m].
     pub fn residual(&self, theta: &Angles, r: &Offsets) -> f64 {
-        self.loops.iter().fold(0.0, |worst, walk| worst.max(walk.place(theta, r).amax()))
+        self.loops
+            .iter()
+            .fold(0.0, |worst, walk| worst.max(walk.place(theta, r).amax()))
     }
 
     /// ∂Φ/∂(θ2 … θ5).
@@ -174,27 +216,38 @@ impl Lock {
     /// When the loops are singular.
     pub fn generalized(&self, theta: &Angles, a: &Accelerations) -> Result<Generalized, CaseError> {
         let lu = self.jacobian(theta).full_piv_lu();
-        let solve = |rhs: SVector<f64, 4>| lu.solve(&rhs).ok_or_else(|| broken("the loops are singular"));
+        let solve = |rhs: SVector<f64, 4>| {
+            lu.solve(&rhs)
+                .ok_or_else(|| broken("the loops are singular"))
+        };
         let inertial = |k: usize| (a.centres[k] - self.gravity) * self.mass[k];
         // By an explicit change of each centre of mass and the angles that follow.
-        let work = |angles: SVector<f64, 4>, driven: f64, explicit: &dyn Fn(&Walk) -> Vec2| -> f64 {
-            let mut sum = 0.0;
-            for (k, walk) in self.centres.iter().enumerate() {
-                let mut moved = explicit(walk) + walk.by_angle(theta, DRIVEN) * driven;
-                for link in 0..4 {
-                    moved += walk.by_angle(theta, link) * angles[link];
+        let work =
+            |angles: SVector<f64, 4>, driven: f64, explicit: &dyn Fn(&Walk) -> Vec2| -> f64 {
+                let mut sum = 0.0;
+                for (k, walk) in self.centres.iter().enumerate() {
+                    let mut moved = explicit(walk) + walk.by_angle(theta, DRIVEN) * driven;
+                    for link in 0..4 {
+                        moved += walk.by_angle(theta, link) * angles[link];
+                    }
+                    let turned = if k == DRIVEN { driven } else { angles[k] };
+                    sum += inertial(k).dot(&moved) + self.inertia[k] * a.angles[k] * turned;
                 }
-                let turned = if k == DRIVEN { driven } else { angles[k] };
-                sum += inertial(k).dot(&moved) + self.inertia[k] * a.angles[k] * turned;
-            }
-            sum
-        };
-        let by_driven = SVector::from_fn(|row, _| -self.loops[row / 2].by_angle(theta, DRIVEN)[row % 2]);
+                sum
+            };
+        let by_driven =
+            SVector::from_fn(|row, _| -self.loops[row / 2].by_angle(theta, DRIVEN)[row % 2]);
         let torque = work(solve(by_driven)?, 1.0, &|_| Vec2::zeros());
         let mut forces = [Vec2::zeros(); 7];
         for (hinge, force) in forces.iter_mut().enumerate() {
             for axis in 0..2 {
-                let by_offset = |row: usize| if row % 2 == axis { self.loops[row / 2].by_offset(hinge) } else { 0.0 };
+                let by_offset = |row: usize| {
+                    if row % 2 == axis {
+                        self.loops[row / 2].by_offset(hinge)
+                    } else {
+                        0.0
+                    }
+                };
                 let angles = solve(SVector::from_fn(|row, _| -by_offset(row)))?;
                 force[axis] = work(angles, 0.0, &|walk| {
                     let mut unit = Vec2::zeros();
@@ -235,13 +288,17 @@ impl Lock {
         let mut theta = *start;
         let mut last = f64::INFINITY;
         for _ in 0..30 {
-            let phi = SVector::<f64, 4>::from_fn(|row, _| -self.loops[row / 2].place(&theta, r)[row % 2]);
+            let phi =
+                SVector::<f64, 4>::from_fn(|row, _| -self.loops[row / 2].place(&theta, r)[row % 2]);
             let step = self.jacobian(&theta).full_piv_lu().solve(&phi)?;
             let size = step.amax();
             if size.is_nan() || (size > 0.25 * last && size > 1e-11) {
                 return None;
             }
-            theta.iter_mut().zip(step.iter()).for_each(|(theta, step)| *theta += step);
+            theta
+                .iter_mut()
+                .zip(step.iter())
+                .for_each(|(theta, step)| *theta += step);
             if size <= 1e-13 {
                 break;
             }
@@ -268,13 +325,18 @@ mod tests {
         // Without gravity and acceleration of rotation, with ẍ = 1 everywhere, Q is the derivative of Σ m x.
         let mut lock = lock();
         lock.gravity = Vec2::zeros();
-        let a = Accelerations { centres: [Vec2::new(1.0, 0.0); 5], angles: [0.0; 5] };
+        let a = Accelerations {
+            centres: [Vec2::new(1.0, 0.0); 5],
+            angles: [0.0; 5],
+        };
         let guess = [41.09, -8.01, 25.75, 103.01, -50.0].map(f64::to_radians);
         let mut r = [Vec2::new(1e-4, 2e-4); 7];
         let theta = lock.newton(&guess, &r).expect("closes");
         let found = lock.generalized(&theta, &a).expect("regular");
         let sum = |theta: &Angles, r: &Offsets| -> f64 {
-            (0..5).map(|k| lock.mass[k] * lock.centres[k].place(theta, r).x).sum()
+            (0..5)
+                .map(|k| lock.mass[k] * lock.centres[k].place(theta, r).x)
+                .sum()
         };
         let h = 1e-5;
         let mut shifted = |hinge: usize, axis: usize, by: f64| {
@@ -287,7 +349,10 @@ mod tests {
             for axis in 0..2 {
                 let difference = (shifted(hinge, axis, h) - shifted(hinge, axis, -h)) / (2.0 * h);
                 let ours = found.forces[hinge][axis];
-                assert!((difference - ours).abs() < 1e-6, "{hinge} {axis}: {difference} {ours}");
+                assert!(
+                    (difference - ours).abs() < 1e-6,
+                    "{hinge} {axis}: {difference} {ours}"
+                );
             }
         }
         let at = |by: f64| {
@@ -296,6 +361,10 @@ mod tests {
             sum(&lock.newton(&guess, &r).expect("closes"), &r)
         };
         let difference = (at(h) - at(-h)) / (2.0 * h);
-        assert!((difference - found.torque).abs() < 1e-6, "{difference} {}", found.torque);
+        assert!(
+            (difference - found.torque).abs() < 1e-6,
+            "{difference} {}",
+            found.torque
+        );
     }
 }

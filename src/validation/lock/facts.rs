@@ -29,9 +29,17 @@ impl Fact {
         Claim {
             what: format!("{}, against the calculation with 50 digits", self.what),
             reference: format!("{}", self.reference),
-            ours: if self.ours.is_finite() { format!("{}", self.ours) } else { "no value".into() },
+            ours: if self.ours.is_finite() {
+                format!("{}", self.ours)
+            } else {
+                "no value".into()
+            },
             difference: format!("{difference:.1e} (allowed {:.0e})", self.tolerance),
-            verdict: if difference.abs() <= self.tolerance { Verdict::Agrees } else { Verdict::Fault },
+            verdict: if difference.abs() <= self.tolerance {
+                Verdict::Agrees
+            } else {
+                Verdict::Fault
+            },
         }
     }
 }
@@ -60,7 +68,10 @@ pub fn facts(stroke: &Stroke, control: &Control) -> Result<Vec<Fact>, CaseError>
     };
     // With an output right at the change point.
     let at_change = at_value(change, control)?;
-    let row = stroke.theta6.iter().position(|theta6| (theta6 - NEAR_CHANGE_POINT).abs() < 1e-9);
+    let row = stroke
+        .theta6
+        .iter()
+        .position(|theta6| (theta6 - NEAR_CHANGE_POINT).abs() < 1e-9);
     let beside = Quantity::ALL.map(|q| row.map_or(f64::NAN, |row| stroke.curve(q)[row]));
     let ours = |name: &str| match name {
         "change_point[deg]" => Ok(change.to_degrees()),
@@ -72,21 +83,32 @@ pub fn facts(stroke: &Stroke, control: &Control) -> Result<Vec<Fact>, CaseError>
         "alpha2.at_117.5_deg[rad/s^2]" => Ok(beside[Quantity::Alpha2.index()]),
         "M_d.at_117.5_deg[N*m]" => Ok(beside[Quantity::Torque.index()]),
         "F12.at_117.5_deg[N]" => Ok(beside[Quantity::Force.index()]),
-        other => Err(broken(format!("independent.csv: nobody computes {other:?}"))),
+        other => Err(broken(format!(
+            "independent.csv: nobody computes {other:?}"
+        ))),
     };
     let [references, tolerances] = &table.rows[..] else {
         return Err(broken("independent.csv: two rows are expected"));
     };
     let rows = table.columns.iter().zip(references).zip(tolerances);
     rows.map(|((what, &reference), &tolerance)| {
-        Ok(Fact { what: what.clone(), reference, tolerance, ours: ours(what)? })
+        Ok(Fact {
+            what: what.clone(),
+            reference,
+            tolerance,
+            ours: ours(what)?,
+        })
     })
     .collect()
 }
 
 /// Driver value of the first event of a kind [rad].
 fn value_of(events: &[Event], kind: &str) -> f64 {
-    events.iter().find(|event| event.kind == kind).and_then(|event| event.value).unwrap_or(f64::NAN)
+    events
+        .iter()
+        .find(|event| event.kind == kind)
+        .and_then(|event| event.value)
+        .unwrap_or(f64::NAN)
 }
 
 /// The five quantities with the driver at `value` [rad].
@@ -100,7 +122,9 @@ fn at_value(value: f64, control: &Control) -> Result<[f64; 5], CaseError> {
     let (_, outcome) = run(&document, control)?;
     let first = |name: &str| {
         let values = outcome.trajectory.values(name);
-        values.and_then(|values| values.first().copied()).ok_or_else(|| broken(format!("no {name} at {value} rad")))
+        values
+            .and_then(|values| values.first().copied())
+            .ok_or_else(|| broken(format!("no {name} at {value} rad")))
     };
     Ok([
         first("link2.angle")?,

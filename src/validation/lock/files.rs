@@ -15,7 +15,11 @@ pub const CURVES: usize = 2;
 
 /// A cell; empty where there is no value.
 pub fn cell(value: f64) -> String {
-    if value.is_finite() { format!("{value}") } else { String::new() }
+    if value.is_finite() {
+        format!("{value}")
+    } else {
+        String::new()
+    }
 }
 
 /// Figure 4 … 8, one file each.
@@ -32,7 +36,12 @@ pub fn curves(directory: &Directory, runs: &Runs) -> Result<(), WriteError> {
         }
         text.push('\n');
         for (row, theta6) in ideal.theta6.iter().enumerate() {
-            let _ = write!(text, "{theta6},{},{}", theta6.to_radians(), cell(ideal.curve(quantity)[row]));
+            let _ = write!(
+                text,
+                "{theta6},{},{}",
+                theta6.to_radians(),
+                cell(ideal.curve(quantity)[row])
+            );
             for strokes in &runs.clearance {
                 let _ = write!(text, ",{}", cell(strokes[CURVES].curve(quantity)[row]));
             }
@@ -48,8 +57,15 @@ pub fn curves(directory: &Directory, runs: &Runs) -> Result<(), WriteError> {
 /// # Errors
 /// When it can't be written.
 pub fn table(directory: &Directory, all: &[&Runs], paper: &Paper) -> Result<(), WriteError> {
-    let steps = |what: &str| STEPS.map(|step| format!(",{what} at step {step} deg")).concat();
-    let mut text = format!("centres of mass,hinge order,e[um],quantity,unit,statistic,paper{}", steps("ours"));
+    let steps = |what: &str| {
+        STEPS
+            .map(|step| format!(",{what} at step {step} deg"))
+            .concat()
+    };
+    let mut text = format!(
+        "centres of mass,hinge order,e[um],quantity,unit,statistic,paper{}",
+        steps("ours")
+    );
     let _ = writeln!(text, ",settles{}", steps("theta6[deg] of the largest"));
     for runs in all {
         let order = match runs.request.order {
@@ -60,16 +76,39 @@ pub fn table(directory: &Directory, all: &[&Runs], paper: &Paper) -> Result<(), 
             for (index, radius) in RADII.iter().enumerate() {
                 let row = runs.row(index, quantity);
                 let [max, mean] = paper.deviation(index, quantity);
-                let places = row.iter().map(|d| format!(",{}", cell(d.at))).collect::<String>();
+                let places = row
+                    .iter()
+                    .map(|d| format!(",{}", cell(d.at)))
+                    .collect::<String>();
                 let halves = [
-                    ("max", max, row.iter().map(|d| d.max).collect::<Vec<f64>>(), places),
-                    ("mean", mean, row.iter().map(|d| d.mean).collect(), ",".repeat(STEPS.len())),
+                    (
+                        "max",
+                        max,
+                        row.iter().map(|d| d.max).collect::<Vec<f64>>(),
+                        places,
+                    ),
+                    (
+                        "mean",
+                        mean,
+                        row.iter().map(|d| d.mean).collect(),
+                        ",".repeat(STEPS.len()),
+                    ),
                 ];
                 for (statistic, printed, ours, places) in halves {
-                    let cells = ours.iter().map(|&value| format!(",{}", cell(value))).collect::<String>();
-                    let (symbol, unit, centres) = (quantity.symbol(), quantity.unit(), runs.request.centres.words());
+                    let cells = ours
+                        .iter()
+                        .map(|&value| format!(",{}", cell(value)))
+                        .collect::<String>();
+                    let (symbol, unit, centres) = (
+                        quantity.symbol(),
+                        quantity.unit(),
+                        runs.request.centres.words(),
+                    );
                     let settled = if settles(&ours) { "yes" } else { "no" };
-                    let _ = write!(text, "{centres},{order},{radius},{symbol},{unit},{statistic},{printed}{cells}");
+                    let _ = write!(
+                        text,
+                        "{centres},{order},{radius},{symbol},{unit},{statistic},{printed}{cells}"
+                    );
                     let _ = writeln!(text, ",{settled}{places}");
                 }
             }
@@ -84,8 +123,19 @@ pub fn table(directory: &Directory, all: &[&Runs], paper: &Paper) -> Result<(), 
 /// When it can't be written.
 pub fn singular(directory: &Directory, facts: &[Fact]) -> Result<(), WriteError> {
     let mut text = String::from("quantity,independent,ours,difference,allowed\n");
-    for Fact { what, reference, ours, tolerance } in facts {
-        let _ = writeln!(text, "{what},{reference},{},{},{tolerance}", cell(*ours), cell(ours - reference));
+    for Fact {
+        what,
+        reference,
+        ours,
+        tolerance,
+    } in facts
+    {
+        let _ = writeln!(
+            text,
+            "{what},{reference},{},{},{tolerance}",
+            cell(*ours),
+            cell(ours - reference)
+        );
     }
     directory.write("singular.csv", text.as_bytes()).map(|_| ())
 }
@@ -100,9 +150,21 @@ pub fn centres(directory: &Directory, map: &[ForceNear]) -> Result<(), WriteErro
          turn near -40 deg by the median,change near -40 deg by the median,abrupt near -40 deg\n",
     );
     for near in map {
-        let [third, fourth] = [Ternary::Link3.symbol(near.centres.link3), Ternary::Link4.symbol(near.centres.link4)];
+        let [third, fourth] = [
+            Ternary::Link3.symbol(near.centres.link3),
+            Ternary::Link4.symbol(near.centres.link4),
+        ];
         let ([least, at], [_, turns_at]) = (near.least, near.turn);
-        let numbers = [least, at, near.turn_most, turns_at, near.turn_near, near.change].map(cell).join(",");
+        let numbers = [
+            least,
+            at,
+            near.turn_most,
+            turns_at,
+            near.turn_near,
+            near.change,
+        ]
+        .map(cell)
+        .join(",");
         let abrupt = if near.abrupt() { "yes" } else { "no" };
         let _ = writeln!(text, "{third},{fourth},{numbers},{abrupt}");
     }
@@ -116,11 +178,20 @@ pub fn centres(directory: &Directory, map: &[ForceNear]) -> Result<(), WriteErro
 pub fn intervals(directory: &Directory, runs: &Runs) -> Result<(), WriteError> {
     let mut text = String::from("e[um],step[deg],what,from[deg],to[deg]\n");
     for stroke in runs.clearance.iter().flatten() {
-        for (what, name) in [(Found::Nothing, "no assembly"), (Found::LastPass, "no fixed point")] {
+        for (what, name) in [
+            (Found::Nothing, "no assembly"),
+            (Found::LastPass, "no fixed point"),
+        ] {
             for [from, to] in stroke.intervals(what) {
-                let _ = writeln!(text, "{},{},{name},{from},{to}", stroke.request.radius, stroke.request.step);
+                let _ = writeln!(
+                    text,
+                    "{},{},{name},{from},{to}",
+                    stroke.request.radius, stroke.request.step
+                );
             }
         }
     }
-    directory.write("intervals.csv", text.as_bytes()).map(|_| ())
+    directory
+        .write("intervals.csv", text.as_bytes())
+        .map(|_| ())
 }

@@ -48,10 +48,15 @@ impl FirstPass {
     /// Largest and mean |Δθ2| over outputs `step` degrees apart [rad].
     pub fn statistics(&self, step: f64) -> [f64; 2] {
         let stride = (step / STEP).round() as usize;
-        let values =
-            self.delta.iter().step_by(stride.max(1)).map(|delta| delta.abs()).filter(|delta| delta.is_finite());
-        let (max, sum, count) =
-            values.fold((0.0_f64, 0.0, 0.0), |(max, sum, count), d| (max.max(d), sum + d, count + 1.0));
+        let values = self
+            .delta
+            .iter()
+            .step_by(stride.max(1))
+            .map(|delta| delta.abs())
+            .filter(|delta| delta.is_finite());
+        let (max, sum, count) = values.fold((0.0_f64, 0.0, 0.0), |(max, sum, count), d| {
+            (max.max(d), sum + d, count + 1.0)
+        });
         [max, sum / count]
     }
 }
@@ -71,8 +76,22 @@ pub fn first_pass(radius: f64, sign: Sign, control: &Control) -> Result<FirstPas
     let mut delta = Vec::with_capacity(ideal.theta6.len());
     for row in 0..ideal.trajectory.len() {
         let (theta, forces) = angles_and_forces(&ideal.trajectory, row)?;
-        let r: Offsets = forces.map(|f: Vec2| if f.norm() > 0.0 { f * (length / f.norm()) } else { Vec2::zeros() });
-        delta.push(lock.close(&theta, &r).map_or(f64::NAN, |closed| closed[0] - theta[0]));
+        let r: Offsets = forces.map(|f: Vec2| {
+            if f.norm() > 0.0 {
+                f * (length / f.norm())
+            } else {
+                Vec2::zeros()
+            }
+        });
+        delta.push(
+            lock.close(&theta, &r)
+                .map_or(f64::NAN, |closed| closed[0] - theta[0]),
+        );
     }
-    Ok(FirstPass { radius, sign, theta6: ideal.theta6, delta })
+    Ok(FirstPass {
+        radius,
+        sign,
+        theta6: ideal.theta6,
+        delta,
+    })
 }

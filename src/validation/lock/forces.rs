@@ -35,7 +35,9 @@ impl ForceNear {
     /// When it has no forces.
     pub fn of(stroke: &Stroke) -> Result<Self, CaseError> {
         let forces = stroke.joint_force("a")?;
-        let clear: Vec<usize> = (0..forces.len()).filter(|&row| stroke.theta6[row] <= CLEAR).collect();
+        let clear: Vec<usize> = (0..forces.len())
+            .filter(|&row| stroke.theta6[row] <= CLEAR)
+            .collect();
         let mut near = ForceNear {
             centres: stroke.request.centres,
             least: [f64::INFINITY, f64::NAN],
@@ -89,7 +91,10 @@ impl ForceNear {
 /// When one can't be run.
 pub fn map(control: &Control) -> Result<Vec<ForceNear>, CaseError> {
     let near = |centres: Centres| {
-        let request = Request { centres, ..Request::ideal(STEPS[3]) };
+        let request = Request {
+            centres,
+            ..Request::ideal(STEPS[3])
+        };
         ForceNear::of(&request.run_to(CLEAR, control)?)
     };
     Centres::all().map(near).collect()

@@ -46,9 +46,21 @@ pub fn run(setting: &Setting) -> Result<CaseReport, CaseError> {
     let paper = Paper::read()?;
     let mut all = Vec::new();
     for centres in Centres::TABLES {
-        all.push(Runs::new(Request { centres, ..Request::ideal(STEPS[0]) }, control)?);
+        all.push(Runs::new(
+            Request {
+                centres,
+                ..Request::ideal(STEPS[0])
+            },
+            control,
+        )?);
     }
-    let other_order = Runs::new(Request { order: Order::FiveOnThree, ..Request::ideal(STEPS[0]) }, control)?;
+    let other_order = Runs::new(
+        Request {
+            order: Order::FiveOnThree,
+            ..Request::ideal(STEPS[0])
+        },
+        control,
+    )?;
     let base = &all[0];
     let [finest, variant] = [&base.ideal[3], &other_order.ideal[3]];
     let facts = facts::facts(finest, control)?;
@@ -94,13 +106,19 @@ pub fn run(setting: &Setting) -> Result<CaseReport, CaseError> {
         files::centres(&directory, &map)?;
         files::intervals(&directory, base)?;
     }
-    Ok(CaseReport { text: page.text(), claims })
+    Ok(CaseReport {
+        text: page.text(),
+        claims,
+    })
 }
 
 /// The paper's equations on all runs: the worst figure of each.
 fn equations(all: &[&Runs]) -> Result<Vec<Claim>, CaseError> {
     let mut worst = Violations::default();
-    for stroke in all.iter().flat_map(|runs| runs.ideal.iter().chain(runs.clearance.iter().flatten())) {
+    for stroke in all
+        .iter()
+        .flat_map(|runs| runs.ideal.iter().chain(runs.clearance.iter().flatten()))
+    {
         worst = worst.join(checks::check(stroke)?);
     }
     let claim = |(what, value, instants): (&str, f64, usize)| Claim {
@@ -108,7 +126,11 @@ fn equations(all: &[&Runs]) -> Result<Vec<Claim>, CaseError> {
         reference: "0".into(),
         ours: format!("{value:.1e}"),
         difference: format!("relative, allowed {TOLERANCE:.0e}"),
-        verdict: if value <= TOLERANCE && instants > 0 { Verdict::Agrees } else { Verdict::Fault },
+        verdict: if value <= TOLERANCE && instants > 0 {
+            Verdict::Agrees
+        } else {
+            Verdict::Fault
+        },
     };
     Ok(worst.named().into_iter().map(claim).collect())
 }
@@ -120,7 +142,10 @@ fn angle_difference(a: &Stroke, b: &Stroke) -> Result<f64, CaseError> {
         let name = format!("{link}.angle");
         let pair = a.trajectory.values(&name).zip(b.trajectory.values(&name));
         let (a, b) = pair.ok_or_else(|| broken(format!("no column {name}")))?;
-        worst = a.iter().zip(&b).fold(worst, |worst, (a, b)| worst.max((a - b).abs()));
+        worst = a
+            .iter()
+            .zip(&b)
+            .fold(worst, |worst, (a, b)| worst.max((a - b).abs()));
     }
     Ok(worst)
 }
@@ -131,7 +156,11 @@ fn same_angles(difference: f64) -> Claim {
         reference: "the same".into(),
         ours: "largest difference over the stroke".into(),
         difference: format!("{difference:.1e} (allowed {SAME_ANGLE:.0e})"),
-        verdict: if difference <= SAME_ANGLE { Verdict::Agrees } else { Verdict::Fault },
+        verdict: if difference <= SAME_ANGLE {
+            Verdict::Agrees
+        } else {
+            Verdict::Fault
+        },
     }
 }
 
@@ -141,13 +170,19 @@ fn figures(deviations: &Deviations, paper: &Paper) -> Vec<Claim> {
         let (mut printed, mut ours, mut factors) = (Vec::new(), Vec::new(), Vec::new());
         for radius in 0..RADII.len() {
             let found = deviations.at(radius, 0, quantity);
-            for (theirs, value) in paper.deviation(radius, quantity).into_iter().zip([found.max, found.mean]) {
+            for (theirs, value) in paper
+                .deviation(radius, quantity)
+                .into_iter()
+                .zip([found.max, found.mean])
+            {
                 printed.push(format!("{theirs}"));
                 ours.push(short(value));
                 factors.push(value / theirs);
             }
         }
-        let same = factors.iter().all(|factor| (1.0 / SAME..=SAME).contains(factor));
+        let same = factors
+            .iter()
+            .all(|factor| (1.0 / SAME..=SAME).contains(factor));
         let factors: Vec<String> = factors.into_iter().map(short).collect();
         Claim {
             what: format!(
@@ -159,7 +194,11 @@ fn figures(deviations: &Deviations, paper: &Paper) -> Vec<Claim> {
             reference: printed.join(" / "),
             ours: ours.join(" / "),
             difference: format!("factors {} (same up to {SAME})", factors.join(" / ")),
-            verdict: if same { Verdict::Agrees } else { Verdict::Finding },
+            verdict: if same {
+                Verdict::Agrees
+            } else {
+                Verdict::Finding
+            },
         }
     };
     Quantity::ALL.into_iter().map(claim).collect()
@@ -167,17 +206,40 @@ fn figures(deviations: &Deviations, paper: &Paper) -> Vec<Claim> {
 
 /// θ2 at 117.5° in the first pass against the paper's largest.
 fn first_pass_claim(passes: &[FirstPass], paper: &Paper) -> Claim {
-    let pressing: Vec<f64> =
-        passes.iter().filter(|pass| pass.sign == Sign::Pressing).map(|pass| pass.at(NEAR_CHANGE_POINT)).collect();
-    let printed: Vec<f64> = (0..RADII.len()).map(|radius| paper.deviation(radius, Quantity::Theta2)[0]).collect();
+    let pressing: Vec<f64> = passes
+        .iter()
+        .filter(|pass| pass.sign == Sign::Pressing)
+        .map(|pass| pass.at(NEAR_CHANGE_POINT))
+        .collect();
+    let printed: Vec<f64> = (0..RADII.len())
+        .map(|radius| paper.deviation(radius, Quantity::Theta2)[0])
+        .collect();
     let same = |(ours, theirs): (&f64, &f64)| (1.0 / SAME..=SAME).contains(&(ours / theirs));
-    let factors: Vec<String> = pressing.iter().zip(&printed).map(|(ours, theirs)| short(ours / theirs)).collect();
+    let factors: Vec<String> = pressing
+        .iter()
+        .zip(&printed)
+        .map(|(ours, theirs)| short(ours / theirs))
+        .collect();
     Claim {
-        what: "largest |deviation| of theta2 [rad] at 10 and 100 um, against our first pass at 117.5°".into(),
-        reference: printed.iter().map(f64::to_string).collect::<Vec<_>>().join(" / "),
-        ours: pressing.iter().map(|&value| short(value)).collect::<Vec<_>>().join(" / "),
+        what:
+            "largest |deviation| of theta2 [rad] at 10 and 100 um, against our first pass at 117.5°"
+                .into(),
+        reference: printed
+            .iter()
+            .map(f64::to_string)
+            .collect::<Vec<_>>()
+            .join(" / "),
+        ours: pressing
+            .iter()
+            .map(|&value| short(value))
+            .collect::<Vec<_>>()
+            .join(" / "),
         difference: format!("factors {} (same up to {SAME})", factors.join(" / ")),
-        verdict: if pressing.iter().zip(&printed).all(same) { Verdict::Agrees } else { Verdict::Finding },
+        verdict: if pressing.iter().zip(&printed).all(same) {
+            Verdict::Agrees
+        } else {
+            Verdict::Finding
+        },
     }
 }
 
@@ -188,17 +250,32 @@ mod tests {
 
     #[test]
     fn the_case_has_no_fault_and_all_six_claims() {
-        let report = run(&Setting { output: None, control: Control::default() }).expect("runs");
+        let report = run(&Setting {
+            output: None,
+            control: Control::default(),
+        })
+        .expect("runs");
         for claim in &report.claims {
             assert_ne!(claim.verdict, Verdict::Fault, "{claim:?}");
         }
         for name in ["C1:", "C2:", "C3:", "C4:", "C5:", "C6:"] {
-            let claim = report.claims.iter().find(|claim| claim.what.starts_with(name)).expect(name);
+            let claim = report
+                .claims
+                .iter()
+                .find(|claim| claim.what.starts_with(name))
+                .expect(name);
             let words = ["reproduced:", "partly:", "possible for some", "not:"];
-            assert!(words.iter().any(|word| claim.ours.starts_with(word)), "{claim:?}");
+            assert!(
+                words.iter().any(|word| claim.ours.starts_with(word)),
+                "{claim:?}"
+            );
         }
         // The 50-digit value of validation/generate/lock.py, to 1e-8°.
-        let change = report.claims.iter().find(|claim| claim.what.starts_with("change_point")).expect("located");
+        let change = report
+            .claims
+            .iter()
+            .find(|claim| claim.what.starts_with("change_point"))
+            .expect("located");
         let ours: f64 = change.ours.parse().expect("a number");
         assert!((ours - 117.512_206_516_641).abs() < 1e-8, "{ours}");
         let widest = report.text.lines().map(|line| line.chars().count()).max();

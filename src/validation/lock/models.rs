@@ -42,12 +42,20 @@ pub struct Request {
 impl Request {
     /// The bundled model as it is.
     pub fn ideal(step: f64) -> Self {
-        Request { centres: Centres::MODEL, order: Order::SixOnThree, radius: 0.0, step }
+        Request {
+            centres: Centres::MODEL,
+            order: Order::SixOnThree,
+            radius: 0.0,
+            step,
+        }
     }
 
     /// The bundled model with clearance links of `radius` [µm].
     pub fn clearance(radius: f64, step: f64) -> Self {
-        Request { radius, ..Request::ideal(step) }
+        Request {
+            radius,
+            ..Request::ideal(step)
+        }
     }
 
     /// The model file of this run.
@@ -55,7 +63,8 @@ impl Request {
     /// # Errors
     /// When the bundled model is not what this case edits.
     pub fn document(&self) -> Result<Value, CaseError> {
-        let bundled = bundled::find("watt-i-lock").ok_or_else(|| broken("no bundled model watt-i-lock"))?;
+        let bundled =
+            bundled::find("watt-i-lock").ok_or_else(|| broken("no bundled model watt-i-lock"))?;
         let mut document: Value = serde_json::from_str(bundled.text).map_err(broken)?;
         self.centres.place(&mut document)?;
         match self.order {
@@ -146,17 +155,21 @@ fn exchange_links(document: &mut Value) -> Result<(), CaseError> {
     let corner = document["bodies"]["link6"]["pose"]["position"].clone();
     let at: [f64; 2] = serde_json::from_value(corner.clone()).map_err(broken)?;
     let length = point(document, "link5", "d")?[0];
-    let angle = document["bodies"]["link5"]["pose"]["angle"].as_f64().ok_or_else(|| broken("link5 has no angle"))?;
+    let angle = document["bodies"]["link5"]["pose"]["angle"]
+        .as_f64()
+        .ok_or_else(|| broken("link5 has no angle"))?;
     let (sin, cos) = angle.to_radians().sin_cos();
     document["bodies"]["link5"]["pose"]["position"] = corner;
-    document["bodies"]["link6"]["pose"]["position"] = json!([at[0] + length * cos, at[1] + length * sin]);
+    document["bodies"]["link6"]["pose"]["position"] =
+        json!([at[0] + length * cos, at[1] + length * sin]);
     let end = point(document, "link6", "e")?;
     document["bodies"]["link5"]["points"] = json!({ "f": [0, 0], "e": [length, 0] });
     document["bodies"]["link6"]["points"] = json!({ "e": [0, 0], "d": end });
     document["joints"]["d"]["between"] = json!(["link4.d", "link6.d"]);
     document["joints"]["f"]["between"] = json!(["link3.f", "link5.f"]);
     for body in ["link5", "link6"] {
-        document["bodies"][body]["note"] = json!("the other order of the hinges: a variant of ours");
+        document["bodies"][body]["note"] =
+            json!("the other order of the hinges: a variant of ours");
     }
     Ok(())
 }
@@ -172,8 +185,13 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    pub const ALL: [Quantity; 5] =
-        [Quantity::Theta2, Quantity::Omega2, Quantity::Alpha2, Quantity::Torque, Quantity::Force];
+    pub const ALL: [Quantity; 5] = [
+        Quantity::Theta2,
+        Quantity::Omega2,
+        Quantity::Alpha2,
+        Quantity::Torque,
+        Quantity::Force,
+    ];
 
     /// Its symbol.
     pub fn symbol(self) -> &'static str {
@@ -233,9 +251,21 @@ impl Stroke {
     ///
     /// # Errors
     /// When columns are missing.
-    pub fn new(request: Request, model: Model, trajectory: Trajectory, report: Report) -> Result<Self, CaseError> {
-        let column = |name: &str| trajectory.values(name).ok_or_else(|| broken(format!("no column {name}")));
-        let forces = column("joint.a.fx")?.into_iter().zip(column("joint.a.fy")?).map(|(x, y)| x.hypot(y));
+    pub fn new(
+        request: Request,
+        model: Model,
+        trajectory: Trajectory,
+        report: Report,
+    ) -> Result<Self, CaseError> {
+        let column = |name: &str| {
+            trajectory
+                .values(name)
+                .ok_or_else(|| broken(format!("no column {name}")))
+        };
+        let forces = column("joint.a.fx")?
+            .into_iter()
+            .zip(column("joint.a.fy")?)
+            .map(|(x, y)| x.hypot(y));
         let curves = [
             column("link2.angle")?,
             column("link2.omega")?,
@@ -245,9 +275,23 @@ impl Stroke {
         ];
         // Outputs are multiples of a hundredth of a degree: without the round-off of the conversion.
         let degrees = |value: f64| (value.to_degrees() * 1e9).round() / 1e9;
-        let theta6 = column("driver.motor.value")?.into_iter().map(degrees).collect();
-        let found = column("time")?.into_iter().map(|time| found(&report.events, time)).collect();
-        Ok(Stroke { request, model, trajectory, report, theta6, curves, found })
+        let theta6 = column("driver.motor.value")?
+            .into_iter()
+            .map(degrees)
+            .collect();
+        let found = column("time")?
+            .into_iter()
+            .map(|time| found(&report.events, time))
+            .collect();
+        Ok(Stroke {
+            request,
+            model,
+            trajectory,
+            report,
+            theta6,
+            curves,
+            found,
+        })
     }
 
     /// One of the curves.
@@ -283,7 +327,8 @@ pub fn intervals(x: &[f64], is: impl Fn(usize) -> bool) -> Vec<[f64; 2]> {
 
 /// What the events say about an instant.
 fn found(events: &[Event], time: f64) -> Found {
-    let within = |event: &&Event| event.time <= time && time <= event.end_time.unwrap_or(event.time);
+    let within =
+        |event: &&Event| event.time <= time && time <= event.end_time.unwrap_or(event.time);
     let of_kind = |kind: &str| events.iter().filter(within).any(|event| event.kind == kind);
     if of_kind("no_solution") {
         Found::Nothing
@@ -309,13 +354,24 @@ mod tests {
     #[test]
     fn the_other_hinge_order_has_the_same_angles() {
         let base = Request::ideal(5.0).run(&Control::default()).expect("runs");
-        let variant = Request { order: Order::FiveOnThree, ..base.request };
+        let variant = Request {
+            order: Order::FiveOnThree,
+            ..base.request
+        };
         let variant = variant.run(&Control::default()).expect("runs");
         for link in LINKS {
             let name = format!("{link}.angle");
-            let angles = base.trajectory.values(&name).into_iter().zip(variant.trajectory.values(&name)).next();
+            let angles = base
+                .trajectory
+                .values(&name)
+                .into_iter()
+                .zip(variant.trajectory.values(&name))
+                .next();
             let (ours, theirs) = angles.expect("there");
-            let worst = ours.iter().zip(&theirs).fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()));
+            let worst = ours
+                .iter()
+                .zip(&theirs)
+                .fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()));
             assert!(worst < 1e-12, "{name}: {worst:e}");
         }
     }

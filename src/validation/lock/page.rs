@@ -35,7 +35,11 @@ pub fn short(value: f64) -> String {
 fn interval([low, high]: [f64; 2]) -> String {
     // Outputs are multiples of a hundredth of a degree.
     let degrees = |x: f64| format!("{}", (x * 100.0).round() / 100.0);
-    if low == high { degrees(low) } else { format!("{}…{}", degrees(low), degrees(high)) }
+    if low == high {
+        degrees(low)
+    } else {
+        format!("{}…{}", degrees(low), degrees(high))
+    }
 }
 
 /// Intervals in a line.
@@ -43,9 +47,17 @@ fn list(intervals: &[[f64; 2]]) -> String {
     if intervals.is_empty() {
         return "none".into();
     }
-    let shown: Vec<String> = intervals.iter().take(MOST_INTERVALS).map(|&i| interval(i)).collect();
+    let shown: Vec<String> = intervals
+        .iter()
+        .take(MOST_INTERVALS)
+        .map(|&i| interval(i))
+        .collect();
     let more = intervals.len().saturating_sub(MOST_INTERVALS);
-    let rest = if more > 0 { format!(", and {more} more") } else { String::new() };
+    let rest = if more > 0 {
+        format!(", and {more} more")
+    } else {
+        String::new()
+    };
     format!("{}°{rest}", shown.join(", "))
 }
 
@@ -82,11 +94,21 @@ impl Page {
 
     pub fn facts(&mut self, facts: &[Fact]) {
         self.heading("Singular positions of the ideal lock, beside a calculation with 50 digits");
-        self.line(format!("{:34} {:>20} {:>20} {:>11} {:>9}", "", "50 digits", "ours", "difference", "allowed"));
+        self.line(format!(
+            "{:34} {:>20} {:>20} {:>11} {:>9}",
+            "", "50 digits", "ours", "difference", "allowed"
+        ));
         for fact in facts {
-            let Fact { what, reference, ours, tolerance } = fact;
+            let Fact {
+                what,
+                reference,
+                ours,
+                tolerance,
+            } = fact;
             let difference = ours - reference;
-            self.line(format!("{what:34} {reference:>20} {ours:>20} {difference:>11.1e} {tolerance:>9.0e}"));
+            self.line(format!(
+                "{what:34} {reference:>20} {ours:>20} {difference:>11.1e} {tolerance:>9.0e}"
+            ));
         }
         self.line("F12 has no bound at the change point: 117.5° lies 0.0122° beside it.");
     }
@@ -101,7 +123,10 @@ impl Page {
             "|deviation from e = 0| over the stroke; centres of mass: {}{order}",
             runs.request.centres.words()
         ));
-        let steps: String = STEPS.iter().map(|step| format!(" {:>9}", format!("{step}°"))).collect();
+        let steps: String = STEPS
+            .iter()
+            .map(|step| format!(" {:>9}", format!("{step}°")))
+            .collect();
         let half = |name: &str| format!("{name:>9}{steps}   ");
         self.line(format!("{:17}{}{}", "", half("paper max"), half("mean")));
         let (mut settled, mut unsettled) = (Vec::new(), Vec::new());
@@ -116,8 +141,15 @@ impl Page {
                     ("mean", mean, row.iter().map(|d| d.mean).collect()),
                 ];
                 for (statistic, printed, ours) in halves {
-                    let cells: String = ours.iter().map(|&value| format!(" {:>9}", short(value))).collect();
-                    let (mark, names) = if settles(&ours) { (" ", &mut settled) } else { ("*", &mut unsettled) };
+                    let cells: String = ours
+                        .iter()
+                        .map(|&value| format!(" {:>9}", short(value)))
+                        .collect();
+                    let (mark, names) = if settles(&ours) {
+                        (" ", &mut settled)
+                    } else {
+                        ("*", &mut unsettled)
+                    };
                     let _ = write!(text, "{printed:>9}{cells}{mark}  ");
                     names.push(format!("{name} {statistic}"));
                 }
@@ -129,8 +161,11 @@ impl Page {
             100.0 * SETTLED,
             unsettled.len()
         ));
-        let (names, what) =
-            if unsettled.len() > settled.len() { (settled, "All but: ") } else { (unsettled, "These: ") };
+        let (names, what) = if unsettled.len() > settled.len() {
+            (settled, "All but: ")
+        } else {
+            (unsettled, "These: ")
+        };
         if !names.is_empty() {
             self.line(format!("  {what}{}.", names.join("; ")));
         }
@@ -150,7 +185,14 @@ impl Page {
             "Why: where the ideal hinge forces turn by more than {FAST}° per degree of theta6 (outputs 0.1° apart)"
         ));
         for (joint, turns) in JOINTS.iter().zip(turns) {
-            let turns = turns.iter().map(|t| format!("{:.1}° ({}°/°, {} N)", t.theta6, short(t.rate), short(t.force)));
+            let turns = turns.iter().map(|t| {
+                format!(
+                    "{:.1}° ({}°/°, {} N)",
+                    t.theta6,
+                    short(t.rate),
+                    short(t.force)
+                )
+            });
             self.line(format!("{joint}: {}", turns.collect::<Vec<_>>().join(", ")));
         }
         self.line(
@@ -164,13 +206,28 @@ impl Page {
     /// Where the largest deviations are.
     pub fn places(&mut self, runs: &Runs) {
         self.heading("Where the largest deviation lies, theta6 in degrees (the paper: near 117.5, F12 near -40)");
-        let steps: String = STEPS.iter().map(|step| format!(" {:>7}", format!("{step}°"))).collect();
-        self.line(format!("{:12}{:>10}{steps}{:>14}{steps}", "", "e=10 um", "e=100 um"));
+        let steps: String = STEPS
+            .iter()
+            .map(|step| format!(" {:>7}", format!("{step}°")))
+            .collect();
+        self.line(format!(
+            "{:12}{:>10}{steps}{:>14}{steps}",
+            "", "e=10 um", "e=100 um"
+        ));
         for quantity in Quantity::ALL {
             let half = |radius: usize| -> String {
-                runs.row(radius, quantity).iter().map(|deviation| format!(" {:>7.1}", deviation.at)).collect()
+                runs.row(radius, quantity)
+                    .iter()
+                    .map(|deviation| format!(" {:>7.1}", deviation.at))
+                    .collect()
             };
-            self.line(format!("{:22}{}{:14}{}", quantity.symbol(), half(0), "", half(1)));
+            self.line(format!(
+                "{:22}{}{:14}{}",
+                quantity.symbol(),
+                half(0),
+                "",
+                half(1)
+            ));
         }
     }
 
@@ -188,11 +245,20 @@ impl Page {
 
     fn leftover(&mut self, stroke: &Stroke) {
         let name = format!("e={} um, {}°", stroke.request.radius, stroke.request.step);
-        let [nothing, last_pass] =
-            [Found::Nothing, Found::LastPass].map(|what| (stroke.count(what), stroke.intervals(what)));
+        let [nothing, last_pass] = [Found::Nothing, Found::LastPass]
+            .map(|what| (stroke.count(what), stroke.intervals(what)));
         let all = stroke.found.len();
-        self.line(format!("{name:16} no assembly    {:>4} of {all:>4}: {}", nothing.0, list(&nothing.1)));
-        self.line(format!("{:16} no fixed point {:>4} of {all:>4}: {}", "", last_pass.0, list(&last_pass.1)));
+        self.line(format!(
+            "{name:16} no assembly    {:>4} of {all:>4}: {}",
+            nothing.0,
+            list(&nothing.1)
+        ));
+        self.line(format!(
+            "{:16} no fixed point {:>4} of {all:>4}: {}",
+            "",
+            last_pass.0,
+            list(&last_pass.1)
+        ));
     }
 
     /// The first pass.
@@ -206,9 +272,16 @@ impl Page {
                 Sign::Pressing => "journal where it presses",
                 Sign::Opposite => "opposite sign",
             };
-            self.line(format!("e={:3} um, {sign:24} no assembly: {}", pass.radius, list(&pass.gaps())));
+            self.line(format!(
+                "e={:3} um, {sign:24} no assembly: {}",
+                pass.radius,
+                list(&pass.gaps())
+            ));
             if pass.sign == Sign::Pressing {
-                let radius = RADII.iter().position(|radius| *radius == pass.radius).unwrap_or_default();
+                let radius = RADII
+                    .iter()
+                    .position(|radius| *radius == pass.radius)
+                    .unwrap_or_default();
                 let [max, mean] = paper.deviation(radius, Quantity::Theta2);
                 let ours = pass.statistics(2.5);
                 self.line(format!(
@@ -242,9 +315,17 @@ impl Page {
             let row = map.iter().filter(|near| near.centres.link3 == link3);
             let cells = row.map(|near| {
                 let mark = if near.abrupt() { "*" } else { " " };
-                format!(" {:>5.1}{mark}{:>8}", near.turn_near, format!("{:.1}°", near.least[1]))
+                format!(
+                    " {:>5.1}{mark}{:>8}",
+                    near.turn_near,
+                    format!("{:.1}°", near.least[1])
+                )
             });
-            self.line(format!("{:5}{}", Ternary::Link3.symbol(link3), cells.collect::<String>()));
+            self.line(format!(
+                "{:5}{}",
+                Ternary::Link3.symbol(link3),
+                cells.collect::<String>()
+            ));
         }
         let [near, anywhere] = [
             map.iter().filter(|near| near.abrupt()).count(),
@@ -258,27 +339,41 @@ impl Page {
             "{:40} {:>9} {:>17} {:>20} {:>27}",
             "centres of mass", "at -40°", "least", "fastest turn", "near -40° by the median"
         ));
-        for near in map.iter().filter(|near| near.abrupt() || Centres::TABLES.contains(&near.centres)) {
+        for near in map
+            .iter()
+            .filter(|near| near.abrupt() || Centres::TABLES.contains(&near.centres))
+        {
             let least = format!("{:.2} N at {:.1}°", near.least[0], near.least[1]);
             let turn = format!("{:.1}°/° at {:.1}°", near.turn[0], near.turn[1]);
             let ratio = format!("change {:.1}, turn {:.2}", near.change, near.turn_near);
             let there = format!("{:.2} N", near.there);
-            self.line(format!("{:40} {there:>9} {least:>17} {turn:>20} {ratio:>27}", near.centres.words()));
+            self.line(format!(
+                "{:40} {there:>9} {least:>17} {turn:>20} {ratio:>27}",
+                near.centres.words()
+            ));
         }
     }
 
     /// The other hinge order.
     pub fn variant(&mut self, base: &Stroke, variant: &Stroke, angles: f64) {
-        self.heading("Variant hinge order: link 5 on link 3 at f, link 6 on link 4 at d (ideal hinges)");
+        self.heading(
+            "Variant hinge order: link 5 on link 3 at f, link 6 on link 4 at d (ideal hinges)",
+        );
         self.line(format!(
             "largest difference of any link angle: {angles:.1e} rad (the vector sum is the same); the forces differ:"
         ));
-        let header: String = ["M_d [N*m]", "variant", "F12 [N]", "variant"].map(|name| format!(" {name:>12}")).concat();
+        let header: String = ["M_d [N*m]", "variant", "F12 [N]", "variant"]
+            .map(|name| format!(" {name:>12}"))
+            .concat();
         self.line(format!("{:>10}{header}", "theta6"));
         for theta6 in [-50.0, -40.0, 0.0, 50.0, 100.0, 110.0, 117.5, 125.0] {
-            let Some(row) = base.theta6.iter().position(|at| (at - theta6).abs() < 1e-6) else { continue };
-            let cell = |stroke: &Stroke, quantity| format!(" {:>12}", short(stroke.curve(quantity)[row]));
-            let cells = [Quantity::Torque, Quantity::Force].map(|q| cell(base, q) + &cell(variant, q));
+            let Some(row) = base.theta6.iter().position(|at| (at - theta6).abs() < 1e-6) else {
+                continue;
+            };
+            let cell =
+                |stroke: &Stroke, quantity| format!(" {:>12}", short(stroke.curve(quantity)[row]));
+            let cells =
+                [Quantity::Torque, Quantity::Force].map(|q| cell(base, q) + &cell(variant, q));
             self.line(format!("{:>10}{}", format!("{theta6}°"), cells.concat()));
         }
     }

@@ -26,12 +26,19 @@ pub fn turns(stroke: &Stroke) -> Result<[Vec<Turn>; 7], CaseError> {
     let mut found: [Vec<Turn>; 7] = Default::default();
     for (found, joint) in found.iter_mut().zip(JOINTS) {
         let forces = stroke.joint_force(joint)?;
-        let rates: Vec<f64> = (1..forces.len()).map(|row| turn(&stroke.theta6, &forces, row)).collect();
+        let rates: Vec<f64> = (1..forces.len())
+            .map(|row| turn(&stroke.theta6, &forces, row))
+            .collect();
         for (index, &rate) in rates.iter().enumerate() {
-            let neighbours = [index.wrapping_sub(1), index + 1].map(|other| rates.get(other).copied().unwrap_or(0.0));
+            let neighbours = [index.wrapping_sub(1), index + 1]
+                .map(|other| rates.get(other).copied().unwrap_or(0.0));
             if rate >= FAST && rate > neighbours[0] && rate >= neighbours[1] {
                 let row = index + 1;
-                found.push(Turn { theta6: stroke.theta6[row], rate, force: forces[row].norm() });
+                found.push(Turn {
+                    theta6: stroke.theta6[row],
+                    rate,
+                    force: forces[row].norm(),
+                });
             }
         }
     }
@@ -52,9 +59,15 @@ impl Stroke {
     pub fn joint_force(&self, joint: &str) -> Result<Vec<Vec2>, CaseError> {
         let column = |axis: &str| {
             let name = format!("joint.{joint}.{axis}");
-            self.trajectory.values(&name).ok_or_else(|| broken(format!("no column {name}")))
+            self.trajectory
+                .values(&name)
+                .ok_or_else(|| broken(format!("no column {name}")))
         };
-        Ok(column("fx")?.into_iter().zip(column("fy")?).map(|(x, y)| Vec2::new(x, y)).collect())
+        Ok(column("fx")?
+            .into_iter()
+            .zip(column("fy")?)
+            .map(|(x, y)| Vec2::new(x, y))
+            .collect())
     }
 }
 

@@ -27,7 +27,13 @@ pub const DISTURBED: f64 = 0.01;
 impl Deviation {
     /// Of a curve from the ideal one; instants without a value are left out.
     pub fn of(theta6: &[f64], ideal: &[f64], curve: &[f64], range: f64) -> Deviation {
-        let mut found = Deviation { max: 0.0, at: f64::NAN, mean: 0.0, disturbed: 0.0, instants: 0 };
+        let mut found = Deviation {
+            max: 0.0,
+            at: f64::NAN,
+            mean: 0.0,
+            disturbed: 0.0,
+            instants: 0,
+        };
         for ((&theta6, ideal), value) in theta6.iter().zip(ideal).zip(curve) {
             let deviation = (value - ideal).abs();
             if !deviation.is_finite() {
@@ -67,17 +73,18 @@ impl Paper {
     /// # Errors
     /// When the file is not what it should be.
     pub fn read() -> Result<Self, CaseError> {
-        let table = Table::parse(include_str!("../../../validation/lock/paper.csv")).map_err(broken)?;
+        let table =
+            Table::parse(include_str!("../../../validation/lock/paper.csv")).map_err(broken)?;
         let expected: Vec<String> = std::iter::once("e[um]".to_string())
-            .chain(
-                Quantity::ALL
-                    .into_iter()
-                    .flat_map(|q| ["max", "mean"].map(|statistic| format!("{}.{statistic}[{}]", q.symbol(), q.unit()))),
-            )
+            .chain(Quantity::ALL.into_iter().flat_map(|q| {
+                ["max", "mean"].map(|statistic| format!("{}.{statistic}[{}]", q.symbol(), q.unit()))
+            }))
             .collect();
         let radii: Vec<f64> = table.rows.iter().map(|row| row[0]).collect();
         if table.columns != expected || radii != RADII {
-            return Err(broken(format!("paper.csv: columns {expected:?} in rows {RADII:?} are expected")));
+            return Err(broken(format!(
+                "paper.csv: columns {expected:?} in rows {RADII:?} are expected"
+            )));
         }
         Ok(Paper(table))
     }
@@ -112,7 +119,9 @@ pub struct Deviations {
 impl Deviations {
     /// Of a quantity at all steps.
     pub fn row(&self, radius: usize, quantity: Quantity) -> Vec<Deviation> {
-        (0..STEPS.len()).map(|step| self.at(radius, step, quantity)).collect()
+        (0..STEPS.len())
+            .map(|step| self.at(radius, step, quantity))
+            .collect()
     }
 
     /// Of a quantity at one step.
@@ -127,19 +136,41 @@ impl Runs {
     /// # Errors
     /// When one can't be run.
     pub fn new(request: Request, control: &Control) -> Result<Self, CaseError> {
-        let at = |radius: f64, step: f64| Request { radius, step, ..request }.run(control);
-        let ideal = STEPS.iter().map(|&step| at(0.0, step)).collect::<Result<Vec<_>, _>>()?;
-        let by_step = |&radius: &f64| STEPS.iter().map(|&step| at(radius, step)).collect::<Result<Vec<_>, _>>();
+        let at = |radius: f64, step: f64| {
+            Request {
+                radius,
+                step,
+                ..request
+            }
+            .run(control)
+        };
+        let ideal = STEPS
+            .iter()
+            .map(|&step| at(0.0, step))
+            .collect::<Result<Vec<_>, _>>()?;
+        let by_step = |&radius: &f64| {
+            STEPS
+                .iter()
+                .map(|&step| at(radius, step))
+                .collect::<Result<Vec<_>, _>>()
+        };
         let clearance = RADII.iter().map(by_step).collect::<Result<Vec<_>, _>>()?;
         let ranges = Quantity::ALL.map(|quantity| range(&ideal[0], quantity));
         let table = clearance
             .iter()
             .map(|strokes: &Vec<Stroke>| {
                 let pairs = strokes.iter().zip(&ideal);
-                pairs.map(|(stroke, ideal)| deviations(stroke, ideal, &ranges)).collect()
+                pairs
+                    .map(|(stroke, ideal)| deviations(stroke, ideal, &ranges))
+                    .collect()
             })
             .collect();
-        Ok(Runs { request, ideal, clearance, deviations: Deviations { ranges, table } })
+        Ok(Runs {
+            request,
+            ideal,
+            clearance,
+            deviations: Deviations { ranges, table },
+        })
     }
 
     /// The deviations of a quantity at all steps.
@@ -152,7 +183,12 @@ impl Runs {
 fn deviations(stroke: &Stroke, ideal: &Stroke, ranges: &[f64; 5]) -> [Deviation; 5] {
     Quantity::ALL.map(|quantity| {
         let range = ranges[quantity.index()];
-        Deviation::of(&stroke.theta6, ideal.curve(quantity), stroke.curve(quantity), range)
+        Deviation::of(
+            &stroke.theta6,
+            ideal.curve(quantity),
+            stroke.curve(quantity),
+            range,
+        )
     })
 }
 
@@ -167,10 +203,21 @@ fn range(ideal: &Stroke, quantity: Quantity) -> f64 {
         Quantity::Theta2 | Quantity::Omega2 | Quantity::Alpha2 | Quantity::Torque => true,
         Quantity::Force => (theta6 - NEAR_CHANGE_POINT).abs() > UNBOUNDED,
     };
-    let values = ideal.theta6.iter().zip(ideal.curve(quantity)).filter(|(theta6, _)| bounded(**theta6));
-    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (_, &value)| {
-        if value.is_finite() { (low.min(value), high.max(value)) } else { (low, high) }
-    });
+    let values = ideal
+        .theta6
+        .iter()
+        .zip(ideal.curve(quantity))
+        .filter(|(theta6, _)| bounded(**theta6));
+    let (low, high) = values.fold(
+        (f64::INFINITY, f64::NEG_INFINITY),
+        |(low, high), (_, &value)| {
+            if value.is_finite() {
+                (low.min(value), high.max(value))
+            } else {
+                (low, high)
+            }
+        },
+    );
     high - low
 }
 
@@ -186,10 +233,21 @@ mod tests {
     #[test]
     fn statistics_leave_out_what_is_missing() {
         let theta6 = [0.0, 1.0, 2.0, 3.0];
-        let deviation = Deviation::of(&theta6, &[1.0, 1.0, 1.0, 1.0], &[1.5, f64::NAN, -1.0, 1.0], 100.0);
-        assert_eq!((deviation.max, deviation.at, deviation.instants), (2.0, 2.0, 3));
+        let deviation = Deviation::of(
+            &theta6,
+            &[1.0, 1.0, 1.0, 1.0],
+            &[1.5, f64::NAN, -1.0, 1.0],
+            100.0,
+        );
+        assert_eq!(
+            (deviation.max, deviation.at, deviation.instants),
+            (2.0, 2.0, 3)
+        );
         assert!((deviation.mean - 2.5 / 3.0).abs() < 1e-15, "{deviation:?}");
-        assert!((deviation.disturbed - 1.0 / 3.0).abs() < 1e-15, "{deviation:?}");
+        assert!(
+            (deviation.disturbed - 1.0 / 3.0).abs() < 1e-15,
+            "{deviation:?}"
+        );
     }
 
     #[test]

@@ -42,7 +42,13 @@ pub enum Class {
 }
 
 impl Class {
-    pub const ALL: [Class; 5] = [Class::Structure, Class::Tokens, Class::Bytes, Class::Sets, Class::Results];
+    pub const ALL: [Class; 5] = [
+        Class::Structure,
+        Class::Tokens,
+        Class::Bytes,
+        Class::Sets,
+        Class::Results,
+    ];
 
     pub fn word(self) -> &'static str {
         match self {
@@ -114,36 +120,71 @@ const SMALL: &[(&str, &str)] = &[
 impl Fuzzer {
     /// Reads what mutants are made of; `scratch` is a folder for files of one mutant at a time.
     pub fn new(seed: u64, limit: f64, scratch: &Path, runner: Runner) -> Self {
-        let mut origins: Vec<Origin> =
-            SMALL.iter().map(|(name, text)| Origin { name: name.to_string(), text: text.to_string() }).collect();
+        let mut origins: Vec<Origin> = SMALL
+            .iter()
+            .map(|(name, text)| Origin {
+                name: name.to_string(),
+                text: text.to_string(),
+            })
+            .collect();
         let bundled = bundled::MODELS.iter();
-        origins.extend(bundled.map(|b| Origin { name: b.name.to_string(), text: b.text.to_string() }));
+        origins.extend(bundled.map(|b| Origin {
+            name: b.name.to_string(),
+            text: b.text.to_string(),
+        }));
         let cases = CASES.iter().filter_map(|case| match case.kind {
             CaseKind::Reference(reference) => Some((case.name, reference.read().ok()?.model)),
             CaseKind::Coded { .. } => None,
         });
         // Large ones cost much and have nothing that small ones lack.
-        let cases = cases.filter(|(_, model)| model.is_object()).map(|(name, model)| (name, model.to_string()));
+        let cases = cases
+            .filter(|(_, model)| model.is_object())
+            .map(|(name, model)| (name, model.to_string()));
         let cases = cases.filter(|(_, text)| text.len() < 12_000);
-        origins.extend(cases.map(|(name, text)| Origin { name: format!("case {name}"), text }));
+        origins.extend(cases.map(|(name, text)| Origin {
+            name: format!("case {name}"),
+            text,
+        }));
         for folder in ["src/cli/templates", "tests/cases"] {
             let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
-            let mut files: Vec<PathBuf> =
-                fs::read_dir(folder).into_iter().flatten().filter_map(|entry| Some(entry.ok()?.path())).collect();
+            let mut files: Vec<PathBuf> = fs::read_dir(folder)
+                .into_iter()
+                .flatten()
+                .filter_map(|entry| Some(entry.ok()?.path()))
+                .collect();
             files.sort();
-            let texts = files.iter().filter_map(|file| Some((file, fs::read_to_string(file).ok()?)));
-            origins.extend(texts.filter(|(_, text)| text.trim_start().starts_with('{') && text.len() < 12_000).map(
-                |(file, text)| Origin {
-                    name: file.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
-                    text,
-                },
-            ));
+            let texts = files
+                .iter()
+                .filter_map(|file| Some((file, fs::read_to_string(file).ok()?)));
+            origins.extend(
+                texts
+                    .filter(|(_, text)| text.trim_start().starts_with('{') && text.len() < 12_000)
+                    .map(|(file, text)| Origin {
+                        name: file
+                            .file_stem()
+                            .unwrap_or_default()
+                            .to_string_lossy()
+                            .into_owned(),
+                        text,
+                    }),
+            );
         }
-        let values = origins.iter().filter_map(|origin| serde_json::from_str(&origin.text).ok()).collect();
+        let values = origins
+            .iter()
+            .filter_map(|origin| serde_json::from_str(&origin.text).ok())
+            .collect();
         fs::create_dir_all(scratch).expect("a scratch folder");
         let scratch = scratch.to_path_buf();
-        let mut fuzzer =
-            Fuzzer { origins, values, results: Vec::new(), odd_in_report: 0, scratch, runner, limit, seed };
+        let mut fuzzer = Fuzzer {
+            origins,
+            values,
+            results: Vec::new(),
+            odd_in_report: 0,
+            scratch,
+            runner,
+            limit,
+            seed,
+        };
         fuzzer.sound_results();
         fuzzer
     }
@@ -158,14 +199,21 @@ impl Fuzzer {
             ("four-bar-spring", "name=rhombus"),
         ] {
             let folder = self.scratch.join("sound");
-            let arguments = ["linkdyn", "run", model, "--set", set, "-o"].map(std::ffi::OsString::from);
+            let arguments =
+                ["linkdyn", "run", model, "--set", set, "-o"].map(std::ffi::OsString::from);
             let said = linkdyn::cli::captured(arguments.into_iter().chain([folder.clone().into()]));
             assert_eq!((said.status, said.stderr.as_str()), (0, ""), "{model}");
             let read = |name: &str| fs::read_to_string(folder.join(name)).expect(name);
             // Times of the clock are others each time, and mutants are not.
             let mut summary: Value = serde_json::from_str(&read("summary.json")).expect("JSON");
-            summary.as_object_mut().map(|facts| facts.shift_remove("timing"));
-            self.results.push((model.to_string(), read("results.csv"), format!("{summary:#}\n")));
+            summary
+                .as_object_mut()
+                .map(|facts| facts.shift_remove("timing"));
+            self.results.push((
+                model.to_string(),
+                read("results.csv"),
+                format!("{summary:#}\n"),
+            ));
             self.odd_in_report = oracle::odd_words_of_page(&read("report.html"));
         }
     }
@@ -176,13 +224,20 @@ impl Fuzzer {
         let class = Class::of(number);
         if class == Class::Results {
             let (of, table, summary) = &self.results[rng.below(self.results.len())];
-            let (mut bytes, mut new_summary) = (table.clone().into_bytes(), summary.clone().into_bytes());
+            let (mut bytes, mut new_summary) =
+                (table.clone().into_bytes(), summary.clone().into_bytes());
             if rng.once_in(2) {
                 bytes = mutate::table(&mut rng, table);
             } else {
                 new_summary = mutate::summary(&mut rng, summary);
             }
-            return Mutant { class, of: of.clone(), bytes, summary: new_summary, sets: Vec::new() };
+            return Mutant {
+                class,
+                of: of.clone(),
+                bytes,
+                summary: new_summary,
+                sets: Vec::new(),
+            };
         }
         let origin = &self.origins[rng.below(self.origins.len())];
         let other = &self.origins[rng.below(self.origins.len())];
@@ -190,10 +245,18 @@ impl Fuzzer {
         match class {
             Class::Structure => bytes = mutate::structure(&mut rng, &origin.text, &self.values),
             Class::Tokens => bytes = mutate::tokens(&mut rng, &origin.text),
-            Class::Bytes => bytes = mutate::bytes(&mut rng, origin.text.as_bytes(), other.text.as_bytes()),
+            Class::Bytes => {
+                bytes = mutate::bytes(&mut rng, origin.text.as_bytes(), other.text.as_bytes())
+            }
             Class::Sets | Class::Results => sets = mutate::sets(&mut rng, &origin.text),
         }
-        Mutant { class, of: origin.name.clone(), bytes, summary: Vec::new(), sets }
+        Mutant {
+            class,
+            of: origin.name.clone(),
+            bytes,
+            summary: Vec::new(),
+            sets,
+        }
     }
 
     /// Tries all that a mutant is for; what does not hold.
@@ -202,7 +265,9 @@ impl Fuzzer {
         let rng = Rng::new(self.seed ^ 0x5eed, number);
         match mutant.class {
             Class::Results => oracle::results(self, rng, mutant),
-            Class::Structure | Class::Tokens | Class::Bytes | Class::Sets => oracle::model(self, rng, mutant),
+            Class::Structure | Class::Tokens | Class::Bytes | Class::Sets => {
+                oracle::model(self, rng, mutant)
+            }
         }
     }
 }

@@ -19,10 +19,15 @@ fn places(value: &Value) -> Vec<Vec<Step>> {
     while let Some((way, value)) = open.pop() {
         let further = |step: Step| [way.as_slice(), &[step]].concat();
         match value {
-            Value::Object(map) => open.extend(map.iter().map(|(key, value)| (further(Step::Key(key.clone())), value))),
-            Value::Array(list) => {
-                open.extend(list.iter().enumerate().map(|(at, value)| (further(Step::At(at)), value)))
-            }
+            Value::Object(map) => open.extend(
+                map.iter()
+                    .map(|(key, value)| (further(Step::Key(key.clone())), value)),
+            ),
+            Value::Array(list) => open.extend(
+                list.iter()
+                    .enumerate()
+                    .map(|(at, value)| (further(Step::At(at)), value)),
+            ),
             Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => {}
         }
         if !way.is_empty() {
@@ -54,8 +59,12 @@ pub fn structure(rng: &mut Rng, model: &str, others: &[Value]) -> Vec<u8> {
 
 fn change(rng: &mut Rng, root: &mut Value, others: &[Value]) {
     let all = places(root);
-    let Some(way) = rng.pick(&all).cloned() else { return };
-    let Some(other) = rng.pick(&all).cloned() else { return };
+    let Some(way) = rng.pick(&all).cloned() else {
+        return;
+    };
+    let Some(other) = rng.pick(&all).cloned() else {
+        return;
+    };
     match rng.below(20) {
         0 => remove(root, &way),
         1 => rename(rng, root, &way, &other, false),
@@ -87,24 +96,34 @@ fn put(root: &mut Value, way: &[Step], value: Value) {
 }
 
 fn remove(root: &mut Value, way: &[Step]) {
-    let Some((last, before)) = way.split_last() else { return };
+    let Some((last, before)) = way.split_last() else {
+        return;
+    };
     match (at(root, before), last) {
         (Some(Value::Object(map)), Step::Key(key)) => drop(map.shift_remove(key)),
-        (Some(Value::Array(list)), Step::At(index)) if *index < list.len() => drop(list.remove(*index)),
+        (Some(Value::Array(list)), Step::At(index)) if *index < list.len() => {
+            drop(list.remove(*index))
+        }
         (Some(_) | None, _) => {}
     }
 }
 
 /// Another name for a key; the old one stays where it is to be twice there.
 fn rename(rng: &mut Rng, root: &mut Value, way: &[Step], other: &[Step], keep: bool) {
-    let Some((Step::Key(key), before)) = way.split_last() else { return };
+    let Some((Step::Key(key), before)) = way.split_last() else {
+        return;
+    };
     let name = match (rng.below(3), other.last()) {
         (0, Some(Step::Key(name))) => name.clone(),
         (1, _) => words::respelt(rng, key),
         _ => rng.word(words::KEYS).to_string(),
     };
     if let Some(Value::Object(map)) = at(root, before) {
-        let value = if keep { map.get(key).cloned() } else { map.shift_remove(key) };
+        let value = if keep {
+            map.get(key).cloned()
+        } else {
+            map.shift_remove(key)
+        };
         map.insert(name, value.unwrap_or_default());
     }
 }
@@ -115,7 +134,9 @@ fn leaf(rng: &mut Rng, root: &mut Value, all: &[Vec<Step>]) {
         let Some(way) = rng.pick(all) else { return };
         let Some(place) = at(root, way) else { continue };
         let new = match place {
-            Value::Number(old) if rng.once_in(6) => Some(Value::from(format!("{old} {}", words::text(rng)))),
+            Value::Number(old) if rng.once_in(6) => {
+                Some(Value::from(format!("{old} {}", words::text(rng))))
+            }
             Value::Number(old) => Some(Value::from(words::number(rng, old.as_f64()))),
             Value::String(old) => Some(Value::from(words::respelt(rng, old))),
             Value::Null | Value::Bool(_) | Value::Array(_) | Value::Object(_) => None,
@@ -129,9 +150,14 @@ fn leaf(rng: &mut Rng, root: &mut Value, all: &[Vec<Step>]) {
 
 /// The value of the same key in another model.
 fn graft(rng: &mut Rng, root: &mut Value, way: &[Step], others: &[Value]) {
-    let Some(mut other) = rng.pick(others).cloned() else { return };
+    let Some(mut other) = rng.pick(others).cloned() else {
+        return;
+    };
     let last = way.last();
-    let alike: Vec<Vec<Step>> = places(&other).into_iter().filter(|place| place.last() == last).collect();
+    let alike: Vec<Vec<Step>> = places(&other)
+        .into_iter()
+        .filter(|place| place.last() == last)
+        .collect();
     if let Some(place) = rng.pick(&alike) {
         let value = copy(&mut other, place);
         put(root, way, value);
@@ -142,7 +168,9 @@ fn graft(rng: &mut Rng, root: &mut Value, way: &[Step], others: &[Value]) {
 fn ends(rng: &mut Rng, root: &mut Value) {
     let is_end = |way: &Vec<Step>| matches!(way.as_slice(), [.., Step::Key(key), Step::At(_)] if key == "between");
     let all: Vec<Vec<Step>> = places(root).into_iter().filter(is_end).collect();
-    let (Some(one), Some(two)) = (rng.pick(&all).cloned(), rng.pick(&all).cloned()) else { return };
+    let (Some(one), Some(two)) = (rng.pick(&all).cloned(), rng.pick(&all).cloned()) else {
+        return;
+    };
     let (first, second) = (copy(root, &one), copy(root, &two));
     put(root, &one, second);
     put(root, &two, first);
@@ -160,7 +188,9 @@ fn kind(rng: &mut Rng, root: &mut Value, all: &[Vec<Step>]) {
 /// A key with the value it has in another model, or with any.
 fn add(rng: &mut Rng, root: &mut Value, others: &[Value]) {
     let objects: Vec<Vec<Step>> = places(root);
-    let Some(way) = rng.pick(&objects) else { return };
+    let Some(way) = rng.pick(&objects) else {
+        return;
+    };
     let mut other = rng.pick(others).cloned().unwrap_or_default();
     let lent = places(&other);
     let (key, value) = match (rng.pick(&lent), rng.once_in(3)) {
@@ -179,9 +209,16 @@ fn add(rng: &mut Rng, root: &mut Value, others: &[Value]) {
 
 /// Two values under the same key exchange their places: masses, poses, points, motions.
 fn exchange_alike(rng: &mut Rng, root: &mut Value, all: &[Vec<Step>]) {
-    let Some(one) = rng.pick(all).cloned() else { return };
-    let alike: Vec<&Vec<Step>> = all.iter().filter(|way| way.last() == one.last() && **way != one).collect();
-    let Some(two) = rng.pick(&alike).map(|way| (*way).clone()) else { return };
+    let Some(one) = rng.pick(all).cloned() else {
+        return;
+    };
+    let alike: Vec<&Vec<Step>> = all
+        .iter()
+        .filter(|way| way.last() == one.last() && **way != one)
+        .collect();
+    let Some(two) = rng.pick(&alike).map(|way| (*way).clone()) else {
+        return;
+    };
     let (first, second) = (copy(root, &one), copy(root, &two));
     put(root, &one, second);
     put(root, &two, first);
@@ -189,7 +226,9 @@ fn exchange_alike(rng: &mut Rng, root: &mut Value, all: &[Vec<Step>]) {
 
 /// A second part like one that is there: a doubled body, joint, driver or force.
 fn double(rng: &mut Rng, root: &mut Value, way: &[Step]) {
-    let Some((Step::Key(part), _)) = way.split_first() else { return };
+    let Some((Step::Key(part), _)) = way.split_first() else {
+        return;
+    };
     if let Some(Value::Object(map)) = root.get_mut(part.as_str()) {
         let names: Vec<String> = map.keys().cloned().collect();
         if let Some(name) = rng.pick(&names) {
@@ -322,7 +361,11 @@ pub fn sets(rng: &mut Rng, model: &str) -> Vec<String> {
             _ if rng.once_in(3) => words::text(rng),
             _ => words::value(rng).to_string(),
         };
-        sets.push(if rng.once_in(40) { path } else { format!("{path}={value}") });
+        sets.push(if rng.once_in(40) {
+            path
+        } else {
+            format!("{path}={value}")
+        });
     }
     sets
 }
@@ -348,7 +391,10 @@ pub fn summary(rng: &mut Rng, text: &str) -> Vec<u8> {
             let mut root: Value = serde_json::from_str(text).unwrap_or_default();
             let mut part = Map::new();
             for key in ["drawing", "events", "model"] {
-                part.insert(key.into(), root.get_mut(key).map(Value::take).unwrap_or_default());
+                part.insert(
+                    key.into(),
+                    root.get_mut(key).map(Value::take).unwrap_or_default(),
+                );
             }
             let mut part = Value::Object(part);
             for _ in 0..=rng.below(3) {
@@ -367,7 +413,10 @@ pub fn table(rng: &mut Rng, text: &str) -> Vec<u8> {
     if rng.once_in(3) {
         return bytes(rng, text.as_bytes(), text.as_bytes());
     }
-    let mut rows: Vec<Vec<String>> = text.lines().map(|line| line.split(',').map(String::from).collect()).collect();
+    let mut rows: Vec<Vec<String>> = text
+        .lines()
+        .map(|line| line.split(',').map(String::from).collect())
+        .collect();
     for _ in 0..=rng.below(6) {
         if rows.len() < 2 {
             break;
@@ -381,8 +430,8 @@ pub fn table(rng: &mut Rng, text: &str) -> Vec<u8> {
             3 => rows.truncate(here.max(1)),
             4..=6 => {
                 let odd = [
-                    "", "nan", "NaN", "inf", "-inf", "1e308", "-1e308", "5e-324", "-0.0", "0.0", "1e400", "x",
-                    "1e-300", " 1 ", "1e17",
+                    "", "nan", "NaN", "inf", "-inf", "1e308", "-1e308", "5e-324", "-0.0", "0.0",
+                    "1e400", "x", "1e-300", " 1 ", "1e17",
                 ];
                 let text = if rng.once_in(2) {
                     odd[rng.below(odd.len())].to_string()
@@ -391,7 +440,11 @@ pub fn table(rng: &mut Rng, text: &str) -> Vec<u8> {
                 };
                 // now and then a whole column
                 let all = rng.once_in(3);
-                for row in rows.iter_mut().skip(if all { 1 } else { here }).take(if all { usize::MAX } else { 1 }) {
+                for row in rows
+                    .iter_mut()
+                    .skip(if all { 1 } else { here })
+                    .take(if all { usize::MAX } else { 1 })
+                {
                     if let Some(cell) = row.get_mut(cell) {
                         cell.clone_from(&text);
                     }
@@ -424,5 +477,8 @@ pub fn table(rng: &mut Rng, text: &str) -> Vec<u8> {
             }
         }
     }
-    rows.iter().map(|row| row.join(",") + "\n").collect::<String>().into_bytes()
+    rows.iter()
+        .map(|row| row.join(",") + "\n")
+        .collect::<String>()
+        .into_bytes()
 }

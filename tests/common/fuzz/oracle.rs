@@ -27,8 +27,17 @@ pub struct Find {
 impl Find {
     /// The same for finds of one cause: without numbers and names.
     pub fn signature(&self) -> String {
-        let plain: String = self.what.chars().filter(|c| !c.is_ascii_digit()).take(70).collect();
-        format!("{} {} {plain}", self.kind, self.command.split(' ').next().unwrap_or_default())
+        let plain: String = self
+            .what
+            .chars()
+            .filter(|c| !c.is_ascii_digit())
+            .take(70)
+            .collect();
+        format!(
+            "{} {} {plain}",
+            self.kind,
+            self.command.split(' ').next().unwrap_or_default()
+        )
     }
 }
 
@@ -54,9 +63,16 @@ pub static ENDS: [AtomicUsize; 5] = [const { AtomicUsize::new(0) }; 5];
 
 /// The same of a page, without the numbers that it holds as Base64, in which any letters may stand.
 pub fn odd_words_of_page(page: &str) -> usize {
-    let is_data =
-        |text: &str| text.len() > 40 && text.bytes().all(|c| c.is_ascii_alphanumeric() || b"+/=".contains(&c));
-    page.split(['"', '`', '<', '>', ' ', '\n']).filter(|text| !is_data(text)).map(|text| odd_words(text).count()).sum()
+    let is_data = |text: &str| {
+        text.len() > 40
+            && text
+                .bytes()
+                .all(|c| c.is_ascii_alphanumeric() || b"+/=".contains(&c))
+    };
+    page.split(['"', '`', '<', '>', ' ', '\n'])
+        .filter(|text| !is_data(text))
+        .map(|text| odd_words(text).count())
+        .sum()
 }
 
 struct Trial<'f> {
@@ -68,7 +84,11 @@ struct Trial<'f> {
 
 impl Trial<'_> {
     fn find(&mut self, kind: &'static str, command: &str, what: impl Into<String>) {
-        self.finds.push(Find { kind, command: command.into(), what: what.into() });
+        self.finds.push(Find {
+            kind,
+            command: command.into(),
+            what: what.into(),
+        });
     }
 
     fn path(&self, name: &str) -> String {
@@ -104,22 +124,51 @@ impl Trial<'_> {
             std::process::exit(130);
         }
         if said.status != 0 && !allowed.contains(&said.status) {
-            self.find("status", command, format!("exit status {}: {}", said.status, said.stderr));
+            self.find(
+                "status",
+                command,
+                format!("exit status {}: {}", said.status, said.stderr),
+            );
         }
         let lines: Vec<&str> = said.stderr.lines().collect();
         let is_quiet = said.stderr.is_empty();
         if (said.status == 0) != is_quiet {
-            self.find("words", command, format!("exit status {} and on standard error {:?}", said.status, said.stderr));
+            self.find(
+                "words",
+                command,
+                format!(
+                    "exit status {} and on standard error {:?}",
+                    said.status, said.stderr
+                ),
+            );
         }
         if said.status >= 2 {
-            let is_clap = said.stderr.contains("Usage:") || said.stderr.contains("For more information");
-            if !is_clap && !lines.iter().all(|line| line.starts_with("error: ") && line.len() > 20) {
-                self.find("words", command, format!("no clear complaint: {:?}", said.stderr));
+            let is_clap =
+                said.stderr.contains("Usage:") || said.stderr.contains("For more information");
+            if !is_clap
+                && !lines
+                    .iter()
+                    .all(|line| line.starts_with("error: ") && line.len() > 20)
+            {
+                self.find(
+                    "words",
+                    command,
+                    format!("no clear complaint: {:?}", said.stderr),
+                );
             }
         }
-        if let Some(line) = said.stdout.lines().chain(lines.iter().copied()).find(|line| line.len() > LONGEST) {
+        if let Some(line) = said
+            .stdout
+            .lines()
+            .chain(lines.iter().copied())
+            .find(|line| line.len() > LONGEST)
+        {
             let begin: String = line.chars().take(120).collect();
-            self.find("words", command, format!("a line of {} characters: {begin}", line.len()));
+            self.find(
+                "words",
+                command,
+                format!("a line of {} characters: {begin}", line.len()),
+            );
         }
         if !self.odd {
             for text in [&said.stdout, &said.stderr] {
@@ -136,15 +185,23 @@ impl Trial<'_> {
         }
         for complaint in complaints {
             let whole = ["the file is empty", "and ", "a model is an object"];
-            let is_whole = whole.iter().any(|begin| complaint.message.starts_with(begin));
-            let of_set = complaint.found.as_deref().is_some_and(|found| found.starts_with("--set"));
+            let is_whole = whole
+                .iter()
+                .any(|begin| complaint.message.starts_with(begin));
+            let of_set = complaint
+                .found
+                .as_deref()
+                .is_some_and(|found| found.starts_with("--set"));
             if complaint.path.is_empty() && complaint.place.is_none() && !is_whole && !of_set {
                 self.find("place", command, format!("no place: {complaint}"));
             }
             if complaint.message.trim().is_empty() {
                 self.find("words", command, format!("no words: {complaint:?}"));
             }
-            if complaint.message.contains("the schema allows what the model does not") {
+            if complaint
+                .message
+                .contains("the schema allows what the model does not")
+            {
                 self.find("schema", command, complaint.to_string());
             }
         }
@@ -157,20 +214,28 @@ impl Trial<'_> {
             return 0;
         };
         let mut reader = csv::ReaderBuilder::new().from_reader(text.as_bytes());
-        let header: Vec<String> =
-            reader.headers().map(|row| row.iter().map(String::from).collect()).unwrap_or_default();
+        let header: Vec<String> = reader
+            .headers()
+            .map(|row| row.iter().map(String::from).collect())
+            .unwrap_or_default();
         let is_place = |name: &str| {
             name == "time[s]"
                 || !name.starts_with("joint.")
                     && !name.starts_with("driver.")
                     && !name.starts_with("transmission.")
-                    && [".x[m]", ".y[m]", ".angle[rad]"].iter().any(|end| name.ends_with(end))
+                    && [".x[m]", ".y[m]", ".angle[rad]"]
+                        .iter()
+                        .any(|end| name.ends_with(end))
         };
         let mut before = f64::NEG_INFINITY;
         let mut rows = 0;
         for row in reader.records() {
             let Ok(row) = row else {
-                self.find("file", command, format!("row {rows} has not the cells of the header"));
+                self.find(
+                    "file",
+                    command,
+                    format!("row {rows} has not the cells of the header"),
+                );
                 break;
             };
             rows += 1;
@@ -182,13 +247,20 @@ impl Trial<'_> {
                         command,
                         format!(
                             "{name} is {cell:?} in row {rows} of {}",
-                            if is_complete { "a complete run" } else { "a run" }
+                            if is_complete {
+                                "a complete run"
+                            } else {
+                                "a run"
+                            }
                         ),
                     );
                     return rows;
                 }
             }
-            let time = row.get(0).and_then(|cell| cell.parse::<f64>().ok()).unwrap_or(f64::NAN);
+            let time = row
+                .get(0)
+                .and_then(|cell| cell.parse::<f64>().ok())
+                .unwrap_or(f64::NAN);
             if time < before {
                 self.find("file", command, format!("time goes back in row {rows}"));
                 return rows;
@@ -209,10 +281,16 @@ impl Trial<'_> {
     /// All that `run -o` leaves; the number of rows.
     fn files(&mut self, command: &str, said: &Said, folder: &Path) -> usize {
         let read = |name: &str| fs::read_to_string(folder.join(name)).unwrap_or_default();
-        let Some(summary) = self.json(command, &read("summary.json")) else { return 0 };
+        let Some(summary) = self.json(command, &read("summary.json")) else {
+            return 0;
+        };
         let status = summary["status"].as_str().unwrap_or_default().to_string();
         if status.starts_with("completed") != (said.status == 0) {
-            self.find("status", command, format!("exit status {} of a run that is {status}", said.status));
+            self.find(
+                "status",
+                command,
+                format!("exit status {} of a run that is {status}", said.status),
+            );
         }
         let rows = self.table(command, &folder.join("results.csv"), status == "completed");
         if status == "completed" && rows == 0 {
@@ -221,7 +299,11 @@ impl Trial<'_> {
         let report = read("report.html");
         let odd = odd_words_of_page(&report);
         if !self.odd && odd > self.fuzzer.odd_in_report {
-            self.find("nan", command, format!("{odd} words like NaN in report.html"));
+            self.find(
+                "nan",
+                command,
+                format!("{odd} words like NaN in report.html"),
+            );
         }
         if !self.odd && odd_words(&read("summary.json")).next().is_some() {
             self.find("nan", command, "in summary.json");
@@ -235,8 +317,19 @@ impl Trial<'_> {
     /// Figures and films of results.
     fn pictures(&mut self, rng: &mut Rng, results: &str) {
         let file = self.path(["figure.svg", "figure.png"][rng.below(2)]);
-        let columns = rng.word(&["*", "*.x", "*.angle", "joint.*.fx", "time", "*.omega", "*.effort", "d*"]);
-        let mut arguments: Vec<String> = ["plot", results, "--y", columns, "-o", &file].map(String::from).into();
+        let columns = rng.word(&[
+            "*",
+            "*.x",
+            "*.angle",
+            "joint.*.fx",
+            "time",
+            "*.omega",
+            "*.effort",
+            "d*",
+        ]);
+        let mut arguments: Vec<String> = ["plot", results, "--y", columns, "-o", &file]
+            .map(String::from)
+            .into();
         for (times, more) in [
             (3, &["--log-y"][..]),
             (4, &["--grid", "--events"]),
@@ -252,7 +345,8 @@ impl Trial<'_> {
         let file = self.path(["motion.svg", "motion.png", "motion.gif"][rng.below(3)]);
         let mut arguments: Vec<String> = ["animate", results, "-o", &file].map(String::from).into();
         if file.ends_with("gif") {
-            arguments.extend(["--fps", "10", "--duration", "0.4", "--width", "160"].map(String::from));
+            arguments
+                .extend(["--fps", "10", "--duration", "0.4", "--width", "160"].map(String::from));
         } else if rng.once_in(2) {
             arguments.extend(["--strip", "--poses", "3"].map(String::from));
         }
@@ -261,11 +355,17 @@ impl Trial<'_> {
 
     fn picture(&mut self, arguments: &[String], file: &str) {
         let _ = fs::remove_file(file);
-        let Some(said) = self.run(arguments, &[2], PICTURE) else { return };
+        let Some(said) = self.run(arguments, &[2], PICTURE) else {
+            return;
+        };
         let command = arguments.join(" ");
         match fs::read(file) {
             Ok(content) if said.status == 0 => {
-                let text = if file.ends_with("svg") { String::from_utf8_lossy(&content) } else { "".into() };
+                let text = if file.ends_with("svg") {
+                    String::from_utf8_lossy(&content)
+                } else {
+                    "".into()
+                };
                 if content.is_empty() || !self.odd && odd_words(&text).next().is_some() {
                     self.find("nan", &command, "in a figure");
                 }
@@ -279,14 +379,20 @@ impl Trial<'_> {
 
 /// Whether the input itself has words like NaN.
 fn is_odd(mutant: &Mutant) -> bool {
-    let files = [&mutant.bytes, &mutant.summary].map(|bytes| String::from_utf8_lossy(bytes).to_lowercase());
+    let files =
+        [&mutant.bytes, &mutant.summary].map(|bytes| String::from_utf8_lossy(bytes).to_lowercase());
     let all = [&files[..], &[mutant.sets.join(" ").to_lowercase()]].concat();
-    all.iter().any(|text| text.contains("nan") || text.contains("inf"))
+    all.iter()
+        .any(|text| text.contains("nan") || text.contains("inf"))
 }
 
 /// A mutant of a model.
 pub fn model(fuzzer: &Fuzzer, mut rng: Rng, mutant: &Mutant) -> Vec<Find> {
-    let mut trial = Trial { fuzzer, finds: Vec::new(), odd: is_odd(mutant) };
+    let mut trial = Trial {
+        fuzzer,
+        finds: Vec::new(),
+        odd: is_odd(mutant),
+    };
     let file = trial.path("mutant.json");
     let _ = fs::write(&file, &mutant.bytes);
     let loaded = match caught(|| model::load(&mutant.bytes, &mutant.sets)) {
@@ -297,11 +403,22 @@ pub fn model(fuzzer: &Fuzzer, mut rng: Rng, mutant: &Mutant) -> Vec<Find> {
         }
     };
     let mut base = vec![file];
-    base.extend(mutant.sets.iter().flat_map(|set| ["--set".to_string(), set.clone()]));
+    base.extend(
+        mutant
+            .sets
+            .iter()
+            .flat_map(|set| ["--set".to_string(), set.clone()]),
+    );
     let with = |first: &str, more: &[String], last: &[&str]| -> Vec<String> {
-        let sets = more.iter().flat_map(|set| ["--set".to_string(), set.clone()]);
+        let sets = more
+            .iter()
+            .flat_map(|set| ["--set".to_string(), set.clone()]);
         let last = last.iter().map(|word| word.to_string());
-        std::iter::once(first.to_string()).chain(base.iter().cloned()).chain(sets).chain(last).collect()
+        std::iter::once(first.to_string())
+            .chain(base.iter().cloned())
+            .chain(sets)
+            .chain(last)
+            .collect()
     };
     let loaded = match loaded {
         Ok(loaded) => loaded,
@@ -311,14 +428,20 @@ pub fn model(fuzzer: &Fuzzer, mut rng: Rng, mutant: &Mutant) -> Vec<Find> {
                 && let Some(said) = trial.run(&with("check", &[], &[]), &[2], CHECK)
                 && said.status != 2
             {
-                trial.find("status", "check", format!("exit status {} of a model that is refused", said.status));
+                trial.find(
+                    "status",
+                    "check",
+                    format!("exit status {} of a model that is refused", said.status),
+                );
             }
             return trial.finds;
         }
     };
-    if let Some(said) =
-        trial.run(&with("check", &[], if rng.once_in(2) { &["--json"] } else { &[] }), &[1, 2, 3], CHECK)
-        && said.stdout.starts_with('{')
+    if let Some(said) = trial.run(
+        &with("check", &[], if rng.once_in(2) { &["--json"] } else { &[] }),
+        &[1, 2, 3],
+        CHECK,
+    ) && said.stdout.starts_with('{')
     {
         trial.json("check --json", &said.stdout);
     }
@@ -327,7 +450,13 @@ pub fn model(fuzzer: &Fuzzer, mut rng: Rng, mutant: &Mutant) -> Vec<Find> {
         run(&mut trial, &mut rng, &with, &sets, &loaded);
     }
     if rng.once_in(2) {
-        let kind = rng.word(&["assembly", "kinematics", "inverse_dynamics", "dynamics", "statics"]);
+        let kind = rng.word(&[
+            "assembly",
+            "kinematics",
+            "inverse_dynamics",
+            "dynamics",
+            "statics",
+        ]);
         let end = [0.01, 0.3, 2.0][rng.below(3)];
         let analysis = format!(
             "analysis={{\"type\":\"{kind}\",\"end\":\"{end} s\",\"outputs\":12,\"solver\":{{\"max_wall_time\":\"{} s\"}}}}",
@@ -348,12 +477,17 @@ pub fn model(fuzzer: &Fuzzer, mut rng: Rng, mutant: &Mutant) -> Vec<Find> {
     if rng.once_in(4) && has_clearance(&loaded.model) && loaded.model.analysis.is_some() {
         let folder = trial.path("compared");
         let _ = fs::remove_dir_all(&folder);
-        let arguments = with("compare", &limits(fuzzer.limit, &loaded), &["--joint", "all", "-o", &folder]);
+        let arguments = with(
+            "compare",
+            &limits(fuzzer.limit, &loaded),
+            &["--joint", "all", "-o", &folder],
+        );
         if let Some(said) = trial.run(&arguments, &[2, 3], 5.0 * fuzzer.limit)
             && said.status != 2
         {
             trial.table("compare", &Path::new(&folder).join("compare.csv"), false);
-            let text = fs::read_to_string(Path::new(&folder).join("compare.json")).unwrap_or_default();
+            let text =
+                fs::read_to_string(Path::new(&folder).join("compare.json")).unwrap_or_default();
             trial.json("compare", &text);
         }
     }
@@ -361,14 +495,27 @@ pub fn model(fuzzer: &Fuzzer, mut rng: Rng, mutant: &Mutant) -> Vec<Find> {
 }
 
 fn has_clearance(model: &Model) -> bool {
-    model.joints.values().any(|joint| matches!(&joint.kind, JointKind::Revolute { clearance: Some(_), .. }))
+    model.joints.values().any(|joint| {
+        matches!(
+            &joint.kind,
+            JointKind::Revolute {
+                clearance: Some(_),
+                ..
+            }
+        )
+    })
 }
 
 /// A limit of time, and of rows where there would be very many.
 fn limits(limit: f64, loaded: &Loaded) -> Vec<String> {
     let mut sets = vec![format!("analysis.solver.max_wall_time=\"{limit} s\"")];
-    let Some(analysis) = &loaded.model.analysis else { return sets };
-    if analysis.outputs.is_some_and(|outputs| outputs as f64 > MOST_ROWS) {
+    let Some(analysis) = &loaded.model.analysis else {
+        return sets;
+    };
+    if analysis
+        .outputs
+        .is_some_and(|outputs| outputs as f64 > MOST_ROWS)
+    {
         sets.push("analysis.outputs=101".into());
     }
     if let Some(sample) = &analysis.sample {
@@ -404,13 +551,18 @@ fn run(
         let _ = fs::remove_file(Path::new(&folder).join(name));
     }
     let arguments = with("run", sets, &["-o", &folder]);
-    let Some(said) = trial.run(&arguments, &[2, 3], trial.fuzzer.limit) else { return };
+    let Some(said) = trial.run(&arguments, &[2, 3], trial.fuzzer.limit) else {
+        return;
+    };
     if said.status == 2 {
         // The complaints of an analysis are those of the command.
         if let Ok(Err(complaints)) = caught(|| {
             analysis::run(
                 &loaded.model,
-                &Control { interrupted: std::sync::Arc::new(true.into()), ..Control::default() },
+                &Control {
+                    interrupted: std::sync::Arc::new(true.into()),
+                    ..Control::default()
+                },
             )
         }) {
             trial.complaints("run", &complaints);
@@ -425,7 +577,11 @@ fn run(
 
 /// A mutant of results.
 pub fn results(fuzzer: &Fuzzer, mut rng: Rng, mutant: &Mutant) -> Vec<Find> {
-    let mut trial = Trial { fuzzer, finds: Vec::new(), odd: is_odd(mutant) };
+    let mut trial = Trial {
+        fuzzer,
+        finds: Vec::new(),
+        odd: is_odd(mutant),
+    };
     let folder = trial.path("results");
     let _ = fs::create_dir_all(&folder);
     let _ = fs::write(Path::new(&folder).join("results.csv"), &mutant.bytes);

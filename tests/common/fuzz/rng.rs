@@ -7,7 +7,9 @@ pub struct Rng(u64);
 impl Rng {
     /// The stream of a mutant.
     pub fn new(seed: u64, mutant: u64) -> Self {
-        let mut rng = Rng(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ mutant.wrapping_mul(0xd1b5_4a32_d192_ed03));
+        let mut rng =
+            Rng(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15)
+                ^ mutant.wrapping_mul(0xd1b5_4a32_d192_ed03));
         rng.next();
         rng
     }
@@ -35,7 +37,11 @@ impl Rng {
     }
 
     pub fn pick<'a, T>(&mut self, of: &'a [T]) -> Option<&'a T> {
-        if of.is_empty() { None } else { of.get(self.below(of.len())) }
+        if of.is_empty() {
+            None
+        } else {
+            of.get(self.below(of.len()))
+        }
     }
 
     /// One of a list that is not empty.

@@ -44,11 +44,20 @@ pub fn keep_panics() {
             if PANIC.with_borrow(Option::is_none) {
                 return print(info);
             }
-            let place = info.location().map(|at| format!("{}:{}", at.file(), at.line())).unwrap_or_default();
+            let place = info
+                .location()
+                .map(|at| format!("{}:{}", at.file(), at.line()))
+                .unwrap_or_default();
             let payload = info.payload();
-            let words =
-                payload.downcast_ref::<String>().map(String::as_str).or(payload.downcast_ref::<&str>().copied());
-            let words = words.unwrap_or("no words").lines().next().unwrap_or_default();
+            let words = payload
+                .downcast_ref::<String>()
+                .map(String::as_str)
+                .or(payload.downcast_ref::<&str>().copied());
+            let words = words
+                .unwrap_or("no words")
+                .lines()
+                .next()
+                .unwrap_or_default();
             PANIC.set(Some(format!("{place}: {words}")));
         }));
     });
@@ -88,7 +97,10 @@ pub fn watch(most: Duration) {
             let since = SINCE.load(Ordering::SeqCst);
             if since > 0 && clock().saturating_sub(since) > most.as_millis() as u64 {
                 let what = WHAT.lock().map(|what| what.clone()).unwrap_or_default();
-                println!("FIND hang: no end after {most:?}: mutant {}: {what}", NUMBER.load(Ordering::SeqCst));
+                println!(
+                    "FIND hang: no end after {most:?}: mutant {}: {what}",
+                    NUMBER.load(Ordering::SeqCst)
+                );
                 std::process::exit(1);
             }
         }
@@ -112,7 +124,10 @@ impl Runner {
 
 fn inside(arguments: &[String]) -> Ran {
     let start = ThreadTime::now();
-    let words = ["linkdyn".to_string()].into_iter().chain(arguments.iter().cloned()).map(OsString::from);
+    let words = ["linkdyn".to_string()]
+        .into_iter()
+        .chain(arguments.iter().cloned())
+        .map(OsString::from);
     match caught(|| cli::captured(words)) {
         Ok(said) => Ran::Said(said, start.elapsed()),
         Err(words) => Ran::Panicked(words),
@@ -121,14 +136,22 @@ fn inside(arguments: &[String]) -> Ran {
 
 fn process(binary: &PathBuf, arguments: &[String]) -> Ran {
     let start = Instant::now();
-    let child =
-        Command::new(binary).args(arguments).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn();
+    let child = Command::new(binary)
+        .args(arguments)
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn();
     let mut child = match child {
         Ok(child) => child,
         // A text that no argument can hold is none of ours.
         Err(_) => {
             return Ran::Said(
-                Said { status: 2, stderr: "error: not an argument".into(), ..Said::default() },
+                Said {
+                    status: 2,
+                    stderr: "error: not an argument".into(),
+                    ..Said::default()
+                },
                 Duration::ZERO,
             );
         }
@@ -141,14 +164,22 @@ fn process(binary: &PathBuf, arguments: &[String]) -> Ran {
         text
     });
     let mut text = Vec::new();
-    let _ = child.stdout.take().map(|mut out| out.read_to_end(&mut text));
+    let _ = child
+        .stdout
+        .take()
+        .map(|mut out| out.read_to_end(&mut text));
     streams[0] = String::from_utf8_lossy(&text).into_owned();
     streams[1] = String::from_utf8_lossy(&reader.join().unwrap_or_default()).into_owned();
     let [stdout, stderr] = streams;
     match child.wait().map(|status| status.code()) {
-        Ok(Some(code)) if !stderr.contains("panicked at") => {
-            Ran::Said(Said { status: u8::try_from(code).unwrap_or(u8::MAX), stdout, stderr }, start.elapsed())
-        }
+        Ok(Some(code)) if !stderr.contains("panicked at") => Ran::Said(
+            Said {
+                status: u8::try_from(code).unwrap_or(u8::MAX),
+                stdout,
+                stderr,
+            },
+            start.elapsed(),
+        ),
         Ok(Some(_)) => Ran::Panicked(stderr.lines().take(2).collect::<Vec<_>>().join(" ")),
         Ok(None) => Ran::Killed(format!("by a signal; {stderr}")),
         Err(error) => Ran::Killed(error.to_string()),

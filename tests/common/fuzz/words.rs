@@ -319,7 +319,10 @@ pub fn text(rng: &mut Rng) -> String {
 
 /// Another unit for a text with a unit, or another number.
 pub fn respelt(rng: &mut Rng, old: &str) -> String {
-    match old.split_once(' ').filter(|(number, _)| number.parse::<f64>().is_ok()) {
+    match old
+        .split_once(' ')
+        .filter(|(number, _)| number.parse::<f64>().is_ok())
+    {
         Some((value, unit)) => match rng.below(3) {
             0 => format!("{value} {}", rng.word(UNITS)),
             1 => format!("{} {unit}", number(rng, value.parse().ok())),

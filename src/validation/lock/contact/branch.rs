@@ -49,13 +49,25 @@ impl Branch {
     /// When columns or rows are missing.
     pub fn of(stroke: &Stroke, ideal: &Stroke) -> Result<Self, CaseError> {
         let angles = |stroke: &Stroke, link: &str| {
-            stroke.trajectory.values(&format!("{link}.angle")).ok_or_else(|| broken(format!("{link} has no angle")))
+            stroke
+                .trajectory
+                .values(&format!("{link}.angle"))
+                .ok_or_else(|| broken(format!("{link} has no angle")))
         };
         let (with, without) = (angles(stroke, "link2")?, angles(ideal, "link2")?);
         let (three, four) = (angles(stroke, "link3")?, angles(stroke, "link4")?);
-        let last = stroke.theta6.len().checked_sub(1).ok_or_else(|| broken("a stroke without rows"))?;
-        let away = stroke.theta6.iter().enumerate().filter(|(_, theta6)| **theta6 > NEAR_CHANGE_POINT);
-        let away = away.map(|(row, &theta6)| [(with[row] - without[row]).to_degrees().abs(), theta6]);
+        let last = stroke
+            .theta6
+            .len()
+            .checked_sub(1)
+            .ok_or_else(|| broken("a stroke without rows"))?;
+        let away = stroke
+            .theta6
+            .iter()
+            .enumerate()
+            .filter(|(_, theta6)| **theta6 > NEAR_CHANGE_POINT);
+        let away =
+            away.map(|(row, &theta6)| [(with[row] - without[row]).to_degrees().abs(), theta6]);
         Ok(Branch {
             is_whole: is_whole(stroke),
             last: stroke.theta6[last],
@@ -99,17 +111,25 @@ pub fn other_end(control: &Control) -> Result<f64, CaseError> {
     document["drivers"]["motor"]["motion"]["start"] = json!(format!("{} deg", OTHER[4]));
     document["analysis"]["sample"]["from"] = json!(format!("{} deg", OTHER[4]));
     let (_, outcome) = run(&document, control)?;
-    let dead = outcome.report.events.iter().find(|event| event.kind == "dead_centre").and_then(|event| event.value);
+    let dead = outcome
+        .report
+        .events
+        .iter()
+        .find(|event| event.kind == "dead_centre")
+        .and_then(|event| event.value);
     match (outcome.report.status, dead) {
         (Status::DeadCentre, Some(value)) => Ok(value.to_degrees()),
-        (status, _) => Err(broken(format!("the other branch ended otherwise: {status:?}"))),
+        (status, _) => Err(broken(format!(
+            "the other branch ended otherwise: {status:?}"
+        ))),
     }
 }
 
 /// Puts the links where the other branch has them.
 fn pose(document: &mut Value) -> Result<(), CaseError> {
     let point = |document: &Value, body: &str, name: &str| -> Result<Vec2, CaseError> {
-        let [x, y] = serde_json::from_value(document["bodies"][body]["points"][name].clone()).map_err(broken)?;
+        let [x, y] = serde_json::from_value(document["bodies"][body]["points"][name].clone())
+            .map_err(broken)?;
         Ok(Vec2::new(x, y))
     };
     let turned = |v: Vec2, degrees: f64| {
@@ -127,7 +147,8 @@ fn pose(document: &mut Value) -> Result<(), CaseError> {
         ("link5", e, OTHER[3]),
         ("link6", f, OTHER[4]),
     ] {
-        document["bodies"][body]["pose"] = json!({ "position": [place.x, place.y], "angle": angle });
+        document["bodies"][body]["pose"] =
+            json!({ "position": [place.x, place.y], "angle": angle });
     }
     Ok(())
 }

@@ -5,7 +5,9 @@
 //! of the outputs two runs agree, and the paper's statistics at each tolerance.
 
 use super::super::models::{Quantity, RADII, STEPS, Stroke};
-use super::super::table::{DISTURBED, Deviation, Deviations, NEAR_CHANGE_POINT, Runs, UNBOUNDED, settles};
+use super::super::table::{
+    DISTURBED, Deviation, Deviations, NEAR_CHANGE_POINT, Runs, UNBOUNDED, settles,
+};
 use super::strokes::{STEP, Strokes, TOLERANCES};
 
 /// End of the part of the stroke that is clear of the change point [deg].
@@ -28,8 +30,15 @@ pub struct Convergence {
 impl Convergence {
     /// Against the ideal runs of `base`.
     pub fn new(base: &Runs, strokes: &Strokes) -> Self {
-        let until = |end: f64| (0..TOLERANCES.len()).map(|index| deviations(base, &strokes.at(index), end)).collect();
-        Convergence { whole: until(f64::INFINITY), clear: until(CLEAR) }
+        let until = |end: f64| {
+            (0..TOLERANCES.len())
+                .map(|index| deviations(base, &strokes.at(index), end))
+                .collect()
+        };
+        Convergence {
+            whole: until(f64::INFINITY),
+            clear: until(CLEAR),
+        }
     }
 
     /// At the finest tolerance.
@@ -45,7 +54,9 @@ pub fn by_tolerance(
     quantity: Quantity,
     value: impl Fn(Deviation) -> f64,
 ) -> Vec<f64> {
-    all.iter().map(|deviations| value(deviations.at(radius, step, quantity))).collect()
+    all.iter()
+        .map(|deviations| value(deviations.at(radius, step, quantity)))
+        .collect()
 }
 
 /// Numbers of the paper's table that can settle: all of its 20 but the two largest F12, which contact has from the ideal lock, without
@@ -62,9 +73,13 @@ pub fn settled(values: impl Fn(usize, Quantity, Statistic) -> Vec<f64>) -> [usiz
             }
             for radius in 0..RADII.len() {
                 let values = values(radius, quantity, statistic);
-                let before = values.split_last().is_some_and(|(_, before)| settles(before));
-                let ends =
-                    values.len().checked_sub(3).is_some_and(|first| settles(&[values[first], values[first + 2]]));
+                let before = values
+                    .split_last()
+                    .is_some_and(|(_, before)| settles(before));
+                let ends = values
+                    .len()
+                    .checked_sub(3)
+                    .is_some_and(|first| settles(&[values[first], values[first + 2]]));
                 count[0] += usize::from(settles(&values));
                 count[1] += usize::from(settles(&values) && before && ends);
             }
@@ -74,8 +89,16 @@ pub fn settled(values: impl Fn(usize, Quantity, Statistic) -> Vec<f64>) -> [usiz
 }
 
 fn deviations(base: &Runs, strokes: &[&Stroke], end: f64) -> Deviations {
-    let at = |stroke: &Stroke| STEPS.iter().map(|&step| deviation(base, stroke, end, step)).collect();
-    Deviations { ranges: base.deviations.ranges, table: strokes.iter().map(|stroke| at(stroke)).collect() }
+    let at = |stroke: &Stroke| {
+        STEPS
+            .iter()
+            .map(|&step| deviation(base, stroke, end, step))
+            .collect()
+    };
+    Deviations {
+        ranges: base.deviations.ranges,
+        table: strokes.iter().map(|stroke| at(stroke)).collect(),
+    }
 }
 
 /// Deviations of a stroke from the ideal one up to `end` [deg], as far as it comes, at outputs `step` apart [deg].
@@ -83,9 +106,17 @@ pub fn deviation(base: &Runs, stroke: &Stroke, end: f64, step: f64) -> [Deviatio
     let ideal = &base.ideal[STEPS.len() - 1];
     let count = ideal.theta6.iter().filter(|theta6| **theta6 <= end).count();
     let stride = (step / STEP).round() as usize;
-    let thin = |values: &[f64]| values.iter().take(count).step_by(stride).copied().collect::<Vec<f64>>();
+    let thin = |values: &[f64]| {
+        values
+            .iter()
+            .take(count)
+            .step_by(stride)
+            .copied()
+            .collect::<Vec<f64>>()
+    };
     Quantity::ALL.map(|q| {
-        let [theta6, without, with] = [&ideal.theta6[..], ideal.curve(q), stroke.curve(q)].map(thin);
+        let [theta6, without, with] =
+            [&ideal.theta6[..], ideal.curve(q), stroke.curve(q)].map(thin);
         Deviation::of(&theta6, &without, &with, base.deviations.ranges[q.index()])
     })
 }
@@ -103,34 +134,49 @@ impl Pair {
     /// Compares them, where both have values.
     pub fn of(a: &Stroke, b: &Stroke, ideal: &Stroke, ranges: &[f64; 5]) -> Self {
         let row = |stroke: &Stroke, theta6: f64| {
-            let row = stroke.theta6.partition_point(|other| *other < theta6 - SAME_OUTPUT);
-            stroke.theta6.get(row).is_some_and(|other| (other - theta6).abs() <= SAME_OUTPUT).then_some(row)
+            let row = stroke
+                .theta6
+                .partition_point(|other| *other < theta6 - SAME_OUTPUT);
+            stroke
+                .theta6
+                .get(row)
+                .is_some_and(|other| (other - theta6).abs() <= SAME_OUTPUT)
+                .then_some(row)
         };
         let rows: Vec<(f64, [usize; 3])> = a
             .theta6
             .iter()
             .enumerate()
-            .filter_map(|(first, &theta6)| Some((theta6, [first, row(b, theta6)?, row(ideal, theta6)?])))
+            .filter_map(|(first, &theta6)| {
+                Some((theta6, [first, row(b, theta6)?, row(ideal, theta6)?]))
+            })
             .collect();
         // θ6, difference, deviation of the second.
         let differences = |q: Quantity| {
             let [a, b, ideal] = [a, b, ideal].map(|stroke| stroke.curve(q));
-            let of =
-                move |&(theta6, [i, j, k]): &(f64, [usize; 3])| (theta6, (a[i] - b[j]).abs(), (b[j] - ideal[k]).abs());
-            rows.iter().map(of).filter(|(_, difference, deviation)| difference.is_finite() && deviation.is_finite())
+            let of = move |&(theta6, [i, j, k]): &(f64, [usize; 3])| {
+                (theta6, (a[i] - b[j]).abs(), (b[j] - ideal[k]).abs())
+            };
+            rows.iter().map(of).filter(|(_, difference, deviation)| {
+                difference.is_finite() && deviation.is_finite()
+            })
         };
         let agree = [true, false].map(|clear| {
             Quantity::ALL.map(|q| {
                 let part = differences(q).filter(|(theta6, ..)| (*theta6 <= CLEAR) == clear);
                 let (agree, all) = part.fold((0.0, 0.0), |(agree, all), (_, difference, _)| {
-                    (agree + f64::from(u8::from(difference <= DISTURBED * ranges[q.index()])), all + 1.0)
+                    (
+                        agree + f64::from(u8::from(difference <= DISTURBED * ranges[q.index()])),
+                        all + 1.0,
+                    )
                 });
                 agree / f64::max(all, 1.0)
             })
         });
         let mean = Quantity::ALL.map(|q| {
-            let sums = differences(q)
-                .fold([0.0, 0.0], |sums, (_, difference, deviation)| [sums[0] + difference, sums[1] + deviation]);
+            let sums = differences(q).fold([0.0, 0.0], |sums, (_, difference, deviation)| {
+                [sums[0] + difference, sums[1] + deviation]
+            });
             sums[0] / sums[1]
         });
         Pair { agree, mean }
@@ -149,7 +195,11 @@ mod tests {
         assert_eq!(settled(|_, _, _| vec![1.0, 1.22, 1.488]), [NUMBERS, 0]);
         assert_eq!(settled(|_, _, _| vec![1.0, 1.0, 2.0]), [0, 0]);
         let one = |radius: usize, quantity: Quantity, _: Statistic| {
-            if (radius, quantity) == (0, Quantity::Force) { vec![1.0; 3] } else { vec![1.0, 2.0, 4.0] }
+            if (radius, quantity) == (0, Quantity::Force) {
+                vec![1.0; 3]
+            } else {
+                vec![1.0, 2.0, 4.0]
+            }
         };
         assert_eq!(settled(one), [1, 1], "its mean alone");
     }

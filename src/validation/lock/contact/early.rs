@@ -31,20 +31,32 @@ impl Early {
     pub fn of(strokes: &[Stroke]) -> Self {
         let begins: Vec<_> = strokes.iter().map(begins).collect();
         let pairs = || begins.windows(2).map(|pair| (&pair[0], &pair[1]));
-        let together = pairs().map(|(a, b)| BOUNDS.map(|bound| early(a, b, parted(a, b, bound)).len())).collect();
-        let until = pairs().map(|(a, b)| parted(a, b, SAME_BEGIN)).fold(f64::INFINITY, f64::min);
+        let together = pairs()
+            .map(|(a, b)| BOUNDS.map(|bound| early(a, b, parted(a, b, bound)).len()))
+            .collect();
+        let until = pairs()
+            .map(|(a, b)| parted(a, b, SAME_BEGIN))
+            .fold(f64::INFINITY, f64::min);
         let (mut contacts, mut differences) = (usize::MAX, Vec::new());
         for all in pairs().map(|(a, b)| early(a, b, until)) {
             contacts = contacts.min(all.len());
             let largest = all.iter().copied().fold(0.0, f64::max);
             differences.push([all.iter().sum::<f64>() / all.len().max(1) as f64, largest]);
         }
-        Early { until, together, contacts: if differences.is_empty() { 0 } else { contacts }, differences }
+        Early {
+            until,
+            together,
+            contacts: if differences.is_empty() { 0 } else { contacts },
+            differences,
+        }
     }
 
     /// Least factor by which the mean difference falls from pair to pair.
     pub fn falls(&self) -> f64 {
-        self.differences.windows(2).map(|two| two[0][0] / two[1][0]).fold(f64::INFINITY, f64::min)
+        self.differences
+            .windows(2)
+            .map(|two| two[0][0] / two[1][0])
+            .fold(f64::INFINITY, f64::min)
     }
 
     /// Whether they converge.
@@ -56,15 +68,26 @@ impl Early {
 /// When contacts begin, hinge by hinge [s].
 fn begins(stroke: &Stroke) -> [Vec<f64>; 7] {
     JOINTS.map(|joint| {
-        let contacts = stroke.report.events.iter().filter(|event| event.kind == "contact");
-        contacts.filter(|event| event.joint.as_deref() == Some(joint)).map(|event| event.time).collect()
+        let contacts = stroke
+            .report
+            .events
+            .iter()
+            .filter(|event| event.kind == "contact");
+        contacts
+            .filter(|event| event.joint.as_deref() == Some(joint))
+            .map(|event| event.time)
+            .collect()
     })
 }
 
 /// The first begin of a contact that only one of both has, when those within `bound` are the same [s].
 fn parted(a: &[Vec<f64>; 7], b: &[Vec<f64>; 7], bound: f64) -> f64 {
     let of = |(a, b): (&Vec<f64>, &Vec<f64>)| {
-        let same = a.iter().zip(b).take_while(|(a, b)| (*a - *b).abs() <= bound).count();
+        let same = a
+            .iter()
+            .zip(b)
+            .take_while(|(a, b)| (*a - *b).abs() <= bound)
+            .count();
         let next = [a, b].map(|begins| begins.get(same).copied().unwrap_or(f64::INFINITY));
         next[0].min(next[1])
     };
@@ -74,7 +97,10 @@ fn parted(a: &[Vec<f64>; 7], b: &[Vec<f64>; 7], bound: f64) -> f64 {
 /// Differences of the begins before `until`.
 fn early(a: &[Vec<f64>; 7], b: &[Vec<f64>; 7], until: f64) -> Vec<f64> {
     let pairs = a.iter().zip(b).flat_map(|(a, b)| a.iter().zip(b));
-    pairs.filter(|(a, b)| a.max(**b) < until).map(|(a, b)| (a - b).abs()).collect()
+    pairs
+        .filter(|(a, b)| a.max(**b) < until)
+        .map(|(a, b)| (a - b).abs())
+        .collect()
 }
 
 #[cfg(test)]
@@ -91,7 +117,10 @@ mod tests {
     fn runs_part_where_one_has_a_contact_alone() {
         let a = first_hinge(&[0.1, 0.2, 0.3]);
         let parted = |a, b: &[Vec<f64>; 7]| parted(a, b, SAME_BEGIN);
-        assert_eq!(parted(&a, &first_hinge(&[0.1, 0.2 + 5e-7, 0.3])), f64::INFINITY);
+        assert_eq!(
+            parted(&a, &first_hinge(&[0.1, 0.2 + 5e-7, 0.3])),
+            f64::INFINITY
+        );
         assert_eq!(parted(&a, &first_hinge(&[0.1, 0.21, 0.3])), 0.2);
         assert_eq!(parted(&a, &first_hinge(&[0.1, 0.15, 0.2, 0.3])), 0.15);
         assert_eq!(parted(&a, &first_hinge(&[0.1, 0.2])), 0.3);
@@ -108,6 +137,12 @@ mod tests {
         };
         assert!(early([1e-7, 1e-8]).converges());
         assert!(!early([1e-7, 5e-8]).converges());
-        assert!(!Early { contacts: 0, ..early([1e-7, 1e-8]) }.converges());
+        assert!(
+            !Early {
+                contacts: 0,
+                ..early([1e-7, 1e-8])
+            }
+            .converges()
+        );
     }
 }

@@ -28,9 +28,18 @@ pub fn figures(
     let mut drawn = Vec::new();
     for (figure, quantity) in (4..).zip(Quantity::ALL) {
         let massless = base.clearance.iter().map(|strokes| &strokes[CURVES]);
-        let (upper, above) = panel(quantity, ", massless", [&base.ideal[CURVES]].into_iter().chain(massless));
-        let (lower, below) =
-            panel(quantity, ", contact", [&base.ideal[fine]].into_iter().chain(contact.iter().copied()));
+        let (upper, above) = panel(
+            quantity,
+            ", massless",
+            [&base.ideal[CURVES]].into_iter().chain(massless),
+        );
+        let (lower, below) = panel(
+            quantity,
+            ", contact",
+            [&base.ideal[fine]]
+                .into_iter()
+                .chain(contact.iter().copied()),
+        );
         let chart = Chart {
             x: Axis::new("θ6", "deg"),
             panels: vec![upper, lower],
@@ -43,7 +52,9 @@ pub fn figures(
             size_mm: [None, Some(112.0)],
             ..Chart::default()
         };
-        let scene = chart.draw().map_err(|fault| CaseError::Broken(format!("figure {figure}: {fault}")))?;
+        let scene = chart
+            .draw()
+            .map_err(|fault| CaseError::Broken(format!("figure {figure}: {fault}")))?;
         let file = format!("figure{figure}.svg");
         directory.write(&file, svg::write(&scene).as_bytes())?;
         let about = format!(
@@ -66,7 +77,11 @@ fn curves(
     quantity: Quantity,
 ) -> Result<(), WriteError> {
     let ideal = &base.ideal[STEPS.len() - 1];
-    let massless: Vec<&Stroke> = base.clearance.iter().map(|strokes| &strokes[STEPS.len() - 1]).collect();
+    let massless: Vec<&Stroke> = base
+        .clearance
+        .iter()
+        .map(|strokes| &strokes[STEPS.len() - 1])
+        .collect();
     let name = |case: &str| format!("{}.{case}[{}]", quantity.symbol(), quantity.unit());
     let mut text = format!("theta6[deg],theta6[rad],{}", name("ideal"));
     for model in ["massless", "contact"] {
@@ -83,26 +98,47 @@ fn curves(
         }
         text.push('\n');
     }
-    directory.write(&format!("figure{figure}.csv"), text.as_bytes()).map(|_| ())
+    directory
+        .write(&format!("figure{figure}.csv"), text.as_bytes())
+        .map(|_| ())
 }
 
 /// `table.csv`: the paper's statistics at every tolerance, over the stroke and clear of the change point.
 ///
 /// # Errors
 /// When it can't be written.
-pub fn table(directory: &Directory, convergence: &Convergence, paper: &Paper) -> Result<(), WriteError> {
-    let ours = TOLERANCES.map(|rtol| format!(",ours at rtol {rtol:e}")).concat();
-    let mut text = format!("up to[deg],e[um],quantity,unit,statistic,paper,step[deg]{ours},settles\n");
-    for (end, all) in [("125".to_string(), &convergence.whole), (CLEAR.to_string(), &convergence.clear)] {
+pub fn table(
+    directory: &Directory,
+    convergence: &Convergence,
+    paper: &Paper,
+) -> Result<(), WriteError> {
+    let ours = TOLERANCES
+        .map(|rtol| format!(",ours at rtol {rtol:e}"))
+        .concat();
+    let mut text =
+        format!("up to[deg],e[um],quantity,unit,statistic,paper,step[deg]{ours},settles\n");
+    for (end, all) in [
+        ("125".to_string(), &convergence.whole),
+        (CLEAR.to_string(), &convergence.clear),
+    ] {
         for quantity in Quantity::ALL {
             for (radius, e) in RADII.iter().enumerate() {
-                for ((name, statistic), printed) in STATISTICS.into_iter().zip(paper.deviation(radius, quantity)) {
+                for ((name, statistic), printed) in STATISTICS
+                    .into_iter()
+                    .zip(paper.deviation(radius, quantity))
+                {
                     for (index, step) in STEPS.iter().enumerate() {
                         let values = by_tolerance(all, [radius, index], quantity, statistic);
-                        let cells: String = values.iter().map(|&value| format!(",{}", cell(value))).collect();
+                        let cells: String = values
+                            .iter()
+                            .map(|&value| format!(",{}", cell(value)))
+                            .collect();
                         let settled = if settles(&values) { "yes" } else { "no" };
                         let (symbol, unit) = (quantity.symbol(), quantity.unit());
-                        let _ = writeln!(text, "{end},{e},{symbol},{unit},{name},{printed},{step}{cells},{settled}");
+                        let _ = writeln!(
+                            text,
+                            "{end},{e},{symbol},{unit},{name},{printed},{step}{cells},{settled}"
+                        );
                     }
                 }
             }
@@ -127,20 +163,57 @@ pub fn strokes(
          steps,rejected,evaluations,contacts,touching,largest force[N],energy imbalance",
     );
     for quantity in Quantity::ALL {
-        let _ =
-            write!(text, ",max {0} up to {CLEAR}[{1}],mean {0} up to {CLEAR}[{1}]", quantity.symbol(), quantity.unit());
+        let _ = write!(
+            text,
+            ",max {0} up to {CLEAR}[{1}],mean {0} up to {CLEAR}[{1}]",
+            quantity.symbol(),
+            quantity.unit()
+        );
     }
     text.push('\n');
-    for (((contact, stroke), branch), (_, deviations)) in strokes.iter().zip(branches).zip(deviations) {
-        let Work { steps, rejected, evaluations, contacts, touching, peak_force, imbalance, .. } = Work::of(stroke);
-        let Contact { joint, radius, rtol } = contact;
-        let Branch { last, theta2: [with, without], between, farthest, .. } = branch;
-        let (joint, status, word) = (joint.unwrap_or("all"), stroke.report.status.word(), branch.word());
+    for (((contact, stroke), branch), (_, deviations)) in
+        strokes.iter().zip(branches).zip(deviations)
+    {
+        let Work {
+            steps,
+            rejected,
+            evaluations,
+            contacts,
+            touching,
+            peak_force,
+            imbalance,
+            ..
+        } = Work::of(stroke);
+        let Contact {
+            joint,
+            radius,
+            rtol,
+        } = contact;
+        let Branch {
+            last,
+            theta2: [with, without],
+            between,
+            farthest,
+            ..
+        } = branch;
+        let (joint, status, word) = (
+            joint.unwrap_or("all"),
+            stroke.report.status.word(),
+            branch.word(),
+        );
         let farthest = cell(farthest.map_or(f64::NAN, |[farthest, _]| farthest));
-        let _ = write!(text, "{joint},{radius},{rtol:e},{status},{word},{last},{with},{without},{between},{farthest}");
+        let _ = write!(
+            text,
+            "{joint},{radius},{rtol:e},{status},{word},{last},{with},{without},{between},{farthest}"
+        );
         let _ = write!(text, ",{steps},{rejected}");
-        let deviations = deviations.map(|d| format!(",{},{}", cell(d.max), cell(d.mean))).concat();
-        let _ = writeln!(text, ",{evaluations},{contacts},{touching},{peak_force},{imbalance}{deviations}");
+        let deviations = deviations
+            .map(|d| format!(",{},{}", cell(d.max), cell(d.mean)))
+            .concat();
+        let _ = writeln!(
+            text,
+            ",{evaluations},{contacts},{touching},{peak_force},{imbalance}{deviations}"
+        );
     }
     directory.write("strokes.csv", text.as_bytes()).map(|_| ())
 }

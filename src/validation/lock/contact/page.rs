@@ -14,7 +14,10 @@ use super::strokes::{Contact, TOLERANCES, USUAL, is_whole};
 const FINEST: usize = STEPS.len() - 1;
 
 fn cells(values: &[f64]) -> String {
-    values.iter().map(|&value| format!(" {:>9}", short(value))).collect()
+    values
+        .iter()
+        .map(|&value| format!(" {:>9}", short(value)))
+        .collect()
 }
 
 fn star(settled: bool) -> &'static str {
@@ -22,7 +25,9 @@ fn star(settled: bool) -> &'static str {
 }
 
 fn tolerances() -> String {
-    TOLERANCES.map(|rtol| format!(" {:>9}", format!("{rtol:e}"))).concat()
+    TOLERANCES
+        .map(|rtol| format!(" {:>9}", format!("{rtol:e}")))
+        .concat()
 }
 
 /// In lines of at most 120 columns.
@@ -58,16 +63,28 @@ impl Page {
             "|deviation from e = 0| over the stroke, contact, rtol {:e}",
             TOLERANCES[TOLERANCES.len() - 1]
         ));
-        let steps: String = STEPS.iter().map(|step| format!(" {:>9} ", format!("{step}°"))).collect();
+        let steps: String = STEPS
+            .iter()
+            .map(|step| format!(" {:>9} ", format!("{step}°")))
+            .collect();
         let half = |name: &str| format!("{name:>8}{steps} ");
-        self.line(format!("{:14}{}{}", "paper, ours", half("max"), half("mean")));
+        self.line(format!(
+            "{:14}{}{}",
+            "paper, ours",
+            half("max"),
+            half("mean")
+        ));
         for quantity in Quantity::ALL {
             for (radius, e) in RADII.iter().enumerate() {
                 let mut text = format!("{:14}", format!("{} {e} um", quantity.symbol()));
-                for ((_, statistic), printed) in STATISTICS.into_iter().zip(paper.deviation(radius, quantity)) {
+                for ((_, statistic), printed) in STATISTICS
+                    .into_iter()
+                    .zip(paper.deviation(radius, quantity))
+                {
                     let _ = write!(text, "{printed:>8}");
                     for step in 0..STEPS.len() {
-                        let values = by_tolerance(&convergence.whole, [radius, step], quantity, statistic);
+                        let values =
+                            by_tolerance(&convergence.whole, [radius, step], quantity, statistic);
                         let finest = values.last().copied().unwrap_or(f64::NAN);
                         let _ = write!(text, " {:>9}{}", short(finest), star(settles(&values)));
                     }
@@ -86,7 +103,10 @@ impl Page {
     /// The massless link by output step beside contact by tolerance.
     pub fn settling(&mut self, base: &Runs, convergence: &Convergence) {
         self.heading("What settles: the massless link as the output step goes down, contact as the tolerance does");
-        let massless: String = STEPS.iter().map(|step| format!(" {:>9}", format!("{step}°"))).collect();
+        let massless: String = STEPS
+            .iter()
+            .map(|step| format!(" {:>9}", format!("{step}°")))
+            .collect();
         self.line(format!(
             "{:22}{massless}    {} at outputs {}° apart",
             "massless, contact",
@@ -96,11 +116,19 @@ impl Page {
         let rows = |name: &str, statistic: Statistic, contact: &[_], page: &mut Page| {
             for quantity in Quantity::ALL {
                 for (radius, e) in RADII.iter().enumerate() {
-                    let without: Vec<f64> = base.row(radius, quantity).into_iter().map(statistic).collect();
+                    let without: Vec<f64> = base
+                        .row(radius, quantity)
+                        .into_iter()
+                        .map(statistic)
+                        .collect();
                     let with = by_tolerance(contact, [radius, FINEST], quantity, statistic);
                     let name = format!("{} e={e} um {name}", quantity.symbol());
                     let [a, b] = [&without, &with].map(|values| star(settles(values)));
-                    page.line(format!("{name:22}{}{a}   {}{b}", cells(&without), cells(&with)));
+                    page.line(format!(
+                        "{name:22}{}{a}   {}{b}",
+                        cells(&without),
+                        cells(&with)
+                    ));
                 }
             }
         };
@@ -112,7 +140,11 @@ impl Page {
             for (radius, e) in RADII.iter().enumerate() {
                 let with = by_tolerance(&convergence.clear, [radius, FINEST], quantity, |d| d.mean);
                 let name = format!("{} e={e} um mean", quantity.symbol());
-                self.line(format!("{name:65} {}{}", cells(&with), star(settles(&with))));
+                self.line(format!(
+                    "{name:65} {}{}",
+                    cells(&with),
+                    star(settles(&with))
+                ));
             }
         }
     }
@@ -120,15 +152,29 @@ impl Page {
     /// Contacts before runs part.
     pub fn early(&mut self, early: &[Early]) {
         self.heading("Before runs at different tolerances part: instants at which contacts begin");
-        let bounds = BOUNDS.map(|bound| format!("{:>9}", format!("{bound:e} s"))).concat();
-        self.line(format!("{:24}contacts together to within{:17}the first contacts", "", ""));
-        self.line(format!("{:24}{bounds}{:>16}{:>11}{:>12}{:>12}", "", "contacts", "until [s]", "mean [s]", "largest"));
+        let bounds = BOUNDS
+            .map(|bound| format!("{:>9}", format!("{bound:e} s")))
+            .concat();
+        self.line(format!(
+            "{:24}contacts together to within{:17}the first contacts",
+            "", ""
+        ));
+        self.line(format!(
+            "{:24}{bounds}{:>16}{:>11}{:>12}{:>12}",
+            "", "contacts", "until [s]", "mean [s]", "largest"
+        ));
         for (early, e) in early.iter().zip(RADII) {
-            let pairs = TOLERANCES.windows(2).zip(&early.together).zip(&early.differences);
+            let pairs = TOLERANCES
+                .windows(2)
+                .zip(&early.together)
+                .zip(&early.differences);
             for ((rtol, together), [mean, largest]) in pairs {
                 let name = format!("{e} um, {:e} and {:e}", rtol[0], rtol[1]);
                 let together = together.map(|count| format!("{count:>9}")).concat();
-                let first = format!("{:>16}{:>11.4}{mean:>12.1e}{largest:>12.1e}", early.contacts, early.until);
+                let first = format!(
+                    "{:>16}{:>11.4}{mean:>12.1e}{largest:>12.1e}",
+                    early.contacts, early.until
+                );
                 self.line(format!("{name:24}{together}{first}"));
             }
         }
@@ -142,23 +188,36 @@ impl Page {
     /// How far two runs stay together.
     pub fn pairs(&mut self, massless: &[Vec<Pair>], contact: &[Vec<Pair>]) {
         self.heading("How far runs at neighbouring output steps, or tolerances, agree pointwise");
-        let names: String = Quantity::ALL.map(|q| format!("{:>17}", q.symbol())).concat();
+        let names: String = Quantity::ALL
+            .map(|q| format!("{:>17}", q.symbol()))
+            .concat();
         self.line(format!("{:35}{names}", ""));
-        let steps: Vec<String> = STEPS.windows(2).map(|two| format!("{}° and {}°", two[0], two[1])).collect();
-        let rtols: Vec<String> = TOLERANCES.windows(2).map(|two| format!("{:e} and {:e}", two[0], two[1])).collect();
+        let steps: Vec<String> = STEPS
+            .windows(2)
+            .map(|two| format!("{}° and {}°", two[0], two[1]))
+            .collect();
+        let rtols: Vec<String> = TOLERANCES
+            .windows(2)
+            .map(|two| format!("{:e} and {:e}", two[0], two[1]))
+            .collect();
         for (model, all, settings) in [("massless", massless, steps), ("contact", contact, rtols)] {
             for (pairs, e) in all.iter().zip(RADII) {
                 for (pair, setting) in pairs.iter().zip(&settings) {
                     let shares = pair.agree[0].iter().zip(pair.agree[1]);
                     let shares: String = shares
-                        .map(|(a, b)| format!("{:>17}", format!("{:.1} / {:.1} %", 100.0 * a, 100.0 * b)))
+                        .map(|(a, b)| {
+                            format!("{:>17}", format!("{:.1} / {:.1} %", 100.0 * a, 100.0 * b))
+                        })
                         .collect();
                     self.line(format!(
                         "{model} {e} um, {setting:16}{:1$}{shares}",
                         "",
                         13 - model.len() - e.to_string().len()
                     ));
-                    let means = pair.mean.map(|mean| format!("{:>17}", short(mean))).concat();
+                    let means = pair
+                        .mean
+                        .map(|mean| format!("{:>17}", short(mean)))
+                        .concat();
                     self.line(format!("{:35}{means}", ""));
                 }
             }
@@ -177,17 +236,29 @@ impl Page {
             "One hinge at a time: |deviation from e = 0| up to {CLEAR}°, outputs {}° apart, max and mean",
             STEPS[FINEST]
         ));
-        let names: String = Quantity::ALL.map(|q| format!("{:>20}", format!("{} [{}]", q.symbol(), q.unit()))).concat();
+        let names: String = Quantity::ALL
+            .map(|q| format!("{:>20}", format!("{} [{}]", q.symbol(), q.unit())))
+            .concat();
         self.line(format!("{:16}{names}", ""));
-        for (contact, deviations) in strokes.iter().filter(|(contact, _)| contact.rtol == TOLERANCES[USUAL]) {
-            let cells = deviations.map(|d| format!(" {:>9} {:>9}", short(d.max), short(d.mean))).concat();
+        for (contact, deviations) in strokes
+            .iter()
+            .filter(|(contact, _)| contact.rtol == TOLERANCES[USUAL])
+        {
+            let cells = deviations
+                .map(|d| format!(" {:>9} {:>9}", short(d.max), short(d.mean)))
+                .concat();
             self.line(format!("{:16}{cells}", contact.bearings()));
         }
         self.line(format!("rtol {:e}.", TOLERANCES[USUAL]));
     }
 
     /// Where the motions go beyond the change point.
-    pub fn branches(&mut self, strokes: &[(Contact, &Stroke)], branches: &[Branch], other_end: f64) {
+    pub fn branches(
+        &mut self,
+        strokes: &[(Contact, &Stroke)],
+        branches: &[Branch],
+        other_end: f64,
+    ) {
         self.heading("Beyond the change point");
         self.line(format!(
             "Two branches of the ideal first loop cross there. The other one ends in a dead centre at {other_end:.9}°\n\
@@ -195,10 +266,22 @@ impl Page {
         ));
         self.line(format!(
             "{:24}{:>14}{:>11}{:>14}{:>14}{:>17}{:>26}",
-            "", "branch", "until", "theta2 there", "ideal", "theta4 - theta3", "farthest beyond 117.5°"
+            "",
+            "branch",
+            "until",
+            "theta2 there",
+            "ideal",
+            "theta4 - theta3",
+            "farthest beyond 117.5°"
         ));
         for ((contact, _), branch) in strokes.iter().zip(branches) {
-            let Branch { last, theta2: [with, without], between, farthest, .. } = branch;
+            let Branch {
+                last,
+                theta2: [with, without],
+                between,
+                farthest,
+                ..
+            } = branch;
             let far = farthest.map_or("-".into(), |[far, at]| format!("{far:.4}° at {at:.1}°"));
             self.line(format!(
                 "{:24}{:>14}{last:>10.1}°{with:>13.4}°{without:>13.4}°{between:>16.4}°{far:>26}",
@@ -207,8 +290,16 @@ impl Page {
             ));
         }
         for (contact, stroke) in strokes.iter().filter(|(_, stroke)| !is_whole(stroke)) {
-            let message = stroke.report.message.as_deref().unwrap_or("no reason given");
-            let text = format!("{} ({}): {message}", contact.name(), stroke.report.status.word());
+            let message = stroke
+                .report
+                .message
+                .as_deref()
+                .unwrap_or("no reason given");
+            let text = format!(
+                "{} ({}): {message}",
+                contact.name(),
+                stroke.report.status.word()
+            );
             self.line(format!("\n{}", wrapped(&text)));
         }
     }
@@ -275,8 +366,16 @@ impl Work {
     /// From the report of the run.
     pub fn of(stroke: &Stroke) -> Self {
         let report = &stroke.report;
-        let duration = stroke.trajectory.values("time").and_then(|time| time.last().copied()).unwrap_or(f64::NAN);
-        let touching: f64 = report.clearances.iter().map(|sums| sums.time_in_contact).sum();
+        let duration = stroke
+            .trajectory
+            .values("time")
+            .and_then(|time| time.last().copied())
+            .unwrap_or(f64::NAN);
+        let touching: f64 = report
+            .clearances
+            .iter()
+            .map(|sums| sums.time_in_contact)
+            .sum();
         let episodes = report.events.iter().filter_map(|event| event.episode);
         Work {
             steps: report.statistics.steps,

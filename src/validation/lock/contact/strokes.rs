@@ -34,7 +34,9 @@ pub struct Contact {
 impl Contact {
     /// `all, 100 um`.
     pub fn bearings(&self) -> String {
-        let joint = self.joint.map_or("all".into(), |joint| format!("{joint} alone"));
+        let joint = self
+            .joint
+            .map_or("all".into(), |joint| format!("{joint} alone"));
         format!("{joint}, {} um", self.radius)
     }
 
@@ -46,7 +48,10 @@ impl Contact {
     /// The bundled model with one word changed per hinge.
     fn document(&self) -> Result<Value, CaseError> {
         let mut document = Request::ideal(STEP).document()?;
-        for joint in JOINTS.iter().filter(|joint| self.joint.is_none_or(|only| only == **joint)) {
+        for joint in JOINTS
+            .iter()
+            .filter(|joint| self.joint.is_none_or(|only| only == **joint))
+        {
             let clearance = &mut document["joints"][*joint]["clearance"];
             clearance["model"] = json!("contact");
             clearance["radius"] = json!(format!("{} um", self.radius));
@@ -58,7 +63,12 @@ impl Contact {
     /// A stroke that stops early keeps its rows, its status and its message.
     fn run(&self, control: &Control) -> Result<Stroke, CaseError> {
         let (model, outcome) = run(&self.document()?, control)?;
-        let stroke = Stroke::new(Request::clearance(self.radius, STEP), model, outcome.trajectory, outcome.report)?;
+        let stroke = Stroke::new(
+            Request::clearance(self.radius, STEP),
+            model,
+            outcome.trajectory,
+            outcome.report,
+        )?;
         if stroke.theta6.is_empty() {
             let message = stroke.report.message.unwrap_or_default();
             return Err(broken(format!("{} has no rows: {message}", self.name())));
@@ -87,20 +97,37 @@ impl Strokes {
     /// When one can't be run at all.
     pub fn new(control: &Control) -> Result<Self, CaseError> {
         let mut strokes = each(&Self::requests(), control)?.into_iter();
-        let all = RADII.map(|_| strokes.by_ref().take(TOLERANCES.len()).collect()).to_vec();
-        Ok(Strokes { all, single: strokes.collect() })
+        let all = RADII
+            .map(|_| strokes.by_ref().take(TOLERANCES.len()).collect())
+            .to_vec();
+        Ok(Strokes {
+            all,
+            single: strokes.collect(),
+        })
     }
 
     /// In the order of [`Strokes::named`].
     fn requests() -> Vec<Contact> {
-        let all = RADII.iter().flat_map(|&radius| TOLERANCES.map(|rtol| Contact { joint: None, radius, rtol }));
-        let single = JOINTS.map(|joint| Contact { joint: Some(joint), radius: SINGLE, rtol: TOLERANCES[USUAL] });
+        let all = RADII.iter().flat_map(|&radius| {
+            TOLERANCES.map(|rtol| Contact {
+                joint: None,
+                radius,
+                rtol,
+            })
+        });
+        let single = JOINTS.map(|joint| Contact {
+            joint: Some(joint),
+            radius: SINGLE,
+            rtol: TOLERANCES[USUAL],
+        });
         all.chain(single).collect()
     }
 
     /// Every run with what was asked for.
     pub fn named(&self) -> impl Iterator<Item = (Contact, &Stroke)> {
-        Self::requests().into_iter().zip(self.all.iter().flatten().chain(&self.single))
+        Self::requests()
+            .into_iter()
+            .zip(self.all.iter().flatten().chain(&self.single))
     }
 
     /// Both clearances at a tolerance.
@@ -116,7 +143,9 @@ fn each(requests: &[Contact], control: &Control) -> Result<Vec<Stroke>, CaseErro
         let mut done = Vec::new();
         loop {
             let index = next.fetch_add(1, Ordering::Relaxed);
-            let Some(request) = requests.get(index) else { return done };
+            let Some(request) = requests.get(index) else {
+                return done;
+            };
             done.push((index, request.run(control)));
         }
     };
