@@ -7,11 +7,11 @@
 
 use std::hint::black_box;
 
-use linkdyn::analysis::{self, Control, Outcome};
-use linkdyn::bundled;
-use linkdyn::model::{self, Model};
-use linkdyn::output::Status;
-use linkdyn::validation::table::Table;
+use linkdyn_engine::analysis::{self, Control, Outcome};
+use linkdyn_model::bundled;
+use linkdyn_model::{self, Model};
+use linkdyn_output::Status;
+use linkdyn_validation::table::Table;
 
 const MODEL: &str = include_str!("../validation/slider-crank-clearance/model.json");
 const REFERENCE: &str = include_str!("../validation/slider-crank-clearance/reference.csv");
@@ -26,7 +26,7 @@ const LOCK: &str = r#"{ "model": "contact", "radius": "100 um", "bearing_radius"
 const LOCK_JOINTS: [&str; 7] = ["a", "b", "c", "d", "e", "f", "g"];
 
 fn load(text: &str, sets: &[String]) -> Model {
-    model::load(text.as_bytes(), sets)
+    linkdyn_model::load(text.as_bytes(), sets)
         .unwrap_or_else(|said| panic!("{said:?}"))
         .model
 }

@@ -8,14 +8,14 @@
 use std::hint::black_box;
 
 use cpu_time::ThreadTime;
-use linkdyn::analysis::record::Sample;
-use linkdyn::analysis::{self, Control, Outcome, assembly, driven};
-use linkdyn::model::{self, AnalysisKind, Model};
-use linkdyn::solve::continuation::{Parameter, follow};
-use linkdyn::solve::driven::Driven;
-use linkdyn::system::Inputs;
-use linkdyn::system::compile::compile;
 use linkdyn::{bundled, output::Status};
+use linkdyn_engine::analysis::record::Sample;
+use linkdyn_engine::analysis::{self, Control, Outcome, assembly, driven};
+use linkdyn_engine::mechanism::continuation::{Parameter, follow};
+use linkdyn_engine::mechanism::driven::Driven;
+use linkdyn_engine::system::Inputs;
+use linkdyn_engine::system::compile::compile;
+use linkdyn_model::{self, AnalysisKind, Model};
 use serde_json::{Value, json};
 
 #[path = "../tests/common/benchmarks.rs"]
@@ -141,7 +141,7 @@ impl Problem {
 }
 
 fn load(json: &Value) -> Model {
-    model::load(json.to_string().as_bytes(), &[])
+    linkdyn_model::load(json.to_string().as_bytes(), &[])
         .unwrap_or_else(|said| panic!("{said:?}"))
         .model
 }
@@ -264,7 +264,7 @@ fn driven_instant() -> (f64, f64) {
     const INSTANTS: usize = 2000;
     let range = (-50f64.to_radians(), 110f64.to_radians());
     let text = bundled::find("watt-i-lock").expect("bundled").text;
-    let model = model::load(text.as_bytes(), &[])
+    let model = linkdyn_model::load(text.as_bytes(), &[])
         .expect("a sound model")
         .model;
     let system = compile(&model, AnalysisKind::InverseDynamics).expect("compiles");

@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use linkdyn::integrate::{Limits, Method, Ode, Refused, Tolerance};
+use linkdyn_engine::integrate::{Limits, Method, Ode, Refused, Tolerance};
 
 /// Independent oscillators y″ = −y, of n components altogether.
 struct Oscillators(usize);

@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use linkdyn::solve::{ColumnOrder, Pattern, SparseLu};
+use linkdyn_linear::{ColumnOrder, Pattern, SparseLu};
 
 #[path = "../tests/common/linkage.rs"]
 mod linkage;

@@ -7,17 +7,17 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use linkdyn::analysis::record::Sample;
-use linkdyn::analysis::{self, Control, assembly, driven};
-use linkdyn::bundled;
-use linkdyn::model::{self, AnalysisKind, Model};
-use linkdyn::output::Trajectory;
-use linkdyn::solve::continuation::{Parameter, Path, follow};
-use linkdyn::solve::driven::Driven;
-use linkdyn::system::compile::compile;
-use linkdyn::system::{Inputs, System};
-use linkdyn::validation::table::Table;
-use linkdyn::validation::{CASES, CaseKind};
+use linkdyn_engine::analysis::record::Sample;
+use linkdyn_engine::analysis::{self, Control, assembly, driven};
+use linkdyn_engine::mechanism::continuation::{Parameter, Path, follow};
+use linkdyn_engine::mechanism::driven::Driven;
+use linkdyn_engine::system::compile::compile;
+use linkdyn_engine::system::{Inputs, System};
+use linkdyn_model::bundled;
+use linkdyn_model::{self, AnalysisKind, Model};
+use linkdyn_output::Trajectory;
+use linkdyn_validation::table::Table;
+use linkdyn_validation::{CASES, CaseKind};
 
 const INSTANTS: usize = 2000;
 const FROM: f64 = -50.0;
@@ -25,7 +25,7 @@ const TO: f64 = 125.0;
 
 fn load(name: &str, sets: &[String]) -> Model {
     let text = bundled::find(name).expect("bundled").text;
-    model::load(text.as_bytes(), sets)
+    linkdyn_model::load(text.as_bytes(), sets)
         .expect("a sound model")
         .model
 }

@@ -1,8 +1,8 @@
 //! Planar multibody engine for linkages: assembly, kinematics and inverse dynamics of driven mechanisms, with ideal
 //! joints or joints with clearance.
 //!
-//! A model file is read into words ([`model`]), compiled into equations ([`system`]), solved ([`analysis`] by way of
-//! [`solve`]) and left as a table and a report ([`output`]).
+//! A model file is read into words ([`model`]), compiled into equations (`linkdyn_engine::system`), solved ([`analysis`] by way of
+//! `linkdyn_engine::mechanism`) and left as a table and a report ([`output`]).
 //!
 //! | symbol   | code          | meaning                                                | shape, unit            |
 //! | -------- | ------------- | ------------------------------------------------------ | ---------------------- |
@@ -23,31 +23,18 @@
 //! use linkdyn::{analysis, bundled, model};
 //!
 //! let text = bundled::find("four-bar").expect("bundled").text;
-//! let loaded = model::load(text.as_bytes(), &["analysis.outputs=3".into()]).expect("a sound model");
+//! let loaded = linkdyn_model::load(text.as_bytes(), &["analysis.outputs=3".into()]).expect("a sound model");
 //! let outcome = analysis::run(&loaded.model, &analysis::Control::default()).expect("a driven mechanism");
 //! let effort = outcome.trajectory.values("driver.motor.effort").expect("inverse dynamics has efforts");
 //! assert_eq!(effort.len(), 3);
 //! ```
 
-// Units in doc comments stand in brackets, which rustdoc takes for links.
-#![allow(rustdoc::broken_intra_doc_links)]
-
-pub mod analysis;
-pub mod bundled;
+#[cfg(feature = "command")]
 #[doc(hidden)]
 pub mod cli;
-pub mod contact;
-pub mod display;
-pub mod element;
-pub mod error;
-pub mod figure;
-pub mod graph;
 pub mod guide;
-pub mod integrate;
-pub mod math;
-pub mod model;
-pub mod motion;
-pub mod output;
-pub mod solve;
-pub mod system;
-pub mod validation;
+
+pub use linkdyn_engine::analysis;
+pub use linkdyn_model as model;
+pub use linkdyn_model::bundled;
+pub use linkdyn_output as output;

@@ -1,19 +1,17 @@
 //! The step loop allocates nothing: refactoring, solving, watching for singular configurations, integrating, and the
 //! equations of motion and of driven mechanisms; and what memory stays in use.
 
-use std::alloc::{GlobalAlloc, Layout, System as SystemAllocator};
-use std::cell::Cell;
-
-use linkdyn::analysis::record::Sample;
-use linkdyn::analysis::{assembly, driven};
-use linkdyn::integrate::{Limits, Method, Tolerance};
-use linkdyn::model::AnalysisKind;
-use linkdyn::solve::continuation::{Parameter, follow};
-use linkdyn::solve::driven::Driven;
-use linkdyn::solve::reduced::Reduced;
-use linkdyn::solve::{ColumnOrder, Pattern, SparseLu};
-use linkdyn::system::compile::compile;
-use linkdyn::system::{Inputs, System};
+use allocation_counter::measure;
+use linkdyn_engine::analysis::record::Sample;
+use linkdyn_engine::analysis::{assembly, driven};
+use linkdyn_engine::integrate::{Limits, Method, Tolerance};
+use linkdyn_engine::mechanism::continuation::{Parameter, follow};
+use linkdyn_engine::mechanism::driven::Driven;
+use linkdyn_engine::mechanism::reduced::Reduced;
+use linkdyn_engine::system::compile::compile;
+use linkdyn_engine::system::{Inputs, System};
+use linkdyn_linear::{ColumnOrder, Pattern, SparseLu};
+use linkdyn_model::AnalysisKind;
 
 #[path = "common/benchmarks.rs"]
 mod benchmarks;
@@ -22,36 +20,16 @@ mod linkage;
 #[path = "common/ode.rs"]
 mod ode;
 
-struct Counting;
-
-thread_local! {
-    static COUNT: Cell<usize> = const { Cell::new(0) };
-    /// Bytes that this thread has allocated and not freed.
-    static LIVE: Cell<isize> = const { Cell::new(0) };
-}
-
-// The trait is unsafe to implement; this is a test, and only counts.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        COUNT.with(|count| count.set(count.get() + 1));
-        LIVE.with(|live| live.set(live.get() + layout.size() as isize));
-        unsafe { SystemAllocator.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        LIVE.with(|live| live.set(live.get() - layout.size() as isize));
-        unsafe { SystemAllocator.dealloc(pointer, layout) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
-
 /// Allocations of this thread while `work` runs.
-fn allocations(work: impl FnOnce()) -> usize {
-    let before = COUNT.with(Cell::get);
-    work();
-    COUNT.with(Cell::get) - before
+fn allocations(work: impl FnOnce()) -> u64 {
+    measure(work).count_total
+}
+
+/// What `work` makes, and the bytes that stay in use for it.
+fn bytes<T>(work: impl FnOnce() -> T) -> (T, i64) {
+    let mut made = None;
+    let info = measure(|| made = Some(work()));
+    (made.expect("made"), info.bytes_current)
 }
 
 #[test]
@@ -131,7 +109,7 @@ fn steps_and_dense_output_allocate_nothing() {
 
 /// A model's equations of motion at their assembled start, and what integrates them.
 fn compiled(json: &serde_json::Value) -> System {
-    let model = linkdyn::model::load(json.to_string().as_bytes(), &[])
+    let model = linkdyn_model::load(json.to_string().as_bytes(), &[])
         .expect("a sound model")
         .model;
     compile(&model, AnalysisKind::Dynamics).expect("compiles")
@@ -226,15 +204,17 @@ fn steps_of_forward_dynamics_allocate_nothing_and_repeat_bit_by_bit() {
         };
         let (counts, states) = run();
         assert!(counts.len() > 10, "{name}: {} steps", counts.len());
-        assert_eq!(counts[3..].iter().sum::<usize>(), 0, "{name}: {counts:?}");
+        assert_eq!(counts[3..].iter().sum::<u64>(), 0, "{name}: {counts:?}");
         assert!(run().1 == states, "{name}: another run gives other bits");
     }
 }
 
 #[test]
 fn instants_of_a_driven_mechanism_allocate_nothing_and_repeat_bit_by_bit() {
-    let text = linkdyn::bundled::find("watt-i-lock").expect("bundled").text;
-    let model = linkdyn::model::load(text.as_bytes(), &[])
+    let text = linkdyn_model::bundled::find("watt-i-lock")
+        .expect("bundled")
+        .text;
+    let model = linkdyn_model::load(text.as_bytes(), &[])
         .expect("a sound model")
         .model;
     let system = compile(&model, AnalysisKind::InverseDynamics).expect("compiles");
@@ -276,30 +256,28 @@ fn instants_of_a_driven_mechanism_allocate_nothing_and_repeat_bit_by_bit() {
 #[test]
 fn a_large_mechanism_fits_into_little_memory() {
     let json = benchmarks::four_bars(1000);
-    let before = LIVE.with(Cell::get);
-    let system = compiled(&json);
-    let of_system = LIVE.with(Cell::get) - before;
-    let of_solver = {
-        let inputs = Inputs::at_time(&system, 0.0);
-        let before = LIVE.with(Cell::get);
-        let solver = Driven::pinned(&system, &[2], &system.guess, &inputs).expect("regular");
-        let bytes = LIVE.with(Cell::get) - before;
-        drop(solver);
-        bytes
-    };
-    let (mut reduced, y) = start(&system);
-    let mut stepper = Method::Auto.stepper(
-        Tolerance {
-            rtol: 1e-6,
-            atol: vec![1e-6; y.len()],
-            cap: Vec::new(),
-        },
-        Limits::default(),
-    );
-    stepper.start(&mut reduced, 0.0, &y, 1.0).expect("starts");
-    stepper.step(&mut reduced, 1.0).expect("steps");
-    let all = LIVE.with(Cell::get) - before;
-    let bodies = system.bodies.len() as isize;
+    let (system, of_system) = bytes(|| compiled(&json));
+    let inputs = Inputs::at_time(&system, 0.0);
+    let (solver, of_solver) =
+        bytes(|| Driven::pinned(&system, &[2], &system.guess, &inputs).expect("regular"));
+    drop((solver, inputs));
+    let (running, of_motion) = bytes(|| {
+        let (mut reduced, y) = start(&system);
+        let mut stepper = Method::Auto.stepper(
+            Tolerance {
+                rtol: 1e-6,
+                atol: vec![1e-6; y.len()],
+                cap: Vec::new(),
+            },
+            Limits::default(),
+        );
+        stepper.start(&mut reduced, 0.0, &y, 1.0).expect("starts");
+        stepper.step(&mut reduced, 1.0).expect("steps");
+        (reduced, y, stepper)
+    });
+    drop(running);
+    let all = of_system + of_motion;
+    let bodies = system.bodies.len() as i64;
     let rest = all - of_system - of_solver;
     println!(
         "bytes per body: system {}, factors and their workspace {}, curve and integrator {}",

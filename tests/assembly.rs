@@ -3,8 +3,8 @@
 #[path = "common/mechanisms.rs"]
 mod mechanisms;
 
-use linkdyn::analysis::{Control, run};
-use linkdyn::output::Status;
+use linkdyn_engine::analysis::{Control, run};
+use linkdyn_output::Status;
 use mechanisms::*;
 use serde_json::{Value, json};
 
@@ -315,7 +315,8 @@ fn drivers_that_prescribe_one_motion_are_named_whatever_they_say() {
                 "{kind}: {said}"
             );
         }
-        let small = linkdyn::analysis::modes(&loaded(&model).model, false, &Control::default());
+        let small =
+            linkdyn_engine::analysis::modes(&loaded(&model).model, false, &Control::default());
         assert!(
             small.expect_err("bad input")[0]
                 .to_string()

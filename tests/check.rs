@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use linkdyn::bundled;
+use linkdyn_model::bundled;
 use serde_json::{Map, Value, json};
 
 /// A file of its own, removed at the end.

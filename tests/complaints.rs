@@ -4,7 +4,7 @@
 
 use std::io::Write;
 
-use linkdyn::model::{self, Value};
+use linkdyn_model::{self, Value};
 use proptest::prelude::*;
 
 /// A good model; each case spoils it.
@@ -1439,7 +1439,7 @@ const CASES: &[Case] = &[
 
 fn said(text: &[u8], sets: &[&str]) -> Vec<String> {
     let sets: Vec<String> = sets.iter().map(ToString::to_string).collect();
-    match model::load(text, &sets) {
+    match linkdyn_model::load(text, &sets) {
         Ok(_) => Vec::new(),
         Err(complaints) => complaints.iter().map(ToString::to_string).collect(),
     }
@@ -1568,7 +1568,8 @@ fn files_that_cannot_be_models_are_refused_by_name() {
     let mut file = std::fs::File::create(&large).unwrap();
     file.write_all(b"[[[[").unwrap();
     file.set_len(100 * 1024 * 1024).unwrap();
-    let said = |path: &std::path::Path| model::load_file(path, &[]).unwrap_err()[0].to_string();
+    let said =
+        |path: &std::path::Path| linkdyn_model::load_file(path, &[]).unwrap_err()[0].to_string();
     let (folder_name, large_name) = (folder.display().to_string(), large.display().to_string());
     assert_eq!(
         said(&large),
@@ -1584,7 +1585,7 @@ fn files_that_cannot_be_models_are_refused_by_name() {
     );
     std::fs::remove_dir_all(&folder).unwrap();
     assert_eq!(
-        model::load(&vec![b' '; 65 * 1024 * 1024], &[]).unwrap_err()[0].to_string(),
+        linkdyn_model::load(&vec![b' '; 65 * 1024 * 1024], &[]).unwrap_err()[0].to_string(),
         "65 MB are too much for a model, at most 64 MB are read"
     );
 }
@@ -1674,7 +1675,7 @@ fn expressions_arrive_in_si() {
         .replace("401", "\"=100*n+1\"");
     let model = |sets: &[&str]| {
         let sets: Vec<String> = sets.iter().map(ToString::to_string).collect();
-        model::load(text.as_bytes(), &sets).unwrap_or_else(|said| panic!("{}", said[0]))
+        linkdyn_model::load(text.as_bytes(), &sets).unwrap_or_else(|said| panic!("{}", said[0]))
     };
     let loaded = model(&[]);
     let crank = &loaded.model.bodies["crank"];
@@ -1689,11 +1690,12 @@ fn expressions_arrive_in_si() {
     );
     assert_eq!(crank.pose.angle, std::f64::consts::FRAC_PI_2 / 3.0 * 2.0);
     assert_eq!(loaded.model.bodies["coupler"].points["B"], [0.25, 0.0]);
-    let model::JointKind::Prismatic { axis, .. } = &loaded.model.joints["e"].kind else {
+    let linkdyn_model::JointKind::Prismatic { axis, .. } = &loaded.model.joints["e"].kind else {
         panic!()
     };
     assert_eq!(axis, &[1.0, 0.0]);
-    let model::Motion::Polynomial { coefficients } = &loaded.model.drivers["motor"].motion else {
+    let linkdyn_model::Motion::Polynomial { coefficients } = &loaded.model.drivers["motor"].motion
+    else {
         panic!()
     };
     assert_eq!(coefficients[1], 2.0);
@@ -1748,7 +1750,7 @@ fn expressions_arrive_in_si() {
 fn warnings_are_no_faults() {
     let edited = |from: &str, to: &str| {
         assert!(BASE.contains(from));
-        model::load(BASE.replace(from, to).as_bytes(), &[])
+        linkdyn_model::load(BASE.replace(from, to).as_bytes(), &[])
             .unwrap()
             .warnings
     };
@@ -1782,7 +1784,9 @@ fn warnings_are_no_faults() {
 fn torques_on_what_can_not_move_are_warned_of() {
     let torque = |ends: &str| {
         let set = format!("forces.t={{\"type\": \"torque\", {ends}, \"value\": 5}}");
-        model::load(BASE.as_bytes(), &[set]).unwrap().warnings
+        linkdyn_model::load(BASE.as_bytes(), &[set])
+            .unwrap()
+            .warnings
     };
     let none = Vec::<String>::new();
     assert_eq!(torque(r#""body": "crank""#), none);
@@ -1810,12 +1814,13 @@ fn numbers_arrive_in_si() {
         "[0, 5] }",
         "[\"1 lbf\", { \"type\": \"harmonic\", \"amplitude\": 2, \"frequency\": 3, \"phase\": 90 }] }",
     );
-    let loaded = model::load(text.as_bytes(), &["joints.b.clearance.radius=10 um".into()]).unwrap();
+    let loaded =
+        linkdyn_model::load(text.as_bytes(), &["joints.b.clearance.radius=10 um".into()]).unwrap();
     let (model, degree) = (&loaded.model, std::f64::consts::PI / 180.0);
     assert_eq!(model.bodies["crank"].inertia, Some(7e-4));
     assert_eq!(model.bodies["crank"].pose.angle, 60.0 * degree);
     assert_eq!(model.bodies["coupler"].points["B"], [0.25, 0.0]);
-    let model::JointKind::Revolute {
+    let linkdyn_model::JointKind::Revolute {
         clearance: Some(clearance),
         ..
     } = &model.joints["b"].kind
@@ -1823,15 +1828,15 @@ fn numbers_arrive_in_si() {
         panic!()
     };
     assert_eq!(clearance.radius, Some(1e-5));
-    let model::Motion::Polynomial { coefficients } = &model.drivers["motor"].motion else {
+    let linkdyn_model::Motion::Polynomial { coefficients } = &model.drivers["motor"].motion else {
         panic!()
     };
     assert_eq!(coefficients, &[60.0 * degree, 10.0]);
-    let model::Motion::Table { points } = &model.drivers["pusher"].motion else {
+    let linkdyn_model::Motion::Table { points } = &model.drivers["pusher"].motion else {
         panic!()
     };
     assert_eq!(points, &[[0.0, 0.0], [1.0, 0.005]]);
-    let model::ForceKind::Load {
+    let linkdyn_model::ForceKind::Load {
         vector: [Value::Constant(x), Value::Motion(y)],
         ..
     } = &model.forces["load"].kind
@@ -1839,7 +1844,7 @@ fn numbers_arrive_in_si() {
         panic!()
     };
     assert_eq!(*x, 4.4482216152605);
-    let harmonic = model::Motion::Harmonic {
+    let harmonic = linkdyn_model::Motion::Harmonic {
         offset: 0.0,
         amplitude: 2.0,
         frequency: 3.0,
@@ -1861,7 +1866,7 @@ fn the_document_is_what_was_written_and_set() {
         "gravity=[0, 0]",
     ]
     .map(String::from);
-    let loaded = model::load(BASE.as_bytes(), &sets).unwrap();
+    let loaded = linkdyn_model::load(BASE.as_bytes(), &sets).unwrap();
     let mut expected: serde_json::Value = serde_json::from_str(BASE).unwrap();
     expected["analysis"]["solver"] = serde_json::json!({ "rtol": 1e-9 });
     expected["joints"]["b"]["between"][1] = "rocker.B".into();
@@ -1899,7 +1904,7 @@ fn a_note_is_allowed_in_every_object() {
 
 /// Whatever comes, every complaint has words.
 fn survives(text: &[u8]) {
-    if let Err(complaints) = model::load(text, &[]) {
+    if let Err(complaints) = linkdyn_model::load(text, &[]) {
         assert!(!complaints.is_empty());
         assert!(
             complaints
@@ -1944,7 +1949,7 @@ proptest! {
         model["parameters"] = serde_json::json!({ "a": "2 mm", "b": format!("={two}"), "c": format!("={one}") });
         model["bodies"]["rocker"]["points"]["B"] = serde_json::json!([format!("={one}"), format!("={two}")]);
         survives(model.to_string().as_bytes());
-        if let Ok(loaded) = model::load(model.to_string().as_bytes(), &[]) {
+        if let Ok(loaded) = linkdyn_model::load(model.to_string().as_bytes(), &[]) {
             prop_assert!(loaded.model.bodies["rocker"].points["B"].iter().all(|value| value.is_finite()));
         }
     }
@@ -1952,7 +1957,7 @@ proptest! {
     #[test]
     fn no_set_makes_it_panic(set in "[a-z.\\[\\]=0-9{}\": ]{0,40}", path in "(joints|bodies|analysis|units)(\\.[a-e]|\\[[0-2]\\]){0,4}=") {
         for set in [set.clone(), path + &set] {
-            let _ = model::load(BASE.as_bytes(), &[set]);
+            let _ = linkdyn_model::load(BASE.as_bytes(), &[set]);
         }
     }
 }

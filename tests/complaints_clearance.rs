@@ -1,7 +1,5 @@
 //! Understands the user: clearances that lack what their model needs, or whose parameters no law holds for.
 
-use linkdyn::model;
-
 /// A pendulum in a bearing; the clearance stands alone in line 6.
 fn file(clearance: &str) -> String {
     format!(
@@ -17,11 +15,11 @@ fn file(clearance: &str) -> String {
 
 /// Complaints with the path shortened; their place is that of the object, or of the value.
 fn said(clearance: &str) -> Vec<String> {
-    let complaints = match model::load(file(clearance).as_bytes(), &[]) {
+    let complaints = match linkdyn_model::load(file(clearance).as_bytes(), &[]) {
         Ok(_) => Vec::new(),
         Err(complaints) => complaints,
     };
-    let text = |complaint: &linkdyn::error::Complaint| {
+    let text = |complaint: &linkdyn_model::error::Complaint| {
         let place = complaint.place.expect("it stands in the file");
         assert_eq!(place.line, 6, "{complaint}");
         if let Some(found) = complaint.found.as_ref() {
@@ -38,7 +36,7 @@ fn said(clearance: &str) -> Vec<String> {
 }
 
 fn warnings(clearance: &str) -> Vec<String> {
-    let loaded = model::load(file(clearance).as_bytes(), &[]).expect("a sound model");
+    let loaded = linkdyn_model::load(file(clearance).as_bytes(), &[]).expect("a sound model");
     let rest = |warning: &String| {
         warning
             .split_once("joints.pin.clearance")
@@ -109,8 +107,8 @@ fn the_stiffness_of_a_linear_law_may_have_a_unit() {
     };
     let stiffness = |stiffness: &str, units: &str| {
         let text = file(&contact(&kelvin(stiffness), "")).replace(r#""SI""#, units);
-        let loaded = model::load(text.as_bytes(), &[]).expect("a sound model");
-        let model::JointKind::Revolute {
+        let loaded = linkdyn_model::load(text.as_bytes(), &[]).expect("a sound model");
+        let linkdyn_model::JointKind::Revolute {
             clearance: Some(clearance),
             ..
         } = &loaded.model.joints["pin"].kind

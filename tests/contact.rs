@@ -6,9 +6,9 @@ mod mechanisms;
 #[path = "common/transform.rs"]
 mod transform;
 
-use linkdyn::analysis::{Control, Outcome, run};
-use linkdyn::model::{Model, load};
-use linkdyn::output::{Episode, Status};
+use linkdyn_engine::analysis::{Control, Outcome, run};
+use linkdyn_model::{Model, load};
+use linkdyn_output::{Episode, Status};
 use mechanisms::{column, loaded};
 use serde_json::{Value, json};
 use transform::{mirror, rename_and_reverse, renamed, rotate, swap, turned};
@@ -944,7 +944,7 @@ fn a_run_says_that_it_left_the_range_of_a_law() {
             .collect();
         assert_eq!(said.len(), usize::from(leaves), "{said:?}");
         if let [said] = said[..] {
-            let si = linkdyn::display::DisplayUnits::default();
+            let si = linkdyn_model::display::DisplayUnits::default();
             let numbers = [
                 si.length_to(deepest, 4),
                 si.length_to(range, 4),

@@ -3,8 +3,8 @@
 #[path = "common/mechanisms.rs"]
 mod mechanisms;
 
-use linkdyn::analysis::{Control, Outcome, run};
-use linkdyn::output::Status;
+use linkdyn_engine::analysis::{Control, Outcome, run};
+use linkdyn_output::Status;
 use mechanisms::{column, loaded, pin, rod};
 use serde_json::{Value, json};
 

@@ -4,9 +4,9 @@
 #[path = "common/mechanisms.rs"]
 mod mechanisms;
 
-use linkdyn::analysis::Outcome;
-use linkdyn::bundled;
-use linkdyn::output::Status;
+use linkdyn_engine::analysis::Outcome;
+use linkdyn_model::bundled;
+use linkdyn_output::Status;
 use mechanisms::*;
 use serde_json::{Value, json};
 use std::f64::consts::PI;

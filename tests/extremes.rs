@@ -5,8 +5,8 @@ mod mechanisms;
 #[path = "common/models.rs"]
 mod models;
 
-use linkdyn::analysis::Outcome;
-use linkdyn::output::{Event, Extremes, Status};
+use linkdyn_engine::analysis::Outcome;
+use linkdyn_output::{Event, Extremes, Status};
 use mechanisms::{loaded, parallelogram};
 use models::{load_bundled, solve};
 use serde_json::{Value, json};
@@ -438,15 +438,15 @@ fn outputs_at_events_of_a_driven_run_are_its_change_points() {
 #[test]
 fn outputs_at_events_are_refused_where_they_mean_nothing() {
     let said = |name: &str, sets: &[&str]| {
-        let text = linkdyn::bundled::find(name).expect("bundled").text;
+        let text = linkdyn_model::bundled::find(name).expect("bundled").text;
         let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
-        match linkdyn::model::load(text.as_bytes(), &sets) {
+        match linkdyn_model::load(text.as_bytes(), &sets) {
             Err(said) => format!("{said:?}"),
             Ok(loaded) => {
-                let control = linkdyn::analysis::Control::default();
+                let control = linkdyn_engine::analysis::Control::default();
                 format!(
                     "{:?}",
-                    linkdyn::analysis::run(&loaded.model, &control).expect_err("refused")
+                    linkdyn_engine::analysis::run(&loaded.model, &control).expect_err("refused")
                 )
             }
         }

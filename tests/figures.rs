@@ -389,7 +389,7 @@ fn legends_and_many_panels_leave_room_for_the_curves() {
             !whole || labels.iter().all(|(_, text)| !text.contains('…')),
             "{labels:?}"
         );
-        let long = |text: &str| linkdyn::figure::font::width(text, 8.0);
+        let long = |text: &str| linkdyn_picture::font::width(text, 8.0);
         for pair in labels.windows(2) {
             let (above, below) = (&pair[0], &pair[1]);
             let gap = below.0 - above.0 - 0.5 * (long(&above.1) + long(&below.1));

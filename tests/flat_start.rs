@@ -3,8 +3,8 @@
 #[path = "common/mechanisms.rs"]
 mod mechanisms;
 
-use linkdyn::analysis::{Control, Linearised, Outcome, modes};
-use linkdyn::output::Status;
+use linkdyn_engine::analysis::{Control, Linearised, Outcome, modes};
+use linkdyn_output::Status;
 use mechanisms::*;
 use serde_json::{Value, json};
 use std::f64::consts::{FRAC_PI_2, PI};

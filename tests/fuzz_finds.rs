@@ -3,10 +3,10 @@
 use std::ffi::OsString;
 use std::path::Path;
 
-use linkdyn::analysis::{Control, check, run};
 use linkdyn::cli::{Said, captured};
-use linkdyn::error::Complaint;
-use linkdyn::model::{self, Model};
+use linkdyn_engine::analysis::{Control, check, run};
+use linkdyn_model::error::Complaint;
+use linkdyn_model::{self, Model};
 use serde_json::{Value, json};
 
 /// A driven slider-crank.
@@ -48,7 +48,7 @@ fn with(changes: &[(&str, Value)]) -> Value {
 }
 
 fn load(json: &Value) -> Model {
-    model::load(json.to_string().as_bytes(), &[])
+    linkdyn_model::load(json.to_string().as_bytes(), &[])
         .unwrap_or_else(|said| panic!("{said:?}"))
         .model
 }
@@ -137,9 +137,12 @@ fn joints_and_drivers_further_than_numbers_reach_are_named() {
 /// overflows. The message has a reason in words, and what was computed until then is kept.
 #[test]
 fn an_end_of_the_motion_has_a_reason_in_words() {
-    let mut chebyshev: Value =
-        serde_json::from_str(linkdyn::bundled::find("chebyshev").expect("bundled").text)
-            .expect("JSON");
+    let mut chebyshev: Value = serde_json::from_str(
+        linkdyn_model::bundled::find("chebyshev")
+            .expect("bundled")
+            .text,
+    )
+    .expect("JSON");
     chebyshev["bodies"]["coupler"]["points"]["B"] = json!([125, 0]);
     chebyshev["bodies"]["left"]["points"]["A"] = json!([-25, 0]);
     let polynomial = json!({ "type": "polynomial", "coefficients": [0.5, 3, 1.5, -0.25] });

@@ -7,8 +7,8 @@
 #[path = "common/models.rs"]
 mod models;
 
-use linkdyn::analysis::Outcome;
-use linkdyn::bundled;
+use linkdyn_engine::analysis::Outcome;
+use linkdyn_model::bundled;
 use models::{load_bundled, solve};
 use serde_json::{Map, Value, json};
 use std::fs;

@@ -8,9 +8,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use linkdyn::analysis::{Control, run};
-use linkdyn::model;
-use linkdyn::output::Status;
+use linkdyn_engine::analysis::{Control, run};
+use linkdyn_output::Status;
 use serde_json::Value;
 
 struct Block {
@@ -74,8 +73,8 @@ fn put(into: &mut Value, piece: Value) {
 
 /// Loads a model without any warning and runs its analysis to the end.
 fn sound(text: &str, place: &str) {
-    let loaded =
-        model::load(text.as_bytes(), &[]).unwrap_or_else(|said| panic!("{place}: {}", said[0]));
+    let loaded = linkdyn_model::load(text.as_bytes(), &[])
+        .unwrap_or_else(|said| panic!("{place}: {}", said[0]));
     assert!(loaded.warnings.is_empty(), "{place}: {:?}", loaded.warnings);
     let outcome = run(&loaded.model, &Control::default())
         .unwrap_or_else(|said| panic!("{place}: {}", said[0]));

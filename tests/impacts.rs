@@ -3,8 +3,8 @@
 #[path = "common/mechanisms.rs"]
 mod mechanisms;
 
-use linkdyn::analysis::{Control, Outcome, run};
-use linkdyn::output::{Episode, Status};
+use linkdyn_engine::analysis::{Control, Outcome, run};
+use linkdyn_output::{Episode, Status};
 use mechanisms::{column, loaded};
 use serde_json::{Value, json};
 
@@ -239,13 +239,13 @@ fn a_following_disc_sticks_at_last() {
 /// for ever at one instant.
 #[test]
 fn a_wedged_journal_does_not_stick_and_slip_for_ever() {
-    let text = linkdyn::bundled::find("slider-crank-clearance")
+    let text = linkdyn_model::bundled::find("slider-crank-clearance")
         .expect("bundled")
         .text;
     let clearance = r#"joints.wristpin.clearance={ "model": "three_state", "radius": "5 um", "bearing_radius": "30 mm",
         "impact": { "restitution": 0.3, "friction": 0.5 } }"#;
     let sets = [clearance, "analysis.end=0.0003", "analysis.outputs=3"].map(String::from);
-    let model = linkdyn::model::load(text.as_bytes(), &sets)
+    let model = linkdyn_model::load(text.as_bytes(), &sets)
         .expect("a model")
         .model;
     let outcome = run(&model, &Control::default()).expect("good input");
@@ -305,14 +305,16 @@ fn two_journals_in_a_row_come_to_rest() {
 /// All joints of the loops' outer half of the lock: journals kick one another off again and again.
 #[test]
 fn many_rigid_journals_go_the_whole_way() {
-    let text = linkdyn::bundled::find("watt-i-lock").expect("bundled").text;
+    let text = linkdyn_model::bundled::find("watt-i-lock")
+        .expect("bundled")
+        .text;
     let clearance = |joint: &str| {
         format!(
             r#"joints.{joint}.clearance={{ "model": "three_state", "radius": "100 um", "bearing_radius": "10 mm",
                 "impact": {{ "restitution": 0.5, "friction": 0 }} }}"#
         )
     };
-    let model = linkdyn::model::load(text.as_bytes(), &["a", "b", "c", "g"].map(clearance))
+    let model = linkdyn_model::load(text.as_bytes(), &["a", "b", "c", "g"].map(clearance))
         .expect("a model")
         .model;
     let outcome = run(&model, &Control::default()).expect("good input");
@@ -348,7 +350,7 @@ fn rigid(
     friction: f64,
     sets: &[&str],
 ) -> Outcome {
-    let text = linkdyn::bundled::find(model).expect("bundled").text;
+    let text = linkdyn_model::bundled::find(model).expect("bundled").text;
     let clearance = |joint: &&str| {
         format!(
             r#"joints.{joint}.clearance={{ "model": "three_state", "radius": "{radius}", "bearing_radius": "10 mm",
@@ -360,7 +362,7 @@ fn rigid(
         .map(clearance)
         .chain(sets.iter().map(|set| set.to_string()))
         .collect();
-    let model = linkdyn::model::load(text.as_bytes(), &sets)
+    let model = linkdyn_model::load(text.as_bytes(), &sets)
         .expect("a model")
         .model;
     run(&model, &Control::default()).expect("good input")

@@ -1,6 +1,6 @@
 //! Integrators: order, accuracy beside SciPy's, stiff problems, dense output, refusals and the end of steps.
 
-use linkdyn::integrate::{
+use linkdyn_engine::integrate::{
     Dop853, Limits, Method, Ode, Radau5, Refused, StepFailure, Stepper, Tolerance,
 };
 use ode::{Problem, SOLVED, distance, fixed, run, sample, tolerance};

@@ -3,9 +3,8 @@
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
-use linkdyn::analysis::{Control, Outcome, run};
-use linkdyn::model;
-use linkdyn::output::Status;
+use linkdyn_engine::analysis::{Control, Outcome, run};
+use linkdyn_output::Status;
 
 /// A driven slider-crank and, beside it, a pendulum; long enough for everybody.
 fn text(analysis: &str) -> String {
@@ -39,7 +38,7 @@ const ANALYSES: [&str; 3] = ["kinematics", "inverse_dynamics", "dynamics"];
 
 /// The run, stopped where `when` says so.
 fn stopped(analysis: &str, when: fn(f64) -> bool) -> Outcome {
-    let loaded = model::load(text(analysis).as_bytes(), &[]).expect("a sound model");
+    let loaded = linkdyn_model::load(text(analysis).as_bytes(), &[]).expect("a sound model");
     let control = Control {
         deadline: Instant::now().checked_add(Duration::from_secs(100)),
         ..Control::default()
@@ -103,7 +102,7 @@ fn an_interrupt_while_the_path_is_followed_is_told_as_that() {
 #[test]
 fn a_time_that_is_over_is_a_time_limit_in_every_analysis() {
     for analysis in ANALYSES {
-        let loaded = model::load(text(analysis).as_bytes(), &[]).expect("a sound model");
+        let loaded = linkdyn_model::load(text(analysis).as_bytes(), &[]).expect("a sound model");
         let control = Control {
             deadline: Some(Instant::now()),
             ..Control::default()
@@ -143,7 +142,7 @@ fn a_fast_driver_does_not_outlast_its_time() {
                 ""
             }
         );
-        let model = model::load(text.as_bytes(), &[])
+        let model = linkdyn_model::load(text.as_bytes(), &[])
             .expect("a sound model")
             .model;
         let start = Instant::now();

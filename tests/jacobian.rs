@@ -1,9 +1,9 @@
 //! The constraint Jacobian as a sparse matrix, against the engine's own products and finite differences of φ.
 
-use linkdyn::analysis::assembly::assemble;
-use linkdyn::bundled;
-use linkdyn::model::{AnalysisKind, load};
-use linkdyn::system::{Evaluation, Inputs, compile::compile};
+use linkdyn_engine::analysis::assembly::assemble;
+use linkdyn_engine::system::{Evaluation, Inputs, compile::compile};
+use linkdyn_model::bundled;
+use linkdyn_model::{AnalysisKind, load};
 
 #[test]
 fn the_sparse_jacobian_is_the_derivative_of_the_constraints() {

@@ -3,9 +3,8 @@
 #[path = "common/mechanisms.rs"]
 mod mechanisms;
 
-use linkdyn::analysis::{Control, Outcome, run};
-use linkdyn::model;
-use linkdyn::output::Status;
+use linkdyn_engine::analysis::{Control, Outcome, run};
+use linkdyn_output::Status;
 use mechanisms::*;
 use serde_json::{Value, json};
 
@@ -378,7 +377,9 @@ fn motion_that_locks_itself_ends_with_the_joint_named() {
 
 /// The four-bar of the examples with friction in all its pins.
 fn four_bar(mu: f64) -> Value {
-    let text = linkdyn::bundled::find("four-bar").expect("bundled").text;
+    let text = linkdyn_model::bundled::find("four-bar")
+        .expect("bundled")
+        .text;
     let mut four_bar: Value = serde_json::from_str(text).expect("valid JSON");
     for joint in four_bar["joints"]
         .as_object_mut()
@@ -648,10 +649,10 @@ fn friction_and_clearance_links_share_the_fixed_point() {
 fn said(joint: Value) -> Vec<String> {
     let mut model = pendulum(0.0, 0.01, &json!({ "law": "none" }));
     model["joints"]["o"] = joint;
-    match model::load(model.to_string().as_bytes(), &[]) {
+    match linkdyn_model::load(model.to_string().as_bytes(), &[]) {
         Ok(loaded) => loaded.warnings,
         Err(complaints) => {
-            let text = |complaint: &linkdyn::error::Complaint| {
+            let text = |complaint: &linkdyn_model::error::Complaint| {
                 let text = complaint.to_string();
                 text.split_once("joints.o")
                     .map_or(text.clone(), |(_, rest)| rest.to_string())

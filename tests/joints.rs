@@ -3,8 +3,8 @@
 #[path = "common/mechanisms.rs"]
 mod mechanisms;
 
-use linkdyn::bundled;
-use linkdyn::output::Status;
+use linkdyn_model::bundled;
+use linkdyn_output::Status;
 use mechanisms::*;
 use serde_json::{Value, json};
 use std::f64::consts::PI;

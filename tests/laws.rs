@@ -11,9 +11,9 @@ mod transform;
 #[path = "common/write.rs"]
 mod write;
 
-use linkdyn::analysis::Outcome;
-use linkdyn::model::{Analysis, AnalysisKind, ClearanceModel, DriverKind, JointKind, Model};
-use linkdyn::output::{Column, Status};
+use linkdyn_engine::analysis::Outcome;
+use linkdyn_model::{Analysis, AnalysisKind, ClearanceModel, DriverKind, JointKind, Model};
+use linkdyn_output::{Column, Status};
 use models::{Named, all, load, load_bundled, solve, values};
 use std::collections::{BTreeMap, HashMap};
 use transform::{

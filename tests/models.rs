@@ -5,9 +5,9 @@ mod benchmarks;
 #[path = "common/models.rs"]
 mod models;
 
-use linkdyn::analysis::{Control, Outcome, modes};
-use linkdyn::output::Status;
-use linkdyn::{bundled, model};
+use linkdyn::bundled;
+use linkdyn_engine::analysis::{Control, Outcome, modes};
+use linkdyn_output::Status;
 use models::{load_bundled, solve, values};
 use std::f64::consts::{FRAC_PI_6, PI, SQRT_2, TAU};
 
@@ -26,7 +26,7 @@ fn close(ours: f64, known: f64, tolerance: f64) {
 #[test]
 fn every_model_runs_and_tells_about_itself() {
     for bundled in bundled::MODELS {
-        let loaded = model::load(bundled.text.as_bytes(), &[]).expect(bundled.name);
+        let loaded = linkdyn_model::load(bundled.text.as_bytes(), &[]).expect(bundled.name);
         assert!(
             loaded.warnings.is_empty(),
             "{}: {:?}",
@@ -513,7 +513,7 @@ fn the_row_of_four_bars_moves_as_published() {
             "analysis.solver.atol=1e-13",
         ];
         let outcome = solve(
-            &model::load(text.as_bytes(), &sets.map(String::from))
+            &linkdyn_model::load(text.as_bytes(), &sets.map(String::from))
                 .expect(name)
                 .model,
         );
@@ -675,10 +675,10 @@ fn bundled_models_change_size_as_a_whole() {
         });
         let sets: Vec<String> = lengths.collect();
         assert!(!sets.is_empty(), "{}", bundled.name);
-        let small = model::load(bundled.text.as_bytes(), &[])
+        let small = linkdyn_model::load(bundled.text.as_bytes(), &[])
             .expect("sound")
             .model;
-        let loaded = model::load(bundled.text.as_bytes(), &sets).expect("sound");
+        let loaded = linkdyn_model::load(bundled.text.as_bytes(), &sets).expect("sound");
         assert!(
             loaded.warnings.is_empty(),
             "{}: {:?}",

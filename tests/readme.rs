@@ -1,9 +1,8 @@
 //! README.md: its models run, its commands run as written, its tables name what there is.
 
-use linkdyn::analysis::{Control, run};
-use linkdyn::model;
-use linkdyn::output::Status;
-use linkdyn::validation::{CASES, CaseKind};
+use linkdyn_engine::analysis::{Control, run};
+use linkdyn_output::Status;
+use linkdyn_validation::{CASES, CaseKind};
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -26,7 +25,7 @@ fn its_models_run() {
     let models = blocks(&readme(), "json");
     assert_eq!(models.len(), 2);
     for model in &models {
-        let loaded = model::load(model.as_bytes(), &[]).expect("a sound model");
+        let loaded = linkdyn_model::load(model.as_bytes(), &[]).expect("a sound model");
         assert!(loaded.warnings.is_empty(), "{:?}", loaded.warnings);
         let outcome = run(&loaded.model, &Control::default()).expect("runs");
         assert_eq!(
@@ -43,8 +42,8 @@ fn its_parameters_size_the_mechanism() {
         (vec![], 0.05),
         (vec!["parameters.r=60 mm".to_string()], 0.06),
     ] {
-        let loaded =
-            model::load(blocks(&readme(), "json")[1].as_bytes(), &sets).expect("a sound model");
+        let loaded = linkdyn_model::load(blocks(&readme(), "json")[1].as_bytes(), &sets)
+            .expect("a sound model");
         let trajectory = run(&loaded.model, &Control::default())
             .expect("runs")
             .trajectory;

@@ -17,7 +17,7 @@ mod linkage;
 mod models;
 
 use linkage::Random;
-use linkdyn::analysis::Outcome;
+use linkdyn_engine::analysis::Outcome;
 use models::{load, solve, values};
 use serde_json::{Value, json};
 
@@ -468,7 +468,7 @@ fn a_doubled_bar_turns_at_any_tolerance() {
 #[test]
 fn a_singular_start_is_still_refused() {
     let mut model: Value = serde_json::from_str(
-        linkdyn::bundled::find("parallel-crank")
+        linkdyn_model::bundled::find("parallel-crank")
             .expect("bundled")
             .text,
     )

@@ -6,10 +6,10 @@ mod browser;
 mod models;
 
 use browser::{Scratch, ask, find, open};
-use linkdyn::analysis::derived::derived;
-use linkdyn::model::ForceKind;
-use linkdyn::output::report::{self, Body, Joint, Mechanism};
-use linkdyn::output::{Column, Report, Stage, Summary, Trajectory};
+use linkdyn_engine::analysis::derived::derived;
+use linkdyn_model::ForceKind;
+use linkdyn_output::{Column, Report, Stage, Summary, Trajectory};
+use linkdyn_picture::report::{self, Body, Joint, Mechanism};
 use serde_json::{Value, json};
 use std::fs;
 use std::process::{Command, Stdio};

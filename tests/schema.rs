@@ -1,6 +1,5 @@
 //! The published schema agrees with the loader: what one accepts, so does the other.
 
-use linkdyn::model;
 use serde_json::{Value, json};
 
 /// The example of the format's description.
@@ -163,7 +162,7 @@ fn good() -> Vec<Value> {
 
 #[test]
 fn good_models_satisfy_schema_and_loader() {
-    let schema = model::schema();
+    let schema = linkdyn_model::schema();
     assert_eq!(
         schema["$schema"],
         "https://json-schema.org/draft/2020-12/schema"
@@ -173,7 +172,7 @@ fn good_models_satisfy_schema_and_loader() {
         if let Err(error) = validator.validate(&model) {
             panic!("{}: {error}\n{model:#}", error.instance_path());
         }
-        if let Err(complaints) = model::load(model.to_string().as_bytes(), &[]) {
+        if let Err(complaints) = linkdyn_model::load(model.to_string().as_bytes(), &[]) {
             panic!("{}\n{model:#}", complaints[0]);
         }
     }
@@ -181,7 +180,7 @@ fn good_models_satisfy_schema_and_loader() {
 
 #[test]
 fn bad_structure_satisfies_neither() {
-    let validator = jsonschema::validator_for(&model::schema()).unwrap();
+    let validator = jsonschema::validator_for(&linkdyn_model::schema()).unwrap();
     let bad = [
         json!({ "format": "linkdyn/2" }),
         json!({ "units": { "lenght": "mm" } }),
@@ -223,7 +222,7 @@ fn bad_structure_satisfies_neither() {
         let model = minimal(&extra);
         assert!(!validator.is_valid(&model), "the schema accepts {extra}");
         assert!(
-            model::load(model.to_string().as_bytes(), &[]).is_err(),
+            linkdyn_model::load(model.to_string().as_bytes(), &[]).is_err(),
             "the loader accepts {extra}"
         );
     }
@@ -231,7 +230,7 @@ fn bad_structure_satisfies_neither() {
 
 #[test]
 fn every_key_of_a_clearance_says_what_it_is() {
-    let schema = model::schema();
+    let schema = linkdyn_model::schema();
     for name in [
         "Clearance",
         "Normal",

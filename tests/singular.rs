@@ -3,21 +3,21 @@
 #[path = "common/mechanisms.rs"]
 mod mechanisms;
 
-use linkdyn::output::Status;
+use linkdyn_output::Status;
 use mechanisms::*;
 use serde_json::json;
 use std::f64::consts::PI;
 
 const LOCK: &str = include_str!("../models/watt-i-lock.json");
 
-fn lock(from: f64, to: f64, step: f64) -> linkdyn::analysis::Outcome {
+fn lock(from: f64, to: f64, step: f64) -> linkdyn_engine::analysis::Outcome {
     let mut model: serde_json::Value = serde_json::from_str(LOCK).expect("JSON");
     model["analysis"]["sample"] = json!({ "driver": "motor", "from": format!("{from} deg"), "to": format!("{to} deg"),
                                           "step": format!("{step} deg") });
     outcome(&model)
 }
 
-fn degrees(outcome: &linkdyn::analysis::Outcome, kind: &str) -> Vec<f64> {
+fn degrees(outcome: &linkdyn_engine::analysis::Outcome, kind: &str) -> Vec<f64> {
     outcome
         .report
         .events

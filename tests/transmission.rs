@@ -5,9 +5,9 @@ mod models;
 #[path = "common/transform.rs"]
 mod transform;
 
-use linkdyn::analysis::derived::derived;
-use linkdyn::model::Model;
-use linkdyn::output::Trajectory;
+use linkdyn_engine::analysis::derived::derived;
+use linkdyn_model::Model;
+use linkdyn_output::Trajectory;
 use serde_json::{Value, json};
 
 /// A bucket on a stick that is welded to ground.

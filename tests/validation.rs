@@ -1,8 +1,8 @@
 //! Every bundled validation case agrees with its reference.
 
-use linkdyn::analysis::Control;
-use linkdyn::validation::reference::Compare;
-use linkdyn::validation::{CASES, CaseKind, Verdict};
+use linkdyn_engine::analysis::Control;
+use linkdyn_validation::reference::Compare;
+use linkdyn_validation::{CASES, CaseKind, Verdict};
 
 #[test]
 fn every_reference_case_agrees() {

@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-use linkdyn::analysis::Control;
-use linkdyn::validation::{CASES, CaseReport, Verdict};
+use linkdyn_engine::analysis::Control;
+use linkdyn_validation::{CASES, CaseReport, Verdict};
 
 /// With contact in the clearances: strokes follow the smooth branch, and what must hold holds.
 #[test]

@@ -9,16 +9,16 @@ use super::open;
 use super::page::{Page, count, number};
 use super::results::{Results, extension, write_file};
 use super::{BadInput, Exit, print};
-use crate::figure::drawing::Drawing;
-use crate::figure::film::{self, Film};
-use crate::figure::mechanism::{Layout, Mechanism};
-use crate::figure::poses::Poses;
-use crate::figure::{Fault, POINTS_PER_MM, chart, raster, svg};
+use linkdyn_picture::drawing::Drawing;
+use linkdyn_picture::film::{self, Film};
+use linkdyn_picture::mechanism::{Layout, Mechanism};
+use linkdyn_picture::poses::Poses;
+use linkdyn_picture::{Fault, POINTS_PER_MM, chart, raster, svg};
 
-/// Width of a GIF by default [pixels]; pixels per point, so that lines and letters have the size of a screen.
+/// Width of a GIF by default \[pixels\]; pixels per point, so that lines and letters have the size of a screen.
 const WIDTH: u32 = 480;
 const PIXELS_PER_POINT: f64 = 4.0 / 3.0;
-/// Shortest and longest film where none is asked for [s].
+/// Shortest and longest film where none is asked for \[s\].
 const DURATION: [f64; 2] = [2.0, 12.0];
 /// Frames of a film, at most.
 const MOST_FRAMES: f64 = 5000.0;

@@ -7,9 +7,9 @@ use super::open::{ModelOptions, Opened};
 use super::page::{Page, names, number, shorten, wrapped};
 use super::summary::{analysis_words, mobility, status_words};
 use super::{BadInput, Exit, complain, print};
-use crate::analysis::{self, Check, Lack};
-use crate::model::AnalysisKind;
-use crate::output::{Mobility, Status};
+use linkdyn_engine::analysis::{self, Check, Lack};
+use linkdyn_model::AnalysisKind;
+use linkdyn_output::{Mobility, Status};
 
 /// Width of long texts on the page.
 const WIDTH: usize = 96;

@@ -1,6 +1,6 @@
 //! Numbers of the options of figures, each with its limits.
 
-use crate::figure::Mark;
+use linkdyn_picture::Mark;
 
 /// `A:B`, ascending.
 pub fn range(text: &str) -> Result<[f64; 2], String> {
@@ -38,12 +38,12 @@ pub fn number_within(text: &str, [low, high]: [f64; 2]) -> Result<f64, String> {
     value.ok_or_else(|| format!("a number from {low} to {high} is wanted"))
 }
 
-/// A side of a figure [mm].
+/// A side of a figure \[mm\].
 pub fn millimetres(text: &str) -> Result<f64, String> {
     number_within(text, [20.0, 2000.0])
 }
 
-/// Both sides of a figure, `WxH` [mm].
+/// Both sides of a figure, `WxH` \[mm\].
 pub fn size(text: &str) -> Result<[f64; 2], String> {
     let sides = text
         .split_once(['x', 'X', '×'])
@@ -51,12 +51,12 @@ pub fn size(text: &str) -> Result<[f64; 2], String> {
     Ok([millimetres(sides.0)?, millimetres(sides.1)?])
 }
 
-/// Size of letters [pt].
+/// Size of letters \[pt\].
 pub fn points(text: &str) -> Result<f64, String> {
     number_within(text, [3.0, 72.0])
 }
 
-/// Width of lines [pt].
+/// Width of lines \[pt\].
 pub fn line_width(text: &str) -> Result<f64, String> {
     number_within(text, [0.1, 20.0])
 }

@@ -30,7 +30,7 @@ use std::process::ExitCode;
 use clap::error::{ContextKind, ContextValue};
 use clap::{CommandFactory, Parser, Subcommand};
 
-use crate::output::{Status, WriteError};
+use linkdyn_output::{Status, WriteError};
 use page::plain;
 
 /// Planar multibody dynamics of linkages: assembly, kinematics, forces, statics, motion.

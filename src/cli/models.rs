@@ -5,7 +5,7 @@ use serde_json::Value;
 
 use super::page::{Page, wrapped};
 use super::{BadInput, Exit, did_you_mean, print};
-use crate::bundled::{self, Bundled, NotBundled};
+use linkdyn_model::bundled::{self, Bundled, NotBundled};
 
 #[derive(Debug, Args)]
 pub struct Options {

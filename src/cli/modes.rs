@@ -12,8 +12,8 @@ use super::page::{Page, number};
 use super::progress::Line;
 use super::summary::{equilibrium, mobility, status_words};
 use super::{BadInput, Exit, complain, interrupt, print};
-use crate::analysis::{self, Control, Linearised, Mode};
-use crate::output::{Column, Directory, Trajectory, csv, summary};
+use linkdyn_engine::analysis::{self, Control, Linearised, Mode};
+use linkdyn_output::{Column, Directory, Trajectory, csv, summary};
 
 const TABLE: &str = "modes.csv";
 const SUMMARY: &str = "modes.json";

@@ -7,10 +7,10 @@ use clap::Args;
 use sha2::{Digest, Sha256};
 
 use super::{BadInput, did_you_mean};
-use crate::bundled::{self, NotBundled};
-use crate::error::Complaint;
-use crate::model::{self, Loaded};
-use crate::output::{Stage, Stopwatch};
+use linkdyn_model::bundled::{self, NotBundled};
+use linkdyn_model::error::Complaint;
+use linkdyn_model::{self, Loaded};
+use linkdyn_output::{Stage, Stopwatch};
 
 /// The model and what is changed in it.
 #[derive(Debug, Args)]
@@ -56,7 +56,7 @@ impl ModelOptions {
         let label = self.model.display().to_string();
         let bytes = read(&self.model)?;
         let sets = [self.sets.as_slice(), more].concat();
-        let loaded = match model::load(&bytes, &sets) {
+        let loaded = match linkdyn_model::load(&bytes, &sets) {
             Ok(loaded) => loaded,
             Err(complaints) => return Ok(Err(complaints)),
         };
@@ -86,7 +86,7 @@ impl ModelOptions {
 /// # Errors
 /// When there is no such model, or it has faults.
 pub fn model(path: &Path) -> Result<Loaded, BadInput> {
-    model::load(&read(path)?, &[])
+    linkdyn_model::load(&read(path)?, &[])
         .map_err(|complaints| bad_input(&path.display().to_string(), complaints))
 }
 

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::fmt::Write;
 
-pub use crate::display::number;
+pub use linkdyn_model::display::number;
 
 /// Width of the label column.
 const LABEL_WIDTH: usize = 14;

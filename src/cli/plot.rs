@@ -10,9 +10,9 @@ use super::page::{Page, count, number};
 use super::plot_units::{Units, convert_one, quantity_words};
 use super::results::{Results, extension, write_file};
 use super::{BadInput, Exit, print};
-use crate::figure::{Axis, Chart, Curve, Mark, POINTS_PER_MM, Panel, raster, svg};
-use crate::output::read::ReadColumn;
-use crate::output::trajectory::TIME;
+use linkdyn_output::read::ReadColumn;
+use linkdyn_output::trajectory::TIME;
+use linkdyn_picture::{Axis, Chart, Curve, Mark, POINTS_PER_MM, Panel, raster, svg};
 
 /// Most values that are drawn, all curves together.
 const MOST_VALUES: usize = 50_000_000;
@@ -95,19 +95,19 @@ pub struct Options {
 /// Size and resolution.
 #[derive(Debug, Args)]
 pub struct PageOptions {
-    /// Width [mm]; a journal's column is the default, 180 its full width
+    /// Width \[mm\]; a journal's column is the default, 180 its full width
     #[arg(long, value_name = "MM", value_parser = millimetres)]
     width: Option<f64>,
-    /// Height [mm]
+    /// Height \[mm\]
     #[arg(long, value_name = "MM", value_parser = millimetres)]
     height: Option<f64>,
-    /// Width and height at once [mm]
+    /// Width and height at once \[mm\]
     #[arg(long, value_name = "WxH", value_parser = size, conflicts_with_all = ["width", "height"])]
     size: Option<[f64; 2]>,
-    /// Size of the letters [pt]
+    /// Size of the letters \[pt\]
     #[arg(long, value_name = "PT", default_value_t = 8.0, value_parser = points)]
     font_size: f64,
-    /// Width of the curves [pt]
+    /// Width of the curves \[pt\]
     #[arg(long, value_name = "PT", default_value_t = 1.0, value_parser = line_width)]
     line_width: f64,
     /// Resolution of a PNG [dots per inch]
@@ -138,7 +138,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         .collect::<Result<Vec<_>, _>>()?;
     runs.iter_mut().for_each(Results::take_peaks);
     let (chart, unused) = chart(options, &runs)?;
-    let fault = |fault: crate::figure::Fault| {
+    let fault = |fault: linkdyn_picture::Fault| {
         BadInput(vec![format!("{}: {fault}", options.output.display())])
     };
     let scene = chart.draw().map_err(fault)?;

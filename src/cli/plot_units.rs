@@ -1,9 +1,9 @@
 //! Units of a figure: which column is drawn in which, and words for what is drawn.
 
 use super::BadInput;
-use crate::model::Unit;
-use crate::output::Table;
-use crate::output::read::ReadColumn;
+use linkdyn_model::Unit;
+use linkdyn_output::Table;
+use linkdyn_output::read::ReadColumn;
 
 /// A unit that was asked for.
 #[derive(Debug)]

@@ -1,12 +1,12 @@
 //! `report.html` of a run: what of the model is drawn, and the quantities that follow from the results.
 
 use super::open::Opened;
-use crate::analysis::{Outcome, derived::derived};
-use crate::model::{ClearanceModel, DriverKind, ForceKind, GROUND, JointKind, Model, PointRef};
-use crate::output::report::{
+use linkdyn_engine::analysis::{Outcome, derived::derived};
+use linkdyn_model::{ClearanceModel, DriverKind, ForceKind, GROUND, JointKind, Model, PointRef};
+use linkdyn_output::{Stage, Summary};
+use linkdyn_picture::report::{
     self, Body, Clearance, Driver, Gear, Joint, Load, Mechanism, PointId, Spring, TorsionSpring,
 };
-use crate::output::{Stage, Summary};
 
 use std::collections::HashMap;
 
@@ -171,7 +171,7 @@ fn mechanism(model: &Model) -> Mechanism {
     mechanism
 }
 
-fn joint_of(numbers: &Numbers, name: &str, joint: &crate::model::Joint) -> Joint {
+fn joint_of(numbers: &Numbers, name: &str, joint: &linkdyn_model::Joint) -> Joint {
     let (mut axis, mut gear, mut gap) = (None, None, None);
     let kind = match &joint.kind {
         JointKind::Revolute { clearance, .. } => {

@@ -6,14 +6,14 @@ use serde_json::Value;
 
 use super::BadInput;
 use super::run::PEAKS;
-use crate::bundled;
-use crate::output::read::{ReadColumn, ReadError, read_file};
-use crate::output::trajectory::matches;
-use crate::output::{Directory, Table, WriteError};
+use linkdyn_model::bundled;
+use linkdyn_output::read::{ReadColumn, ReadError, read_file};
+use linkdyn_output::trajectory::matches;
+use linkdyn_output::{Directory, Table, WriteError};
 
 /// Names that are suggested at most.
 const MOST_NAMES: usize = 3;
-/// Longer names are not compared [bytes].
+/// Longer names are not compared \[bytes\].
 const LONGEST: usize = 200;
 /// Names that are listed where none is near.
 const MOST_LISTED: usize = 8;

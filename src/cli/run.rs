@@ -8,10 +8,10 @@ use clap::Args;
 use super::open::{ModelOptions, Opened};
 use super::progress::Line;
 use super::{BadInput, Exit, complain, interrupt, print, report, summary};
-use crate::analysis::{self, Control, Outcome};
-use crate::figure::drawing::Drawing;
-use crate::model::Model;
-use crate::output::{Directory, Stage, Stopwatch, Summary, WriteError, csv};
+use linkdyn_engine::analysis::{self, Control, Outcome};
+use linkdyn_model::Model;
+use linkdyn_output::{Directory, Stage, Stopwatch, Summary, WriteError, csv};
+use linkdyn_picture::drawing::Drawing;
 
 const RESULTS: &str = "results.csv";
 /// Rows between those of the results, where columns have their peaks.
@@ -115,7 +115,7 @@ pub fn write(
     };
     let summary = directory.write(
         SUMMARY,
-        crate::output::summary::to_text(&summary).as_bytes(),
+        linkdyn_output::summary::to_text(&summary).as_bytes(),
     )?;
     let paths = [Some(results), peaks, Some(summary), Some(report)]
         .into_iter()

@@ -5,10 +5,10 @@ use std::collections::HashMap;
 use super::open::Opened;
 use super::page::{Page, count, names, number, seconds, shorten};
 use super::run::Written;
-use crate::analysis::Outcome;
-use crate::display::DisplayUnits;
-use crate::model::AnalysisKind;
-use crate::output::{
+use linkdyn_engine::analysis::Outcome;
+use linkdyn_model::AnalysisKind;
+use linkdyn_model::display::DisplayUnits;
+use linkdyn_output::{
     ClearanceSums, Equilibrium, Event, Mobility, Quality, Stage, Status, Trajectory,
 };
 
@@ -314,7 +314,7 @@ pub fn unit_words(unit: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::output::{Column, Episode};
+    use linkdyn_output::{Column, Episode};
 
     fn results() -> Trajectory {
         let columns = [

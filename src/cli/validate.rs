@@ -9,9 +9,9 @@ use clap::Args;
 use super::page::{Page, count};
 use super::progress::Line;
 use super::{BadInput, Exit, complain, interrupt, nearest, print};
-use crate::analysis::Control;
-use crate::output::Directory;
-use crate::validation::{CASES, Case, CaseError, Claim, Verdict};
+use linkdyn_engine::analysis::Control;
+use linkdyn_output::Directory;
+use linkdyn_validation::{CASES, Case, CaseError, Claim, Verdict};
 
 #[derive(Debug, Args)]
 pub struct Options {
@@ -149,7 +149,7 @@ fn tell(page: &mut Page, claims: &[Claim], tally: &mut Tally) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::validation::{CaseKind, CaseReport, Setting};
+    use linkdyn_validation::{CaseKind, CaseReport, Setting};
 
     fn none(_: &Setting) -> Result<CaseReport, CaseError> {
         Ok(CaseReport::default())

@@ -4,7 +4,7 @@
 //! | page         | for                                                               |
 //! | ------------ | ----------------------------------------------------------------- |
 //! | [`tutorial`] | a first model, from an empty file to a study of clearance         |
-//! | [`format`]   | how to write what in a model file, each with a piece that runs    |
+//! | [`mod@format`]  | how to write what in a model file, each with a piece that runs    |
 //! | [`theory`]   | the equations of every element and method, with signs and sources |
 //! | [`messages`] | what a message means and what to do                               |
 

@@ -1,8 +1,8 @@
 //! Small mechanisms for the tests, written as model files.
 #![allow(dead_code)]
 
-use linkdyn::analysis::{Control, Outcome, run};
-use linkdyn::model::{Loaded, load};
+use linkdyn_engine::analysis::{Control, Outcome, run};
+use linkdyn_model::{Loaded, load};
 use serde_json::{Value, json};
 
 /// A uniform rod from A to B with a guessed pose.

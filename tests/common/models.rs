@@ -2,10 +2,10 @@
 
 #![allow(dead_code)]
 
-use linkdyn::analysis::{Control, Outcome, run};
-use linkdyn::model::Model;
-use linkdyn::validation::{CASES, CaseKind};
-use linkdyn::{bundled, model};
+use linkdyn::bundled;
+use linkdyn_engine::analysis::{Control, Outcome, run};
+use linkdyn_model::Model;
+use linkdyn_validation::{CASES, CaseKind};
 use serde_json::Value;
 
 /// A model as JSON, with its name for messages.
@@ -38,7 +38,7 @@ pub fn all() -> Vec<Named> {
 pub fn load_bundled(name: &str, sets: &[&str]) -> Model {
     let text = bundled::find(name).expect("bundled").text;
     let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
-    model::load(text.as_bytes(), &sets)
+    linkdyn_model::load(text.as_bytes(), &sets)
         .unwrap_or_else(|said| panic!("{name}: {said:?}"))
         .model
 }
@@ -46,7 +46,7 @@ pub fn load_bundled(name: &str, sets: &[&str]) -> Model {
 /// The model that a JSON text says.
 #[track_caller]
 pub fn load(json: &Value) -> Model {
-    model::load(json.to_string().as_bytes(), &[])
+    linkdyn_model::load(json.to_string().as_bytes(), &[])
         .unwrap_or_else(|said| panic!("{said:?}\n{json:#}"))
         .model
 }

@@ -2,7 +2,7 @@
 
 #![allow(dead_code)]
 
-use linkdyn::integrate::{Limits, Ode, Refused, Stepper, Tolerance};
+use linkdyn_engine::integrate::{Limits, Ode, Refused, Stepper, Tolerance};
 
 /// y′ = f(t, y) as a function, refused where `allowed` says no.
 pub struct Problem {

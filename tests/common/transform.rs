@@ -5,7 +5,7 @@
 #![allow(dead_code)]
 
 use indexmap::IndexMap;
-use linkdyn::model::{
+use linkdyn_model::{
     Driver, DriverKind, Force, ForceKind, Frame, GROUND, Joint, JointKind, Model, Motion, PointRef,
     Value,
 };

@@ -1,6 +1,6 @@
 //! A model as the text of a file, in units of choice.
 
-use linkdyn::model::{
+use linkdyn_model::{
     AnalysisKind, Driver, DriverKind, Force, ForceKind, Frame, Friction, FrictionLaw, GROUND,
     JointKind, Model, Motion, PointRef, Value as Law,
 };

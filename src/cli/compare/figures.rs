@@ -1,12 +1,12 @@
 //! A figure per compared column: the curves of all models over time.
 
-use crate::figure::{Axis, Chart, Curve, Panel, svg, words};
-use crate::output::trajectory::TIME;
-use crate::output::{Column, Trajectory};
+use linkdyn_output::trajectory::TIME;
+use linkdyn_output::{Column, Trajectory};
+use linkdyn_picture::{Axis, Chart, Curve, Panel, svg, words};
 
 /// Letters of a file's name, without its ending, at most.
 const LONGEST: usize = 100;
-/// Width and height [mm]: a page's full width, since curves with impacts are dense.
+/// Width and height \[mm\]: a page's full width, since curves with impacts are dense.
 const SIZE: [f64; 2] = [180.0, 80.0];
 
 /// Part of all values, at each end, that a few peaks may be.

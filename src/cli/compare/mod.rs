@@ -12,11 +12,11 @@ use super::open::{ModelOptions, Opened};
 use super::progress::Line;
 use super::run::{deadline, open_directory, write};
 use super::{BadInput, Exit, complain, interrupt, nearest, print};
-use crate::analysis::{self, Control, Outcome};
-use crate::error::Complaint;
-use crate::model::{DriverKind, GROUND, JointKind, Model};
-use crate::output::comparison::{Comparison, Run};
-use crate::output::{Column, Directory, Trajectory, csv};
+use linkdyn_engine::analysis::{self, Control, Outcome};
+use linkdyn_model::error::Complaint;
+use linkdyn_model::{DriverKind, GROUND, JointKind, Model};
+use linkdyn_output::comparison::{Comparison, Run};
+use linkdyn_output::{Column, Directory, Trajectory, csv};
 use report::Report;
 
 /// The ladder of clearance models, simple ones first.
@@ -31,7 +31,7 @@ const TABLE: &str = "compare.csv";
 const SUMMARY: &str = "compare.json";
 /// All joints that have a clearance.
 const ALL: &str = "all";
-/// What changes by less than this is round-off [SI].
+/// What changes by less than this is round-off \[SI\].
 const STILL: f64 = 1e-10;
 /// Quantities of the last body that are compared where no columns are asked for.
 const MOTION: [&str; 9] = ["x", "y", "angle", "vx", "vy", "omega", "ax", "ay", "alpha"];

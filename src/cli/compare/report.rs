@@ -8,9 +8,9 @@ use super::super::open::Opened;
 use super::super::page::{Page, count, number, seconds, shorten};
 use super::super::summary::{status_words, unit_words};
 use super::Rung;
-use crate::analysis::Outcome;
-use crate::output::comparison::{Comparison, Difference};
-use crate::output::{Column, Extremes, Trajectory};
+use linkdyn_engine::analysis::Outcome;
+use linkdyn_output::comparison::{Comparison, Difference};
+use linkdyn_output::{Column, Extremes, Trajectory};
 
 /// Digits of numbers in the table.
 const DIGITS: usize = 4;
@@ -226,7 +226,7 @@ impl Report<'_> {
     }
 }
 
-/// CPU of assembly and solution [s].
+/// CPU of assembly and solution \[s\].
 fn cpu(outcome: &Outcome) -> f64 {
     outcome.report.assemble.cpu + outcome.report.solve.cpu
 }

@@ -15,8 +15,8 @@ mod words;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use linkdyn::bundled;
-use linkdyn::validation::{CASES, CaseKind};
+use linkdyn_model::bundled;
+use linkdyn_validation::{CASES, CaseKind};
 use serde_json::Value;
 
 pub use oracle::{ENDS, Find};

@@ -5,10 +5,10 @@ use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
-use linkdyn::analysis::{self, Control};
 use linkdyn::cli::Said;
-use linkdyn::error::Complaint;
-use linkdyn::model::{self, DriverKind, JointKind, Loaded, Model};
+use linkdyn_engine::analysis::{self, Control};
+use linkdyn_model::error::Complaint;
+use linkdyn_model::{self, DriverKind, JointKind, Loaded, Model};
 use serde_json::Value;
 
 use super::rng::Rng;
@@ -395,7 +395,7 @@ pub fn model(fuzzer: &Fuzzer, mut rng: Rng, mutant: &Mutant) -> Vec<Find> {
     };
     let file = trial.path("mutant.json");
     let _ = fs::write(&file, &mutant.bytes);
-    let loaded = match caught(|| model::load(&mutant.bytes, &mutant.sets)) {
+    let loaded = match caught(|| linkdyn_model::load(&mutant.bytes, &mutant.sets)) {
         Ok(loaded) => loaded,
         Err(words) => {
             trial.find("panic", "load", words);

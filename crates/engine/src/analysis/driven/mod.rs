@@ -1,0 +1,169 @@
+//! Kinematics and inverse dynamics of a driven mechanism, ideal or with massless clearance links.
+
+mod bridge;
+mod outputs;
+mod passages;
+
+use super::assembly::{assemble, check_driven};
+use super::clearance_link::forces;
+use super::instants::instants;
+use super::record::Sample;
+use super::{Control, Stop};
+use crate::element::Measure;
+use crate::mechanism::continuation::{HALF_TURN, Parameter, Path, follow};
+use crate::mechanism::driven::{Driven, Failure};
+use crate::system::{Inputs, JointData, System};
+use linkdyn_model::error::Complaint;
+use linkdyn_model::{Analysis, OutputsAt};
+use linkdyn_output::{Report, Status, Stopwatch, Trajectory};
+use outputs::Outputs;
+use passages::range;
+
+/// Runs the analysis.
+///
+/// # Errors
+/// Faults of the input, and failures before the first output.
+pub fn run(
+    system: &System,
+    analysis: &Analysis,
+    control: &Control,
+) -> Result<(Trajectory, Report), Stop> {
+    let clock = Stopwatch::start();
+    let reactions = super::has_reactions(analysis.kind);
+    let at_events = analysis.outputs_at == OutputsAt::Events;
+    refuse(system, reactions, at_events)?;
+    let instants = instants(system, analysis).map_err(Stop::Input)?;
+    let start = Inputs::at_time(system, 0.0);
+    let assembled = assemble(system, &start)?;
+    check_driven(system, &assembled, &start)?;
+    super::assembly::velocities(system, &assembled.q, &start)?;
+    let mut report = Report {
+        mobility: assembled.mobility.clone(),
+        warnings: assembled.warnings,
+        ..Report::default()
+    };
+    report.statistics.newton_iterations = assembled.iterations;
+
+    let singular = |_: Failure| {
+        Stop::failed(
+            Status::Singular,
+            "the start is a singular position of the mechanism; start a little beside it".into(),
+        )
+    };
+    let mut driven = Driven::new(system, &assembled.q, &start).map_err(singular)?;
+    let mut q = assembled.q;
+    driven.correct(&mut q, &start).map_err(singular)?;
+    report.assemble = clock.read();
+
+    let clock = Stopwatch::start();
+    let range = range(system, &instants);
+    let parameter = Parameter::of(system);
+    let first = if parameter == Parameter::DriverValue {
+        start.drive[0][0]
+    } else {
+        0.0
+    };
+    let path = path(&mut driven, (first, &q), range, control).map_err(singular)?;
+    report.statistics.steps = path.steps;
+    report.statistics.rejected = path.rejected;
+    let mut outputs = Outputs::new(system, reactions, instants.len(), &mut report);
+    outputs.march(&mut driven, &path, &instants, at_events, control);
+    let trajectory = outputs.finish();
+    let done = driven.done;
+    report.statistics.newton_iterations += done.newton_iterations;
+    report.statistics.evaluations += done.evaluations;
+    report.statistics.factorisations += done.factorisations;
+    report.solve = clock.read();
+    Ok((trajectory, report))
+}
+
+/// What a prescribed motion can't do.
+fn refuse(system: &System, reactions: bool, at_events: bool) -> Result<(), Stop> {
+    if at_events && system.links > 0 {
+        return Err(Stop::Input(vec![
+            Complaint::new(
+                "analysis.outputs_at",
+                "a massless clearance link turns by differences between outputs, which rows at events would change",
+            )
+            .found("\"events\"")
+            .hint("use \"equidistant\""),
+        ]));
+    }
+    let remembers = |force: usize| system.reactive[force].force.memory_scale().is_some();
+    let bristles = |joint: &&JointData| {
+        joint
+            .friction
+            .is_some_and(|friction| remembers(friction.force))
+    };
+    match system
+        .joints
+        .iter()
+        .find(bristles)
+        .filter(|_| reactions || system.links > 0)
+    {
+        Some(joint) => Err(Stop::Input(vec![
+            Complaint::new(
+                format!("joints.{}.friction.law", joint.name),
+                "bristles have a history, which instants of a prescribed motion do not have",
+            )
+            .found("\"lugre\"")
+            .hint("use \"stribeck\", which is \"lugre\" at steady sliding"),
+        ])),
+        None => Ok(()),
+    }
+}
+
+/// The path over `range`: of a crank that goes round more than once and comes back, one turn stands for all.
+fn path(
+    driven: &mut Driven,
+    start: (f64, &[f64]),
+    range: (f64, f64),
+    control: &Control,
+) -> Result<Path, Failure> {
+    let system = driven.system;
+    let parameter = Parameter::of(system);
+    let half_way = |s: f64, (low, high): (f64, f64)| {
+        // up first, then down
+        let covered = if s >= start.0 { s - start.0 } else { high - s };
+        control.progress.note(0.5 * covered, high - low);
+        control.stop().is_some()
+    };
+    let turns = parameter == Parameter::DriverValue && system.drivers[0].measure == Measure::Angle;
+    if turns && range.1 - range.0 > 4.0 * HALF_TURN {
+        let around = (start.0 - HALF_TURN, start.0 + HALF_TURN);
+        let mut path = follow(
+            driven,
+            (parameter, Inputs::still(system)),
+            start,
+            around,
+            &|s| half_way(s, around),
+        )?;
+        if path.close_turn(system, start.0) {
+            return Ok(path);
+        }
+    }
+    follow(
+        driven,
+        (parameter, Inputs::still(system)),
+        start,
+        range,
+        &|s| half_way(s, range),
+    )
+}
+
+/// Kept for the six-bar benchmark: solves one instant, all reactions, without output.
+pub fn solve_instant(
+    driven: &mut Driven,
+    path: &Path,
+    inputs: &Inputs,
+    sample: &mut Sample,
+) -> Result<(), Failure> {
+    let s = match path.parameter {
+        Parameter::DriverValue => inputs.drive[0][0],
+        Parameter::Time | Parameter::Pin => inputs.time,
+    };
+    let Sample { q, v, a, .. } = sample;
+    path.guess(s, q, v, a);
+    driven.correct(q, inputs)?;
+    forces(driven, inputs, sample)
+}

@@ -1,0 +1,454 @@
+//! The loop over the output instants, and what it reports.
+
+use super::super::clearance_link::{ClearanceLinks, Fixpoint, balance, carried};
+use super::super::in_line::{singular_text, stressed_rows};
+use super::super::instants::OutputInstant;
+use super::super::power::Powers;
+use super::super::record::{Contents, Recorder, Sample};
+use super::super::{Control, Interval, locked, unsure_friction};
+use super::passages::{ON_THE_EDGE, range, times_of};
+use crate::mechanism::continuation::{End, Parameter, Path, SingularKind, Source};
+use crate::mechanism::driven::{Driven, Failure};
+use crate::system::{Inputs, System};
+use linkdyn_output::{Event, Report, Status, Trajectory};
+
+/// A joint belongs to a self-stress when its part is above this, relative to the largest.
+const STRESSED: f64 = 1e-6;
+
+/// Why and when somebody asked to stop.
+fn stopped(status: Status, when: &str) -> String {
+    let why = if status == Status::Interrupted {
+        "interrupted"
+    } else {
+        "max_wall_time is over"
+    };
+    format!("{why} {when}")
+}
+
+/// State of the loop over the outputs.
+pub(super) struct Outputs<'a, 'r> {
+    pub system: &'a System,
+    pub links: Option<ClearanceLinks>,
+    recorder: Recorder,
+    pub inputs: Inputs,
+    pub sample: Sample,
+    pub scratch: Sample,
+    report: &'r mut Report,
+    powers: Powers,
+    gap: Interval,
+    wavering: Interval,
+    locking: Interval,
+    /// Joints whose reaction was left out, with the position.
+    pub missing: Vec<String>,
+    pub reactions: bool,
+}
+
+impl<'a, 'r> Outputs<'a, 'r> {
+    pub fn new(system: &'a System, reactions: bool, rows: usize, report: &'r mut Report) -> Self {
+        let contents = Contents {
+            velocities: true,
+            accelerations: true,
+            reactions,
+        };
+        Outputs {
+            system,
+            links: ClearanceLinks::of(system),
+            recorder: Recorder::new(system, contents, rows),
+            inputs: Inputs::still(system),
+            sample: Sample::new(system),
+            scratch: Sample::new(system),
+            report,
+            powers: Powers::default(),
+            gap: Interval::default(),
+            wavering: Interval::default(),
+            locking: Interval::default(),
+            missing: Vec::new(),
+            reactions,
+        }
+    }
+
+    /// Solves and records every instant, as far as the path goes; with `at_events` also those of passages.
+    pub fn march(
+        &mut self,
+        driven: &mut Driven,
+        path: &Path,
+        instants: &[OutputInstant],
+        at_events: bool,
+        control: &Control,
+    ) {
+        let end = instants.last().map_or(0.0, |last| last.time);
+        if [path.low, path.high].contains(&End::Interrupted) {
+            let status = control.stop().unwrap_or(Status::Interrupted);
+            self.report.status = status;
+            self.report.message = Some(stopped(
+                status,
+                "while the path was followed, before the first output",
+            ));
+            return;
+        }
+        let limit = self.limits(path, end);
+        self.events(
+            path,
+            range(self.system, instants),
+            limit.as_ref().map_or(end, |(time, ..)| *time),
+        );
+        let passages: &[Event] = if at_events { &self.report.events } else { &[] };
+        for instant in &with_passages(instants, passages) {
+            control.progress.note(end + instant.time, 2.0 * end);
+            instant.drive(self.system, &mut self.inputs.drive);
+            let beyond = !path.holds(match path.parameter {
+                Parameter::DriverValue => self.inputs.drive[0][0],
+                Parameter::Time | Parameter::Pin => instant.time,
+            });
+            // Between the path's last node and its end nothing is solved.
+            if let Some((time, status, message)) = &limit
+                && (instant.time >= *time || beyond)
+            {
+                self.report.status = *status;
+                self.report.message = Some(message.clone());
+                return;
+            }
+            if let Some(status) = control.stop() {
+                self.report.status = status;
+                let at = format!(
+                    "at t = {}; the rows until then are kept",
+                    self.system.display.time(instant.time)
+                );
+                self.report.message = Some(stopped(status, &at));
+                return;
+            }
+            self.inputs.time = instant.time;
+            if let Err(failure) = self.solve(driven, path) {
+                self.report.status = Status::Singular;
+                self.report.message = Some(format!(
+                    "no solution at t = {}: {}",
+                    self.system.display.time(instant.time),
+                    describe(self.system, failure)
+                ));
+                return;
+            }
+        }
+    }
+
+    /// Where the path ends before the outputs do.
+    fn limits(&self, path: &Path, end: f64) -> Option<(f64, Status, String)> {
+        let ends = [path.low, path.high]
+            .into_iter()
+            .filter_map(|side| match side {
+                End::Reached | End::Interrupted => None,
+                End::DeadCentre { s } => {
+                    let time = times_of(self.system, s, end).first().copied()?;
+                    Some((
+                        time,
+                        Status::DeadCentre,
+                        self.dead_centre_text(path, s, time),
+                    ))
+                }
+                End::Stuck { s } => {
+                    let time = times_of(self.system, s, end).first().copied()?;
+                    let what = format!(
+                        "{} can't be followed beyond {}; the results until there are kept",
+                        self.drivers_text(),
+                        self.position_text(s, time)
+                    );
+                    Some((time, Status::Singular, what))
+                }
+            });
+        ends.min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    /// Where and when the path ends: `2.31681 rad (132.743°), t = 0.22 s`, or the time alone.
+    fn position_text(&self, s: f64, time: f64) -> String {
+        let time = self.system.display.time(time);
+        match Parameter::of(self.system) {
+            Parameter::Time | Parameter::Pin => format!("t = {time}"),
+            Parameter::DriverValue => {
+                format!("{}, t = {time}", self.system.driver_value(0, s))
+            }
+        }
+    }
+
+    /// Who drives: `driver "motor"`, or `the drivers`.
+    fn drivers_text(&self) -> String {
+        match &self.system.drivers[..] {
+            [driver] => format!("driver \"{}\"", driver.name),
+            _ => "the drivers".into(),
+        }
+    }
+
+    /// `driver "motor" can't go on beyond …, where "coupler" and "rocker" are in line`, and what to try.
+    fn dead_centre_text(&self, path: &Path, s: f64, time: f64) -> String {
+        let stress = path
+            .singular_at(s)
+            .map(|position| stressed_rows(self.system, &position.self_stress));
+        let what = singular_text(self.system, &stress.unwrap_or_default());
+        let what = what.map_or_else(String::new, |what| format!(", where {what}"));
+        format!(
+            "dead centre: {} can't go on beyond {}{what}; the results until there are kept. Turn back before it, go the other \
+             way, or drive another body",
+            self.drivers_text(),
+            self.position_text(s, time)
+        )
+    }
+
+    /// Passages of singular positions within the run, by time; a dead centre ends it.
+    fn events(&mut self, path: &Path, (low, high): (f64, f64), end: f64) {
+        let by_value = path.parameter == Parameter::DriverValue;
+        let edge = ON_THE_EDGE * (high - low);
+        for position in path.singular_between(low - edge, high + edge) {
+            let times = times_of(self.system, position.s, end);
+            let (kind, times) = match position.kind {
+                SingularKind::ChangePoint => ("change_point", &times[..]),
+                SingularKind::DeadCentre => ("dead_centre", &times[..times.len().min(1)]),
+            };
+            self.report.events.extend(times.iter().map(|&time| Event {
+                kind,
+                time,
+                end_time: None,
+                driver: by_value.then(|| self.system.drivers[0].name.clone()),
+                value: by_value.then_some(position.s),
+                end_value: None,
+                ..Event::default()
+            }));
+        }
+        self.report.events.sort_by(|a, b| a.time.total_cmp(&b.time));
+    }
+
+    fn driver_value(&self) -> Option<(String, f64)> {
+        self.system
+            .drivers
+            .first()
+            .map(|driver| (driver.name.clone(), self.inputs.drive[0][0]))
+    }
+
+    fn solve(&mut self, driven: &mut Driven, path: &Path) -> Result<(), Failure> {
+        let system = self.system;
+        // The path's parameter and its rates.
+        let [s, rate, bend] = match path.parameter {
+            Parameter::DriverValue => self.inputs.drive[0],
+            Parameter::Time | Parameter::Pin => [self.inputs.time, 1.0, 0.0],
+        };
+        self.inputs
+            .offset
+            .iter_mut()
+            .for_each(|offset| offset.fill(linkdyn_linear::math::Vec2::zeros()));
+        let Sample { q, v, a, .. } = &mut self.sample;
+        let Some(source) = path.guess(s, q, v, a) else {
+            return Err(Failure::Singular);
+        };
+        let mut residual;
+        match source {
+            Source::Regular => {
+                driven.prepare(q, &self.inputs)?;
+                residual = driven.correct(q, &self.inputs)?.residual;
+                driven.factor(&self.inputs)?;
+                driven.velocity(&self.inputs, v);
+                driven.acceleration(&self.inputs, a);
+                if self.reactions || self.links.is_some() {
+                    balance(system, &driven.evaluation, &self.inputs, &mut self.sample);
+                    self.carry(driven);
+                }
+            }
+            Source::Bridged { index, distance } => {
+                residual = self.bridged(driven, path, index, distance, [s, rate, bend]);
+            }
+        }
+        let has_locked = driven.reactive.locked().is_some();
+        if !has_locked {
+            self.locking.close(&mut self.report.events);
+        }
+        if !has_locked && let Some(mut links) = self.links.take() {
+            let outcome = links.solve(driven, &mut self.inputs, &mut self.sample);
+            self.links = Some(links);
+            match outcome {
+                Fixpoint::Converged { .. } => {
+                    self.gap.close(&mut self.report.events);
+                    self.wavering.close(&mut self.report.events);
+                }
+                Fixpoint::NotConverged { .. } => {
+                    self.gap.close(&mut self.report.events);
+                    let (time, driver) = (self.inputs.time, self.driver_value());
+                    let note = "the clearance links' fixed point was not met within 50 passes; the last pass is kept";
+                    self.wavering.extend("not_converged", time, driver, note);
+                }
+                Fixpoint::NoSolution { .. } if driven.reactive.locked().is_some() => {
+                    self.wavering.close(&mut self.report.events);
+                    self.gap.close(&mut self.report.events);
+                    self.note_locked(driven);
+                    self.recorder.push_gap(&self.inputs);
+                    return Ok(());
+                }
+                Fixpoint::NoSolution { .. } => {
+                    self.wavering.close(&mut self.report.events);
+                    let (time, driver) = (self.inputs.time, self.driver_value());
+                    let note = "with the clearance links in the directions of the joint forces the mechanism can't be \
+                                assembled on the branch of the ideal one";
+                    self.gap.extend("no_solution", time, driver, note);
+                    self.recorder.push_gap(&self.inputs);
+                    self.report.status = Status::CompletedWithGaps;
+                    return Ok(());
+                }
+            }
+            driven.evaluation.set_position(&self.sample.q);
+            driven.evaluation.set_velocity(&self.sample.v);
+            driven.evaluation.eval_phi(system, &self.inputs);
+            residual = system.scaled_residual(&driven.evaluation.phi);
+        }
+        self.report.quality.constraint_residual =
+            self.report.quality.constraint_residual.max(residual);
+        if self.reactions {
+            self.account();
+        }
+        self.recorder
+            .push(system, &driven.evaluation, &self.inputs, &self.sample);
+        Ok(())
+    }
+
+    /// What the constraints carry, with friction; where a joint locks itself these values do not exist.
+    pub fn carry(&mut self, driven: &mut Driven) {
+        if carried(driven, &self.inputs, &mut self.sample).is_err() {
+            self.sample.lambda.fill(f64::NAN);
+            self.note_locked(driven);
+        }
+        self.note_not_unique(driven);
+    }
+
+    /// An event where forces do not exist because a joint locks itself.
+    pub fn note_locked(&mut self, driven: &Driven) {
+        if let Some(force) = driven.reactive.locked() {
+            let (time, driver) = (self.inputs.time, self.driver_value());
+            self.locking
+                .extend("self_locking", time, driver, &locked(self.system, force));
+            self.report.status = Status::CompletedWithGaps;
+        }
+    }
+
+    /// Joints whose reactions differ between equilibria.
+    pub fn note_not_unique(&mut self, driven: &mut Driven) {
+        if !driven.is_redundant() {
+            return;
+        }
+        for z in driven.self_stress() {
+            let largest = linkdyn_linear::math::max_abs(&z);
+            for (joint, block) in self.system.joints.iter().zip(&self.system.blocks) {
+                let part = linkdyn_linear::math::max_abs(&z[block.row..block.row + block.rows]);
+                let listed = &mut self.report.mobility.reactions_not_unique;
+                if part > STRESSED * largest && !listed.contains(&joint.name) {
+                    listed.push(joint.name.clone());
+                }
+            }
+        }
+    }
+
+    /// Power of drivers + power of forces = change of kinetic energy.
+    fn account(&mut self) {
+        let Sample {
+            v,
+            a,
+            lambda,
+            force,
+            ..
+        } = &self.sample;
+        let efforts = &lambda[self.system.joint_rows()..];
+        if efforts.iter().any(|effort| !effort.is_finite()) {
+            return;
+        }
+        let drivers = efforts
+            .iter()
+            .zip(&self.inputs.drive)
+            .map(|(effort, jet)| (*effort, jet[1]));
+        self.powers.note(self.system, [v, a, force], drivers);
+    }
+
+    /// What is left to say at the end.
+    pub fn finish(mut self) -> Trajectory {
+        self.gap.close(&mut self.report.events);
+        self.wavering.close(&mut self.report.events);
+        self.locking.close(&mut self.report.events);
+        self.report.events.sort_by(|a, b| a.time.total_cmp(&b.time));
+        if self.reactions {
+            self.report.quality.power_imbalance = Some(self.powers.relative_imbalance());
+        }
+        if !self.missing.is_empty() {
+            self.report.warnings.push(format!(
+                "at a change point the reactions of {} have no bound and are left out",
+                self.missing.join(", ")
+            ));
+        }
+        if !self.report.mobility.redundant.is_empty() && self.reactions {
+            self.report.warnings.push(format!(
+                "constraints of {} are redundant: the reactions of {} are the ones of least norm, not the only ones",
+                self.report.mobility.redundant.join(", "),
+                self.report.mobility.reactions_not_unique.join(", ")
+            ));
+        }
+        if self.reactions {
+            self.report.warnings.extend(unsure_friction(
+                self.system,
+                &self.report.mobility.reactions_not_unique,
+            ));
+        }
+        for (kind, what) in [
+            (
+                "not_converged",
+                "the clearance fixed point does not converge",
+            ),
+            ("no_solution", "there is no assembly"),
+            (
+                "self_locking",
+                "a joint locks itself by its friction: forces do not exist",
+            ),
+        ] {
+            let count = self
+                .report
+                .events
+                .iter()
+                .filter(|event| event.kind == kind)
+                .count();
+            if count > 0 {
+                let intervals = if count == 1 { "interval" } else { "intervals" };
+                self.report
+                    .warnings
+                    .push(format!("in {count} {intervals} {what} (see events)"));
+            }
+        }
+        self.recorder.trajectory
+    }
+}
+
+/// The instants, with those of events between them.
+fn with_passages(instants: &[OutputInstant], events: &[Event]) -> Vec<OutputInstant> {
+    let mut all = instants.to_vec();
+    let end = instants.last().map_or(0.0, |last| last.time);
+    let is_near = |time: f64| {
+        instants
+            .iter()
+            .any(|instant| (instant.time - time).abs() <= ON_THE_EDGE * end)
+    };
+    let between = events.iter().filter(|event| !is_near(event.time));
+    // By value there is one driver that counts.
+    all.extend(between.map(|event| OutputInstant {
+        time: event.time,
+        exact: event.value.map(|value| (0, value)),
+    }));
+    all.sort_by(|a, b| a.time.total_cmp(&b.time));
+    all
+}
+
+fn describe(system: &System, failure: Failure) -> String {
+    match failure {
+        Failure::Locked { force } => locked(system, force),
+        Failure::Singular => "the constraints are singular there".into(),
+        Failure::Diverged { residual } if !residual.is_finite() => {
+            "Newton's iteration does not converge (it leaves the range of numbers)".into()
+        }
+        Failure::Diverged { residual } => {
+            format!("Newton's iteration does not converge (residual {residual:.1e} of the size)")
+        }
+        Failure::Inconsistent { residual } => {
+            format!(
+                "redundant constraints contradict each other by {residual:.1e} of the mechanism's size"
+            )
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! When the drivers pass a value of the path's parameter.
+
+use super::super::instants::OutputInstant;
+use crate::mechanism::continuation::Parameter;
+use crate::motion::Law;
+use crate::system::System;
+
+/// The range of the path's parameter that the instants (and what lies between them) need.
+pub(super) fn range(system: &System, instants: &[OutputInstant]) -> (f64, f64) {
+    let end = instants.last().map_or(0.0, |last| last.time);
+    match Parameter::of(system) {
+        Parameter::Time | Parameter::Pin => (0.0, end),
+        Parameter::DriverValue => {
+            let law = &system.drivers[0].law;
+            let enough = law.repeats_after().unwrap_or(usize::MAX);
+            let turns = law
+                .turning_times(end)
+                .take(enough)
+                .chain([0.0, end])
+                .map(|t| law.jet(t)[0]);
+            let sampled = instants
+                .iter()
+                .filter_map(|instant| instant.exact.map(|(_, value)| value));
+            turns
+                .chain(sampled)
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), s| {
+                    (low.min(s), high.max(s))
+                })
+        }
+    }
+}
+
+/// Times in [0, end] at which the path's parameter passes `s`, ascending.
+pub(super) fn times_of(system: &System, s: f64, end: f64) -> Vec<f64> {
+    match Parameter::of(system) {
+        Parameter::Time | Parameter::Pin => {
+            Vec::from_iter((s >= 0.0 && s <= end * (1.0 + ON_THE_EDGE)).then_some(s.min(end)))
+        }
+        Parameter::DriverValue => passages(&system.drivers[0].law, s, end),
+    }
+}
+
+/// A singular position this close beyond the end of the range, relative to the range, still belongs to it: that is how
+/// well its place and the user's numbers agree.
+pub(super) const ON_THE_EDGE: f64 = 1e-10;
+/// More passages of one position than anybody reads.
+const MOST_PASSAGES: usize = 1000;
+
+/// Times in [0, end] at which a law passes a value: at most one on each monotone stretch.
+fn passages(law: &Law, value: f64, end: f64) -> Vec<f64> {
+    let mut times: Vec<f64> = Vec::new();
+    let mut left = 0.0;
+    let enough = law.repeats_after().unwrap_or(usize::MAX);
+    for (turn, right) in law.turning_times(end).chain([end]).enumerate() {
+        let (from, to) = (law.jet(left)[0], law.jet(right)[0]);
+        let (a, b) = (from - value, to - value);
+        let edge = ON_THE_EDGE * (to - from).abs();
+        let time = if a.abs() <= edge {
+            Some(left)
+        } else if b.abs() <= edge {
+            Some(right)
+        } else if a * b < 0.0 {
+            Some(crate::motion::bisect(
+                |t| (law.jet(t)[0] - value) * a,
+                left,
+                right,
+            ))
+        } else {
+            None
+        };
+        if let Some(time) = time
+            && times.last() != Some(&time)
+        {
+            times.push(time);
+        }
+        if times.len() >= MOST_PASSAGES || (times.is_empty() && turn > enough) {
+            break;
+        }
+        left = right;
+    }
+    times
+}

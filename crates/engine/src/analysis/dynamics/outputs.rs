@@ -1,0 +1,120 @@
+//! The loop's results: rows, and how good they are.
+
+use super::integration::Integration;
+use super::motion::Motion;
+use super::sampling::Sampling;
+use crate::analysis::power::Powers;
+use crate::analysis::record::{Contents, Sample};
+use crate::mechanism::driven::Failure;
+use crate::system::System;
+use linkdyn_output::{Report, Trajectory};
+
+pub struct Outputs<'a, 'r> {
+    system: &'a System,
+    sampling: Sampling,
+    pub report: &'r mut Report,
+    powers: Powers,
+    /// Least and largest energy, and largest kinetic energy \[J\].
+    energy: Option<[f64; 3]>,
+    ledger: Option<Ledger>,
+}
+
+/// Kinetic + potential + contact energy + dissipated − work, which stays what it is at the start.
+#[derive(Debug, Clone, Copy)]
+struct Ledger {
+    start: f64,
+    imbalance: f64,
+    largest: f64,
+}
+
+impl<'a, 'r> Outputs<'a, 'r> {
+    pub fn new(
+        system: &'a System,
+        contents: Contents,
+        rows: usize,
+        report: &'r mut Report,
+    ) -> Self {
+        Outputs {
+            system,
+            sampling: Sampling::new(system, contents, rows),
+            report,
+            powers: Powers::default(),
+            energy: None,
+            ledger: None,
+        }
+    }
+
+    /// A row at `time`, within the last step.
+    ///
+    /// # Errors
+    /// Where the position can't be solved.
+    pub fn record(
+        &mut self,
+        solver: &mut Integration,
+        motion: &mut Motion,
+        time: f64,
+    ) -> Result<(), Failure> {
+        solver.output(motion, time)?;
+        self.sampling.take(motion);
+        let [dissipated, work] = solver.ledger(motion);
+        let reduced = &mut motion.reduced;
+        let system = reduced.own().system;
+        let Sample {
+            q,
+            v,
+            a,
+            lambda,
+            force,
+            ..
+        } = &self.sampling.sample;
+        let evaluation = &mut reduced.driven.evaluation;
+        evaluation.set_position(q);
+        evaluation.eval_phi(system, &reduced.inputs);
+        let residual = system.scaled_residual(&evaluation.phi);
+        self.report.quality.constraint_residual =
+            self.report.quality.constraint_residual.max(residual);
+        let efforts = &lambda[system.joint_rows()..];
+        let drivers = efforts
+            .iter()
+            .zip(&reduced.inputs.drive)
+            .map(|(effort, jet)| (*effort, jet[1]));
+        self.powers.note(self.system, [v, a, force], drivers);
+        let moving = evaluation.kinetic_energy(self.system, v);
+        let potential = evaluation.potential_energy(self.system, &reduced.inputs);
+        let elastic = evaluation.contact_energy(self.system, &reduced.inputs);
+        let energy = moving + potential;
+        let [least, most, largest] = self.energy.unwrap_or([energy, energy, 0.0]);
+        self.energy = Some([least.min(energy), most.max(energy), largest.max(moving)]);
+        if !self.system.contacts.is_empty() {
+            let sum = energy + elastic + dissipated - work;
+            let ledger = self.ledger.get_or_insert(Ledger {
+                start: sum,
+                imbalance: 0.0,
+                largest: 0.0,
+            });
+            ledger.imbalance = ledger.imbalance.max((sum - ledger.start).abs());
+            ledger.largest = [moving, elastic, dissipated, work.abs()]
+                .into_iter()
+                .fold(ledger.largest, f64::max);
+        }
+        self.sampling.sample.contact_energy = [elastic, dissipated];
+        self.sampling.push(motion);
+        Ok(())
+    }
+
+    /// The rows; what was learnt on the way goes to the report.
+    pub fn finish(self) -> Trajectory {
+        let part = |imbalance: f64, whole: f64| if whole > 0.0 { imbalance / whole } else { 0.0 };
+        let quality = &mut self.report.quality;
+        quality.power_imbalance = Some(self.powers.relative_imbalance());
+        quality.energy_imbalance = self
+            .ledger
+            .map(|ledger| part(ledger.imbalance, ledger.largest));
+        if self.system.is_conservative()
+            && let Some([least, most, largest]) = self.energy
+        {
+            quality.energy_drift = Some(part(most - least, largest));
+        }
+        self.sampling.recorder.trajectory
+    }
+}

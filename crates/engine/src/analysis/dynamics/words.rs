@@ -1,0 +1,127 @@
+//! What is said of a run: where it ended and by whose fault, and what to doubt.
+
+use super::motion::Motion;
+use crate::analysis::in_line::singular_text;
+use crate::element::journal::{Journal, Reading, Surface};
+use crate::integrate::StepFailure;
+use crate::system::System;
+use linkdyn_model::display::DisplayUnits;
+use linkdyn_model::error::Complaint;
+
+/// Determinant of the friction's equations, 1 without friction, below which a joint is about to lock itself.
+pub(super) const TIGHT: f64 = 0.1;
+/// Penetration, in parts of the journal's radius, that is not small any more.
+const DEEP: f64 = 0.1;
+/// Digits of penetrations: of the deepest that steps and outputs have met.
+const PENETRATION_DIGITS: usize = 4;
+
+/// Rigid contacts, by number, that no forces answer.
+pub(super) fn jam(motion: &Motion, jammed: &[usize], now: f64) -> String {
+    let joints = motion
+        .system()
+        .joints
+        .iter()
+        .filter(|joint| joint.contact.is_some());
+    let names: Vec<&str> = joints.map(|joint| joint.name.as_str()).collect();
+    let jammed: Vec<String> = jammed
+        .iter()
+        .map(|&contact| format!("\"{}\"", names[contact]))
+        .collect();
+    format!(
+        "at t = {} the journals that slide on their bearings jam in {} {}: with this friction neither normal forces nor \
+         impulses answer the motion (Painlevé's paradox); a smaller coefficient, or the model \"contact\", goes on; the rows until there are kept",
+        motion.system().display.time(now),
+        if jammed.len() == 1 { "joint" } else { "joints" },
+        jammed.join(", ")
+    )
+}
+
+/// What is said where the penetration was beyond what the law of the normal force was made for.
+pub(super) fn beyond_range(
+    display: &DisplayUnits,
+    joint: &str,
+    journal: &Journal,
+    deepest: f64,
+) -> Option<String> {
+    let Surface::Compliant(laws) = &journal.surface else {
+        return None;
+    };
+    let Some(range) = laws.normal.range() else {
+        let radius = journal.bearing_radius - journal.clearance;
+        return (radius > 0.0 && deepest > DEEP * radius).then(|| {
+            format!(
+                "joint \"{joint}\": the penetration reached {}, {:.2} of the journal's radius: laws of contact are made for \
+                 one that is small against it; is the surface stiff enough?",
+                display.length_to(deepest, PENETRATION_DIGITS),
+                deepest / radius
+            )
+        });
+    };
+    (deepest > range).then(|| format!(
+        "joint \"{joint}\": the penetration reached {} ({:.2} of the clearance), the formula of its normal law ends at \
+         {}: beyond, the force goes on straight, and is no more than a guess",
+        display.length_to(deepest, PENETRATION_DIGITS),
+        deepest / journal.clearance,
+        display.length_to(range, PENETRATION_DIGITS)
+    ))
+}
+
+pub(super) fn deep_start(system: &System, contact: usize, reading: &Reading) -> Complaint {
+    let joint = system
+        .joints
+        .iter()
+        .filter(|joint| joint.contact.is_some())
+        .nth(contact);
+    let name = joint.map_or("", |joint| joint.name.as_str());
+    let clearance = system.contacts[contact].clearance;
+    Complaint::new(
+        "initial",
+        format!(
+            "joint \"{name}\" starts with its journal {} deep in the bearing: eccentricity {}, clearance {}",
+            system.display.length(reading.penetration),
+            system.display.length(reading.penetration + clearance),
+            system.display.length(clearance),
+        ),
+    )
+    .hint("give initial values that leave the journal within its clearance, or a larger clearance")
+}
+
+/// What comes nearest to being singular at the last accepted point: ` (…)`, bodies in line or joints that lose rank.
+pub(super) fn culprits(motion: &mut Motion) -> String {
+    let rows = motion.reduced.strained_rows();
+    singular_text(motion.system(), &rows).map_or_else(String::new, |what| format!(" ({what})"))
+}
+
+/// The joint that is about to lock itself by its friction, where one is.
+pub(super) fn tight(motion: &Motion) -> String {
+    let (system, reactive) = (motion.system(), &motion.reduced.driven.reactive);
+    if system.reactive.is_empty() || reactive.margin() > TIGHT {
+        return String::new();
+    }
+    let block = &system.blocks[system.reactive[reactive.tightest()].block];
+    format!(
+        " ({} is about to lock itself by its friction)",
+        system.origin_name(&block.origin)
+    )
+}
+
+/// What a failed step means; `what` says what is singular.
+pub(super) fn describe(
+    failure: StepFailure,
+    now: f64,
+    what: &str,
+    display: &DisplayUnits,
+) -> String {
+    match failure {
+        StepFailure::TooSmall { t, h } => format!(
+            "step too small at t = {}: the tolerances ask for steps below {}; the rows until there are kept. \
+             Loosen rtol, or look for what changes so fast there",
+            display.time(t),
+            display.time_to(h, 2)
+        ),
+        StepFailure::Refused { .. } => format!(
+            "the motion can't be followed beyond t = {}: the constraints are singular there{what}; the rows until there are kept",
+            display.time(now)
+        ),
+    }
+}

@@ -1,0 +1,195 @@
+//! Small motions about rest: the equations of motion linearised in minimal coordinates, and their eigenvalues.
+//!
+//! ```text
+//! M̂ ü + Ĉ u̇ + K̂ u = 0       u = x e^{s t},   (s² M̂ + s Ĉ + K̂) x = 0
+//! ω₀ = |s|                   natural frequency [rad/s]
+//! ζ = −Re s / |s|            damping ratio [–]
+//! ```
+//!
+//! M̂, Ĉ, K̂ as in [`crate::mechanism::held`], drivers held. About the equilibrium, or about the assembled position as it is: what
+//! is linearised there is the motion relative to the one that the unbalanced forces begin.
+
+use super::statics::{balance, described, refuse, start, warning};
+use super::{Control, Stop, friction_left_out};
+use crate::mechanism::equilibrium::judge;
+use crate::mechanism::held::Held;
+use crate::system::{System, compile::compile};
+use linkdyn_linear::eigen::{EigenFault, Eigenpair, quadratic};
+use linkdyn_model::error::Complaint;
+use linkdyn_model::{AnalysisKind, Model};
+use linkdyn_output::{Equilibrium, Mobility, Status};
+
+/// A mechanism linearised.
+#[derive(Debug, Clone, Default)]
+pub struct Linearised {
+    pub status: Status,
+    /// Why there are no modes.
+    pub message: Option<String>,
+    pub mobility: Mobility,
+    pub equilibrium: Option<Equilibrium>,
+    /// Moving bodies, with x, y, angle of their frames where the mechanism rests [m, m, rad].
+    pub bodies: Vec<(String, [f64; 3])>,
+    /// M̂, Ĉ, K̂ by rows, by the coordinates of `equilibrium`.
+    pub mass: Vec<Vec<f64>>,
+    pub damping: Vec<Vec<f64>>,
+    pub stiffness: Vec<Vec<f64>>,
+    /// Slowest first.
+    pub modes: Vec<Mode>,
+    pub warnings: Vec<String>,
+}
+
+/// One mode.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mode {
+    /// s: real part [1/s] and imaginary part [rad/s], the latter not negative.
+    pub eigenvalue: [f64; 2],
+    /// Per body x, y of its frame's origin \[m\] and angle \[rad\], each with real and imaginary part; the largest rotation, or
+    /// displacement by the mechanism's size, is 1.
+    pub shape: Vec<[[f64; 2]; 3]>,
+}
+
+impl Mode {
+    /// ω₀ = |s| [rad/s].
+    pub fn frequency(&self) -> f64 {
+        self.eigenvalue[0].hypot(self.eigenvalue[1])
+    }
+
+    /// ζ [–]; none where nothing pulls back.
+    pub fn damping_ratio(&self) -> Option<f64> {
+        let frequency = self.frequency();
+        (frequency > 0.0).then(|| {
+            if self.eigenvalue[0] == 0.0 {
+                0.0
+            } else {
+                -self.eigenvalue[0] / frequency
+            }
+        })
+    }
+}
+
+/// Linearises a model about its equilibrium or, with `pose`, about its assembled position.
+///
+/// # Errors
+/// Faults of the input; everything else ends in the status.
+pub fn modes(model: &Model, pose: bool, control: &Control) -> Result<Linearised, Vec<Complaint>> {
+    let system = compile(model, AnalysisKind::Dynamics)?;
+    match linearise(&system, pose, control) {
+        Ok(found) => Ok(found),
+        Err(Stop::Input(complaints)) => Err(complaints),
+        Err(Stop::Failed { status, message }) => Ok(Linearised {
+            status,
+            message: Some(message),
+            mobility: super::assembly::counted(&system),
+            ..Linearised::default()
+        }),
+    }
+}
+
+fn linearise(system: &System, pose: bool, control: &Control) -> Result<Linearised, Stop> {
+    refuse(system)?;
+    let (assembled, mut held) = start(system, pose)?;
+    if held.freedom() == 0 {
+        return Err(Stop::Input(vec![
+            Complaint::new(
+                "drivers",
+                "modes need something that is free to move; drivers and joints hold everything",
+            )
+            .hint("leave out a driver"),
+        ]));
+    }
+    let balance = if pose {
+        judge(&mut held)
+    } else {
+        balance(&mut held, &assembled, control)?
+    };
+    let (mass, damping, stiffness) = (held.mass(), held.damping(), held.stiffness());
+    let f = held.freedom();
+    let pairs = quadratic(&mass, &damping, &stiffness, f).map_err(|fault| match fault {
+        EigenFault::Massless => Stop::Input(vec![
+            Complaint::new(
+                "bodies",
+                "something free to move has neither mass nor inertia",
+            )
+            .hint("give mass and inertia to what the joints leave free"),
+        ]),
+        EigenFault::NoConvergence => {
+            Stop::failed(Status::Singular, "the eigenvalues do not converge".into())
+        }
+    })?;
+    let by_rows = |a: &[f64]| a.chunks_exact(f).map(<[f64]>::to_vec).collect();
+    let mut warnings = assembled.warnings;
+    warnings.extend(warning(&balance).filter(|_| !pose));
+    warnings.extend(friction_left_out(system));
+    Ok(Linearised {
+        mobility: assembled.mobility,
+        equilibrium: Some(described(&held, &balance)),
+        bodies: bodies(&held),
+        mass: by_rows(&mass),
+        damping: by_rows(&damping),
+        stiffness: by_rows(&stiffness),
+        modes: pairs.iter().map(|pair| mode(&held, pair)).collect(),
+        warnings,
+        ..Linearised::default()
+    })
+}
+
+/// Names and places of the moving bodies' frames.
+fn bodies(held: &Held) -> Vec<(String, [f64; 3])> {
+    let bodies = held.driven.system.bodies.iter().zip(held.q.chunks_exact(3));
+    bodies
+        .map(|(body, q)| {
+            let rho = crate::element::Pose::new(q[0], q[1], q[2]).turn(body.origin);
+            (body.name.clone(), [q[0] + rho.x, q[1] + rho.y, q[2]])
+        })
+        .collect()
+}
+
+/// An eigenvector as motions of the bodies' frames.
+fn mode(held: &Held, pair: &Eigenpair) -> Mode {
+    let [re, im] =
+        [0, 1].map(|part| held.along(&pair.vector.iter().map(|x| x[part]).collect::<Vec<_>>()));
+    let system = held.driven.system;
+    let mut shape: Vec<[[f64; 2]; 3]> = Vec::with_capacity(system.bodies.len());
+    for (k, body) in system.bodies.iter().enumerate() {
+        let rho = crate::element::Pose::new(0.0, 0.0, held.q[3 * k + 2]).turn(body.origin);
+        let of = |s: &[f64]| {
+            [
+                s[3 * k] - s[3 * k + 2] * rho.y,
+                s[3 * k + 1] + s[3 * k + 2] * rho.x,
+                s[3 * k + 2],
+            ]
+        };
+        let (re, im) = (of(&re), of(&im));
+        shape.push([0, 1, 2].map(|axis| [re[axis], im[axis]]));
+    }
+    normalise(&mut shape, system);
+    Mode {
+        eigenvalue: pair.value,
+        shape,
+    }
+}
+
+/// Divides by the largest component, so that it becomes 1.
+fn normalise(shape: &mut [[[f64; 2]; 3]], system: &System) {
+    let mut largest = ([1.0, 0.0], 0.0);
+    for (column, value) in shape.iter().flatten().enumerate() {
+        let scale = system.column_scale(column);
+        let size = value[0].hypot(value[1]) / scale;
+        // Of equal ones the first, whatever the round-off.
+        if size > largest.1 * (1.0 + 1e-9) {
+            largest = (value.map(|part| part / scale), size);
+        }
+    }
+    let ([re, im], size) = largest;
+    if size > 0.0 {
+        let square = size * size;
+        for value in shape.iter_mut().flatten() {
+            let [a, b] = *value;
+            // Adding zero turns −0 into 0.
+            *value = [
+                (a * re + b * im) / square + 0.0,
+                (b * re - a * im) / square + 0.0,
+            ];
+        }
+    }
+}

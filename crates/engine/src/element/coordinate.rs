@@ -1,0 +1,73 @@
+//! A coordinate of a body's frame held at a value: how `initial` values enter the assembly.
+//!
+//! ```text
+//! φ = c − (x_O, y_O or θ),   O the frame's origin         (1)  [m or rad]
+//! ```
+
+use super::{Axis, BodyId, Constraint, Entry, Instant, Marker, Measure};
+use linkdyn_linear::math::Vec2;
+
+#[derive(Debug, Clone)]
+pub struct Coordinate {
+    /// The frame's origin as a point of the body.
+    pub origin: Marker,
+    pub axis: Axis,
+    pub value: f64,
+}
+
+impl Constraint for Coordinate {
+    fn rows(&self) -> &'static [Measure] {
+        match self.axis {
+            Axis::X | Axis::Y => &[Measure::Length],
+            Axis::Theta => &[Measure::Angle],
+        }
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        let body: BodyId = self.origin.body;
+        match self.axis {
+            Axis::X | Axis::Y => vec![(0, body, self.axis), (0, body, Axis::Theta)],
+            Axis::Theta => vec![(0, body, Axis::Theta)],
+        }
+    }
+
+    fn position(&self, at: &Instant, phi: &mut [f64]) {
+        let place = self.origin.place(at);
+        phi[0] = self.value
+            - match self.axis {
+                Axis::X => place.x,
+                Axis::Y => place.y,
+                Axis::Theta => at.poses[self.origin.body.0].theta,
+            };
+    }
+
+    fn jacobian(&self, at: &Instant, values: &mut [f64]) {
+        let rho = self.origin.rho(at);
+        match self.axis {
+            Axis::X => values.copy_from_slice(&[-1.0, rho.y]),
+            Axis::Y => values.copy_from_slice(&[-1.0, -rho.x]),
+            Axis::Theta => values[0] = -1.0,
+        }
+    }
+
+    fn rate(&self, _at: &Instant, phi_t: &mut [f64]) {
+        phi_t[0] = 0.0;
+    }
+
+    fn gamma(&self, at: &Instant, gamma: &mut [f64]) {
+        let turn = self.origin.centripetal(at);
+        gamma[0] = match self.axis {
+            Axis::X => turn.x,
+            Axis::Y => turn.y,
+            Axis::Theta => 0.0,
+        };
+    }
+
+    fn reaction(&self, _at: &Instant, lambda: &[f64]) -> (Vec2, f64) {
+        match self.axis {
+            Axis::X => (Vec2::new(lambda[0], 0.0), 0.0),
+            Axis::Y => (Vec2::new(0.0, lambda[0]), 0.0),
+            Axis::Theta => (Vec2::zeros(), lambda[0]),
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! Drivers: a prescribed angle or slide.
+//!
+//! ```text
+//! rotation      φ = θ_rel + f − θ_body          γ = −f″                       [rad]
+//! translation   φ = f − u·d                     γ = −f″ + u·(ω₁² ρ₁ − ω₂² ρ₂) + 2 ω₁ n·ḋ − ω₁² u·d    [m]
+//! ```
+//!
+//! with u, n, d of the guide (see `prismatic`); φ_t = f′. λ is the effort: torque on the body, or force on the second
+//! body along u.
+
+use super::prismatic::{Guide, Slide};
+use super::{Axis, BodyId, Constraint, Entry, Instant, Measure};
+use linkdyn_linear::math::Vec2;
+
+/// Where a driver's value stands in [`Instant::drive`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct DriveId(pub usize);
+
+#[derive(Debug, Clone)]
+pub struct Rotation {
+    pub body: BodyId,
+    pub relative_to: BodyId,
+    pub drive: DriveId,
+}
+
+impl Constraint for Rotation {
+    fn rows(&self) -> &'static [Measure] {
+        &[Measure::Angle]
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        vec![
+            (0, self.relative_to, Axis::Theta),
+            (0, self.body, Axis::Theta),
+        ]
+    }
+
+    fn position(&self, at: &Instant, phi: &mut [f64]) {
+        phi[0] = at.poses[self.relative_to.0].theta + at.drive[self.drive.0][0]
+            - at.poses[self.body.0].theta;
+    }
+
+    fn jacobian(&self, _at: &Instant, values: &mut [f64]) {
+        values.copy_from_slice(&[1.0, -1.0]);
+    }
+
+    fn rate(&self, at: &Instant, phi_t: &mut [f64]) {
+        phi_t[0] = at.drive[self.drive.0][1];
+    }
+
+    fn gamma(&self, at: &Instant, gamma: &mut [f64]) {
+        gamma[0] = -at.drive[self.drive.0][2];
+    }
+
+    fn reaction(&self, _at: &Instant, lambda: &[f64]) -> (Vec2, f64) {
+        (Vec2::zeros(), lambda[0])
+    }
+}
+
+#[derive(Debug, Clone)]
+pub struct Translation {
+    pub guide: Guide,
+    pub drive: DriveId,
+}
+
+impl Constraint for Translation {
+    fn rows(&self) -> &'static [Measure] {
+        &[Measure::Length]
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        self.guide.entries(0).to_vec()
+    }
+
+    fn position(&self, at: &Instant, phi: &mut [f64]) {
+        phi[0] = at.drive[self.drive.0][0] - self.guide.slide(at);
+    }
+
+    fn jacobian(&self, at: &Instant, values: &mut [f64]) {
+        let Slide {
+            u,
+            n,
+            d,
+            rho1,
+            rho2,
+        } = self.guide.at(at);
+        values.copy_from_slice(&[u.x, u.y, -n.dot(&(d + rho1)), -u.x, -u.y, n.dot(&rho2)]);
+    }
+
+    fn rate(&self, at: &Instant, phi_t: &mut [f64]) {
+        phi_t[0] = at.drive[self.drive.0][1];
+    }
+
+    fn gamma(&self, at: &Instant, gamma: &mut [f64]) {
+        let Slide { u, n, d, .. } = self.guide.at(at);
+        let d_rate = self.guide.second.velocity(at) - self.guide.first.velocity(at);
+        let omega = self.guide.first.omega(at);
+        let turn = self.guide.second.centripetal(at) - self.guide.first.centripetal(at);
+        gamma[0] = u.dot(&turn) + 2.0 * omega * n.dot(&d_rate)
+            - omega * omega * u.dot(&d)
+            - at.drive[self.drive.0][2];
+    }
+
+    fn reaction(&self, at: &Instant, lambda: &[f64]) -> (Vec2, f64) {
+        (self.guide.at(at).u * lambda[0], 0.0)
+    }
+}

@@ -1,0 +1,60 @@
+//! Fixed joint: the points coincide and the relative angle β is constant.
+//!
+//! ```text
+//! φ = (P₁ − P₂, θ₁ + β − θ₂)        (3)  [m, m, rad]
+//! γ = (ω₁² ρ₁ − ω₂² ρ₂, 0)
+//! ```
+//!
+//! λ is force and torque of the first body on the second, at the second body's point.
+
+use super::revolute::{point_entries, point_jacobian};
+use super::{Axis, Constraint, Entry, Instant, Marker, Measure};
+use linkdyn_linear::math::Vec2;
+
+#[derive(Debug, Clone)]
+pub struct Fixed {
+    pub first: Marker,
+    pub second: Marker,
+    /// β = θ₂ − θ₁ \[rad\].
+    pub angle: f64,
+}
+
+impl Constraint for Fixed {
+    fn rows(&self) -> &'static [Measure] {
+        &[Measure::Length, Measure::Length, Measure::Angle]
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        let mut entries = point_entries(&self.first, &self.second);
+        entries.extend([
+            (2, self.first.body, Axis::Theta),
+            (2, self.second.body, Axis::Theta),
+        ]);
+        entries
+    }
+
+    fn position(&self, at: &Instant, phi: &mut [f64]) {
+        let gap = self.first.place(at) - self.second.place(at);
+        let turn =
+            at.poses[self.first.body.0].theta + self.angle - at.poses[self.second.body.0].theta;
+        phi.copy_from_slice(&[gap.x, gap.y, turn]);
+    }
+
+    fn jacobian(&self, at: &Instant, values: &mut [f64]) {
+        point_jacobian(at, &self.first, &self.second, &mut values[..8]);
+        values[8..].copy_from_slice(&[1.0, -1.0]);
+    }
+
+    fn rate(&self, _at: &Instant, phi_t: &mut [f64]) {
+        phi_t.fill(0.0);
+    }
+
+    fn gamma(&self, at: &Instant, gamma: &mut [f64]) {
+        let g = self.second.centripetal(at) - self.first.centripetal(at);
+        gamma.copy_from_slice(&[g.x, g.y, 0.0]);
+    }
+
+    fn reaction(&self, _at: &Instant, lambda: &[f64]) -> (Vec2, f64) {
+        (Vec2::new(lambda[0], lambda[1]), lambda[2])
+    }
+}

@@ -1,0 +1,116 @@
+//! Gear pair: two wheels on a carrier roll on each other at their pitch point.
+//!
+//! With r the ratio (negative for an external mesh), e the unit vector from the first wheel's centre to the second's, fixed
+//! in the carrier, t = e⊥, ℓ the centre distance, d = P₂ − P₁ and β = (θ₂ − θ_c) − r (θ₁ − θ_c) of the meshed wheels:
+//!
+//! ```text
+//! φ  = β + r θ₁ + (1 − r) (θ_c + t·d/ℓ) − θ₂                                             (1)  [rad]
+//! J₁ = [−(1 − r) tᵀ/ℓ, r − (1 − r) e·ρ₁/ℓ]    J₂ = [(1 − r) tᵀ/ℓ, (1 − r) e·ρ₂/ℓ − 1]
+//! J_c = [0, 0, (1 − r) (1 − e·d/ℓ)]
+//! γ  = (1 − r)/ℓ · (ω_c² t·d + 2 ω_c e·ḋ + t·(ω₂² ρ₂ − ω₁² ρ₁))
+//! ```
+//!
+//! Where revolute joints hold both centres on the carrier, d = ℓ e: the term t·d vanishes, what remains is
+//! θ₂ − θ_c = r (θ₁ − θ_c) + β, and the carrier's entry is zero. The term is there for its derivatives: θ_c + t·d/ℓ is
+//! the angle of the line of centres, so that J v = 0 says that the wheels have the same velocity along t in the pitch point
+//! P₂ − R₂ e, R₂ = ℓ/(1 − r), R₁ = −r R₂ (signed: outside the line of centres where the mesh is internal), and Jᵀλ is the
+//! pair of tangential forces there, nothing else. (Pitch point and Willis'
+//! equation of planetary trains: Uicker, Pennock and Shigley, Theory of Machines and Mechanisms; the form of φ is ours.)
+//!
+//! With a clearance in a wheel's bearing the term follows the line of centres to first order in (eccentricity)/ℓ.
+//!
+//! λ is the moment of that force on the second wheel about its point, F = −λ/R₂ t the force. Teeth with pressure angle ψ
+//! press the wheels apart by |F| tan ψ besides, along e: no motion or torque depends on it, and it is left out.
+
+use super::{Axis, BodyId, Constraint, Entry, Instant, Marker, Measure};
+use linkdyn_linear::math::{Vec2, perp};
+
+#[derive(Debug, Clone)]
+pub struct Gear {
+    /// Centres of the wheels.
+    pub first: Marker,
+    pub second: Marker,
+    pub carrier: BodyId,
+    /// e in the carrier's frame.
+    pub axis: Vec2,
+    /// ℓ \[m\].
+    pub distance: f64,
+    /// r [–].
+    pub ratio: f64,
+    /// β \[rad\].
+    pub angle: f64,
+}
+
+impl Gear {
+    /// e and t.
+    fn directions(&self, at: &Instant) -> (Vec2, Vec2) {
+        let e = at.poses[self.carrier.0].turn(self.axis);
+        (e, perp(e))
+    }
+
+    /// d.
+    fn span(&self, at: &Instant) -> Vec2 {
+        self.second.place(at) - self.first.place(at)
+    }
+
+    /// (1 − r)/ℓ = 1/R₂ [1/m].
+    fn curvature(&self) -> f64 {
+        (1.0 - self.ratio) / self.distance
+    }
+}
+
+impl Constraint for Gear {
+    fn rows(&self) -> &'static [Measure] {
+        &[Measure::Angle]
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        let all = [Axis::X, Axis::Y, Axis::Theta];
+        let of = |body: BodyId| all.map(|axis| (0, body, axis));
+        let mut entries = [of(self.first.body), of(self.second.body)].concat();
+        entries.push((0, self.carrier, Axis::Theta));
+        entries
+    }
+
+    fn position(&self, at: &Instant, phi: &mut [f64]) {
+        let theta = |body: BodyId| at.poses[body.0].theta;
+        let (_, t) = self.directions(at);
+        let line = theta(self.carrier) + t.dot(&self.span(at)) / self.distance;
+        phi[0] = self.angle + self.ratio * theta(self.first.body) + (1.0 - self.ratio) * line
+            - theta(self.second.body);
+    }
+
+    fn jacobian(&self, at: &Instant, values: &mut [f64]) {
+        let (e, t) = self.directions(at);
+        let k = self.curvature();
+        let (rho1, rho2) = (self.first.rho(at), self.second.rho(at));
+        values.copy_from_slice(&[
+            -k * t.x,
+            -k * t.y,
+            self.ratio - k * e.dot(&rho1),
+            k * t.x,
+            k * t.y,
+            k * e.dot(&rho2) - 1.0,
+            1.0 - self.ratio - k * e.dot(&self.span(at)),
+        ]);
+    }
+
+    fn rate(&self, _at: &Instant, phi_t: &mut [f64]) {
+        phi_t.fill(0.0);
+    }
+
+    fn gamma(&self, at: &Instant, gamma: &mut [f64]) {
+        let (e, t) = self.directions(at);
+        let omega = at.twists[self.carrier.0].omega;
+        let d_rate = self.second.velocity(at) - self.first.velocity(at);
+        let turn = self.second.centripetal(at) - self.first.centripetal(at);
+        let quadratic =
+            omega * omega * t.dot(&self.span(at)) + 2.0 * omega * e.dot(&d_rate) - t.dot(&turn);
+        gamma[0] = self.curvature() * quadratic;
+    }
+
+    fn reaction(&self, at: &Instant, lambda: &[f64]) -> (Vec2, f64) {
+        let (_, t) = self.directions(at);
+        (t * (-self.curvature() * lambda[0]), lambda[0])
+    }
+}

@@ -1,0 +1,438 @@
+//! Journal in a bearing: what remains of a revolute joint whose clearance is modelled by a contact force.
+//!
+//! The first body holds the bearing (radius R_b, centre P₁), the second the journal (centre P₂); c is the radial
+//! clearance.
+//!
+//! ```text
+//! e = P₂ − P₁,  d = |e|                         eccentricity [m]
+//! n = e/d,  t = n⊥                              normal from the bearing's centre to the contact, tangent
+//! δ = d − c,  δ̇ = n·ė                           penetration [m], its rate [m/s]; contact where δ > 0
+//! a_b = R_b + δ/2,  a_j = a_b − d               arms of the contact point (middle of the overlap) [m]
+//! v_t = t·ė + ω₂ a_j − ω₁ a_b                   sliding velocity, journal over bearing [m/s]
+//! f = −N n + T t                                force of the bearing on the journal [N], at the contact point
+//! D' = (N − N_e) δ̇ − T v_t                      power that the contact dissipates [W]; N_e its elastic part
+//! ```
+//!
+//! N by [`crate::contact::normal`], T by [`crate::contact::friction`]. What a contact has to remember (whether it touches,
+//! with what speed it was approached) is not kept here but in [`Contact`], which the analysis changes between steps only:
+//! within a step every law is the analytic branch that the phase says, also a little beyond its end, so that steps are
+//! smooth and their events can be located.
+
+use super::{
+    Applied, Axis, BodyId, Constraint, Entry, Instant, Marker, Measure, ReactiveForce, direction,
+};
+use crate::contact::impact::Sense;
+use crate::contact::{friction, normal};
+use linkdyn_linear::math::{Vec2, perp};
+
+/// Where a journal's memory stands in `Instant::contacts`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ContactId(pub usize);
+
+/// What a journal is doing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Phase {
+    /// No force.
+    #[default]
+    Flight,
+    /// Presses the bearing.
+    Contact,
+    /// Still overlaps, but the law's force would pull: none.
+    Released,
+}
+
+/// A contact's memory.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Contact {
+    pub phase: Phase,
+    /// Speed at which this episode's contact was approached, δ̇₀ [m/s].
+    pub approach: f64,
+    /// Piece of the friction law that holds.
+    pub piece: i8,
+    /// Bristles' deflection z of the friction law \[m\].
+    pub bristle: f64,
+}
+
+/// A joint with clearance as a contact.
+#[derive(Debug, Clone)]
+pub struct Journal {
+    pub bearing: Marker,
+    pub journal: Marker,
+    /// c \[m\]
+    pub clearance: f64,
+    /// R_b \[m\]
+    pub bearing_radius: f64,
+    pub surface: Surface,
+}
+
+/// What happens where journal and bearing meet.
+#[derive(Debug, Clone)]
+pub enum Surface {
+    /// They overlap, and forces follow from the overlap.
+    Compliant(Compliant),
+    /// They do not overlap: impacts, and a journal that follows the surface.
+    Rigid(Rigid),
+}
+
+#[derive(Debug, Clone)]
+pub struct Compliant {
+    pub normal: normal::Law,
+    pub friction: friction::Law,
+}
+
+/// Impacts, and what a journal that follows the surface needs besides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rigid {
+    /// e, 0 to 1 [–].
+    pub restitution: f64,
+    /// μ [–].
+    pub friction: f64,
+    /// What e compares.
+    pub sense: Sense,
+    /// Sliding velocity up to which friction on the surface grows from zero [m/s].
+    pub threshold: f64,
+}
+
+impl Rigid {
+    /// Friction while the journal follows the surface.
+    pub fn friction_law(&self) -> friction::Law {
+        if self.friction > 0.0 {
+            friction::Law::Coulomb {
+                coefficient: self.friction,
+                threshold: self.threshold,
+            }
+        } else {
+            friction::Law::None
+        }
+    }
+}
+
+/// A contact at an instant.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Reading {
+    /// e \[m\]
+    pub eccentricity: Vec2,
+    /// δ \[m\], negative in flight, and δ̇ [m/s].
+    pub penetration: f64,
+    pub rate: f64,
+    /// v_t [m/s]
+    pub sliding: f64,
+    /// N and T \[N\].
+    pub normal: f64,
+    pub tangential: f64,
+    /// Force on the journal, ground frame \[N\].
+    pub force: Vec2,
+    /// Rate of the bristles' deflection [m/s].
+    pub bristle_rate: f64,
+    /// D' \[W\]
+    pub dissipation: f64,
+    /// Arms a_b and a_j \[m\].
+    arms: [f64; 2],
+}
+
+impl Reading {
+    /// Forces of a rigid journal on its bearing's surface, which its constraint has.
+    pub fn follow(&mut self, normal: f64, tangential: f64) {
+        (self.normal, self.tangential) = (normal, tangential);
+        // The constraint tells the normal force among the reactions.
+        let n = direction(self.eccentricity).map_or(Vec2::x(), |(n, _)| n);
+        self.force = perp(n) * tangential;
+        self.dissipation = -tangential * self.sliding;
+    }
+}
+
+impl Journal {
+    /// Geometry, velocities and forces; in the phase that `memory` says.
+    pub fn read(&self, at: &Instant, memory: &Contact) -> Reading {
+        let e = self.journal.place(at) - self.bearing.place(at);
+        let e_rate = self.journal.velocity(at) - self.bearing.velocity(at);
+        let distance = e.norm();
+        // At the centre no direction is meant; it is never in contact there.
+        let n = if distance > 0.0 {
+            e / distance
+        } else {
+            Vec2::x()
+        };
+        let t = perp(n);
+        let penetration = distance - self.clearance;
+        let rate = n.dot(&e_rate);
+        let arm = self.bearing_radius + 0.5 * penetration;
+        let arms = [arm, arm - distance];
+        let sliding =
+            t.dot(&e_rate) + self.journal.omega(at) * arms[1] - self.bearing.omega(at) * arms[0];
+        let mut reading = Reading {
+            eccentricity: e,
+            penetration,
+            rate,
+            sliding,
+            arms,
+            ..Reading::default()
+        };
+        if let (Phase::Contact, Surface::Compliant(laws)) = (memory.phase, &self.surface) {
+            let normal = laws.normal.continued(penetration, rate, memory.approach);
+            let friction = laws
+                .friction
+                .on_piece(memory.piece, sliding, normal, memory.bristle);
+            reading.normal = normal;
+            reading.tangential = friction.force;
+            reading.bristle_rate = friction.bristle_rate;
+            reading.force = t * friction.force - n * normal;
+            let elastic = laws.normal.elastic_continued(penetration);
+            reading.dissipation = (normal - elastic) * rate - friction.force * sliding;
+        }
+        reading
+    }
+
+    /// Adds the contact's forces.
+    pub fn apply(&self, at: &Instant, memory: &Contact, to: &mut Applied) {
+        if memory.phase != Phase::Contact {
+            return;
+        }
+        let reading = self.read(at, memory);
+        self.press(at, &reading, [reading.normal, reading.tangential], to);
+    }
+
+    /// Adds a normal and a tangential force at the contact of a reading, on both bodies.
+    pub fn press(
+        &self,
+        at: &Instant,
+        reading: &Reading,
+        [normal, tangential]: [f64; 2],
+        to: &mut Applied,
+    ) {
+        let n = direction(reading.eccentricity).map_or(Vec2::x(), |(n, _)| n);
+        let force = perp(n) * tangential - n * normal;
+        to.add_force(at, &self.journal, force);
+        to.add_force(at, &self.bearing, -force);
+        // Both act at the contact point, an arm away from the centres along n.
+        to.add(
+            self.journal.body,
+            Vec2::zeros(),
+            reading.arms[1] * tangential,
+        );
+        to.add(
+            self.bearing.body,
+            Vec2::zeros(),
+            -reading.arms[0] * tangential,
+        );
+    }
+
+    /// Elastic energy of the contact \[J\].
+    pub fn potential(&self, at: &Instant, memory: &Contact) -> f64 {
+        self.stored(self.penetration(at), memory)
+    }
+
+    /// δ \[m\].
+    pub fn penetration(&self, at: &Instant) -> f64 {
+        (self.journal.place(at) - self.bearing.place(at)).norm() - self.clearance
+    }
+
+    /// Elastic energy at a penetration already read \[J\].
+    pub fn stored(&self, penetration: f64, memory: &Contact) -> f64 {
+        match (memory.phase, &self.surface) {
+            (Phase::Contact, Surface::Compliant(laws)) => laws.normal.elastic_energy(penetration),
+            (Phase::Flight | Phase::Contact | Phase::Released, _) => 0.0,
+        }
+    }
+
+    /// Angle of the contact in the bearing's body \[rad\].
+    pub fn bearing_angle(&self, at: &Instant, reading: &Reading) -> f64 {
+        let own = if self.bearing.body == BodyId::GROUND {
+            0.0
+        } else {
+            at.poses[self.bearing.body.0].theta
+        };
+        reading.eccentricity.y.atan2(reading.eccentricity.x) - own
+    }
+}
+
+/// Radii of a joint with clearance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bearing {
+    /// c \[m\]
+    pub clearance: f64,
+    /// R_b \[m\]
+    pub bearing_radius: f64,
+}
+
+impl Bearing {
+    /// A joint whose model lets the journal neither fly nor overlap: ideal, or a clearance link with its offset. `force` is
+    /// that on the journal \[N\]; the contact lies where it comes from.
+    pub fn held(
+        &self,
+        at: &Instant,
+        points: &[Marker; 2],
+        offset: Option<&[Vec2; 3]>,
+        force: Vec2,
+    ) -> Reading {
+        let zero = [Vec2::zeros(); 3];
+        let [e, e_rate, _] = offset.unwrap_or(&zero);
+        let n = direction(*e)
+            .or(direction(-force))
+            .map_or(Vec2::x(), |(n, _)| n);
+        let [bearing, journal] = points;
+        let arms = [self.bearing_radius, self.bearing_radius - self.clearance];
+        let sliding =
+            perp(n).dot(e_rate) + journal.omega(at) * arms[1] - bearing.omega(at) * arms[0];
+        Reading {
+            eccentricity: *e,
+            rate: n.dot(e_rate),
+            sliding,
+            normal: -force.dot(&n),
+            tangential: force.dot(&perp(n)),
+            force,
+            arms,
+            ..Reading::default()
+        }
+    }
+}
+
+/// A joint that is open: it holds nothing.
+#[derive(Debug, Clone, Copy)]
+pub struct Free;
+
+impl Constraint for Free {
+    fn rows(&self) -> &'static [Measure] {
+        &[]
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        Vec::new()
+    }
+
+    fn position(&self, _at: &Instant, _phi: &mut [f64]) {}
+
+    fn jacobian(&self, _at: &Instant, _values: &mut [f64]) {}
+
+    fn rate(&self, _at: &Instant, _phi_t: &mut [f64]) {}
+
+    fn gamma(&self, _at: &Instant, _gamma: &mut [f64]) {}
+
+    fn reaction(&self, _at: &Instant, _lambda: &[f64]) -> (Vec2, f64) {
+        (Vec2::zeros(), 0.0)
+    }
+}
+
+/// A rigid journal on the surface of its bearing.
+///
+/// ```text
+/// φ = |P₂ − P₁| − c                 (1)  [m]
+/// J = [−n, −n·ρ₁⊥ | n, n·ρ₂⊥]
+/// γ = −n·(−ω₂² ρ₂ + ω₁² ρ₁) − (t·ė)²/d
+/// ```
+///
+/// The multiplier is the normal force N \[N\]: it presses where it is positive.
+#[derive(Debug, Clone, Copy)]
+pub struct Following {
+    pub bearing: Marker,
+    pub journal: Marker,
+    /// c \[m\]
+    pub clearance: f64,
+}
+
+/// Friction of a rigid journal on the surface that it follows: T along t by the multiplier N, at the contact on both bodies.
+#[derive(Debug, Clone)]
+pub struct FollowingFriction {
+    pub journal: Journal,
+    pub law: friction::Law,
+}
+
+impl ReactiveForce for FollowingFriction {
+    fn apply_unit(&self, at: &Instant, to: &mut Applied) {
+        let reading = self.journal.read(at, &Contact::default());
+        self.journal.press(at, &reading, [0.0, 1.0], to);
+    }
+
+    fn size(&self, at: &Instant, _memory: f64, lambda: &[f64], slope: &mut [f64]) -> f64 {
+        let reading = self.journal.read(at, &Contact::default());
+        let friction = self.law.force(reading.sliding, lambda[0], 0.0);
+        slope[0] = friction.d_normal;
+        friction.force
+    }
+
+    fn reaction(&self, at: &Instant, size: f64) -> (Vec2, f64) {
+        let e = self.journal.journal.place(at) - self.journal.bearing.place(at);
+        (
+            direction(e).map_or(Vec2::zeros(), |(n, _)| perp(n) * size),
+            0.0,
+        )
+    }
+
+    fn memory_scale(&self) -> Option<f64> {
+        None
+    }
+
+    fn memory_rate(&self, _at: &Instant, _memory: f64) -> f64 {
+        0.0
+    }
+}
+
+impl Journal {
+    /// The constraint while a rigid journal follows the bearing's surface.
+    pub fn following(&self) -> Following {
+        Following {
+            bearing: self.bearing,
+            journal: self.journal,
+            clearance: self.clearance,
+        }
+    }
+}
+
+impl Following {
+    /// n and d.
+    fn normal(&self, at: &Instant) -> (Vec2, f64) {
+        let e = self.journal.place(at) - self.bearing.place(at);
+        direction(e).unwrap_or((Vec2::x(), f64::MIN_POSITIVE))
+    }
+}
+
+impl Constraint for Following {
+    fn rows(&self) -> &'static [Measure] {
+        &[Measure::Length]
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        [self.bearing.body, self.journal.body]
+            .into_iter()
+            .flat_map(|body| {
+                [
+                    (0, body, Axis::X),
+                    (0, body, Axis::Y),
+                    (0, body, Axis::Theta),
+                ]
+            })
+            .collect()
+    }
+
+    fn position(&self, at: &Instant, phi: &mut [f64]) {
+        phi[0] = self.normal(at).1 - self.clearance;
+    }
+
+    fn jacobian(&self, at: &Instant, values: &mut [f64]) {
+        let (n, _) = self.normal(at);
+        let turned = |marker: &Marker| n.dot(&perp(marker.rho(at)));
+        values.copy_from_slice(&[
+            -n.x,
+            -n.y,
+            -turned(&self.bearing),
+            n.x,
+            n.y,
+            turned(&self.journal),
+        ]);
+    }
+
+    fn rate(&self, _at: &Instant, phi_t: &mut [f64]) {
+        phi_t[0] = 0.0;
+    }
+
+    fn gamma(&self, at: &Instant, gamma: &mut [f64]) {
+        let (n, distance) = self.normal(at);
+        let across = perp(n).dot(&(self.journal.velocity(at) - self.bearing.velocity(at)));
+        let along = n.dot(&(self.journal.centripetal(at) - self.bearing.centripetal(at)));
+        gamma[0] = -along - across * across / distance;
+    }
+
+    fn reaction(&self, at: &Instant, lambda: &[f64]) -> (Vec2, f64) {
+        (self.normal(at).0 * -lambda[0], 0.0)
+    }
+}

@@ -1,0 +1,81 @@
+//! Given loads: a force at a point (vector in the ground's or the body's frame), and a torque.
+//!
+//! ```text
+//! force   F = (F_x(t), F_y(t)) or A F      [N] at the point
+//! torque  T(t) on the body, −T on the other  [N·m]
+//! ```
+
+use super::{Applied, BodyId, Force, Instant, Marker};
+use crate::motion::Law;
+use linkdyn_linear::math::Vec2;
+
+#[derive(Debug, Clone)]
+pub struct PointLoad {
+    pub at: Marker,
+    /// Components \[N\].
+    pub vector: [Law; 2],
+    /// The vector turns with the body.
+    pub follows_body: bool,
+}
+
+impl PointLoad {
+    /// In the ground frame \[N\].
+    fn force(&self, at: &Instant) -> Vec2 {
+        let given = Vec2::new(
+            self.vector[0].jet(at.time)[0],
+            self.vector[1].jet(at.time)[0],
+        );
+        if self.follows_body {
+            at.poses[self.at.body.0].turn(given)
+        } else {
+            given
+        }
+    }
+}
+
+impl Force for PointLoad {
+    fn apply(&self, at: &Instant, to: &mut Applied) {
+        to.add_force(at, &self.at, self.force(at));
+    }
+
+    fn potential(&self, _at: &Instant) -> f64 {
+        0.0
+    }
+
+    fn is_conservative(&self) -> bool {
+        false
+    }
+
+    fn supplied(&self, at: &Instant) -> f64 {
+        self.force(at).dot(&self.at.velocity(at))
+    }
+}
+
+#[derive(Debug, Clone)]
+pub struct Torque {
+    pub body: BodyId,
+    pub relative_to: BodyId,
+    /// [N·m]
+    pub value: Law,
+}
+
+impl Force for Torque {
+    fn apply(&self, at: &Instant, to: &mut Applied) {
+        let torque = self.value.jet(at.time)[0];
+        to.add(self.body, Vec2::zeros(), torque);
+        to.add(self.relative_to, Vec2::zeros(), -torque);
+    }
+
+    fn potential(&self, _at: &Instant) -> f64 {
+        0.0
+    }
+
+    fn is_conservative(&self) -> bool {
+        false
+    }
+
+    fn supplied(&self, at: &Instant) -> f64 {
+        self.value.jet(at.time)[0]
+            * (at.twists[self.body.0].omega - at.twists[self.relative_to.0].omega)
+    }
+}

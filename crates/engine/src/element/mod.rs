@@ -1,0 +1,229 @@
+//! Physics of one thing each: small dense blocks in absolute coordinates. **This page is the contract.**
+//!
+//! Coordinates of a body are q = (x, y, θ) of its centre of mass, [m, m, rad]. With A(θ) the rotation and s a point in
+//! the body frame measured from the centre of mass, ρ = A s, the point is at r + ρ, and ρ⊥ = ∂ρ/∂θ.
+//!
+//! A **constraint** between a *first* and a *second* body is written φ = (first) − (second) = 0, so that with
+//!
+//! ```text
+//! M a + Jᵀ λ = Q          M (n, n) diagonal, J = ∂φ/∂q (m, n), λ (m), Q (n)
+//! J v = −φ_t              φ_t = ∂φ/∂t (m)
+//! J a = γ                 γ = −(φ_qq[v, v] + 2 φ_qt v + φ_tt)
+//! ```
+//!
+//! λ is what the first body exerts on the second [N, N·m], or the driver on its body.
+//! (Haug, Computer Aided Kinematics and Dynamics of Mechanical Systems, 1989, ch. 3 and 6; signs ours.)
+//!
+//! **Recipe.** A new joint: one file here that implements [`Constraint`], one variant in `model::joint`, the arm the
+//! compiler asks for in `system::compile`, its entry in `tests::all_constraints` (the shared finite-difference check), a
+//! bundled model that uses it, a line in the README.
+
+pub mod coordinate;
+pub mod driven;
+pub mod fixed;
+pub mod gear;
+pub mod joint_friction;
+pub mod journal;
+pub mod load;
+pub mod prismatic;
+pub mod revolute;
+pub mod slot;
+pub mod spring;
+pub mod torsion_spring;
+
+use crate::motion::Jet;
+use linkdyn_linear::math::{Vec2, perp};
+
+/// A body of the system; 0 is ground.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct BodyId(pub usize);
+
+impl BodyId {
+    pub const GROUND: BodyId = BodyId(0);
+}
+
+/// Place of a body at an instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pose {
+    /// Centre of mass \[m\].
+    pub r: Vec2,
+    /// Angle \[rad\].
+    pub theta: f64,
+    pub cos: f64,
+    pub sin: f64,
+}
+
+impl Pose {
+    pub const GROUND: Pose = Pose {
+        r: Vec2::new(0.0, 0.0),
+        theta: 0.0,
+        cos: 1.0,
+        sin: 0.0,
+    };
+
+    pub fn new(x: f64, y: f64, theta: f64) -> Self {
+        let (sin, cos) = theta.sin_cos();
+        Pose {
+            r: Vec2::new(x, y),
+            theta,
+            cos,
+            sin,
+        }
+    }
+
+    /// A body-frame vector in the ground frame.
+    pub fn turn(&self, s: Vec2) -> Vec2 {
+        Vec2::new(
+            self.cos * s.x - self.sin * s.y,
+            self.sin * s.x + self.cos * s.y,
+        )
+    }
+}
+
+/// Velocity of a body at an instant.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Twist {
+    pub v: Vec2,
+    pub omega: f64,
+}
+
+/// All that an element may look at. Index of the slices: body id (0 = ground), driver, offset.
+#[derive(Debug, Clone, Copy)]
+pub struct Instant<'a> {
+    pub poses: &'a [Pose],
+    pub twists: &'a [Twist],
+    /// Driver values with two derivatives.
+    pub drive: &'a [Jet],
+    /// Prescribed offsets of joints with a clearance link, with two derivatives [m, m/s, m/s²].
+    pub offset: &'a [[Vec2; 3]],
+    pub time: f64,
+}
+
+/// A point fixed in a body, from its centre of mass \[m\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Marker {
+    pub body: BodyId,
+    pub s: Vec2,
+}
+
+impl Marker {
+    pub(crate) fn rho(&self, at: &Instant) -> Vec2 {
+        at.poses[self.body.0].turn(self.s)
+    }
+
+    pub(crate) fn omega(&self, at: &Instant) -> f64 {
+        at.twists[self.body.0].omega
+    }
+
+    /// Place of the point \[m\].
+    pub fn place(&self, at: &Instant) -> Vec2 {
+        at.poses[self.body.0].r + self.rho(at)
+    }
+
+    /// Velocity of the point [m/s].
+    pub fn velocity(&self, at: &Instant) -> Vec2 {
+        at.twists[self.body.0].v + perp(self.rho(at)) * self.omega(at)
+    }
+
+    /// Part of the acceleration that is quadratic in ω: −ω² ρ [m/s²].
+    pub(crate) fn centripetal(&self, at: &Instant) -> Vec2 {
+        let omega = self.omega(at);
+        self.rho(at) * (-omega * omega)
+    }
+}
+
+/// Coordinate of a body.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Axis {
+    X = 0,
+    Y = 1,
+    Theta = 2,
+}
+
+/// What a row's residual is measured in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measure {
+    Length,
+    Angle,
+}
+
+/// One entry of a constraint's Jacobian block: (row in the block, body, coordinate).
+pub type Entry = (usize, BodyId, Axis);
+
+/// Equations φ = 0 of one joint or driver. Slices are as long as [`Constraint::rows`] or [`Constraint::entries`] say.
+pub trait Constraint: Send + Sync {
+    /// What each row is measured in; its length is the number of rows.
+    fn rows(&self) -> &'static [Measure];
+    /// Where the Jacobian can be non-zero, in the order [`Constraint::jacobian`] writes (entries of ground included).
+    fn entries(&self) -> Vec<Entry>;
+    /// φ [m or rad].
+    fn position(&self, at: &Instant, phi: &mut [f64]);
+    /// Values of the entries of ∂φ/∂q.
+    fn jacobian(&self, at: &Instant, values: &mut [f64]);
+    /// φ_t [m/s or rad/s].
+    fn rate(&self, at: &Instant, phi_t: &mut [f64]);
+    /// γ [m/s² or rad/s²].
+    fn gamma(&self, at: &Instant, gamma: &mut [f64]);
+    /// Force on the second body (global axes) \[N\] and torque [N·m] that the multipliers mean.
+    fn reaction(&self, at: &Instant, lambda: &[f64]) -> (Vec2, f64);
+}
+
+/// Generalized forces on all bodies, [N, N, N·m] each; ground's are thrown away.
+pub struct Applied<'a> {
+    pub q: &'a mut [f64],
+}
+
+impl Applied<'_> {
+    /// Adds a force at a marker.
+    pub fn add_force(&mut self, at: &Instant, marker: &Marker, force: Vec2) {
+        let rho = marker.rho(at);
+        self.add(marker.body, force, rho.x * force.y - rho.y * force.x);
+    }
+
+    /// Adds a force at the centre of mass and a torque.
+    pub fn add(&mut self, body: BodyId, force: Vec2, torque: f64) {
+        if body != BodyId::GROUND {
+            let k = 3 * (body.0 - 1);
+            self.q[k] += force.x;
+            self.q[k + 1] += force.y;
+            self.q[k + 2] += torque;
+        }
+    }
+}
+
+/// A force element.
+pub trait Force: Send + Sync {
+    /// Adds its generalized forces.
+    fn apply(&self, at: &Instant, to: &mut Applied);
+    /// Potential energy \[J\]; zero for what has none.
+    fn potential(&self, at: &Instant) -> f64;
+    /// Whether its work is the change of its potential energy.
+    fn is_conservative(&self) -> bool;
+    /// Power that enters the mechanism beside the potential, Q·v + dV/dt \[W\]; negative in dampers.
+    fn supplied(&self, at: &Instant) -> f64;
+}
+
+/// A force in one direction whose size depends on the multipliers of a constraint: friction.
+///
+/// Its size is found in `solve::reactive`.
+pub trait ReactiveForce: Send + Sync {
+    /// Adds the generalized forces of size 1.
+    fn apply_unit(&self, at: &Instant, to: &mut Applied);
+    /// Size [N or N·m] at the constraint's multipliers, with its derivatives by them, which are as many.
+    fn size(&self, at: &Instant, memory: f64, lambda: &[f64], slope: &mut [f64]) -> f64;
+    /// Force on the second body (global axes) \[N\], at its point, and torque [N·m] that a size means.
+    fn reaction(&self, at: &Instant, size: f64) -> (Vec2, f64);
+    /// Typical size of what the force remembers where that changes with time (bristles' deflection \[m\]).
+    fn memory_scale(&self) -> Option<f64>;
+    /// Its rate [m/s].
+    fn memory_rate(&self, at: &Instant, memory: f64) -> f64;
+}
+
+/// Unit vector along `a`, and its length; none for a (numerically) zero vector.
+pub(crate) fn direction(a: Vec2) -> Option<(Vec2, f64)> {
+    let length = a.norm();
+    (length > f64::MIN_POSITIVE).then(|| (a / length, length))
+}
+
+#[cfg(test)]
+pub(crate) mod tests;

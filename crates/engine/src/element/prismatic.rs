@@ -1,0 +1,136 @@
+//! Prismatic joint: the second point stays on a line of the first body, the relative angle β is constant.
+//!
+//! With u the unit axis and n = u⊥, both turning with the first body, and d = P₂ − P₁:
+//!
+//! ```text
+//! φ  = (−n·d, θ₁ + β − θ₂)                                   (2)  [m, rad]
+//! J₁ = [nᵀ, u·(d + ρ₁) | −nᵀ, −u·ρ₂]
+//! γ₁ = −ω₁² n·d − 2 ω₁ u·ḋ + n·(ω₁² ρ₁ − ω₂² ρ₂)
+//! ```
+//!
+//! λ₁ n is the force and λ₂ the torque of the first body on the second, at the second body's point.
+
+use super::{Axis, Constraint, Entry, Instant, Marker, Measure};
+use linkdyn_linear::math::{Vec2, perp};
+
+/// A line fixed in the first body, and a point of the second body.
+#[derive(Debug, Clone)]
+pub struct Guide {
+    pub first: Marker,
+    pub second: Marker,
+    /// Unit vector in the first body's frame.
+    pub axis: Vec2,
+}
+
+/// The guide at an instant.
+pub(super) struct Slide {
+    pub u: Vec2,
+    pub n: Vec2,
+    pub d: Vec2,
+    pub rho1: Vec2,
+    pub rho2: Vec2,
+}
+
+impl Guide {
+    pub(super) fn at(&self, at: &Instant) -> Slide {
+        let u = at.poses[self.first.body.0].turn(self.axis);
+        let d = self.second.place(at) - self.first.place(at);
+        Slide {
+            u,
+            n: perp(u),
+            d,
+            rho1: self.first.rho(at),
+            rho2: self.second.rho(at),
+        }
+    }
+
+    /// u·d, the slide \[m\].
+    pub fn slide(&self, at: &Instant) -> f64 {
+        let s = self.at(at);
+        s.u.dot(&s.d)
+    }
+
+    /// φ₁ = −n·d, how far the second point is off the line \[m\].
+    pub(super) fn across(&self, at: &Instant) -> f64 {
+        let s = self.at(at);
+        -s.n.dot(&s.d)
+    }
+
+    /// Values of [`Guide::entries`] for φ₁.
+    pub(super) fn across_jacobian(&self, at: &Instant) -> [f64; 6] {
+        let Slide {
+            u,
+            n,
+            d,
+            rho1,
+            rho2,
+        } = self.at(at);
+        [n.x, n.y, u.dot(&(d + rho1)), -n.x, -n.y, -u.dot(&rho2)]
+    }
+
+    /// γ₁ [m/s²].
+    pub(super) fn across_gamma(&self, at: &Instant) -> f64 {
+        let Slide { u, n, d, .. } = self.at(at);
+        let d_rate = self.second.velocity(at) - self.first.velocity(at);
+        let omega = self.first.omega(at);
+        let turn = self.second.centripetal(at) - self.first.centripetal(at);
+        n.dot(&turn) - omega * omega * n.dot(&d) - 2.0 * omega * u.dot(&d_rate)
+    }
+
+    pub(super) fn entries(&self, row: usize) -> [Entry; 6] {
+        let (a, b) = (self.first.body, self.second.body);
+        [
+            (row, a, Axis::X),
+            (row, a, Axis::Y),
+            (row, a, Axis::Theta),
+            (row, b, Axis::X),
+            (row, b, Axis::Y),
+            (row, b, Axis::Theta),
+        ]
+    }
+}
+
+#[derive(Debug, Clone)]
+pub struct Prismatic {
+    pub guide: Guide,
+    /// β = θ₂ − θ₁ \[rad\].
+    pub angle: f64,
+}
+
+impl Constraint for Prismatic {
+    fn rows(&self) -> &'static [Measure] {
+        &[Measure::Length, Measure::Angle]
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        let mut entries = self.guide.entries(0).to_vec();
+        entries.extend([
+            (1, self.guide.first.body, Axis::Theta),
+            (1, self.guide.second.body, Axis::Theta),
+        ]);
+        entries
+    }
+
+    fn position(&self, at: &Instant, phi: &mut [f64]) {
+        let theta = |marker: &Marker| at.poses[marker.body.0].theta;
+        let turned = theta(&self.guide.first) + self.angle - theta(&self.guide.second);
+        phi.copy_from_slice(&[self.guide.across(at), turned]);
+    }
+
+    fn jacobian(&self, at: &Instant, values: &mut [f64]) {
+        values[..6].copy_from_slice(&self.guide.across_jacobian(at));
+        values[6..].copy_from_slice(&[1.0, -1.0]);
+    }
+
+    fn rate(&self, _at: &Instant, phi_t: &mut [f64]) {
+        phi_t.fill(0.0);
+    }
+
+    fn gamma(&self, at: &Instant, gamma: &mut [f64]) {
+        gamma.copy_from_slice(&[self.guide.across_gamma(at), 0.0]);
+    }
+
+    fn reaction(&self, at: &Instant, lambda: &[f64]) -> (Vec2, f64) {
+        (self.guide.at(at).n * lambda[0], lambda[1])
+    }
+}

@@ -1,0 +1,85 @@
+//! Revolute joint: the two points coincide, or keep a prescribed offset (clearance link).
+//!
+//! ```text
+//! φ = P₁ + e(t) − P₂                (2)  [m]      e = 0 for the ideal joint
+//! J = [I, ρ₁⊥ | −I, −ρ₂⊥]
+//! φ_t = ė
+//! γ = ω₁² ρ₁ − ω₂² ρ₂ − ë
+//! ```
+//!
+//! λ is the force of the first body on the second, at the second body's point.
+//! With an offset the joint is the massless equivalent clearance link of Earles and Wu (1972): e = journal − bearing.
+
+use super::{Axis, Constraint, Entry, Instant, Marker, Measure};
+use linkdyn_linear::math::Vec2;
+
+/// Where a joint's prescribed offset stands in [`Instant::offset`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct OffsetId(pub usize);
+
+#[derive(Debug, Clone)]
+pub struct Revolute {
+    pub first: Marker,
+    pub second: Marker,
+    pub offset: Option<OffsetId>,
+}
+
+impl Revolute {
+    fn offset(&self, at: &Instant, derivative: usize) -> Vec2 {
+        self.offset
+            .map_or(Vec2::zeros(), |id| at.offset[id.0][derivative])
+    }
+}
+
+/// Entries of "first point − second point" in rows 0 and 1, shared by all joints that hold points together.
+pub(super) fn point_entries(first: &Marker, second: &Marker) -> Vec<Entry> {
+    let mut entries = Vec::with_capacity(8);
+    for marker in [first, second] {
+        entries.extend([
+            (0, marker.body, Axis::X),
+            (0, marker.body, Axis::Theta),
+            (1, marker.body, Axis::Y),
+            (1, marker.body, Axis::Theta),
+        ]);
+    }
+    entries
+}
+
+/// Values of [`point_entries`].
+pub(super) fn point_jacobian(at: &Instant, first: &Marker, second: &Marker, values: &mut [f64]) {
+    let (a, b) = (first.rho(at), second.rho(at));
+    values.copy_from_slice(&[1.0, -a.y, 1.0, a.x, -1.0, b.y, -1.0, -b.x]);
+}
+
+impl Constraint for Revolute {
+    fn rows(&self) -> &'static [Measure] {
+        &[Measure::Length, Measure::Length]
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        point_entries(&self.first, &self.second)
+    }
+
+    fn position(&self, at: &Instant, phi: &mut [f64]) {
+        let gap = self.first.place(at) - self.second.place(at) + self.offset(at, 0);
+        phi.copy_from_slice(&[gap.x, gap.y]);
+    }
+
+    fn jacobian(&self, at: &Instant, values: &mut [f64]) {
+        point_jacobian(at, &self.first, &self.second, values);
+    }
+
+    fn rate(&self, at: &Instant, phi_t: &mut [f64]) {
+        let rate = self.offset(at, 1);
+        phi_t.copy_from_slice(&[rate.x, rate.y]);
+    }
+
+    fn gamma(&self, at: &Instant, gamma: &mut [f64]) {
+        let g = self.second.centripetal(at) - self.first.centripetal(at) - self.offset(at, 2);
+        gamma.copy_from_slice(&[g.x, g.y]);
+    }
+
+    fn reaction(&self, _at: &Instant, lambda: &[f64]) -> (Vec2, f64) {
+        (Vec2::new(lambda[0], lambda[1]), 0.0)
+    }
+}

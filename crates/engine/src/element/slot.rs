@@ -1,0 +1,51 @@
+//! Slot (pin in slot): the second point stays on a line of the first body, the bodies may turn against each other.
+//!
+//! With u the unit axis and n = u⊥, both turning with the first body, and d = P₂ − P₁:
+//!
+//! ```text
+//! φ = −n·d                                                  (1)  [m]
+//! J = [nᵀ, u·(d + ρ₁) | −nᵀ, −u·ρ₂]
+//! γ = −ω₁² n·d − 2 ω₁ u·ḋ + n·(ω₁² ρ₁ − ω₂² ρ₂)
+//! ```
+//!
+//! λ n is the force of the first body on the second, at the second body's point.
+//! The row is the first of a prismatic joint with the same guide.
+
+use super::prismatic::Guide;
+use super::{Constraint, Entry, Instant, Measure};
+use linkdyn_linear::math::Vec2;
+
+#[derive(Debug, Clone)]
+pub struct Slot {
+    pub guide: Guide,
+}
+
+impl Constraint for Slot {
+    fn rows(&self) -> &'static [Measure] {
+        &[Measure::Length]
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        self.guide.entries(0).to_vec()
+    }
+
+    fn position(&self, at: &Instant, phi: &mut [f64]) {
+        phi[0] = self.guide.across(at);
+    }
+
+    fn jacobian(&self, at: &Instant, values: &mut [f64]) {
+        values.copy_from_slice(&self.guide.across_jacobian(at));
+    }
+
+    fn rate(&self, _at: &Instant, phi_t: &mut [f64]) {
+        phi_t.fill(0.0);
+    }
+
+    fn gamma(&self, at: &Instant, gamma: &mut [f64]) {
+        gamma[0] = self.guide.across_gamma(at);
+    }
+
+    fn reaction(&self, at: &Instant, lambda: &[f64]) -> (Vec2, f64) {
+        (self.guide.at(at).n * lambda[0], 0.0)
+    }
+}

@@ -1,0 +1,57 @@
+//! Spring–damper along the line of two points.
+//!
+//! ```text
+//! d = P₂ − P₁,  l = |d|,  u = d/l,  l̇ = u·ḋ
+//! S = k (l − l₀) + c l̇                 [N], pulls the points together
+//! force on the first body +S u, on the second −S u;   V = ½ k (l − l₀)²
+//! ```
+
+use super::{Applied, Force, Instant, Marker, direction};
+use crate::motion::Law;
+
+#[derive(Debug, Clone)]
+pub struct Spring {
+    pub first: Marker,
+    pub second: Marker,
+    /// k [N/m]
+    pub stiffness: f64,
+    /// c [N·s/m]
+    pub damping: f64,
+    /// l₀ \[m\]
+    pub free_length: Law,
+}
+
+impl Force for Spring {
+    fn apply(&self, at: &Instant, to: &mut Applied) {
+        let d = self.second.place(at) - self.first.place(at);
+        // Points that coincide have no line: the pull has no direction there and is left out.
+        let Some((u, length)) = direction(d) else {
+            return;
+        };
+        let rate = u.dot(&(self.second.velocity(at) - self.first.velocity(at)));
+        let pull =
+            self.stiffness * (length - self.free_length.jet(at.time)[0]) + self.damping * rate;
+        to.add_force(at, &self.first, u * pull);
+        to.add_force(at, &self.second, u * -pull);
+    }
+
+    fn potential(&self, at: &Instant) -> f64 {
+        let length = (self.second.place(at) - self.first.place(at)).norm();
+        let stretch = length - self.free_length.jet(at.time)[0];
+        0.5 * self.stiffness * stretch * stretch
+    }
+
+    fn is_conservative(&self) -> bool {
+        self.damping == 0.0 && self.free_length.is_constant()
+    }
+
+    fn supplied(&self, at: &Instant) -> f64 {
+        let d = self.second.place(at) - self.first.place(at);
+        let Some((u, length)) = direction(d) else {
+            return 0.0;
+        };
+        let rate = u.dot(&(self.second.velocity(at) - self.first.velocity(at)));
+        let free = self.free_length.jet(at.time);
+        -self.damping * rate * rate - self.stiffness * (length - free[0]) * free[1]
+    }
+}

@@ -1,0 +1,58 @@
+//! Torsion spring–damper between two bodies.
+//!
+//! ```text
+//! T = k (θ₂ − θ₁ − β₀) + c (ω₂ − ω₁)    [N·m] on the first body, −T on the second;   V = ½ k (θ₂ − θ₁ − β₀)²
+//! ```
+
+use super::{Applied, BodyId, Force, Instant};
+use crate::motion::Law;
+use linkdyn_linear::math::Vec2;
+
+#[derive(Debug, Clone)]
+pub struct TorsionSpring {
+    pub first: BodyId,
+    pub second: BodyId,
+    /// k [N·m/rad]
+    pub stiffness: f64,
+    /// c [N·m·s/rad]
+    pub damping: f64,
+    /// β₀ \[rad\]
+    pub free_angle: Law,
+}
+
+impl TorsionSpring {
+    /// ω₂ − ω₁ [rad/s].
+    fn rate(&self, at: &Instant) -> f64 {
+        at.twists[self.second.0].omega - at.twists[self.first.0].omega
+    }
+
+    /// From the free angle \[rad\].
+    fn twist(&self, at: &Instant) -> f64 {
+        at.poses[self.second.0].theta
+            - at.poses[self.first.0].theta
+            - self.free_angle.jet(at.time)[0]
+    }
+}
+
+impl Force for TorsionSpring {
+    fn apply(&self, at: &Instant, to: &mut Applied) {
+        let torque = self.stiffness * self.twist(at) + self.damping * self.rate(at);
+        to.add(self.first, Vec2::zeros(), torque);
+        to.add(self.second, Vec2::zeros(), -torque);
+    }
+
+    fn potential(&self, at: &Instant) -> f64 {
+        let twist = self.twist(at);
+        0.5 * self.stiffness * twist * twist
+    }
+
+    fn is_conservative(&self) -> bool {
+        self.damping == 0.0 && self.free_angle.is_constant()
+    }
+
+    fn supplied(&self, at: &Instant) -> f64 {
+        let rate = self.rate(at);
+        -self.damping * rate * rate
+            - self.stiffness * self.twist(at) * self.free_angle.jet(at.time)[1]
+    }
+}

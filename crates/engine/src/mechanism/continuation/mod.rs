@@ -1,0 +1,184 @@
+//! The path of a driven mechanism: q(s), followed branch-safely over a range of its parameter s.
+//!
+//! s is the driver's value where there is one driver (then the path does not depend on the motion in time at all), else
+//! time. From node to node the step is a prediction by the quintic through the last two nodes (error h⁶ q⁽⁶⁾/90) and a
+//! Newton correction; it is accepted only if the prediction was good, Newton contracted fast and the tangent is the
+//! predicted one, so that by the Newton–Kantorovich theorem the solution found is the one the prediction belongs to. The
+//! nodes are the path's own: nobody who asks for values can move them, so the branch does not depend on the outputs.
+//! (Allgower and Georg, Introduction to Numerical Continuation Methods, 2003, ch. 6.)
+//!
+//! A **change point** (J loses rank, motion goes on) is stepped over by the same prediction, found by the sign of det J or
+//! of the test function 1/(rᵀ J⁻¹ l) on both sides, located by interpolating that function through regular points, and
+//! bridged: near it q, q′, q″ come from an osculating polynomial through regular points on both sides, for there round-off
+//! grows as 1/δ, 1/δ², 1/δ³. A **dead centre** (s turns back) is where steps shrink to nothing; it is located as the
+//! root of ds/dp with the arc direction p as parameter, where the bordered matrix is regular.
+
+mod bridge;
+mod dead_centre;
+mod path;
+mod walk;
+
+pub use path::{Branch, HALF_TURN, Path, Source, Window};
+
+use super::driven::{Driven, Failure};
+use crate::system::{Inputs, System};
+use walk::Walker;
+
+/// What the path's parameter is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Parameter {
+    /// The value of the only driver [rad or m].
+    DriverValue,
+    /// Time \[s\].
+    Time,
+    /// The value of the only pin [rad or m], drivers standing still.
+    Pin,
+}
+
+impl Parameter {
+    /// One driver: its value; several or none: time.
+    pub fn of(system: &System) -> Self {
+        if system.drivers.len() == 1 {
+            Parameter::DriverValue
+        } else {
+            Parameter::Time
+        }
+    }
+
+    /// Inputs at `s`, derivatives with respect to s.
+    fn set(self, driven: &mut Driven, s: f64, inputs: &mut Inputs) {
+        match self {
+            Parameter::DriverValue => inputs.drive[0] = [s, 1.0, 0.0],
+            Parameter::Time => inputs.set_time(driven.system, s),
+            Parameter::Pin => driven.pins[0].jet = [s, 1.0, 0.0],
+        }
+    }
+
+    /// Prediction error accepted, in rad or mechanism sizes: far below any distance of branches but at their crossings.
+    /// Where an integrator asks for values at its own points, interpolation must do without a second Newton step.
+    fn prediction(self) -> f64 {
+        match self {
+            Parameter::DriverValue | Parameter::Time => 1e-6,
+            Parameter::Pin => 1e-7,
+        }
+    }
+}
+
+/// Kinds of singular positions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SingularKind {
+    /// Constraints lose rank, motion goes on.
+    ChangePoint,
+    /// The driver turns back.
+    DeadCentre,
+}
+
+/// A located singular position.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SingularPosition {
+    pub kind: SingularKind,
+    pub s: f64,
+    /// Left null vector over all rows (m): the self-stress whose multipliers have no bound there. Empty at the dead centre of
+    /// a pin, or where it is not known.
+    pub self_stress: Vec<f64>,
+}
+
+/// How a path ended on one side.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum End {
+    /// The range is covered.
+    Reached,
+    /// A dead centre at s.
+    DeadCentre { s: f64 },
+    /// No step is small enough at s, and it is no dead centre.
+    Stuck { s: f64 },
+    /// Somebody asked to stop.
+    Interrupted,
+}
+
+/// Follows the path from (s, q) over [low, high]; what the parameter does not set is as in `inputs`.
+///
+/// `stop` is asked at each step, with s, whether to give up.
+///
+/// # Errors
+/// When the start itself is singular or does not satisfy the constraints.
+pub fn follow(
+    driven: &mut Driven,
+    (parameter, inputs): (Parameter, Inputs),
+    start: (f64, &[f64]),
+    range: (f64, f64),
+    stop: &dyn Fn(f64) -> bool,
+) -> Result<Path, Failure> {
+    let mut walker = Walker {
+        inputs,
+        parameter,
+        driven,
+        stop,
+        steps: 0,
+        rejected: 0,
+    };
+    let mut first = walker.node(start.0, start.1.to_vec())?.0;
+    first.s = start.0;
+    // A mechanism without moving inputs has a path of one point.
+    let still = walker
+        .driven
+        .system
+        .drivers
+        .iter()
+        .all(|d| d.law.is_constant())
+        && range.0 == range.1;
+    let (mut up, high) = if still {
+        (Vec::new(), End::Reached)
+    } else {
+        walker.march(&first, range.1.max(start.0), 1.0)
+    };
+    let (down, low) = if range.0 < start.0 {
+        walker.march(&first, range.0, -1.0)
+    } else {
+        (Vec::new(), End::Reached)
+    };
+    // Ascending: the nodes below, the start, the nodes above. A crossing mark belongs to the gap before its node.
+    let mut nodes = Vec::with_capacity(up.len() + down.len() + 1);
+    let mut crossings = Vec::new();
+    let below = down.len();
+    for (k, mark) in down.into_iter().rev().enumerate() {
+        if mark.crossing {
+            crossings.push(k);
+        }
+        nodes.push(mark.node);
+    }
+    nodes.push(first);
+    for (k, mark) in up.drain(..).enumerate() {
+        if mark.crossing {
+            crossings.push(below + k);
+        }
+        nodes.push(mark.node);
+    }
+    let mut path = Path {
+        parameter,
+        nodes,
+        windows: Vec::new(),
+        singular: Vec::new(),
+        turn: None,
+        low,
+        high,
+        steps: walker.steps,
+        rejected: walker.rejected,
+    };
+    for (end, node) in [(low, 0), (high, path.nodes.len() - 1)] {
+        if let End::DeadCentre { s: dead } = end {
+            let self_stress = walker.self_stress_beside(&path.nodes[node]);
+            path.singular.push(SingularPosition {
+                kind: SingularKind::DeadCentre,
+                s: dead,
+                self_stress,
+            });
+        }
+    }
+    for gap in crossings {
+        path.bridge(&mut walker, gap);
+    }
+    path.singular.sort_by(|a, b| a.s.total_cmp(&b.s));
+    path.windows.sort_by(|a, b| a.s.total_cmp(&b.s));
+    Ok(path)
+}

@@ -1,0 +1,232 @@
+//! What was followed: nodes, windows around change points, and the turn that repeats itself.
+
+use super::{End, Parameter, SingularPosition};
+use crate::system::System;
+use linkdyn_linear::hermite::{Node, Osculating, quintic};
+use std::f64::consts::TAU;
+
+/// Half a turn and a little more: how far a path must be followed to both sides to know whether it comes round.
+pub const HALF_TURN: f64 = 1.05 * std::f64::consts::PI;
+/// A turn that misses the position by less than this (rad, sizes) closes the path: round-off of its prediction.
+const CLOSES: f64 = 1e-7;
+/// More turns than anybody reads the events of.
+const MOST_TURNS: i64 = 1000;
+
+/// Near a change point: the smooth branch.
+#[derive(Debug, Clone)]
+pub struct Window {
+    pub s: f64,
+    /// Within this distance the polynomial is used.
+    pub radius: f64,
+    /// Half width of the data.
+    pub width: f64,
+    pub(super) branch: Osculating,
+}
+
+/// The path: nodes in ascending s.
+pub struct Path {
+    pub parameter: Parameter,
+    pub(super) nodes: Vec<Node>,
+    pub(super) windows: Vec<Window>,
+    /// Singular positions on the stretch that was followed, by s.
+    pub(super) singular: Vec<SingularPosition>,
+    /// Where the path repeats itself: centre of the stretch that stands for all, and what a turn adds to q (n).
+    pub(super) turn: Option<(f64, Vec<f64>)>,
+    pub low: End,
+    pub high: End,
+    pub steps: u64,
+    pub rejected: u64,
+}
+
+/// The smooth branch across a change point.
+#[derive(Debug, Clone)]
+pub struct Branch {
+    s: f64,
+    osculating: Osculating,
+    /// What a turn adds to q (n), where the path repeats itself.
+    shift: Option<Vec<f64>>,
+}
+
+impl Branch {
+    /// q_k, q_k′, q_k″ at `s`, of the turn that `s` is in.
+    pub fn jet(&self, k: usize, s: f64) -> [f64; 3] {
+        let Some(shift) = &self.shift else {
+            return self.osculating.jet(k, s);
+        };
+        let turns = ((s - self.s) / TAU).round();
+        let [q, d, dd] = self.osculating.jet(k, s - turns * TAU);
+        [q + turns * shift[k], d, dd]
+    }
+}
+
+/// Where a value of the path comes from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Source {
+    /// The guess is good to the prediction error; correct it.
+    Regular,
+    /// On the smooth branch across a change point, at this distance; do not correct it.
+    Bridged { index: usize, distance: f64 },
+}
+
+impl Path {
+    /// q, and q′, q″ on a bridged stretch, at `s`; none outside what the path covers.
+    pub fn guess(&self, s: f64, q: &mut [f64], d: &mut [f64], dd: &mut [f64]) -> Option<Source> {
+        let Some((centre, shift)) = &self.turn else {
+            return self.guess_followed(s, q, d, dd);
+        };
+        let turns = ((s - centre) / TAU).round();
+        let source = self.guess_followed(s - turns * TAU, q, d, dd)?;
+        q.iter_mut()
+            .zip(shift)
+            .for_each(|(q, shift)| *q += turns * shift);
+        Some(source)
+    }
+
+    /// Takes the stretch of a turn around `centre` for all turns, if the parameter is an angle that comes round: after a
+    /// whole turn every body is back in its place. Whether it is so.
+    pub fn close_turn(&mut self, system: &System, centre: f64) -> bool {
+        let n = system.n();
+        let (mut from, mut to) = (vec![0.0; n], vec![0.0; n]);
+        let (mut d, mut dd) = (vec![0.0; n], vec![0.0; n]);
+        let ends = [
+            (centre - 0.5 * TAU, &mut from),
+            (centre + 0.5 * TAU, &mut to),
+        ];
+        if ends
+            .into_iter()
+            .any(|(s, q)| self.guess_followed(s, q, &mut d, &mut dd).is_none())
+        {
+            return false;
+        }
+        let mut shift = Vec::with_capacity(n);
+        for (column, (to, from)) in to.iter().zip(&from).enumerate() {
+            let whole = if column % 3 == 2 {
+                ((to - from) / TAU).round() * TAU
+            } else {
+                0.0
+            };
+            if ((to - from - whole) / system.column_scale(column)).abs() > CLOSES {
+                return false;
+            }
+            shift.push(whole);
+        }
+        self.turn = Some((centre, shift));
+        true
+    }
+
+    /// Singular positions in [low, high], by s; of a path that repeats itself, those of every turn.
+    pub fn singular_between(&self, low: f64, high: f64) -> Vec<SingularPosition> {
+        let mut found = Vec::new();
+        for position in &self.singular {
+            let turns = match &self.turn {
+                None => 0..=0,
+                Some((centre, _)) if (position.s - centre).abs() > 0.5 * TAU => continue,
+                Some(_) => {
+                    let (first, last) = (
+                        ((low - position.s) / TAU).ceil(),
+                        ((high - position.s) / TAU).floor(),
+                    );
+                    first as i64..=(last as i64).min(first as i64 + MOST_TURNS)
+                }
+            };
+            for turn in turns {
+                let s = position.s + turn as f64 * TAU;
+                if s >= low && s <= high {
+                    found.push(SingularPosition {
+                        s,
+                        ..position.clone()
+                    });
+                }
+            }
+        }
+        found.sort_by(|a, b| a.s.total_cmp(&b.s));
+        found
+    }
+
+    /// The singular position at `s` on the stretch that was followed.
+    pub fn singular_at(&self, s: f64) -> Option<&SingularPosition> {
+        self.singular.iter().find(|position| position.s == s)
+    }
+
+    /// The self-stress of the change point that a window bridges.
+    pub fn self_stress(&self, window: usize) -> &[f64] {
+        let s = self.windows[window].s;
+        let nearest = self
+            .singular
+            .iter()
+            .min_by(|a, b| (a.s - s).abs().total_cmp(&(b.s - s).abs()));
+        nearest.map_or(&[], |position| &position.self_stress)
+    }
+
+    pub(super) fn guess_followed(
+        &self,
+        s: f64,
+        q: &mut [f64],
+        d: &mut [f64],
+        dd: &mut [f64],
+    ) -> Option<Source> {
+        for (index, window) in self.windows.iter().enumerate() {
+            let distance = s - window.s;
+            if distance.abs() <= window.radius {
+                window.branch.eval(s, q, d, dd);
+                return Some(Source::Bridged { index, distance });
+            }
+        }
+        self.regular(s, q).then_some(Source::Regular)
+    }
+
+    /// The quintic between the neighbouring nodes.
+    pub(super) fn regular(&self, s: f64, q: &mut [f64]) -> bool {
+        if self.nodes.len() == 1 {
+            q.copy_from_slice(&self.nodes[0].q);
+            return s == self.nodes[0].s;
+        }
+        let (low, high) = self.covered();
+        if s < low || s > high {
+            return false;
+        }
+        let k = self
+            .nodes
+            .partition_point(|node| node.s <= s)
+            .clamp(1, self.nodes.len() - 1);
+        quintic(&self.nodes[k - 1], &self.nodes[k], s, q, None);
+        true
+    }
+
+    /// The stretch that was followed.
+    pub fn covered(&self) -> (f64, f64) {
+        (self.nodes[0].s, self.nodes[self.nodes.len() - 1].s)
+    }
+
+    /// The window that `s` is in.
+    pub fn window_at(&self, s: f64) -> Option<usize> {
+        let s = match &self.turn {
+            Some((centre, _)) => s - ((s - centre) / TAU).round() * TAU,
+            None => s,
+        };
+        self.windows
+            .iter()
+            .position(|window| (s - window.s).abs() <= window.radius)
+    }
+
+    /// Whether `s` is on the stretch that was followed, or on one that repeats it.
+    pub fn holds(&self, s: f64) -> bool {
+        let (low, high) = self.covered();
+        self.turn.is_some() || (low..=high).contains(&s)
+    }
+
+    /// The smooth branch across the change point of a window.
+    pub fn branch(&self, window: usize) -> Branch {
+        let Window { s, branch, .. } = &self.windows[window];
+        Branch {
+            s: *s,
+            osculating: branch.clone(),
+            shift: self.turn.as_ref().map(|(_, shift)| shift.clone()),
+        }
+    }
+
+    /// The windows around change points.
+    pub fn windows(&self) -> &[Window] {
+        &self.windows
+    }
+}

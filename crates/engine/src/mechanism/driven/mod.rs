@@ -1,0 +1,372 @@
+//! A fully driven mechanism at one instant: positions by Newton, velocities, accelerations and multipliers from the same
+//! factors.
+//!
+//! ```text
+//! position       J_A Δq = −φ_A                     (repeated)
+//! velocity       J_A v  = −φ_t
+//! acceleration   J_A a  = γ
+//! multipliers    J_Aᵀ g = Q − M a ;   λ of least norm when constraints are redundant
+//! ```
+//!
+//! A is a set of n independent rows. Without redundancy it is all rows; else J_R = C J_A for the others, every multiplier
+//! vector with λ_A + Cᵀ λ_R = g is in equilibrium, and the one of least Euclidean norm (SI units) has
+//! (I + C Cᵀ) λ_R = C g.
+//!
+//! All matrices are scaled, lengths by the mechanism's size, so that pivots mean the same for every model.
+//!
+//! Which rows are independent changes along a motion: of a doubled bar the row that says its length twice is another one
+//! when it lies along x and when it lies along y. With C (redundant by active rows) the choice is good while no |C_ra| is
+//! much larger than 1; where one is, rows r and a change places, which multiplies |det J_A| by |C_ra| (the volume of the
+//! rows, Goreinov et al. 2010), so that exchanges come to an end.
+//!
+//! A mechanism with freedom left is driven by **pins**: chosen coordinates that are given values, velocities and
+//! accelerations. Pin k adds the row m + k, φ = u_k − q_c, so its multiplier is the effort that holds the coordinate.
+
+mod reactions;
+mod rows;
+
+use super::reactive::ReactiveForces;
+use crate::system::{Evaluation, Inputs, System};
+use linkdyn_linear::lu::{Singular, SparseLu};
+use linkdyn_linear::order::ColumnOrder;
+
+/// Work done.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Work {
+    pub newton_iterations: u64,
+    pub evaluations: u64,
+    pub factorisations: u64,
+}
+
+/// How a position solve went.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Correction {
+    /// Largest step of the first iteration, scaled [–]: how far the guess was off.
+    pub first_step: f64,
+    /// Largest ratio of successive steps; 0 when one was enough.
+    pub contraction: f64,
+    /// Scaled residual over all rows [–].
+    pub residual: f64,
+    /// Largest step of the last iteration, scaled [–]: how far the factors' position is from the solution.
+    pub last_step: f64,
+}
+
+/// Why there is no solution from a guess.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Failure {
+    /// The Jacobian is singular.
+    Singular,
+    /// Newton does not converge; scaled residual.
+    Diverged { residual: f64 },
+    /// The independent constraints are met, the redundant ones are not.
+    Inconsistent { residual: f64 },
+    /// A force that depends on multipliers grows beyond all bounds with them (index into [`System::reactive`]).
+    Locked { force: usize },
+}
+
+impl From<Singular> for Failure {
+    fn from(_: Singular) -> Self {
+        Failure::Singular
+    }
+}
+
+/// A residual of this size (lengths by the mechanism's size) is round-off of evaluating φ: a few ulps of coordinates of
+/// the order of the size.
+const RESIDUAL_FLOOR: f64 = 4e-15;
+/// After a Newton step of this size the next one, its square times the curvature, is below round-off.
+pub const LAST_STEP: f64 = 1e-10;
+/// Residual above which the redundant rows do not hold (they must, to round-off, when the independent ones do).
+const INCONSISTENT: f64 = 1e-9;
+const MAX_ITERATIONS: usize = 25;
+
+/// A coordinate that is prescribed: value, velocity, acceleration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pin {
+    pub column: usize,
+    pub jet: crate::motion::Jet,
+}
+
+/// n independent rows, and where their entries go.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Selection {
+    active: Vec<usize>,
+    redundant: Vec<usize>,
+}
+
+/// Solver for one driven mechanism.
+pub struct Driven<'s> {
+    pub system: &'s System,
+    pub evaluation: Evaluation,
+    pub pins: Vec<Pin>,
+    selection: Selection,
+    /// Scale of each active row (n).
+    row_scales: Vec<f64>,
+    /// Slot of each system entry in `values`; the last cell takes what belongs to ground or to a redundant row.
+    slots: Vec<u32>,
+    /// Scale of each system entry.
+    scales: Vec<f64>,
+    values: Vec<f64>,
+    nnz: usize,
+    lu: SparseLu,
+    work: Vec<f64>,
+    /// A row as a column, or a guess that is still needed; only with redundancy (n).
+    spare: Vec<f64>,
+    rows: Vec<f64>,
+    /// Newton step after which no further one is made, scaled [–]; by default what leaves nothing above round-off.
+    pub last_step: f64,
+    pub done: Work,
+    pub reactive: ReactiveForces,
+}
+
+impl<'s> Driven<'s> {
+    /// A solver whose independent rows are chosen at `q`.
+    ///
+    /// # Errors
+    /// When fewer than n rows are independent there.
+    pub fn new(system: &'s System, q: &[f64], inputs: &Inputs) -> Result<Self, Failure> {
+        Driven::pinned(system, &[], q, inputs)
+    }
+
+    /// A solver for a mechanism with the coordinates `columns` prescribed besides its drivers.
+    ///
+    /// # Errors
+    /// When fewer than n rows are independent there.
+    pub fn pinned(
+        system: &'s System,
+        columns: &[usize],
+        q: &[f64],
+        inputs: &Inputs,
+    ) -> Result<Self, Failure> {
+        let mut evaluation = Evaluation::new(system);
+        evaluation.set_position(q);
+        evaluation.eval_jacobian(system, inputs);
+        let pins: Vec<Pin> = columns
+            .iter()
+            .map(|&column| Pin {
+                column,
+                jet: [q[column], 0.0, 0.0],
+            })
+            .collect();
+        let selection = Driven::select(system, &pins, &evaluation)?;
+        let scales = system
+            .entries
+            .iter()
+            .map(|e| {
+                e.column.map_or(0.0, |c| {
+                    system.column_scale(c as usize) / system.row_scale(e.row as usize)
+                })
+            })
+            .collect();
+        let (n, m) = (system.n(), system.m());
+        let (pattern, slots, values) = Driven::layout(system, &pins, &selection);
+        let nnz = pattern.entries();
+        let rows = m + pins.len();
+        let mut driven = Driven {
+            system,
+            evaluation,
+            pins,
+            selection,
+            row_scales: Vec::with_capacity(n),
+            slots,
+            scales,
+            values,
+            nnz,
+            lu: SparseLu::new(pattern.clone(), ColumnOrder::natural(n)),
+            work: vec![0.0; n],
+            spare: vec![0.0; n],
+            rows: vec![0.0; rows],
+            last_step: LAST_STEP,
+            done: Work::default(),
+            reactive: ReactiveForces::new(system, columns.len()),
+        };
+        driven.scale_rows();
+        driven.scatter();
+        driven.order(&pattern)?;
+        Ok(driven)
+    }
+
+    /// Whether some constraints are redundant.
+    pub fn is_redundant(&self) -> bool {
+        !self.selection.redundant.is_empty()
+    }
+
+    /// The independent rows.
+    pub fn active_rows(&self) -> &[usize] {
+        &self.selection.active
+    }
+
+    fn scatter(&mut self) {
+        for ((&slot, &scale), &value) in self
+            .slots
+            .iter()
+            .zip(&self.scales)
+            .zip(&self.evaluation.jacobian)
+        {
+            self.values[slot as usize] = value * scale;
+        }
+    }
+
+    /// J and its factors at the position last taken.
+    ///
+    /// # Errors
+    /// [`Failure::Singular`].
+    pub fn factor(&mut self, inputs: &Inputs) -> Result<(), Failure> {
+        self.evaluation.eval_jacobian(self.system, inputs);
+        self.scatter();
+        self.done.factorisations += 1;
+        Ok(self.lu.refactor(&self.values[..self.nnz])?)
+    }
+
+    /// x = S_q J̃_A⁻¹ S_φ⁻¹ rhs, where `rhs` is in `self.rows`; the result goes to `x`.
+    fn solve_rows(&mut self, x: &mut [f64]) {
+        for ((w, &row), scale) in x
+            .iter_mut()
+            .zip(&self.selection.active)
+            .zip(&self.row_scales)
+        {
+            *w = self.rows[row] / scale;
+        }
+        self.lu.solve(x);
+        self.system.scale_columns(x);
+    }
+
+    /// Moves `q` onto the constraints.
+    ///
+    /// # Errors
+    /// See [`Failure`]; `q` is then wherever the iteration was.
+    pub fn correct(&mut self, q: &mut [f64], inputs: &Inputs) -> Result<Correction, Failure> {
+        let mut step = std::mem::take(&mut self.work);
+        let result = self.iterate(q, inputs, &mut step);
+        self.work = step;
+        result
+    }
+
+    fn iterate(
+        &mut self,
+        q: &mut [f64],
+        inputs: &Inputs,
+        step: &mut [f64],
+    ) -> Result<Correction, Failure> {
+        let (mut first, mut last, mut contraction) = (0.0, f64::INFINITY, 0.0_f64);
+        for iteration in 0..MAX_ITERATIONS {
+            self.evaluation.set_position(q);
+            self.evaluation.eval_phi(self.system, inputs);
+            self.done.evaluations += 1;
+            let residual = self.active_residual(q);
+            if !residual.is_finite() {
+                break;
+            }
+            if iteration > 0 && (residual <= RESIDUAL_FLOOR || last <= self.last_step) {
+                let residual = self.system.scaled_residual(&self.evaluation.phi);
+                return if residual > INCONSISTENT {
+                    Err(Failure::Inconsistent { residual })
+                } else {
+                    Ok(Correction {
+                        first_step: first,
+                        contraction,
+                        residual,
+                        last_step: last,
+                    })
+                };
+            }
+            self.factor(inputs)?;
+            for (r, phi) in self.rows.iter_mut().zip(&self.evaluation.phi) {
+                *r = -phi;
+            }
+            self.pin_rows(|pin| q[pin.column] - pin.jet[0]);
+            self.solve_rows(step);
+            self.done.newton_iterations += 1;
+            let size = self.system.scaled_norm(step);
+            if iteration == 0 {
+                first = size;
+            } else if size > self.last_step {
+                contraction = contraction.max(size / last);
+                // Newton that does not contract is lost, and would wander to another branch if it were let.
+                if size > 2.0 * last || size.is_nan() {
+                    break;
+                }
+            }
+            last = size;
+            q.iter_mut().zip(&*step).for_each(|(q, d)| *q += d);
+        }
+        Err(Failure::Diverged {
+            residual: self.active_residual(q),
+        })
+    }
+
+    /// Right-hand sides of the pins' rows.
+    fn pin_rows(&mut self, value: impl Fn(&Pin) -> f64) {
+        for (row, pin) in self.rows[self.system.m()..].iter_mut().zip(&self.pins) {
+            *row = value(pin);
+        }
+    }
+
+    fn active_residual(&self, q: &[f64]) -> f64 {
+        let m = self.system.m();
+        self.selection.active.iter().zip(&self.row_scales).fold(
+            0.0,
+            |largest: f64, (&row, scale)| {
+                let phi = match row.checked_sub(m) {
+                    Some(pin) => self.pins[pin].jet[0] - q[self.pins[pin].column],
+                    None => self.evaluation.phi[row],
+                };
+                let r = phi.abs() / scale;
+                if r > largest || r.is_nan() {
+                    r
+                } else {
+                    largest
+                }
+            },
+        )
+    }
+
+    /// Velocities at the position last taken; [`Driven::factor`] must have been called there.
+    pub fn velocity(&mut self, inputs: &Inputs, v: &mut [f64]) {
+        let m = self.system.m();
+        self.evaluation
+            .eval_rate(self.system, inputs, &mut self.rows[..m]);
+        self.rows.iter_mut().for_each(|r| *r = -*r);
+        self.pin_rows(|pin| -pin.jet[1]);
+        self.solve_rows(v);
+        self.evaluation.set_velocity(v);
+    }
+
+    /// Accelerations at the position and velocity last taken.
+    pub fn acceleration(&mut self, inputs: &Inputs, a: &mut [f64]) {
+        let m = self.system.m();
+        self.evaluation
+            .eval_gamma(self.system, inputs, &mut self.rows[..m]);
+        self.pin_rows(|pin| -pin.jet[2]);
+        self.solve_rows(a);
+    }
+
+    /// ∂q/∂u_k (n): the motion that pin k alone makes, at the last factors.
+    pub fn pin_motion(&mut self, k: usize, s: &mut [f64]) {
+        self.rows.fill(0.0);
+        self.rows[self.system.m() + k] = -1.0;
+        self.solve_rows(s);
+    }
+
+    /// Sign of det J̃_A at the last factors.
+    pub fn determinant_sign(&self) -> f64 {
+        self.lu.determinant().0
+    }
+
+    /// The smallest singular value with its right (n) and left (n, by active row) vectors at the last factors, by inverse
+    /// iterations from the vectors given.
+    pub fn smallest_singular(
+        &mut self,
+        iterations: usize,
+        right: &mut [f64],
+        left: &mut [f64],
+    ) -> f64 {
+        self.lu.smallest_singular(iterations, right, left)
+    }
+
+    /// 1 / (rightᵀ J̃_A⁻¹ left): a smooth function of the position that vanishes where J does (Griewank and Reddien 1984).
+    pub fn test_function(&mut self, right: &[f64], left: &[f64]) -> f64 {
+        self.work.copy_from_slice(left);
+        self.lu.solve(&mut self.work);
+        1.0 / linkdyn_linear::math::dot(right, &self.work)
+    }
+}

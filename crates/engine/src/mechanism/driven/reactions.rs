@@ -1,0 +1,115 @@
+//! Multipliers: from the transposed factors, of least norm where constraints are redundant, with the forces that depend on them.
+
+use super::{Driven, Failure};
+use crate::system::Inputs;
+use linkdyn_linear::math::{dot, max_abs};
+
+impl Driven<'_> {
+    /// Multipliers λ (m) with Jᵀ λ = `b` (n), of least norm where not unique; those of pins are left out (they vanish in
+    /// free motion).
+    pub fn multipliers(&mut self, b: &[f64], lambda: &mut [f64]) {
+        let mut g = std::mem::take(&mut self.work);
+        self.solve_transposed(b, &mut g);
+        lambda.fill(0.0);
+        for (g, &row) in g.iter().zip(&self.selection.active) {
+            if let Some(l) = lambda.get_mut(row) {
+                *l = *g;
+            }
+        }
+        self.work = g;
+        if self.is_redundant() {
+            let basis = self.self_stress();
+            project_out(&basis, lambda);
+        }
+    }
+
+    /// Multipliers λ (m) of a fully driven mechanism with Jᵀ λ = `balance` (n), together with the forces that depend on
+    /// them, which are added to `force` and `balance`; at the position and velocity last taken and its factors.
+    ///
+    /// # Errors
+    /// [`Failure::Locked`]; λ is then without these forces.
+    pub fn react(
+        &mut self,
+        inputs: &Inputs,
+        force: &mut [f64],
+        balance: &mut [f64],
+        lambda: &mut [f64],
+    ) -> Result<(), Failure> {
+        self.multipliers(balance, lambda);
+        if self.system.reactive.is_empty() {
+            return Ok(());
+        }
+        let mut reactive = std::mem::take(&mut self.reactive);
+        reactive.eval_units(self.system, &self.evaluation, inputs);
+        for (unit, response) in reactive.units_and_responses() {
+            self.multipliers(unit, response);
+        }
+        let solved = reactive.solve(self.system, &self.evaluation, inputs, lambda);
+        if solved.is_ok() {
+            reactive.add_forces(force);
+            reactive.add_forces(balance);
+            reactive.add_responses(lambda);
+        }
+        self.reactive = reactive;
+        solved
+    }
+
+    /// g (n) with J_Aᵀ g = b, unscaled.
+    fn solve_transposed(&mut self, b: &[f64], g: &mut [f64]) {
+        g.copy_from_slice(b);
+        self.system.scale_columns(g);
+        self.lu.solve_transposed(g);
+        g.iter_mut()
+            .zip(&self.row_scales)
+            .for_each(|(g, scale)| *g /= scale);
+    }
+
+    /// Basis of the self-stresses, {z (m): Jᵀ z = 0}, one vector per redundant row, at the last factors.
+    pub fn self_stress(&mut self) -> Vec<Vec<f64>> {
+        let (n, m) = (self.system.n(), self.system.m());
+        let mut basis = Vec::with_capacity(self.selection.redundant.len());
+        for k in 0..self.selection.redundant.len() {
+            let row = self.selection.redundant[k];
+            let mut z = vec![0.0; m];
+            z[row] = 1.0;
+            let mut pull = vec![0.0; n];
+            self.evaluation
+                .transposed_product(self.system, &z, &mut pull);
+            let mut g = vec![0.0; n];
+            self.solve_transposed(&pull, &mut g);
+            for (g, &active) in g.iter().zip(&self.selection.active) {
+                if let Some(z) = z.get_mut(active) {
+                    *z = -g;
+                }
+            }
+            basis.push(z);
+        }
+        basis
+    }
+}
+
+/// λ minus its part in the span of `basis`: least norm among all λ that differ by self-stresses.
+fn project_out(basis: &[Vec<f64>], lambda: &mut [f64]) {
+    // Modified Gram–Schmidt, twice for orthogonality to round-off.
+    let mut done: Vec<Vec<f64>> = Vec::with_capacity(basis.len());
+    for z in basis {
+        let mut z = z.clone();
+        for _ in 0..2 {
+            for e in &done {
+                let along = dot(e, &z);
+                z.iter_mut().zip(e).for_each(|(z, e)| *z -= along * e);
+            }
+        }
+        let norm = dot(&z, &z).sqrt();
+        if norm > 0.0 && max_abs(&z).is_finite() {
+            z.iter_mut().for_each(|z| *z /= norm);
+            done.push(z);
+        }
+    }
+    for _ in 0..2 {
+        for e in &done {
+            let along = dot(e, lambda);
+            lambda.iter_mut().zip(e).for_each(|(l, e)| *l -= along * e);
+        }
+    }
+}

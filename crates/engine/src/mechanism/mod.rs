@@ -1,0 +1,23 @@
+//! The solves of a mechanism: closing, following a path, reactions, reduction to few coordinates.
+//!
+//! ```text
+//! closing       assembly from rough guesses (Levenberg–Marquardt)
+//! driven        positions, velocities, accelerations, multipliers at one instant
+//! reactive      forces that depend on multipliers, which depend on them: friction
+//! reduced       equations of motion in minimal coordinates
+//! parts         parts with one degree of freedom of a mechanism with more, across their change points
+//! held          the mechanism at rest in minimal coordinates: forces, stiffness, damping and mass
+//! branching     singular positions, and the branches that cross there
+//! equilibrium   where the forces at rest vanish, and whether that is stable
+//! continuation  the path of a driven mechanism, branch-safe, with its singular positions
+//! ```
+
+pub mod branching;
+pub mod closing;
+pub mod continuation;
+pub mod driven;
+pub mod equilibrium;
+pub mod held;
+pub mod parts;
+pub mod reactive;
+pub mod reduced;

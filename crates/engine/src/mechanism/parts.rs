@@ -1,0 +1,391 @@
+//! Parts with one degree of freedom of a mechanism with more, across their change points.
+//!
+//! Where joints alone hold some bodies in loops with ground and leave them one degree of freedom, their positions are a
+//! curve q(s) of one of their coordinates, whatever else moves: drivers, contacts, bodies hung on them. At a change point
+//! of that curve the part's equations lose rank, and the whole mechanism's with them; near it round-off of accelerations
+//! grows as 1/δ³. There the part's rows are exchanged for as many that say the same without losing rank,
+//!
+//! ```text
+//! q_i − Q_i(s) = 0      i: the part's coordinates but s;  Q: the smooth branch, see [`super::continuation`]
+//! ```
+//!
+//! Reactions of the part's joints are still those of their own equations.
+
+use super::continuation::{Branch, HALF_TURN, Parameter, Path, follow};
+use super::driven::{Driven, Failure};
+use super::reduced::better_pin;
+use crate::element::{Axis, BodyId, Constraint, Entry, Instant, Measure};
+use crate::system::{Inputs, System};
+use linkdyn_linear::hermite::Node;
+use linkdyn_linear::math::Vec2;
+use std::sync::Arc;
+
+/// Exchanges of the pin at a start of the curve; the first nearly always serves.
+const EXCHANGES: usize = 4;
+/// Largest distance of a point from a curve that it is on: that of the curve's interpolation [rad or sizes].
+const SAME: f64 = 1e-5;
+
+/// A part by itself, and where it stands in the whole.
+pub struct Part<'s> {
+    pub system: &'s System,
+    /// Columns of the whole, by those of the part.
+    pub columns: Vec<usize>,
+    /// Blocks of its joints in the whole, and their numbers of rows; one less than columns in all.
+    pub blocks: Vec<(usize, usize)>,
+    /// A column of the part that determines the rest.
+    pub pin: usize,
+}
+
+/// The whole with other constraints in the place of some blocks'.
+pub trait Rewrite<'s> {
+    /// None where it can't be.
+    fn rewritten(&self, constraints: Vec<(usize, Box<dyn Constraint>)>) -> Option<&'s System>;
+}
+
+/// For each part the window in which its smooth branch stands for its joints.
+type Windows = Vec<Option<usize>>;
+
+/// Parts of a mechanism, and the solvers of what takes its place near their change points.
+pub struct Parts<'s> {
+    parts: Vec<Followed<'s>>,
+    rewrite: Box<dyn Rewrite<'s> + 's>,
+    now: Windows,
+    next: Windows,
+    /// Solvers not in use.
+    others: Vec<(Windows, Driven<'s>)>,
+}
+
+impl<'s> Parts<'s> {
+    pub fn new(parts: Vec<Part<'s>>, rewrite: Box<dyn Rewrite<'s> + 's>) -> Self {
+        let none = vec![None; parts.len()];
+        let parts = parts.into_iter().map(Followed::new).collect();
+        Parts {
+            parts,
+            rewrite,
+            now: none.clone(),
+            next: none,
+            others: Vec::new(),
+        }
+    }
+
+    /// The same parts of a whole that is another one otherwise.
+    pub fn rewritten_by(self, rewrite: Box<dyn Rewrite<'s> + 's>) -> Self {
+        let none = vec![None; self.parts.len()];
+        Parts {
+            rewrite,
+            now: none.clone(),
+            next: none,
+            others: Vec::new(),
+            ..self
+        }
+    }
+
+    /// Gives `driven` the solver for the surroundings of `q`, near the accepted point `here`.
+    ///
+    /// # Errors
+    /// Where it can't be made.
+    pub fn enter(
+        &mut self,
+        driven: &mut Driven<'s>,
+        q: &[f64],
+        here: &Node,
+        inputs: &Inputs,
+    ) -> Result<(), Failure> {
+        for (next, part) in self.next.iter_mut().zip(&mut self.parts) {
+            *next = part.window_at(q, here);
+        }
+        if self.next == self.now {
+            return Ok(());
+        }
+        let columns: Vec<usize> = driven.pins.iter().map(|pin| pin.column).collect();
+        let mut other = match self
+            .others
+            .iter()
+            .position(|(windows, _)| *windows == self.next)
+        {
+            Some(index) => self.others.swap_remove(index).1,
+            None => Driven::pinned(self.system().ok_or(Failure::Singular)?, &columns, q, inputs)?,
+        };
+        if other
+            .pins
+            .iter()
+            .zip(&columns)
+            .any(|(pin, column)| pin.column != *column)
+        {
+            other.evaluation.set_position(q);
+            if let Err(failure) = other.pin(&columns, inputs) {
+                self.others.push((self.next.clone(), other));
+                return Err(failure);
+            }
+        }
+        other.pins.copy_from_slice(&driven.pins);
+        (other.last_step, other.done) = (driven.last_step, driven.done);
+        std::mem::swap(&mut other.reactive, &mut driven.reactive);
+        std::mem::swap(driven, &mut other);
+        self.others
+            .push((std::mem::replace(&mut self.now, self.next.clone()), other));
+        Ok(())
+    }
+
+    /// The system with the smooth branches of the next windows.
+    fn system(&self) -> Option<&'s System> {
+        let mut constraints = Vec::new();
+        for (part, window) in self.parts.iter().zip(&self.next) {
+            if let Some(window) = window {
+                part.exchange(*window, &mut constraints);
+            }
+        }
+        self.rewrite.rewritten(constraints)
+    }
+
+    /// The solver of the mechanism's own equations, where another one is in use.
+    pub fn own(&mut self) -> Option<&mut Driven<'s>> {
+        let own = |windows: &Windows| windows.iter().all(Option::is_none);
+        self.others
+            .iter_mut()
+            .find(|(windows, _)| own(windows))
+            .map(|(_, driven)| driven)
+            .filter(|_| !own(&self.now))
+    }
+}
+
+/// A part and its curves.
+struct Followed<'s> {
+    part: Part<'s>,
+    inputs: Inputs,
+    driven: Option<Driven<'s>>,
+    /// By one pin or another, none beyond its dead centres.
+    curves: Vec<Curve>,
+    /// The one that holds the point at hand.
+    now: Option<usize>,
+    /// Where a new one was last followed from.
+    started: f64,
+}
+
+struct Curve {
+    path: Path,
+    /// Column of the part.
+    pin: usize,
+    /// Number of windows of the curves before.
+    windows_before: usize,
+}
+
+impl<'s> Followed<'s> {
+    fn new(part: Part<'s>) -> Self {
+        let inputs = Inputs::at_time(part.system, 0.0);
+        Followed {
+            part,
+            inputs,
+            driven: None,
+            curves: Vec::new(),
+            now: None,
+            started: f64::NEG_INFINITY,
+        }
+    }
+
+    /// The window, counted over all curves, that `q` is in.
+    fn window_at(&mut self, q: &[f64], here: &Node) -> Option<usize> {
+        let holds = |part: &Part, curve: &Curve| curve.path.holds(q[part.columns[curve.pin]]);
+        if !self
+            .now
+            .is_some_and(|now| holds(&self.part, &self.curves[now]))
+            && self.started != here.s
+        {
+            self.started = here.s;
+            self.now = self.find(here).or_else(|| self.follow(here));
+        }
+        let curve = &self.curves[self.now?];
+        let window = curve.path.window_at(q[self.part.columns[curve.pin]])?;
+        Some(curve.windows_before + window)
+    }
+
+    fn positions(&self, here: &Node) -> Vec<f64> {
+        self.part
+            .columns
+            .iter()
+            .map(|&column| here.q[column])
+            .collect()
+    }
+
+    /// A curve that the accepted point is on.
+    fn find(&self, here: &Node) -> Option<usize> {
+        let q = self.positions(here);
+        let (mut found, mut d, mut dd) = (q.clone(), q.clone(), q.clone());
+        self.curves.iter().position(|curve| {
+            curve
+                .path
+                .guess(q[curve.pin], &mut found, &mut d, &mut dd)
+                .is_some()
+                && {
+                    found.iter_mut().zip(&q).for_each(|(found, q)| *found -= q);
+                    self.part.system.scaled_norm(&found) < SAME
+                }
+        })
+    }
+
+    /// The curve through an accepted point, by the coordinate that moves most there.
+    fn follow(&mut self, here: &Node) -> Option<usize> {
+        let system = self.part.system;
+        let q = self.positions(here);
+        let mut driven = match self.driven.take() {
+            Some(driven) => driven,
+            None => Driven::pinned(system, &[self.part.pin], &q, &self.inputs).ok()?,
+        };
+        let mut motion = vec![0.0; system.n()];
+        for _ in 0..EXCHANGES {
+            driven.evaluation.set_position(&q);
+            driven.factor(&self.inputs).ok()?;
+            driven.pin_motion(0, &mut motion);
+            let Some((_, column)) = better_pin(&driven, &motion) else {
+                break;
+            };
+            driven.pin(&[column], &self.inputs).ok()?;
+        }
+        let pin = driven.pins[0].column;
+        let angle = pin % 3 == Axis::Theta as usize;
+        let (centre, reach) = (q[pin], if angle { HALF_TURN } else { system.size });
+        let inputs = self.inputs.clone();
+        let range = (centre - reach, centre + reach);
+        let found = follow(
+            &mut driven,
+            (Parameter::Pin, inputs),
+            (centre, &q),
+            range,
+            &|_| false,
+        );
+        self.driven = Some(driven);
+        let mut path = found.ok()?;
+        if angle {
+            path.close_turn(system, centre);
+        }
+        let windows_before = self
+            .curves
+            .iter()
+            .map(|curve| curve.path.windows().len())
+            .sum();
+        self.curves.push(Curve {
+            path,
+            pin,
+            windows_before,
+        });
+        Some(self.curves.len() - 1)
+    }
+
+    /// Rows of the smooth branch in a window, for the blocks of the part's joints.
+    fn exchange(&self, window: usize, constraints: &mut Vec<(usize, Box<dyn Constraint>)>) {
+        let Some(curve) = self
+            .curves
+            .iter()
+            .rfind(|curve| curve.windows_before <= window)
+        else {
+            return;
+        };
+        let branch = Arc::new(curve.path.branch(window - curve.windows_before));
+        let coordinate = |column: usize| {
+            let column = self.part.columns[column];
+            (
+                BodyId(column / 3 + 1),
+                [Axis::X, Axis::Y, Axis::Theta][column % 3],
+            )
+        };
+        let mut others = (0..self.part.columns.len()).filter(|column| *column != curve.pin);
+        for &(block, rows) in &self.part.blocks {
+            let columns: Vec<usize> = others.by_ref().take(rows).collect();
+            let coordinates = columns.iter().map(|&column| coordinate(column)).collect();
+            let branch = branch.clone();
+            constraints.push((
+                block,
+                Box::new(OnBranch {
+                    branch,
+                    columns,
+                    coordinates,
+                    pin: coordinate(curve.pin),
+                }),
+            ));
+        }
+    }
+}
+
+/// q_i − Q_i(s) = 0 for some coordinates of a part.
+struct OnBranch {
+    branch: Arc<Branch>,
+    /// Of the part.
+    columns: Vec<usize>,
+    /// The same in the whole.
+    coordinates: Vec<(BodyId, Axis)>,
+    pin: (BodyId, Axis),
+}
+
+const L: Measure = Measure::Length;
+const A: Measure = Measure::Angle;
+/// By what rows measure: bit k says that row k is an angle.
+const MEASURES: [[Measure; 3]; 8] = [
+    [L, L, L],
+    [A, L, L],
+    [L, A, L],
+    [A, A, L],
+    [L, L, A],
+    [A, L, A],
+    [L, A, A],
+    [A, A, A],
+];
+
+fn value(at: &Instant, (body, axis): (BodyId, Axis)) -> f64 {
+    let pose = &at.poses[body.0];
+    [pose.r.x, pose.r.y, pose.theta][axis as usize]
+}
+
+fn rate(at: &Instant, (body, axis): (BodyId, Axis)) -> f64 {
+    let twist = &at.twists[body.0];
+    [twist.v.x, twist.v.y, twist.omega][axis as usize]
+}
+
+impl Constraint for OnBranch {
+    fn rows(&self) -> &'static [Measure] {
+        let angles = self
+            .coordinates
+            .iter()
+            .enumerate()
+            .map(|(k, (_, axis))| usize::from(*axis == Axis::Theta) << k);
+        &MEASURES[angles.sum::<usize>()][..self.columns.len()]
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        let of = |(k, (body, axis)): (usize, &(BodyId, Axis))| {
+            [(k, *body, *axis), (k, self.pin.0, self.pin.1)]
+        };
+        self.coordinates.iter().enumerate().flat_map(of).collect()
+    }
+
+    fn position(&self, at: &Instant, phi: &mut [f64]) {
+        let s = value(at, self.pin);
+        for ((phi, &column), &coordinate) in
+            phi.iter_mut().zip(&self.columns).zip(&self.coordinates)
+        {
+            *phi = value(at, coordinate) - self.branch.jet(column, s)[0];
+        }
+    }
+
+    fn jacobian(&self, at: &Instant, values: &mut [f64]) {
+        let s = value(at, self.pin);
+        for (values, &column) in values.chunks_exact_mut(2).zip(&self.columns) {
+            values.copy_from_slice(&[1.0, -self.branch.jet(column, s)[1]]);
+        }
+    }
+
+    fn rate(&self, _at: &Instant, phi_t: &mut [f64]) {
+        phi_t.fill(0.0);
+    }
+
+    fn gamma(&self, at: &Instant, gamma: &mut [f64]) {
+        let (s, rate) = (value(at, self.pin), rate(at, self.pin));
+        for (gamma, &column) in gamma.iter_mut().zip(&self.columns) {
+            *gamma = self.branch.jet(column, s)[2] * rate * rate;
+        }
+    }
+
+    /// The joints' own equations tell their reactions.
+    fn reaction(&self, _at: &Instant, _lambda: &[f64]) -> (Vec2, f64) {
+        (Vec2::zeros(), 0.0)
+    }
+}

@@ -1,0 +1,416 @@
+//! Forces that depend on the multipliers, which depend on them: friction of ideal joints.
+//!
+//! At one instant and state all else is linear, so that with T_j the size of force j in its direction g_j
+//!
+//! ```text
+//! λ = λ⁰ + Σ Λ_j T_j            λ⁰ without these forces, Λ_j from g_j alone     (m)
+//! T_i = s_i(λ)                  the laws, at most 3 multipliers each            (k)
+//! ```
+//!
+//! and only T (k) is unknown: Newton's iteration, with the step of the plain fixed point T ← s(λ) where Newton's does not
+//! bring the residual down. With B_ij = |∂s_i/∂λ| |Λ_j| (rows of i) the fixed point contracts where the spectral radius of B
+//! is below one; then the solution is the only one. Elsewhere there may be several or none (Painlevé 1895): the one that is
+//! meant goes on from the mechanism without friction, and is followed from there as the laws' sizes grow from 0 to 1, with
+//! det(I − ∂s/∂λ Λ) > 0 all the way. Where it ends before 1, the mechanism locks itself.
+
+use super::driven::Failure;
+use crate::element::Applied;
+use crate::system::{Evaluation, Inputs, System};
+use linkdyn_linear::math::dot;
+use std::ops::Range;
+
+/// Rows of the largest block.
+const ROWS: usize = 3;
+/// Residual, in parts of the terms in it, at which the iteration ends, and the one that is good enough where it stalls.
+const ROUND_OFF: f64 = 1e-14;
+const STALLED: f64 = 1e-12;
+/// Iterations of one solution.
+const MOST: usize = 60;
+/// Longest and shortest step by which the laws' sizes grow.
+const STEP: f64 = 0.125;
+const SHORTEST: f64 = 1e-5;
+
+/// The forces' directions, what they do, and their sizes.
+#[derive(Debug, Clone, Default)]
+pub struct ReactiveForces {
+    /// (k, n), (k, m), (k, f)
+    units: Vec<f64>,
+    responses: Vec<f64>,
+    rates: Vec<f64>,
+    n: usize,
+    m: usize,
+    f: usize,
+    /// λ without these forces (m), for who has no place of his own.
+    pub(super) free: Vec<f64>,
+    /// T (k) [N or N·m].
+    sizes: Vec<f64>,
+    /// T at the last part of the laws that was solved, and before Newton's last step (k).
+    kept: Vec<f64>,
+    before: Vec<f64>,
+    residual: Vec<f64>,
+    /// ∂s/∂λ (k, 3).
+    slopes: Vec<f64>,
+    /// I − ∂s/∂λ Λ, and a copy to eliminate (k, k).
+    matrix: Vec<f64>,
+    work: Vec<f64>,
+    /// The force that could not be found last time.
+    locked: Option<usize>,
+    margin: f64,
+}
+
+impl ReactiveForces {
+    pub fn new(system: &System, freedom: usize) -> Self {
+        let (k, n, m) = (system.reactive.len(), system.n(), system.m());
+        // Nothing is kept for nothing.
+        let cells = |count: usize| vec![0.0; k * count];
+        ReactiveForces {
+            units: cells(n),
+            responses: cells(m),
+            rates: cells(freedom),
+            n,
+            m,
+            f: freedom,
+            free: if k > 0 { vec![0.0; m] } else { Vec::new() },
+            sizes: cells(1),
+            kept: cells(1),
+            before: cells(1),
+            residual: cells(1),
+            slopes: cells(ROWS),
+            matrix: cells(k),
+            work: cells(k),
+            locked: None,
+            margin: 1.0,
+        }
+    }
+
+    /// T (k) [N or N·m] of the last solution.
+    pub fn sizes(&self) -> &[f64] {
+        &self.sizes
+    }
+
+    /// Sizes found otherwise, as limits.
+    pub fn set_sizes(&mut self, sizes: &[f64]) {
+        self.sizes.copy_from_slice(sizes);
+    }
+
+    /// The force that had no finite size at the last solution.
+    pub fn locked(&self) -> Option<usize> {
+        self.locked
+    }
+
+    /// det(I − ∂s/∂λ Λ) of the last solution: 1 without friction, 0 where the mechanism locks itself.
+    pub fn margin(&self) -> f64 {
+        self.margin
+    }
+
+    /// The force that feeds on itself most.
+    pub fn tightest(&self) -> usize {
+        let k = self.sizes.len();
+        (0..k)
+            .min_by(|&a, &b| self.matrix[a * k + a].total_cmp(&self.matrix[b * k + b]))
+            .unwrap_or(0)
+    }
+
+    /// Power of all of them at velocities `v` (n) \[W\].
+    pub fn power(&self, v: &[f64]) -> f64 {
+        self.units
+            .chunks_exact(self.n.max(1))
+            .zip(&self.sizes)
+            .map(|(unit, size)| size * dot(unit, v))
+            .sum()
+    }
+
+    /// g_j at the position and velocity that `evaluation` has taken.
+    pub fn eval_units(&mut self, system: &System, evaluation: &Evaluation, inputs: &Inputs) {
+        let at = evaluation.instant(inputs);
+        self.units.fill(0.0);
+        for (unit, reactive) in self
+            .units
+            .chunks_exact_mut(self.n.max(1))
+            .zip(&system.reactive)
+        {
+            reactive.force.apply_unit(&at, &mut Applied { q: unit });
+        }
+    }
+
+    /// g_j, and where Λ_j goes.
+    pub(super) fn units_and_responses(&mut self) -> impl Iterator<Item = (&[f64], &mut [f64])> {
+        self.units
+            .chunks_exact(self.n.max(1))
+            .zip(self.responses.chunks_exact_mut(self.m.max(1)))
+    }
+
+    /// g_j, and where Λ_j and ü of g_j go.
+    pub(super) fn units_responses_and_rates(
+        &mut self,
+    ) -> impl Iterator<Item = ((&[f64], &mut [f64]), &mut [f64])> {
+        let responses = self.responses.chunks_exact_mut(self.m.max(1));
+        let rates = self.rates.chunks_exact_mut(self.f.max(1));
+        self.units
+            .chunks_exact(self.n.max(1))
+            .zip(responses)
+            .zip(rates)
+    }
+
+    pub(super) fn sizes_and_rates(&self) -> impl Iterator<Item = (f64, &[f64])> {
+        self.sizes
+            .iter()
+            .copied()
+            .zip(self.rates.chunks_exact(self.f.max(1)))
+    }
+
+    /// Adds Σ T_j g_j.
+    pub fn add_forces(&self, force: &mut [f64]) {
+        add(&self.units, self.n, &self.sizes, force);
+    }
+
+    /// Adds Σ T_j Λ_j.
+    pub(super) fn add_responses(&self, lambda: &mut [f64]) {
+        add(&self.responses, self.m, &self.sizes, lambda);
+    }
+
+    /// T, from λ⁰ (m), the units and their responses.
+    ///
+    /// # Errors
+    /// [`Failure::Locked`]; [`Failure::Singular`] where λ⁰ or Λ are not finite. The sizes are then NaN.
+    pub(super) fn solve(
+        &mut self,
+        system: &System,
+        evaluation: &Evaluation,
+        inputs: &Inputs,
+        free: &[f64],
+    ) -> Result<(), Failure> {
+        let finite = free.iter().chain(&self.responses).all(|x| x.is_finite());
+        let found = if finite {
+            self.find(
+                free,
+                &Here {
+                    system,
+                    evaluation,
+                    inputs,
+                },
+            )
+        } else {
+            Err(Failure::Singular)
+        };
+        if found.is_err() {
+            self.sizes.fill(f64::NAN);
+        }
+        found
+    }
+
+    /// T for these laws.
+    fn find(&mut self, free: &[f64], laws: &impl Laws) -> Result<(), Failure> {
+        self.locked = None;
+        self.sizes.fill(0.0);
+        // Sizes are convex in λ, so a single one has no second solution with a positive determinant.
+        if self.iterate(free, laws, 1.0)
+            && self.margin > 0.0
+            && (self.sizes.len() == 1 || self.contracts(laws))
+        {
+            return Ok(());
+        }
+        self.kept.fill(0.0);
+        let (mut part, mut step) = (0.0, STEP);
+        while part < 1.0 {
+            self.sizes.copy_from_slice(&self.kept);
+            let next = f64::min(part + step, 1.0);
+            if self.iterate(free, laws, next) && self.margin > 0.0 {
+                self.kept.copy_from_slice(&self.sizes);
+                part = next;
+                step = f64::min(2.0 * step, STEP);
+            } else {
+                step *= 0.5;
+            }
+            if step < SHORTEST {
+                let force = self.tightest();
+                self.locked = Some(force);
+                return Err(Failure::Locked { force });
+            }
+        }
+        Ok(())
+    }
+
+    /// Solves T = part · s(λ) from the sizes at hand; whether that was possible.
+    fn iterate(&mut self, free: &[f64], laws: &impl Laws, part: f64) -> bool {
+        let mut worst = self.eval_residual(free, laws, part);
+        for _ in 0..MOST {
+            self.eval_matrix(laws, part);
+            if worst <= ROUND_OFF || !worst.is_finite() {
+                break;
+            }
+            self.before.copy_from_slice(&self.sizes);
+            let plain = |sizes: &mut [f64], residual: &[f64]| {
+                sizes.iter_mut().zip(residual).for_each(|(t, r)| *t -= r)
+            };
+            // The step of the plain fixed point, in case Newton's is none.
+            plain(&mut self.before, &self.residual);
+            if eliminate(&mut self.work, &mut self.residual) != 0.0 {
+                plain(&mut self.sizes, &self.residual);
+                let reached = self.eval_residual(free, laws, part);
+                if reached < worst {
+                    worst = reached;
+                    continue;
+                }
+            }
+            if worst <= STALLED {
+                self.sizes.copy_from_slice(&self.before);
+                worst = self.eval_residual(free, laws, part);
+                self.eval_matrix(laws, part);
+                break;
+            }
+            self.sizes.copy_from_slice(&self.before);
+            worst = self.eval_residual(free, laws, part);
+        }
+        self.residual.fill(0.0);
+        self.margin = eliminate(&mut self.work, &mut self.residual);
+        worst <= STALLED
+    }
+
+    /// T − part · s(λ), and ∂s/∂λ; returns the largest residual, in parts of its terms.
+    fn eval_residual(&mut self, free: &[f64], laws: &impl Laws, part: f64) -> f64 {
+        let m = self.m;
+        let mut worst: f64 = 0.0;
+        for i in 0..self.sizes.len() {
+            let rows = laws.rows(i);
+            let (mut lambda, mut terms, mut slope) = ([0.0; ROWS], [0.0; ROWS], [0.0; ROWS]);
+            let count = rows.len();
+            for (r, row) in rows.enumerate() {
+                (lambda[r], terms[r]) = (free[row], free[row].abs());
+                for (response, size) in self.responses.chunks_exact(m).zip(&self.sizes) {
+                    lambda[r] += response[row] * size;
+                    terms[r] += (response[row] * size).abs();
+                }
+            }
+            let size = part * laws.size(i, &lambda[..count], &mut slope[..count]);
+            let residual = self.sizes[i] - size;
+            let whole = self.sizes[i].abs()
+                + slope
+                    .iter()
+                    .zip(terms)
+                    .map(|(s, t)| (part * s).abs() * t)
+                    .sum::<f64>();
+            if residual != 0.0 {
+                // f64::max would swallow what is no number
+                let ratio = residual.abs() / whole;
+                worst = if ratio > worst || ratio.is_nan() {
+                    ratio
+                } else {
+                    worst
+                };
+            }
+            self.residual[i] = residual;
+            self.slopes[i * ROWS..(i + 1) * ROWS].copy_from_slice(&slope);
+        }
+        worst
+    }
+
+    /// I − part · ∂s/∂λ Λ.
+    fn eval_matrix(&mut self, laws: &impl Laws, part: f64) {
+        let (k, m) = (self.sizes.len(), self.m);
+        for i in 0..k {
+            let slope = &self.slopes[i * ROWS..(i + 1) * ROWS];
+            for (j, response) in self.responses.chunks_exact(m).enumerate() {
+                let own = if i == j { 1.0 } else { 0.0 };
+                self.matrix[i * k + j] = own - part * dot(slope, &response[laws.rows(i)]);
+            }
+        }
+        self.work.copy_from_slice(&self.matrix);
+    }
+
+    /// Whether the spectral radius of B is below one: I − B has positive pivots only.
+    fn contracts(&mut self, laws: &impl Laws) -> bool {
+        let (k, m) = (self.sizes.len(), self.m);
+        let norm = |part: &[f64]| dot(part, part).sqrt();
+        for i in 0..k {
+            let slope = norm(&self.slopes[i * ROWS..(i + 1) * ROWS]);
+            for (j, response) in self.responses.chunks_exact(m).enumerate() {
+                let own = if i == j { 1.0 } else { 0.0 };
+                self.work[i * k + j] = own - slope * norm(&response[laws.rows(i)]);
+            }
+        }
+        for p in 0..k {
+            if self.work[p * k + p] <= 0.0 {
+                return false;
+            }
+            for i in p + 1..k {
+                let factor = self.work[i * k + p] / self.work[p * k + p];
+                for j in p + 1..k {
+                    self.work[i * k + j] -= factor * self.work[p * k + j];
+                }
+            }
+        }
+        true
+    }
+}
+
+/// The laws at one instant: sizes by the multipliers of their rows.
+trait Laws {
+    fn rows(&self, force: usize) -> Range<usize>;
+    fn size(&self, force: usize, lambda: &[f64], slope: &mut [f64]) -> f64;
+}
+
+/// Those of a system.
+struct Here<'a> {
+    system: &'a System,
+    evaluation: &'a Evaluation,
+    inputs: &'a Inputs,
+}
+
+impl Laws for Here<'_> {
+    fn rows(&self, force: usize) -> Range<usize> {
+        let block = &self.system.blocks[self.system.reactive[force].block];
+        block.row..block.row + block.rows
+    }
+
+    fn size(&self, force: usize, lambda: &[f64], slope: &mut [f64]) -> f64 {
+        let at = self.evaluation.instant(self.inputs);
+        self.system.reactive[force]
+            .force
+            .size(&at, self.inputs.memories[force], lambda, slope)
+    }
+}
+
+/// sum += Σ x_j v_j, the v_j of length `n` one after the other.
+fn add(vectors: &[f64], n: usize, x: &[f64], sum: &mut [f64]) {
+    for (vector, x) in vectors.chunks_exact(n.max(1)).zip(x) {
+        sum.iter_mut()
+            .zip(vector)
+            .for_each(|(sum, v)| *sum += x * v);
+    }
+}
+
+/// b ← A⁻¹ b by elimination with row exchanges, in place; returns det A, 0 where there is no solution.
+fn eliminate(a: &mut [f64], b: &mut [f64]) -> f64 {
+    let k = b.len();
+    let mut determinant = 1.0;
+    for p in 0..k {
+        let pivot = (p..k)
+            .max_by(|&i, &j| a[i * k + p].abs().total_cmp(&a[j * k + p].abs()))
+            .unwrap_or(p);
+        if a[pivot * k + p] == 0.0 || !a[pivot * k + p].is_finite() {
+            return 0.0;
+        }
+        if pivot != p {
+            (0..k).for_each(|j| a.swap(p * k + j, pivot * k + j));
+            b.swap(p, pivot);
+            determinant = -determinant;
+        }
+        determinant *= a[p * k + p];
+        for i in p + 1..k {
+            let factor = a[i * k + p] / a[p * k + p];
+            for j in p + 1..k {
+                a[i * k + j] -= factor * a[p * k + j];
+            }
+            b[i] -= factor * b[p];
+        }
+    }
+    for i in (0..k).rev() {
+        let sum: f64 = (i + 1..k).map(|j| a[i * k + j] * b[j]).sum();
+        b[i] = (b[i] - sum) / a[i * k + i];
+    }
+    determinant
+}
+
+#[cfg(test)]
+mod tests;

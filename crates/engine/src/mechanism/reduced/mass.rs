@@ -1,0 +1,87 @@
+//! SᵀMS, its factor, and what impulses change.
+
+use super::Reduced;
+use crate::mechanism::driven::Failure;
+
+impl Reduced<'_> {
+    /// ü in `rhs`, from SᵀMS ü = Sᵀ b by Cholesky.
+    pub(super) fn solve_freedom(&mut self) -> Result<(), Failure> {
+        let mass = &self.driven.system.mass;
+        let (n, f) = (mass.len(), self.freedom());
+        for i in 0..f {
+            let si = &self.motions[i * n..(i + 1) * n];
+            self.rhs[i] = linkdyn_linear::math::dot(si, &self.balance);
+            // Motions of few bodies have few components.
+            self.momenta.clear();
+            let moved = si
+                .iter()
+                .zip(mass)
+                .enumerate()
+                .filter(|(_, (s, _))| **s != 0.0);
+            self.momenta
+                .extend(moved.map(|(column, (s, m))| (column, s * m)));
+            for j in 0..=i {
+                let sj = &self.motions[j * n..(j + 1) * n];
+                self.mass[i * f + j] = self
+                    .momenta
+                    .iter()
+                    .map(|&(column, momentum)| momentum * sj[column])
+                    .sum();
+            }
+        }
+        for i in 0..f {
+            for j in 0..=i {
+                let sum: f64 = (0..j)
+                    .map(|k| self.mass[i * f + k] * self.mass[j * f + k])
+                    .sum();
+                let rest = self.mass[i * f + j] - sum;
+                if i == j {
+                    if rest.is_nan() || rest <= MASSLESS * self.mass[i * f + i].abs() {
+                        return Err(Failure::Singular);
+                    }
+                    self.mass[i * f + i] = rest.sqrt();
+                } else {
+                    self.mass[i * f + j] = rest / self.mass[j * f + j];
+                }
+            }
+        }
+        solve_factored(&self.mass, &mut self.rhs);
+        Ok(())
+    }
+
+    /// Change of the rates u̇ by a generalized impulse P (n) at the point of the last evaluation, SᵀMS Δu̇ = Sᵀ P.
+    pub fn kick(&self, impulse: &[f64], rates: &mut [f64]) {
+        let n = impulse.len();
+        for (rate, motion) in rates.iter_mut().zip(self.motions.chunks_exact(n.max(1))) {
+            *rate = linkdyn_linear::math::dot(motion, impulse);
+        }
+        solve_factored(&self.mass, rates);
+    }
+
+    /// Change of the velocities (n) by that of the rates.
+    pub fn spread(&self, rates: &[f64], change: &mut [f64]) {
+        change.fill(0.0);
+        for (motion, rate) in self.motions.chunks_exact(change.len().max(1)).zip(rates) {
+            change
+                .iter_mut()
+                .zip(motion)
+                .for_each(|(v, s)| *v += rate * s);
+        }
+    }
+}
+
+/// A pivot of SᵀMS that loses more than this of its size means freedom without mass.
+const MASSLESS: f64 = 1e-13;
+
+/// x ← (L Lᵀ)⁻¹ x, with L in the lower half of `mass`.
+pub(super) fn solve_factored(mass: &[f64], x: &mut [f64]) {
+    let f = x.len();
+    for i in 0..f {
+        let sum: f64 = (0..i).map(|k| mass[i * f + k] * x[k]).sum();
+        x[i] = (x[i] - sum) / mass[i * f + i];
+    }
+    for i in (0..f).rev() {
+        let sum: f64 = (i + 1..f).map(|k| mass[k * f + i] * x[k]).sum();
+        x[i] = (x[i] - sum) / mass[i * f + i];
+    }
+}

@@ -1,0 +1,386 @@
+//! Driver laws f(t) with f′ and f″.
+//!
+//! | law                   | f(t)                                  |
+//! | --------------------- | ------------------------------------- |
+//! | polynomial            | Σ c_k t^k                             |
+//! | harmonic              | o + A sin(2π ν t + φ)                 |
+//! | table                 | natural cubic spline through (t, f)   |
+//! | constant velocity     | s + v t                               |
+//! | constant acceleration | s + v t + a t²/2                      |
+//!
+//! A table is interpolated by the natural cubic spline (f″ = 0 at both ends; de Boor, A Practical Guide to Splines,
+//! 2001, ch. IV) and goes on as a straight line beyond its ends, so f, f′, f″ are continuous everywhere.
+
+use linkdyn_linear::math::max_abs;
+use std::f64::consts::TAU;
+
+/// Value, first and second derivative.
+pub type Jet = [f64; 3];
+
+/// A compiled law of time (or, for a path, of its parameter).
+#[derive(Debug, Clone, PartialEq)]
+pub enum Law {
+    Polynomial(Vec<f64>),
+    Harmonic {
+        offset: f64,
+        amplitude: f64,
+        frequency: f64,
+        phase: f64,
+    },
+    Spline(Spline),
+}
+
+/// Natural cubic spline: knots, values and second derivatives, all of length n ≥ 2.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spline {
+    t: Vec<f64>,
+    f: Vec<f64>,
+    curvature: Vec<f64>,
+}
+
+impl Spline {
+    /// Spline through points with strictly increasing times.
+    pub fn natural(points: &[[f64; 2]]) -> Self {
+        let n = points.len();
+        let t: Vec<f64> = points.iter().map(|p| p[0]).collect();
+        let f: Vec<f64> = points.iter().map(|p| p[1]).collect();
+        let mut curvature = vec![0.0; n];
+        // Tridiagonal system for the inner second derivatives, eliminated downwards.
+        let mut factor = vec![0.0; n];
+        for i in 1..n.saturating_sub(1) {
+            let (h0, h1) = (t[i] - t[i - 1], t[i + 1] - t[i]);
+            let rhs = 6.0 * ((f[i + 1] - f[i]) / h1 - (f[i] - f[i - 1]) / h0);
+            let pivot = 2.0 * (h0 + h1) - h0 * factor[i - 1];
+            factor[i] = h1 / pivot;
+            curvature[i] = (rhs - h0 * curvature[i - 1]) / pivot;
+        }
+        for i in (1..n.saturating_sub(1)).rev() {
+            curvature[i] -= factor[i] * curvature[i + 1];
+        }
+        Spline { t, f, curvature }
+    }
+
+    fn jet(&self, t: f64) -> Jet {
+        let last = self.t.len() - 1;
+        // Beyond the ends: the end tangent (f″ = 0 there).
+        for (inside, end) in [(t >= self.t[0], 0), (t <= self.t[last], last)] {
+            if !inside {
+                let edge = self.piece(end.min(last - 1), self.t[end]);
+                return [edge[0] + edge[1] * (t - self.t[end]), edge[1], 0.0];
+            }
+        }
+        let k = self.t.partition_point(|&knot| knot <= t).clamp(1, last) - 1;
+        self.piece(k, t)
+    }
+
+    fn piece(&self, k: usize, t: f64) -> Jet {
+        let h = self.t[k + 1] - self.t[k];
+        let (a, b) = (self.t[k + 1] - t, t - self.t[k]);
+        let (m0, m1) = (self.curvature[k], self.curvature[k + 1]);
+        let slope = (self.f[k + 1] - self.f[k]) / h;
+        [
+            self.f[k] + slope * b
+                - (m0 * (h * h - a * a) * a + m1 * (h * h - b * b) * b) / (6.0 * h),
+            slope + (m1 * (3.0 * b * b - h * h) - m0 * (3.0 * a * a - h * h)) / (6.0 * h),
+            (m0 * a + m1 * b) / h,
+        ]
+    }
+}
+
+impl Law {
+    /// f, f′, f″ at `t`.
+    pub fn jet(&self, t: f64) -> Jet {
+        match self {
+            Law::Polynomial(c) => {
+                let mut jet = [0.0; 3];
+                for &ck in c.iter().rev() {
+                    jet = [
+                        jet[0] * t + ck,
+                        jet[1] * t + jet[0],
+                        jet[2] * t + 2.0 * jet[1],
+                    ];
+                }
+                jet
+            }
+            Law::Harmonic {
+                offset,
+                amplitude,
+                frequency,
+                phase,
+            } => {
+                let w = TAU * frequency;
+                let (s, c) = (w * t + phase).sin_cos();
+                [
+                    offset + amplitude * s,
+                    amplitude * w * c,
+                    -amplitude * w * w * s,
+                ]
+            }
+            Law::Spline(s) => s.jet(t),
+        }
+    }
+
+    /// Whether the law never changes.
+    pub fn is_constant(&self) -> bool {
+        match self {
+            Law::Polynomial(c) => c.iter().skip(1).all(|&ck| ck == 0.0),
+            Law::Harmonic {
+                amplitude,
+                frequency,
+                ..
+            } => *amplitude == 0.0 || *frequency == 0.0,
+            Law::Spline(s) => s.f.iter().all(|&f| f == s.f[0]),
+        }
+    }
+
+    /// Times in (0, end) where f′ changes sign, ascending: f is monotone between them. Each is looked for when it is asked for, since a
+    /// law may have millions.
+    pub fn turning_times(&self, end: f64) -> impl Iterator<Item = f64> {
+        // Between marks f′ has at most a few roots; a fine subdivision of each stretch brackets them.
+        let speed = self.jet(0.0)[1];
+        let mut sign = speed.signum() * f64::from(u8::from(speed != 0.0));
+        let mut left = 0.0;
+        let pieces = self
+            .marks(end)
+            .chain([end])
+            .flat_map(|mark| (1..=SUBDIVISIONS).map(move |k| (mark, k)));
+        let turns = pieces.filter_map(move |(mark, k)| {
+            let right = if k == SUBDIVISIONS {
+                mark
+            } else {
+                left + (mark - left) / (SUBDIVISIONS + 1 - k) as f64
+            };
+            let slope = self.jet(right)[1];
+            let mut turn = None;
+            if slope != 0.0 {
+                if sign != 0.0 && slope.signum() != sign {
+                    turn = Some(bisect(|t| self.jet(t)[1] * sign, left, right));
+                }
+                sign = slope.signum();
+            }
+            left = right;
+            turn
+        });
+        turns.filter(move |&t| t > 0.0 && t < end)
+    }
+
+    /// Natural subdivision of (0, end): knots of a table, quarter periods of a harmonic.
+    fn marks(&self, end: f64) -> Box<dyn Iterator<Item = f64> + '_> {
+        match self {
+            Law::Polynomial(_) => Box::new(std::iter::empty()),
+            Law::Harmonic { frequency, .. } => {
+                let quarters = (end * frequency.abs() * 4.0).ceil().min(MOST_QUARTERS) as u64;
+                Box::new((1..quarters).map(move |k| end * k as f64 / quarters as f64))
+            }
+            Law::Spline(s) => Box::new(s.t.iter().copied().filter(move |&t| t > 0.0 && t < end)),
+        }
+    }
+
+    /// Turning points after which all has been seen that the law does; none of a law that goes on to new values.
+    pub fn repeats_after(&self) -> Option<usize> {
+        match self {
+            Law::Harmonic { .. } => Some(REPEATS),
+            Law::Polynomial(_) | Law::Spline(_) => None,
+        }
+    }
+
+    /// The first time t in [0, `latest`] with f(t) = `value`, searched on the first monotone stretch; none if it is not
+    /// reached.
+    pub fn invert(&self, value: f64, latest: f64) -> Option<f64> {
+        self.first_stretch(latest).invert(value, 0.0)
+    }
+
+    /// The law up to its first turning point, or to `latest`.
+    pub fn first_stretch(&self, latest: f64) -> Stretch<'_> {
+        let end = self.turning_times(latest).next().unwrap_or(latest);
+        Stretch {
+            law: self,
+            end,
+            from: self.jet(0.0)[0],
+            to: self.jet(end)[0],
+        }
+    }
+}
+
+/// A law on [0, end], where it is monotone.
+#[derive(Debug, Clone, Copy)]
+pub struct Stretch<'a> {
+    law: &'a Law,
+    end: f64,
+    from: f64,
+    to: f64,
+}
+
+impl Stretch<'_> {
+    /// The time in [0, end] with f(t) = `value`; none if it is not reached. `guess` saves work where it is near.
+    pub fn invert(&self, value: f64, guess: f64) -> Option<f64> {
+        let scale = self.from.abs().max(value.abs());
+        if (value - self.from).abs() <= 4.0 * f64::EPSILON * scale {
+            return Some(0.0);
+        }
+        let side = (value - self.from).signum();
+        if (self.to - value) * side < -8.0 * f64::EPSILON * max_abs(&[scale, self.to]) {
+            return None;
+        }
+        // Newton, kept within a bracket that bisection would use.
+        let (mut low, mut high) = (0.0, self.end);
+        let mut t = if guess > low && guess < high {
+            guess
+        } else {
+            0.5 * self.end
+        };
+        for _ in 0..200 {
+            let [f, speed, _] = self.law.jet(t);
+            if (value - f) * side > 0.0 {
+                low = t
+            } else {
+                high = t
+            }
+            let newton = t - (f - value) / speed;
+            // Round-off at the turning point itself may point outside.
+            let next = if newton >= low && newton <= high {
+                newton
+            } else {
+                0.5 * (low + high)
+            };
+            let done = (next - t).abs() <= f64::EPSILON * t.abs() || f == value;
+            t = next;
+            if done {
+                break;
+            }
+        }
+        Some(t)
+    }
+}
+
+/// Stretches a law's natural pieces are cut into when its turning points are looked for.
+const SUBDIVISIONS: usize = 64;
+
+/// More quarter periods can't be told apart by their times.
+const MOST_QUARTERS: f64 = 1e15;
+
+/// Turning points of a harmonic that stand for all: extremes of more of them differ by round-off alone.
+const REPEATS: usize = 10_000;
+
+/// The place in [a, b] where `f` goes from positive to not positive.
+pub(crate) fn bisect(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
+    for _ in 0..200 {
+        let middle = 0.5 * (a + b);
+        if middle <= a || middle >= b {
+            break;
+        }
+        if f(middle) > 0.0 {
+            a = middle
+        } else {
+            b = middle
+        }
+    }
+    0.5 * (a + b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn laws() -> Vec<Law> {
+        vec![
+            Law::Polynomial(vec![1.0, -2.0, 0.5, 0.25]),
+            Law::Harmonic {
+                offset: 0.3,
+                amplitude: 1.2,
+                frequency: 0.7,
+                phase: 0.4,
+            },
+            Law::Spline(Spline::natural(&[
+                [0.0, 1.0],
+                [0.5, 2.0],
+                [1.25, -1.0],
+                [2.0, 0.0],
+            ])),
+        ]
+    }
+
+    #[test]
+    fn derivatives_are_those_of_the_value() {
+        for law in laws() {
+            for t in [-0.3, 0.1, 0.49, 0.9, 1.6, 2.5] {
+                let h = 1e-4;
+                let (lo, mid, hi) = (law.jet(t - h), law.jet(t), law.jet(t + h));
+                assert!(
+                    ((hi[0] - lo[0]) / (2.0 * h) - mid[1]).abs() < 1e-5,
+                    "{law:?} at {t}"
+                );
+                assert!(
+                    ((hi[1] - lo[1]) / (2.0 * h) - mid[2]).abs() < 1e-4,
+                    "{law:?} at {t}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn spline_passes_its_points_and_repeats_a_straight_line() {
+        let points = [[0.0, 1.0], [0.5, 2.0], [1.25, -1.0], [2.0, 0.0]];
+        let spline = Spline::natural(&points);
+        for [t, f] in points {
+            assert!((spline.jet(t)[0] - f).abs() < 1e-14);
+        }
+        assert!(spline.jet(0.0)[2].abs() < 1e-14 && spline.jet(2.0)[2].abs() < 1e-14);
+        let line = Spline::natural(&[[0.0, 1.0], [1.0, 3.0], [4.0, 9.0]]);
+        assert!((line.jet(2.2)[0] - 5.4).abs() < 1e-14);
+        assert!((line.jet(6.0)[0] - 13.0).abs() < 1e-13);
+    }
+
+    #[test]
+    fn inverse_finds_the_first_time() {
+        let law = Law::Polynomial(vec![-0.5, 0.0, 1.0]);
+        for u in [-0.5, -0.499, 0.0, 1.25] {
+            let t = law.invert(u, 10.0).expect("reached");
+            assert!((t - (u + 0.5_f64).sqrt()).abs() < 1e-12, "{u}: {t}");
+        }
+        assert!(law.invert(-0.6, 10.0).is_none());
+        let wave = Law::Harmonic {
+            offset: 0.0,
+            amplitude: 2.0,
+            frequency: 1.0,
+            phase: 0.0,
+        };
+        assert!((wave.invert(2.0, 5.0).expect("reached") - 0.25).abs() < 1e-7);
+        assert!(wave.invert(2.1, 5.0).is_none());
+        assert!((wave.invert(1.0, 5.0).expect("reached") - 1.0 / 12.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn turning_times_of_a_wave() {
+        let wave = Law::Harmonic {
+            offset: 0.0,
+            amplitude: 2.0,
+            frequency: 1.0,
+            phase: 0.0,
+        };
+        let turns: Vec<f64> = wave.turning_times(2.0).collect();
+        assert_eq!(turns.len(), 4, "{turns:?}");
+        for (turn, want) in turns.iter().zip([0.25, 0.75, 1.25, 1.75]) {
+            assert!((turn - want).abs() < 1e-12);
+        }
+    }
+
+    /// Ten million periods: only those that are asked for are looked for.
+    #[test]
+    fn turning_times_of_a_fast_wave_are_those_of_every_period() {
+        let wave = Law::Harmonic {
+            offset: 0.0,
+            amplitude: 2.0,
+            frequency: 1e7,
+            phase: 0.0,
+        };
+        for (k, turn) in wave.turning_times(1.0).take(5000).enumerate() {
+            let exact = (k as f64 + 0.5) / 2e7;
+            assert!(
+                (turn - exact).abs() < 1e-9 * exact,
+                "turn {k}: {turn} instead of {exact}"
+            );
+        }
+        assert!((wave.invert(1.0, 1.0).expect("reached") * 1e7 - 1.0 / 12.0).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,630 @@
+//! Words → numbers: the only place where a [`Model`] and a [`System`] meet.
+
+mod contact_parameters;
+mod needs;
+
+use super::{
+    Block, BodyData, ClearanceLink, DriverData, DriverId, JointData, JointFriction, JointId,
+    Origin, OutputPoint, Reactive, System,
+};
+use crate::element::coordinate::Coordinate;
+use crate::element::driven::{DriveId, Rotation, Translation};
+use crate::element::fixed::Fixed;
+use crate::element::gear::Gear;
+use crate::element::joint_friction::{GuideFriction, PinFriction};
+use crate::element::journal::{Bearing, ContactId, FollowingFriction, Free, Journal, Surface};
+use crate::element::load::{PointLoad, Torque};
+use crate::element::prismatic::{Guide, Prismatic};
+use crate::element::revolute::{OffsetId, Revolute};
+use crate::element::slot::Slot;
+use crate::element::spring::Spring;
+use crate::element::torsion_spring::TorsionSpring;
+use crate::element::{
+    Axis, BodyId, Constraint, Force as ForceElement, Marker, Measure, Pose, ReactiveForce,
+};
+use crate::motion::{Law, Spline};
+use linkdyn_linear::math::{Vec2, unit};
+use linkdyn_model::error::Complaint;
+use linkdyn_model::{
+    AnalysisKind, Carrier, ClearanceModel, DriverKind, ForceKind, Frame, GROUND, JointKind, Model,
+    Motion, PointRef, Value,
+};
+use needs::{Joints, bearing, clearance, missing};
+use std::collections::HashMap;
+
+/// Compiles a model for an analysis; for an assembly joints whose clearance is modelled by contact are closed.
+///
+/// # Errors
+/// Data that the analysis needs and the file lacks, all at once.
+pub fn compile(model: &Model, analysis: AnalysisKind) -> Result<System, Vec<Complaint>> {
+    let lowering = match analysis {
+        AnalysisKind::Assembly => Lowering::Closed,
+        AnalysisKind::Kinematics
+        | AnalysisKind::InverseDynamics
+        | AnalysisKind::Dynamics
+        | AnalysisKind::Statics => Lowering::Open { following: &[] },
+    };
+    let complaints = missing(model, analysis);
+    lower(model, lowering, complaints)
+}
+
+/// Compiles a model that has been compiled before, lowered in another way.
+///
+/// # Errors
+/// As [`compile`].
+pub fn recompile(model: &Model, lowering: Lowering) -> Result<System, Vec<Complaint>> {
+    lower(model, lowering, Vec::new())
+}
+
+fn lower(
+    model: &Model,
+    lowering: Lowering,
+    mut complaints: Vec<Complaint>,
+) -> Result<System, Vec<Complaint>> {
+    let joints = Joints::new(model, &mut complaints);
+    if complaints.is_empty() {
+        Ok(Compiler::new(model, joints, lowering).build())
+    } else {
+        Err(complaints)
+    }
+}
+
+/// What becomes of joints whose clearance is modelled by contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Lowering<'a> {
+    /// Ideal pins.
+    Closed,
+    /// Journals in bearings; rigid ones for which `following` is true (by contact) keep the journal on the bearing's surface.
+    Open { following: &'a [bool] },
+}
+
+/// A motion's law.
+pub fn law(motion: &Motion) -> Law {
+    match motion {
+        Motion::Polynomial { coefficients } => Law::Polynomial(coefficients.clone()),
+        Motion::Harmonic {
+            offset,
+            amplitude,
+            frequency,
+            phase,
+        } => Law::Harmonic {
+            offset: *offset,
+            amplitude: *amplitude,
+            frequency: *frequency,
+            phase: *phase,
+        },
+        Motion::Table { points } => Law::Spline(Spline::natural(points)),
+        Motion::ConstantVelocity { start, velocity } => Law::Polynomial(vec![*start, *velocity]),
+        Motion::ConstantAcceleration {
+            start,
+            velocity,
+            acceleration,
+        } => Law::Polynomial(vec![*start, *velocity, 0.5 * acceleration]),
+    }
+}
+
+/// The law of a value that may vary.
+pub fn value_law(value: &Value) -> Law {
+    match value {
+        Value::Constant(value) => Law::Polynomial(vec![*value]),
+        Value::Motion(motion) => law(motion),
+    }
+}
+
+struct Compiler<'a> {
+    model: &'a Model,
+    joints: Joints<'a>,
+    lowering: Lowering<'a>,
+    ids: HashMap<&'a str, BodyId>,
+    /// Centre of mass in the body's frame, by body id.
+    com: Vec<Vec2>,
+    system: System,
+}
+
+impl<'a> Compiler<'a> {
+    fn new(model: &'a Model, joints: Joints<'a>, lowering: Lowering<'a>) -> Self {
+        let mut ids = HashMap::from([(GROUND, BodyId::GROUND)]);
+        let mut com = vec![Vec2::zeros()];
+        for (name, body) in model.bodies.iter().filter(|(name, _)| *name != GROUND) {
+            ids.insert(name, BodyId(com.len()));
+            com.push(body.com.map_or(Vec2::zeros(), Vec2::from));
+        }
+        let system = System {
+            bodies: Vec::new(),
+            joints: Vec::new(),
+            drivers: Vec::new(),
+            points: Vec::new(),
+            blocks: Vec::new(),
+            initial: Vec::new(),
+            initial_rates: Vec::new(),
+            forces: Vec::new(),
+            reactive: Vec::new(),
+            contacts: Vec::new(),
+            gravity: Vec2::from(model.gravity),
+            mass: Vec::new(),
+            masses_known: true,
+            entries: Vec::new(),
+            measures: Vec::new(),
+            links: 0,
+            guess: Vec::new(),
+            size: 1.0,
+            display: model.display.clone(),
+            reach: 0.0,
+        };
+        Compiler {
+            model,
+            joints,
+            lowering,
+            ids,
+            com,
+            system,
+        }
+    }
+
+    fn build(mut self) -> System {
+        self.add_bodies();
+        self.system.size = self.size();
+        self.system.reach = self.reach();
+        self.add_joints();
+        self.add_drivers();
+        self.add_initial();
+        self.add_forces();
+        for point in &self.model.points {
+            let marker = self.marker(point);
+            self.system.points.push(OutputPoint {
+                name: format!("{}.{}", point.body, point.point),
+                marker,
+            });
+        }
+        self.system
+    }
+
+    fn body(&self, name: &str) -> BodyId {
+        self.ids[name]
+    }
+
+    fn marker(&self, point: &PointRef) -> Marker {
+        let body = self.body(&point.body);
+        let place = self.model.bodies[&point.body].points[&point.point];
+        Marker {
+            body,
+            s: Vec2::from(place) - self.com[body.0],
+        }
+    }
+
+    fn add_bodies(&mut self) {
+        for (name, body) in self.model.bodies.iter().filter(|(name, _)| *name != GROUND) {
+            let com = self.com[self.body(name).0];
+            let pose = Pose::new(
+                body.pose.position[0],
+                body.pose.position[1],
+                body.pose.angle,
+            );
+            let centre = pose.r + pose.turn(com);
+            self.system
+                .guess
+                .extend([centre.x, centre.y, body.pose.angle]);
+            let (mass, inertia) = (body.mass.unwrap_or(0.0), body.inertia.unwrap_or(0.0));
+            self.system.mass.extend([mass, mass, inertia]);
+            self.system.masses_known &= body.mass.is_some() && body.inertia.is_some();
+            self.system.bodies.push(BodyData {
+                name: name.clone(),
+                origin: -com,
+                mass: body.mass,
+                inertia: body.inertia,
+            });
+        }
+    }
+
+    /// Characteristic length: the largest distance between two points of one body, ground included; where there is none
+    /// (all points at their origins), the spread of the guesses, and 1 m at last.
+    fn size(&self) -> f64 {
+        let spread = |points: &[Vec2]| {
+            let low = points
+                .iter()
+                .fold(Vec2::repeat(f64::INFINITY), |m, p| m.inf(p));
+            let high = points
+                .iter()
+                .fold(Vec2::repeat(f64::NEG_INFINITY), |m, p| m.sup(p));
+            if points.is_empty() {
+                0.0
+            } else {
+                (high - low).norm()
+            }
+        };
+        let of_bodies = self.model.bodies.values().map(|body| {
+            let mut points: Vec<Vec2> = body.points.values().map(|&p| Vec2::from(p)).collect();
+            points.extend(body.com.map(Vec2::from));
+            spread(&points)
+        });
+        let of_guess: Vec<Vec2> = self
+            .model
+            .bodies
+            .values()
+            .map(|body| Vec2::from(body.pose.position))
+            .collect();
+        let largest = of_bodies.fold(0.0, f64::max);
+        [largest, spread(&of_guess), 1.0]
+            .into_iter()
+            .find(|&length| length > 0.0)
+            .unwrap_or(1.0)
+    }
+
+    /// Largest coordinate in a body's own frame.
+    fn reach(&self) -> f64 {
+        let places = self
+            .model
+            .bodies
+            .values()
+            .flat_map(|body| body.points.values().chain(&body.com));
+        places.flatten().fold(0.0, |most: f64, x| most.max(x.abs()))
+    }
+
+    fn push_block(&mut self, constraint: Box<dyn Constraint>, origin: Origin) {
+        self.system.push_block(constraint, origin);
+    }
+
+    fn add_joints(&mut self) {
+        // Of journals that follow their bearings, which come and go: behind those that are always there.
+        let mut rubbing = Vec::new();
+        for (k, (name, joint)) in self.model.joints.iter().enumerate() {
+            let (first, second) = (
+                self.marker(&joint.between[0]),
+                self.marker(&joint.between[1]),
+            );
+            let (mut link, mut contact) = (None, None);
+            let (constraint, torque): (Box<dyn Constraint>, bool) = match &joint.kind {
+                JointKind::Revolute { clearance, .. } => {
+                    match (clearance.as_deref(), self.lowering) {
+                        (Some(c), _) if c.model == ClearanceModel::MasslessLink => {
+                            link = Some(ClearanceLink {
+                                offset: self.system.links,
+                                radius: c.radius.unwrap_or(0.0),
+                            });
+                            self.system.links += 1;
+                            (
+                                Box::new(Revolute {
+                                    first,
+                                    second,
+                                    offset: link.map(|l| OffsetId(l.offset)),
+                                }),
+                                false,
+                            )
+                        }
+                        (Some(c), Lowering::Open { following })
+                            if c.model != ClearanceModel::Ideal =>
+                        {
+                            let id = self.system.contacts.len();
+                            contact = Some(ContactId(id));
+                            let Bearing {
+                                clearance,
+                                bearing_radius,
+                            } = bearing(c);
+                            let surface = self.joints.surfaces[name.as_str()].clone();
+                            let journal = Journal {
+                                bearing: first,
+                                journal: second,
+                                clearance,
+                                bearing_radius,
+                                surface,
+                            };
+                            let follows = following.get(id) == Some(&true);
+                            if let (true, Surface::Rigid(rigid)) = (follows, &journal.surface)
+                                && rigid.friction > 0.0
+                            {
+                                let force = FollowingFriction {
+                                    journal: journal.clone(),
+                                    law: rigid.friction_law(),
+                                };
+                                rubbing.push(Reactive {
+                                    force: Box::new(force),
+                                    block: k,
+                                });
+                            }
+                            let constraint: Box<dyn Constraint> = if follows {
+                                Box::new(journal.following())
+                            } else {
+                                Box::new(Free)
+                            };
+                            self.system.contacts.push(journal);
+                            (constraint, false)
+                        }
+                        _ => (
+                            Box::new(Revolute {
+                                first,
+                                second,
+                                offset: None,
+                            }),
+                            false,
+                        ),
+                    }
+                }
+                JointKind::Prismatic { axis, angle, .. } => {
+                    let guide = Guide {
+                        first,
+                        second,
+                        axis: unit(Vec2::from(*axis)),
+                    };
+                    (
+                        Box::new(Prismatic {
+                            guide,
+                            angle: *angle,
+                        }),
+                        true,
+                    )
+                }
+                JointKind::Slot { axis } => {
+                    let guide = Guide {
+                        first,
+                        second,
+                        axis: unit(Vec2::from(*axis)),
+                    };
+                    (Box::new(Slot { guide }), false)
+                }
+                JointKind::Gear { ratio, angle, .. } => (
+                    Box::new(self.gear(
+                        [first, second],
+                        *ratio,
+                        *angle,
+                        &self.joints.carriers[name.as_str()],
+                    )),
+                    true,
+                ),
+                JointKind::Fixed { angle } => (
+                    Box::new(Fixed {
+                        first,
+                        second,
+                        angle: *angle,
+                    }),
+                    true,
+                ),
+            };
+            let friction = self.friction(k, name, &joint.kind, [first, second]);
+            self.system.joints.push(JointData {
+                name: name.clone(),
+                bodies: [first.body, second.body],
+                points: [first, second],
+                torque,
+                clearance: link,
+                contact,
+                bearing: clearance(&joint.kind).map(bearing),
+                friction,
+            });
+            self.push_block(constraint, Origin::Joint(JointId(k)));
+        }
+        self.system.reactive.extend(rubbing);
+    }
+
+    /// Friction of an ideal joint, where it has some.
+    fn friction(
+        &mut self,
+        joint: usize,
+        name: &str,
+        kind: &JointKind,
+        points: [Marker; 2],
+    ) -> Option<JointFriction> {
+        let law = *self.joints.frictions.get(name)?;
+        let [first, second] = points;
+        let (force, measure): (Box<dyn ReactiveForce>, Measure) = match kind {
+            JointKind::Revolute { pin_radius, .. } => {
+                let radius = (*pin_radius)?;
+                (
+                    Box::new(PinFriction {
+                        first: first.body,
+                        second: second.body,
+                        radius,
+                        law,
+                    }),
+                    Measure::Angle,
+                )
+            }
+            JointKind::Prismatic {
+                axis, guide_length, ..
+            } => {
+                let guide = Guide {
+                    first,
+                    second,
+                    axis: unit(Vec2::from(*axis)),
+                };
+                (
+                    Box::new(GuideFriction {
+                        guide,
+                        length: *guide_length,
+                        law,
+                    }),
+                    Measure::Length,
+                )
+            }
+            JointKind::Slot { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => {
+                return None;
+            }
+        };
+        // Blocks stand in the order of the joints.
+        self.system.reactive.push(Reactive {
+            force,
+            block: joint,
+        });
+        Some(JointFriction {
+            force: self.system.reactive.len() - 1,
+            measure,
+        })
+    }
+
+    /// A gear pair; without an angle it meshes as drawn.
+    fn gear(&self, wheels: [Marker; 2], ratio: f64, angle: Option<f64>, carrier: &Carrier) -> Gear {
+        let [first, second] = wheels;
+        let span = Vec2::from(carrier.centres[1]) - Vec2::from(carrier.centres[0]);
+        let carrier = self.body(carrier.body);
+        let drawn = |body: BodyId| {
+            if body == BodyId::GROUND {
+                0.0
+            } else {
+                self.system.guess[3 * (body.0 - 1) + 2]
+            }
+        };
+        let from_carrier = |wheel: Marker| drawn(wheel.body) - drawn(carrier);
+        let angle = angle.unwrap_or_else(|| from_carrier(second) - ratio * from_carrier(first));
+        Gear {
+            first,
+            second,
+            carrier,
+            axis: unit(span),
+            distance: span.norm(),
+            ratio,
+            angle,
+        }
+    }
+
+    fn add_drivers(&mut self) {
+        for (k, (name, driver)) in self.model.drivers.iter().enumerate() {
+            let drive = DriveId(k);
+            let (constraint, measure): (Box<dyn Constraint>, Measure) = match &driver.kind {
+                DriverKind::Rotation { body, relative_to } => {
+                    let relative_to = relative_to
+                        .as_deref()
+                        .map_or(BodyId::GROUND, |name| self.body(name));
+                    (
+                        Box::new(Rotation {
+                            body: self.body(body),
+                            relative_to,
+                            drive,
+                        }),
+                        Measure::Angle,
+                    )
+                }
+                DriverKind::Translation { joint } => {
+                    let joint = &self.model.joints[joint];
+                    let axis = match &joint.kind {
+                        JointKind::Prismatic { axis, .. } | JointKind::Slot { axis } => {
+                            unit(Vec2::from(*axis))
+                        }
+                        // The loader lets translations drive prismatic joints and slots only.
+                        JointKind::Revolute { .. }
+                        | JointKind::Gear { .. }
+                        | JointKind::Fixed { .. } => Vec2::x(),
+                    };
+                    let (first, second) = (
+                        self.marker(&joint.between[0]),
+                        self.marker(&joint.between[1]),
+                    );
+                    (
+                        Box::new(Translation {
+                            guide: Guide {
+                                first,
+                                second,
+                                axis,
+                            },
+                            drive,
+                        }),
+                        Measure::Length,
+                    )
+                }
+            };
+            self.system.drivers.push(DriverData {
+                name: name.clone(),
+                law: law(&driver.motion),
+                measure,
+            });
+            self.push_block(constraint, Origin::Driver(DriverId(k)));
+        }
+    }
+
+    fn add_initial(&mut self) {
+        for (name, initial) in &self.model.initial {
+            let body = self.body(name);
+            let origin = Marker {
+                body,
+                s: -self.com[body.0],
+            };
+            let values = [
+                (Axis::X, "x", "vx", initial.x, initial.vx),
+                (Axis::Y, "y", "vy", initial.y, initial.vy),
+                (
+                    Axis::Theta,
+                    "angle",
+                    "angular_velocity",
+                    initial.angle,
+                    initial.angular_velocity,
+                ),
+            ];
+            for (axis, key, rate_key, value, rate) in values {
+                if let Some(value) = value {
+                    let constraint = Coordinate {
+                        origin,
+                        axis,
+                        value,
+                    };
+                    self.system.initial.push(Block {
+                        rows: 1,
+                        entries: constraint.entries().len(),
+                        constraint: Box::new(constraint),
+                        origin: Origin::Initial(format!("{name}.{key}")),
+                        row: 0,
+                        entry: 0,
+                    });
+                }
+                if let Some(rate) = rate {
+                    let row = Coordinate {
+                        origin,
+                        axis,
+                        value: rate,
+                    };
+                    self.system
+                        .initial_rates
+                        .push((format!("{name}.{rate_key}"), row));
+                }
+            }
+        }
+    }
+
+    fn add_forces(&mut self) {
+        for force in self.model.forces.values() {
+            let element: Box<dyn ForceElement> = match &force.kind {
+                ForceKind::Spring {
+                    between,
+                    stiffness,
+                    damping,
+                    free_length,
+                } => Box::new(Spring {
+                    first: self.marker(&between[0]),
+                    second: self.marker(&between[1]),
+                    stiffness: *stiffness,
+                    damping: *damping,
+                    free_length: value_law(free_length),
+                }),
+                ForceKind::TorsionSpring {
+                    between,
+                    stiffness,
+                    damping,
+                    free_angle,
+                } => Box::new(TorsionSpring {
+                    first: self.body(&between[0]),
+                    second: self.body(&between[1]),
+                    stiffness: *stiffness,
+                    damping: *damping,
+                    free_angle: value_law(free_angle),
+                }),
+                ForceKind::Load { at, vector, frame } => Box::new(PointLoad {
+                    at: self.marker(at),
+                    vector: [value_law(&vector[0]), value_law(&vector[1])],
+                    follows_body: match frame {
+                        Frame::Ground => false,
+                        Frame::Body => true,
+                    },
+                }),
+                ForceKind::Torque {
+                    body,
+                    value,
+                    relative_to,
+                } => Box::new(Torque {
+                    body: self.body(body),
+                    relative_to: relative_to
+                        .as_deref()
+                        .map_or(BodyId::GROUND, |name| self.body(name)),
+                    value: value_law(value),
+                }),
+            };
+            self.system.forces.push(element);
+        }
+    }
+}

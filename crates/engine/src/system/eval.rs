@@ -1,0 +1,236 @@
+//! Evaluation of a system at a state, without allocation.
+
+use super::System;
+use crate::element::journal::{Contact, ContactId, Reading};
+use crate::element::{Applied, BodyId, Instant, Pose, Twist};
+use crate::motion::Jet;
+use linkdyn_linear::math::{Vec2, dot};
+
+/// What is prescribed from outside at an instant: drivers and clearance links, each with two derivatives, and what the
+/// contacts remember.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Inputs {
+    pub drive: Vec<Jet>,
+    pub offset: Vec<[Vec2; 3]>,
+    pub contacts: Vec<Contact>,
+    /// What the forces that depend on multipliers remember.
+    pub memories: Vec<f64>,
+    /// \[s\]
+    pub time: f64,
+}
+
+impl Inputs {
+    /// Drivers at their values at `time`, clearance links closed.
+    pub fn at_time(system: &System, time: f64) -> Self {
+        let mut inputs = Inputs::still(system);
+        inputs.set_time(system, time);
+        inputs
+    }
+
+    /// Everything zero.
+    pub fn still(system: &System) -> Self {
+        Inputs {
+            drive: vec![[0.0; 3]; system.drivers.len()],
+            offset: vec![[Vec2::zeros(); 3]; system.links],
+            contacts: vec![Contact::default(); system.contacts.len()],
+            memories: vec![0.0; system.reactive.len()],
+            time: 0.0,
+        }
+    }
+
+    /// Evaluates the drivers' laws.
+    pub fn set_time(&mut self, system: &System, time: f64) {
+        self.time = time;
+        for (jet, driver) in self.drive.iter_mut().zip(&system.drivers) {
+            *jet = driver.law.jet(time);
+        }
+    }
+}
+
+/// Workspace of one evaluation: poses, twists, φ, J.
+#[derive(Debug, Clone)]
+pub struct Evaluation {
+    poses: Vec<Pose>,
+    twists: Vec<Twist>,
+    /// φ (m)
+    pub phi: Vec<f64>,
+    /// Values of [`System::entries`], plus one cell that takes what belongs nowhere.
+    pub jacobian: Vec<f64>,
+}
+
+impl Evaluation {
+    pub fn new(system: &System) -> Self {
+        let bodies = system.bodies.len() + 1;
+        Evaluation {
+            poses: vec![Pose::GROUND; bodies],
+            twists: vec![Twist::default(); bodies],
+            phi: vec![0.0; system.m()],
+            jacobian: vec![0.0; system.entries.len()],
+        }
+    }
+
+    /// What the elements may look at.
+    pub fn instant<'a>(&'a self, inputs: &'a Inputs) -> Instant<'a> {
+        Instant {
+            poses: &self.poses,
+            twists: &self.twists,
+            drive: &inputs.drive,
+            offset: &inputs.offset,
+            time: inputs.time,
+        }
+    }
+
+    /// Takes the coordinates (n).
+    pub fn set_position(&mut self, q: &[f64]) {
+        for (pose, q) in self.poses[1..].iter_mut().zip(q.chunks_exact(3)) {
+            *pose = Pose::new(q[0], q[1], q[2]);
+        }
+    }
+
+    /// Takes the velocities (n).
+    pub fn set_velocity(&mut self, v: &[f64]) {
+        for (twist, v) in self.twists[1..].iter_mut().zip(v.chunks_exact(3)) {
+            *twist = Twist {
+                v: Vec2::new(v[0], v[1]),
+                omega: v[2],
+            };
+        }
+    }
+
+    /// φ at the position taken.
+    pub fn eval_phi(&mut self, system: &System, inputs: &Inputs) {
+        let mut phi = std::mem::take(&mut self.phi);
+        let at = self.instant(inputs);
+        for block in &system.blocks {
+            block
+                .constraint
+                .position(&at, &mut phi[block.row..block.row + block.rows]);
+        }
+        self.phi = phi;
+    }
+
+    /// J at the position taken.
+    pub fn eval_jacobian(&mut self, system: &System, inputs: &Inputs) {
+        let mut values = std::mem::take(&mut self.jacobian);
+        let at = self.instant(inputs);
+        for block in &system.blocks {
+            block
+                .constraint
+                .jacobian(&at, &mut values[block.entry..block.entry + block.entries]);
+        }
+        self.jacobian = values;
+    }
+
+    /// φ_t (m).
+    pub fn eval_rate(&self, system: &System, inputs: &Inputs, phi_t: &mut [f64]) {
+        let at = self.instant(inputs);
+        for block in &system.blocks {
+            block
+                .constraint
+                .rate(&at, &mut phi_t[block.row..block.row + block.rows]);
+        }
+    }
+
+    /// γ (m) at the velocity taken.
+    pub fn eval_gamma(&self, system: &System, inputs: &Inputs, gamma: &mut [f64]) {
+        let at = self.instant(inputs);
+        for block in &system.blocks {
+            block
+                .constraint
+                .gamma(&at, &mut gamma[block.row..block.row + block.rows]);
+        }
+    }
+
+    /// Q (n): gravity, springs, loads, contacts.
+    pub fn eval_force(&self, system: &System, inputs: &Inputs, q_force: &mut [f64]) {
+        for (k, q) in q_force.chunks_exact_mut(3).enumerate() {
+            let m = system.mass[3 * k];
+            q.copy_from_slice(&[m * system.gravity.x, m * system.gravity.y, 0.0]);
+        }
+        let at = self.instant(inputs);
+        let mut applied = Applied { q: q_force };
+        for force in &system.forces {
+            force.apply(&at, &mut applied);
+        }
+        for (contact, memory) in system.contacts.iter().zip(&inputs.contacts) {
+            contact.apply(&at, memory, &mut applied);
+        }
+    }
+
+    /// A contact at the position and velocity taken.
+    pub fn contact(&self, system: &System, inputs: &Inputs, id: ContactId) -> Reading {
+        system.contacts[id.0].read(&self.instant(inputs), &inputs.contacts[id.0])
+    }
+
+    /// Elastic energy of all contacts \[J\].
+    pub fn contact_energy(&self, system: &System, inputs: &Inputs) -> f64 {
+        let at = self.instant(inputs);
+        system
+            .contacts
+            .iter()
+            .zip(&inputs.contacts)
+            .map(|(contact, memory)| contact.potential(&at, memory))
+            .sum()
+    }
+
+    /// Power that force elements bring in beside their potential \[W\].
+    pub fn supplied(&self, system: &System, inputs: &Inputs) -> f64 {
+        let at = self.instant(inputs);
+        system.forces.iter().map(|force| force.supplied(&at)).sum()
+    }
+
+    /// Kinetic energy ½ vᵀ M v \[J\].
+    pub fn kinetic_energy(&self, system: &System, v: &[f64]) -> f64 {
+        0.5 * v
+            .iter()
+            .zip(&system.mass)
+            .map(|(v, m)| m * v * v)
+            .sum::<f64>()
+    }
+
+    /// Potential energy of gravity (zero at the ground's origin) and springs \[J\].
+    pub fn potential_energy(&self, system: &System, inputs: &Inputs) -> f64 {
+        let at = self.instant(inputs);
+        let weight: f64 = self.poses[1..]
+            .iter()
+            .enumerate()
+            .map(|(k, pose)| -system.mass[3 * k] * system.gravity.dot(&pose.r))
+            .sum();
+        weight
+            + system
+                .forces
+                .iter()
+                .map(|force| force.potential(&at))
+                .sum::<f64>()
+    }
+
+    /// Place of a body.
+    pub fn pose(&self, body: BodyId) -> &Pose {
+        &self.poses[body.0]
+    }
+
+    /// out = Jᵀ x by the entry list.
+    pub fn transposed_product(&self, system: &System, x: &[f64], out: &mut [f64]) {
+        out.fill(0.0);
+        for (entry, value) in system.entries.iter().zip(&self.jacobian) {
+            if let Some(column) = entry.column {
+                out[column as usize] += value * x[entry.row as usize];
+            }
+        }
+    }
+
+    /// out = J x by the entry list.
+    pub fn product(&self, system: &System, x: &[f64], out: &mut [f64]) {
+        out.fill(0.0);
+        for (entry, value) in system.entries.iter().zip(&self.jacobian) {
+            if let Some(column) = entry.column {
+                out[entry.row as usize] += value * x[column as usize];
+            }
+        }
+    }
+
+    /// Power of all forces but constraints, Qᵀ v \[W\].
+    pub fn power(q_force: &[f64], v: &[f64]) -> f64 {
+        dot(q_force, v)
+    }
+}

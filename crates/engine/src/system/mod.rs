@@ -1,0 +1,337 @@
+//! The equations as numbers: an immutable [`System`], the state it is evaluated at, and the evaluation itself.
+//!
+//! ```text
+//! φ(q, t) = 0                     (m)    rows in the order joints, drivers
+//! J v = −φ_t,  J a = γ            J (m, n), n = 3 · moving bodies
+//! M a + Jᵀ λ = Q                  M diagonal
+//! ```
+//!
+//! J is kept as a list of entries in element order: each element writes its own stretch, whoever needs a matrix scatters
+//! that list by slots worked out once ([`Selection`](crate::mechanism::driven)).
+
+pub mod compile;
+mod eval;
+
+pub use eval::{Evaluation, Inputs};
+
+use crate::element::journal::{Bearing, ContactId, Journal};
+use crate::element::{BodyId, Constraint, Force, Marker, Measure, ReactiveForce};
+use crate::motion::Law;
+use linkdyn_linear::math::Vec2;
+use linkdyn_model::display::DisplayUnits;
+
+/// Index of a joint in the model's order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct JointId(pub usize);
+
+/// Index of a driver in the model's order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct DriverId(pub usize);
+
+/// What a constraint came from, for naming it.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Origin {
+    Joint(JointId),
+    Driver(DriverId),
+    /// An `initial` value, `crank.angle`.
+    Initial(String),
+}
+
+/// Equations of one joint, driver or initial value, with their place in φ and in the entry list.
+pub struct Block {
+    pub constraint: Box<dyn Constraint>,
+    pub origin: Origin,
+    /// First row.
+    pub row: usize,
+    pub rows: usize,
+    /// First entry.
+    pub entry: usize,
+    pub entries: usize,
+}
+
+/// A force that depends on the multipliers of a block.
+pub struct Reactive {
+    pub force: Box<dyn ReactiveForce>,
+    /// Index into [`System::blocks`].
+    pub block: usize,
+}
+
+/// A moving body's numbers.
+#[derive(Debug, Clone)]
+pub struct BodyData {
+    pub name: String,
+    /// The frame's origin from the centre of mass, body frame \[m\].
+    pub origin: Vec2,
+    /// Mass \[kg\] and inertia [kg·m²]; none where the file has none.
+    pub mass: Option<f64>,
+    pub inertia: Option<f64>,
+}
+
+/// A joint's numbers beyond its constraint.
+#[derive(Debug, Clone)]
+pub struct JointData {
+    pub name: String,
+    pub bodies: [BodyId; 2],
+    pub points: [Marker; 2],
+    /// Carries a torque in the results.
+    pub torque: bool,
+    pub clearance: Option<ClearanceLink>,
+    /// Journal and bearing that touch by a contact force.
+    pub contact: Option<ContactId>,
+    /// Of a joint with a `clearance` in the file, whatever its model.
+    pub bearing: Option<Bearing>,
+    /// Of an ideal joint that rubs.
+    pub friction: Option<JointFriction>,
+}
+
+/// Where the friction of an ideal joint stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct JointFriction {
+    /// Index into [`System::reactive`].
+    pub force: usize,
+    /// What it brakes: a slide or a rotation.
+    pub measure: Measure,
+}
+
+/// A massless equivalent clearance link.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ClearanceLink {
+    /// Index into [`Inputs::offset`].
+    pub offset: usize,
+    /// Its length: the radial clearance \[m\].
+    pub radius: f64,
+}
+
+/// A driver's numbers beyond its constraint.
+#[derive(Debug, Clone)]
+pub struct DriverData {
+    pub name: String,
+    pub law: Law,
+    pub measure: Measure,
+}
+
+/// A body point among the results.
+#[derive(Debug, Clone)]
+pub struct OutputPoint {
+    pub name: String,
+    pub marker: Marker,
+}
+
+/// One entry of J: row and column (global).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct JacobianEntry {
+    pub row: u32,
+    /// None for ground.
+    pub column: Option<u32>,
+}
+
+/// A compiled model. Immutable, shared by analyses and threads.
+pub struct System {
+    /// Moving bodies; coordinates 3k, 3k+1, 3k+2.
+    pub bodies: Vec<BodyData>,
+    pub joints: Vec<JointData>,
+    pub drivers: Vec<DriverData>,
+    pub points: Vec<OutputPoint>,
+    /// Blocks of joints, then of drivers.
+    pub blocks: Vec<Block>,
+    /// `initial` coordinates, as blocks of their own for the assembly.
+    pub initial: Vec<Block>,
+    /// `initial` velocities: name, row over the coordinates as (column, factor) at the assembled pose is in `eval`.
+    pub initial_rates: Vec<(String, crate::element::coordinate::Coordinate)>,
+    pub forces: Vec<Box<dyn Force>>,
+    /// Forces that depend on multipliers; no part of [`Evaluation::eval_force`].
+    pub reactive: Vec<Reactive>,
+    /// Joints with clearance by contact force, in the order of the joints.
+    pub contacts: Vec<Journal>,
+    /// [m/s²]
+    pub gravity: Vec2,
+    /// Mass of each coordinate (n); zero where unknown.
+    pub mass: Vec<f64>,
+    /// All masses (and inertias) are known.
+    pub masses_known: bool,
+    pub entries: Vec<JacobianEntry>,
+    /// What each row is measured in (m).
+    pub measures: Vec<Measure>,
+    /// Number of massless clearance links.
+    pub links: usize,
+    /// Guess of the coordinates (n).
+    pub guess: Vec<f64>,
+    /// Characteristic length of the mechanism \[m\].
+    pub size: f64,
+    /// How messages speak of it.
+    pub display: DisplayUnits,
+    /// Largest coordinate of a point or centre of mass in the frame of its body \[m\].
+    pub reach: f64,
+}
+
+impl System {
+    /// Adds the equations of a joint or driver behind those that are there.
+    pub fn push_block(&mut self, constraint: Box<dyn Constraint>, origin: Origin) {
+        let (row, entry) = (self.measures.len(), self.entries.len());
+        self.measures.extend_from_slice(constraint.rows());
+        for (block_row, body, axis) in constraint.entries() {
+            let column =
+                (body != BodyId::GROUND).then(|| (3 * (body.0 - 1) + axis as usize) as u32);
+            self.entries.push(JacobianEntry {
+                row: (row + block_row) as u32,
+                column,
+            });
+        }
+        let (rows, entries) = (self.measures.len() - row, self.entries.len() - entry);
+        self.blocks.push(Block {
+            constraint,
+            origin,
+            row,
+            rows,
+            entry,
+            entries,
+        });
+    }
+
+    /// Puts other equations in the place of those of some blocks.
+    pub fn exchange(&mut self, constraints: Vec<(usize, Box<dyn Constraint>)>) {
+        for (block, constraint) in constraints {
+            self.blocks[block].constraint = constraint;
+        }
+        self.measures.clear();
+        self.entries.clear();
+        for block in std::mem::take(&mut self.blocks) {
+            self.push_block(block.constraint, block.origin);
+        }
+    }
+
+    /// Number of coordinates n.
+    pub fn n(&self) -> usize {
+        3 * self.bodies.len()
+    }
+
+    /// Number of constraint rows m.
+    pub fn m(&self) -> usize {
+        self.measures.len()
+    }
+
+    /// Number of rows that joints make; the drivers' follow.
+    pub fn joint_rows(&self) -> usize {
+        self.blocks
+            .iter()
+            .filter(|b| matches!(b.origin, Origin::Joint(_)))
+            .map(|b| b.rows)
+            .sum()
+    }
+
+    /// Rows of driver `id`.
+    pub fn driver_row(&self, id: DriverId) -> usize {
+        self.joint_rows() + id.0
+    }
+
+    /// A value of driver `id` [rad or m] as messages say it.
+    pub fn driver_value(&self, id: usize, value: f64) -> String {
+        match self.drivers[id].measure {
+            Measure::Angle => self.display.angle(value),
+            Measure::Length => self.display.length(value),
+        }
+    }
+
+    /// The name a row's origin goes by in messages.
+    pub fn origin_name(&self, origin: &Origin) -> String {
+        match origin {
+            Origin::Joint(id) => format!("joint \"{}\"", self.joints[id.0].name),
+            Origin::Driver(id) => format!("driver \"{}\"", self.drivers[id.0].name),
+            Origin::Initial(name) => format!("initial value \"{name}\""),
+        }
+    }
+
+    /// Whether kinetic and potential energy stay constant together: no moving drivers, dampers or loads.
+    pub fn is_conservative(&self) -> bool {
+        self.drivers.iter().all(|driver| driver.law.is_constant())
+            && self.contacts.is_empty()
+            && self.reactive.is_empty()
+            && self.forces.iter().all(|force| force.is_conservative())
+    }
+
+    /// The constraint Jacobian J (m × n) [1, m, 1/m …] as a sparse matrix, from the values of an
+    /// [`Evaluation`]: for whoever wants to look at it or compute with it outside.
+    pub fn jacobian(&self, evaluation: &Evaluation) -> sprs::CsMat<f64> {
+        let mut triplets = sprs::TriMat::with_capacity((self.m(), self.n()), self.entries.len());
+        for (entry, &value) in self.entries.iter().zip(&evaluation.jacobian) {
+            if let Some(column) = entry.column {
+                triplets.add_triplet(entry.row as usize, column as usize, value);
+            }
+        }
+        triplets.to_csr()
+    }
+
+    /// The block that makes `row`.
+    pub fn block_of_row(&self, row: usize) -> &Block {
+        let k = self.blocks.partition_point(|b| b.row <= row);
+        &self.blocks[k - 1]
+    }
+
+    /// Length scale of a coordinate: size for x and y, 1 for angles; coordinates divided by it are comparable.
+    pub fn column_scale(&self, column: usize) -> f64 {
+        if column % 3 == 2 { 1.0 } else { self.size }
+    }
+
+    /// Multiplies coordinates (n) by their scales.
+    pub fn scale_columns(&self, x: &mut [f64]) {
+        for x in x.chunks_exact_mut(3) {
+            x[0] *= self.size;
+            x[1] *= self.size;
+        }
+    }
+
+    /// Scale of a row's residual [m or rad].
+    pub fn row_scale(&self, row: usize) -> f64 {
+        self.measure_scale(self.measures[row])
+    }
+
+    /// Scale of residuals of a measure [m or rad].
+    pub fn measure_scale(&self, measure: Measure) -> f64 {
+        match measure {
+            Measure::Length => self.size,
+            Measure::Angle => 1.0,
+        }
+    }
+
+    /// Largest coordinate, lengths divided by the mechanism's size [–].
+    pub fn scaled_norm(&self, dq: &[f64]) -> f64 {
+        let (mut length, mut angle) = (0.0, 0.0);
+        for d in dq.chunks_exact(3) {
+            length = larger(larger(length, d[0]), d[1]);
+            angle = larger(angle, d[2]);
+        }
+        larger(length / self.size, angle)
+    }
+
+    /// Largest residual, lengths divided by the mechanism's size [–].
+    pub fn scaled_residual(&self, phi: &[f64]) -> f64 {
+        let (mut length, mut angle) = (0.0, 0.0);
+        for (&phi, measure) in phi.iter().zip(&self.measures) {
+            match measure {
+                Measure::Length => length = larger(length, phi),
+                Measure::Angle => angle = larger(angle, phi),
+            }
+        }
+        larger(length / self.size, angle)
+    }
+
+    /// The Jacobian's joint and driver rows as a dense row-major matrix (m × n), columns and rows scaled to be comparable:
+    /// S_φ⁻¹ J S_q.
+    pub fn dense_scaled(&self, values: &[f64]) -> Vec<f64> {
+        let n = self.n();
+        let mut dense = vec![0.0; self.m() * n];
+        for (entry, value) in self.entries.iter().zip(values) {
+            if let Some(column) = entry.column {
+                let (row, column) = (entry.row as usize, column as usize);
+                dense[row * n + column] = value * self.column_scale(column) / self.row_scale(row);
+            }
+        }
+        dense
+    }
+}
+
+/// The larger of `most` and |x|; NaN where either is.
+fn larger(most: f64, x: f64) -> f64 {
+    let x = x.abs();
+    if x > most || x.is_nan() { x } else { most }
+}

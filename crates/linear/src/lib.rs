@@ -1,0 +1,41 @@
+//! Linear algebra of linkdyn: matrices on fixed patterns, ranks, small dense problems. It knows no mechanism.
+//!
+//! Part of linkdyn; its items change without notice. Use the package `linkdyn`.
+//!
+//! ```text
+//! math          plane vectors
+//! pattern       where the entries stand, compressed by columns
+//! matching      pairing of rows with columns, structural rank
+//! order         elimination order and preferred pivots of a square matrix
+//! lu            sparse LU with frozen pivots: A x = b, Aᵀ x = b, determinant, smallest singular value
+//! rank          which rows of a rectangular matrix depend on earlier ones, and how
+//! dense         singular values, null spaces and least norm solutions of small matrices
+//! redundancy    free directions, and independent rows chosen for good condition
+//! complementary linear complementarity problems
+//! eigen         eigenvalues of small symmetric matrices, and of M x″ + C x′ + K x = 0
+//! hermite       osculating polynomials
+//! ```
+//!
+//! A step loop holds one [`SparseLu`], factors once and then only refactors and solves, without allocating.
+
+pub mod complementary;
+pub mod dense;
+pub mod eigen;
+pub mod hermite;
+pub mod lu;
+pub mod matching;
+pub mod math;
+pub mod order;
+pub mod pattern;
+pub mod rank;
+pub mod redundancy;
+pub mod triangle;
+
+#[cfg(test)]
+#[path = "../../../tests/common/linkage.rs"]
+mod linkage;
+
+pub use lu::{Singular, SparseLu};
+pub use matching::Unmatched;
+pub use order::ColumnOrder;
+pub use pattern::{Pattern, PatternFault};

@@ -1,0 +1,252 @@
+//! Where the entries of a sparse matrix stand, without their values.
+//!
+//! ```text
+//! start   (columns + 1)   entries start[c] .. start[c+1] belong to column c
+//! row     (entries)       their rows, strictly increasing within a column
+//! ```
+//!
+//! Values live apart, as a plain slice in the same order, so that one pattern serves every step of a run.
+
+use thiserror::Error;
+
+/// Compressed column pattern, indices of 32 bits: half the traffic of `usize` in the inner loops.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Pattern {
+    rows: usize,
+    start: Vec<u32>,
+    row: Vec<u32>,
+}
+
+/// What is wrong with a pattern.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum PatternFault {
+    #[error("column starts must run from 0 to the number of entries without falling")]
+    Starts,
+    #[error("column {column}: rows must increase strictly and stay below {rows}")]
+    Rows { column: usize, rows: usize },
+    #[error("more than 2^32 - 2 rows, columns or entries")]
+    TooLarge,
+}
+
+impl Pattern {
+    /// Checks and takes the column starts and row indices of a `rows` × (`start.len() − 1`) matrix.
+    ///
+    /// # Errors
+    /// Starts that do not partition the entries, rows out of range, unsorted or repeated.
+    pub fn new(rows: usize, start: Vec<u32>, row: Vec<u32>) -> Result<Self, PatternFault> {
+        let limit = u32::MAX as usize - 1;
+        if rows > limit || start.len() > limit || row.len() > limit {
+            return Err(PatternFault::TooLarge);
+        }
+        let ends_meet =
+            start.first() == Some(&0) && start.last().map(|&end| end as usize) == Some(row.len());
+        if !ends_meet || start.windows(2).any(|pair| pair[0] > pair[1]) {
+            return Err(PatternFault::Starts);
+        }
+        let pattern = Pattern { rows, start, row };
+        for column in 0..pattern.columns() {
+            let rows_here = pattern.column(column);
+            let sorted = rows_here.windows(2).all(|pair| pair[0] < pair[1]);
+            if !sorted || rows_here.last().is_some_and(|&last| last as usize >= rows) {
+                return Err(PatternFault::Rows { column, rows });
+            }
+        }
+        Ok(pattern)
+    }
+
+    /// Builds the pattern from (row, column) pairs in any order, repeats welcome; the second result is, for each pair,
+    /// the slot of its value.
+    ///
+    /// # Errors
+    /// A pair outside `rows` × `columns`.
+    pub fn from_entries(
+        rows: usize,
+        columns: usize,
+        entries: &[(usize, usize)],
+    ) -> Result<(Self, Vec<u32>), PatternFault> {
+        let limit = u32::MAX as usize - 1;
+        if rows > limit || columns > limit || entries.len() > limit {
+            return Err(PatternFault::TooLarge);
+        }
+        if let Some(&(_, column)) = entries
+            .iter()
+            .find(|&&(row, column)| row >= rows || column >= columns)
+        {
+            return Err(PatternFault::Rows { column, rows });
+        }
+
+        // Sort by column, then row; equal neighbours share a slot.
+        let mut sorted: Vec<u32> = (0..entries.len() as u32).collect();
+        sorted.sort_unstable_by_key(|&e| {
+            let (row, column) = entries[e as usize];
+            (column, row)
+        });
+        let mut start = vec![0u32; columns + 1];
+        let mut row = Vec::with_capacity(entries.len());
+        let mut slot = vec![0u32; entries.len()];
+        let mut previous = None;
+        for &e in &sorted {
+            let entry = entries[e as usize];
+            if previous != Some(entry) {
+                row.push(entry.0 as u32);
+                start[entry.1 + 1] += 1;
+                previous = Some(entry);
+            }
+            slot[e as usize] = row.len() as u32 - 1;
+        }
+        for column in 0..columns {
+            start[column + 1] += start[column];
+        }
+        Ok((Pattern { rows, start, row }, slot))
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// Number of columns.
+    pub fn columns(&self) -> usize {
+        self.start.len() - 1
+    }
+
+    /// Number of entries.
+    pub fn entries(&self) -> usize {
+        self.row.len()
+    }
+
+    /// Rows of one column.
+    pub fn column(&self, column: usize) -> &[u32] {
+        &self.row[self.span(column)]
+    }
+
+    /// Slots of one column's values.
+    pub fn span(&self, column: usize) -> std::ops::Range<usize> {
+        self.start[column] as usize..self.start[column + 1] as usize
+    }
+
+    /// Slot of the entry at (`row`, `column`), where there is one.
+    pub fn slot(&self, row: usize, column: usize) -> Option<usize> {
+        let row = u32::try_from(row).ok()?;
+        let within = self.column(column).binary_search(&row).ok()?;
+        Some(self.start[column] as usize + within)
+    }
+
+    /// The pattern of the transpose, and for each of its entries the slot here.
+    pub fn transposed(&self) -> (Pattern, Vec<u32>) {
+        let mut start = vec![0u32; self.rows + 1];
+        for &row in &self.row {
+            start[row as usize + 1] += 1;
+        }
+        for row in 0..self.rows {
+            start[row + 1] += start[row];
+        }
+        let mut next = start.clone();
+        let mut row = vec![0u32; self.entries()];
+        let mut slot = vec![0u32; self.entries()];
+        for column in 0..self.columns() {
+            for here in self.span(column) {
+                let there = &mut next[self.row[here] as usize];
+                row[*there as usize] = column as u32;
+                slot[*there as usize] = here as u32;
+                *there += 1;
+            }
+        }
+        (
+            Pattern {
+                rows: self.columns(),
+                start,
+                row,
+            },
+            slot,
+        )
+    }
+
+    /// result −= A x.
+    pub fn subtract_product(&self, values: &[f64], x: &[f64], result: &mut [f64]) {
+        assert_eq!(
+            (values.len(), x.len(), result.len()),
+            (self.entries(), self.columns(), self.rows)
+        );
+        for (column, &factor) in x.iter().enumerate() {
+            let span = self.span(column);
+            for (&row, value) in self.row[span.clone()].iter().zip(&values[span]) {
+                result[row as usize] -= value * factor;
+            }
+        }
+    }
+
+    /// result −= Aᵀ x.
+    pub fn subtract_transposed_product(&self, values: &[f64], x: &[f64], result: &mut [f64]) {
+        assert_eq!(
+            (values.len(), x.len(), result.len()),
+            (self.entries(), self.rows, self.columns())
+        );
+        for (column, target) in result.iter_mut().enumerate() {
+            let span = self.span(column);
+            let dot: f64 = self.row[span.clone()]
+                .iter()
+                .zip(&values[span])
+                .map(|(&row, value)| value * x[row as usize])
+                .sum();
+            *target -= dot;
+        }
+    }
+}
+
+/// The pattern of an n × n matrix with entries that are known to lie within it, and the slot of each.
+///
+/// # Panics
+/// When one does not.
+pub fn square(n: usize, entries: &[(usize, usize)]) -> (Pattern, Vec<u32>) {
+    match Pattern::from_entries(n, n, entries) {
+        Ok(found) => found,
+        Err(fault) => panic!("{fault}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn entries_are_sorted_and_repeats_share_a_slot() {
+        let (pattern, slot) =
+            Pattern::from_entries(3, 2, &[(2, 1), (0, 0), (2, 1), (1, 1)]).unwrap();
+        assert_eq!(
+            pattern,
+            Pattern::new(3, vec![0, 1, 3], vec![0, 1, 2]).unwrap()
+        );
+        assert_eq!(slot, [2, 0, 2, 1]);
+        assert_eq!(pattern.slot(2, 1), Some(2));
+        assert_eq!(pattern.slot(2, 0), None);
+    }
+
+    #[test]
+    fn faults_are_told() {
+        assert_eq!(
+            Pattern::new(2, vec![0, 2], vec![1, 1]),
+            Err(PatternFault::Rows { column: 0, rows: 2 })
+        );
+        assert_eq!(
+            Pattern::new(2, vec![0, 1], vec![2]),
+            Err(PatternFault::Rows { column: 0, rows: 2 })
+        );
+        assert_eq!(
+            Pattern::new(2, vec![0, 2, 1], vec![0]),
+            Err(PatternFault::Starts)
+        );
+        assert_eq!(Pattern::new(2, vec![], vec![]), Err(PatternFault::Starts));
+        assert!(Pattern::from_entries(1, 1, &[(1, 0)]).is_err());
+    }
+
+    #[test]
+    fn transposed_twice_is_the_same() {
+        let (pattern, _) =
+            Pattern::from_entries(3, 4, &[(2, 1), (0, 0), (1, 3), (1, 1), (2, 3)]).unwrap();
+        let (there, slot) = pattern.transposed();
+        assert_eq!((there.rows(), there.columns()), (4, 3));
+        assert_eq!(there.transposed().0, pattern);
+        assert_eq!(slot, [0, 1, 3, 2, 4]);
+    }
+}

@@ -1,0 +1,212 @@
+//! Expressions: what stands after `=` in a model.
+//!
+//! ```text
+//! sum      = product { ("+" | "-") product }
+//! product  = signed { ("*" | "/") signed }
+//! signed   = { "+" | "-" } power                    so −r^2 is −(r²)
+//! power    = atom [ "^" signed ]                    so 2^3^2 is 2^9
+//! atom     = number [ unit ] | name | function "(" sum { "," sum } ")" | "(" sum ")"
+//! ```
+//!
+//! A unit stands behind a number and holds on to it: `1/2 mm` is 1/(2 mm). The text becomes a list of steps on a stack, so
+//! that evaluation neither recurses nor reads the text again; names are known or refused while it is read.
+
+mod parameters;
+mod parse;
+mod quantity;
+
+pub use parameters::Parameter;
+pub(super) use parameters::Parameters;
+pub(super) use quantity::{Fault, Pure, Quantity, with_article};
+
+use parse::Parser;
+
+/// Longest text of an expression in characters.
+const LONGEST: usize = 4096;
+
+/// Whether a text is an expression.
+pub(super) fn is_expression(text: &str) -> bool {
+    text.trim_start().starts_with('=')
+}
+
+/// A fault at a byte of the text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Misfit {
+    pub at: usize,
+    pub fault: Fault,
+}
+
+/// A function.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Function {
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+    Atan2,
+    Sqrt,
+    Abs,
+    Min,
+    Max,
+    Hypot,
+    Exp,
+    Ln,
+    Floor,
+    Ceil,
+    Round,
+}
+
+/// Name, function, least and most values that it takes.
+const FUNCTIONS: [(&str, Function, usize, usize); 17] = [
+    ("sin", Function::Sin, 1, 1),
+    ("cos", Function::Cos, 1, 1),
+    ("tan", Function::Tan, 1, 1),
+    ("asin", Function::Asin, 1, 1),
+    ("acos", Function::Acos, 1, 1),
+    ("atan", Function::Atan, 1, 1),
+    ("atan2", Function::Atan2, 2, 2),
+    ("sqrt", Function::Sqrt, 1, 1),
+    ("abs", Function::Abs, 1, 1),
+    ("min", Function::Min, 2, usize::MAX),
+    ("max", Function::Max, 2, usize::MAX),
+    ("hypot", Function::Hypot, 2, 2),
+    ("exp", Function::Exp, 1, 1),
+    ("ln", Function::Ln, 1, 1),
+    ("floor", Function::Floor, 1, 1),
+    ("ceil", Function::Ceil, 1, 1),
+    ("round", Function::Round, 1, 1),
+];
+
+/// The one constant.
+const PI: &str = "pi";
+
+/// What happens to the stack.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Step {
+    Push(Quantity),
+    /// Index among the parameters.
+    Parameter(usize),
+    Negate,
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Power,
+    /// With how many values.
+    Call(Function, usize),
+}
+
+/// An expression that could be read: steps, each with the byte at which it stands.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Expression(Vec<(usize, Step)>);
+
+impl Expression {
+    /// Reads a text that begins with `=`; `find` knows the names of parameters, `names` are all of them for hints.
+    ///
+    /// # Errors
+    /// The first fault, with its place.
+    pub fn parse<'a>(
+        text: &'a str,
+        find: &'a dyn Fn(&str) -> Option<usize>,
+        names: &'a [String],
+    ) -> Result<Expression, Misfit> {
+        Parser::new(text, find, names).read().map(Expression)
+    }
+
+    /// The parameters that it names.
+    pub fn parameters(&self) -> impl Iterator<Item = usize> {
+        self.0.iter().filter_map(|(_, step)| match step {
+            Step::Parameter(index) => Some(*index),
+            Step::Push(_)
+            | Step::Negate
+            | Step::Add
+            | Step::Subtract
+            | Step::Multiply
+            | Step::Divide
+            | Step::Power
+            | Step::Call(..) => None,
+        })
+    }
+
+    /// Its value; none where a parameter has none, which is complained about there.
+    ///
+    /// # Errors
+    /// Dimensions that do not go together, division by zero, and the like.
+    pub fn evaluate(
+        &self,
+        values: &[Option<Quantity>],
+        degrees: bool,
+    ) -> Result<Option<Quantity>, Misfit> {
+        let mut stack: Vec<Quantity> = Vec::new();
+        for &(at, step) in &self.0 {
+            if let Step::Parameter(index) = step {
+                let Some(value) = values[index] else {
+                    return Ok(None);
+                };
+                stack.push(value);
+                continue;
+            }
+            let taken = match step {
+                Step::Push(_) | Step::Parameter(_) => 0,
+                Step::Negate => 1,
+                Step::Add | Step::Subtract | Step::Multiply | Step::Divide | Step::Power => 2,
+                Step::Call(_, count) => count,
+            };
+            // the parser leaves as many as are taken
+            let values = stack.split_off(stack.len().saturating_sub(taken));
+            let result = apply(step, &values, degrees).map_err(|fault| Misfit { at, fault })?;
+            stack.push(result);
+        }
+        Ok(stack.pop())
+    }
+}
+
+/// One step but `Parameter`, with the values that it takes.
+fn apply(step: Step, values: &[Quantity], degrees: bool) -> quantity::Outcome {
+    match (step, values) {
+        (Step::Push(value), _) => Ok(value),
+        (Step::Negate, &[value]) => Ok(value.negate()),
+        (Step::Add, &[left, right]) => left.add(right),
+        (Step::Subtract, &[left, right]) => left.subtract(right),
+        (Step::Multiply, &[left, right]) => left.multiply(right),
+        (Step::Divide, &[left, right]) => left.divide(right),
+        (Step::Power, &[left, right]) => left.power(right),
+        (Step::Call(function, _), &[first, ref rest @ ..]) => call(function, first, rest, degrees),
+        (_, _) => Err(Fault::new("values are missing")),
+    }
+}
+
+fn call(
+    function: Function,
+    first: Quantity,
+    rest: &[Quantity],
+    degrees: bool,
+) -> quantity::Outcome {
+    let second = rest.first().copied().unwrap_or(first);
+    match function {
+        Function::Sin => first.circular("sin", degrees, f64::sin),
+        Function::Cos => first.circular("cos", degrees, f64::cos),
+        Function::Tan => first.circular("tan", degrees, f64::tan),
+        Function::Asin => first.inverse_circular("asin", true, f64::asin),
+        Function::Acos => first.inverse_circular("acos", true, f64::acos),
+        Function::Atan => first.inverse_circular("atan", false, f64::atan),
+        Function::Atan2 => first.atan2(second),
+        Function::Sqrt => first.sqrt(),
+        Function::Abs => Ok(first.abs()),
+        Function::Min => rest
+            .iter()
+            .try_fold(first, |least, value| least.min(*value)),
+        Function::Max => rest.iter().try_fold(first, |most, value| most.max(*value)),
+        Function::Hypot => first.hypot(second),
+        Function::Exp => first.function("exp", f64::exp),
+        Function::Ln => first.ln(),
+        Function::Floor => first.function("floor", f64::floor),
+        Function::Ceil => first.function("ceil", f64::ceil),
+        Function::Round => first.function("round", f64::round),
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,107 @@
+//! The words of a model file (`linkdyn/1`): what the user wrote, checked, with every number already in SI units.
+//!
+//! This crate knows names, units and places in a file; it knows no equations. The engine compiles a model into numbers.
+//! Part of linkdyn; its items change without notice. Use the package `linkdyn`.
+
+pub mod analysis;
+pub mod body;
+pub mod bundled;
+pub mod clearance;
+pub mod display;
+pub mod driver;
+pub mod error;
+pub mod force;
+pub mod joint;
+
+mod carrier;
+mod check;
+mod check_clearance;
+mod check_forces;
+mod dimension;
+mod examples;
+mod expression;
+mod hold;
+mod json;
+mod load;
+mod node;
+mod quantity;
+mod schema;
+mod set;
+mod source;
+mod stale;
+mod suggest;
+mod units;
+mod validate;
+
+pub use analysis::{Analysis, AnalysisKind, OutputsAt, Sample, Solver, Transmission};
+pub use body::{Body, Initial, Pose};
+pub use carrier::Carrier;
+pub use clearance::{
+    Clearance, ClearanceModel, Elastic, Friction, FrictionLaw, Impact, ImpactSense, Material,
+    Normal, NormalLaw, Surface,
+};
+pub use driver::{Driver, DriverKind, Motion};
+pub use expression::Parameter;
+pub use force::{Force, ForceKind, Frame, Value};
+pub use hold::unheld;
+pub use joint::{Joint, JointKind, PointRef};
+pub use load::{Loaded, load, load_file};
+pub use schema::schema;
+pub use source::Source;
+pub use units::Unit;
+
+use crate::display::DisplayUnits;
+use indexmap::IndexMap;
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// The reserved name of the fixed body.
+pub const GROUND: &str = "ground";
+
+/// The format of the files that this version reads.
+pub const FORMAT: &str = "linkdyn/1";
+
+/// What a name of a body, point, joint, driver or force must look like.
+const NAME_PATTERN: &str = r"^[^.\[\],=*?\u0000-\u001f\u007f-\u009f]+$";
+
+/// A whole model: order of the maps is the order in the file. All numbers are SI (m, kg, s, rad, N …).
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+pub struct Model {
+    #[serde(default)]
+    #[schemars(with = "String")]
+    pub name: Option<String>,
+    /// What this is, and for whom.
+    #[serde(default)]
+    #[schemars(with = "String")]
+    pub about: Option<String>,
+    /// Who measured or published it.
+    #[serde(default)]
+    #[schemars(with = "String")]
+    pub source: Option<String>,
+    /// Acceleration of gravity [m/s²], zero where left out.
+    #[serde(default)]
+    #[schemars(schema_with = "schema::acceleration_pair")]
+    pub gravity: [f64; 2],
+    /// All bodies, `ground` among them where the file has it.
+    #[schemars(schema_with = "schema::bodies")]
+    pub bodies: IndexMap<String, Body>,
+    #[serde(default)]
+    pub joints: IndexMap<String, Joint>,
+    #[serde(default)]
+    pub drivers: IndexMap<String, Driver>,
+    #[serde(default)]
+    pub forces: IndexMap<String, Force>,
+    /// Exact values at t = 0, per body.
+    #[serde(default)]
+    pub initial: IndexMap<String, Initial>,
+    /// Body points whose motion is wanted among the results.
+    #[serde(default)]
+    pub points: Vec<PointRef>,
+    #[serde(default)]
+    #[schemars(with = "Analysis")]
+    pub analysis: Option<Analysis>,
+    /// How messages speak of it: the units that the file names.
+    #[serde(skip)]
+    #[schemars(skip)]
+    pub display: DisplayUnits,
+}

@@ -1,0 +1,236 @@
+//! From the text of a file to a checked model.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use super::check;
+use super::expression::Parameter;
+use super::json;
+use super::node::{self, Kind};
+use super::quantity::display;
+use super::set;
+use super::source::Source;
+use super::stale;
+use super::validate::validate;
+use super::{FORMAT, Model, hold};
+use crate::error::Complaint;
+
+/// Largest file that is read \[bytes\].
+const LARGEST: u64 = 64 * 1024 * 1024;
+/// Most complaints about one file; the rest is only counted.
+const MOST_COMPLAINTS: usize = 100;
+
+/// A model, and what it was read from.
+#[derive(Debug, Clone)]
+pub struct Loaded {
+    pub model: Model,
+    pub source: Source,
+    pub warnings: Vec<String>,
+    /// The parameters as resolved, in the order of the file.
+    pub parameters: Vec<Parameter>,
+    /// What the user wrote, in that order, after `--set`.
+    pub document: serde_json::Value,
+}
+
+/// Reads a model file and puts `sets` (`PATH=VALUE`) over it.
+///
+/// # Errors
+/// All faults of the file, in the order of the lines.
+pub fn load_file(path: &Path, sets: &[String]) -> Result<Loaded, Vec<Complaint>> {
+    let bytes = read(path).map_err(|complaint| vec![complaint])?;
+    load(&bytes, sets)
+}
+
+fn read(path: &Path) -> Result<Vec<u8>, Complaint> {
+    let refuse = |error: std::io::Error| match error.kind() {
+        std::io::ErrorKind::NotFound => fault(path, "there is no such file"),
+        _ => fault(path, &format!("the file cannot be read: {error}")),
+    };
+    let file = File::open(path).map_err(refuse)?;
+    let metadata = file.metadata().map_err(refuse)?;
+    if metadata.is_dir() {
+        return Err(fault(path, "this is a directory, not a model file"));
+    }
+    if metadata.len() > LARGEST {
+        return Err(too_large(metadata.len()).found(path.display().to_string()));
+    }
+    // a device or pipe does not tell its length
+    let mut bytes = Vec::new();
+    file.take(LARGEST + 1)
+        .read_to_end(&mut bytes)
+        .map_err(refuse)?;
+    Ok(bytes)
+}
+
+fn fault(path: &Path, message: &str) -> Complaint {
+    Complaint::new("", message).found(path.display().to_string())
+}
+
+fn too_large(length: u64) -> Complaint {
+    let megabytes = length.div_ceil(1024 * 1024);
+    Complaint::new(
+        "",
+        format!(
+            "{megabytes} MB are too much for a model, at most {} MB are read",
+            LARGEST >> 20
+        ),
+    )
+}
+
+/// Reads a model's text and puts `sets` (`PATH=VALUE`) over it.
+///
+/// # Errors
+/// All faults of the text, in the order of the lines.
+///
+/// # Examples
+/// ```
+/// let text = br#"{ "format": "linkdyn/1", "units": "SI", "bodies": { "bar": { "points": { "A": ["5 mm", 0] } } } }"#;
+/// let loaded = linkdyn::model::load(text, &[]).unwrap();
+/// assert_eq!(loaded.model.bodies["bar"].points["A"], [0.005, 0.0]);
+/// ```
+pub fn load(text: &[u8], sets: &[String]) -> Result<Loaded, Vec<Complaint>> {
+    let text = decode(text).map_err(|complaint| vec![complaint])?;
+    let mut source = Source::new(text, sets);
+    let mut complaints = Vec::new();
+
+    // syntax: the first fault ends it
+    let (root, repeats) = json::parse(text).map_err(|fault| vec![syntax(&source, &fault)])?;
+    source.root = root;
+    if !matches!(source.root.kind, Kind::Object(_)) {
+        let message = format!(
+            "a model is an object, {{ … }}, not {}",
+            source.root.kind_name()
+        );
+        return Err(vec![source.complain(
+            source.root.origin,
+            None,
+            Complaint::new("", message),
+        )]);
+    }
+    let uncounted = repeats.len().saturating_sub(MOST_COMPLAINTS);
+    for repeat in repeats.into_iter().take(MOST_COMPLAINTS) {
+        let first = source.place_of(repeat.first);
+        let mut complaint = Complaint::new(
+            node::join(&repeat.path, &repeat.key),
+            "the key is given twice",
+        )
+        .found(format!("{:?}", repeat.key));
+        complaint.place = Some(source.place_of(repeat.second));
+        complaints.push(complaint.hint(format!(
+            "first on line {}, column {}",
+            first.line, first.column
+        )));
+    }
+
+    // what --set says, then all of it against the schema; of another format nothing else can be said
+    set::apply(&mut source, &mut complaints);
+    let other_format = source
+        .root
+        .get("format")
+        .filter(|node| node.as_str() != Some(FORMAT));
+    let findings = validate(&source);
+    if other_format.is_some() {
+        let of_format = |complaint: &Complaint| complaint.path == "format";
+        return Err(findings.complaints.into_iter().filter(of_format).collect());
+    }
+    complaints.extend(findings.complaints);
+    let more = findings.more + uncounted;
+    let mut warnings = findings.warnings;
+    let checked = check::check(&findings.value, &findings.references, &source);
+    complaints.extend(
+        checked
+            .complaints
+            .into_iter()
+            .map(|complaint| source.place(complaint)),
+    );
+    warnings.extend(
+        checked
+            .warnings
+            .into_iter()
+            .take(MOST_COMPLAINTS)
+            .map(|warning| source.place(warning).to_string()),
+    );
+    if !complaints.is_empty() {
+        return Err(sorted(complaints, more));
+    }
+
+    // words → types; the schema comes from these types, so nothing is left to go wrong
+    match serde_json::from_value::<Model>(findings.value) {
+        Ok(mut model) => {
+            model.display = display(source.root.get("units"));
+            let complaints = gears(&model, &source);
+            let said = hold::unheld(&model)
+                .into_iter()
+                .chain(stale::stale(&source.root, sets));
+            warnings.extend(
+                said.take(MOST_COMPLAINTS)
+                    .map(|warning| source.place(warning).to_string()),
+            );
+            if complaints.is_empty() {
+                Ok(Loaded {
+                    model,
+                    document: source.root.to_value(),
+                    source,
+                    warnings,
+                    parameters: findings.parameters,
+                })
+            } else {
+                Err(sorted(complaints, 0))
+            }
+        }
+        Err(error) => Err(vec![Complaint::new(
+            "",
+            format!("the schema allows what the model does not: {error}"),
+        )]),
+    }
+}
+
+/// Gears whose wheels have no common carrier.
+fn gears(model: &Model, source: &Source) -> Vec<Complaint> {
+    let carriers = model
+        .joints
+        .iter()
+        .filter_map(|(name, joint)| model.carrier(name, joint));
+    carriers
+        .filter_map(Result::err)
+        .map(|complaint| source.place(complaint))
+        .collect()
+}
+
+/// UTF-8 with or without its mark, neither empty nor too large.
+fn decode(text: &[u8]) -> Result<&str, Complaint> {
+    let length = u64::try_from(text.len()).unwrap_or(u64::MAX);
+    if length > LARGEST {
+        return Err(too_large(length));
+    }
+    let text = text.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(text);
+    if text.iter().all(u8::is_ascii_whitespace) {
+        return Err(Complaint::new("", "the file is empty").hint("a model is a JSON object"));
+    }
+    std::str::from_utf8(text).map_err(|error| {
+        let valid = &text[..error.valid_up_to()];
+        let good = std::str::from_utf8(valid).unwrap_or_default();
+        let mut complaint = Complaint::new("", "the file is not UTF-8 text");
+        complaint.place = Some(Source::new(good, &[]).place_of(good.len()));
+        complaint.hint("a model is a JSON file; save it as UTF-8")
+    })
+}
+
+fn syntax(source: &Source, fault: &json::Fault) -> Complaint {
+    let mut complaint = Complaint::new("", format!("not JSON: {}", fault.message));
+    complaint.place = Some(source.place_of(fault.at));
+    complaint.hint = fault.hint.map(str::to_owned);
+    complaint
+}
+
+/// In the order of the lines, what has none last; not more than anybody reads.
+fn sorted(mut complaints: Vec<Complaint>, more: usize) -> Vec<Complaint> {
+    complaints.sort_by_key(|complaint| (complaint.place.is_none(), complaint.place));
+    let more = more + complaints.len().saturating_sub(MOST_COMPLAINTS);
+    if more > 0 {
+        complaints.truncate(MOST_COMPLAINTS);
+        complaints.push(Complaint::new("", format!("and {more} more faults")));
+    }
+    complaints
+}
