@@ -3,8 +3,6 @@
 //! A01 and A02 are of the IFToMM library of multibody benchmarks (A02 with any number of loops); the squeezing mechanism
 //! of Andrews is that of the test set for initial value problem solvers.
 
-#![allow(dead_code)]
-
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use serde_json::{Value, json};

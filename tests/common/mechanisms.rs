@@ -1,5 +1,4 @@
 //! Small mechanisms for the tests, written as model files.
-#![allow(dead_code)]
 
 use linkdyn_engine::analysis::{Control, Outcome, run};
 use linkdyn_model::{Loaded, load};

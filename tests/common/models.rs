@@ -1,7 +1,5 @@
 //! The models that every law is tried on: the bundled ones and those of the reference cases.
 
-#![allow(dead_code)]
-
 use linkdyn::bundled;
 use linkdyn_engine::analysis::{Control, Outcome, run};
 use linkdyn_model::Model;

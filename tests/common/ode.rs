@@ -1,7 +1,5 @@
 //! Test problems for the integrators, with their solutions.
 
-#![allow(dead_code)]
-
 use linkdyn_engine::integrate::{Limits, Ode, Refused, Stepper, Tolerance};
 
 /// y′ = f(t, y) as a function, refused where `allowed` says no.

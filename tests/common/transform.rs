@@ -2,8 +2,6 @@
 //!
 //! Each function changes the words of a model so that its results must change in a known way.
 
-#![allow(dead_code)]
-
 use indexmap::IndexMap;
 use linkdyn_model::{
     Driver, DriverKind, Force, ForceKind, Frame, GROUND, Joint, JointKind, Model, Motion, PointRef,

@@ -1,6 +1,9 @@
 //! The step loop allocates nothing: refactoring, solving, watching for singular configurations, integrating, and the
 //! equations of motion and of driven mechanisms; and what memory stays in use.
 
+use crate::benchmarks;
+use crate::linkage;
+use crate::ode;
 use allocation_counter::measure;
 use linkdyn_engine::analysis::record::Sample;
 use linkdyn_engine::analysis::{assembly, driven};
@@ -12,13 +15,6 @@ use linkdyn_engine::system::compile::compile;
 use linkdyn_engine::system::{Inputs, System};
 use linkdyn_linear::{ColumnOrder, Pattern, SparseLu};
 use linkdyn_model::AnalysisKind;
-
-#[path = "common/benchmarks.rs"]
-mod benchmarks;
-#[path = "common/linkage.rs"]
-mod linkage;
-#[path = "common/ode.rs"]
-mod ode;
 
 /// Allocations of this thread while `work` runs.
 fn allocations(work: impl FnOnce()) -> u64 {

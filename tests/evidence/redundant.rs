@@ -11,14 +11,9 @@
 //! Pendulums hang on each, some with a spring, some with a start in motion. `LINKDYN_REDUNDANT=20000` tries so many and
 //! prints each.
 
-#[path = "common/linkage.rs"]
-mod linkage;
-#[path = "common/models.rs"]
-mod models;
-
-use linkage::Random;
+use crate::linkage::Random;
+use crate::models::{load, solve, values};
 use linkdyn_engine::analysis::Outcome;
-use models::{load, solve, values};
 use serde_json::{Value, json};
 
 type V = [f64; 2];

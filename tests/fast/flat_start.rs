@@ -1,11 +1,8 @@
 //! Statics and small motions of mechanisms drawn in a singular position, against closed forms.
 
-#[path = "common/mechanisms.rs"]
-mod mechanisms;
-
+use crate::mechanisms::*;
 use linkdyn_engine::analysis::{Control, Linearised, Outcome, modes};
 use linkdyn_output::Status;
-use mechanisms::*;
 use serde_json::{Value, json};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -97,7 +94,7 @@ fn swings(model: &Value, stiffness: f64, square: f64) {
     );
 }
 
-const DRAWN_FLAT: &str = include_str!("cases/flat-start-modes.json");
+const DRAWN_FLAT: &str = include_str!("../cases/flat-start-modes.json");
 
 /// The parallelogram of the case: cranks of 0.3 m, turned and mirrored as a whole (gravity with it), drawn at `crank`.
 fn drawn(crank: f64, turn: f64, mirror: bool) -> Value {

@@ -1,11 +1,8 @@
 //! Equilibria and small motions against closed forms.
 
-#[path = "common/mechanisms.rs"]
-mod mechanisms;
-
+use crate::mechanisms::*;
 use linkdyn_engine::analysis::{Control, Linearised, Outcome, modes, run};
 use linkdyn_output::Status;
-use mechanisms::*;
 use serde_json::{Value, json};
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -6,7 +6,7 @@ use std::process::{Command, Stdio};
 
 use serde_json::Value;
 
-const MODEL: &str = include_str!("../validation/slider-crank-clearance/model.json");
+const MODEL: &str = include_str!("../../validation/slider-crank-clearance/model.json");
 /// A slow, short run.
 const SHORT: [&str; 6] = [
     "--set",

@@ -1,14 +1,11 @@
 //! Singular positions: found, located, classed, passed on the smooth branch or refused; against closed forms.
 
-#[path = "common/mechanisms.rs"]
-mod mechanisms;
-
+use crate::mechanisms::*;
 use linkdyn_output::Status;
-use mechanisms::*;
 use serde_json::json;
 use std::f64::consts::PI;
 
-const LOCK: &str = include_str!("../models/watt-i-lock.json");
+const LOCK: &str = include_str!("../../models/watt-i-lock.json");
 
 fn lock(from: f64, to: f64, step: f64) -> linkdyn_engine::analysis::Outcome {
     let mut model: serde_json::Value = serde_json::from_str(LOCK).expect("JSON");
@@ -231,7 +228,7 @@ fn a_dead_centre_of_a_motion_that_is_integrated_tells_what_is_in_line() {
     );
 }
 
-const TWO_AT_ONCE: &str = include_str!("cases/dead-centre-called-singular.json");
+const TWO_AT_ONCE: &str = include_str!("../cases/dead-centre-called-singular.json");
 
 /// Two equal dyads between the driven slider and ground fold at one instant, where even the arc's equations are singular.
 #[test]

@@ -1,11 +1,8 @@
 //! Assembly: from rough guesses, with exact initial values, and what is said when it can't be.
 
-#[path = "common/mechanisms.rs"]
-mod mechanisms;
-
+use crate::mechanisms::*;
 use linkdyn_engine::analysis::{Control, run};
 use linkdyn_output::Status;
-use mechanisms::*;
 use serde_json::{Value, json};
 
 fn still(value: f64) -> Value {
@@ -286,7 +283,7 @@ fn missing_masses_are_named_for_the_analysis_that_needs_them() {
     assert_eq!(outcome(&model).report.status, Status::Completed);
 }
 
-const CONTRADICTING: &str = include_str!("cases/drivers-contradict.json");
+const CONTRADICTING: &str = include_str!("../cases/drivers-contradict.json");
 
 /// Three bars in a chain: the second turns by itself, and against the first, which turns by itself, too.
 #[test]

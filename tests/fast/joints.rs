@@ -1,11 +1,8 @@
 //! Slots and gears against closed forms.
 
-#[path = "common/mechanisms.rs"]
-mod mechanisms;
-
+use crate::mechanisms::*;
 use linkdyn_model::bundled;
 use linkdyn_output::Status;
-use mechanisms::*;
 use serde_json::{Value, json};
 use std::f64::consts::PI;
 

@@ -1,15 +1,13 @@
 //! Memory, not evidence: what the bundled models gave when somebody last looked, numbers and work.
 //!
 //! A difference says that something changed, not which of the two is right; evidence stands in `validation/` and
-//! `tests/laws.rs`. After a change that is meant: `LINKDYN_GOLDEN=write cargo test --release --test golden`, and read the
+//! `tests/laws.rs`. After a change that is meant: `LINKDYN_GOLDEN=write cargo test --test fast golden`, and read the
 //! difference before committing it.
 
-#[path = "common/models.rs"]
-mod models;
-
+use crate::models;
+use crate::models::{load_bundled, solve};
 use linkdyn_engine::analysis::Outcome;
 use linkdyn_model::bundled;
-use models::{load_bundled, solve};
 use serde_json::{Map, Value, json};
 use std::fs;
 use std::path::PathBuf;

@@ -2,10 +2,7 @@
 
 use std::path::Path;
 
-#[path = "common/fuzz/mod.rs"]
-mod fuzz;
-
-use fuzz::{Fuzzer, Runner};
+use crate::fuzz::{Fuzzer, Runner};
 
 /// Tries mutants; what was found, a line each.
 fn finds(runner: Runner, name: &str, seed: u64, mutants: u64) -> Vec<String> {

@@ -4,23 +4,16 @@
 //! the same unit in the run, since round-off of one force is that of all forces its equations hold; torques also against
 //! force times length, velocities against angular velocity times length.
 
-#[path = "common/models.rs"]
-mod models;
-#[path = "common/transform.rs"]
-mod transform;
-#[path = "common/write.rs"]
-mod write;
-
-use linkdyn_engine::analysis::Outcome;
-use linkdyn_model::{Analysis, AnalysisKind, ClearanceModel, DriverKind, JointKind, Model};
-use linkdyn_output::{Column, Status};
-use models::{Named, all, load, load_bundled, solve, values};
-use std::collections::{BTreeMap, HashMap};
-use transform::{
+use crate::models::{Named, all, load, load_bundled, solve, values};
+use crate::transform::{
     is_absolute, mirror, rename_and_reverse, renamed, rotate, swap, swapped_signs, translate,
     turned,
 };
-use write::{SI, WORKSHOP};
+use crate::write::{SI, WORKSHOP};
+use linkdyn_engine::analysis::Outcome;
+use linkdyn_model::{Analysis, AnalysisKind, ClearanceModel, DriverKind, JointKind, Model};
+use linkdyn_output::{Column, Status};
+use std::collections::{BTreeMap, HashMap};
 
 /// Every model of a prescribed motion with its analysis as it is; `dynamics.rs` has the laws of free motion. Clearance is
 /// left out: what a massless link does depends on the outputs.

@@ -1,19 +1,14 @@
 //! Laws and limits of joints with clearance in contact dynamics: closed forms of an impact, what is conserved, the energy
 //! ledger, the ideal joint as the clearance vanishes, the same mechanism told otherwise, and what is refused.
 
-#[path = "common/mechanisms.rs"]
-mod mechanisms;
-#[path = "common/transform.rs"]
-mod transform;
-
+use crate::mechanisms::{column, loaded};
+use crate::transform::{mirror, rename_and_reverse, renamed, rotate, swap, turned};
 use linkdyn_engine::analysis::{Control, Outcome, run};
 use linkdyn_model::{Model, load};
 use linkdyn_output::{Episode, Status};
-use mechanisms::{column, loaded};
 use serde_json::{Value, json};
-use transform::{mirror, rename_and_reverse, renamed, rotate, swap, turned};
 
-const SLIDER_CRANK: &str = include_str!("../validation/slider-crank-clearance/model.json");
+const SLIDER_CRANK: &str = include_str!("../../validation/slider-crank-clearance/model.json");
 
 #[track_caller]
 fn solve(model: &Model) -> Outcome {

@@ -1,17 +1,14 @@
 //! Transmission angles where the output's point stands still: on a carrier that is welded to ground, or that another driver holds.
 
-#[path = "common/models.rs"]
-mod models;
-#[path = "common/transform.rs"]
-mod transform;
-
+use crate::models;
+use crate::transform;
 use linkdyn_engine::analysis::derived::derived;
 use linkdyn_model::Model;
 use linkdyn_output::Trajectory;
 use serde_json::{Value, json};
 
 /// A bucket on a stick that is welded to ground.
-const WELDED: &str = include_str!("cases/transmission-angle-noise.json");
+const WELDED: &str = include_str!("../cases/transmission-angle-noise.json");
 
 fn welded() -> Value {
     serde_json::from_str(WELDED).expect("JSON")
@@ -227,6 +224,149 @@ fn an_output_that_turns_back_leaves_one_cell_empty() {
     );
     assert!(
         notes.len() == 1 && notes[0].contains("is empty in 1 of 401 rows"),
+        "{notes:?}"
+    );
+}
+
+/// Four-bar: Alt's transmission angle from the triangle coupler, rocker, diagonal; the ratio of the velocities.
+#[test]
+fn transmission_of_a_four_bar_is_that_of_its_triangle() {
+    let model = models::load_bundled(
+        "four-bar",
+        &[r#"analysis.transmission={"output":"rocker"}"#],
+    );
+    let outcome = models::solve(&model);
+    let (derived, notes) = derived(&model, outcome.all());
+    assert!(notes.is_empty(), "{notes:?}");
+    let joint = model.joints.iter().find(|(_, joint)| {
+        let bodies = joint.between.each_ref().map(|end| end.body.as_str());
+        bodies == ["coupler", "rocker"] || bodies == ["rocker", "coupler"]
+    });
+    let (name, joint) = joint.expect("a joint between coupler and rocker");
+    let angle = derived
+        .values(&format!("transmission.{name}.angle"))
+        .expect("an angle");
+    let (ratio, advantage) = (
+        derived.values("transmission.ratio"),
+        derived.values("transmission.advantage"),
+    );
+    let (ratio, advantage) = (ratio.expect("a ratio"), advantage.expect("an advantage"));
+    let place = |body: &str, point: &str, row: usize| {
+        let [x, y] = model.bodies[body].points[point];
+        let of = |q: &str| {
+            if body == "ground" {
+                0.0
+            } else {
+                models::values(&outcome, &format!("{body}.{q}"))[row]
+            }
+        };
+        let (sin, cos) = of("angle").sin_cos();
+        [of("x") + cos * x - sin * y, of("y") + sin * x + cos * y]
+    };
+    // The other ends of the two links.
+    let far = |body: &str, not: &str| {
+        let other = model
+            .joints
+            .values()
+            .flat_map(|joint| &joint.between)
+            .find(|end| end.body == body && end.point != not);
+        other.expect("another end").point.clone()
+    };
+    let [coupler_end, rocker_end] = ["coupler", "rocker"].map(|body| {
+        let end = joint
+            .between
+            .iter()
+            .find(|end| end.body == body)
+            .expect("an end");
+        (end.point.clone(), far(body, &end.point))
+    });
+    let [crank_omega, rocker_omega] =
+        ["crank", "rocker"].map(|body| models::values(&outcome, &format!("{body}.omega")));
+    for row in (0..outcome.trajectory.len()).step_by(7) {
+        let pin = place("coupler", &coupler_end.0, row);
+        let along = |end: [f64; 2]| [end[0] - pin[0], end[1] - pin[1]];
+        let (a, b) = (
+            along(place("coupler", &coupler_end.1, row)),
+            along(place("rocker", &rocker_end.1, row)),
+        );
+        let between = (a[0] * b[1] - a[1] * b[0])
+            .abs()
+            .atan2((a[0] * b[0] + a[1] * b[1]).abs());
+        assert!(
+            (angle[row] - between).abs() < 1e-9,
+            "row {row}: {} and {between}",
+            angle[row]
+        );
+        let expected = rocker_omega[row] / crank_omega[row];
+        assert!(
+            (ratio[row] - expected).abs() < 1e-9 * expected.abs().max(1.0),
+            "row {row}: {} and {expected}",
+            ratio[row]
+        );
+        assert!((advantage[row] * ratio[row] - 1.0).abs() < 1e-12);
+    }
+}
+
+/// Slider-crank in closed form: x = r cos θ + √(l² − r² sin² θ), the angle between rod and the normal of the guide; and a driver at rest.
+#[test]
+fn transmission_of_a_slider_crank_is_its_closed_form() {
+    for motion in ["{}", r#"{"type":"polynomial","coefficients":[40]}"#] {
+        let mut sets =
+            vec![r#"analysis.transmission={"driver":"motor","output":"piston"}"#.to_string()];
+        sets.extend((motion != "{}").then(|| format!("drivers.motor.motion={motion}")));
+        let model = models::load_bundled(
+            "slider-crank",
+            &sets.iter().map(String::as_str).collect::<Vec<_>>(),
+        );
+        let outcome = models::solve(&model);
+        let (derived, _) = derived(&model, outcome.all());
+        assert_eq!(
+            derived.columns[derived.column_index("transmission.ratio").expect("a ratio")].unit,
+            "m/rad"
+        );
+        let ratio = derived.values("transmission.ratio").expect("a ratio");
+        let angle = derived
+            .values("transmission.wristpin.angle")
+            .expect("an angle");
+        let (r, l) = (0.05_f64, 0.2_f64);
+        for (row, theta) in models::values(&outcome, "crank.angle")
+            .into_iter()
+            .enumerate()
+        {
+            let root = (l * l - (r * theta.sin()).powi(2)).sqrt();
+            let expected = -r * theta.sin() - r * r * theta.sin() * theta.cos() / root;
+            assert!(
+                (ratio[row] - expected).abs() < 1e-12,
+                "row {row}: {} and {expected}",
+                ratio[row]
+            );
+            let between = (root / l).asin();
+            // In the dead centres the piston has no velocity, and μ no meaning.
+            assert!(
+                angle[row].is_nan() || (angle[row] - between).abs() < 1e-7,
+                "row {row}: {} and {between}",
+                angle[row]
+            );
+        }
+        assert!(
+            angle.iter().filter(|angle| angle.is_nan()).count() <= 3,
+            "{angle:?}"
+        );
+    }
+}
+
+#[test]
+fn a_transmission_that_the_drivers_do_not_determine_is_said_to_be_none() {
+    let sets = [
+        r#"analysis.transmission={"driver":"motor","output":"arm"}"#,
+        "analysis.type=dynamics",
+    ];
+    let mut model = models::load_bundled("quick-return", &sets);
+    model.drivers.clear();
+    let (derived, notes) = derived(&model, models::solve(&model).all());
+    assert!(derived.column_index("transmission.ratio").is_none());
+    assert!(
+        notes.len() == 1 && notes[0].contains("do not determine the motion"),
         "{notes:?}"
     );
 }

@@ -1,12 +1,10 @@
 //! Integrators: order, accuracy beside SciPy's, stiff problems, dense output, refusals and the end of steps.
 
+use crate::ode;
+use crate::ode::{Problem, SOLVED, distance, fixed, run, sample, tolerance};
 use linkdyn_engine::integrate::{
     Dop853, Limits, Method, Ode, Radau5, Refused, StepFailure, Stepper, Tolerance,
 };
-use ode::{Problem, SOLVED, distance, fixed, run, sample, tolerance};
-
-#[path = "common/ode.rs"]
-mod ode;
 
 /// log₂ of the ratio of errors.
 fn order(coarse: f64, fine: f64) -> f64 {

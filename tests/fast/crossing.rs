@@ -1,11 +1,8 @@
 //! Change points of parts of a mechanism, with more freedom in the rest or drivers that move.
 
-#[path = "common/mechanisms.rs"]
-mod mechanisms;
-
+use crate::mechanisms::{column, loaded, pin, rod};
 use linkdyn_engine::analysis::{Control, Outcome, run};
 use linkdyn_output::Status;
-use mechanisms::{column, loaded, pin, rod};
 use serde_json::{Value, json};
 
 const CRANK: f64 = 0.1;

@@ -1,11 +1,8 @@
 //! Joints with clearance whose surfaces are rigid: flight, impacts, following, against closed forms.
 
-#[path = "common/mechanisms.rs"]
-mod mechanisms;
-
+use crate::mechanisms::{column, loaded};
 use linkdyn_engine::analysis::{Control, Outcome, run};
 use linkdyn_output::{Episode, Status};
-use mechanisms::{column, loaded};
 use serde_json::{Value, json};
 
 /// Radial clearance, and radius of the journal [m].

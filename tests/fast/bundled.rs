@@ -1,14 +1,10 @@
 //! Every bundled model runs, and says one thing each that is known without running it.
 
-#[path = "common/benchmarks.rs"]
-mod benchmarks;
-#[path = "common/models.rs"]
-mod models;
-
+use crate::benchmarks;
+use crate::models::{load_bundled, solve, values};
 use linkdyn::bundled;
 use linkdyn_engine::analysis::{Control, Outcome, modes};
 use linkdyn_output::Status;
-use models::{load_bundled, solve, values};
 use std::f64::consts::{FRAC_PI_6, PI, SQRT_2, TAU};
 
 /// A few ulps of the sizes that occur (0.1 … 1 m, some rad), through a solution of some ten equations.

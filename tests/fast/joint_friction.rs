@@ -1,11 +1,8 @@
 //! Friction of ideal joints: against closed forms and equations written once more by hand, and where it locks.
 
-#[path = "common/mechanisms.rs"]
-mod mechanisms;
-
+use crate::mechanisms::*;
 use linkdyn_engine::analysis::{Control, Outcome, run};
 use linkdyn_output::Status;
-use mechanisms::*;
 use serde_json::{Value, json};
 
 const G: f64 = 9.81;
@@ -738,7 +735,7 @@ fn what_has_no_history_has_no_bristles_and_rest_no_friction() {
     assert!(run.trajectory.values("joint.o.friction").is_none());
 }
 
-const LOCKING: &str = include_str!("cases/friction-lock.json");
+const LOCKING: &str = include_str!("../cases/friction-lock.json");
 
 /// A parallelogram that swings into its flat position: its pins' friction grows as 1/(t* − t) towards the lock before it, so
 /// that no step reaches it. Whatever the tolerance, the run ends there and names the joint.

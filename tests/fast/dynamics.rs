@@ -1,13 +1,10 @@
 //! Laws of free motion: energy, drivers among free coordinates, forward and inverse dynamics against each other, stiffness,
 //! and errors that follow the tolerance. Motions with known answers are reference cases in `validation/`.
 
-#[path = "common/mechanisms.rs"]
-mod mechanisms;
-
+use crate::mechanisms::*;
 use linkdyn_engine::analysis::Outcome;
 use linkdyn_model::bundled;
 use linkdyn_output::Status;
-use mechanisms::*;
 use serde_json::{Value, json};
 use std::f64::consts::PI;
 

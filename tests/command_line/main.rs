@@ -1,0 +1,19 @@
+//! Tests of the command: what it says, writes and answers, in a browser where there is one.
+
+#[path = "../common/browser.rs"]
+mod browser;
+#[path = "../common/long.rs"]
+mod long;
+
+mod check;
+mod cli;
+mod compare;
+mod figures;
+mod fuzz_finds;
+mod guide;
+mod mistakes;
+mod peaks;
+mod readme;
+mod report;
+#[cfg(unix)]
+mod terminal;

@@ -1,0 +1,47 @@
+//! Tests of the library: laws, closed forms, messages, architecture. Each takes less than a second or two.
+//!
+//! `cargo test --test fast` is the loop of whoever edits the engine.
+
+// The benches use the rest.
+#[allow(dead_code)]
+#[path = "../common/benchmarks.rs"]
+mod benchmarks;
+#[path = "../common/linkage.rs"]
+mod linkage;
+#[path = "../common/long.rs"]
+mod long;
+#[path = "../common/mechanisms.rs"]
+mod mechanisms;
+#[path = "../common/models.rs"]
+mod models;
+#[path = "../common/ode.rs"]
+mod ode;
+#[path = "../common/transform.rs"]
+mod transform;
+#[path = "../common/write.rs"]
+mod write;
+
+mod allocations;
+mod assembly;
+mod bundled;
+mod complaints;
+mod complaints_clearance;
+mod contact;
+mod crossing;
+mod dynamics;
+mod extremes;
+mod flat_start;
+mod golden;
+mod impacts;
+mod integrate;
+mod interrupt;
+mod jacobian;
+mod joint_friction;
+mod joints;
+mod laws;
+mod layers;
+mod schema;
+mod shaking;
+mod singular;
+mod statics;
+mod transmission;
