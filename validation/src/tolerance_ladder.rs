@@ -361,7 +361,7 @@ fn flat_steps(loops: usize, case: &str) -> Result<Claim, CaseError> {
         .iter()
         .position(|body| body.name == "rocker0")
         .ok_or_else(|| broken(&"no rocker0"))?;
-    let height = |reduced: &Reduced| reduced.q[3 * rocker + 2].sin();
+    let height = |reduced: &Reduced| reduced.q[system.layout.moving(rocker).theta()].sin();
     let begin =
         |reduced: &mut Reduced, t: f64, step: Option<f64>| -> Result<Box<dyn Stepper>, CaseError> {
             let limits = Limits {

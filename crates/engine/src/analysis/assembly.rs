@@ -216,15 +216,15 @@ pub fn counted(system: &System) -> Mobility {
 
 /// The guess with its bodies turned by parts of `largest`, each by another.
 fn kicked(system: &System, largest: f64) -> Vec<f64> {
-    kicked_from(&system.guess, largest)
+    kicked_from(system, &system.guess, largest)
 }
 
-fn kicked_from(q: &[f64], largest: f64) -> Vec<f64> {
+fn kicked_from(system: &System, q: &[f64], largest: f64) -> Vec<f64> {
     let mut q = q.to_vec();
-    for (k, angle) in q.iter_mut().skip(2).step_by(3).enumerate() {
+    for (k, body) in system.layout.bodies().enumerate() {
         // Multiples of the golden ratio are spread evenly, and never alike.
         let part = (0.618_033_988_749_895 * (k + 1) as f64).fract();
-        *angle += largest * (0.2 + 0.8 * part) * if k % 2 == 0 { 1.0 } else { -1.0 };
+        q[body.theta()] += largest * (0.2 + 0.8 * part) * if k % 2 == 0 { 1.0 } else { -1.0 };
     }
     q
 }
@@ -238,7 +238,7 @@ pub fn beside_by_joints(system: &System, q: &[f64], inputs: &Inputs) -> Option<V
         .collect();
     let closed = KICKS
         .iter()
-        .map(|&kick| close(system, &joints, &kicked_from(q, kick), inputs));
+        .map(|&kick| close(system, &joints, &kicked_from(system, q, kick), inputs));
     closed
         .into_iter()
         .find(|closed| closed.converged)
@@ -525,10 +525,8 @@ fn nudged(
 
 fn under_driven(system: &System, freedom: usize, direction: &[f64]) -> Complaint {
     let moves = |k: usize| {
-        direction
+        direction[system.layout.moving(k).range()]
             .iter()
-            .skip(3 * k)
-            .take(3)
             .any(|z| z.abs() > MOVES)
     };
     let moving = system

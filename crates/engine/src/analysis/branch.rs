@@ -166,7 +166,7 @@ fn balanced(system: &System, branches: &[Branch]) -> String {
 
 /// `"a" and "b" turn clockwise, "c" turns counter-clockwise`.
 pub fn turns(system: &System, direction: &[f64]) -> String {
-    let rates: Vec<f64> = direction.iter().skip(2).step_by(3).copied().collect();
+    let rates: Vec<f64> = system.layout.angles(direction).collect();
     let seen = SEEN
         * linkdyn_linear::math::max_abs(&rates)
             .max(SEEN * linkdyn_linear::math::max_abs(direction));
@@ -188,7 +188,9 @@ pub fn turns(system: &System, direction: &[f64]) -> String {
         }
     }
     if parts.is_empty() {
-        let moves = |k: usize| linkdyn_linear::math::max_abs(&direction[3 * k..3 * k + 3]) > seen;
+        let moves = |k: usize| {
+            linkdyn_linear::math::max_abs(&direction[system.layout.moving(k).range()]) > seen
+        };
         parts.push(format!(
             "{} moves without turning",
             listed(&named(&moves), ", ")

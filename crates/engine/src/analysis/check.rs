@@ -510,11 +510,12 @@ fn words(model: &Model, undriven: Option<&Undriven>, check: &Check) -> String {
 /// Bodies that were drawn somewhere and assemble turned by more than a right angle from there.
 fn turned_over(model: &Model, system: &System, q: &[f64]) -> Vec<Complaint> {
     let mut found = Vec::new();
-    for (body, q) in system.bodies.iter().zip(q.chunks_exact(3)) {
+    for (body, columns) in system.bodies.iter().zip(system.layout.bodies()) {
         let Some(pose) = model.bodies.get(&body.name).map(|body| body.pose) else {
             continue;
         };
-        let off = (q[2] - pose.angle).sin().atan2((q[2] - pose.angle).cos());
+        let turned = q[columns.theta()] - pose.angle;
+        let off = turned.sin().atan2(turned.cos());
         if pose != Pose::default() && off.abs() > FRAC_PI_2 {
             let off = model.display.angle_to(off, 3);
             let message = format!(
@@ -534,10 +535,11 @@ fn odd_springs(model: &Model, system: &System, q: &[f64]) -> Vec<Complaint> {
         let Some(k) = system.bodies.iter().position(|body| body.name == end.body) else {
             return Some(point);
         };
-        let ((sin, cos), s) = (q[3 * k + 2].sin_cos(), point + system.bodies[k].origin);
+        let [x, y, theta] = system.layout.moving(k).read(q);
+        let ((sin, cos), s) = (theta.sin_cos(), point + system.bodies[k].origin);
         Some(Vec2::new(
-            q[3 * k] + cos * s.x - sin * s.y,
-            q[3 * k + 1] + sin * s.x + cos * s.y,
+            x + cos * s.x - sin * s.y,
+            y + sin * s.x + cos * s.y,
         ))
     };
     let mut found = Vec::new();

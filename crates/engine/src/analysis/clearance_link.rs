@@ -231,15 +231,9 @@ pub fn carried(driven: &mut Driven, inputs: &Inputs, sample: &mut Sample) -> Res
 /// Q and Q − M a (n), what the constraints must carry.
 pub fn balance(system: &System, evaluation: &Evaluation, inputs: &Inputs, sample: &mut Sample) {
     evaluation.eval_force(system, inputs, &mut sample.force);
-    for (((b, q), a), m) in sample
-        .balance
-        .iter_mut()
-        .zip(&sample.force)
-        .zip(&sample.a)
-        .zip(&system.mass)
-    {
-        *b = q - m * a;
-    }
+    system
+        .mass
+        .residual(&sample.force, &sample.a, &mut sample.balance);
 }
 
 /// λ_driver = −bᵀ dq/du: the effort of a single driver by virtual power, good also where J is singular.

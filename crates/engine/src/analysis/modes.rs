@@ -11,6 +11,7 @@
 
 use super::statics::{balance, described, refuse, start, warning};
 use super::{Control, Stop, friction_left_out};
+use crate::element::Axis;
 use crate::mechanism::equilibrium::judge;
 use crate::mechanism::held::Held;
 use crate::system::{System, compile::compile};
@@ -135,11 +136,13 @@ fn linearise(system: &System, pose: bool, control: &Control) -> Result<Linearise
 
 /// Names and places of the moving bodies' frames.
 fn bodies(held: &Held) -> Vec<(String, [f64; 3])> {
-    let bodies = held.driven.system.bodies.iter().zip(held.q.chunks_exact(3));
+    let system = held.driven.system;
+    let bodies = system.bodies.iter().zip(system.layout.bodies());
     bodies
-        .map(|(body, q)| {
-            let rho = crate::element::Pose::new(q[0], q[1], q[2]).turn(body.origin);
-            (body.name.clone(), [q[0] + rho.x, q[1] + rho.y, q[2]])
+        .map(|(body, columns)| {
+            let [x, y, theta] = columns.read(&held.q);
+            let rho = crate::element::Pose::new(x, y, theta).turn(body.origin);
+            (body.name.clone(), [x + rho.x, y + rho.y, theta])
         })
         .collect()
 }
@@ -150,14 +153,12 @@ fn mode(held: &Held, pair: &Eigenpair) -> Mode {
         [0, 1].map(|part| held.along(&pair.vector.iter().map(|x| x[part]).collect::<Vec<_>>()));
     let system = held.driven.system;
     let mut shape: Vec<[[f64; 2]; 3]> = Vec::with_capacity(system.bodies.len());
-    for (k, body) in system.bodies.iter().enumerate() {
-        let rho = crate::element::Pose::new(0.0, 0.0, held.q[3 * k + 2]).turn(body.origin);
+    for (body, columns) in system.bodies.iter().zip(system.layout.bodies()) {
+        let angle = held.q[columns.theta()];
+        let rho = crate::element::Pose::new(0.0, 0.0, angle).turn(body.origin);
         let of = |s: &[f64]| {
-            [
-                s[3 * k] - s[3 * k + 2] * rho.y,
-                s[3 * k + 1] + s[3 * k + 2] * rho.x,
-                s[3 * k + 2],
-            ]
+            let [x, y, theta] = columns.read(s);
+            [x - theta * rho.y, y + theta * rho.x, theta]
         };
         let (re, im) = (of(&re), of(&im));
         shape.push([0, 1, 2].map(|axis| [re[axis], im[axis]]));
@@ -172,12 +173,14 @@ fn mode(held: &Held, pair: &Eigenpair) -> Mode {
 /// Divides by the largest component, so that it becomes 1.
 fn normalise(shape: &mut [[[f64; 2]; 3]], system: &System) {
     let mut largest = ([1.0, 0.0], 0.0);
-    for (column, value) in shape.iter().flatten().enumerate() {
-        let scale = system.column_scale(column);
-        let size = value[0].hypot(value[1]) / scale;
-        // Of equal ones the first, whatever the round-off.
-        if size > largest.1 * (1.0 + 1e-9) {
-            largest = (value.map(|part| part / scale), size);
+    for (place, columns) in shape.iter().zip(system.layout.bodies()) {
+        for (value, axis) in place.iter().zip(Axis::ALL) {
+            let scale = system.column_scale(columns.column(axis));
+            let size = value[0].hypot(value[1]) / scale;
+            // Of equal ones the first, whatever the round-off.
+            if size > largest.1 * (1.0 + 1e-9) {
+                largest = (value.map(|part| part / scale), size);
+            }
         }
     }
     let ([re, im], size) = largest;

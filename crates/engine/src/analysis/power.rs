@@ -39,12 +39,7 @@ impl Powers {
         let driven: f64 = drivers.clone().map(|(effort, rate)| effort * rate).sum();
         // Of efforts that do not exist nothing is counted: `max` passes NaN over.
         let applied = dot(force, v);
-        let kinetic: f64 = v
-            .iter()
-            .zip(a)
-            .zip(&system.mass)
-            .map(|((v, a), m)| v * a * m)
-            .sum();
+        let kinetic = system.mass.product(v, a);
         self.flowing = self
             .flowing
             .max(driven.abs())
@@ -79,7 +74,7 @@ fn gross(
     for (k, ((v, a), (force, mass))) in v
         .iter()
         .zip(a)
-        .zip(force.iter().zip(&system.mass))
+        .zip(force.iter().zip(system.mass.diagonal()))
         .enumerate()
     {
         gross += (force * v).abs() + mass * (v * a).abs();

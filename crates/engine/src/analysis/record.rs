@@ -2,7 +2,7 @@
 
 use crate::element::journal::Reading;
 use crate::element::{Instant, Measure};
-use crate::system::{BodyData, Evaluation, Inputs, System};
+use crate::system::{Evaluation, Inputs, System};
 use linkdyn_output::{Column, Trajectory};
 
 /// What an analysis computes.
@@ -84,8 +84,8 @@ impl Recorder {
         let at = evaluation.instant(inputs);
         let row = &mut self.trajectory.data;
         row.push(inputs.time);
-        for (k, body) in system.bodies.iter().enumerate() {
-            self.contents.body(&at, k, body, sample, row);
+        for k in 0..system.bodies.len() {
+            self.contents.body(&at, system, k, sample, row);
         }
         for point in &system.points {
             let marker = &point.marker;
@@ -96,11 +96,10 @@ impl Recorder {
             }
             if self.contents.accelerations {
                 let mut acceleration = marker.centripetal(&at);
-                if marker.body.0 > 0 {
-                    let a = &sample.a[3 * (marker.body.0 - 1)..];
-                    let rho = marker.rho(&at);
-                    acceleration.x += a[0] - a[2] * rho.y;
-                    acceleration.y += a[1] + a[2] * rho.x;
+                if let Some(columns) = system.layout.columns(marker.body) {
+                    let ([x, y, theta], rho) = (columns.read(&sample.a), marker.rho(&at));
+                    acceleration.x += x - theta * rho.y;
+                    acceleration.y += y + theta * rho.x;
                 }
                 row.extend([acceleration.x, acceleration.y]);
             }
@@ -187,22 +186,22 @@ impl Contents {
             && system.joints.iter().any(|joint| joint.bearing.is_some())
     }
 
-    fn body(self, at: &Instant, k: usize, body: &BodyData, sample: &Sample, row: &mut Vec<f64>) {
+    fn body(self, at: &Instant, system: &System, k: usize, sample: &Sample, row: &mut Vec<f64>) {
         let (pose, twist) = (&at.poses[k + 1], &at.twists[k + 1]);
         // From the centre of mass to the frame's origin.
-        let rho = pose.turn(body.origin);
+        let rho = pose.turn(system.bodies[k].origin);
         let omega = twist.omega;
         row.extend([pose.r.x + rho.x, pose.r.y + rho.y, pose.theta]);
         if self.velocities {
             row.extend([twist.v.x - omega * rho.y, twist.v.y + omega * rho.x, omega]);
         }
         if self.accelerations {
-            let a = &sample.a[3 * k..3 * k + 3];
+            let [x, y, theta] = system.layout.moving(k).read(&sample.a);
             let square = omega * omega;
             row.extend([
-                a[0] - a[2] * rho.y - square * rho.x,
-                a[1] + a[2] * rho.x - square * rho.y,
-                a[2],
+                x - theta * rho.y - square * rho.x,
+                y + theta * rho.x - square * rho.y,
+                theta,
             ]);
         }
     }

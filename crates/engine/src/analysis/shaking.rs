@@ -83,14 +83,11 @@ pub fn shaking(model: &Model, system: &System, table: &Trajectory) -> Option<Vec
             for (k, (frame, rates)) in bodies.iter().zip(&rates).enumerate() {
                 let rho = frame.turn(row, system.bodies[k].origin);
                 let (origin, angle) = frame.pose(row);
-                q[3 * k..3 * k + 3].copy_from_slice(&[origin.x - rho.x, origin.y - rho.y, angle]);
+                let columns = system.layout.moving(k);
+                columns.write(&mut q, [origin.x - rho.x, origin.y - rho.y, angle]);
                 let [vx, vy, omega] =
                     rates.map_or([0.0; 3], |rates| rates.map(|column| row[column]));
-                v[3 * k..3 * k + 3].copy_from_slice(&[
-                    vx + omega * rho.y,
-                    vy - omega * rho.x,
-                    omega,
-                ]);
+                columns.write(&mut v, [vx + omega * rho.y, vy - omega * rho.x, omega]);
             }
             evaluation.set_position(&q);
             evaluation.set_velocity(&v);
@@ -129,21 +126,13 @@ pub fn shaking(model: &Model, system: &System, table: &Trajectory) -> Option<Vec
                     );
                 }
                 Share::Element { element, body } => {
-                    let range = 3 * body..3 * body + 3;
-                    pull[range.clone()].fill(0.0);
-                    system.forces[*element]
-                        .apply(&evaluation.instant(&inputs), &mut Applied { q: &mut pull });
-                    let [fx, fy, torque] = [
-                        pull[range.start],
-                        pull[range.start + 1],
-                        pull[range.start + 2],
-                    ];
-                    sum.add(
-                        -1.0,
-                        Vec2::new(q[range.start], q[range.start + 1]),
-                        Vec2::new(fx, fy),
-                        torque,
-                    );
+                    let columns = system.layout.moving(*body);
+                    pull[columns.range()].fill(0.0);
+                    let mut applied = Applied::to(&mut pull, &system.layout);
+                    system.forces[*element].apply(&evaluation.instant(&inputs), &mut applied);
+                    let [fx, fy, torque] = columns.read(&pull);
+                    let [x, y, _] = columns.read(&q);
+                    sum.add(-1.0, Vec2::new(x, y), Vec2::new(fx, fy), torque);
                 }
             }
         }

@@ -9,6 +9,7 @@ use super::branch::{leave, singularity};
 use super::in_line::singular_text;
 use super::record::{Recorder, Sample};
 use super::{Control, Stop, contents, friction_left_out};
+use crate::element::Axis;
 use crate::mechanism::driven::Failure;
 use crate::mechanism::equilibrium::{Balance, Lost, Stability, find};
 use crate::mechanism::held::Held;
@@ -207,9 +208,15 @@ fn pulled(held: &Held) -> String {
 
 /// The name of a minimal coordinate.
 fn coordinate(held: &Held, k: usize) -> String {
-    let column = held.driven.pins[k].column;
-    let axis = ["x", "y", "angle"][column % 3];
-    format!("{}.{axis}", held.driven.system.bodies[column / 3].name)
+    let system = held.driven.system;
+    let (body, axis) = system.layout.coordinate(held.driven.pins[k].column);
+    let axis = match axis {
+        Axis::X => "x",
+        Axis::Y => "y",
+        Axis::Theta => "angle",
+    };
+    let name = body.index().map_or("", |index| &system.bodies[index].name);
+    format!("{name}.{axis}")
 }
 
 /// The word for a stability.

@@ -119,22 +119,23 @@ pub fn transmission(
         for (k, frame) in frames.iter().enumerate() {
             let (origin, angle) = frame.pose(row);
             let centre = origin - frame.turn(row, system.bodies[k].origin);
-            q[3 * k..3 * k + 3].copy_from_slice(&[centre.x, centre.y, angle]);
+            let columns = system.layout.moving(k);
+            columns.write(&mut q, [centre.x, centre.y, angle]);
         }
         let regular = q.iter().all(|q| q.is_finite()) && factored(&mut solver, system, &q, &inputs);
         if let Some(driven) = solver.as_mut().filter(|_| regular) {
             driven.velocity(&unit, &mut v);
             load.fill(0.0);
-            let k = 3 * output.body;
+            let columns = system.layout.moving(output.body);
             let ratio = match output.slide {
                 None => {
-                    load[k + 2] = 1.0;
-                    v[k + 2]
+                    load[columns.theta()] = 1.0;
+                    v[columns.theta()]
                 }
                 Some(u) => {
                     let rho = frames[output.body].turn(row, system.bodies[output.body].origin);
-                    load[k..k + 3].copy_from_slice(&[u.x, u.y, rho.x * u.y - rho.y * u.x]);
-                    u.x * v[k] + u.y * v[k + 1]
+                    columns.write(&mut load, [u.x, u.y, rho.x * u.y - rho.y * u.x]);
+                    u.x * v[columns.x()] + u.y * v[columns.y()]
                 }
             };
             driven.multipliers(&load, &mut lambda);

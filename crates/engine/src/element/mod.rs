@@ -19,6 +19,7 @@
 //! bundled model that uses it, a line in the README.
 
 pub mod coordinate;
+pub mod coordinates;
 pub mod driven;
 pub mod fixed;
 pub mod gear;
@@ -31,16 +32,10 @@ pub mod slot;
 pub mod spring;
 pub mod torsion_spring;
 
+pub use coordinates::{Axis, BodyColumns, BodyId, Layout};
+
 use crate::motion::Jet;
 use linkdyn_linear::math::{Vec2, perp};
-
-/// A body of the system; 0 is ground.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub struct BodyId(pub usize);
-
-impl BodyId {
-    pub const GROUND: BodyId = BodyId(0);
-}
 
 /// Place of a body at an instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -132,14 +127,6 @@ impl Marker {
     }
 }
 
-/// Coordinate of a body.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Axis {
-    X = 0,
-    Y = 1,
-    Theta = 2,
-}
-
 /// What a row's residual is measured in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measure {
@@ -170,10 +157,16 @@ pub trait Constraint: Send + Sync {
 
 /// Generalized forces on all bodies, [N, N, N·m] each; ground's are thrown away.
 pub struct Applied<'a> {
-    pub q: &'a mut [f64],
+    q: &'a mut [f64],
+    layout: &'a Layout,
 }
 
-impl Applied<'_> {
+impl<'a> Applied<'a> {
+    /// Adds to `q` (n).
+    pub fn to(q: &'a mut [f64], layout: &'a Layout) -> Self {
+        Applied { q, layout }
+    }
+
     /// Adds a force at a marker.
     pub fn add_force(&mut self, at: &Instant, marker: &Marker, force: Vec2) {
         let rho = marker.rho(at);
@@ -182,11 +175,10 @@ impl Applied<'_> {
 
     /// Adds a force at the centre of mass and a torque.
     pub fn add(&mut self, body: BodyId, force: Vec2, torque: f64) {
-        if body != BodyId::GROUND {
-            let k = 3 * (body.0 - 1);
-            self.q[k] += force.x;
-            self.q[k + 1] += force.y;
-            self.q[k + 2] += torque;
+        if let Some(columns) = self.layout.columns(body) {
+            self.q[columns.x()] += force.x;
+            self.q[columns.y()] += force.y;
+            self.q[columns.theta()] += torque;
         }
     }
 }

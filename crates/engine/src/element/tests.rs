@@ -181,8 +181,8 @@ fn product(c: &dyn Constraint, at: &Instant, x: &[f64]) -> Vec<f64> {
     c.jacobian(at, &mut values);
     let mut out = vec![0.0; c.rows().len()];
     for (&(row, body, axis), value) in entries.iter().zip(&values) {
-        if body != BodyId::GROUND {
-            out[row] += value * x[3 * (body.0 - 1) + axis as usize];
+        if let Some(column) = Layout::rigid(3).column(body, axis) {
+            out[row] += value * x[column];
         }
     }
     out
@@ -305,7 +305,7 @@ fn conservative_forces_are_minus_the_gradient_of_their_potential() {
         let mut q_force = [0.0; 9];
         at_state(0.0, &Q0, &V0, |at| {
             let mut q = [0.0; 9];
-            force.apply(at, &mut Applied { q: &mut q });
+            force.apply(at, &mut Applied::to(&mut q, &Layout::rigid(3)));
             q
         })
         .iter()
@@ -339,7 +339,7 @@ fn dampers_take_power_and_loads_act_where_they_say() {
     };
     at_state(0.0, &Q0, &V0, |at| {
         let mut q = [0.0; 9];
-        spring.apply(at, &mut Applied { q: &mut q });
+        spring.apply(at, &mut Applied::to(&mut q, &Layout::rigid(3)));
         let d = spring.second.place(at) - spring.first.place(at);
         let rate = d.dot(&(spring.second.velocity(at) - spring.first.velocity(at))) / d.norm();
         let power: f64 = q.iter().zip(&V0).map(|(a, b)| a * b).sum();
@@ -358,12 +358,12 @@ fn dampers_take_power_and_loads_act_where_they_say() {
     };
     at_state(0.0, &Q0, &V0, |at| {
         let mut q = [0.0; 9];
-        load.apply(at, &mut Applied { q: &mut q });
+        load.apply(at, &mut Applied::to(&mut q, &Layout::rigid(3)));
         assert!(
             (q[2] - 0.2).abs() < 1e-15 && (q[0] - Q0[2].cos()).abs() < 1e-15,
             "{q:?}"
         );
-        torque.apply(at, &mut Applied { q: &mut q });
+        torque.apply(at, &mut Applied::to(&mut q, &Layout::rigid(3)));
         assert!(
             (q[2] + 0.3).abs() < 1e-15 && (q[5] - 0.5).abs() < 1e-15,
             "{q:?}"

@@ -179,7 +179,7 @@ impl<'s> Singularity<'s> {
             // Angles alone first: they are the same for a model that is turned or mirrored, up to the sign.
             let pattern: Vec<f64> = (0..n)
                 .map(|column| {
-                    if k % 2 == 0 && column % 3 != 2 {
+                    if k % 2 == 0 && !self.system.layout.is_angle(column) {
                         0.0
                     } else {
                         spread_evenly(k * n + column)
@@ -285,13 +285,8 @@ impl<'s> Singularity<'s> {
 
     /// How differently bodies, ground among them, turn in a direction: mean square of the rates' differences.
     fn apart(&self, direction: &[f64]) -> f64 {
-        let rates: Vec<f64> = direction
-            .iter()
-            .skip(2)
-            .step_by(3)
-            .copied()
-            .chain([0.0])
-            .collect();
+        let layout = &self.system.layout;
+        let rates: Vec<f64> = layout.angles(direction).chain([0.0]).collect();
         let mean = rates.iter().sum::<f64>() / rates.len() as f64;
         rates.iter().map(|rate| (rate - mean).powi(2)).sum::<f64>()
             / dot(&rates, &rates).max(f64::MIN_POSITIVE)

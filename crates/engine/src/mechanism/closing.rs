@@ -189,9 +189,9 @@ pub fn least_velocity(
         let row = entries
             .iter()
             .zip(&values)
-            .map(|(&(_, body, axis), value)| {
-                let column = 3 * (body.0 - 1) + axis as usize;
-                (column, value * system.column_scale(column) / scale)
+            .filter_map(|(&(_, body, axis), value)| {
+                let column = system.layout.column(body, axis)?;
+                Some((column, value * system.column_scale(column) / scale))
             });
         rows.push(row.collect());
         rhs.push(-rate.value / scale);
@@ -261,6 +261,7 @@ fn weights(system: &System) -> Vec<f64> {
     }
     let scaled: Vec<f64> = system
         .mass
+        .diagonal()
         .iter()
         .enumerate()
         .map(|(k, m)| m * system.column_scale(k) * system.column_scale(k))
@@ -288,8 +289,8 @@ fn layout<'a>(system: &System, blocks: &'a [&'a Block], weight: f64) -> (Rows<'a
     let mut owners = Vec::new();
     for (block, start) in blocks.iter().zip(&starts) {
         for (row, body, axis) in block.constraint.entries() {
-            let owner = (body.0 > 0).then(|| {
-                let (row, column) = (n + start + row, 3 * (body.0 - 1) + axis as usize);
+            let owner = system.layout.column(body, axis).map(|column| {
+                let row = n + start + row;
                 entries.push((row, column));
                 entries.push((column, row));
                 entries.len() - 2
@@ -359,7 +360,7 @@ fn matrix(
         let buffer = &mut buffer[..entries.len()];
         block.constraint.jacobian(&at, buffer);
         for ((value, (row, _, axis)), slot) in buffer.iter().zip(entries).zip(&mut slots) {
-            let column_scale = system.column_scale(axis as usize);
+            let column_scale = system.axis_scale(axis);
             let scaled =
                 value * column_scale * weight / system.measure_scale(block.constraint.rows()[row]);
             values[slot[0] as usize] = scaled;

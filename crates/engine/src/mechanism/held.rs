@@ -304,14 +304,7 @@ impl<'s> Held<'s> {
     pub fn mass(&self) -> Vec<f64> {
         let f = self.freedom();
         let mass = &self.driven.system.mass;
-        let product = |i: usize, j: usize| -> f64 {
-            self.motion(i)
-                .iter()
-                .zip(self.motion(j))
-                .zip(mass)
-                .map(|((a, b), m)| a * b * m)
-                .sum()
-        };
+        let product = |i: usize, j: usize| mass.product(self.motion(i), self.motion(j));
         (0..f * f)
             .map(|k| product((k / f).max(k % f), (k / f).min(k % f)))
             .collect()

@@ -30,6 +30,8 @@ pub struct Part<'s> {
     pub system: &'s System,
     /// Columns of the whole, by those of the part.
     pub columns: Vec<usize>,
+    /// The same as coordinates of the whole's bodies.
+    pub coordinates: Vec<(BodyId, Axis)>,
     /// Blocks of its joints in the whole, and their numbers of rows; one less than columns in all.
     pub blocks: Vec<(usize, usize)>,
     /// A column of the part that determines the rest.
@@ -242,7 +244,7 @@ impl<'s> Followed<'s> {
             driven.pin(&[column], &self.inputs).ok()?;
         }
         let pin = driven.pins[0].column;
-        let angle = pin % 3 == Axis::Theta as usize;
+        let angle = system.layout.is_angle(pin);
         let (centre, reach) = (q[pin], if angle { HALF_TURN } else { system.size });
         let inputs = self.inputs.clone();
         let range = (centre - reach, centre + reach);
@@ -281,13 +283,7 @@ impl<'s> Followed<'s> {
             return;
         };
         let branch = Arc::new(curve.path.branch(window - curve.windows_before));
-        let coordinate = |column: usize| {
-            let column = self.part.columns[column];
-            (
-                BodyId(column / 3 + 1),
-                [Axis::X, Axis::Y, Axis::Theta][column % 3],
-            )
-        };
+        let coordinate = |column: usize| self.part.coordinates[column];
         let mut others = (0..self.part.columns.len()).filter(|column| *column != curve.pin);
         for &(block, rows) in &self.part.blocks {
             let columns: Vec<usize> = others.by_ref().take(rows).collect();

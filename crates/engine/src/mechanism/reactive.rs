@@ -129,7 +129,9 @@ impl ReactiveForces {
             .chunks_exact_mut(self.n.max(1))
             .zip(&system.reactive)
         {
-            reactive.force.apply_unit(&at, &mut Applied { q: unit });
+            reactive
+                .force
+                .apply_unit(&at, &mut Applied::to(unit, &system.layout));
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::System;
 use crate::element::journal::{Contact, ContactId, Reading};
-use crate::element::{Applied, BodyId, Instant, Pose, Twist};
+use crate::element::{Applied, BodyId, Instant, Layout, Pose, Twist};
 use crate::motion::Jet;
 use linkdyn_linear::math::{Vec2, dot};
 
@@ -50,6 +50,7 @@ impl Inputs {
 /// Workspace of one evaluation: poses, twists, φ, J.
 #[derive(Debug, Clone)]
 pub struct Evaluation {
+    layout: Layout,
     poses: Vec<Pose>,
     twists: Vec<Twist>,
     /// φ (m)
@@ -62,6 +63,7 @@ impl Evaluation {
     pub fn new(system: &System) -> Self {
         let bodies = system.bodies.len() + 1;
         Evaluation {
+            layout: system.layout.clone(),
             poses: vec![Pose::GROUND; bodies],
             twists: vec![Twist::default(); bodies],
             phi: vec![0.0; system.m()],
@@ -82,17 +84,19 @@ impl Evaluation {
 
     /// Takes the coordinates (n).
     pub fn set_position(&mut self, q: &[f64]) {
-        for (pose, q) in self.poses[1..].iter_mut().zip(q.chunks_exact(3)) {
-            *pose = Pose::new(q[0], q[1], q[2]);
+        for (pose, columns) in self.poses[1..].iter_mut().zip(self.layout.bodies()) {
+            let [x, y, theta] = columns.read(q);
+            *pose = Pose::new(x, y, theta);
         }
     }
 
     /// Takes the velocities (n).
     pub fn set_velocity(&mut self, v: &[f64]) {
-        for (twist, v) in self.twists[1..].iter_mut().zip(v.chunks_exact(3)) {
+        for (twist, columns) in self.twists[1..].iter_mut().zip(self.layout.bodies()) {
+            let [x, y, omega] = columns.read(v);
             *twist = Twist {
-                v: Vec2::new(v[0], v[1]),
-                omega: v[2],
+                v: Vec2::new(x, y),
+                omega,
             };
         }
     }
@@ -143,12 +147,10 @@ impl Evaluation {
 
     /// Q (n): gravity, springs, loads, contacts.
     pub fn eval_force(&self, system: &System, inputs: &Inputs, q_force: &mut [f64]) {
-        for (k, q) in q_force.chunks_exact_mut(3).enumerate() {
-            let m = system.mass[3 * k];
-            q.copy_from_slice(&[m * system.gravity.x, m * system.gravity.y, 0.0]);
-        }
+        let gravity = [system.gravity.x, system.gravity.y];
+        system.mass.weigh(&system.layout, gravity, q_force);
         let at = self.instant(inputs);
-        let mut applied = Applied { q: q_force };
+        let mut applied = Applied::to(q_force, &system.layout);
         for force in &system.forces {
             force.apply(&at, &mut applied);
         }
@@ -181,11 +183,7 @@ impl Evaluation {
 
     /// Kinetic energy ½ vᵀ M v \[J\].
     pub fn kinetic_energy(&self, system: &System, v: &[f64]) -> f64 {
-        0.5 * v
-            .iter()
-            .zip(&system.mass)
-            .map(|(v, m)| m * v * v)
-            .sum::<f64>()
+        system.mass.kinetic_energy(v)
     }
 
     /// Potential energy of gravity (zero at the ground's origin) and springs \[J\].
@@ -193,8 +191,8 @@ impl Evaluation {
         let at = self.instant(inputs);
         let weight: f64 = self.poses[1..]
             .iter()
-            .enumerate()
-            .map(|(k, pose)| -system.mass[3 * k] * system.gravity.dot(&pose.r))
+            .zip(system.layout.bodies())
+            .map(|(pose, columns)| -system.mass.of_body(columns) * system.gravity.dot(&pose.r))
             .sum();
         weight
             + system

@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! φ(q, t) = 0                     (m)    rows in the order joints, drivers
-//! J v = −φ_t,  J a = γ            J (m, n), n = 3 · moving bodies
-//! M a + Jᵀ λ = Q                  M diagonal
+//! J v = −φ_t,  J a = γ            J (m, n), n coordinates of moving bodies
+//! M a + Jᵀ λ = Q                  M in blocks, see `mass`
 //! ```
 //!
 //! J is kept as a list of entries in element order: each element writes its own stretch, whoever needs a matrix scatters
@@ -11,11 +11,13 @@
 
 pub mod compile;
 mod eval;
+mod mass;
 
 pub use eval::{Evaluation, Inputs};
+pub use mass::Mass;
 
 use crate::element::journal::{Bearing, ContactId, Journal};
-use crate::element::{BodyId, Constraint, Force, Marker, Measure, ReactiveForce};
+use crate::element::{Axis, BodyId, Constraint, Force, Layout, Marker, Measure, ReactiveForce};
 use crate::motion::Law;
 use linkdyn_linear::math::Vec2;
 use linkdyn_model::display::DisplayUnits;
@@ -127,7 +129,9 @@ pub struct JacobianEntry {
 
 /// A compiled model. Immutable, shared by analyses and threads.
 pub struct System {
-    /// Moving bodies; coordinates 3k, 3k+1, 3k+2.
+    /// Where the coordinates of the bodies stand.
+    pub layout: Layout,
+    /// Moving bodies.
     pub bodies: Vec<BodyData>,
     pub joints: Vec<JointData>,
     pub drivers: Vec<DriverData>,
@@ -145,8 +149,8 @@ pub struct System {
     pub contacts: Vec<Journal>,
     /// [m/s²]
     pub gravity: Vec2,
-    /// Mass of each coordinate (n); zero where unknown.
-    pub mass: Vec<f64>,
+    /// M; zero where unknown.
+    pub mass: Mass,
     /// All masses (and inertias) are known.
     pub masses_known: bool,
     pub entries: Vec<JacobianEntry>,
@@ -170,11 +174,10 @@ impl System {
         let (row, entry) = (self.measures.len(), self.entries.len());
         self.measures.extend_from_slice(constraint.rows());
         for (block_row, body, axis) in constraint.entries() {
-            let column =
-                (body != BodyId::GROUND).then(|| (3 * (body.0 - 1) + axis as usize) as u32);
+            let column = self.layout.column(body, axis);
             self.entries.push(JacobianEntry {
                 row: (row + block_row) as u32,
-                column,
+                column: column.map(|column| column as u32),
             });
         }
         let (rows, entries) = (self.measures.len() - row, self.entries.len() - entry);
@@ -202,7 +205,7 @@ impl System {
 
     /// Number of coordinates n.
     pub fn n(&self) -> usize {
-        3 * self.bodies.len()
+        self.layout.n()
     }
 
     /// Number of constraint rows m.
@@ -269,14 +272,23 @@ impl System {
 
     /// Length scale of a coordinate: size for x and y, 1 for angles; coordinates divided by it are comparable.
     pub fn column_scale(&self, column: usize) -> f64 {
-        if column % 3 == 2 { 1.0 } else { self.size }
+        let (_, axis) = self.layout.coordinate(column);
+        self.axis_scale(axis)
+    }
+
+    /// The same for any body's coordinate.
+    pub fn axis_scale(&self, axis: Axis) -> f64 {
+        match axis {
+            Axis::X | Axis::Y => self.size,
+            Axis::Theta => 1.0,
+        }
     }
 
     /// Multiplies coordinates (n) by their scales.
     pub fn scale_columns(&self, x: &mut [f64]) {
-        for x in x.chunks_exact_mut(3) {
-            x[0] *= self.size;
-            x[1] *= self.size;
+        for body in self.layout.bodies() {
+            x[body.x()] *= self.size;
+            x[body.y()] *= self.size;
         }
     }
 
@@ -296,9 +308,10 @@ impl System {
     /// Largest coordinate, lengths divided by the mechanism's size [–].
     pub fn scaled_norm(&self, dq: &[f64]) -> f64 {
         let (mut length, mut angle) = (0.0, 0.0);
-        for d in dq.chunks_exact(3) {
-            length = larger(larger(length, d[0]), d[1]);
-            angle = larger(angle, d[2]);
+        for body in self.layout.bodies() {
+            let [x, y, theta] = body.read(dq);
+            length = larger(larger(length, x), y);
+            angle = larger(angle, theta);
         }
         larger(length / self.size, angle)
     }

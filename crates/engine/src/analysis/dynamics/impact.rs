@@ -521,7 +521,8 @@ impl Point {
         let (n, f) = (system.n(), reduced.freedom());
         let forces = [[1.0, 0.0], [0.0, 1.0]].map(|unit| {
             let mut force = vec![0.0; n];
-            system.contacts[contact].press(&at, reading, unit, &mut Applied { q: &mut force });
+            let mut applied = Applied::to(&mut force, &system.layout);
+            system.contacts[contact].press(&at, reading, unit, &mut applied);
             force
         });
         let rates = forces.each_ref().map(|force| {

@@ -2,7 +2,7 @@
 
 use super::variants::Variants;
 use crate::analysis::assembly::ranks;
-use crate::element::BodyId;
+use crate::element::{BodyColumns, BodyId};
 use crate::graph::Topology;
 use crate::mechanism::parts::Part;
 use crate::system::{Inputs, System};
@@ -62,7 +62,8 @@ fn part<'s>(
         .collect();
     let columns: Vec<usize> = bodies
         .iter()
-        .flat_map(|body| (0..3).map(move |axis| 3 * (body - 1) + axis))
+        .filter_map(|body| system.layout.columns(BodyId(*body)))
+        .flat_map(BodyColumns::range)
         .collect();
     if blocks.iter().map(|(_, rows)| rows).sum::<usize>() + 1 != columns.len() {
         return None;
@@ -97,6 +98,10 @@ fn part<'s>(
     };
     Some(Part {
         system: alone,
+        coordinates: columns
+            .iter()
+            .map(|&column| system.layout.coordinate(column))
+            .collect(),
         columns,
         blocks,
         pin,

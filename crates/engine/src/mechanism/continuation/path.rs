@@ -100,7 +100,7 @@ impl Path {
         }
         let mut shift = Vec::with_capacity(n);
         for (column, (to, from)) in to.iter().zip(&from).enumerate() {
-            let whole = if column % 3 == 2 {
+            let whole = if system.layout.is_angle(column) {
                 ((to - from) / TAU).round() * TAU
             } else {
                 0.0

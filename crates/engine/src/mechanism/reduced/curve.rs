@@ -58,7 +58,7 @@ impl Reduced<'_> {
         let system = self.driven.system;
         let column = self.driven.pins[0].column;
         let centre = self.here.q[column];
-        let angle = column % 3 == 2;
+        let angle = system.layout.is_angle(column);
         let unit = if angle { 1.0 } else { system.size };
         let distance = (u - centre).abs();
         if distance.is_nan() || distance > FARTHEST * unit {

@@ -7,19 +7,13 @@ impl Reduced<'_> {
     /// ü in `rhs`, from SᵀMS ü = Sᵀ b by Cholesky.
     pub(super) fn solve_freedom(&mut self) -> Result<(), Failure> {
         let mass = &self.driven.system.mass;
-        let (n, f) = (mass.len(), self.freedom());
+        let (n, f) = (self.q.len(), self.freedom());
         for i in 0..f {
             let si = &self.motions[i * n..(i + 1) * n];
             self.rhs[i] = linkdyn_linear::math::dot(si, &self.balance);
             // Motions of few bodies have few components.
             self.momenta.clear();
-            let moved = si
-                .iter()
-                .zip(mass)
-                .enumerate()
-                .filter(|(_, (s, _))| **s != 0.0);
-            self.momenta
-                .extend(moved.map(|(column, (s, m))| (column, s * m)));
+            self.momenta.extend(mass.momenta(si));
             for j in 0..=i {
                 let sj = &self.motions[j * n..(j + 1) * n];
                 self.mass[i * f + j] = self

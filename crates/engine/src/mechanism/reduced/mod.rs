@@ -343,9 +343,7 @@ impl<'s> Reduced<'s> {
             solve_factored(&self.mass, rates);
             self.balance.copy_from_slice(unit);
             for (rate, s) in rates.iter().zip(self.motions.chunks_exact(n)) {
-                for ((b, s), m) in self.balance.iter_mut().zip(s).zip(&system.mass) {
-                    *b -= m * rate * s;
-                }
+                system.mass.subtract(*rate, s, &mut self.balance);
             }
             self.driven.multipliers(&self.balance, response);
         }
@@ -400,9 +398,7 @@ impl<'s> Reduced<'s> {
     /// Impulses of the constraints (m) that go with an impulse P and the change of the velocities that it brings about.
     pub fn impulsive_multipliers(&mut self, impulse: &[f64], change: &[f64], lambda: &mut [f64]) {
         let mass = &self.driven.system.mass;
-        for (((b, p), v), m) in self.balance.iter_mut().zip(impulse).zip(change).zip(mass) {
-            *b = p - m * v;
-        }
+        mass.residual(impulse, change, &mut self.balance);
         self.driven.multipliers(&self.balance, lambda);
     }
 
@@ -440,15 +436,7 @@ impl<'s> Reduced<'s> {
     /// Q − M a.
     fn eval_balance(&mut self) {
         let mass = &self.driven.system.mass;
-        for (((b, q), a), m) in self
-            .balance
-            .iter_mut()
-            .zip(&self.force)
-            .zip(&self.a)
-            .zip(mass)
-        {
-            *b = q - m * a;
-        }
+        mass.residual(&self.force, &self.a, &mut self.balance);
     }
 
     /// (t, (u, u̇)) is the end of an accepted step: it serves for predictions from now on.

@@ -4,7 +4,7 @@ mod contact_parameters;
 mod needs;
 
 use super::{
-    Block, BodyData, ClearanceLink, DriverData, DriverId, JointData, JointFriction, JointId,
+    Block, BodyData, ClearanceLink, DriverData, DriverId, JointData, JointFriction, JointId, Mass,
     Origin, OutputPoint, Reactive, System,
 };
 use crate::element::coordinate::Coordinate;
@@ -20,7 +20,7 @@ use crate::element::slot::Slot;
 use crate::element::spring::Spring;
 use crate::element::torsion_spring::TorsionSpring;
 use crate::element::{
-    Axis, BodyId, Constraint, Force as ForceElement, Marker, Measure, Pose, ReactiveForce,
+    Axis, BodyId, Constraint, Force as ForceElement, Layout, Marker, Measure, Pose, ReactiveForce,
 };
 use crate::motion::{Law, Spline};
 use linkdyn_linear::math::{Vec2, unit};
@@ -130,6 +130,7 @@ impl<'a> Compiler<'a> {
             com.push(body.com.map_or(Vec2::zeros(), Vec2::from));
         }
         let system = System {
+            layout: Layout::rigid(com.len() - 1),
             bodies: Vec::new(),
             joints: Vec::new(),
             drivers: Vec::new(),
@@ -141,7 +142,7 @@ impl<'a> Compiler<'a> {
             reactive: Vec::new(),
             contacts: Vec::new(),
             gravity: Vec2::from(model.gravity),
-            mass: Vec::new(),
+            mass: Mass::default(),
             masses_known: true,
             entries: Vec::new(),
             measures: Vec::new(),
@@ -205,7 +206,7 @@ impl<'a> Compiler<'a> {
                 .guess
                 .extend([centre.x, centre.y, body.pose.angle]);
             let (mass, inertia) = (body.mass.unwrap_or(0.0), body.inertia.unwrap_or(0.0));
-            self.system.mass.extend([mass, mass, inertia]);
+            self.system.mass.push_rigid(mass, inertia);
             self.system.masses_known &= body.mass.is_some() && body.inertia.is_some();
             self.system.bodies.push(BodyData {
                 name: name.clone(),
@@ -456,11 +457,8 @@ impl<'a> Compiler<'a> {
         let span = Vec2::from(carrier.centres[1]) - Vec2::from(carrier.centres[0]);
         let carrier = self.body(carrier.body);
         let drawn = |body: BodyId| {
-            if body == BodyId::GROUND {
-                0.0
-            } else {
-                self.system.guess[3 * (body.0 - 1) + 2]
-            }
+            let columns = self.system.layout.columns(body);
+            columns.map_or(0.0, |columns| self.system.guess[columns.theta()])
         };
         let from_carrier = |wheel: Marker| drawn(wheel.body) - drawn(carrier);
         let angle = angle.unwrap_or_else(|| from_carrier(second) - ratio * from_carrier(first));
