@@ -12,9 +12,11 @@
 pub mod compile;
 mod eval;
 mod mass;
+mod scale;
 
 pub use eval::{Evaluation, Inputs};
 pub use mass::Mass;
+pub use scale::Scale;
 
 use crate::element::journal::{Bearing, ContactId, Journal};
 use crate::element::{Axis, BodyId, Constraint, Force, Layout, Marker, Measure, ReactiveForce};
@@ -162,6 +164,8 @@ pub struct System {
     pub guess: Vec<f64>,
     /// Characteristic length of the mechanism \[m\].
     pub size: f64,
+    /// Its length, mass and time, by which tolerances are measured.
+    pub scale: Scale,
     /// How messages speak of it.
     pub display: DisplayUnits,
     /// Largest coordinate of a point or centre of mass in the frame of its body \[m\].

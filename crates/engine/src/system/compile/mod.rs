@@ -5,7 +5,7 @@ mod needs;
 
 use super::{
     Block, BodyData, ClearanceLink, DriverData, DriverId, JointData, JointFriction, JointId, Mass,
-    Origin, OutputPoint, Reactive, System,
+    Origin, OutputPoint, Reactive, Scale, System,
 };
 use crate::element::coordinate::Coordinate;
 use crate::element::driven::{DriveId, Rotation, Translation};
@@ -149,6 +149,7 @@ impl<'a> Compiler<'a> {
             links: 0,
             guess: Vec::new(),
             size: 1.0,
+            scale: Scale::SI,
             display: model.display.clone(),
             reach: 0.0,
         };
@@ -170,6 +171,7 @@ impl<'a> Compiler<'a> {
         self.add_drivers();
         self.add_initial();
         self.add_forces();
+        self.system.scale = Scale::of(&self.system);
         for point in &self.model.points {
             let marker = self.marker(point);
             self.system.points.push(OutputPoint {
