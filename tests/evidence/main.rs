@@ -9,8 +9,12 @@ mod linkage;
 #[allow(dead_code)]
 #[path = "../common/models.rs"]
 mod models;
+#[path = "../common/rigid.rs"]
+mod rigid;
 
+// In the order of their names tests are run: those of the lock, which take longest, are not the last.
+mod jams;
+mod lock;
 mod mutants;
 mod redundant;
 mod validation;
-mod validation_lock;

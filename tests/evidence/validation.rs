@@ -2,7 +2,39 @@
 
 use linkdyn_engine::analysis::Control;
 use linkdyn_validation::reference::Compare;
-use linkdyn_validation::{CASES, CaseKind, Verdict};
+use linkdyn_validation::{CASES, CaseKind, CaseReport, Verdict};
+use std::path::Path;
+
+/// The cases that are programs, each run by a test of its own here or in `lock`.
+const CODED: [&str; 8] = [
+    "lock",
+    "lock-contact",
+    "four-bar-spring",
+    "restitution",
+    "tolerance-ladder",
+    "slider-crank-clearance",
+    "flores-slider-crank",
+    "journal-billiard",
+];
+
+/// Runs a case of [`CODED`].
+#[track_caller]
+pub fn run(name: &str, output: Option<&Path>) -> CaseReport {
+    assert!(CODED.contains(&name), "{name} is not in the list");
+    let case = CASES.iter().find(|case| case.name == name);
+    let case = case.unwrap_or_else(|| panic!("{name} is not bundled"));
+    case.run(output, &Control::default())
+        .unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+#[test]
+fn every_coded_case_has_a_test() {
+    let coded = CASES
+        .iter()
+        .filter(|case| matches!(case.kind, CaseKind::Coded { .. }));
+    let names: Vec<&str> = coded.map(|case| case.name).collect();
+    assert_eq!(names, CODED);
+}
 
 #[test]
 fn every_reference_case_agrees() {
@@ -35,11 +67,7 @@ fn every_reference_case_agrees() {
 
 #[test]
 fn the_four_bar_with_a_spring_agrees() {
-    let case = CASES
-        .iter()
-        .find(|case| case.name == "four-bar-spring")
-        .expect("bundled");
-    let report = case.run(None, &Control::default()).expect("runs");
+    let report = run("four-bar-spring", None);
     assert_eq!(report.claims.len(), 7);
     assert!(
         report
@@ -53,11 +81,7 @@ fn the_four_bar_with_a_spring_agrees() {
 
 #[test]
 fn every_normal_law_delivers_what_it_must() {
-    let case = CASES
-        .iter()
-        .find(|case| case.name == "restitution")
-        .expect("bundled");
-    let report = case.run(None, &Control::default()).expect("runs");
+    let report = run("restitution", None);
     assert_eq!(report.claims.len(), 25);
     let faults: Vec<_> = report
         .claims
@@ -76,11 +100,7 @@ fn every_normal_law_delivers_what_it_must() {
 
 #[test]
 fn the_tolerance_ladder_has_no_fault() {
-    let case = CASES
-        .iter()
-        .find(|case| case.name == "tolerance-ladder")
-        .expect("bundled");
-    let report = case.run(None, &Control::default()).expect("runs");
+    let report = run("tolerance-ladder", None);
     assert_eq!(report.claims.len(), 15);
     let faults: Vec<_> = report
         .claims
@@ -92,11 +112,7 @@ fn the_tolerance_ladder_has_no_fault() {
 
 #[test]
 fn the_slider_crank_with_clearance_agrees() {
-    let case = CASES
-        .iter()
-        .find(|case| case.name == "slider-crank-clearance")
-        .expect("bundled");
-    let report = case.run(None, &Control::default()).expect("runs");
+    let report = run("slider-crank-clearance", None);
     assert_eq!(report.claims.len(), 19);
     let faults: Vec<_> = report
         .claims
@@ -108,11 +124,7 @@ fn the_slider_crank_with_clearance_agrees() {
 
 #[test]
 fn the_journal_as_a_billiard_ball_agrees() {
-    let case = CASES
-        .iter()
-        .find(|case| case.name == "journal-billiard")
-        .expect("bundled");
-    let report = case.run(None, &Control::default()).expect("runs");
+    let report = run("journal-billiard", None);
     assert_eq!(report.claims.len(), 29);
     let faults: Vec<_> = report
         .claims
@@ -124,12 +136,8 @@ fn the_journal_as_a_billiard_ball_agrees() {
 
 #[test]
 fn the_slider_crank_of_flores_has_no_fault() {
-    let case = CASES
-        .iter()
-        .find(|case| case.name == "flores-slider-crank")
-        .expect("bundled");
     let output = std::env::temp_dir().join(format!("linkdyn-flores-{}", std::process::id()));
-    let report = case.run(Some(&output), &Control::default()).expect("runs");
+    let report = run("flores-slider-crank", Some(&output));
     assert_eq!(report.claims.len(), 55);
     let faults: Vec<_> = report
         .claims

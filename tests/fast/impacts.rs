@@ -1,6 +1,7 @@
 //! Joints with clearance whose surfaces are rigid: flight, impacts, following, against closed forms.
 
 use crate::mechanisms::{column, loaded};
+use crate::rigid::rigid;
 use linkdyn_engine::analysis::{Control, Outcome, run};
 use linkdyn_output::{Episode, Status};
 use serde_json::{Value, json};
@@ -232,30 +233,6 @@ fn a_following_disc_sticks_at_last() {
     assert!(stuck > 100, "{stuck}");
 }
 
-/// Where it wedges, forces are so large that round-off alone carries a journal over its threshold: it does not stick and slip
-/// for ever at one instant.
-#[test]
-fn a_wedged_journal_does_not_stick_and_slip_for_ever() {
-    let text = linkdyn_model::bundled::find("slider-crank-clearance")
-        .expect("bundled")
-        .text;
-    let clearance = r#"joints.wristpin.clearance={ "model": "three_state", "radius": "5 um", "bearing_radius": "30 mm",
-        "impact": { "restitution": 0.3, "friction": 0.5 } }"#;
-    let sets = [clearance, "analysis.end=0.0003", "analysis.outputs=3"].map(String::from);
-    let model = linkdyn_model::load(text.as_bytes(), &sets)
-        .expect("a model")
-        .model;
-    let outcome = run(&model, &Control::default()).expect("good input");
-    assert_eq!(
-        outcome.report.status,
-        Status::Completed,
-        "{:?}",
-        outcome.report.message
-    );
-    let changes = outcome.report.clearances[0].switches;
-    assert!(changes < 1000, "{changes} changes between stick and slip");
-}
-
 /// A disc hangs in a ring that hangs in the ground; dropped, both bounce, kick each other off their bearings, and come to rest,
 /// where the outer bearing carries both weights and the inner one the disc's.
 #[test]
@@ -297,145 +274,6 @@ fn two_journals_in_a_row_come_to_rest() {
             last("energy.dissipated")
         );
     }
-}
-
-/// All joints of the loops' outer half of the lock: journals kick one another off again and again.
-#[test]
-fn many_rigid_journals_go_the_whole_way() {
-    let text = linkdyn_model::bundled::find("watt-i-lock")
-        .expect("bundled")
-        .text;
-    let clearance = |joint: &str| {
-        format!(
-            r#"joints.{joint}.clearance={{ "model": "three_state", "radius": "100 um", "bearing_radius": "10 mm",
-                "impact": {{ "restitution": 0.5, "friction": 0 }} }}"#
-        )
-    };
-    let model = linkdyn_model::load(text.as_bytes(), &["a", "b", "c", "g"].map(clearance))
-        .expect("a model")
-        .model;
-    let outcome = run(&model, &Control::default()).expect("good input");
-    assert_eq!(
-        outcome.report.status,
-        Status::Completed,
-        "{:?}",
-        outcome.report.message
-    );
-    let imbalance = outcome
-        .report
-        .quality
-        .energy_imbalance
-        .expect("of contacts");
-    assert!(imbalance < 1e-5, "{imbalance:e} of the energy missing");
-    let deepest = ["a", "b", "c", "g"]
-        .map(|joint| {
-            column(&outcome, &format!("joint.{joint}.penetration"))
-                .into_iter()
-                .fold(0.0, f64::max)
-        })
-        .into_iter()
-        .fold(0.0, f64::max);
-    assert!(deepest < 1e-12, "{deepest:e} m deep");
-}
-
-/// A bundled model with journals that are rigid.
-fn rigid(
-    model: &str,
-    joints: &[&str],
-    radius: &str,
-    restitution: f64,
-    friction: f64,
-    sets: &[&str],
-) -> Outcome {
-    let text = linkdyn_model::bundled::find(model).expect("bundled").text;
-    let clearance = |joint: &&str| {
-        format!(
-            r#"joints.{joint}.clearance={{ "model": "three_state", "radius": "{radius}", "bearing_radius": "10 mm",
-                "impact": {{ "restitution": {restitution}, "friction": {friction} }} }}"#
-        )
-    };
-    let sets: Vec<String> = joints
-        .iter()
-        .map(clearance)
-        .chain(sets.iter().map(|set| set.to_string()))
-        .collect();
-    let model = linkdyn_model::load(text.as_bytes(), &sets)
-        .expect("a model")
-        .model;
-    run(&model, &Control::default()).expect("good input")
-}
-
-/// Where friction leaves no normal forces that answer the motion, impulses stop the sliding, and the motion goes on: no energy
-/// comes of nothing, and the linkage goes where the ideal one goes.
-#[test]
-fn jams_end_by_impulses() {
-    let ideal = rigid("watt-i-lock", &[], "", 0.0, 0.0, &[]);
-    for (joints, restitution, friction) in [
-        (&["d", "e", "f"][..], 0.5, 0.05),
-        (&["a", "b"], 0.0, 0.1),
-        (&["a", "b", "c"], 0.0, 0.2),
-    ] {
-        let outcome = rigid("watt-i-lock", joints, "100 um", restitution, friction, &[]);
-        assert_eq!(
-            outcome.report.status,
-            Status::Completed,
-            "{joints:?}: {:?}",
-            outcome.report.message
-        );
-        let imbalance = outcome
-            .report
-            .quality
-            .energy_imbalance
-            .expect("of contacts");
-        assert!(imbalance < 1e-6, "{joints:?}: {imbalance:e}");
-        for sums in &outcome.report.clearances {
-            assert!(sums.energy_lost > 0.0, "{joints:?}: {sums:?}");
-        }
-        let angles = column(&outcome, "link2.angle")
-            .into_iter()
-            .zip(column(&ideal, "link2.angle"));
-        let apart = angles
-            .map(|(real, ideal)| (real - ideal).abs())
-            .fold(0.0, f64::max);
-        assert!(apart < 0.1, "{joints:?}: {apart} rad");
-    }
-}
-
-/// Forces that grow beyond all bounds are such a jam too.
-#[test]
-fn a_motion_that_comes_to_a_jam_goes_on() {
-    let outcome = rigid(
-        "nfourbar",
-        &["right0"],
-        "200 um",
-        0.3,
-        0.5,
-        &["analysis.end=0.745", "analysis.outputs=20"],
-    );
-    assert_eq!(
-        outcome.report.status,
-        Status::Completed,
-        "{:?}",
-        outcome.report.message
-    );
-    let imbalance = outcome
-        .report
-        .quality
-        .energy_imbalance
-        .expect("of contacts");
-    assert!(imbalance < 1e-8, "{imbalance:e}");
-}
-
-/// Where impulses don't end it either, the joints are named.
-#[test]
-fn jammed_journals_are_named() {
-    let outcome = rigid("watt-i-lock", &["a", "b", "c"], "100 um", 0.0, 0.5, &[]);
-    assert_eq!(outcome.report.status, Status::Singular);
-    let said = outcome.report.message.expect("why");
-    assert!(
-        said.contains("jam in joints \"a\", \"b\", \"c\"") && !outcome.trajectory.is_empty(),
-        "{said}"
-    );
 }
 
 /// A disc that its last impact stops goes on along the wall, whichever way round-off leaves it: no further impact.

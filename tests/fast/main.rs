@@ -16,6 +16,8 @@ mod mechanisms;
 mod models;
 #[path = "../common/ode.rs"]
 mod ode;
+#[path = "../common/rigid.rs"]
+mod rigid;
 #[path = "../common/transform.rs"]
 mod transform;
 #[path = "../common/write.rs"]
@@ -38,8 +40,8 @@ mod interrupt;
 mod jacobian;
 mod joint_friction;
 mod joints;
-mod laws;
 mod layers;
+mod laws;
 mod schema;
 mod shaking;
 mod singular;

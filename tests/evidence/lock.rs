@@ -3,19 +3,73 @@
 use std::fs;
 use std::path::Path;
 
-use linkdyn_engine::analysis::Control;
-use linkdyn_validation::{CASES, CaseReport, Verdict};
+use crate::validation::run;
+use linkdyn_validation::{CASES, Verdict};
+
+/// How each stroke ends, and at which angle.
+fn expect_strokes(strokes: &str) {
+    // Two clearances at three tolerances, seven single hinges, a header.
+    assert_eq!(strokes.lines().count(), 1 + 2 * 3 + 7);
+    for line in strokes.lines().skip(1) {
+        let cells: Vec<&str> = line.split(',').collect();
+        let [last, theta2, ideal, between]: [f64; 4] =
+            [5, 6, 7, 8].map(|cell| cells[cell].parse().expect("a number"));
+        match (cells[0], cells[4]) {
+            // The independent angle at the end of the stroke, on the other side of the change point.
+            (_, "smooth") => {
+                assert_eq!((cells[3], last), ("completed", 125.0), "{line}");
+                assert!(
+                    (ideal - 196.503).abs() < 1e-3
+                        && (theta2 - ideal).abs() < 1.0
+                        && between > 190.0,
+                    "{line}"
+                );
+            }
+            // The first loop is ideal, and in line: 117.512207 deg by independent calculation, outputs are 0.1 deg apart.
+            ("d" | "e" | "f", "stops in line") => {
+                assert!(
+                    (last - 117.512_207).abs() <= 0.2 && (between - 180.0).abs() <= 1.0,
+                    "{line}"
+                );
+            }
+            _ => panic!("{line}"),
+        }
+    }
+}
+
+/// A figure of the strokes with contact: all its rows, all its curves, and its place in the report.
+fn expect_contact_figure(figure: usize, read: &dyn Fn(&str) -> String) {
+    let text = read(&format!("figure{figure}.csv"));
+    assert_eq!(
+        text.lines().count(),
+        1 + 1751,
+        "-50 to 125 deg every 0.1 deg"
+    );
+    assert!(
+        !text.contains("NaN") && !text.contains("inf"),
+        "figure {figure}"
+    );
+    let svg = read(&format!("figure{figure}.svg"));
+    for part in [
+        ", massless",
+        ", contact",
+        "e = 100 µm",
+        "change point 117.51°",
+    ] {
+        assert!(svg.contains(part), "figure {figure}: {part}");
+    }
+    assert!(
+        read("report.md").contains(&format!("figure{figure}.svg")),
+        "figure {figure} is not in the report"
+    );
+}
 
 /// With contact in the clearances: strokes follow the smooth branch, and what must hold holds.
 #[test]
 fn the_lock_with_contact_is_validated_and_written() {
     let output = Path::new(env!("CARGO_TARGET_TMPDIR"))
         .join(format!("validation-lock-contact-{}", std::process::id()));
-    let case = CASES
-        .iter()
-        .find(|case| case.name == "lock-contact")
-        .expect("bundled");
-    let report = case.run(Some(&output), &Control::default()).expect("runs");
+    let report = run("lock-contact", Some(&output));
     for claim in &report.claims {
         assert_ne!(claim.verdict, Verdict::Fault, "{claim:?}");
     }
@@ -59,68 +113,13 @@ fn the_lock_with_contact_is_validated_and_written() {
 
     let folder = output.join("lock-contact");
     let read = |name: &str| fs::read_to_string(folder.join(name)).expect(name);
-    // Two clearances at three tolerances, seven single hinges, a header.
-    let strokes = read("strokes.csv");
-    assert_eq!(strokes.lines().count(), 1 + 2 * 3 + 7);
-    for line in strokes.lines().skip(1) {
-        let cells: Vec<&str> = line.split(',').collect();
-        let [last, theta2, ideal, between]: [f64; 4] =
-            [5, 6, 7, 8].map(|cell| cells[cell].parse().expect("a number"));
-        match (cells[0], cells[4]) {
-            // The independent angle at the end of the stroke, on the other side of the change point.
-            (_, "smooth") => {
-                assert_eq!((cells[3], last), ("completed", 125.0), "{line}");
-                assert!(
-                    (ideal - 196.503).abs() < 1e-3
-                        && (theta2 - ideal).abs() < 1.0
-                        && between > 190.0,
-                    "{line}"
-                );
-            }
-            // The first loop is ideal, and in line: 117.512207 deg by independent calculation, outputs are 0.1 deg apart.
-            ("d" | "e" | "f", "stops in line") => {
-                assert!(
-                    (last - 117.512_207).abs() <= 0.2 && (between - 180.0).abs() <= 1.0,
-                    "{line}"
-                );
-            }
-            _ => panic!("{line}"),
-        }
-    }
+    expect_strokes(&read("strokes.csv"));
     // Two parts of the stroke, five quantities, two clearances, max and mean, four steps.
     assert_eq!(read("table.csv").lines().count(), 1 + 2 * 5 * 2 * 2 * 4);
     for figure in 4..=8 {
-        let text = read(&format!("figure{figure}.csv"));
-        assert_eq!(
-            text.lines().count(),
-            1 + 1751,
-            "-50 to 125 deg every 0.1 deg"
-        );
-        assert!(
-            !text.contains("NaN") && !text.contains("inf"),
-            "figure {figure}"
-        );
-        let svg = read(&format!("figure{figure}.svg"));
-        for part in [
-            ", massless",
-            ", contact",
-            "e = 100 µm",
-            "change point 117.51°",
-        ] {
-            assert!(svg.contains(part), "figure {figure}: {part}");
-        }
-        assert!(
-            read("report.md").contains(&format!("figure{figure}.svg")),
-            "figure {figure} is not in the report"
-        );
+        expect_contact_figure(figure, &read);
     }
     fs::remove_dir_all(output).expect("removed");
-}
-
-fn run(output: &Path) -> CaseReport {
-    let case = CASES.first().expect("a case");
-    assert_eq!(case.name, "lock", "the founding paper comes first");
-    case.run(Some(output), &Control::default()).expect("runs")
 }
 
 /// The map of F12 over the centres of mass, against Newton and Euler on the paper's loops (`validation/generate/lock_centres.py`):
@@ -167,7 +166,12 @@ fn expect_map(text: &str) {
 fn the_lock_is_validated_and_written() {
     let output = Path::new(env!("CARGO_TARGET_TMPDIR"))
         .join(format!("validation-lock-{}", std::process::id()));
-    let report = run(&output);
+    assert_eq!(
+        CASES.first().map(|case| case.name),
+        Some("lock"),
+        "the founding paper comes first"
+    );
+    let report = run("lock", Some(&output));
     for claim in &report.claims {
         assert_ne!(claim.verdict, Verdict::Fault, "{claim:?}");
     }
