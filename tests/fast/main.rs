@@ -24,6 +24,7 @@ mod transform;
 mod write;
 
 mod allocations;
+mod architecture;
 mod assembly;
 mod bundled;
 mod complaints;
@@ -40,7 +41,6 @@ mod interrupt;
 mod jacobian;
 mod joint_friction;
 mod joints;
-mod layers;
 mod laws;
 mod schema;
 mod shaking;

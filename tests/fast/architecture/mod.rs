@@ -1,0 +1,6 @@
+//! The architecture as tests: who may know whom, and how long functions and files may be. See `CONTRIBUTING.md`.
+
+mod layers;
+mod packages;
+mod sizes;
+mod source;

@@ -1,0 +1,115 @@
+//! Who may know whom among packages: Cargo keeps to the manifests, and these tests keep the manifests.
+
+use std::fs;
+
+use super::source::{root, rust_files};
+
+/// The packages of the workspace from top to bottom, each with those it may depend on.
+const PACKAGES: &[(&str, &[&str])] = &[
+    (
+        "linkdyn",
+        &[
+            "validation",
+            "picture",
+            "engine",
+            "output",
+            "model",
+            "linear",
+        ],
+    ),
+    // The cases: what the engine is held against.
+    (
+        "validation",
+        &["picture", "engine", "output", "model", "linear"],
+    ),
+    // Pictures are drawn from words and results, never from equations.
+    ("picture", &["output", "model"]),
+    ("engine", &["output", "model", "linear"]),
+    // Tables and reports of a run.
+    ("output", &[]),
+    // Words: what the user wrote.
+    ("model", &[]),
+    // Matrices, no mechanism.
+    ("linear", &[]),
+];
+
+/// Packages that only the command may name.
+const OF_THE_COMMAND: [&str; 5] = ["clap", "ctrlc", "sha2", "strsim", "linkdyn_validation"];
+
+/// The manifest of one of our packages.
+fn manifest(package: &str) -> String {
+    let folder = match package {
+        "linkdyn" => root().to_path_buf(),
+        "validation" => root().join("validation"),
+        other => root().join("crates").join(other),
+    };
+    fs::read_to_string(folder.join("Cargo.toml"))
+        .unwrap_or_else(|error| panic!("{package}: {error}"))
+}
+
+/// The packages of ours that a manifest has among its dependencies, of tests too.
+fn ours(manifest: &str) -> Vec<&str> {
+    let mut is_list = false;
+    let mut found = Vec::new();
+    for line in manifest.lines() {
+        if line.starts_with('[') {
+            is_list = line.ends_with("dependencies]") && !line.contains("workspace");
+        }
+        if let Some(rest) = line.strip_prefix("linkdyn-").filter(|_| is_list) {
+            let end = rest.find(['.', ' ', '=']).expect("a value");
+            found.push(&rest[..end]);
+        }
+    }
+    found
+}
+
+#[test]
+fn packages_depend_downwards_only() {
+    for (place, (package, may)) in PACKAGES.iter().enumerate() {
+        for other in ours(&manifest(package)) {
+            assert!(may.contains(&other), "{package} may not depend on {other}");
+        }
+        for other in *may {
+            let below = PACKAGES.iter().position(|(name, _)| name == other);
+            assert!(
+                below.is_some_and(|below| below > place),
+                "{other} does not stand below {package}"
+            );
+        }
+    }
+    assert_eq!(ours(&manifest("picture")).len(), 2, "the scan sees them");
+}
+
+#[test]
+fn every_package_stands_in_the_table() {
+    let entries = fs::read_dir(root().join("crates")).expect("a folder");
+    for entry in entries {
+        let name = entry.expect("an entry").file_name();
+        let known = |package: &(&str, &[&str])| name == package.0;
+        assert!(PACKAGES.iter().any(known), "{name:?} is not in the table");
+    }
+}
+
+/// The library has no command line: it can be used where there is none.
+#[test]
+fn only_the_command_knows_the_command_line() {
+    let mut seen = 0;
+    for source in rust_files("src") {
+        let is_command = source.path.starts_with("src/cli/") || source.path == "src/main.rs";
+        for (number, line) in source.code.iter().enumerate() {
+            let own = ["crate::cli", "super::cli"];
+            let other = OF_THE_COMMAND.map(|package| format!("{package}::"));
+            let words = own.iter().copied().chain(other.iter().map(String::as_str));
+            for word in words.filter(|word| line.contains(word)) {
+                seen += 1;
+                assert!(
+                    is_command,
+                    "{}:{}: {word} belongs to the command",
+                    source.path,
+                    number + 1
+                );
+            }
+        }
+    }
+    assert!(seen > 10, "only {seen} uses were found: this test is blind");
+}

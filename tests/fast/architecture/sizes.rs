@@ -1,0 +1,185 @@
+//! A function fits on a screen, a file into a head.
+
+use super::source::{Source, rust_files};
+
+/// Lines of a function, and of a file with its documentation and tests, at most.
+const FUNCTION: usize = 80;
+const FILE: usize = 400;
+
+/// Where the rule holds.
+const FOLDERS: [&str; 3] = ["crates", "src", "validation/src"];
+
+/// Files that are longer still, or have a longer function. The list only shrinks.
+const LONGER: &[&str] = &[
+    "crates/engine/src/analysis/assembly.rs",
+    "crates/engine/src/analysis/check.rs",
+    "crates/engine/src/analysis/driven/outputs.rs",
+    "crates/engine/src/analysis/dynamics/contact.rs",
+    "crates/engine/src/analysis/dynamics/impact.rs",
+    "crates/engine/src/analysis/dynamics/integration.rs",
+    "crates/engine/src/analysis/dynamics/mod.rs",
+    "crates/engine/src/analysis/dynamics/motion.rs",
+    "crates/engine/src/analysis/dynamics/watch.rs",
+    "crates/engine/src/analysis/in_line.rs",
+    "crates/engine/src/analysis/record.rs",
+    "crates/engine/src/analysis/shaking.rs",
+    "crates/engine/src/analysis/transmission.rs",
+    "crates/engine/src/contact/friction.rs",
+    "crates/engine/src/contact/impact.rs",
+    "crates/engine/src/element/journal.rs",
+    "crates/engine/src/element/tests.rs",
+    "crates/engine/src/graph.rs",
+    "crates/engine/src/integrate/dop853.rs",
+    "crates/engine/src/mechanism/closing.rs",
+    "crates/engine/src/mechanism/continuation/bridge.rs",
+    "crates/engine/src/mechanism/continuation/walk.rs",
+    "crates/engine/src/mechanism/reactive.rs",
+    "crates/engine/src/mechanism/reduced/mod.rs",
+    "crates/engine/src/system/compile/contact_parameters.rs",
+    "crates/engine/src/system/compile/mod.rs",
+    "crates/linear/src/rank.rs",
+    "crates/model/src/expression/parse.rs",
+    "crates/model/src/expression/quantity.rs",
+    "crates/model/src/expression/tests.rs",
+    "crates/model/src/json.rs",
+    "crates/model/src/load.rs",
+    "crates/model/src/quantity.rs",
+    "crates/model/src/units.rs",
+    "crates/model/src/validate.rs",
+    "crates/output/src/trajectory.rs",
+    "crates/picture/src/layout.rs",
+    "crates/picture/src/mechanism.rs",
+    "src/cli/compare/mod.rs",
+    "src/cli/compare/report.rs",
+    "src/cli/plot.rs",
+    "src/cli/report.rs",
+    "src/cli/summary.rs",
+    "validation/src/journal_billiard/billiard.rs",
+    "validation/src/lock/checks.rs",
+    "validation/src/lock/claims.rs",
+    "validation/src/lock/contact/mod.rs",
+    "validation/src/lock/page.rs",
+    "validation/src/reference.rs",
+    "validation/src/restitution.rs",
+    "validation/src/tolerance_ladder.rs",
+];
+
+/// The functions of a file as rustfmt writes it: name, number of the first line, lines. A function ends with the brace that
+/// stands under its beginning.
+fn functions(lines: &[String]) -> Vec<(String, usize, usize)> {
+    let mut found = Vec::new();
+    for (start, line) in lines.iter().enumerate() {
+        let code = line.trim_start();
+        let Some(name) = name(code) else { continue };
+        let indent = &line[..line.len() - code.len()];
+        // `fn f();` of a trait, `fn f() {}`, or a body.
+        let is_whole = code.ends_with(';') || code.ends_with('}');
+        let close = format!("{indent}}}");
+        let paren = format!("{indent})");
+        let ends = |line: &String| {
+            *line == close || line.starts_with(&paren) && line.ends_with([';', '}'])
+        };
+        let last = if is_whole {
+            start
+        } else {
+            let more = lines[start..].iter().position(ends);
+            more.map_or(lines.len() - 1, |more| start + more)
+        };
+        found.push((name.to_string(), start + 1, last - start + 1));
+    }
+    found
+}
+
+/// The name of the function that begins with this line.
+fn name(code: &str) -> Option<&str> {
+    let words = [
+        "pub ",
+        "pub(crate) ",
+        "pub(super) ",
+        "const ",
+        "async ",
+        "unsafe ",
+    ];
+    let mut rest = code;
+    while let Some(less) = words.iter().find_map(|word| rest.strip_prefix(word)) {
+        rest = less;
+    }
+    let rest = rest.strip_prefix("fn ")?;
+    rest.split(|c: char| !c.is_alphanumeric() && c != '_')
+        .next()
+}
+
+/// What is too long in a file.
+fn faults(source: &Source) -> Vec<String> {
+    let mut faults = Vec::new();
+    if source.lines.len() > FILE {
+        faults.push(format!("{}: {} lines", source.path, source.lines.len()));
+    }
+    for (name, line, length) in functions(&source.lines) {
+        if length > FUNCTION {
+            faults.push(format!("{}:{line}: {name} has {length} lines", source.path));
+        }
+    }
+    faults
+}
+
+#[test]
+fn functions_and_files_are_short() {
+    let mut told = Vec::new();
+    let (mut files, mut count) = (0, 0);
+    for source in FOLDERS.iter().flat_map(|folder| rust_files(folder)) {
+        files += 1;
+        count += functions(&source.lines).len();
+        if !LONGER.contains(&source.path.as_str()) {
+            told.extend(faults(&source));
+        }
+    }
+    assert!(told.is_empty(), "{}", told.join("\n"));
+    assert!(
+        files > 200 && count > 2000,
+        "only {files} files and {count} functions were found: this test is blind"
+    );
+}
+
+#[test]
+fn functions_are_measured() {
+    let text = "\
+impl Thing {
+    fn declared(&self);
+
+    pub(crate) const fn one() -> u8 { 1 }
+
+    fn asked(
+        &self,
+    ) -> u8;
+
+    fn two(
+        a: u8,
+    ) -> u8 {
+        if a > 0 {
+            a
+        }
+    }
+}
+
+fn three() {
+    body();
+}
+";
+    let lines: Vec<String> = text.lines().map(String::from).collect();
+    let found = functions(&lines);
+    let found: Vec<(&str, usize, usize)> = found
+        .iter()
+        .map(|(name, line, length)| (name.as_str(), *line, *length))
+        .collect();
+    assert_eq!(
+        found,
+        [
+            ("declared", 2, 1),
+            ("one", 4, 1),
+            ("asked", 6, 3),
+            ("two", 10, 7),
+            ("three", 19, 3)
+        ]
+    );
+}
