@@ -8,7 +8,8 @@
 //! positive, as without friction. With it W can be another one: of many solutions then the first that is found counts, and there
 //! may be none (Painlevé 1895).
 
-use nalgebra::{DMatrix, DVector};
+use crate::small::SmallLu;
+use nalgebra::DMatrix;
 
 /// Parts of the largest b that are round-off.
 const EVEN: f64 = 1e-12;
@@ -52,22 +53,22 @@ enum Attempt {
 fn attempt(mass: &DMatrix<f64>, free: &[f64], pressing: &[bool]) -> Attempt {
     let size = free.len();
     let chosen: Vec<usize> = (0..size).filter(|&k| pressing[k]).collect();
-    let part = DMatrix::from_fn(chosen.len(), chosen.len(), |i, j| {
-        mass[(chosen[i], chosen[j])]
-    });
-    let right = DVector::from_fn(chosen.len(), |i, _| free[chosen[i]]);
-    let forces = if chosen.is_empty() {
-        Some(right)
-    } else {
-        part.lu().solve(&right)
-    };
-    let Some(forces) = forces else {
+    let mut part = SmallLu::new(chosen.len());
+    let cells = chosen
+        .iter()
+        .flat_map(|&i| chosen.iter().map(move |&j| (i, j)));
+    for (value, cell) in part.values().iter_mut().zip(cells) {
+        *value = mass[cell];
+    }
+    if !part.factor() {
         return Attempt::Singular;
-    };
+    }
+    let mut forces: Vec<f64> = chosen.iter().map(|&k| free[k]).collect();
+    part.solve(&mut forces);
     let mut x = vec![0.0; size];
     chosen
         .iter()
-        .zip(forces.iter())
+        .zip(&forces)
         .for_each(|(&k, force)| x[k] = *force);
     let scale = free
         .iter()

@@ -8,6 +8,7 @@
 //! The second with M = L Lᵀ, x = L⁻ᵀ y and time in units of the fastest motion: without damping, K symmetric, from
 //! −s² y = L⁻¹ K L⁻ᵀ y; else from the companion matrix [0, I; −K̃, −C̃] (Tisseur and Meerbergen 2001, §3.4).
 
+use crate::small::SmallLu;
 use faer::Mat;
 use nalgebra::{DMatrix, DVector};
 
@@ -54,16 +55,14 @@ pub fn symmetric(a: &[f64], f: usize) -> (Vec<f64>, Vec<Vec<f64>>) {
 
 /// x with A x = b; none where A is singular.
 pub fn solve(a: &[f64], b: &[f64]) -> Option<Vec<f64>> {
-    let f = b.len();
-    if f == 0 {
-        return Some(Vec::new());
+    let mut lu = SmallLu::new(b.len());
+    lu.values().copy_from_slice(a);
+    if !lu.factor() {
+        return None;
     }
-    let x = DMatrix::from_row_slice(f, f, a)
-        .full_piv_lu()
-        .solve(&DVector::from_column_slice(b))?;
-    x.iter()
-        .all(|x| x.is_finite())
-        .then(|| x.iter().copied().collect())
+    let mut x = b.to_vec();
+    lu.solve(&mut x);
+    x.iter().all(|x| x.is_finite()).then_some(x)
 }
 
 /// All s and x, slowest first.

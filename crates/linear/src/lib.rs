@@ -10,6 +10,7 @@
 //! lu            sparse LU with frozen pivots: A x = b, Aᵀ x = b, determinant, smallest singular value
 //! rank          which rows of a rectangular matrix depend on earlier ones, and how
 //! dense         singular values, null spaces and least norm solutions of small matrices
+//! small         LU and Cholesky factors of small dense matrices, without allocation
 //! redundancy    free directions, and independent rows chosen for good condition
 //! complementary linear complementarity problems
 //! eigen         eigenvalues of small symmetric matrices, and of M x″ + C x′ + K x = 0
@@ -29,6 +30,7 @@ pub mod order;
 pub mod pattern;
 pub mod rank;
 pub mod redundancy;
+pub mod small;
 pub mod triangle;
 
 #[cfg(test)]

@@ -22,7 +22,6 @@ mod auto;
 mod control;
 mod dop853;
 mod dop853_tableau;
-mod lu;
 mod method;
 mod radau5;
 mod radau5_tableau;
@@ -33,7 +32,8 @@ pub use method::{Method, UnknownMethod};
 pub use radau5::Radau5;
 
 /// A point where the right-hand side can't be evaluated: the step was too bold.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[error("the equations can't be evaluated there")]
 pub struct Refused;
 
 /// The ordinary differential equations y′ = f(t, y).

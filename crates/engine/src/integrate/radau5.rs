@@ -17,9 +17,9 @@
 use super::control::{
     ATTEMPTS, Probe, Rejection, failure, first_step, fit, fourth_root, shortest, weigh,
 };
-use super::lu::Lu;
 use super::radau5_tableau::C;
 use super::{Counters, Limits, Ode, Refused, StepFailure, Stepper, Tolerance};
+use linkdyn_linear::small::SmallLu;
 
 mod stages;
 
@@ -75,9 +75,9 @@ pub struct Radau5 {
     age: Age,
     /// The signed step that the factors belong to; NaN where there are none.
     factored: f64,
-    real: Lu,
+    real: SmallLu,
     /// The complex system, by its real and imaginary parts.
-    complex: Lu,
+    complex: SmallLu,
 }
 
 /// How good J is.
@@ -124,8 +124,8 @@ impl Radau5 {
             jacobian: Vec::new(),
             age: Age::Stale,
             factored: f64::NAN,
-            real: Lu::default(),
-            complex: Lu::default(),
+            real: SmallLu::default(),
+            complex: SmallLu::default(),
         }
     }
 

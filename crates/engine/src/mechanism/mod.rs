@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! closing       assembly from rough guesses (Levenberg–Marquardt)
+//! failure       why there is no solution
 //! driven        positions, velocities, accelerations, multipliers at one instant
 //! reactive      forces that depend on multipliers, which depend on them: friction
 //! reduced       equations of motion in minimal coordinates
@@ -17,6 +18,7 @@ pub mod closing;
 pub mod continuation;
 pub mod driven;
 pub mod equilibrium;
+pub mod failure;
 pub mod held;
 pub mod parts;
 pub mod reactive;

@@ -13,10 +13,11 @@
 //! meant goes on from the mechanism without friction, and is followed from there as the laws' sizes grow from 0 to 1, with
 //! det(I − ∂s/∂λ Λ) > 0 all the way. Where it ends before 1, the mechanism locks itself.
 
-use super::driven::Failure;
+use super::failure::Failure;
 use crate::element::Applied;
 use crate::system::{Evaluation, Inputs, System};
 use linkdyn_linear::math::dot;
+use linkdyn_linear::small::{SmallLu, leading_minors_are_positive};
 use std::ops::Range;
 
 /// Rows of the largest block.
@@ -50,8 +51,9 @@ pub struct ReactiveForces {
     residual: Vec<f64>,
     /// ∂s/∂λ (k, 3).
     slopes: Vec<f64>,
-    /// I − ∂s/∂λ Λ, and a copy to eliminate (k, k).
+    /// I − ∂s/∂λ Λ, its factors, and I − B (k, k).
     matrix: Vec<f64>,
+    lu: SmallLu,
     work: Vec<f64>,
     /// The force that could not be found last time.
     locked: Option<usize>,
@@ -77,6 +79,7 @@ impl ReactiveForces {
             residual: cells(1),
             slopes: cells(ROWS),
             matrix: cells(k),
+            lu: SmallLu::new(k),
             work: cells(k),
             locked: None,
             margin: 1.0,
@@ -247,7 +250,8 @@ impl ReactiveForces {
             };
             // The step of the plain fixed point, in case Newton's is none.
             plain(&mut self.before, &self.residual);
-            if eliminate(&mut self.work, &mut self.residual) != 0.0 {
+            if self.factor() {
+                self.lu.solve(&mut self.residual);
                 plain(&mut self.sizes, &self.residual);
                 let reached = self.eval_residual(free, laws, part);
                 if reached < worst {
@@ -264,8 +268,8 @@ impl ReactiveForces {
             self.sizes.copy_from_slice(&self.before);
             worst = self.eval_residual(free, laws, part);
         }
-        self.residual.fill(0.0);
-        self.margin = eliminate(&mut self.work, &mut self.residual);
+        self.factor();
+        self.margin = self.lu.determinant();
         worst <= STALLED
     }
 
@@ -317,7 +321,6 @@ impl ReactiveForces {
                 self.matrix[i * k + j] = own - part * dot(slope, &response[laws.rows(i)]);
             }
         }
-        self.work.copy_from_slice(&self.matrix);
     }
 
     /// Whether the spectral radius of B is below one: I − B has positive pivots only.
@@ -331,18 +334,13 @@ impl ReactiveForces {
                 self.work[i * k + j] = own - slope * norm(&response[laws.rows(i)]);
             }
         }
-        for p in 0..k {
-            if self.work[p * k + p] <= 0.0 {
-                return false;
-            }
-            for i in p + 1..k {
-                let factor = self.work[i * k + p] / self.work[p * k + p];
-                for j in p + 1..k {
-                    self.work[i * k + j] -= factor * self.work[p * k + j];
-                }
-            }
-        }
-        true
+        leading_minors_are_positive(&mut self.work, k)
+    }
+
+    /// Factors the matrix; whether it is regular.
+    fn factor(&mut self) -> bool {
+        self.lu.values().copy_from_slice(&self.matrix);
+        self.lu.factor()
     }
 }
 
@@ -380,38 +378,6 @@ fn add(vectors: &[f64], n: usize, x: &[f64], sum: &mut [f64]) {
             .zip(vector)
             .for_each(|(sum, v)| *sum += x * v);
     }
-}
-
-/// b ← A⁻¹ b by elimination with row exchanges, in place; returns det A, 0 where there is no solution.
-fn eliminate(a: &mut [f64], b: &mut [f64]) -> f64 {
-    let k = b.len();
-    let mut determinant = 1.0;
-    for p in 0..k {
-        let pivot = (p..k)
-            .max_by(|&i, &j| a[i * k + p].abs().total_cmp(&a[j * k + p].abs()))
-            .unwrap_or(p);
-        if a[pivot * k + p] == 0.0 || !a[pivot * k + p].is_finite() {
-            return 0.0;
-        }
-        if pivot != p {
-            (0..k).for_each(|j| a.swap(p * k + j, pivot * k + j));
-            b.swap(p, pivot);
-            determinant = -determinant;
-        }
-        determinant *= a[p * k + p];
-        for i in p + 1..k {
-            let factor = a[i * k + p] / a[p * k + p];
-            for j in p + 1..k {
-                a[i * k + j] -= factor * a[p * k + j];
-            }
-            b[i] -= factor * b[p];
-        }
-    }
-    for i in (0..k).rev() {
-        let sum: f64 = (i + 1..k).map(|j| a[i * k + j] * b[j]).sum();
-        b[i] = (b[i] - sum) / a[i * k + i];
-    }
-    determinant
 }
 
 #[cfg(test)]

@@ -25,9 +25,10 @@
 mod reactions;
 mod rows;
 
+pub use super::failure::Failure;
 use super::reactive::ReactiveForces;
 use crate::system::{Evaluation, Inputs, System};
-use linkdyn_linear::lu::{Singular, SparseLu};
+use linkdyn_linear::lu::SparseLu;
 use linkdyn_linear::order::ColumnOrder;
 
 /// Work done.
@@ -49,25 +50,6 @@ pub struct Correction {
     pub residual: f64,
     /// Largest step of the last iteration, scaled [–]: how far the factors' position is from the solution.
     pub last_step: f64,
-}
-
-/// Why there is no solution from a guess.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Failure {
-    /// The Jacobian is singular.
-    Singular,
-    /// Newton does not converge; scaled residual.
-    Diverged { residual: f64 },
-    /// The independent constraints are met, the redundant ones are not.
-    Inconsistent { residual: f64 },
-    /// A force that depends on multipliers grows beyond all bounds with them (index into [`System::reactive`]).
-    Locked { force: usize },
-}
-
-impl From<Singular> for Failure {
-    fn from(_: Singular) -> Self {
-        Failure::Singular
-    }
 }
 
 /// A residual of this size (lengths by the mechanism's size) is round-off of evaluating φ: a few ulps of coordinates of

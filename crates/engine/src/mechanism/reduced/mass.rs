@@ -2,6 +2,7 @@
 
 use super::Reduced;
 use crate::mechanism::driven::Failure;
+use linkdyn_linear::small::{cholesky, cholesky_solve};
 
 impl Reduced<'_> {
     /// ü in `rhs`, from SᵀMS ü = Sᵀ b by Cholesky.
@@ -23,23 +24,10 @@ impl Reduced<'_> {
                     .sum();
             }
         }
-        for i in 0..f {
-            for j in 0..=i {
-                let sum: f64 = (0..j)
-                    .map(|k| self.mass[i * f + k] * self.mass[j * f + k])
-                    .sum();
-                let rest = self.mass[i * f + j] - sum;
-                if i == j {
-                    if rest.is_nan() || rest <= MASSLESS * self.mass[i * f + i].abs() {
-                        return Err(Failure::Singular);
-                    }
-                    self.mass[i * f + i] = rest.sqrt();
-                } else {
-                    self.mass[i * f + j] = rest / self.mass[j * f + j];
-                }
-            }
+        if !cholesky(&mut self.mass, f, MASSLESS) {
+            return Err(Failure::Singular);
         }
-        solve_factored(&self.mass, &mut self.rhs);
+        cholesky_solve(&self.mass, &mut self.rhs);
         Ok(())
     }
 
@@ -49,7 +37,7 @@ impl Reduced<'_> {
         for (rate, motion) in rates.iter_mut().zip(self.motions.chunks_exact(n.max(1))) {
             *rate = linkdyn_linear::math::dot(motion, impulse);
         }
-        solve_factored(&self.mass, rates);
+        cholesky_solve(&self.mass, rates);
     }
 
     /// Change of the velocities (n) by that of the rates.
@@ -66,16 +54,3 @@ impl Reduced<'_> {
 
 /// A pivot of SᵀMS that loses more than this of its size means freedom without mass.
 const MASSLESS: f64 = 1e-13;
-
-/// x ← (L Lᵀ)⁻¹ x, with L in the lower half of `mass`.
-pub(super) fn solve_factored(mass: &[f64], x: &mut [f64]) {
-    let f = x.len();
-    for i in 0..f {
-        let sum: f64 = (0..i).map(|k| mass[i * f + k] * x[k]).sum();
-        x[i] = (x[i] - sum) / mass[i * f + i];
-    }
-    for i in (0..f).rev() {
-        let sum: f64 = (i + 1..f).map(|k| mass[k * f + i] * x[k]).sum();
-        x[i] = (x[i] - sum) / mass[i * f + i];
-    }
-}

@@ -27,7 +27,7 @@ use super::driven::{Driven, Failure};
 use super::parts::{Part, Parts, Rewrite};
 use crate::system::{Inputs, System};
 use linkdyn_linear::hermite::{Node, quintic};
-use mass::solve_factored;
+use linkdyn_linear::small::cholesky_solve;
 
 /// A coordinate that moves this much more than the one pinned takes its place.
 const EXCHANGE: f64 = 2.0;
@@ -340,7 +340,7 @@ impl<'s> Reduced<'s> {
             for (rate, s) in rates.iter_mut().zip(self.motions.chunks_exact(n)) {
                 *rate = linkdyn_linear::math::dot(s, unit);
             }
-            solve_factored(&self.mass, rates);
+            cholesky_solve(&self.mass, rates);
             self.balance.copy_from_slice(unit);
             for (rate, s) in rates.iter().zip(self.motions.chunks_exact(n)) {
                 system.mass.subtract(*rate, s, &mut self.balance);

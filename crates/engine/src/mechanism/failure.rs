@@ -1,0 +1,36 @@
+//! Why there is no solution from a guess.
+
+use linkdyn_linear::lu::Singular;
+use thiserror::Error;
+
+/// Why there is no solution from a guess.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum Failure {
+    /// The Jacobian is singular.
+    #[error("the Jacobian is singular")]
+    Singular,
+    /// Newton does not converge; scaled residual.
+    #[error("Newton's iteration does not converge, residual {residual:e}")]
+    Diverged {
+        /// Largest residual, lengths by the mechanism's size [–].
+        residual: f64,
+    },
+    /// The independent constraints are met, the redundant ones are not.
+    #[error("the redundant constraints do not hold, residual {residual:e}")]
+    Inconsistent {
+        /// Largest residual, lengths by the mechanism's size [–].
+        residual: f64,
+    },
+    /// A force that depends on multipliers grows beyond all bounds with them.
+    #[error("force {force} grows beyond all bounds with what it depends on")]
+    Locked {
+        /// Index into [`System::reactive`](crate::system::System::reactive).
+        force: usize,
+    },
+}
+
+impl From<Singular> for Failure {
+    fn from(_: Singular) -> Self {
+        Failure::Singular
+    }
+}
