@@ -9,7 +9,7 @@ use std::hint::black_box;
 
 use cpu_time::ThreadTime;
 use linkdyn::{bundled, output::Status};
-use linkdyn_engine::analysis::record::Sample;
+use linkdyn_engine::analysis::sample::Sample;
 use linkdyn_engine::analysis::{self, Control, Outcome, assembly, driven};
 use linkdyn_engine::mechanism::continuation::{Parameter, follow};
 use linkdyn_engine::mechanism::driven::Driven;

@@ -7,7 +7,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use linkdyn_engine::analysis::record::Sample;
+use linkdyn_engine::analysis::sample::Sample;
 use linkdyn_engine::analysis::{self, Control, assembly, driven};
 use linkdyn_engine::mechanism::continuation::{Parameter, Path, follow};
 use linkdyn_engine::mechanism::driven::Driven;

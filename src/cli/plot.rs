@@ -10,8 +10,8 @@ use super::page::{Page, count, number};
 use super::plot_units::{Units, convert_one, quantity_words};
 use super::results::{Results, extension, write_file};
 use super::{BadInput, Exit, print};
+use linkdyn_output::TIME;
 use linkdyn_output::read::ReadColumn;
-use linkdyn_output::trajectory::TIME;
 use linkdyn_picture::{Axis, Chart, Curve, Mark, POINTS_PER_MM, Panel, raster, svg};
 
 /// Most values that are drawn, all curves together.

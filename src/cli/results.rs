@@ -7,8 +7,8 @@ use serde_json::Value;
 use super::BadInput;
 use super::run::PEAKS;
 use linkdyn_model::bundled;
+use linkdyn_output::matches;
 use linkdyn_output::read::{ReadColumn, ReadError, read_file};
-use linkdyn_output::trajectory::matches;
 use linkdyn_output::{Directory, Table, WriteError};
 
 /// Names that are suggested at most.

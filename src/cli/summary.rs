@@ -1,7 +1,5 @@
 //! What `run` tells: how it went, and the numbers that are asked for first.
 
-use std::collections::HashMap;
-
 use super::open::Opened;
 use super::page::{Page, count, names, number, seconds, shorten};
 use super::run::Written;
@@ -9,7 +7,8 @@ use linkdyn_engine::analysis::Outcome;
 use linkdyn_model::AnalysisKind;
 use linkdyn_model::display::DisplayUnits;
 use linkdyn_output::{
-    ClearanceSums, Equilibrium, Event, Mobility, Quality, Stage, Status, Trajectory,
+    Channel, ClearanceSums, ColumnId, DriverQuantity, Equilibrium, Event, JointQuantity, Mobility,
+    Quality, Stage, Status, Trajectory,
 };
 
 /// Digits of numbers.
@@ -231,11 +230,10 @@ fn efforts(trajectory: &Trajectory) -> Vec<String> {
         .iter()
         .zip(extremes)
         .filter_map(|(column, extremes)| {
-            let driver = column
-                .name
-                .strip_prefix("driver.")?
-                .strip_suffix(".effort")?;
-            let e = extremes?;
+            let Some(Channel::Driver(_, DriverQuantity::Effort)) = column.channel else {
+                return None;
+            };
+            let (driver, e) = (&column.owner, extremes?);
             let unit = unit_words(column.unit);
             let at = |value: f64, time: f64| {
                 format!(
@@ -257,23 +255,15 @@ fn efforts(trajectory: &Trajectory) -> Vec<String> {
 fn forces(trajectory: &Trajectory) -> Vec<String> {
     let time = trajectory.column_index("time");
     let mut peaks: Vec<(f64, f64, &str)> = Vec::new();
-    let named = |ending: &'static str| {
-        trajectory
-            .columns
-            .iter()
-            .enumerate()
-            .filter_map(move |(index, column)| {
-                Some((
-                    column.name.strip_prefix("joint.")?.strip_suffix(ending)?,
-                    index,
-                ))
-            })
-    };
-    let others: HashMap<&str, usize> = named(".fy").collect();
-    for (joint, fx) in named(".fx") {
-        let Some(&fy) = others.get(joint) else {
+    for (fx, column) in trajectory.columns.iter().enumerate() {
+        let Some(Channel::Joint(joint, JointQuantity::Fx)) = column.channel else {
             continue;
         };
+        let across = trajectory.find(Channel::Joint(joint, JointQuantity::Fy));
+        let Some(fy) = across.map(ColumnId::index) else {
+            continue;
+        };
+        let joint = column.owner.as_str();
         let magnitudes = trajectory.rows().map(|row| {
             (
                 row[fx].hypot(row[fy]),
@@ -317,22 +307,21 @@ mod tests {
     use linkdyn_output::{Column, Episode};
 
     fn results() -> Trajectory {
-        let columns = [
-            ("time", "s"),
-            ("joint.a.fx", "N"),
-            ("joint.a.fy", "N"),
-            ("joint.🔒.fx", "N"),
-            ("joint.🔒.fy", "N"),
-            ("driver.motor.value", "rad"),
-            ("driver.motor.effort", "N*m"),
-            ("driver.slide.value", "m"),
-        ];
-        let mut table = Trajectory::new(
-            columns
-                .iter()
-                .map(|&(name, unit)| Column::new(name, unit))
-                .collect(),
-        );
+        let force =
+            |joint, quantity, owner| Column::of(Channel::Joint(joint, quantity), owner, "N");
+        let drive = |driver, quantity, owner, unit| {
+            Column::of(Channel::Driver(driver, quantity), owner, unit)
+        };
+        let mut table = Trajectory::new(vec![
+            Column::of(Channel::Time, "", "s"),
+            force(0, JointQuantity::Fx, "a"),
+            force(0, JointQuantity::Fy, "a"),
+            force(1, JointQuantity::Fx, "🔒"),
+            force(1, JointQuantity::Fy, "🔒"),
+            drive(0, DriverQuantity::Value, "motor", "rad"),
+            drive(0, DriverQuantity::Effort, "motor", "N*m"),
+            drive(1, DriverQuantity::Value, "slide", "m"),
+        ]);
         table.push_row(&[0.0, 3.0, -4.0, 6.0, 8.0, 1.0, -2.0, 0.1]);
         table.push_row(&[0.5, 0.0, 1.0, f64::NAN, f64::NAN, 2.0, 12.5, 0.2]);
         table

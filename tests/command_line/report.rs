@@ -1,7 +1,7 @@
 //! `report.html`: what stands in the file, and what a browser makes of it.
 
 use crate::browser::{Scratch, ask, find, open};
-use linkdyn_output::{Column, Report, Stage, Summary, Trajectory};
+use linkdyn_output::{BodyQuantity, Channel, Column, Report, Stage, Summary, Trajectory};
 use linkdyn_picture::report::{self, Body, Joint, Mechanism};
 use serde_json::{Value, json};
 use std::fs;
@@ -138,14 +138,23 @@ fn poses_are_there_even_when_the_results_leave_them_out() {
 
 /// A page about a model that nobody could draw by hand.
 fn large(bodies: usize, rows: usize, name: impl Fn(usize) -> String) -> String {
-    let quantities = ["x", "y", "angle", "vx", "vy", "omega", "ax", "ay", "alpha"];
-    let mut columns = vec![Column::new("time", "s")];
+    let quantities = [
+        BodyQuantity::X,
+        BodyQuantity::Y,
+        BodyQuantity::Angle,
+        BodyQuantity::Vx,
+        BodyQuantity::Vy,
+        BodyQuantity::Omega,
+        BodyQuantity::Ax,
+        BodyQuantity::Ay,
+        BodyQuantity::Alpha,
+    ];
+    let mut columns = vec![Column::of(Channel::Time, "", "s")];
     let names: Vec<String> = (0..bodies).map(name).collect();
-    columns.extend(
-        names
-            .iter()
-            .flat_map(|name| quantities.map(|q| Column::new(format!("{name}.{q}"), "m"))),
-    );
+    for (body, name) in names.iter().enumerate() {
+        let of = |quantity| Column::of(Channel::Body(body, quantity), name, "m");
+        columns.extend(quantities.map(of));
+    }
     let mut table = Trajectory::new(columns);
     let width = table.width();
     for row in 0..rows {

@@ -5,7 +5,7 @@ use crate::benchmarks;
 use crate::linkage;
 use crate::ode;
 use allocation_counter::measure;
-use linkdyn_engine::analysis::record::Sample;
+use linkdyn_engine::analysis::sample::Sample;
 use linkdyn_engine::analysis::{assembly, driven};
 use linkdyn_engine::integrate::{Limits, Method, Tolerance};
 use linkdyn_engine::mechanism::continuation::{Parameter, follow};

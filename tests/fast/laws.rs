@@ -142,7 +142,7 @@ fn differ(
                 .zip(row.iter().copied())
                 .collect(),
         };
-        for column in &from.columns {
+        for column in from.columns.iter() {
             let (name, value) = expected(&row, column);
             let ours = other_row[indices[&name]];
             let difference = match (value.is_nan(), ours.is_nan()) {
@@ -429,7 +429,7 @@ fn kept_columns_are_the_same_to_the_last_bit() {
         model.analysis.as_mut().expect("an analysis").columns =
             kept.iter().map(|column| column.name.clone()).collect();
         let part = solve(&model);
-        assert_eq!(part.trajectory.columns, kept, "{name}");
+        assert_eq!(part.trajectory.columns[..], kept, "{name}");
         for column in &kept {
             let bits = |outcome: &Outcome| {
                 values(outcome, &column.label())
@@ -499,7 +499,7 @@ fn velocities_and_accelerations_are_derivatives() {
         let outcome = solve(&in_time(&model, 2001));
         let step = values(&outcome, "time")[1];
         let scales = scales(&outcome);
-        for column in &outcome.trajectory.columns {
+        for column in outcome.trajectory.columns.iter() {
             let (owner, rate) = match column.name.rsplit_once('.') {
                 Some((owner, "x")) => (owner, "vx"),
                 Some((owner, "y")) => (owner, "vy"),

@@ -27,7 +27,7 @@ use super::table::Table;
 use super::{CaseError, Claim, Setting, Verdict};
 use linkdyn_engine::analysis;
 use linkdyn_model::bundled;
-use linkdyn_output::trajectory::matches;
+use linkdyn_output::matches;
 use linkdyn_output::{Directory, Status, Trajectory, csv};
 
 /// Largest distance of instants that count as the same \[s\].

@@ -6,8 +6,7 @@
 //!               max |d|, mean |d|, √(mean d²)                          d = run − first
 //! ```
 
-use super::trajectory::{TIME, matches};
-use super::{Column, Trajectory};
+use super::{Column, TIME, Trajectory, matches};
 
 /// A run's name, and its table.
 #[derive(Debug, Clone, Copy)]
@@ -131,7 +130,7 @@ impl Comparison {
 /// Values of a column at these times, which stand in order; NaN where the table has no such row.
 fn values_at(table: &Trajectory, column: &Column, times: &[f64]) -> Vec<f64> {
     let known = table.values(TIME).unwrap_or_default();
-    let Some(values) = table.values(&column.label()) else {
+    let Some(values) = table.id_of(column).map(|id| table.column(id)) else {
         return vec![f64::NAN; times.len()];
     };
     let mut next = 0;
@@ -139,10 +138,9 @@ fn values_at(table: &Trajectory, column: &Column, times: &[f64]) -> Vec<f64> {
         while known.get(next).is_some_and(|known| known < time) {
             next += 1;
         }
-        if known.get(next) == Some(time) {
-            values[next]
-        } else {
-            f64::NAN
+        match known.get(next) {
+            Some(known) if known == time => values.get(next).unwrap_or(f64::NAN),
+            Some(_) | None => f64::NAN,
         }
     };
     times.iter().map(at).collect()

@@ -1,34 +1,33 @@
 //! Results: the trajectory (columns with name and unit) and the report (why it stopped, counters, events).
 
+pub mod channel;
+mod column;
 pub mod comparison;
 pub mod csv;
+mod extremes;
 pub mod files;
 pub mod read;
+mod selection;
 pub mod stopwatch;
 pub mod summary;
-pub mod trajectory;
+mod trajectory;
 
+pub use channel::{
+    BodyQuantity, Channel, DriverQuantity, EnergyQuantity, JointQuantity, LoadQuantity,
+    PointQuantity, ShakingQuantity, TransmissionQuantity,
+};
+pub use column::{Column, ColumnId, ColumnView};
 pub use comparison::Comparison;
+pub use extremes::Extremes;
 pub use files::{Directory, WriteError};
 pub use read::Table;
+pub use selection::{Selection, matches};
 pub use stopwatch::Stopwatch;
 pub use summary::Summary;
-pub use trajectory::{Extremes, Selection};
+pub use trajectory::Trajectory;
 
-/// One result column, written `name[unit]`.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Column {
-    pub name: String,
-    pub unit: &'static str,
-}
-
-/// Output rows, row by row; NaN stands for "does not exist at this instant" and is written as an empty cell.
-#[derive(Debug, Clone, Default)]
-pub struct Trajectory {
-    pub columns: Vec<Column>,
-    /// (rows × columns), row-major.
-    pub data: Vec<f64>,
-}
+/// Name of the column that is always first and always kept.
+pub const TIME: &str = "time";
 
 /// Why the run ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
-use super::trajectory::TIME;
+use super::TIME;
 
 /// Largest file that is read \[bytes\].
 const LARGEST: u64 = 1 << 30;
@@ -290,7 +290,7 @@ mod tests {
         let mut text = Vec::new();
         super::super::csv::write(&table, &mut text).expect("memory takes it");
         let read = Table::parse("r.csv".into(), &text).expect("sound");
-        for (column, written) in read.columns.iter().zip(&table.columns) {
+        for (column, written) in read.columns.iter().zip(table.columns.iter()) {
             assert_eq!(
                 (column.name.as_str(), column.unit.as_str()),
                 (written.name.as_str(), written.unit)

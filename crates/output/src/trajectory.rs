@@ -1,122 +1,32 @@
 //! The output table: building it row by row, finding columns, keeping some of them.
 
 use std::borrow::Cow;
+use std::sync::Arc;
 
-use super::{Column, Trajectory};
+use super::{Channel, Column, ColumnId, ColumnView, Extremes, Selection, TIME};
 
-/// Name of the column that is always first and always kept.
-pub const TIME: &str = "time";
-
-impl Column {
-    /// A column `name[unit]`.
-    pub fn new(name: impl Into<String>, unit: &'static str) -> Self {
-        Column {
-            name: name.into(),
-            unit,
-        }
-    }
-
-    /// `name[unit]`, as written in results.
-    pub fn label(&self) -> String {
-        format!("{}[{}]", self.name, self.unit)
-    }
-}
-
-/// Which columns some patterns keep, and what to tell about patterns that keep none.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Selection {
-    /// Column indices, ascending.
-    pub columns: Vec<usize>,
-    pub warnings: Vec<String>,
-}
-
-impl Selection {
-    /// Columns whose name, without `[unit]`, matches one of the patterns (`*`: any text, `?`: one character); no
-    /// pattern at all keeps every column, `time` is always kept.
-    pub fn new(columns: &[Column], patterns: &[String]) -> Self {
-        if patterns.is_empty() {
-            return Selection {
-                columns: (0..columns.len()).collect(),
-                warnings: Vec::new(),
-            };
-        }
-        let matches_one = |name: &str| patterns.iter().any(|pattern| matches(pattern, name));
-        let kept = |column: &Column| column.name == TIME || matches_one(&column.name);
-        let kept = (0..columns.len())
-            .filter(|&index| kept(&columns[index]))
-            .collect();
-        let unmatched = patterns
-            .iter()
-            .filter(|pattern| !columns.iter().any(|column| matches(pattern, &column.name)));
-        Selection {
-            columns: kept,
-            warnings: unmatched
-                .map(|pattern| no_match(pattern, columns))
-                .collect(),
-        }
-    }
-}
-
-/// The warning about a pattern that matches no column, with a hint where there is one.
-fn no_match(pattern: &str, columns: &[Column]) -> String {
-    if pattern.contains('[') {
-        return format!(
-            "analysis.columns: {pattern:?} matches no column: patterns match names without their [unit]"
-        );
-    }
-    let near = columns
-        .iter()
-        .map(|column| {
-            (
-                strsim::normalized_damerau_levenshtein(pattern, &column.name),
-                &column.name,
-            )
-        })
-        .filter(|(similarity, _)| *similarity >= 0.6)
-        .max_by(|a, b| a.0.total_cmp(&b.0));
-    match near {
-        Some((_, name)) => {
-            format!("analysis.columns: {pattern:?} matches no column; the nearest is {name:?}")
-        }
-        None => format!("analysis.columns: {pattern:?} matches no column"),
-    }
-}
-
-/// Does `name` match `pattern`, where `*` stands for any text and `?` for one character?
-pub fn matches(pattern: &str, name: &str) -> bool {
-    let (pattern, name): (Vec<char>, Vec<char>) =
-        (pattern.chars().collect(), name.chars().collect());
-    let (mut p, mut n) = (0, 0);
-    // Where to go on when a later character fails: behind the last star, one character further in the name.
-    let mut retry: Option<(usize, usize)> = None;
-    while n < name.len() {
-        match pattern.get(p) {
-            Some('*') => {
-                p += 1;
-                retry = Some((p, n));
-            }
-            Some(&c) if c == '?' || c == name[n] => {
-                p += 1;
-                n += 1;
-            }
-            Some(_) | None => match retry {
-                Some((after_star, from)) => {
-                    p = after_star;
-                    n = from + 1;
-                    retry = Some((after_star, n));
-                }
-                None => return false,
-            },
-        }
-    }
-    pattern[p..].iter().all(|&c| c == '*')
+/// Output rows, row by row; NaN stands for "does not exist at this instant" and is written as an empty cell.
+///
+/// Rows stand behind each other, as they are computed and written; a column is read in place, with the width of the table as
+/// its stride.
+#[derive(Debug, Clone, Default)]
+pub struct Trajectory {
+    /// The headings, shared by all tables with the same columns.
+    pub columns: Arc<[Column]>,
+    /// (rows × columns), row-major.
+    pub data: Vec<f64>,
 }
 
 impl Trajectory {
     /// An empty table.
     pub fn new(columns: Vec<Column>) -> Self {
+        Trajectory::with_columns(&columns.into())
+    }
+
+    /// An empty table with headings that it shares with others.
+    pub fn with_columns(columns: &Arc<[Column]>) -> Self {
         Trajectory {
-            columns,
+            columns: Arc::clone(columns),
             data: Vec::new(),
         }
     }
@@ -153,7 +63,7 @@ impl Trajectory {
         self.data = rows
             .flat_map(|(row, value)| row.iter().chain(std::iter::once(value)).copied())
             .collect();
-        self.columns.push(column);
+        self.columns = self.columns.iter().cloned().chain([column]).collect();
     }
 
     /// Number of columns.
@@ -181,28 +91,39 @@ impl Trajectory {
         &self.data[index * self.width()..(index + 1) * self.width()]
     }
 
-    /// Index of the column of that name, given with or without its `[unit]`.
-    pub fn column_index(&self, name: &str) -> Option<usize> {
-        let is_it = |column: &Column| match name.strip_prefix(column.name.as_str()) {
-            Some("") => true,
-            Some(rest) => {
-                rest.strip_prefix('[')
-                    .and_then(|unit| unit.strip_suffix(']'))
-                    == Some(column.unit)
-            }
-            None => false,
-        };
-        self.columns.iter().position(is_it)
+    /// The column of that name, given with or without its `[unit]`.
+    pub fn id(&self, name: &str) -> Option<ColumnId> {
+        self.column_index(name).map(ColumnId::at)
     }
 
-    /// The values of one column, row by row.
-    pub fn column(&self, index: usize) -> impl Iterator<Item = f64> {
-        self.rows().map(move |row| row[index])
+    /// The column of a channel.
+    pub fn find(&self, channel: Channel) -> Option<ColumnId> {
+        let is_it = |column: &Column| column.channel == Some(channel);
+        self.columns.iter().position(is_it).map(ColumnId::at)
+    }
+
+    /// The column with this heading.
+    pub fn id_of(&self, heading: &Column) -> Option<ColumnId> {
+        let is_it = |column: &Column| column.name == heading.name && column.unit == heading.unit;
+        self.columns.iter().position(is_it).map(ColumnId::at)
+    }
+
+    /// Index of the column of that name, given with or without its `[unit]`.
+    pub fn column_index(&self, name: &str) -> Option<usize> {
+        self.columns
+            .iter()
+            .position(|column| column.is_called(name))
+    }
+
+    /// The values of a column, without a copy.
+    pub fn column(&self, id: ColumnId) -> ColumnView<'_> {
+        let data = self.data.get(id.index()..).unwrap_or_default();
+        ColumnView::new(data, self.width().max(1))
     }
 
     /// The values of the named column (with or without its `[unit]`), where there is one.
     pub fn values(&self, name: &str) -> Option<Vec<f64>> {
-        Some(self.column(self.column_index(name)?).collect())
+        Some(self.column(self.id(name)?).iter().collect())
     }
 
     /// A table of the columns that `patterns` name (see [`Selection::new`]), none where that is all of them; and a warning per
@@ -215,11 +136,11 @@ impl Trajectory {
         let selected = (kept.len() < self.width()).then(|| Trajectory {
             data: self
                 .rows()
-                .flat_map(|row| kept.iter().map(|&column| row[column]))
+                .flat_map(|row| kept.iter().map(|id| row[id.index()]))
                 .collect(),
             columns: kept
                 .iter()
-                .map(|&column| self.columns[column].clone())
+                .map(|id| self.columns[id.index()].clone())
                 .collect(),
         });
         (selected, warnings)
@@ -229,18 +150,19 @@ impl Trajectory {
     /// the same instant the others come last.
     pub fn with_rows(&self, others: &Trajectory) -> Cow<'_, Trajectory> {
         let times = (self.column_index(TIME), others.column_index(TIME));
-        let from: Option<Vec<usize>> = self
-            .columns
-            .iter()
-            .map(|column| others.column_index(&column.label()))
-            .collect();
+        let place = |heading| others.id_of(heading).map(ColumnId::index);
+        let from: Option<Vec<usize>> = if Arc::ptr_eq(&self.columns, &others.columns) {
+            Some((0..self.width()).collect())
+        } else {
+            self.columns.iter().map(place).collect()
+        };
         let ((Some(time), Some(other_time)), Some(from)) = (times, from) else {
             return Cow::Borrowed(self);
         };
         if others.is_empty() {
             return Cow::Borrowed(self);
         }
-        let mut together = Trajectory::new(self.columns.clone());
+        let mut together = Trajectory::with_columns(&self.columns);
         together.reserve(self.len() + others.len());
         let mut between = others.rows().peekable();
         for row in self.rows() {
@@ -259,18 +181,10 @@ impl Trajectory {
         Cow::Owned(together)
     }
 
-    /// Smallest and largest value of one column.
-    pub fn extremes_of(&self, column: usize) -> Option<Extremes> {
-        let time = self.column_index(TIME);
-        let mut found = None;
-        for row in self.rows() {
-            note(
-                &mut found,
-                row[column],
-                time.map_or(f64::NAN, |time| row[time]),
-            );
-        }
-        found
+    /// Smallest and largest value of a column.
+    pub fn extremes_of(&self, id: ColumnId) -> Option<Extremes> {
+        let time = self.id(TIME)?;
+        self.column(id).extremes(self.column(time))
     }
 
     /// Smallest and largest value of every column, in one pass over the table.
@@ -280,40 +194,11 @@ impl Trajectory {
         for row in self.rows() {
             let time = time.map_or(f64::NAN, |column| row[column]);
             for (extremes, &value) in found.iter_mut().zip(row) {
-                note(extremes, value, time);
+                Extremes::note(extremes, value, time);
             }
         }
         found
     }
-}
-
-/// Takes a value for an extreme where it is one.
-fn note(extremes: &mut Option<Extremes>, value: f64, time: f64) {
-    if !value.is_finite() {
-        return;
-    }
-    match extremes {
-        None => {
-            *extremes = Some(Extremes {
-                min: value,
-                min_time: time,
-                max: value,
-                max_time: time,
-            })
-        }
-        Some(known) if value < known.min => (known.min, known.min_time) = (value, time),
-        Some(known) if value > known.max => (known.max, known.max_time) = (value, time),
-        Some(_) => {}
-    }
-}
-
-/// Smallest and largest value of a column over its non-empty cells, each with its first instant \[s\].
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Extremes {
-    pub min: f64,
-    pub min_time: f64,
-    pub max: f64,
-    pub max_time: f64,
 }
 
 #[cfg(test)]
@@ -322,54 +207,6 @@ mod tests {
 
     fn columns(names: &[&str]) -> Vec<Column> {
         names.iter().map(|&name| Column::new(name, "m")).collect()
-    }
-
-    fn patterns(texts: &[&str]) -> Vec<String> {
-        texts.iter().map(|&text| text.to_string()).collect()
-    }
-
-    #[test]
-    fn patterns_match_like_the_shell() {
-        for (pattern, name, expected) in [
-            ("crank.*", "crank.x", true),
-            ("crank.*", "crank2.x", false),
-            ("*", "", true),
-            ("joint.b.f?", "joint.b.fx", true),
-            ("joint.b.f?", "joint.b.f", false),
-            ("joint.?.f?", "joint.🔒.fy", true),
-            ("*.x", "a.x.x", true),
-            ("*a*b", "xaxbxab", true),
-            ("*a*b", "xaxbxa", false),
-            ("**", "anything", true),
-            ("x", "xx", false),
-        ] {
-            assert_eq!(matches(pattern, name), expected, "{pattern} on {name}");
-        }
-    }
-
-    #[test]
-    fn select_keeps_time_and_order_and_warns() {
-        let mut table = Trajectory::new(columns(&["time", "a.x", "a.y", "b.x"]));
-        table.push_row(&[0.0, 1.0, 2.0, 3.0]);
-        table.push_row(&[0.5, 4.0, 5.0, 6.0]);
-        let (selected, warnings) = table.select(&patterns(&["b.*", "*.x", "a.z", "c[m]"]));
-        let table = selected.expect("fewer columns");
-        assert_eq!(table.columns, columns(&["time", "a.x", "b.x"]));
-        assert_eq!(table.data, [0.0, 1.0, 3.0, 0.5, 4.0, 6.0]);
-        assert_eq!(warnings.len(), 2, "{warnings:?}");
-        assert!(
-            warnings[0].contains("a.z") && warnings[0].contains("nearest"),
-            "{warnings:?}"
-        );
-        assert!(warnings[1].contains("without their [unit]"), "{warnings:?}");
-    }
-
-    #[test]
-    fn no_pattern_keeps_all() {
-        let mut table = Trajectory::new(columns(&["time", "a.x"]));
-        table.push_row(&[0.0, 1.0]);
-        let (selected, warnings) = table.select(&[]);
-        assert!(selected.is_none() && warnings.is_empty());
     }
 
     #[test]
@@ -428,7 +265,7 @@ mod tests {
             (-1.0, -1.0, 10.0, 1.0)
         );
         let strange = Trajectory {
-            columns: columns(&["time"]),
+            columns: columns(&["time"]).into(),
             data: vec![0.5],
         };
         assert!(

@@ -1,6 +1,6 @@
 //! A figure per compared column: the curves of all models over time.
 
-use linkdyn_output::trajectory::TIME;
+use linkdyn_output::TIME;
 use linkdyn_output::{Column, Trajectory};
 use linkdyn_picture::{Axis, Chart, Curve, Panel, svg, words};
 

@@ -123,8 +123,8 @@ impl Report<'_> {
     /// Smallest and largest value of a column by model, peaks between the outputs included.
     fn extremes(&self, column: &Column) -> impl Iterator<Item = (&'static str, Option<Extremes>)> {
         self.curves.iter().map(|(model, table)| {
-            let index = table.column_index(&column.label());
-            (*model, index.and_then(|index| table.extremes_of(index)))
+            let extremes = table.id_of(column).and_then(|id| table.extremes_of(id));
+            (*model, extremes)
         })
     }
 

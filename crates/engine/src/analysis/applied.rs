@@ -2,50 +2,55 @@
 
 use super::rows::{Columns, Frame};
 use crate::motion::Law;
-use crate::system::compile::value_law;
+use crate::system::{ForceRole, System};
 use linkdyn_linear::math::Vec2;
-use linkdyn_model::{self, ForceKind, Model};
-use linkdyn_output::{Column, Trajectory};
+use linkdyn_output::{Channel, Column, LoadQuantity, Trajectory};
 
-/// Columns `force.NAME.fx`, `fy` \[N\] or `force.NAME.torque` [N·m] of the model's loads.
-pub fn applied(model: &Model, table: &Trajectory) -> Trajectory {
+/// A load as its columns have it.
+enum Load<'s> {
+    /// Components in the axes of a body.
+    Force([&'s Law; 2], Frame),
+    Torque(&'s Law),
+}
+
+/// Columns `force.NAME.fx`, `fy` \[N\] or `force.NAME.torque` [N·m] of the loads.
+pub fn applied(system: &System, table: &Trajectory) -> Trajectory {
     let columns = Columns::of(table);
-    let mut result = Trajectory::new(Vec::new());
-    let mut laws: Vec<(Vec<Law>, Option<Frame>)> = Vec::new();
-    for (name, force) in &model.forces {
-        let mut add = |quantities: &[(&str, &'static str)]| {
-            let heading = |(quantity, unit): &(&str, &'static str)| {
-                Column::new(format!("force.{name}.{quantity}"), unit)
-            };
-            result.columns.extend(quantities.iter().map(heading));
+    let mut headings: Vec<Column> = Vec::new();
+    let mut loads: Vec<Load> = Vec::new();
+    for (k, force) in system.force_data.iter().enumerate() {
+        let mut add = |quantities: &[LoadQuantity]| {
+            headings.extend(quantities.iter().map(|&quantity| {
+                Column::of(Channel::Load(k, quantity), &force.name, quantity.unit())
+            }));
         };
-        match &force.kind {
-            ForceKind::Load { at, vector, frame } => {
-                let turning = match frame {
-                    linkdyn_model::Frame::Ground => None,
-                    linkdyn_model::Frame::Body => Frame::of(&columns, &at.body),
-                };
-                add(&[("fx", "N"), ("fy", "N")]);
-                laws.push((vector.iter().map(value_law).collect(), turning));
+        match &force.role {
+            ForceRole::Load {
+                vector: [x, y],
+                frame,
+            } => {
+                add(&[LoadQuantity::Fx, LoadQuantity::Fy]);
+                // Without the body's pose in the table its axes are taken for the ground's.
+                let frame = Frame::of(&columns, *frame).unwrap_or(Frame::GROUND);
+                loads.push(Load::Force([x, y], frame));
             }
-            ForceKind::Torque { value, .. } => {
-                add(&[("torque", "N*m")]);
-                laws.push((vec![value_law(value)], None));
+            ForceRole::Torque { value, .. } => {
+                add(&[LoadQuantity::Torque]);
+                loads.push(Load::Torque(value));
             }
-            ForceKind::Spring { .. } | ForceKind::TorsionSpring { .. } => {}
+            ForceRole::Spring { .. } => {}
         }
     }
+    let mut result = Trajectory::new(headings);
     for row in table.rows() {
-        for (components, frame) in &laws {
-            match components.as_slice() {
-                [x, y] => {
+        for load in &loads {
+            match load {
+                Load::Force([x, y], frame) => {
                     let vector = Vec2::new(x.jet(row[0])[0], y.jet(row[0])[0]);
-                    let vector = frame.map_or(vector, |frame| frame.turn(row, vector));
+                    let vector = frame.turn(row, vector);
                     result.data.extend([vector.x, vector.y]);
                 }
-                others => result
-                    .data
-                    .extend(others.iter().map(|law| law.jet(row[0])[0])),
+                Load::Torque(value) => result.data.push(value.jet(row[0])[0]),
             }
         }
     }

@@ -13,7 +13,7 @@
 //! Positions are reached from the ideal ones by letting the offsets grow from zero (homotopy), so the solution is the one
 //! connected to the ideal branch, and a fold on the way proves that it ends before the clearance is reached.
 
-use super::record::Sample;
+use super::sample::Sample;
 use crate::mechanism::driven::{Driven, Failure};
 use crate::system::{Evaluation, Inputs, System};
 use linkdyn_linear::math::{Vec2, dot, perp};

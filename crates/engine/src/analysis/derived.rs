@@ -5,7 +5,7 @@ use super::shaking::shaking;
 use super::transmission::transmission;
 use crate::system::compile::compile;
 use linkdyn_model::Model;
-use linkdyn_output::{Column, Trajectory};
+use linkdyn_output::Trajectory;
 
 /// Applied forces, shaking force and moment, velocity ratio, mechanical advantage and transmission angles, where they exist; what there is to say
 /// about those that do not.
@@ -21,20 +21,12 @@ pub fn derived(model: &Model, results: &Trajectory) -> (Trajectory, Vec<String>)
     if results.is_empty() {
         return (derived, notes);
     }
-    let mut parts = vec![applied(model, results)];
-    if let Some(wrenches) = shaking(model, &system, results) {
-        let columns = [("fx", "N"), ("fy", "N"), ("moment", "N*m")];
-        let columns =
-            columns.map(|(quantity, unit)| Column::new(format!("shaking.{quantity}"), unit));
-        parts.push(Trajectory {
-            columns: columns.into(),
-            data: wrenches.concat(),
-        });
-    }
+    let mut parts = vec![applied(&system, results)];
+    parts.extend(shaking(&system, results));
     match analysis
         .transmission
         .as_ref()
-        .map(|wanted| transmission(model, &system, wanted, results))
+        .map(|wanted| transmission(&system, wanted, results))
     {
         Some(Ok((part, said))) => {
             parts.push(part);
@@ -43,7 +35,10 @@ pub fn derived(model: &Model, results: &Trajectory) -> (Trajectory, Vec<String>)
         Some(Err(note)) => notes.push(format!("analysis.transmission: {note}")),
         None => {}
     }
-    derived.columns = parts.iter().flat_map(|part| part.columns.clone()).collect();
+    derived.columns = parts
+        .iter()
+        .flat_map(|part| part.columns.iter().cloned())
+        .collect();
     for row in 0..results.len() {
         parts
             .iter()

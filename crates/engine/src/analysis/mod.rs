@@ -3,6 +3,7 @@
 mod applied;
 pub mod assembly;
 mod branch;
+pub mod channels;
 pub mod check;
 pub mod clearance_link;
 pub mod derived;
@@ -14,8 +15,10 @@ pub mod modes;
 mod overlap;
 mod power;
 mod progress;
+mod readings;
 pub mod record;
 mod rows;
+pub mod sample;
 mod shaking;
 pub mod statics;
 mod suspicious;
@@ -27,10 +30,12 @@ pub use progress::Progress;
 pub use suspicious::suspicious;
 
 use crate::system::{Evaluation, Inputs, System, compile::compile};
+use channels::Contents;
 use linkdyn_model::error::Complaint;
 use linkdyn_model::{AnalysisKind, Model, OutputsAt, unheld};
 use linkdyn_output::{Event, Quality, Report, Status, Stopwatch, Trajectory};
-use record::{Contents, Recorder, Sample};
+use record::Recorder;
+use sample::Sample;
 use std::borrow::Cow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -87,7 +92,7 @@ impl Outcome {
 
     /// The rows of peaks, with the columns that are wanted.
     pub fn wanted_peaks(&self) -> Trajectory {
-        Trajectory::new(self.trajectory.columns.clone())
+        Trajectory::with_columns(&self.trajectory.columns)
             .with_rows(&self.peaks)
             .into_owned()
     }

@@ -1,34 +1,35 @@
-//! Rows of results read back: poses, velocities and joint forces by name, for what follows from them.
+//! Rows of results read back: poses, velocities and joint forces by channel, for what follows from them.
 
 use std::collections::HashMap;
 
+use crate::element::{BodyId, Marker};
+use crate::system::System;
 use linkdyn_linear::math::Vec2;
-use linkdyn_model::{GROUND, Model, PointRef};
-use linkdyn_output::Trajectory;
+use linkdyn_output::{BodyQuantity, Channel, Trajectory};
 
 /// Where the columns of a table stand.
-pub struct Columns<'t>(HashMap<&'t str, usize>);
+pub struct Columns(HashMap<Channel, usize>);
 
-impl<'t> Columns<'t> {
-    pub fn of(table: &'t Trajectory) -> Self {
+impl Columns {
+    /// Those of a table.
+    pub fn of(table: &Trajectory) -> Self {
+        let columns = table.columns.iter().enumerate();
         Columns(
-            table
-                .columns
-                .iter()
-                .enumerate()
-                .map(|(index, column)| (column.name.as_str(), index))
+            columns
+                .filter_map(|(index, column)| Some((column.channel?, index)))
                 .collect(),
         )
     }
 
-    /// Columns `owner.quantity` of all these quantities; none where one is missing.
-    pub fn find<const N: usize>(&self, owner: &str, quantities: [&str; N]) -> Option<[usize; N]> {
-        let found =
-            quantities.map(|quantity| self.0.get(format!("{owner}.{quantity}").as_str()).copied());
-        found
-            .iter()
-            .all(Option::is_some)
-            .then(|| found.map(Option::unwrap_or_default))
+    /// The column of a channel.
+    pub fn find(&self, channel: Channel) -> Option<usize> {
+        self.0.get(&channel).copied()
+    }
+
+    /// Columns of these quantities of a body; none where one is missing.
+    pub fn of_body(&self, body: usize, quantities: [BodyQuantity; 3]) -> Option<[usize; 3]> {
+        let [x, y, angle] = quantities.map(|quantity| self.find(Channel::Body(body, quantity)));
+        Some([x?, y?, angle?])
     }
 }
 
@@ -37,12 +38,16 @@ impl<'t> Columns<'t> {
 pub struct Frame(Option<[usize; 3]>);
 
 impl Frame {
-    /// The frame of the named body; none where its pose is not in the table.
-    pub fn of(columns: &Columns, body: &str) -> Option<Self> {
-        if body == GROUND {
-            Some(Frame(None))
+    /// The ground's.
+    pub const GROUND: Frame = Frame(None);
+
+    /// The frame of a body; none where its pose is not in the table.
+    pub fn of(columns: &Columns, body: BodyId) -> Option<Self> {
+        const POSE: [BodyQuantity; 3] = [BodyQuantity::X, BodyQuantity::Y, BodyQuantity::Angle];
+        if body == BodyId::GROUND {
+            Some(Frame::GROUND)
         } else {
-            Some(Frame(Some(columns.find(body, ["x", "y", "angle"])?)))
+            Some(Frame(Some(columns.of_body(body.0 - 1, POSE)?)))
         }
     }
 
@@ -63,21 +68,76 @@ impl Frame {
     }
 }
 
+/// Motion of all bodies in a row.
+pub struct States {
+    frames: Vec<Frame>,
+    /// Columns of the rates, where the table has them.
+    rates: Vec<Option<[usize; 3]>>,
+}
+
+impl States {
+    /// Of a table; none where a pose is not in it.
+    pub fn of(system: &System, columns: &Columns) -> Option<Self> {
+        const TWIST: [BodyQuantity; 3] = [BodyQuantity::Vx, BodyQuantity::Vy, BodyQuantity::Omega];
+        let bodies = 0..system.bodies.len();
+        Some(States {
+            rates: bodies
+                .clone()
+                .map(|body| columns.of_body(body, TWIST))
+                .collect(),
+            frames: bodies
+                .map(|body| Frame::of(columns, BodyId(body + 1)))
+                .collect::<Option<_>>()?,
+        })
+    }
+
+    /// The frame of a moving body.
+    pub fn frame(&self, body: usize) -> Frame {
+        self.frames[body]
+    }
+
+    /// Coordinates (n).
+    pub fn position(&self, system: &System, row: &[f64], q: &mut [f64]) {
+        for (k, (frame, body)) in self.frames.iter().zip(&system.bodies).enumerate() {
+            let (origin, angle) = frame.pose(row);
+            let centre = origin - frame.turn(row, body.origin);
+            let columns = system.layout.moving(k);
+            columns.write(q, [centre.x, centre.y, angle]);
+        }
+    }
+
+    /// Velocities (n); zero where the table has none.
+    pub fn velocity(&self, system: &System, row: &[f64], v: &mut [f64]) {
+        let bodies = self.frames.iter().zip(&self.rates).zip(&system.bodies);
+        for (k, ((frame, rates), body)) in bodies.enumerate() {
+            let rho = frame.turn(row, body.origin);
+            let [vx, vy, omega] = rates.map_or([0.0; 3], |rates| rates.map(|column| row[column]));
+            let columns = system.layout.moving(k);
+            columns.write(v, [vx + omega * rho.y, vy - omega * rho.x, omega]);
+        }
+    }
+}
+
 /// A body's point in a row.
 #[derive(Debug, Clone, Copy)]
 pub struct Place {
+    /// Of its body.
     pub frame: Frame,
     /// In the body's frame \[m\].
     pub point: Vec2,
 }
 
 impl Place {
-    /// Where the named point is; none where its body's pose is not in the table.
-    pub fn of(model: &Model, columns: &Columns, point: &PointRef) -> Option<Self> {
-        let at = *model.bodies.get(&point.body)?.points.get(&point.point)?;
+    /// Where a marker is; none where its body's pose is not in the table.
+    pub fn of(system: &System, columns: &Columns, marker: &Marker) -> Option<Self> {
+        // Markers are told from the centre of mass.
+        let origin = match marker.body {
+            BodyId::GROUND => Vec2::zeros(),
+            BodyId(body) => system.bodies[body - 1].origin,
+        };
         Some(Place {
-            frame: Frame::of(columns, &point.body)?,
-            point: Vec2::from(at),
+            frame: Frame::of(columns, marker.body)?,
+            point: marker.s - origin,
         })
     }
 

@@ -9,12 +9,11 @@
 //! but for a torque whose `relative_to` is ground. So F = Σ (weights and applied forces) − d/dt Σ m v, and likewise M
 //! (Berkof and Lowen, J. Eng. Ind. 91, 1969, of the inertia part alone). Checked against that balance in `tests/report.rs`.
 
-use super::rows::{Columns, Frame, Place};
-use crate::element::Applied;
-use crate::system::{Evaluation, Inputs, System};
+use super::rows::{Columns, Frame, Place, States};
+use crate::element::{Applied, BodyId};
+use crate::system::{DriverRole, Evaluation, Inputs, System};
 use linkdyn_linear::math::Vec2;
-use linkdyn_model::{DriverKind, ForceKind, GROUND, JointKind, Model};
-use linkdyn_output::Trajectory;
+use linkdyn_output::{Channel, Column, DriverQuantity, JointQuantity, ShakingQuantity, Trajectory};
 
 /// A force at a place and a torque.
 #[derive(Debug, Clone, Copy, Default)]
@@ -55,191 +54,189 @@ enum Share {
 }
 
 /// Shaking force and moment of every row; none where no joint forces are in the table or nothing touches the ground.
-pub fn shaking(model: &Model, system: &System, table: &Trajectory) -> Option<Vec<[f64; 3]>> {
+pub fn shaking(system: &System, table: &Trajectory) -> Option<Trajectory> {
     let columns = Columns::of(table);
-    let shares = shares(model, system, &columns)?;
-    let bodies: Vec<Frame> = model
-        .bodies
-        .keys()
-        .filter(|b| *b != GROUND)
-        .map(|b| Frame::of(&columns, b))
-        .collect::<Option<_>>()?;
-    let rates: Vec<Option<[usize; 3]>> = model
-        .bodies
-        .keys()
-        .filter(|b| *b != GROUND)
-        .map(|b| columns.find(b, ["vx", "vy", "omega"]))
-        .collect();
-    let mut evaluation = Evaluation::new(system);
-    let mut inputs = Inputs::still(system);
-    let (mut q, mut v) = (vec![0.0; system.n()], vec![0.0; system.n()]);
-    let mut pull = vec![0.0; system.n()];
+    let shares = shares(system, &columns)?;
+    let mut exerted = Exerted::new(system, States::of(system, &columns)?);
     let has_elements = shares
         .iter()
         .any(|share| matches!(share, Share::Element { .. }));
-    let rows = table.rows().map(|row| {
+    let mut result = Trajectory::new(headings());
+    for row in table.rows() {
         if has_elements {
-            inputs.set_time(system, row[0]);
-            for (k, (frame, rates)) in bodies.iter().zip(&rates).enumerate() {
-                let rho = frame.turn(row, system.bodies[k].origin);
-                let (origin, angle) = frame.pose(row);
-                let columns = system.layout.moving(k);
-                columns.write(&mut q, [origin.x - rho.x, origin.y - rho.y, angle]);
-                let [vx, vy, omega] =
-                    rates.map_or([0.0; 3], |rates| rates.map(|column| row[column]));
-                columns.write(&mut v, [vx + omega * rho.y, vy - omega * rho.x, omega]);
-            }
-            evaluation.set_position(&q);
-            evaluation.set_velocity(&v);
+            exerted.take(row);
         }
         let mut sum = Wrench::default();
         for share in &shares {
-            match share {
-                Share::Joint {
-                    sign,
-                    at,
-                    force,
-                    torque,
-                } => {
-                    sum.add(
-                        *sign,
-                        at.at(row),
-                        Vec2::from(force.map(|c| row[c])),
-                        torque.map_or(0.0, |c| row[c]),
-                    );
-                }
-                Share::Torque { sign, effort } => {
-                    sum.add(*sign, Vec2::zeros(), Vec2::zeros(), row[*effort])
-                }
-                Share::Along {
-                    sign,
-                    at,
-                    guide,
-                    axis,
-                    effort,
-                } => {
-                    sum.add(
-                        *sign,
-                        at.at(row),
-                        guide.turn(row, *axis) * row[*effort],
-                        0.0,
-                    );
-                }
-                Share::Element { element, body } => {
-                    let columns = system.layout.moving(*body);
-                    pull[columns.range()].fill(0.0);
-                    let mut applied = Applied::to(&mut pull, &system.layout);
-                    system.forces[*element].apply(&evaluation.instant(&inputs), &mut applied);
-                    let [fx, fy, torque] = columns.read(&pull);
-                    let [x, y, _] = columns.read(&q);
-                    sum.add(-1.0, Vec2::new(x, y), Vec2::new(fx, fy), torque);
-                }
+            share.add_to(&mut sum, row, &mut exerted);
+        }
+        result.push_row(&[sum.force.x, sum.force.y, sum.moment]);
+    }
+    Some(result)
+}
+
+fn headings() -> Vec<Column> {
+    let quantities = [
+        ShakingQuantity::Fx,
+        ShakingQuantity::Fy,
+        ShakingQuantity::Moment,
+    ];
+    let heading =
+        |quantity: ShakingQuantity| Column::of(Channel::Shaking(quantity), "", quantity.unit());
+    quantities.map(heading).into()
+}
+
+impl Share {
+    fn add_to(&self, sum: &mut Wrench, row: &[f64], exerted: &mut Exerted) {
+        match self {
+            Share::Joint {
+                sign,
+                at,
+                force,
+                torque,
+            } => {
+                let torque = torque.map_or(0.0, |column| row[column]);
+                let force = Vec2::from(force.map(|column| row[column]));
+                sum.add(*sign, at.at(row), force, torque);
+            }
+            Share::Torque { sign, effort } => {
+                sum.add(*sign, Vec2::zeros(), Vec2::zeros(), row[*effort])
+            }
+            Share::Along {
+                sign,
+                at,
+                guide,
+                axis,
+                effort,
+            } => {
+                let force = guide.turn(row, *axis) * row[*effort];
+                sum.add(*sign, at.at(row), force, 0.0);
+            }
+            Share::Element { element, body } => {
+                let (place, force, torque) = exerted.by(*element, *body);
+                sum.add(-1.0, place, force, torque);
             }
         }
-        [sum.force.x, sum.force.y, sum.moment]
-    });
-    Some(rows.collect())
+    }
+}
+
+/// What force elements exert at the state of a row.
+struct Exerted<'s> {
+    system: &'s System,
+    states: States,
+    evaluation: Evaluation,
+    inputs: Inputs,
+    q: Vec<f64>,
+    v: Vec<f64>,
+    pull: Vec<f64>,
+}
+
+impl<'s> Exerted<'s> {
+    fn new(system: &'s System, states: States) -> Self {
+        let zero = vec![0.0; system.n()];
+        Exerted {
+            system,
+            states,
+            evaluation: Evaluation::new(system),
+            inputs: Inputs::still(system),
+            q: zero.clone(),
+            v: zero.clone(),
+            pull: zero,
+        }
+    }
+
+    /// Takes the state of a row.
+    fn take(&mut self, row: &[f64]) {
+        let system = self.system;
+        self.inputs.set_time(system, row[0]);
+        self.states.position(system, row, &mut self.q);
+        self.states.velocity(system, row, &mut self.v);
+        self.evaluation.set_position(&self.q);
+        self.evaluation.set_velocity(&self.v);
+    }
+
+    /// Centre of mass of a moving body, and force and torque about it that an element exerts there.
+    fn by(&mut self, element: usize, body: usize) -> (Vec2, Vec2, f64) {
+        let columns = self.system.layout.moving(body);
+        self.pull[columns.range()].fill(0.0);
+        let at = self.evaluation.instant(&self.inputs);
+        let mut to = Applied::to(&mut self.pull, &self.system.layout);
+        self.system.forces[element].apply(&at, &mut to);
+        let [fx, fy, torque] = columns.read(&self.pull);
+        let [x, y, _] = columns.read(&self.q);
+        (Vec2::new(x, y), Vec2::new(fx, fy), torque)
+    }
 }
 
 /// −1 where the ground is first, 1 where it is second, none where it is neither.
-fn side(first: &str, second: &str) -> Option<f64> {
-    match (first == GROUND, second == GROUND) {
+fn side([first, second]: [BodyId; 2]) -> Option<f64> {
+    match (first == BodyId::GROUND, second == BodyId::GROUND) {
         (true, _) => Some(-1.0),
         (false, true) => Some(1.0),
         (false, false) => None,
     }
 }
 
-fn shares(model: &Model, system: &System, columns: &Columns) -> Option<Vec<Share>> {
+fn shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
+    let mut shares = joint_shares(system, columns)?;
+    shares.extend(driver_shares(system, columns)?);
+    let on_ground = |between: &[BodyId; 2]| between.contains(&BodyId::GROUND);
+    for (element, force) in system.force_data.iter().enumerate() {
+        if let Some(between) = force.role.between().filter(on_ground) {
+            let moving = between.into_iter().find(|body| *body != BodyId::GROUND);
+            shares.extend(moving.map(|body| Share::Element {
+                element,
+                body: body.0 - 1,
+            }));
+        }
+    }
+    (!shares.is_empty()).then_some(shares)
+}
+
+/// Shares of the joints on the ground; none where a force is not in the table.
+fn joint_shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
     let mut shares = Vec::new();
-    for (name, joint) in &model.joints {
-        let [first, second] = &joint.between;
-        let Some(sign) = side(&first.body, &second.body) else {
+    for (k, joint) in system.joints.iter().enumerate() {
+        let Some(sign) = side(joint.bodies) else {
             continue;
         };
-        let owner = format!("joint.{name}");
-        let force = columns.find(&owner, ["fx", "fy"])?;
-        let torque = columns.find(&owner, ["torque"]).map(|[torque]| torque);
+        let find = |quantity| columns.find(Channel::Joint(k, quantity));
         shares.push(Share::Joint {
             sign,
-            at: Place::of(model, columns, second)?,
-            force,
-            torque,
+            at: Place::of(system, columns, &joint.points[1])?,
+            force: [find(JointQuantity::Fx)?, find(JointQuantity::Fy)?],
+            torque: find(JointQuantity::Torque),
         });
     }
-    for (name, driver) in &model.drivers {
-        let effort = columns
-            .find(&format!("driver.{name}"), ["effort"])
-            .map(|[effort]| effort);
-        match &driver.kind {
-            DriverKind::Rotation { body, relative_to } => {
-                let other = relative_to.as_deref().unwrap_or(GROUND);
-                if let Some(sign) = side(other, body) {
-                    shares.push(Share::Torque {
-                        sign,
-                        effort: effort?,
-                    });
+    Some(shares)
+}
+
+/// Shares of the drivers that act on the ground; none where an effort is not in the table.
+fn driver_shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
+    let mut shares = Vec::new();
+    for (k, driver) in system.drivers.iter().enumerate() {
+        let effort = columns.find(Channel::Driver(k, DriverQuantity::Effort));
+        match driver.role {
+            DriverRole::Rotation { body, relative_to } => {
+                if let Some(sign) = side([relative_to, body]) {
+                    let effort = effort?;
+                    shares.push(Share::Torque { sign, effort });
                 }
             }
-            DriverKind::Translation { joint } => {
-                let joint = &model.joints[joint];
-                let [first, second] = &joint.between;
-                let (Some(sign), Some(axis)) = (side(&first.body, &second.body), axis(&joint.kind))
-                else {
+            DriverRole::Translation { joint } => {
+                let joint = &system.joints[joint.0];
+                let (Some(sign), Some(axis)) = (side(joint.bodies), joint.role.axis()) else {
                     continue;
                 };
-                let (at, guide) = (
-                    Place::of(model, columns, second)?,
-                    Frame::of(columns, &first.body)?,
-                );
                 shares.push(Share::Along {
                     sign,
-                    at,
-                    guide,
+                    at: Place::of(system, columns, &joint.points[1])?,
+                    guide: Frame::of(columns, joint.bodies[0])?,
                     axis,
                     effort: effort?,
                 });
             }
         }
     }
-    let body = |name: &str| system.bodies.iter().position(|body| body.name == name);
-    for (element, force) in model.forces.values().enumerate() {
-        let ends = match &force.kind {
-            ForceKind::Spring {
-                between: [first, second],
-                ..
-            } => [&first.body, &second.body],
-            ForceKind::TorsionSpring {
-                between: [first, second],
-                ..
-            } => [first, second],
-            ForceKind::Torque {
-                body,
-                relative_to: Some(other),
-                ..
-            } => [body, other],
-            ForceKind::Load { .. }
-            | ForceKind::Torque {
-                relative_to: None, ..
-            } => continue,
-        };
-        if ends.iter().any(|end| *end == GROUND) {
-            shares.extend(
-                ends.iter()
-                    .find_map(|end| body(end))
-                    .map(|body| Share::Element { element, body }),
-            );
-        }
-    }
-    (!shares.is_empty()).then_some(shares)
-}
-
-/// Direction of a guide in its body's frame, length one.
-pub(super) fn axis(kind: &JointKind) -> Option<Vec2> {
-    match kind {
-        JointKind::Prismatic { axis, .. } | JointKind::Slot { axis } => {
-            Some(Vec2::from(*axis).normalize())
-        }
-        JointKind::Revolute { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => None,
-    }
+    Some(shares)
 }

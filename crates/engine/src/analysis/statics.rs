@@ -7,7 +7,8 @@
 use super::assembly::{Assembled, assemble, check_driven, ranks};
 use super::branch::{leave, singularity};
 use super::in_line::singular_text;
-use super::record::{Recorder, Sample};
+use super::record::Recorder;
+use super::sample::Sample;
 use super::{Control, Stop, contents, friction_left_out};
 use crate::element::Axis;
 use crate::mechanism::driven::Failure;

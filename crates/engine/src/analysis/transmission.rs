@@ -14,14 +14,13 @@
 //! output turns back) or the joint carries nothing, v or f has no direction and μ does not exist: the cell is empty, and a note says why.
 //! Checked against triangles, and against the same mechanism on ground, in `tests/transmission.rs` and `tests/report.rs`.
 
-use super::rows::{Columns, Frame};
-use super::shaking::axis;
+use super::rows::{Columns, States};
 use crate::element::{BodyId, Instant, Measure};
 use crate::mechanism::driven::Driven;
-use crate::system::{Inputs, System};
+use crate::system::{Inputs, JointRole, System};
 use linkdyn_linear::math::{Vec2, perp};
-use linkdyn_model::{GROUND, JointKind, Model, Transmission};
-use linkdyn_output::{Column, Trajectory};
+use linkdyn_model::Transmission;
+use linkdyn_output::{Channel, Column, Trajectory, TransmissionQuantity};
 
 /// Forces below this part of the largest are none: round-off of the solve.
 const NO_FORCE: f64 = 1e-9;
@@ -35,9 +34,8 @@ struct Output {
     slide: Option<Vec2>,
 }
 
-/// A joint of the output body that is not on ground: its name, its blocks' number, the side on the output.
-struct Drawn<'m> {
-    name: &'m str,
+/// A joint of the output body that is not on ground: its number, and which of its sides is on the output.
+struct Drawn {
     joint: usize,
     side: usize,
     /// Rows in which the output's point there stands still.
@@ -51,7 +49,6 @@ struct Drawn<'m> {
 /// # Errors
 /// Why there is none, in a sentence.
 pub fn transmission(
-    model: &Model,
     system: &System,
     wanted: &Transmission,
     table: &Trajectory,
@@ -67,113 +64,161 @@ pub fn transmission(
             .position(|driver| driver.name == *name),
         None => (system.drivers.len() == 1).then_some(0),
     };
-    let (Some(driver), Some(output)) = (driver, output(model, system, &wanted.output)) else {
+    let (Some(driver), Some(output)) = (driver, output(system, &wanted.output)) else {
         return Err(undetermined());
     };
     if system.m() < system.n() {
         return Err(undetermined());
     }
-    let columns = Columns::of(table);
-    let frames: Option<Vec<Frame>> = system
-        .bodies
-        .iter()
-        .map(|body| Frame::of(&columns, &body.name))
-        .collect();
-    let Some(frames) = frames else {
-        return Err(undetermined());
-    };
-    let mut drawn: Vec<Drawn> = model
-        .joints
-        .iter()
-        .zip(&system.joints)
-        .enumerate()
-        .filter_map(|(joint, ((name, words), data))| {
-            let carries = matches!(
-                words.kind,
-                JointKind::Revolute { .. } | JointKind::Slot { .. }
-            );
-            let side = data
-                .bodies
-                .iter()
-                .position(|&body| body == BodyId(output.body + 1))?;
-            (carries && data.bodies[1 - side] != BodyId::GROUND).then_some(Drawn {
-                name,
-                joint,
-                side,
-                still: 0,
-                idle: 0,
-            })
-        })
-        .collect();
-    let mut result = Trajectory::new(headings(system, driver, output, &drawn));
-    let (n, m) = (system.n(), system.m());
-    let inputs = Inputs::still(system);
-    let mut unit = inputs.clone();
-    unit.drive[driver][1] = 1.0;
-    let (mut q, mut v, mut load, mut lambda) =
-        (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; m]);
-    let mut solver: Option<Driven> = None;
+    let states = States::of(system, &Columns::of(table)).ok_or_else(undetermined)?;
+    let mut solver = Solver::new(system, states, driver, output);
+    let mut result = Trajectory::new(headings(system, driver, output, &solver.drawn));
     let mut line = Vec::with_capacity(result.width());
     for row in table.rows() {
         line.clear();
-        for (k, frame) in frames.iter().enumerate() {
-            let (origin, angle) = frame.pose(row);
-            let centre = origin - frame.turn(row, system.bodies[k].origin);
-            let columns = system.layout.moving(k);
-            columns.write(&mut q, [centre.x, centre.y, angle]);
-        }
-        let regular = q.iter().all(|q| q.is_finite()) && factored(&mut solver, system, &q, &inputs);
-        if let Some(driven) = solver.as_mut().filter(|_| regular) {
-            driven.velocity(&unit, &mut v);
-            load.fill(0.0);
-            let columns = system.layout.moving(output.body);
-            let ratio = match output.slide {
-                None => {
-                    load[columns.theta()] = 1.0;
-                    v[columns.theta()]
-                }
-                Some(u) => {
-                    let rho = frames[output.body].turn(row, system.bodies[output.body].origin);
-                    columns.write(&mut load, [u.x, u.y, rho.x * u.y - rho.y * u.x]);
-                    u.x * v[columns.x()] + u.y * v[columns.y()]
-                }
-            };
-            driven.multipliers(&load, &mut lambda);
-            line.extend([ratio, 1.0 / ratio]);
-            angles(system, driven, &mut drawn, &lambda, &mut line);
-        }
+        solver.solve(row, &mut line);
         line.iter_mut()
             .filter(|value| !value.is_finite())
             .for_each(|value| *value = f64::NAN);
         line.resize(result.width(), f64::NAN);
         result.push_row(&line);
     }
-    match solver {
-        None if !table.is_empty() => Err(undetermined()),
-        _ => {
-            let notes = notes(
-                &drawn,
-                &wanted.output,
-                &system.drivers[driver].name,
-                result.len(),
-            );
-            Ok((result, notes))
+    if solver.driven.is_none() && !table.is_empty() {
+        return Err(undetermined());
+    }
+    let notes = notes(system, &solver.drawn, output, driver, result.len());
+    Ok((result, notes))
+}
+
+/// Joints of the output body that carry a force at a point, not on ground.
+fn drawn(system: &System, output: Output) -> Vec<Drawn> {
+    let of = |(joint, data): (usize, &crate::system::JointData)| {
+        let carries = match data.role {
+            JointRole::Revolute | JointRole::Slot { .. } => true,
+            JointRole::Prismatic { .. } | JointRole::Gear | JointRole::Fixed => false,
+        };
+        let own = BodyId(output.body + 1);
+        let side = data.bodies.iter().position(|&body| body == own)?;
+        (carries && data.bodies[1 - side] != BodyId::GROUND).then_some(Drawn {
+            joint,
+            side,
+            still: 0,
+            idle: 0,
+        })
+    };
+    system.joints.iter().enumerate().filter_map(of).collect()
+}
+
+/// Solves row after row for unit speed of the driver and unit load of the output.
+struct Solver<'s> {
+    system: &'s System,
+    states: States,
+    output: Output,
+    drawn: Vec<Drawn>,
+    /// Everything still, and the same with the driver at unit speed.
+    still: Inputs,
+    unit: Inputs,
+    /// None until a row is regular.
+    driven: Option<Driven<'s>>,
+    q: Vec<f64>,
+    v: Vec<f64>,
+    load: Vec<f64>,
+    lambda: Vec<f64>,
+}
+
+impl<'s> Solver<'s> {
+    fn new(system: &'s System, states: States, driver: usize, output: Output) -> Self {
+        let still = Inputs::still(system);
+        let mut unit = still.clone();
+        unit.drive[driver][1] = 1.0;
+        let zero = vec![0.0; system.n()];
+        Solver {
+            system,
+            states,
+            output,
+            drawn: drawn(system, output),
+            still,
+            unit,
+            driven: None,
+            q: zero.clone(),
+            v: zero.clone(),
+            load: zero,
+            lambda: vec![0.0; system.m()],
+        }
+    }
+
+    /// Appends ratio, advantage and angles of a row; nothing where its position is singular or missing.
+    fn solve(&mut self, row: &[f64], line: &mut Vec<f64>) {
+        let system = self.system;
+        self.states.position(system, row, &mut self.q);
+        if !self.q.iter().all(|q| q.is_finite()) || !self.factored() {
+            return;
+        }
+        let Some(driven) = &mut self.driven else {
+            return;
+        };
+        driven.velocity(&self.unit, &mut self.v);
+        self.load.fill(0.0);
+        let body = self.output.body;
+        let columns = system.layout.moving(body);
+        let ratio = match self.output.slide {
+            None => {
+                self.load[columns.theta()] = 1.0;
+                self.v[columns.theta()]
+            }
+            Some(u) => {
+                let rho = self
+                    .states
+                    .frame(body)
+                    .turn(row, system.bodies[body].origin);
+                let torque = rho.x * u.y - rho.y * u.x;
+                columns.write(&mut self.load, [u.x, u.y, torque]);
+                u.x * self.v[columns.x()] + u.y * self.v[columns.y()]
+            }
+        };
+        driven.multipliers(&self.load, &mut self.lambda);
+        line.extend([ratio, 1.0 / ratio]);
+        angles(driven, &self.still, &mut self.drawn, &self.lambda, line);
+    }
+
+    /// Factors J at the position; whether it is regular there.
+    fn factored(&mut self) -> bool {
+        match &mut self.driven {
+            Some(driven) => {
+                driven.evaluation.set_position(&self.q);
+                driven.reselect(&self.still).is_ok() && driven.factor(&self.still).is_ok()
+            }
+            None => {
+                self.driven = Driven::new(self.system, &self.q, &self.still).ok();
+                self.driven.is_some()
+            }
         }
     }
 }
 
 /// Why cells of the angles are empty.
-fn notes(drawn: &[Drawn], output: &str, driver: &str, rows: usize) -> Vec<String> {
+fn notes(
+    system: &System,
+    drawn: &[Drawn],
+    output: Output,
+    driver: usize,
+    rows: usize,
+) -> Vec<String> {
     let within = |empty: usize| match empty {
         1 => format!("in 1 of {rows} rows"),
         _ if empty == rows => "in all rows".to_string(),
         _ => format!("in {empty} of {rows} rows"),
     };
+    let (output, driver) = (
+        &system.bodies[output.body].name,
+        &system.drivers[driver].name,
+    );
     let mut notes = Vec::new();
     for Drawn {
-        name, still, idle, ..
+        joint, still, idle, ..
     } in drawn
     {
+        let name = &system.joints[*joint].name;
         if *still > 0 {
             notes.push(format!(
                 "transmission.{name}.angle is empty {}: {output} stands still at this joint while {driver} alone moves, so that \
@@ -191,35 +236,16 @@ fn notes(drawn: &[Drawn], output: &str, driver: &str, rows: usize) -> Vec<String
     notes
 }
 
-/// Factors J at `q`; whether it is regular there.
-fn factored<'s>(
-    solver: &mut Option<Driven<'s>>,
-    system: &'s System,
-    q: &[f64],
-    inputs: &Inputs,
-) -> bool {
-    match solver {
-        Some(driven) => {
-            driven.evaluation.set_position(q);
-            driven.reselect(inputs).is_ok() && driven.factor(inputs).is_ok()
-        }
-        None => {
-            *solver = Driven::new(system, q, inputs).ok();
-            solver.is_some()
-        }
-    }
-}
-
 /// Appends μ of each joint, and counts those that have none.
 fn angles(
-    system: &System,
     driven: &Driven,
+    still: &Inputs,
     drawn: &mut [Drawn],
     lambda: &[f64],
     line: &mut Vec<f64>,
 ) {
-    let still = Inputs::still(system);
-    let at = driven.evaluation.instant(&still);
+    let system = driven.system;
+    let at = driven.evaluation.instant(still);
     let force = |joint: usize| {
         let block = &system.blocks[joint];
         block
@@ -275,24 +301,24 @@ fn fastest(system: &System, at: &Instant) -> f64 {
 }
 
 /// The output's coordinate: the slide on ground of a body that a prismatic joint holds there, the angle of any other.
-fn output(model: &Model, system: &System, name: &str) -> Option<Output> {
+fn output(system: &System, name: &str) -> Option<Output> {
     let body = system.bodies.iter().position(|body| body.name == name)?;
-    let slide = model.joints.values().find_map(|joint| {
-        let [first, second] = &joint.between;
-        let holds = (first.body == GROUND && second.body == name)
-            || (second.body == GROUND && first.body == name);
-        let axis = axis(&joint.kind)
-            .filter(|_| holds && matches!(joint.kind, JointKind::Prismatic { .. }))?;
-        let (JointKind::Prismatic { angle, .. }, true) = (&joint.kind, second.body == GROUND)
-        else {
-            return Some(axis);
-        };
-        // The axis is fixed in the moving body, whose angle is −`angle`; it slides back as its axis goes on.
-        let (sin, cos) = (-angle).sin_cos();
-        Some(-Vec2::new(
-            cos * axis.x - sin * axis.y,
-            sin * axis.x + cos * axis.y,
-        ))
+    let own = BodyId(body + 1);
+    let slide = system.joints.iter().find_map(|joint| match joint.role {
+        JointRole::Prismatic { axis, .. } if joint.bodies == [BodyId::GROUND, own] => Some(axis),
+        JointRole::Prismatic { axis, angle } if joint.bodies == [own, BodyId::GROUND] => {
+            // The axis is fixed in the moving body, whose angle is −`angle`; it slides back as its axis goes on.
+            let (sin, cos) = (-angle).sin_cos();
+            Some(-Vec2::new(
+                cos * axis.x - sin * axis.y,
+                sin * axis.x + cos * axis.y,
+            ))
+        }
+        JointRole::Revolute
+        | JointRole::Prismatic { .. }
+        | JointRole::Slot { .. }
+        | JointRole::Gear
+        | JointRole::Fixed => None,
     });
     Some(Output { body, slide })
 }
@@ -303,14 +329,15 @@ fn headings(system: &System, driver: usize, output: Output, drawn: &[Drawn]) -> 
         (Measure::Angle, Some(_)) => ("m/rad", "N/(N*m)"),
         (Measure::Length, None) => ("rad/m", "N*m/N"),
     };
+    let column =
+        |quantity, owner: &str, unit| Column::of(Channel::Transmission(quantity), owner, unit);
     let mut columns = vec![
-        Column::new("transmission.ratio", ratio),
-        Column::new("transmission.advantage", advantage),
+        column(TransmissionQuantity::Ratio, "", ratio),
+        column(TransmissionQuantity::Advantage, "", advantage),
     ];
-    columns.extend(
-        drawn
-            .iter()
-            .map(|drawn| Column::new(format!("transmission.{}.angle", drawn.name), "rad")),
-    );
+    columns.extend(drawn.iter().map(|&Drawn { joint, .. }| {
+        let quantity = TransmissionQuantity::Angle(joint);
+        column(quantity, &system.joints[joint].name, "rad")
+    }));
     columns
 }

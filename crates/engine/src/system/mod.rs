@@ -12,10 +12,12 @@
 pub mod compile;
 mod eval;
 mod mass;
+mod roles;
 mod scale;
 
 pub use eval::{Evaluation, Inputs};
 pub use mass::Mass;
+pub use roles::{DriverRole, ForceData, ForceRole, JointRole};
 pub use scale::Scale;
 
 use crate::element::journal::{Bearing, ContactId, Journal};
@@ -75,6 +77,7 @@ pub struct BodyData {
 #[derive(Debug, Clone)]
 pub struct JointData {
     pub name: String,
+    pub role: JointRole,
     pub bodies: [BodyId; 2],
     pub points: [Marker; 2],
     /// Carries a torque in the results.
@@ -110,6 +113,7 @@ pub struct ClearanceLink {
 #[derive(Debug, Clone)]
 pub struct DriverData {
     pub name: String,
+    pub role: DriverRole,
     pub law: Law,
     pub measure: Measure,
 }
@@ -145,6 +149,8 @@ pub struct System {
     /// `initial` velocities: name, row over the coordinates as (column, factor) at the assembled pose is in `eval`.
     pub initial_rates: Vec<(String, crate::element::coordinate::Coordinate)>,
     pub forces: Vec<Box<dyn Force>>,
+    /// What each of them is.
+    pub force_data: Vec<ForceData>,
     /// Forces that depend on multipliers; no part of [`Evaluation::eval_force`].
     pub reactive: Vec<Reactive>,
     /// Joints with clearance by contact force, in the order of the joints.

@@ -4,7 +4,7 @@
 //! k-th row as long as [`FEW_ROWS`] remain, then columns are left out from the least important on, and at last rows again. Rows
 //! in which columns have their extremes stay, in up to half of the room for rows.
 
-use linkdyn_output::{Column, Trajectory};
+use linkdyn_output::{Column, ColumnId, Trajectory};
 
 /// Rows below which columns are left out rather than more rows.
 const FEW_ROWS: usize = 500;
@@ -133,7 +133,8 @@ fn extremes(sources: &[Source], least: Worth, most: usize) -> (Vec<usize>, bool)
     for source in WORTHS.into_iter().flat_map(worthy) {
         let values = source
             .table
-            .column(source.index)
+            .column(ColumnId::at(source.index))
+            .iter()
             .enumerate()
             .filter(|(_, value)| value.is_finite());
         let ends = values.fold(

@@ -13,7 +13,9 @@ use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
 
 use encode::{Source, Worth, base64, plan, values};
-use linkdyn_output::{Column, Summary, Trajectory, summary};
+use linkdyn_output::{
+    BodyQuantity, Channel, Column, DriverQuantity, PointQuantity, Summary, Trajectory, summary,
+};
 pub use mechanism::{
     Body, Clearance, Driver, Gear, Joint, Load, Mechanism, PointId, Spring, TorsionSpring,
 };
@@ -266,7 +268,7 @@ fn shorten_texts(value: &mut Value) {
 
 /// `[name, unit, wanted]`.
 fn heading(source: &Source) -> String {
-    let Column { name, unit } = source.column;
+    let Column { name, unit, .. } = source.column;
     escaped(&json!([name, unit, u8::from(source.wanted)]).to_string())
 }
 
@@ -287,7 +289,7 @@ fn sources<'a>(page: &Page<'a>) -> Vec<Source<'a>> {
             let worth = if chosen && wanted {
                 Worth::Asked
             } else {
-                worth(&column.name)
+                worth(column.channel)
             };
             Source {
                 column,
@@ -312,28 +314,38 @@ fn sources<'a>(page: &Page<'a>) -> Vec<Source<'a>> {
     results.chain(derived).collect()
 }
 
-/// What a column is worth by its name.
-fn worth(name: &str) -> Worth {
-    let mut words = name.split('.');
-    let (owner, quantity) = (
-        words.next().unwrap_or_default(),
-        name.rsplit('.').next().unwrap_or_default(),
-    );
-    let of_body = words.count() == 1;
-    match quantity {
-        "time" | "value" => Worth::Asked,
-        "x" | "y" | "angle" if of_body => Worth::Pose,
-        "x" | "y" | "effort" | "kinetic" | "potential" => Worth::Overall,
-        "vx" | "vy" | "omega" => Worth::Velocity,
-        "ax" | "ay" | "alpha" => Worth::Acceleration,
-        _ if owner == "joint" => Worth::Joint,
-        _ => Worth::Overall,
+/// What a column is worth by what it is.
+fn worth(channel: Option<Channel>) -> Worth {
+    match channel {
+        Some(Channel::Time | Channel::Driver(_, DriverQuantity::Value)) => Worth::Asked,
+        Some(Channel::Body(_, BodyQuantity::X | BodyQuantity::Y | BodyQuantity::Angle)) => {
+            Worth::Pose
+        }
+        Some(
+            Channel::Body(_, BodyQuantity::Vx | BodyQuantity::Vy | BodyQuantity::Omega)
+            | Channel::Point(_, PointQuantity::Vx | PointQuantity::Vy),
+        ) => Worth::Velocity,
+        Some(
+            Channel::Body(_, BodyQuantity::Ax | BodyQuantity::Ay | BodyQuantity::Alpha)
+            | Channel::Point(_, PointQuantity::Ax | PointQuantity::Ay),
+        ) => Worth::Acceleration,
+        Some(Channel::Joint(..)) => Worth::Joint,
+        Some(
+            Channel::Point(_, PointQuantity::X | PointQuantity::Y)
+            | Channel::Driver(_, DriverQuantity::Effort)
+            | Channel::Energy(_)
+            | Channel::Load(..)
+            | Channel::Shaking(_)
+            | Channel::Transmission(_),
+        )
+        | None => Worth::Overall,
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use linkdyn_output::JointQuantity;
 
     #[test]
     fn json_in_a_script_element_can_not_end_it() {
@@ -384,16 +396,16 @@ mod tests {
 
     #[test]
     fn columns_are_worth_what_they_show() {
-        for (name, expected) in [
-            ("time", Worth::Asked),
-            ("crank.x", Worth::Pose),
-            ("crank.P.x", Worth::Overall),
-            ("joint.a.fx", Worth::Joint),
-            ("joint.a.penetration", Worth::Joint),
-            ("driver.m.value", Worth::Asked),
-            ("crank.alpha", Worth::Acceleration),
+        for (channel, expected) in [
+            (Channel::Time, Worth::Asked),
+            (Channel::Body(0, BodyQuantity::X), Worth::Pose),
+            (Channel::Point(0, PointQuantity::X), Worth::Overall),
+            (Channel::Joint(0, JointQuantity::Fx), Worth::Joint),
+            (Channel::Joint(0, JointQuantity::Penetration), Worth::Joint),
+            (Channel::Driver(0, DriverQuantity::Value), Worth::Asked),
+            (Channel::Body(0, BodyQuantity::Alpha), Worth::Acceleration),
         ] {
-            assert_eq!(worth(name), expected, "{name}");
+            assert_eq!(worth(Some(channel)), expected, "{channel:?}");
         }
     }
 }

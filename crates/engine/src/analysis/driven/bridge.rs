@@ -1,7 +1,7 @@
 //! Outputs near a change point: motion from the smooth branch, forces as far as they exist.
 
 use super::super::clearance_link::{balance, carried, effort_by_power};
-use super::super::record::Sample;
+use super::super::sample::Sample;
 use super::outputs::Outputs;
 use crate::mechanism::continuation::{Parameter, Path};
 use crate::mechanism::driven::Driven;

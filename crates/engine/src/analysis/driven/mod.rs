@@ -7,7 +7,7 @@ mod passages;
 use super::assembly::{assemble, check_driven};
 use super::clearance_link::forces;
 use super::instants::instants;
-use super::record::Sample;
+use super::sample::Sample;
 use super::{Control, Stop};
 use crate::element::Measure;
 use crate::mechanism::continuation::{HALF_TURN, Parameter, Path, follow};

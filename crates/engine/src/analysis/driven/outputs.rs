@@ -1,10 +1,12 @@
 //! The loop over the output instants, and what it reports.
 
+use super::super::channels::Contents;
 use super::super::clearance_link::{ClearanceLinks, Fixpoint, balance, carried};
 use super::super::in_line::{singular_text, stressed_rows};
 use super::super::instants::OutputInstant;
 use super::super::power::Powers;
-use super::super::record::{Contents, Recorder, Sample};
+use super::super::record::Recorder;
+use super::super::sample::Sample;
 use super::super::{Control, Interval, locked, unsure_friction};
 use super::passages::{ON_THE_EDGE, range, times_of};
 use crate::mechanism::continuation::{End, Parameter, Path, SingularKind, Source};

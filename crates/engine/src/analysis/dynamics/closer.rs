@@ -8,7 +8,7 @@ use super::integration::Integration;
 use super::motion::Motion;
 use super::watch::{Node, SIDES, Watch};
 use super::within::{self, POINTS};
-use crate::analysis::record::Contents;
+use crate::analysis::channels::Contents;
 use crate::element::journal::{Phase, Surface};
 use crate::integrate::Refused;
 use linkdyn_output::Trajectory;
@@ -65,7 +65,7 @@ impl Looking {
                 .into_iter()
                 .map(<[f64]>::to_vec),
         );
-        let mut peaks = Trajectory::new(outputs.columns.clone());
+        let mut peaks = Trajectory::with_columns(&outputs.columns);
         by_time(rows).iter().for_each(|row| peaks.push_row(row));
         peaks
     }

@@ -187,7 +187,7 @@ mod tests {
             &mut table,
             &by_time(rows.into_iter().rev().chain([Vec::new()]).collect()),
         );
-        let times: Vec<f64> = table.column(0).collect();
+        let times: Vec<f64> = table.rows().map(|row| row[0]).collect();
         assert_eq!(times, [0.0, 0.5, 1.0, 1.5, 2.0, 2.5]);
         assert_eq!(table.row(2)[1], 0.0, "an output stays what it is");
     }

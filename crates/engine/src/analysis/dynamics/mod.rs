@@ -28,8 +28,8 @@ mod words;
 
 use super::assembly::Assembled;
 use super::branch::singularity;
+use super::channels::Contents;
 use super::instants::instants;
-use super::record::Contents;
 use super::{Control, Stop, locked, unsure_friction};
 use crate::integrate::Method;
 use crate::mechanism::driven::Failure;

@@ -3,8 +3,9 @@
 use super::integration::Integration;
 use super::motion::Motion;
 use super::sampling::Sampling;
+use crate::analysis::channels::Contents;
 use crate::analysis::power::Powers;
-use crate::analysis::record::{Contents, Sample};
+use crate::analysis::sample::Sample;
 use crate::mechanism::driven::Failure;
 use crate::system::System;
 use linkdyn_output::{Report, Trajectory};

@@ -2,7 +2,9 @@
 
 use super::contact::state;
 use super::motion::Motion;
-use crate::analysis::record::{ContactSample, Contents, Recorder, Sample};
+use crate::analysis::channels::Contents;
+use crate::analysis::record::Recorder;
+use crate::analysis::sample::{ContactSample, Sample};
 use crate::system::System;
 
 /// A sample, and the table that its rows go to.

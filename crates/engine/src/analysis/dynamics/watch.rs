@@ -8,10 +8,11 @@
 //! only until the mechanism is evaluated exactly there.
 
 use super::sampling::Sampling;
-use crate::analysis::record::Contents;
+use crate::analysis::channels::Contents;
 use crate::system::System;
-use linkdyn_output::trajectory::{Selection, TIME};
-use linkdyn_output::{Column, Trajectory};
+use linkdyn_output::{
+    Channel, Column, DriverQuantity, EnergyQuantity, JointQuantity, Selection, Trajectory,
+};
 
 /// An extreme is located to this part of the column's range, and of columns of a joint with contact to less.
 const LOCATED: f64 = 1e-7;
@@ -355,7 +356,10 @@ impl Quantity {
 
 /// The quantities of these columns, and how many units they have.
 fn watched(columns: &[Column], patterns: &[String]) -> (Vec<Watched>, usize) {
-    let at = |name: String| columns.iter().position(|column| column.name == name);
+    let at = |channel: Channel| {
+        let is_it = |column: &Column| column.channel == Some(channel);
+        columns.iter().position(is_it)
+    };
     let mut units: Vec<&'static str> = Vec::new();
     let mut unit = |column: &Column| {
         units
@@ -368,47 +372,44 @@ fn watched(columns: &[Column], patterns: &[String]) -> (Vec<Watched>, usize) {
     };
     let mut found: Vec<(usize, Watched)> = Vec::new();
     let selected = Selection::new(columns, patterns).columns;
-    for &index in &selected {
+    for id in &selected {
+        let index = id.index();
         let column = &columns[index];
-        let (owner, last) = column.name.rsplit_once('.').unwrap_or(("", &column.name));
-        if column.name == TIME {
+        let Some(channel) = column.channel.filter(|channel| *channel != Channel::Time) else {
             continue;
-        }
-        let rate = match last {
-            "x" => Some("vx"),
-            "y" => Some("vy"),
-            "angle" => Some("omega"),
-            "vx" => Some("ax"),
-            "vy" => Some("ay"),
-            "omega" => Some("alpha"),
-            _ => None,
         };
-        let rate = rate.and_then(|rate| at(format!("{owner}.{rate}")));
-        let steady = column.name == "energy.dissipated" || ["value", "state"].contains(&last);
-        let of_contact = at(format!("{owner}.eccentricity")).is_some();
-        let unit = unit(column);
         // Those that count most come first where there are too many.
-        let rank = match column.name.split('.').next() {
-            Some("joint") => 0,
-            Some("driver" | "energy") => 1,
-            _ => 2,
+        let (rank, steady, joint) = match channel {
+            Channel::Joint(joint, quantity) => (0, quantity == JointQuantity::State, Some(joint)),
+            Channel::Driver(_, quantity) => (1, quantity == DriverQuantity::Value, None),
+            Channel::Energy(quantity) => (1, quantity == EnergyQuantity::Dissipated, None),
+            Channel::Time
+            | Channel::Body(..)
+            | Channel::Point(..)
+            | Channel::Load(..)
+            | Channel::Shaking(_)
+            | Channel::Transmission(_) => (2, false, None),
         };
+        let of_joint = |quantity| at(Channel::Joint(joint?, quantity));
+        let of_contact = of_joint(JointQuantity::Eccentricity).is_some();
+        let unit = unit(column);
         found.push((
             rank,
             Watched {
                 quantity: Quantity::Column(index),
                 unit,
-                rate,
+                rate: channel.rate().and_then(at),
                 steady,
                 of_contact,
             },
         ));
-        let across = if last == "fx" {
-            at(format!("{owner}.fy"))
-        } else {
-            None
+        let across = match channel {
+            Channel::Joint(_, JointQuantity::Fx) => of_joint(JointQuantity::Fy),
+            _ => None,
         };
-        if let Some(across) = across.filter(|across| selected.contains(across)) {
+        if let Some(across) =
+            across.filter(|across| selected.iter().any(|id| id.index() == *across))
+        {
             let quantity = Quantity::Size([index, across]);
             found.push((
                 0,

@@ -2,10 +2,11 @@
 
 mod contact_parameters;
 mod needs;
+mod roles;
 
 use super::{
-    Block, BodyData, ClearanceLink, DriverData, DriverId, JointData, JointFriction, JointId, Mass,
-    Origin, OutputPoint, Reactive, Scale, System,
+    Block, BodyData, ClearanceLink, DriverData, DriverId, ForceData, JointData, JointFriction,
+    JointId, Mass, Origin, OutputPoint, Reactive, Scale, System,
 };
 use crate::element::coordinate::Coordinate;
 use crate::element::driven::{DriveId, Rotation, Translation};
@@ -139,6 +140,7 @@ impl<'a> Compiler<'a> {
             initial: Vec::new(),
             initial_rates: Vec::new(),
             forces: Vec::new(),
+            force_data: Vec::new(),
             reactive: Vec::new(),
             contacts: Vec::new(),
             gravity: Vec2::from(model.gravity),
@@ -385,6 +387,7 @@ impl<'a> Compiler<'a> {
             let friction = self.friction(k, name, &joint.kind, [first, second]);
             self.system.joints.push(JointData {
                 name: name.clone(),
+                role: roles::joint_role(&joint.kind),
                 bodies: [first.body, second.body],
                 points: [first, second],
                 torque,
@@ -522,6 +525,7 @@ impl<'a> Compiler<'a> {
             };
             self.system.drivers.push(DriverData {
                 name: name.clone(),
+                role: self.driver_role(&driver.kind),
                 law: law(&driver.motion),
                 measure,
             });
@@ -578,7 +582,7 @@ impl<'a> Compiler<'a> {
     }
 
     fn add_forces(&mut self) {
-        for force in self.model.forces.values() {
+        for (name, force) in &self.model.forces {
             let element: Box<dyn ForceElement> = match &force.kind {
                 ForceKind::Spring {
                     between,
@@ -625,6 +629,10 @@ impl<'a> Compiler<'a> {
                 }),
             };
             self.system.forces.push(element);
+            self.system.force_data.push(ForceData {
+                name: name.clone(),
+                role: self.force_role(&force.kind),
+            });
         }
     }
 }

@@ -1,0 +1,317 @@
+//! The one table of result columns of a system and an analysis: headings, rows, gaps and selections come from it.
+//!
+//! A channel says whose quantity a column is. [`Channels::new`] lists those of a system in the order of results, and from that
+//! list come the headings, and stretches of channels with one owner. For a row each stretch reads its owner once
+//! ([`super::readings`]) and writes the quantities that it lists.
+
+use super::readings::{BodyReading, JointReading, PointReading, energy};
+use super::sample::Sample;
+use crate::element::Measure;
+use crate::system::{Evaluation, Inputs, JointData, System};
+use linkdyn_output::{
+    BodyQuantity, Channel, Column, ColumnId, DriverQuantity, EnergyQuantity, JointQuantity,
+    PointQuantity, Selection,
+};
+use std::sync::Arc;
+
+/// What an analysis computes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Contents {
+    /// Rates of positions.
+    pub velocities: bool,
+    /// Rates of velocities.
+    pub accelerations: bool,
+    /// Forces in joints and efforts of drivers.
+    pub reactions: bool,
+}
+
+/// The result columns of a system and an analysis, or some of them.
+#[derive(Debug, Clone)]
+pub struct Channels {
+    columns: Arc<[Column]>,
+    stretches: Vec<Stretch>,
+}
+
+/// Neighbouring columns of one owner.
+#[derive(Debug, Clone)]
+enum Stretch {
+    Time,
+    Body(usize, Vec<BodyQuantity>),
+    Point(usize, Vec<PointQuantity>),
+    Joint(usize, Vec<JointQuantity>),
+    Driver(usize, Vec<DriverQuantity>),
+    Energy(Vec<EnergyQuantity>),
+}
+
+const POSES: [BodyQuantity; 3] = [BodyQuantity::X, BodyQuantity::Y, BodyQuantity::Angle];
+const TWISTS: [BodyQuantity; 3] = [BodyQuantity::Vx, BodyQuantity::Vy, BodyQuantity::Omega];
+const CHANGES: [BodyQuantity; 3] = [BodyQuantity::Ax, BodyQuantity::Ay, BodyQuantity::Alpha];
+const PLACES: [PointQuantity; 2] = [PointQuantity::X, PointQuantity::Y];
+const VELOCITIES: [PointQuantity; 2] = [PointQuantity::Vx, PointQuantity::Vy];
+const ACCELERATIONS: [PointQuantity; 2] = [PointQuantity::Ax, PointQuantity::Ay];
+const FORCES: [JointQuantity; 2] = [JointQuantity::Fx, JointQuantity::Fy];
+const ECCENTRICITIES: [JointQuantity; 2] = [JointQuantity::Ex, JointQuantity::Ey];
+const CONTACT: [JointQuantity; 6] = [
+    JointQuantity::Eccentricity,
+    JointQuantity::Penetration,
+    JointQuantity::NormalForce,
+    JointQuantity::TangentialForce,
+    JointQuantity::SlidingSpeed,
+    JointQuantity::State,
+];
+
+impl Channels {
+    /// All columns of a system, in the order of results; nothing is computed for them.
+    pub fn new(system: &System, contents: Contents) -> Self {
+        Channels::of(contents.columns(system))
+    }
+
+    fn of(columns: Vec<Column>) -> Self {
+        let mut stretches: Vec<Stretch> = Vec::new();
+        for channel in columns.iter().filter_map(|column| column.channel) {
+            let goes_on = stretches.last_mut().is_some_and(|last| last.take(channel));
+            if !goes_on {
+                stretches.extend(Stretch::begin(channel));
+            }
+        }
+        Channels {
+            columns: columns.into(),
+            stretches,
+        }
+    }
+
+    /// The columns that `patterns` name, with time (see [`Selection::new`]), and warnings about patterns that name none.
+    pub fn wanted(&self, patterns: &[String]) -> (Channels, Vec<String>) {
+        let Selection {
+            columns: kept,
+            warnings,
+        } = Selection::new(&self.columns, patterns);
+        let kept = kept.iter().map(|id| self.columns[id.index()].clone());
+        (Channels::of(kept.collect()), warnings)
+    }
+
+    /// Headings: name, unit and channel of each column.
+    pub fn columns(&self) -> &Arc<[Column]> {
+        &self.columns
+    }
+
+    /// The column of that name, given with or without its `[unit]`.
+    pub fn id(&self, name: &str) -> Option<ColumnId> {
+        let is_it = |column: &Column| column.is_called(name);
+        self.columns.iter().position(is_it).map(ColumnId::at)
+    }
+
+    /// Appends the row of a sample, at whose position and velocity the evaluation is.
+    pub fn push_row(
+        &self,
+        system: &System,
+        evaluation: &Evaluation,
+        inputs: &Inputs,
+        sample: &Sample,
+        row: &mut Vec<f64>,
+    ) {
+        let at = evaluation.instant(inputs);
+        for stretch in &self.stretches {
+            match stretch {
+                Stretch::Time => row.push(inputs.time),
+                Stretch::Body(body, wanted) => {
+                    let reading = BodyReading::new(system, &at, *body, sample);
+                    row.extend(wanted.iter().map(|&quantity| reading.value(quantity)));
+                }
+                Stretch::Point(point, wanted) => {
+                    let reading = PointReading::new(system, &at, *point, sample);
+                    row.extend(wanted.iter().map(|&quantity| reading.value(quantity)));
+                }
+                Stretch::Joint(joint, wanted) => {
+                    let reading = JointReading::new(system, &at, inputs, *joint, sample);
+                    row.extend(wanted.iter().map(|&quantity| reading.value(quantity)));
+                }
+                Stretch::Driver(driver, wanted) => {
+                    row.extend(wanted.iter().map(|quantity| match quantity {
+                        DriverQuantity::Value => inputs.drive[*driver][0],
+                        DriverQuantity::Effort => sample.lambda[system.joint_rows() + driver],
+                    }));
+                }
+                Stretch::Energy(wanted) => row.extend(
+                    wanted
+                        .iter()
+                        .map(|&quantity| energy(system, evaluation, inputs, sample, quantity)),
+                ),
+            }
+        }
+    }
+
+    /// Appends a row at an instant without solution: time and driver values only.
+    pub fn push_gap(&self, inputs: &Inputs, row: &mut Vec<f64>) {
+        row.extend(self.columns.iter().map(|column| match column.channel {
+            Some(Channel::Time) => inputs.time,
+            Some(Channel::Driver(driver, DriverQuantity::Value)) => inputs.drive[driver][0],
+            Some(
+                Channel::Driver(_, DriverQuantity::Effort)
+                | Channel::Body(..)
+                | Channel::Point(..)
+                | Channel::Joint(..)
+                | Channel::Energy(_)
+                | Channel::Load(..)
+                | Channel::Shaking(_)
+                | Channel::Transmission(_),
+            )
+            | None => f64::NAN,
+        }));
+    }
+}
+
+impl Stretch {
+    /// The stretch that begins with a channel; none where it is not computed with the rows.
+    fn begin(channel: Channel) -> Option<Stretch> {
+        match channel {
+            Channel::Time => Some(Stretch::Time),
+            Channel::Body(body, quantity) => Some(Stretch::Body(body, vec![quantity])),
+            Channel::Point(point, quantity) => Some(Stretch::Point(point, vec![quantity])),
+            Channel::Joint(joint, quantity) => Some(Stretch::Joint(joint, vec![quantity])),
+            Channel::Driver(driver, quantity) => Some(Stretch::Driver(driver, vec![quantity])),
+            Channel::Energy(quantity) => Some(Stretch::Energy(vec![quantity])),
+            Channel::Load(..) | Channel::Shaking(_) | Channel::Transmission(_) => None,
+        }
+    }
+
+    /// Takes the next channel where it has the same owner.
+    fn take(&mut self, channel: Channel) -> bool {
+        match (self, channel) {
+            (Stretch::Body(own, wanted), Channel::Body(body, quantity)) if *own == body => {
+                wanted.push(quantity);
+                true
+            }
+            (Stretch::Point(own, wanted), Channel::Point(point, quantity)) if *own == point => {
+                wanted.push(quantity);
+                true
+            }
+            (Stretch::Joint(own, wanted), Channel::Joint(joint, quantity)) if *own == joint => {
+                wanted.push(quantity);
+                true
+            }
+            (Stretch::Driver(own, wanted), Channel::Driver(driver, quantity)) if *own == driver => {
+                wanted.push(quantity);
+                true
+            }
+            (Stretch::Energy(wanted), Channel::Energy(quantity)) => {
+                wanted.push(quantity);
+                true
+            }
+            _ => false,
+        }
+    }
+}
+
+impl Contents {
+    /// Motions with forces and a joint with clearance, by whatever model.
+    fn has_contact_energy(self, system: &System) -> bool {
+        self.reactions
+            && self.velocities
+            && system.joints.iter().any(|joint| joint.bearing.is_some())
+    }
+
+    /// Headings in the order of results.
+    fn columns(self, system: &System) -> Vec<Column> {
+        let mut columns = vec![Column::of(Channel::Time, "", "s")];
+        for (body, data) in system.bodies.iter().enumerate() {
+            columns.extend(self.of_body().map(|quantity| {
+                Column::of(Channel::Body(body, quantity), &data.name, quantity.unit())
+            }));
+        }
+        for (point, data) in system.points.iter().enumerate() {
+            columns.extend(self.of_point().map(|quantity| {
+                Column::of(Channel::Point(point, quantity), &data.name, quantity.unit())
+            }));
+        }
+        for (joint, data) in system.joints.iter().enumerate() {
+            columns.extend(self.of_joint(data).map(|quantity| {
+                let unit = joint_unit(quantity, data);
+                Column::of(Channel::Joint(joint, quantity), &data.name, unit)
+            }));
+        }
+        for (driver, data) in system.drivers.iter().enumerate() {
+            columns.extend(self.of_driver().map(|quantity| {
+                let unit = driver_unit(quantity, data.measure);
+                Column::of(Channel::Driver(driver, quantity), &data.name, unit)
+            }));
+        }
+        columns.extend(
+            self.of_energy(system)
+                .map(|quantity| Column::of(Channel::Energy(quantity), "", "J")),
+        );
+        columns
+    }
+
+    fn of_body(self) -> impl Iterator<Item = BodyQuantity> {
+        let rates = TWISTS.into_iter().filter(move |_| self.velocities);
+        let changes = CHANGES.into_iter().filter(move |_| self.accelerations);
+        POSES.into_iter().chain(rates).chain(changes)
+    }
+
+    fn of_point(self) -> impl Iterator<Item = PointQuantity> {
+        let rates = VELOCITIES.into_iter().filter(move |_| self.velocities);
+        let changes = ACCELERATIONS
+            .into_iter()
+            .filter(move |_| self.accelerations);
+        PLACES.into_iter().chain(rates).chain(changes)
+    }
+
+    fn of_joint(self, joint: &JointData) -> impl Iterator<Item = JointQuantity> {
+        let forces = FORCES.into_iter().filter(move |_| self.reactions);
+        let torque = (self.reactions && joint.torque).then_some(JointQuantity::Torque);
+        // At rest there is no friction.
+        let rubs = self.reactions && self.velocities && joint.friction.is_some();
+        let friction = rubs.then_some(JointQuantity::Friction);
+        let has_bearing = joint.bearing.is_some();
+        let contact_wanted = has_bearing && self.reactions;
+        forces
+            .chain(torque)
+            .chain(friction)
+            .chain(ECCENTRICITIES.into_iter().filter(move |_| has_bearing))
+            .chain(CONTACT.into_iter().filter(move |_| contact_wanted))
+    }
+
+    fn of_driver(self) -> impl Iterator<Item = DriverQuantity> {
+        let effort = self.reactions.then_some(DriverQuantity::Effort);
+        [DriverQuantity::Value].into_iter().chain(effort)
+    }
+
+    fn of_energy(self, system: &System) -> impl Iterator<Item = EnergyQuantity> {
+        let known = system.masses_known;
+        let in_contact = known && self.has_contact_energy(system);
+        let moving = [EnergyQuantity::Kinetic, EnergyQuantity::Potential];
+        let contact = [EnergyQuantity::Contact, EnergyQuantity::Dissipated];
+        let moving = moving.into_iter().filter(move |_| known);
+        moving.chain(contact.into_iter().filter(move |_| in_contact))
+    }
+}
+
+fn joint_unit(quantity: JointQuantity, joint: &JointData) -> &'static str {
+    match quantity {
+        JointQuantity::Fx
+        | JointQuantity::Fy
+        | JointQuantity::NormalForce
+        | JointQuantity::TangentialForce => "N",
+        JointQuantity::Torque => "N*m",
+        JointQuantity::Friction => match joint.friction.map(|friction| friction.measure) {
+            Some(Measure::Angle) => "N*m",
+            Some(Measure::Length) | None => "N",
+        },
+        JointQuantity::Ex
+        | JointQuantity::Ey
+        | JointQuantity::Eccentricity
+        | JointQuantity::Penetration => "m",
+        JointQuantity::SlidingSpeed => "m/s",
+        JointQuantity::State => "1",
+    }
+}
+
+fn driver_unit(quantity: DriverQuantity, measure: Measure) -> &'static str {
+    match (quantity, measure) {
+        (DriverQuantity::Value, Measure::Angle) => "rad",
+        (DriverQuantity::Value, Measure::Length) => "m",
+        (DriverQuantity::Effort, Measure::Angle) => "N*m",
+        (DriverQuantity::Effort, Measure::Length) => "N",
+    }
+}

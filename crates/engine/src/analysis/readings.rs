@@ -1,0 +1,179 @@
+//! What a body, a point, a joint or the mechanism shows at an instant: every quantity a result column may ask for.
+
+use super::sample::{ContactSample, Sample};
+use crate::element::Instant;
+use crate::system::{Evaluation, Inputs, System};
+use linkdyn_linear::math::Vec2;
+use linkdyn_output::{BodyQuantity, EnergyQuantity, JointQuantity, PointQuantity};
+
+/// Motion of the frame of a moving body.
+pub struct BodyReading {
+    place: Vec2,
+    angle: f64,
+    velocity: Vec2,
+    omega: f64,
+    acceleration: Vec2,
+    alpha: f64,
+}
+
+impl BodyReading {
+    /// Of body `body`, whose centre of mass the sample is about.
+    pub fn new(system: &System, at: &Instant, body: usize, sample: &Sample) -> Self {
+        let (pose, twist) = (&at.poses[body + 1], &at.twists[body + 1]);
+        // From the centre of mass to the frame's origin.
+        let rho = pose.turn(system.bodies[body].origin);
+        let omega = twist.omega;
+        let square = omega * omega;
+        let [x, y, theta] = system.layout.moving(body).read(&sample.a);
+        BodyReading {
+            place: Vec2::new(pose.r.x + rho.x, pose.r.y + rho.y),
+            angle: pose.theta,
+            velocity: Vec2::new(twist.v.x - omega * rho.y, twist.v.y + omega * rho.x),
+            omega,
+            acceleration: Vec2::new(
+                x - theta * rho.y - square * rho.x,
+                y + theta * rho.x - square * rho.y,
+            ),
+            alpha: theta,
+        }
+    }
+
+    /// One of the quantities.
+    pub fn value(&self, quantity: BodyQuantity) -> f64 {
+        match quantity {
+            BodyQuantity::X => self.place.x,
+            BodyQuantity::Y => self.place.y,
+            BodyQuantity::Angle => self.angle,
+            BodyQuantity::Vx => self.velocity.x,
+            BodyQuantity::Vy => self.velocity.y,
+            BodyQuantity::Omega => self.omega,
+            BodyQuantity::Ax => self.acceleration.x,
+            BodyQuantity::Ay => self.acceleration.y,
+            BodyQuantity::Alpha => self.alpha,
+        }
+    }
+}
+
+/// Motion of a point among the results.
+pub struct PointReading {
+    place: Vec2,
+    velocity: Vec2,
+    acceleration: Vec2,
+}
+
+impl PointReading {
+    /// Of point `point` of the system.
+    pub fn new(system: &System, at: &Instant, point: usize, sample: &Sample) -> Self {
+        let marker = &system.points[point].marker;
+        let mut acceleration = marker.centripetal(at);
+        if let Some(columns) = system.layout.columns(marker.body) {
+            let ([x, y, theta], rho) = (columns.read(&sample.a), marker.rho(at));
+            acceleration.x += x - theta * rho.y;
+            acceleration.y += y + theta * rho.x;
+        }
+        PointReading {
+            place: marker.place(at),
+            velocity: marker.velocity(at),
+            acceleration,
+        }
+    }
+
+    /// One of the quantities.
+    pub fn value(&self, quantity: PointQuantity) -> f64 {
+        match quantity {
+            PointQuantity::X => self.place.x,
+            PointQuantity::Y => self.place.y,
+            PointQuantity::Vx => self.velocity.x,
+            PointQuantity::Vy => self.velocity.y,
+            PointQuantity::Ax => self.acceleration.x,
+            PointQuantity::Ay => self.acceleration.y,
+        }
+    }
+}
+
+/// What a joint carries, and where its journal is.
+pub struct JointReading {
+    /// Force and torque on the second body.
+    force: Vec2,
+    torque: f64,
+    friction: f64,
+    /// Of a joint with clearance, whatever its model.
+    journal: ContactSample,
+}
+
+impl JointReading {
+    /// Of joint `joint`; what it does not have is zero.
+    pub fn new(
+        system: &System,
+        at: &Instant,
+        inputs: &Inputs,
+        joint: usize,
+        sample: &Sample,
+    ) -> Self {
+        // Blocks of joints stand first, in their order.
+        let (data, block) = (&system.joints[joint], &system.blocks[joint]);
+        let (mut force, torque) = block
+            .constraint
+            .reaction(at, &sample.lambda[block.row..block.row + block.rows]);
+        let contact = data.contact.map(|id| sample.contacts[id.0]);
+        if let Some(contact) = contact {
+            force += contact.reading.force;
+        }
+        let mut friction = 0.0;
+        if let Some(at_joint) = data.friction {
+            friction = sample.reactive[at_joint.force];
+            let reactive = &system.reactive[at_joint.force].force;
+            force += reactive.reaction(at, friction).0;
+        }
+        // A journal that does not move freely is where its model holds it.
+        let held = || {
+            let bearing = data.bearing.as_ref()?;
+            let offset = data.clearance.map(|link| &inputs.offset[link.offset]);
+            Some(ContactSample {
+                reading: bearing.held(at, &data.points, offset, force),
+                state: 1.0,
+            })
+        };
+        JointReading {
+            force,
+            torque,
+            friction,
+            journal: contact.or_else(held).unwrap_or_default(),
+        }
+    }
+
+    /// One of the quantities.
+    pub fn value(&self, quantity: JointQuantity) -> f64 {
+        let reading = &self.journal.reading;
+        match quantity {
+            JointQuantity::Fx => self.force.x,
+            JointQuantity::Fy => self.force.y,
+            JointQuantity::Torque => self.torque,
+            JointQuantity::Friction => self.friction,
+            JointQuantity::Ex => reading.eccentricity.x,
+            JointQuantity::Ey => reading.eccentricity.y,
+            JointQuantity::Eccentricity => reading.eccentricity.norm(),
+            JointQuantity::Penetration => reading.penetration.max(0.0),
+            JointQuantity::NormalForce => reading.normal,
+            JointQuantity::TangentialForce => reading.tangential,
+            JointQuantity::SlidingSpeed => reading.sliding,
+            JointQuantity::State => self.journal.state,
+        }
+    }
+}
+
+/// Energy of the mechanism \[J\].
+pub fn energy(
+    system: &System,
+    evaluation: &Evaluation,
+    inputs: &Inputs,
+    sample: &Sample,
+    quantity: EnergyQuantity,
+) -> f64 {
+    match quantity {
+        EnergyQuantity::Kinetic => evaluation.kinetic_energy(system, &sample.v),
+        EnergyQuantity::Potential => evaluation.potential_energy(system, inputs),
+        EnergyQuantity::Contact => sample.contact_energy[0],
+        EnergyQuantity::Dissipated => sample.contact_energy[1],
+    }
+}

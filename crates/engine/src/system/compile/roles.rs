@@ -1,0 +1,76 @@
+//! What joints, drivers and forces are, kept beside their equations.
+
+use super::{Compiler, value_law};
+use crate::element::BodyId;
+use crate::system::{DriverRole, ForceRole, JointId, JointRole};
+use linkdyn_linear::math::{Vec2, unit};
+use linkdyn_model::{DriverKind, ForceKind, Frame, JointKind};
+
+/// What a joint is.
+pub(super) fn joint_role(kind: &JointKind) -> JointRole {
+    match kind {
+        JointKind::Revolute { .. } => JointRole::Revolute,
+        JointKind::Prismatic { axis, angle, .. } => JointRole::Prismatic {
+            axis: unit(Vec2::from(*axis)),
+            angle: *angle,
+        },
+        JointKind::Slot { axis } => JointRole::Slot {
+            axis: unit(Vec2::from(*axis)),
+        },
+        JointKind::Gear { .. } => JointRole::Gear,
+        JointKind::Fixed { .. } => JointRole::Fixed,
+    }
+}
+
+impl Compiler<'_> {
+    /// What a driver moves.
+    pub(super) fn driver_role(&self, kind: &DriverKind) -> DriverRole {
+        match kind {
+            DriverKind::Rotation { body, relative_to } => DriverRole::Rotation {
+                body: self.body(body),
+                relative_to: relative_to
+                    .as_deref()
+                    .map_or(BodyId::GROUND, |name| self.body(name)),
+            },
+            DriverKind::Translation { joint } => DriverRole::Translation {
+                // The loader knows each joint that a driver names.
+                joint: JointId(self.model.joints.get_index_of(joint).unwrap_or_default()),
+            },
+        }
+    }
+
+    /// What a force element is.
+    pub(super) fn force_role(&self, kind: &ForceKind) -> ForceRole {
+        match kind {
+            ForceKind::Spring {
+                between: [first, second],
+                ..
+            } => ForceRole::Spring {
+                between: [self.body(&first.body), self.body(&second.body)],
+            },
+            ForceKind::TorsionSpring {
+                between: [first, second],
+                ..
+            } => ForceRole::Spring {
+                between: [self.body(first), self.body(second)],
+            },
+            ForceKind::Load { at, vector, frame } => ForceRole::Load {
+                vector: [value_law(&vector[0]), value_law(&vector[1])],
+                frame: match frame {
+                    Frame::Ground => BodyId::GROUND,
+                    Frame::Body => self.body(&at.body),
+                },
+            },
+            ForceKind::Torque {
+                body,
+                value,
+                relative_to,
+            } => ForceRole::Torque {
+                value: value_law(value),
+                between: relative_to
+                    .as_deref()
+                    .map(|other| [self.body(body), self.body(other)]),
+            },
+        }
+    }
+}

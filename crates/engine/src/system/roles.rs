@@ -1,0 +1,100 @@
+//! What joints, drivers and forces are, as far as results beside the equations ask: no words, numbers only.
+
+use super::JointId;
+use crate::element::BodyId;
+use crate::motion::Law;
+use linkdyn_linear::math::Vec2;
+
+/// What a joint is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum JointRole {
+    /// A pin, ideal or with clearance.
+    Revolute,
+    /// A slide along an axis of the first body.
+    Prismatic {
+        /// Direction in the first body's frame, length one.
+        axis: Vec2,
+        /// Angle of the second body in the first \[rad\].
+        angle: f64,
+    },
+    /// A pin in a slot of the first body.
+    Slot {
+        /// Direction in the first body's frame, length one.
+        axis: Vec2,
+    },
+    /// Two wheels that mesh.
+    Gear,
+    /// Two bodies as one.
+    Fixed,
+}
+
+impl JointRole {
+    /// Direction of the guide in the first body's frame, where there is one.
+    pub fn axis(self) -> Option<Vec2> {
+        match self {
+            JointRole::Prismatic { axis, .. } | JointRole::Slot { axis } => Some(axis),
+            JointRole::Revolute | JointRole::Gear | JointRole::Fixed => None,
+        }
+    }
+}
+
+/// What a driver moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DriverRole {
+    /// It turns a body against another.
+    Rotation {
+        /// The body that is turned.
+        body: BodyId,
+        /// The body that the angle is measured from.
+        relative_to: BodyId,
+    },
+    /// It moves the second body along the guide of a joint.
+    Translation {
+        /// The joint with the guide.
+        joint: JointId,
+    },
+}
+
+/// What a force element is.
+#[derive(Debug, Clone)]
+pub enum ForceRole {
+    /// A spring or damper between two bodies.
+    Spring {
+        /// Its two bodies.
+        between: [BodyId; 2],
+    },
+    /// A force from outside at a point.
+    Load {
+        /// Components \[N\].
+        vector: [Law; 2],
+        /// The body whose axes the components are in.
+        frame: BodyId,
+    },
+    /// A torque on a body.
+    Torque {
+        /// [N·m]
+        value: Law,
+        /// The body, and the one that exerts the torque; none where it comes from outside.
+        between: Option<[BodyId; 2]>,
+    },
+}
+
+impl ForceRole {
+    /// The bodies that exert the force on each other; none where it comes from outside.
+    pub fn between(&self) -> Option<[BodyId; 2]> {
+        match self {
+            ForceRole::Spring { between } => Some(*between),
+            ForceRole::Torque { between, .. } => *between,
+            ForceRole::Load { .. } => None,
+        }
+    }
+}
+
+/// A force's numbers beyond its element.
+#[derive(Debug, Clone)]
+pub struct ForceData {
+    /// Its name in the model.
+    pub name: String,
+    /// What it is.
+    pub role: ForceRole,
+}

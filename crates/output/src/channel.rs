@@ -1,0 +1,352 @@
+//! What a column of results is: a quantity of an owner.
+//!
+//! An owner is a number in the order of the model: body 0 is the first that moves, joint 0 the first joint. Whoever looks for a
+//! column asks for its channel; names are for people and files.
+
+/// What a column of results stands for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Channel {
+    /// The instant of the row.
+    Time,
+    /// Motion of the frame of a moving body.
+    Body(usize, BodyQuantity),
+    /// Motion of a point among the results.
+    Point(usize, PointQuantity),
+    /// What a joint carries, and where its journal is.
+    Joint(usize, JointQuantity),
+    /// A driver's value and effort.
+    Driver(usize, DriverQuantity),
+    /// Energy of the whole mechanism.
+    Energy(EnergyQuantity),
+    /// An applied force or torque.
+    Load(usize, LoadQuantity),
+    /// What the mechanism exerts on the ground.
+    Shaking(ShakingQuantity),
+    /// Transmission from a driver to an output body.
+    Transmission(TransmissionQuantity),
+}
+
+/// Motion of a body's frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum BodyQuantity {
+    /// Place of the frame's origin \[m\].
+    X,
+    /// Place of the frame's origin \[m\].
+    Y,
+    /// \[rad\]
+    Angle,
+    /// Velocity of the frame's origin \[m/s\].
+    Vx,
+    /// Velocity of the frame's origin \[m/s\].
+    Vy,
+    /// Angular velocity \[rad/s\].
+    Omega,
+    /// Acceleration of the frame's origin \[m/s²\].
+    Ax,
+    /// Acceleration of the frame's origin \[m/s²\].
+    Ay,
+    /// Angular acceleration \[rad/s²\].
+    Alpha,
+}
+
+/// Motion of a point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum PointQuantity {
+    /// Place \[m\].
+    X,
+    /// Place \[m\].
+    Y,
+    /// Velocity \[m/s\].
+    Vx,
+    /// Velocity \[m/s\].
+    Vy,
+    /// Acceleration \[m/s²\].
+    Ax,
+    /// Acceleration \[m/s²\].
+    Ay,
+}
+
+/// What a joint carries, and where its journal is in the bearing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum JointQuantity {
+    /// Force on the second body \[N\].
+    Fx,
+    /// Force on the second body \[N\].
+    Fy,
+    /// Torque on the second body [N·m].
+    Torque,
+    /// Friction force \[N\] of a slide, or torque [N·m] of a rotation.
+    Friction,
+    /// Eccentricity of the journal \[m\].
+    Ex,
+    /// Eccentricity of the journal \[m\].
+    Ey,
+    /// Size of the eccentricity \[m\].
+    Eccentricity,
+    /// \[m\]
+    Penetration,
+    /// \[N\]
+    NormalForce,
+    /// \[N\]
+    TangentialForce,
+    /// \[m/s\]
+    SlidingSpeed,
+    /// 0 flight, 1 contact, 2 contact that sticks.
+    State,
+}
+
+/// What a driver prescribes and what it takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum DriverQuantity {
+    /// Angle \[rad\] or slide \[m\].
+    Value,
+    /// Torque [N·m] or force \[N\].
+    Effort,
+}
+
+/// Energy of the mechanism \[J\].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum EnergyQuantity {
+    /// Of motion.
+    Kinetic,
+    /// Of gravity and springs.
+    Potential,
+    /// Stored in contacts.
+    Contact,
+    /// Lost in contacts so far.
+    Dissipated,
+}
+
+/// Components of an applied load in global axes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum LoadQuantity {
+    /// \[N\]
+    Fx,
+    /// \[N\]
+    Fy,
+    /// [N·m]
+    Torque,
+}
+
+/// What reaches the ground.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum ShakingQuantity {
+    /// \[N\]
+    Fx,
+    /// \[N\]
+    Fy,
+    /// About the ground's origin [N·m].
+    Moment,
+}
+
+/// Transmission from a driver to an output body.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum TransmissionQuantity {
+    /// Velocity of the output by that of the driver.
+    Ratio,
+    /// Load of the output by effort of the driver.
+    Advantage,
+    /// Transmission angle in a joint of the output body \[rad\].
+    Angle(usize),
+}
+
+impl Channel {
+    /// The name of the column, `joint.b.fx`; `owner` is the name of its owner, which energy and shaking do not have.
+    pub fn name(self, owner: &str) -> String {
+        match self {
+            Channel::Time => super::TIME.into(),
+            Channel::Body(_, quantity) => format!("{owner}.{}", quantity.name()),
+            Channel::Point(_, quantity) => format!("{owner}.{}", quantity.name()),
+            Channel::Joint(_, quantity) => format!("joint.{owner}.{}", quantity.name()),
+            Channel::Driver(_, quantity) => format!("driver.{owner}.{}", quantity.name()),
+            Channel::Energy(quantity) => format!("energy.{}", quantity.name()),
+            Channel::Load(_, quantity) => format!("force.{owner}.{}", quantity.name()),
+            Channel::Shaking(quantity) => format!("shaking.{}", quantity.name()),
+            Channel::Transmission(TransmissionQuantity::Angle(_)) => {
+                format!("transmission.{owner}.angle")
+            }
+            Channel::Transmission(quantity) => format!("transmission.{}", quantity.name()),
+        }
+    }
+
+    /// The channel that is this one's rate of change, where results have one.
+    pub fn rate(self) -> Option<Channel> {
+        match self {
+            Channel::Body(body, quantity) => Some(Channel::Body(body, quantity.rate()?)),
+            Channel::Point(point, quantity) => Some(Channel::Point(point, quantity.rate()?)),
+            Channel::Time
+            | Channel::Joint(..)
+            | Channel::Driver(..)
+            | Channel::Energy(_)
+            | Channel::Load(..)
+            | Channel::Shaking(_)
+            | Channel::Transmission(_) => None,
+        }
+    }
+}
+
+impl BodyQuantity {
+    /// The last word of the column's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            BodyQuantity::X => "x",
+            BodyQuantity::Y => "y",
+            BodyQuantity::Angle => "angle",
+            BodyQuantity::Vx => "vx",
+            BodyQuantity::Vy => "vy",
+            BodyQuantity::Omega => "omega",
+            BodyQuantity::Ax => "ax",
+            BodyQuantity::Ay => "ay",
+            BodyQuantity::Alpha => "alpha",
+        }
+    }
+
+    /// The unit of the column.
+    pub fn unit(self) -> &'static str {
+        match self {
+            BodyQuantity::X | BodyQuantity::Y => "m",
+            BodyQuantity::Angle => "rad",
+            BodyQuantity::Vx | BodyQuantity::Vy => "m/s",
+            BodyQuantity::Omega => "rad/s",
+            BodyQuantity::Ax | BodyQuantity::Ay => "m/s^2",
+            BodyQuantity::Alpha => "rad/s^2",
+        }
+    }
+
+    fn rate(self) -> Option<Self> {
+        match self {
+            BodyQuantity::X => Some(BodyQuantity::Vx),
+            BodyQuantity::Y => Some(BodyQuantity::Vy),
+            BodyQuantity::Angle => Some(BodyQuantity::Omega),
+            BodyQuantity::Vx => Some(BodyQuantity::Ax),
+            BodyQuantity::Vy => Some(BodyQuantity::Ay),
+            BodyQuantity::Omega => Some(BodyQuantity::Alpha),
+            BodyQuantity::Ax | BodyQuantity::Ay | BodyQuantity::Alpha => None,
+        }
+    }
+}
+
+impl PointQuantity {
+    /// The last word of the column's name.
+    pub fn name(self) -> &'static str {
+        self.of_body().name()
+    }
+
+    /// The unit of the column.
+    pub fn unit(self) -> &'static str {
+        self.of_body().unit()
+    }
+
+    /// The same quantity of a body's frame.
+    fn of_body(self) -> BodyQuantity {
+        match self {
+            PointQuantity::X => BodyQuantity::X,
+            PointQuantity::Y => BodyQuantity::Y,
+            PointQuantity::Vx => BodyQuantity::Vx,
+            PointQuantity::Vy => BodyQuantity::Vy,
+            PointQuantity::Ax => BodyQuantity::Ax,
+            PointQuantity::Ay => BodyQuantity::Ay,
+        }
+    }
+
+    fn rate(self) -> Option<Self> {
+        match self {
+            PointQuantity::X => Some(PointQuantity::Vx),
+            PointQuantity::Y => Some(PointQuantity::Vy),
+            PointQuantity::Vx => Some(PointQuantity::Ax),
+            PointQuantity::Vy => Some(PointQuantity::Ay),
+            PointQuantity::Ax | PointQuantity::Ay => None,
+        }
+    }
+}
+
+impl JointQuantity {
+    /// The last word of the column's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            JointQuantity::Fx => "fx",
+            JointQuantity::Fy => "fy",
+            JointQuantity::Torque => "torque",
+            JointQuantity::Friction => "friction",
+            JointQuantity::Ex => "ex",
+            JointQuantity::Ey => "ey",
+            JointQuantity::Eccentricity => "eccentricity",
+            JointQuantity::Penetration => "penetration",
+            JointQuantity::NormalForce => "normal_force",
+            JointQuantity::TangentialForce => "tangential_force",
+            JointQuantity::SlidingSpeed => "sliding_speed",
+            JointQuantity::State => "state",
+        }
+    }
+}
+
+impl DriverQuantity {
+    /// The last word of the column's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            DriverQuantity::Value => "value",
+            DriverQuantity::Effort => "effort",
+        }
+    }
+}
+
+impl EnergyQuantity {
+    /// The last word of the column's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            EnergyQuantity::Kinetic => "kinetic",
+            EnergyQuantity::Potential => "potential",
+            EnergyQuantity::Contact => "contact",
+            EnergyQuantity::Dissipated => "dissipated",
+        }
+    }
+}
+
+impl LoadQuantity {
+    /// The last word of the column's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            LoadQuantity::Fx => "fx",
+            LoadQuantity::Fy => "fy",
+            LoadQuantity::Torque => "torque",
+        }
+    }
+
+    /// The unit of the column.
+    pub fn unit(self) -> &'static str {
+        match self {
+            LoadQuantity::Fx | LoadQuantity::Fy => "N",
+            LoadQuantity::Torque => "N*m",
+        }
+    }
+}
+
+impl ShakingQuantity {
+    /// The last word of the column's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            ShakingQuantity::Fx => "fx",
+            ShakingQuantity::Fy => "fy",
+            ShakingQuantity::Moment => "moment",
+        }
+    }
+
+    /// The unit of the column.
+    pub fn unit(self) -> &'static str {
+        match self {
+            ShakingQuantity::Fx | ShakingQuantity::Fy => "N",
+            ShakingQuantity::Moment => "N*m",
+        }
+    }
+}
+
+impl TransmissionQuantity {
+    /// The last word of the column's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            TransmissionQuantity::Ratio => "ratio",
+            TransmissionQuantity::Advantage => "advantage",
+            TransmissionQuantity::Angle(_) => "angle",
+        }
+    }
+}
