@@ -38,7 +38,6 @@ const LAYERS: &[(&str, &[&str])] = &[
 /// Packages with one job: in which layers they may be named.
 const PACKAGES: &[(&str, &[&str])] = &[
     ("petgraph", &["graph"]),
-    ("typed_arena", &["analysis"]),
     ("sprs", &["system"]),
     // Words: what a user wrote ends at `system/compile`; the analyses know the words of the question.
     ("linkdyn_model", &["analysis", "system"]),

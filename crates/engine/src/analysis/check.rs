@@ -5,9 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use super::assembly::{Assembled, assemble, check_driven, listed, ranked, topology};
 use super::instants::instants;
 use super::{Stop, suspicious};
-use crate::system::{
-    Evaluation, Inputs, System, compile::Lowering, compile::compile, compile::recompile,
-};
+use crate::system::{Evaluation, Inputs, System, compile::compile, compile::compile_geometry};
 use linkdyn_linear::math::Vec2;
 use linkdyn_model::error::Complaint;
 use linkdyn_model::{
@@ -185,10 +183,7 @@ fn undriven(system: &System, assembled: &Assembled, inputs: &Inputs) -> Option<U
 /// The mechanism with its journals free, at the position that it has with ideal pins, as a run has it. Its motion is
 /// integrated whatever the analysis, so that only too many drivers are in the way.
 fn open(model: &Model, closed: Assembled) -> Result<(Open, Option<Undriven>), Vec<Complaint>> {
-    let system = recompile(
-        &with_clearances(model, is_open),
-        Lowering::Open { following: &[] },
-    )?;
+    let system = compile_geometry(&with_clearances(model, is_open))?;
     let inputs = Inputs::at_time(&system, 0.0);
     let assembled = ranked(&system, closed, &inputs);
     let undriven =

@@ -15,6 +15,7 @@ pub mod modes;
 mod overlap;
 mod power;
 mod progress;
+mod question;
 mod readings;
 pub mod record;
 mod rows;
@@ -143,7 +144,7 @@ pub fn run(model: &Model, control: &Control) -> Result<Outcome, Vec<Complaint>> 
             driven::run(&system, analysis, control).map(without_peaks)
         }
         AnalysisKind::Kinematics | AnalysisKind::InverseDynamics | AnalysisKind::Dynamics => {
-            dynamics::run(model, &system, analysis, contents(analysis.kind), control)
+            question::run(&system, analysis, contents(analysis.kind), control)
         }
         AnalysisKind::Statics => statics::run(&system, control).map(without_peaks),
     };

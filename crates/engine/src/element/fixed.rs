@@ -8,8 +8,9 @@
 //! λ is force and torque of the first body on the second, at the second body's point.
 
 use super::revolute::{point_entries, point_jacobian};
-use super::{Axis, Constraint, Entry, Instant, Marker, Measure};
+use super::{Axis, BodyId, Constraint, Entry, Instant, Marker, Measure};
 use linkdyn_linear::math::Vec2;
+use std::sync::Arc;
 
 #[derive(Debug, Clone)]
 pub struct Fixed {
@@ -56,5 +57,13 @@ impl Constraint for Fixed {
 
     fn reaction(&self, _at: &Instant, lambda: &[f64]) -> (Vec2, f64) {
         (Vec2::new(lambda[0], lambda[1]), lambda[2])
+    }
+
+    fn between(&self, id: &dyn Fn(BodyId) -> BodyId) -> Option<Arc<dyn Constraint>> {
+        Some(Arc::new(Fixed {
+            first: self.first.of(id),
+            second: self.second.of(id),
+            angle: self.angle,
+        }))
     }
 }

@@ -36,6 +36,7 @@ pub use coordinates::{Axis, BodyColumns, BodyId, Layout};
 
 use crate::motion::Jet;
 use linkdyn_linear::math::{Vec2, perp};
+use std::sync::Arc;
 
 /// Place of a body at an instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -102,6 +103,14 @@ pub struct Marker {
 }
 
 impl Marker {
+    /// The same point of a body with another number.
+    pub(crate) fn of(self, id: &dyn Fn(BodyId) -> BodyId) -> Marker {
+        Marker {
+            body: id(self.body),
+            s: self.s,
+        }
+    }
+
     pub(crate) fn rho(&self, at: &Instant) -> Vec2 {
         at.poses[self.body.0].turn(self.s)
     }
@@ -153,6 +162,11 @@ pub trait Constraint: Send + Sync {
     fn gamma(&self, at: &Instant, gamma: &mut [f64]);
     /// Force on the second body (global axes) \[N\] and torque [N·m] that the multipliers mean.
     fn reaction(&self, at: &Instant, lambda: &[f64]) -> (Vec2, f64);
+    /// The same equations with other numbers of the two bodies; none where they are more than geometry between two bodies
+    /// (drivers, gears, journals).
+    fn between(&self, _id: &dyn Fn(BodyId) -> BodyId) -> Option<Arc<dyn Constraint>> {
+        None
+    }
 }
 
 /// Generalized forces on all bodies, [N, N, N·m] each; ground's are thrown away.

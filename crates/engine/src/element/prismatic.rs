@@ -10,8 +10,9 @@
 //!
 //! λ₁ n is the force and λ₂ the torque of the first body on the second, at the second body's point.
 
-use super::{Axis, Constraint, Entry, Instant, Marker, Measure};
+use super::{Axis, BodyId, Constraint, Entry, Instant, Marker, Measure};
 use linkdyn_linear::math::{Vec2, perp};
+use std::sync::Arc;
 
 /// A line fixed in the first body, and a point of the second body.
 #[derive(Debug, Clone)]
@@ -32,6 +33,15 @@ pub(super) struct Slide {
 }
 
 impl Guide {
+    /// The same guide between bodies with other numbers.
+    pub(super) fn of(&self, id: &dyn Fn(BodyId) -> BodyId) -> Guide {
+        Guide {
+            first: self.first.of(id),
+            second: self.second.of(id),
+            axis: self.axis,
+        }
+    }
+
     pub(super) fn at(&self, at: &Instant) -> Slide {
         let u = at.poses[self.first.body.0].turn(self.axis);
         let d = self.second.place(at) - self.first.place(at);
@@ -132,5 +142,12 @@ impl Constraint for Prismatic {
 
     fn reaction(&self, at: &Instant, lambda: &[f64]) -> (Vec2, f64) {
         (self.guide.at(at).n * lambda[0], lambda[1])
+    }
+
+    fn between(&self, id: &dyn Fn(BodyId) -> BodyId) -> Option<Arc<dyn Constraint>> {
+        Some(Arc::new(Prismatic {
+            guide: self.guide.of(id),
+            angle: self.angle,
+        }))
     }
 }

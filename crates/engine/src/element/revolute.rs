@@ -10,8 +10,9 @@
 //! λ is the force of the first body on the second, at the second body's point.
 //! With an offset the joint is the massless equivalent clearance link of Earles and Wu (1972): e = journal − bearing.
 
-use super::{Axis, Constraint, Entry, Instant, Marker, Measure};
+use super::{Axis, BodyId, Constraint, Entry, Instant, Marker, Measure};
 use linkdyn_linear::math::Vec2;
+use std::sync::Arc;
 
 /// Where a joint's prescribed offset stands in [`Instant::offset`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -81,5 +82,15 @@ impl Constraint for Revolute {
 
     fn reaction(&self, _at: &Instant, lambda: &[f64]) -> (Vec2, f64) {
         (Vec2::new(lambda[0], lambda[1]), 0.0)
+    }
+
+    fn between(&self, id: &dyn Fn(BodyId) -> BodyId) -> Option<Arc<dyn Constraint>> {
+        // An offset is prescribed from outside.
+        let pin = Revolute {
+            first: self.first.of(id),
+            second: self.second.of(id),
+            offset: None,
+        };
+        self.offset.is_none().then(|| Arc::new(pin) as _)
     }
 }

@@ -12,8 +12,9 @@
 //! The row is the first of a prismatic joint with the same guide.
 
 use super::prismatic::Guide;
-use super::{Constraint, Entry, Instant, Measure};
+use super::{BodyId, Constraint, Entry, Instant, Measure};
 use linkdyn_linear::math::Vec2;
+use std::sync::Arc;
 
 #[derive(Debug, Clone)]
 pub struct Slot {
@@ -47,5 +48,11 @@ impl Constraint for Slot {
 
     fn reaction(&self, at: &Instant, lambda: &[f64]) -> (Vec2, f64) {
         (self.guide.at(at).n * lambda[0], 0.0)
+    }
+
+    fn between(&self, id: &dyn Fn(BodyId) -> BodyId) -> Option<Arc<dyn Constraint>> {
+        Some(Arc::new(Slot {
+            guide: self.guide.of(id),
+        }))
     }
 }

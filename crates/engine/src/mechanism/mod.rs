@@ -7,6 +7,7 @@
 //! reactive      forces that depend on multipliers, which depend on them: friction
 //! reduced       equations of motion in minimal coordinates
 //! parts         parts with one degree of freedom of a mechanism with more, across their change points
+//! phases        systems by the rows in force
 //! held          the mechanism at rest in minimal coordinates: forces, stiffness, damping and mass
 //! branching     singular positions, and the branches that cross there
 //! equilibrium   where the forces at rest vanish, and whether that is stable
@@ -21,5 +22,6 @@ pub mod equilibrium;
 pub mod failure;
 pub mod held;
 pub mod parts;
+pub mod phases;
 pub mod reactive;
 pub mod reduced;

@@ -13,6 +13,7 @@
 
 use super::continuation::{Branch, HALF_TURN, Parameter, Path, follow};
 use super::driven::{Driven, Failure};
+use super::phases::{Exchanged, Phases, Windows};
 use super::reduced::better_pin;
 use crate::element::{Axis, BodyId, Constraint, Entry, Instant, Measure};
 use crate::system::{Inputs, System};
@@ -26,8 +27,8 @@ const EXCHANGES: usize = 4;
 const SAME: f64 = 1e-5;
 
 /// A part by itself, and where it stands in the whole.
-pub struct Part<'s> {
-    pub system: &'s System,
+pub struct Part {
+    pub system: System,
     /// Columns of the whole, by those of the part.
     pub columns: Vec<usize>,
     /// The same as coordinates of the whole's bodies.
@@ -38,19 +39,12 @@ pub struct Part<'s> {
     pub pin: usize,
 }
 
-/// The whole with other constraints in the place of some blocks'.
-pub trait Rewrite<'s> {
-    /// None where it can't be.
-    fn rewritten(&self, constraints: Vec<(usize, Box<dyn Constraint>)>) -> Option<&'s System>;
-}
-
-/// For each part the window in which its smooth branch stands for its joints.
-type Windows = Vec<Option<usize>>;
-
 /// Parts of a mechanism, and the solvers of what takes its place near their change points.
 pub struct Parts<'s> {
     parts: Vec<Followed<'s>>,
-    rewrite: Box<dyn Rewrite<'s> + 's>,
+    phases: &'s Phases<'s>,
+    /// Contacts that are constraints.
+    sustained: Vec<bool>,
     now: Windows,
     next: Windows,
     /// Solvers not in use.
@@ -58,23 +52,24 @@ pub struct Parts<'s> {
 }
 
 impl<'s> Parts<'s> {
-    pub fn new(parts: Vec<Part<'s>>, rewrite: Box<dyn Rewrite<'s> + 's>) -> Self {
+    /// Of a mechanism whose contacts are all in flight.
+    pub fn new(parts: &'s [Part], phases: &'s Phases<'s>) -> Self {
         let none = vec![None; parts.len()];
-        let parts = parts.into_iter().map(Followed::new).collect();
         Parts {
-            parts,
-            rewrite,
+            parts: parts.iter().map(Followed::new).collect(),
+            phases,
+            sustained: Vec::new(),
             now: none.clone(),
             next: none,
             others: Vec::new(),
         }
     }
 
-    /// The same parts of a whole that is another one otherwise.
-    pub fn rewritten_by(self, rewrite: Box<dyn Rewrite<'s> + 's>) -> Self {
+    /// The same parts with other contacts as constraints.
+    pub fn with_sustained(self, sustained: &[bool]) -> Self {
         let none = vec![None; self.parts.len()];
         Parts {
-            rewrite,
+            sustained: sustained.to_vec(),
             now: none.clone(),
             next: none,
             others: Vec::new(),
@@ -106,7 +101,7 @@ impl<'s> Parts<'s> {
             .position(|(windows, _)| *windows == self.next)
         {
             Some(index) => self.others.swap_remove(index).1,
-            None => Driven::pinned(self.system().ok_or(Failure::Singular)?, &columns, q, inputs)?,
+            None => Driven::pinned(self.system(), &columns, q, inputs)?,
         };
         if other
             .pins
@@ -130,14 +125,16 @@ impl<'s> Parts<'s> {
     }
 
     /// The system with the smooth branches of the next windows.
-    fn system(&self) -> Option<&'s System> {
-        let mut constraints = Vec::new();
-        for (part, window) in self.parts.iter().zip(&self.next) {
-            if let Some(window) = window {
-                part.exchange(*window, &mut constraints);
+    fn system(&self) -> &'s System {
+        self.phases.get(&self.sustained, &self.next, || {
+            let mut exchanged = Exchanged::new();
+            for (part, window) in self.parts.iter().zip(&self.next) {
+                if let Some(window) = window {
+                    part.exchange(*window, &mut exchanged);
+                }
             }
-        }
-        self.rewrite.rewritten(constraints)
+            exchanged
+        })
     }
 
     /// The solver of the mechanism's own equations, where another one is in use.
@@ -153,7 +150,7 @@ impl<'s> Parts<'s> {
 
 /// A part and its curves.
 struct Followed<'s> {
-    part: Part<'s>,
+    part: &'s Part,
     inputs: Inputs,
     driven: Option<Driven<'s>>,
     /// By one pin or another, none beyond its dead centres.
@@ -173,8 +170,8 @@ struct Curve {
 }
 
 impl<'s> Followed<'s> {
-    fn new(part: Part<'s>) -> Self {
-        let inputs = Inputs::at_time(part.system, 0.0);
+    fn new(part: &'s Part) -> Self {
+        let inputs = Inputs::at_time(&part.system, 0.0);
         Followed {
             part,
             inputs,
@@ -190,7 +187,7 @@ impl<'s> Followed<'s> {
         let holds = |part: &Part, curve: &Curve| curve.path.holds(q[part.columns[curve.pin]]);
         if !self
             .now
-            .is_some_and(|now| holds(&self.part, &self.curves[now]))
+            .is_some_and(|now| holds(self.part, &self.curves[now]))
             && self.started != here.s
         {
             self.started = here.s;
@@ -227,7 +224,7 @@ impl<'s> Followed<'s> {
 
     /// The curve through an accepted point, by the coordinate that moves most there.
     fn follow(&mut self, here: &Node) -> Option<usize> {
-        let system = self.part.system;
+        let system = &self.part.system;
         let q = self.positions(here);
         let mut driven = match self.driven.take() {
             Some(driven) => driven,
@@ -274,7 +271,7 @@ impl<'s> Followed<'s> {
     }
 
     /// Rows of the smooth branch in a window, for the blocks of the part's joints.
-    fn exchange(&self, window: usize, constraints: &mut Vec<(usize, Box<dyn Constraint>)>) {
+    fn exchange(&self, window: usize, exchanged: &mut Exchanged) {
         let Some(curve) = self
             .curves
             .iter()
@@ -289,9 +286,9 @@ impl<'s> Followed<'s> {
             let columns: Vec<usize> = others.by_ref().take(rows).collect();
             let coordinates = columns.iter().map(|&column| coordinate(column)).collect();
             let branch = branch.clone();
-            constraints.push((
+            exchanged.push((
                 block,
-                Box::new(OnBranch {
+                Arc::new(OnBranch {
                     branch,
                     columns,
                     coordinates,

@@ -20,6 +20,12 @@ impl Mass {
         self.diagonal.extend([mass, mass, inertia]);
     }
 
+    /// Adds the block that a body has in another matrix.
+    pub fn push_block_of(&mut self, other: &Mass, columns: BodyColumns) {
+        self.diagonal
+            .extend_from_slice(&other.diagonal[columns.range()]);
+    }
+
     /// Mass of a body \[kg\].
     pub fn of_body(&self, columns: BodyColumns) -> f64 {
         self.diagonal[columns.x()]

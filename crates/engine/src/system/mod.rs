@@ -13,11 +13,13 @@ pub mod compile;
 mod eval;
 mod mass;
 mod roles;
+mod rows;
 mod scale;
 
 pub use eval::{Evaluation, Inputs};
 pub use mass::Mass;
 pub use roles::{DriverRole, ForceData, ForceRole, JointRole};
+pub use rows::{ContactRows, Extent};
 pub use scale::Scale;
 
 use crate::element::journal::{Bearing, ContactId, Journal};
@@ -25,6 +27,7 @@ use crate::element::{Axis, BodyId, Constraint, Force, Layout, Marker, Measure, R
 use crate::motion::Law;
 use linkdyn_linear::math::Vec2;
 use linkdyn_model::display::DisplayUnits;
+use std::sync::Arc;
 
 /// Index of a joint in the model's order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -44,8 +47,9 @@ pub enum Origin {
 }
 
 /// Equations of one joint, driver or initial value, with their place in φ and in the entry list.
+#[derive(Clone)]
 pub struct Block {
-    pub constraint: Box<dyn Constraint>,
+    pub constraint: Arc<dyn Constraint>,
     pub origin: Origin,
     /// First row.
     pub row: usize,
@@ -56,8 +60,9 @@ pub struct Block {
 }
 
 /// A force that depends on the multipliers of a block.
+#[derive(Clone)]
 pub struct Reactive {
-    pub force: Box<dyn ReactiveForce>,
+    pub force: Arc<dyn ReactiveForce>,
     /// Index into [`System::blocks`].
     pub block: usize,
 }
@@ -134,6 +139,7 @@ pub struct JacobianEntry {
 }
 
 /// A compiled model. Immutable, shared by analyses and threads.
+#[derive(Clone)]
 pub struct System {
     /// Where the coordinates of the bodies stand.
     pub layout: Layout,
@@ -148,13 +154,15 @@ pub struct System {
     pub initial: Vec<Block>,
     /// `initial` velocities: name, row over the coordinates as (column, factor) at the assembled pose is in `eval`.
     pub initial_rates: Vec<(String, crate::element::coordinate::Coordinate)>,
-    pub forces: Vec<Box<dyn Force>>,
+    pub forces: Vec<Arc<dyn Force>>,
     /// What each of them is.
     pub force_data: Vec<ForceData>,
     /// Forces that depend on multipliers; no part of [`Evaluation::eval_force`].
     pub reactive: Vec<Reactive>,
     /// Joints with clearance by contact force, in the order of the joints.
     pub contacts: Vec<Journal>,
+    /// Rows that may come into force for each of them.
+    pub contact_rows: Vec<ContactRows>,
     /// [m/s²]
     pub gravity: Vec2,
     /// M; zero where unknown.
@@ -176,11 +184,13 @@ pub struct System {
     pub display: DisplayUnits,
     /// Largest coordinate of a point or centre of mass in the frame of its body \[m\].
     pub reach: f64,
+    /// The same by body, ground first, for systems of some bodies alone.
+    pub extents: Vec<Extent>,
 }
 
 impl System {
     /// Adds the equations of a joint or driver behind those that are there.
-    pub fn push_block(&mut self, constraint: Box<dyn Constraint>, origin: Origin) {
+    pub fn push_block(&mut self, constraint: Arc<dyn Constraint>, origin: Origin) {
         let (row, entry) = (self.measures.len(), self.entries.len());
         self.measures.extend_from_slice(constraint.rows());
         for (block_row, body, axis) in constraint.entries() {
@@ -199,18 +209,6 @@ impl System {
             entry,
             entries,
         });
-    }
-
-    /// Puts other equations in the place of those of some blocks.
-    pub fn exchange(&mut self, constraints: Vec<(usize, Box<dyn Constraint>)>) {
-        for (block, constraint) in constraints {
-            self.blocks[block].constraint = constraint;
-        }
-        self.measures.clear();
-        self.entries.clear();
-        for block in std::mem::take(&mut self.blocks) {
-            self.push_block(block.constraint, block.origin);
-        }
     }
 
     /// Number of coordinates n.

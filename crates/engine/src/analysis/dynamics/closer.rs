@@ -6,9 +6,9 @@
 use super::episodes::{Episodes, by_time, insert};
 use super::integration::Integration;
 use super::motion::Motion;
+use super::settings::Settings;
 use super::watch::{Node, SIDES, Watch};
 use super::within::{self, POINTS};
-use crate::analysis::channels::Contents;
 use crate::element::journal::{Phase, Surface};
 use crate::integrate::Refused;
 use linkdyn_output::Trajectory;
@@ -39,12 +39,12 @@ pub struct Looking {
 type Top = (usize, usize, f64, f64);
 
 impl Looking {
-    /// With the columns that `patterns` keep; with `all` events as outputs.
-    pub fn new(motion: &Motion, contents: Contents, patterns: &[String], all: bool) -> Self {
+    /// For what is wanted of a motion.
+    pub fn new(motion: &Motion, settings: &Settings) -> Self {
         let system = motion.system();
         Looking {
-            watch: Watch::new(system, contents, patterns),
-            episodes: Episodes::new(system.contacts.len(), all),
+            watch: Watch::new(system, settings.contents, &settings.columns),
+            episodes: Episodes::new(system.contacts.len(), settings.events_are_outputs),
             inner: Default::default(),
             here: Node::default(),
             happened: 0,

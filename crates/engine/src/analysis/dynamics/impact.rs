@@ -214,7 +214,7 @@ impl Integration {
         };
         let start = self.sums(motion, contact);
         let angle = motion.contact_angle(contact, reading);
-        let height = self.solver.rtol.max(LOWEST) * journal.clearance;
+        let height = self.wanted.rtol.max(LOWEST) * journal.clearance;
         let strike = self.strike(motion, contact, &point, &rigid, reading)?;
         // Where it comes back at once, it stays.
         let before = self.y.clone();

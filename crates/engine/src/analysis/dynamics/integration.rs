@@ -4,12 +4,12 @@
 use super::closer::Looking;
 use super::contact::{Change, History, Sums, change, first_phase, sticks};
 use super::motion::Motion;
+use super::settings::{Settings, Wanted};
 use super::words::{TIGHT, beyond_range, culprits, deep_start, describe, jam, tight};
 use crate::analysis::{Control, Stop, locked};
 use crate::element::journal::{Phase, Reading, Surface};
 use crate::integrate::{Limits, Method, Ode, StepFailure, Stepper};
 use crate::mechanism::driven::Failure;
-use linkdyn_model::Solver;
 use linkdyn_output::{ClearanceSums, Report, Status};
 
 /// Newton's step, by rtol, below which the equations are taken for those of its end: a hundredth of what the step's error
@@ -31,7 +31,8 @@ const DEEPEST_RIGID: f64 = 1e-9;
 /// The stepper at work, and what the contacts have done.
 pub struct Integration {
     method: Method,
-    pub(super) solver: Solver,
+    pub(super) wanted: Wanted,
+    max_step: Option<f64>,
     pub(super) stepper: Box<dyn Stepper>,
     /// Work of steppers before.
     before: [u64; 3],
@@ -75,23 +76,18 @@ impl Integration {
     ///
     /// # Errors
     /// A start with deep penetration, or where the equations can't be evaluated.
-    pub fn new(
-        method: Method,
-        solver: &Solver,
-        motion: &mut Motion,
-        end: f64,
-    ) -> Result<Self, Stop> {
+    pub fn new(settings: &Settings, motion: &mut Motion, end: f64) -> Result<Self, Stop> {
         let system = motion.system();
         let contacts = system.contacts.len();
-        let mut solver = solver.clone();
-        motion.reduced.lag = LAG * solver.rtol;
+        let (method, mut wanted) = (settings.method, settings.wanted);
+        motion.reduced.lag = LAG * wanted.rtol;
         if contacts > 0 {
-            solver.rtol = (IMPACTS * solver.rtol).max(FINEST.min(solver.rtol));
-            motion.reduced.lag = CONTACT_LAG.min(LAG * solver.rtol);
+            wanted.rtol = (IMPACTS * wanted.rtol).max(FINEST.min(wanted.rtol));
+            motion.reduced.lag = CONTACT_LAG.min(LAG * wanted.rtol);
         }
         let limits = Limits {
-            initial_step: solver.initial_step,
-            max_step: solver.max_step,
+            initial_step: settings.initial_step,
+            max_step: settings.max_step,
             ..Limits::default()
         };
         let names = system
@@ -101,8 +97,9 @@ impl Integration {
             .map(|joint| joint.name.as_str());
         let mut integration = Integration {
             method,
-            stepper: method.stepper(motion.tolerance(&solver), limits),
-            solver,
+            stepper: method.stepper(motion.tolerance(wanted), limits),
+            wanted,
+            max_step: settings.max_step,
             before: [0; 3],
             end,
             pending: None,
@@ -178,10 +175,10 @@ impl Integration {
         }
         let limits = Limits {
             initial_step: step,
-            max_step: self.solver.max_step,
+            max_step: self.max_step,
             ..Limits::default()
         };
-        self.stepper = self.method.stepper(motion.tolerance(&self.solver), limits);
+        self.stepper = self.method.stepper(motion.tolerance(self.wanted), limits);
         self.stepper.start(motion, time, y, self.end)
     }
 

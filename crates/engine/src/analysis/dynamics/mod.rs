@@ -20,98 +20,89 @@ mod outputs;
 mod parts;
 mod peaks;
 mod sampling;
+mod settings;
 mod start;
-mod variants;
 mod watch;
 mod within;
 mod words;
 
 use super::assembly::Assembled;
 use super::branch::singularity;
-use super::channels::Contents;
-use super::instants::instants;
 use super::{Control, Stop, locked, unsure_friction};
-use crate::integrate::Method;
 use crate::mechanism::driven::Failure;
+use crate::mechanism::phases::Phases;
 use crate::mechanism::reduced::Reduced;
 use crate::system::System;
 use closer::Looking;
 use integration::Integration;
 use linkdyn_model::error::Complaint;
-use linkdyn_model::{Analysis, Model, OutputsAt, Solver};
 use linkdyn_output::{Report, Status, Stopwatch, Trajectory};
 use motion::Motion;
 use outputs::Outputs;
-use variants::Variants;
 
-/// Runs the analysis: the outputs, and rows of peaks between them.
+pub use settings::{Settings, Wanted};
+pub use start::Start;
+
+/// Runs a motion from its start: the outputs, and rows of peaks between them.
 ///
 /// # Errors
 /// Faults of the input, and a start that is impossible.
 pub fn run(
-    model: &Model,
     system: &System,
-    analysis: &Analysis,
-    contents: Contents,
+    start: Start,
+    settings: &Settings,
     control: &Control,
 ) -> Result<(Trajectory, Trajectory, Report), Stop> {
-    let watch = Stopwatch::start();
-    let (assembled, v) = start::start(model, system)?;
-    if assembled.all.rank == system.n() {
-        // Nothing is free: the motion is that of the drivers.
-        let (trajectory, report) = super::driven::run(system, analysis, control)?;
-        return Ok((trajectory, Trajectory::default(), report));
-    }
-    refuse(system, analysis)?;
-    let method = method(&analysis.solver)?;
-    let assembling = watch.read();
+    let Start {
+        assembled,
+        v,
+        clock,
+    } = start;
+    refuse(system)?;
+    let assembling = clock.read();
 
     let watch = Stopwatch::start();
-    let variants = Variants::new(model);
-    let mut reduced = start(system, &assembled, &v)?;
-    if !reduced.has_curve() {
-        let parts = parts::parts(&variants, system, &assembled.q);
-        reduced.cross(parts, variants.rewrite(&[]));
-    }
-    let mut motion = Motion::new(&variants, reduced);
+    let phases = Phases::new(system);
+    let mut reduced = equations(system, &assembled, &v)?;
+    let parts = if reduced.has_curve() {
+        Vec::new()
+    } else {
+        parts::parts(system, &assembled.q)
+    };
+    reduced.cross(&parts, &phases);
+    let mut motion = Motion::new(&phases, reduced);
     let mut report = Report {
         mobility: assembled.mobility,
         warnings: assembled.warnings,
         ..Report::default()
     };
     report.assemble = assembling;
-    let instants = instants(system, analysis).map_err(Stop::Input)?;
-    let end = instants.last().map_or(0.0, |last| last.time);
-    let mut solver = Integration::new(method, &analysis.solver, &mut motion, end)?;
+    let end = settings.instants.last().copied().unwrap_or(0.0);
+    let mut solver = Integration::new(settings, &mut motion, end)?;
     if !system.contacts.is_empty() {
-        let all = analysis.outputs_at == OutputsAt::Events;
-        solver.looking = Some(Box::new(Looking::new(
-            &motion,
-            contents,
-            &analysis.columns,
-            all,
-        )));
+        solver.looking = Some(Box::new(Looking::new(&motion, settings)));
         solver.watch_from(&mut motion, 0.0);
     }
-    let mut outputs = Outputs::new(system, contents, instants.len(), &mut report);
-    for instant in &instants {
-        if let Err((status, message)) = solver.reach(&mut motion, instant.time, control) {
+    let rows = settings.instants.len();
+    let mut outputs = Outputs::new(system, settings.contents, rows, &mut report);
+    for &instant in &settings.instants {
+        if let Err((status, message)) = solver.reach(&mut motion, instant, control) {
             outputs.report.status = status;
             outputs.report.message = Some(message);
             break;
         }
-        if let Err(failure) = outputs.record(&mut solver, &mut motion, instant.time) {
+        if let Err(failure) = outputs.record(&mut solver, &mut motion, instant) {
             outputs.report.status = Status::Singular;
             outputs.report.message = Some(match failure {
                 Failure::Locked { force } => format!(
                     "at t = {} {}; the rows until there are kept",
-                    system.display.time(instant.time),
+                    system.display.time(instant),
                     locked(system, force)
                 ),
                 Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. } => {
                     format!(
                         "the position at t = {} can't be solved",
-                        system.display.time(instant.time)
+                        system.display.time(instant)
                     )
                 }
             });
@@ -144,16 +135,7 @@ pub fn run(
 }
 
 /// What forward dynamics can't do.
-fn refuse(system: &System, analysis: &Analysis) -> Result<(), Stop> {
-    if analysis.sample.is_some() && system.contacts.is_empty() {
-        return Err(Stop::Input(vec![
-            Complaint::new(
-                "analysis.sample",
-                "outputs at driver values need a motion that is prescribed",
-            )
-            .hint("give \"end\" and \"outputs\" instead"),
-        ]));
-    }
+fn refuse(system: &System) -> Result<(), Stop> {
     if let Some(joint) = system.joints.iter().find(|joint| joint.clearance.is_some()) {
         return Err(Stop::Input(vec![
             Complaint::new(
@@ -167,20 +149,12 @@ fn refuse(system: &System, analysis: &Analysis) -> Result<(), Stop> {
     Ok(())
 }
 
-fn method(solver: &Solver) -> Result<Method, Stop> {
-    solver
-        .method
-        .parse()
-        .map_err(|unknown: crate::integrate::UnknownMethod| {
-            Stop::Input(vec![Complaint::new(
-                "analysis.solver.method",
-                unknown.to_string(),
-            )])
-        })
-}
-
 /// The equations of motion at the assembled state.
-fn start<'s>(system: &'s System, assembled: &Assembled, v: &[f64]) -> Result<Reduced<'s>, Stop> {
+fn equations<'s>(
+    system: &'s System,
+    assembled: &Assembled,
+    v: &[f64],
+) -> Result<Reduced<'s>, Stop> {
     let singular = || {
         Stop::failed(
             Status::Singular,

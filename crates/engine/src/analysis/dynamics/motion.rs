@@ -15,16 +15,15 @@
 //! Without contacts y is (u, u̇ | z) alone.
 
 use super::contact::worst_guard;
-use super::variants::Variants;
+use super::settings::Wanted;
 use crate::analysis::assembly::ranks;
 use crate::element::journal::{Contact, ContactId, Journal, Phase, Reading, Surface};
 use crate::integrate::{Ode, Refused, Tolerance};
 use crate::mechanism::driven::{Failure, LAST_STEP};
+use crate::mechanism::phases::{Exchanged, Phases, Windows};
 use crate::mechanism::reduced::Reduced;
 use crate::system::Inputs;
 use crate::system::System;
-use linkdyn_model::Solver;
-use std::collections::HashMap;
 
 /// Quantities kept per contact.
 const PER_CONTACT: usize = 3;
@@ -48,9 +47,7 @@ type Mark = (f64, f64);
 /// A mechanism in motion.
 pub struct Motion<'s> {
     pub reduced: Reduced<'s>,
-    variants: &'s Variants<'s>,
-    /// Systems by who follows, of those that there have been.
-    known: HashMap<Vec<bool>, &'s System>,
+    phases: &'s Phases<'s>,
     /// First row of each contact that follows its bearing, and the normal force there \[N\].
     following: Vec<Option<usize>>,
     pressing: Vec<f64>,
@@ -68,7 +65,7 @@ pub struct Motion<'s> {
 }
 
 impl<'s> Motion<'s> {
-    pub fn new(variants: &'s Variants<'s>, reduced: Reduced<'s>) -> Self {
+    pub fn new(phases: &'s Phases<'s>, reduced: Reduced<'s>) -> Self {
         let system = reduced.driven.system;
         let mut bristle_count = 0;
         let bristles = system
@@ -90,8 +87,7 @@ impl<'s> Motion<'s> {
         let memories = memories.collect();
         Motion {
             reduced,
-            variants,
-            known: HashMap::from([(vec![false; system.contacts.len()], system)]),
+            phases,
             following: vec![None; system.contacts.len()],
             pressing: vec![0.0; system.contacts.len()],
             rubbing: vec![None; system.contacts.len()],
@@ -174,17 +170,7 @@ impl<'s> Motion<'s> {
     /// # Errors
     /// Where the constraints of these contacts are singular.
     pub fn follow(&mut self, following: &[bool], time: f64) -> Result<(), Failure> {
-        let system = match self.known.get(following) {
-            Some(system) => system,
-            None => {
-                let system = self
-                    .variants
-                    .get(following, Vec::new())
-                    .ok_or(Failure::Singular)?;
-                self.known.insert(following.to_vec(), system);
-                system
-            }
-        };
+        let system = self.phases.get(following, &Windows::new(), Exchanged::new);
         let inputs = Inputs::at_time(system, time);
         let (q, v) = (&self.reduced.q, &self.reduced.v);
         let (_, all) = ranks(system, q, &inputs);
@@ -203,7 +189,7 @@ impl<'s> Motion<'s> {
         }
         reduced.lag = self.reduced.lag;
         reduced.driven.done = self.reduced.driven.done;
-        reduced.cross_as(&mut self.reduced, self.variants.rewrite(following));
+        reduced.cross_as(&mut self.reduced, following);
         self.reduced = reduced;
         self.lambda.resize(system.m(), 0.0);
         let rows = system
@@ -329,13 +315,13 @@ impl<'s> Motion<'s> {
     /// The bound of the local error. In a mechanism with contacts lengths are measured against the smallest clearance, or the
     /// smallest depth at which a contact would hold all the kinetic energy of the moment, where that is less: an error of the
     /// penetration is one of the energy, force times error. Rates near zero are measured against 1 m/s.
-    pub fn tolerance(&self, solver: &Solver) -> Tolerance {
+    pub fn tolerance(&self, wanted: Wanted) -> Tolerance {
         let f = self.reduced.freedom();
         let dimension = self.dimension();
         let system = self.system();
         let (rtol, atol) = (
-            solver.rtol.max(ROUND_OFF),
-            solver.atol.max(ROUND_OFF * system.size.min(1.0)),
+            wanted.rtol.max(ROUND_OFF),
+            wanted.atol.max(ROUND_OFF * system.size.min(1.0)),
         );
         let clearance = system
             .contacts

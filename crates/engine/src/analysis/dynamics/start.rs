@@ -3,9 +3,37 @@
 use crate::analysis::Stop;
 use crate::analysis::assembly::{Assembled, assemble, ranked, velocities, velocities_near};
 use crate::mechanism::closing::close;
-use crate::system::compile::{Lowering, recompile};
 use crate::system::{Block, Inputs, System};
-use linkdyn_model::Model;
+use linkdyn_output::Stopwatch;
+
+/// Where a motion starts.
+pub struct Start {
+    pub(super) assembled: Assembled,
+    pub(super) v: Vec<f64>,
+    /// What it took to get there.
+    pub(super) clock: Stopwatch,
+}
+
+impl Start {
+    /// Position and velocities at t = 0.
+    ///
+    /// # Errors
+    /// What can't be assembled, and initial values that conflict.
+    pub fn of(system: &System) -> Result<Start, Stop> {
+        let clock = Stopwatch::start();
+        let (assembled, v) = start(system)?;
+        Ok(Start {
+            assembled,
+            v,
+            clock,
+        })
+    }
+
+    /// Whether nothing is free: the motion is that of the drivers.
+    pub fn is_driven(&self, system: &System) -> bool {
+        self.assembled.all.rank == system.n()
+    }
+}
 
 /// Position and velocities at t = 0.
 ///
@@ -14,14 +42,14 @@ use linkdyn_model::Model;
 ///
 /// # Errors
 /// What can't be assembled, and initial values that conflict.
-pub fn start(model: &Model, system: &System) -> Result<(Assembled, Vec<f64>), Stop> {
+fn start(system: &System) -> Result<(Assembled, Vec<f64>), Stop> {
     let inputs = Inputs::at_time(system, 0.0);
     if system.contacts.is_empty() {
         let assembled = assemble(system, &inputs)?;
         let v = velocities(system, &assembled.q, &inputs)?;
         return Ok((assembled, v));
     }
-    let closed = recompile(model, Lowering::Closed).map_err(Stop::Input)?;
+    let closed = system.closed();
     let closed_inputs = Inputs::at_time(&closed, 0.0);
     let blocks: Vec<&Block> = closed.blocks.iter().chain(&closed.initial).collect();
     let met = close(&closed, &blocks, &closed.guess, &closed_inputs).converged;
@@ -36,10 +64,10 @@ pub fn start(model: &Model, system: &System) -> Result<(Assembled, Vec<f64>), St
         return Ok((open, v));
     }
     // Positions that ideal joints do not allow: the open mechanism from the ideal assembly without them.
-    let mut free = recompile(model, Lowering::Closed).map_err(Stop::Input)?;
+    let mut free = closed.clone();
     free.initial.clear();
     let ideal = assemble(&free, &closed_inputs)?;
-    let mut open = recompile(model, Lowering::Open { following: &[] }).map_err(Stop::Input)?;
+    let mut open = system.clone();
     open.guess.clone_from(&ideal.q);
     let assembled = assemble(&open, &inputs)?;
     let v = beside(&closed, system, &ideal.q, &assembled.q)?;

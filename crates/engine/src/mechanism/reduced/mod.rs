@@ -24,7 +24,8 @@ mod mass;
 
 use super::continuation::{Path, SingularKind, Source};
 use super::driven::{Driven, Failure};
-use super::parts::{Part, Parts, Rewrite};
+use super::parts::{Part, Parts};
+use super::phases::Phases;
 use crate::system::{Inputs, System};
 use linkdyn_linear::hermite::{Node, quintic};
 use linkdyn_linear::small::cholesky_solve;
@@ -133,13 +134,14 @@ impl<'s> Reduced<'s> {
     }
 
     /// Takes the change points of these parts by their smooth branches.
-    pub fn cross(&mut self, parts: Vec<Part<'s>>, rewrite: Box<dyn Rewrite<'s> + 's>) {
-        self.parts = (!parts.is_empty()).then(|| Parts::new(parts, rewrite));
+    pub fn cross(&mut self, parts: &'s [Part], phases: &'s Phases<'s>) {
+        self.parts = (!parts.is_empty()).then(|| Parts::new(parts, phases));
     }
 
-    /// Takes over the parts of a mechanism that was another one otherwise.
-    pub fn cross_as(&mut self, other: &mut Reduced<'s>, rewrite: Box<dyn Rewrite<'s> + 's>) {
-        self.parts = other.parts.take().map(|parts| parts.rewritten_by(rewrite));
+    /// Takes over the parts of the mechanism with other contacts as constraints, those of `sustained`.
+    pub fn cross_as(&mut self, other: &mut Reduced<'s>, sustained: &[bool]) {
+        let parts = other.parts.take();
+        self.parts = parts.map(|parts| parts.with_sustained(sustained));
     }
 
     /// The solver of the mechanism's own equations.

@@ -4,9 +4,10 @@ mod contact_parameters;
 mod needs;
 mod roles;
 
+use super::rows::{reach, size, spread};
 use super::{
-    Block, BodyData, ClearanceLink, DriverData, DriverId, ForceData, JointData, JointFriction,
-    JointId, Mass, Origin, OutputPoint, Reactive, Scale, System,
+    Block, BodyData, ClearanceLink, ContactRows, DriverData, DriverId, Extent, ForceData,
+    JointData, JointFriction, JointId, Mass, Origin, OutputPoint, Reactive, Scale, System,
 };
 use crate::element::coordinate::Coordinate;
 use crate::element::driven::{DriveId, Rotation, Translation};
@@ -27,56 +28,43 @@ use crate::motion::{Law, Spline};
 use linkdyn_linear::math::{Vec2, unit};
 use linkdyn_model::error::Complaint;
 use linkdyn_model::{
-    AnalysisKind, Carrier, ClearanceModel, DriverKind, ForceKind, Frame, GROUND, JointKind, Model,
-    Motion, PointRef, Value,
+    AnalysisKind, Body, Carrier, ClearanceModel, DriverKind, ForceKind, Frame, GROUND, JointKind,
+    Model, Motion, PointRef, Value,
 };
 use needs::{Joints, bearing, clearance, missing};
 use std::collections::HashMap;
+use std::sync::Arc;
 
-/// Compiles a model for an analysis; for an assembly joints whose clearance is modelled by contact are closed.
+/// Compiles a model for an analysis, once: joints whose clearance is modelled by contact are open, for an assembly closed.
 ///
 /// # Errors
 /// Data that the analysis needs and the file lacks, all at once.
 pub fn compile(model: &Model, analysis: AnalysisKind) -> Result<System, Vec<Complaint>> {
-    let lowering = match analysis {
-        AnalysisKind::Assembly => Lowering::Closed,
+    let system = lower(model, missing(model, analysis))?;
+    Ok(match analysis {
+        AnalysisKind::Assembly => system.closed(),
         AnalysisKind::Kinematics
         | AnalysisKind::InverseDynamics
         | AnalysisKind::Dynamics
-        | AnalysisKind::Statics => Lowering::Open { following: &[] },
-    };
-    let complaints = missing(model, analysis);
-    lower(model, lowering, complaints)
+        | AnalysisKind::Statics => system,
+    })
 }
 
-/// Compiles a model that has been compiled before, lowered in another way.
+/// Compiles a model for what needs no masses, with its journals free.
 ///
 /// # Errors
-/// As [`compile`].
-pub fn recompile(model: &Model, lowering: Lowering) -> Result<System, Vec<Complaint>> {
-    lower(model, lowering, Vec::new())
+/// Parameters that its joints need and the file lacks.
+pub fn compile_geometry(model: &Model) -> Result<System, Vec<Complaint>> {
+    lower(model, Vec::new())
 }
 
-fn lower(
-    model: &Model,
-    lowering: Lowering,
-    mut complaints: Vec<Complaint>,
-) -> Result<System, Vec<Complaint>> {
+fn lower(model: &Model, mut complaints: Vec<Complaint>) -> Result<System, Vec<Complaint>> {
     let joints = Joints::new(model, &mut complaints);
     if complaints.is_empty() {
-        Ok(Compiler::new(model, joints, lowering).build())
+        Ok(Compiler::new(model, joints).build())
     } else {
         Err(complaints)
     }
-}
-
-/// What becomes of joints whose clearance is modelled by contact.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Lowering<'a> {
-    /// Ideal pins.
-    Closed,
-    /// Journals in bearings; rigid ones for which `following` is true (by contact) keep the journal on the bearing's surface.
-    Open { following: &'a [bool] },
 }
 
 /// A motion's law.
@@ -115,7 +103,6 @@ pub fn value_law(value: &Value) -> Law {
 struct Compiler<'a> {
     model: &'a Model,
     joints: Joints<'a>,
-    lowering: Lowering<'a>,
     ids: HashMap<&'a str, BodyId>,
     /// Centre of mass in the body's frame, by body id.
     com: Vec<Vec2>,
@@ -123,7 +110,7 @@ struct Compiler<'a> {
 }
 
 impl<'a> Compiler<'a> {
-    fn new(model: &'a Model, joints: Joints<'a>, lowering: Lowering<'a>) -> Self {
+    fn new(model: &'a Model, joints: Joints<'a>) -> Self {
         let mut ids = HashMap::from([(GROUND, BodyId::GROUND)]);
         let mut com = vec![Vec2::zeros()];
         for (name, body) in model.bodies.iter().filter(|(name, _)| *name != GROUND) {
@@ -143,6 +130,7 @@ impl<'a> Compiler<'a> {
             force_data: Vec::new(),
             reactive: Vec::new(),
             contacts: Vec::new(),
+            contact_rows: Vec::new(),
             gravity: Vec2::from(model.gravity),
             mass: Mass::default(),
             masses_known: true,
@@ -154,11 +142,11 @@ impl<'a> Compiler<'a> {
             scale: Scale::SI,
             display: model.display.clone(),
             reach: 0.0,
+            extents: Vec::new(),
         };
         Compiler {
             model,
             joints,
-            lowering,
             ids,
             com,
             system,
@@ -167,8 +155,9 @@ impl<'a> Compiler<'a> {
 
     fn build(mut self) -> System {
         self.add_bodies();
-        self.system.size = self.size();
-        self.system.reach = self.reach();
+        self.system.extents = self.extents();
+        self.system.size = size(&self.system.extents);
+        self.system.reach = reach(&self.system.extents);
         self.add_joints();
         self.add_drivers();
         self.add_initial();
@@ -221,128 +210,68 @@ impl<'a> Compiler<'a> {
         }
     }
 
-    /// Characteristic length: the largest distance between two points of one body, ground included; where there is none
-    /// (all points at their origins), the spread of the guesses, and 1 m at last.
-    fn size(&self) -> f64 {
-        let spread = |points: &[Vec2]| {
-            let low = points
-                .iter()
-                .fold(Vec2::repeat(f64::INFINITY), |m, p| m.inf(p));
-            let high = points
-                .iter()
-                .fold(Vec2::repeat(f64::NEG_INFINITY), |m, p| m.sup(p));
-            if points.is_empty() {
-                0.0
-            } else {
-                (high - low).norm()
-            }
-        };
-        let of_bodies = self.model.bodies.values().map(|body| {
+    /// How far each body reaches, ground first.
+    fn extents(&self) -> Vec<Extent> {
+        let extent = |body: &Body| {
             let mut points: Vec<Vec2> = body.points.values().map(|&p| Vec2::from(p)).collect();
             points.extend(body.com.map(Vec2::from));
-            spread(&points)
-        });
-        let of_guess: Vec<Vec2> = self
-            .model
-            .bodies
-            .values()
-            .map(|body| Vec2::from(body.pose.position))
-            .collect();
-        let largest = of_bodies.fold(0.0, f64::max);
-        [largest, spread(&of_guess), 1.0]
+            let places = points.iter().flat_map(|point| point.iter());
+            Extent {
+                spread: spread(&points),
+                reach: places.fold(0.0, |most: f64, x| most.max(x.abs())),
+                origin: Some(Vec2::from(body.pose.position)),
+            }
+        };
+        let ground = self.model.bodies.get(GROUND);
+        let moving = self.model.bodies.iter();
+        let moving = moving.filter(|(name, _)| *name != GROUND);
+        [ground.map_or(Extent::default(), extent)]
             .into_iter()
-            .find(|&length| length > 0.0)
-            .unwrap_or(1.0)
+            .chain(moving.map(|(_, body)| extent(body)))
+            .collect()
     }
 
-    /// Largest coordinate in a body's own frame.
-    fn reach(&self) -> f64 {
-        let places = self
-            .model
-            .bodies
-            .values()
-            .flat_map(|body| body.points.values().chain(&body.com));
-        places.flatten().fold(0.0, |most: f64, x| most.max(x.abs()))
-    }
-
-    fn push_block(&mut self, constraint: Box<dyn Constraint>, origin: Origin) {
+    fn push_block(&mut self, constraint: Arc<dyn Constraint>, origin: Origin) {
         self.system.push_block(constraint, origin);
     }
 
     fn add_joints(&mut self) {
-        // Of journals that follow their bearings, which come and go: behind those that are always there.
-        let mut rubbing = Vec::new();
         for (k, (name, joint)) in self.model.joints.iter().enumerate() {
             let (first, second) = (
                 self.marker(&joint.between[0]),
                 self.marker(&joint.between[1]),
             );
             let (mut link, mut contact) = (None, None);
-            let (constraint, torque): (Box<dyn Constraint>, bool) = match &joint.kind {
+            let (constraint, torque): (Arc<dyn Constraint>, bool) = match &joint.kind {
                 JointKind::Revolute { clearance, .. } => {
-                    match (clearance.as_deref(), self.lowering) {
-                        (Some(c), _) if c.model == ClearanceModel::MasslessLink => {
-                            link = Some(ClearanceLink {
-                                offset: self.system.links,
-                                radius: c.radius.unwrap_or(0.0),
-                            });
-                            self.system.links += 1;
-                            (
-                                Box::new(Revolute {
-                                    first,
-                                    second,
-                                    offset: link.map(|l| OffsetId(l.offset)),
-                                }),
-                                false,
-                            )
-                        }
-                        (Some(c), Lowering::Open { following })
-                            if c.model != ClearanceModel::Ideal =>
-                        {
-                            let id = self.system.contacts.len();
-                            contact = Some(ContactId(id));
-                            let Bearing {
-                                clearance,
-                                bearing_radius,
-                            } = bearing(c);
-                            let surface = self.joints.surfaces[name.as_str()].clone();
-                            let journal = Journal {
-                                bearing: first,
-                                journal: second,
-                                clearance,
-                                bearing_radius,
-                                surface,
-                            };
-                            let follows = following.get(id) == Some(&true);
-                            if let (true, Surface::Rigid(rigid)) = (follows, &journal.surface)
-                                && rigid.friction > 0.0
-                            {
-                                let force = FollowingFriction {
-                                    journal: journal.clone(),
-                                    law: rigid.friction_law(),
-                                };
-                                rubbing.push(Reactive {
-                                    force: Box::new(force),
-                                    block: k,
+                    let pin = |offset| Revolute {
+                        first,
+                        second,
+                        offset,
+                    };
+                    let constraint: Arc<dyn Constraint> = match clearance.as_deref() {
+                        None => Arc::new(pin(None)),
+                        Some(clearance) => match clearance.model {
+                            ClearanceModel::Ideal => Arc::new(pin(None)),
+                            ClearanceModel::MasslessLink => {
+                                let offset = self.system.links;
+                                self.system.links += 1;
+                                link = Some(ClearanceLink {
+                                    offset,
+                                    radius: clearance.radius.unwrap_or(0.0),
                                 });
+                                Arc::new(pin(Some(OffsetId(offset))))
                             }
-                            let constraint: Box<dyn Constraint> = if follows {
-                                Box::new(journal.following())
-                            } else {
-                                Box::new(Free)
-                            };
-                            self.system.contacts.push(journal);
-                            (constraint, false)
-                        }
-                        _ => (
-                            Box::new(Revolute {
-                                first,
-                                second,
-                                offset: None,
-                            }),
-                            false,
-                        ),
-                    }
+                            ClearanceModel::TwoState
+                            | ClearanceModel::ThreeState
+                            | ClearanceModel::Contact => {
+                                contact = Some(ContactId(self.system.contacts.len()));
+                                self.add_contact(k, name, bearing(clearance), [first, second]);
+                                Arc::new(Free)
+                            }
+                        },
+                    };
+                    (constraint, false)
                 }
                 JointKind::Prismatic { axis, angle, .. } => {
                     let guide = Guide {
@@ -351,7 +280,7 @@ impl<'a> Compiler<'a> {
                         axis: unit(Vec2::from(*axis)),
                     };
                     (
-                        Box::new(Prismatic {
+                        Arc::new(Prismatic {
                             guide,
                             angle: *angle,
                         }),
@@ -364,10 +293,10 @@ impl<'a> Compiler<'a> {
                         second,
                         axis: unit(Vec2::from(*axis)),
                     };
-                    (Box::new(Slot { guide }), false)
+                    (Arc::new(Slot { guide }), false)
                 }
                 JointKind::Gear { ratio, angle, .. } => (
-                    Box::new(self.gear(
+                    Arc::new(self.gear(
                         [first, second],
                         *ratio,
                         *angle,
@@ -376,7 +305,7 @@ impl<'a> Compiler<'a> {
                     true,
                 ),
                 JointKind::Fixed { angle } => (
-                    Box::new(Fixed {
+                    Arc::new(Fixed {
                         first,
                         second,
                         angle: *angle,
@@ -398,7 +327,36 @@ impl<'a> Compiler<'a> {
             });
             self.push_block(constraint, Origin::Joint(JointId(k)));
         }
-        self.system.reactive.extend(rubbing);
+    }
+
+    /// A journal in its bearing, with all rows that may come into force for it.
+    fn add_contact(&mut self, joint: usize, name: &str, bearing: Bearing, points: [Marker; 2]) {
+        let [first, second] = points;
+        let journal = Journal {
+            bearing: first,
+            journal: second,
+            clearance: bearing.clearance,
+            bearing_radius: bearing.bearing_radius,
+            surface: self.joints.surfaces[name].clone(),
+        };
+        let friction: Option<Arc<dyn ReactiveForce>> = match &journal.surface {
+            Surface::Rigid(rigid) if rigid.friction > 0.0 => Some(Arc::new(FollowingFriction {
+                journal: journal.clone(),
+                law: rigid.friction_law(),
+            })),
+            Surface::Rigid(_) | Surface::Compliant(_) => None,
+        };
+        self.system.contact_rows.push(ContactRows {
+            block: joint,
+            closed: Arc::new(Revolute {
+                first,
+                second,
+                offset: None,
+            }),
+            sustained: Arc::new(journal.following()),
+            friction,
+        });
+        self.system.contacts.push(journal);
     }
 
     /// Friction of an ideal joint, where it has some.
@@ -411,11 +369,11 @@ impl<'a> Compiler<'a> {
     ) -> Option<JointFriction> {
         let law = *self.joints.frictions.get(name)?;
         let [first, second] = points;
-        let (force, measure): (Box<dyn ReactiveForce>, Measure) = match kind {
+        let (force, measure): (Arc<dyn ReactiveForce>, Measure) = match kind {
             JointKind::Revolute { pin_radius, .. } => {
                 let radius = (*pin_radius)?;
                 (
-                    Box::new(PinFriction {
+                    Arc::new(PinFriction {
                         first: first.body,
                         second: second.body,
                         radius,
@@ -433,7 +391,7 @@ impl<'a> Compiler<'a> {
                     axis: unit(Vec2::from(*axis)),
                 };
                 (
-                    Box::new(GuideFriction {
+                    Arc::new(GuideFriction {
                         guide,
                         length: *guide_length,
                         law,
@@ -481,13 +439,13 @@ impl<'a> Compiler<'a> {
     fn add_drivers(&mut self) {
         for (k, (name, driver)) in self.model.drivers.iter().enumerate() {
             let drive = DriveId(k);
-            let (constraint, measure): (Box<dyn Constraint>, Measure) = match &driver.kind {
+            let (constraint, measure): (Arc<dyn Constraint>, Measure) = match &driver.kind {
                 DriverKind::Rotation { body, relative_to } => {
                     let relative_to = relative_to
                         .as_deref()
                         .map_or(BodyId::GROUND, |name| self.body(name));
                     (
-                        Box::new(Rotation {
+                        Arc::new(Rotation {
                             body: self.body(body),
                             relative_to,
                             drive,
@@ -511,7 +469,7 @@ impl<'a> Compiler<'a> {
                         self.marker(&joint.between[1]),
                     );
                     (
-                        Box::new(Translation {
+                        Arc::new(Translation {
                             guide: Guide {
                                 first,
                                 second,
@@ -561,7 +519,7 @@ impl<'a> Compiler<'a> {
                     self.system.initial.push(Block {
                         rows: 1,
                         entries: constraint.entries().len(),
-                        constraint: Box::new(constraint),
+                        constraint: Arc::new(constraint),
                         origin: Origin::Initial(format!("{name}.{key}")),
                         row: 0,
                         entry: 0,
@@ -583,13 +541,13 @@ impl<'a> Compiler<'a> {
 
     fn add_forces(&mut self) {
         for (name, force) in &self.model.forces {
-            let element: Box<dyn ForceElement> = match &force.kind {
+            let element: Arc<dyn ForceElement> = match &force.kind {
                 ForceKind::Spring {
                     between,
                     stiffness,
                     damping,
                     free_length,
-                } => Box::new(Spring {
+                } => Arc::new(Spring {
                     first: self.marker(&between[0]),
                     second: self.marker(&between[1]),
                     stiffness: *stiffness,
@@ -601,14 +559,14 @@ impl<'a> Compiler<'a> {
                     stiffness,
                     damping,
                     free_angle,
-                } => Box::new(TorsionSpring {
+                } => Arc::new(TorsionSpring {
                     first: self.body(&between[0]),
                     second: self.body(&between[1]),
                     stiffness: *stiffness,
                     damping: *damping,
                     free_angle: value_law(free_angle),
                 }),
-                ForceKind::Load { at, vector, frame } => Box::new(PointLoad {
+                ForceKind::Load { at, vector, frame } => Arc::new(PointLoad {
                     at: self.marker(at),
                     vector: [value_law(&vector[0]), value_law(&vector[1])],
                     follows_body: match frame {
@@ -620,7 +578,7 @@ impl<'a> Compiler<'a> {
                     body,
                     value,
                     relative_to,
-                } => Box::new(Torque {
+                } => Arc::new(Torque {
                     body: self.body(body),
                     relative_to: relative_to
                         .as_deref()

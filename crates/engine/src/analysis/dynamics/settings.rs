@@ -1,0 +1,31 @@
+//! What a run of forward dynamics is asked for.
+
+use crate::analysis::channels::Contents;
+use crate::integrate::Method;
+
+/// How exact a motion shall be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wanted {
+    /// Relative tolerance [–].
+    pub rtol: f64,
+    /// Absolute tolerance, in SI units of each coordinate.
+    pub atol: f64,
+}
+
+/// The question, in numbers.
+#[derive(Debug, Clone)]
+pub struct Settings {
+    pub method: Method,
+    pub wanted: Wanted,
+    /// First step \[s\]; chosen from the motion where not given.
+    pub initial_step: Option<f64>,
+    /// Longest step \[s\].
+    pub max_step: Option<f64>,
+    /// Instants of the outputs, by time \[s\].
+    pub instants: Vec<f64>,
+    /// Located events are outputs, too.
+    pub events_are_outputs: bool,
+    pub contents: Contents,
+    /// Patterns of the columns that are wanted; none means all.
+    pub columns: Vec<String>,
+}

@@ -1,0 +1,70 @@
+//! The systems of one mechanism by the rows in force, each made when it is first wanted.
+//!
+//! They are picked from rows that are compiled already (see [`System::with_rows`]) and stay where they are, so that solvers
+//! may borrow them.
+
+use crate::element::Constraint;
+use crate::system::System;
+use std::sync::{Arc, OnceLock};
+
+/// For each part the window in which its smooth branch stands for its joints.
+pub type Windows = Vec<Option<usize>>;
+
+/// Constraints in the place of those of some blocks.
+pub type Exchanged = Vec<(usize, Arc<dyn Constraint>)>;
+
+/// A mechanism in all phases that it has been in.
+pub struct Phases<'m> {
+    /// With all contacts in flight.
+    whole: &'m System,
+    first: Link,
+}
+
+type Link = OnceLock<Box<Phase>>;
+
+/// One of them, and the next.
+struct Phase {
+    sustained: Vec<bool>,
+    windows: Windows,
+    system: System,
+    next: Link,
+}
+
+impl<'m> Phases<'m> {
+    /// Of the mechanism with all contacts in flight.
+    pub fn new(whole: &'m System) -> Self {
+        Phases {
+            whole,
+            first: Link::new(),
+        }
+    }
+
+    /// The system in which the contacts of `sustained` are constraints, and the parts are in these windows; `exchanged` makes
+    /// what stands for them there.
+    pub fn get(
+        &self,
+        sustained: &[bool],
+        windows: &Windows,
+        exchanged: impl FnOnce() -> Exchanged,
+    ) -> &System {
+        if !sustained.contains(&true) && windows.iter().all(Option::is_none) {
+            return self.whole;
+        }
+        let mut link = &self.first;
+        while let Some(phase) = link.get() {
+            if phase.sustained == sustained && phase.windows == *windows {
+                return &phase.system;
+            }
+            link = &phase.next;
+        }
+        let made = link.get_or_init(|| {
+            Box::new(Phase {
+                sustained: sustained.to_vec(),
+                windows: windows.clone(),
+                system: self.whole.with_rows(sustained, exchanged()),
+                next: Link::new(),
+            })
+        });
+        &made.system
+    }
+}

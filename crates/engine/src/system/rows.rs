@@ -1,0 +1,187 @@
+//! Which rows are in force: systems that differ from a compiled one in that alone.
+//!
+//! A model is compiled once, with every row that may come into force:
+//!
+//! ```text
+//! contact in flight       no row; impacts, or the force of the overlap
+//! contact sustained       |P₂ − P₁| − c = 0, and friction by its multiplier           rigid surfaces only
+//! contact closed          P₁ − P₂ = 0                                                 where a motion starts from
+//! joints of a part        by themselves, as a system of the part's bodies alone
+//! ```
+//!
+//! From these a mask picks. The constraints themselves are shared, none is made anew.
+
+use super::{Block, JointId, Mass, Origin, Reactive, System};
+use crate::element::{BodyId, Constraint, Layout, ReactiveForce};
+use linkdyn_linear::math::Vec2;
+use std::sync::Arc;
+
+/// Rows that may stand for a joint with clearance by contact.
+#[derive(Clone)]
+pub struct ContactRows {
+    /// Index into [`System::blocks`].
+    pub block: usize,
+    /// Those of an ideal pin.
+    pub closed: Arc<dyn Constraint>,
+    /// That of a rigid journal which stays on the surface of its bearing.
+    pub sustained: Arc<dyn Constraint>,
+    /// Its friction there, where there is some.
+    pub friction: Option<Arc<dyn ReactiveForce>>,
+}
+
+/// How far a body reaches in its own frame, and where that is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Extent {
+    /// Largest distance of two of its points \[m\].
+    pub spread: f64,
+    /// Largest coordinate of a point \[m\].
+    pub reach: f64,
+    /// Where the frame is drawn \[m\]; none of a ground that the model does not name.
+    pub origin: Option<Vec2>,
+}
+
+/// Largest distance across points \[m\].
+pub(super) fn spread(points: &[Vec2]) -> f64 {
+    let low = points
+        .iter()
+        .fold(Vec2::repeat(f64::INFINITY), |m, p| m.inf(p));
+    let high = points
+        .iter()
+        .fold(Vec2::repeat(f64::NEG_INFINITY), |m, p| m.sup(p));
+    if points.is_empty() {
+        0.0
+    } else {
+        (high - low).norm()
+    }
+}
+
+/// Characteristic length of some bodies \[m\]: the largest distance between two points of one of them; where there is none
+/// (all points at their origins), the spread of the drawing, and 1 m at last.
+pub(super) fn size(extents: &[Extent]) -> f64 {
+    let largest = extents.iter().map(|extent| extent.spread);
+    let origins: Vec<Vec2> = extents.iter().filter_map(|extent| extent.origin).collect();
+    [largest.fold(0.0, f64::max), spread(&origins), 1.0]
+        .into_iter()
+        .find(|&length| length > 0.0)
+        .unwrap_or(1.0)
+}
+
+/// Largest coordinate of a point in the frame of its body \[m\].
+pub(super) fn reach(extents: &[Extent]) -> f64 {
+    extents
+        .iter()
+        .fold(0.0, |most: f64, extent| most.max(extent.reach))
+}
+
+impl System {
+    /// The system in which the contacts of `sustained` (by contact) are constraints, with their friction behind that of the
+    /// joints, and with other constraints in the place of those of some blocks.
+    pub fn with_rows(
+        &self,
+        sustained: &[bool],
+        exchanged: Vec<(usize, Arc<dyn Constraint>)>,
+    ) -> System {
+        let mut system = self.clone();
+        let mut constraints = exchanged;
+        let in_force = self.contact_rows.iter().zip(sustained);
+        for (rows, _) in in_force.filter(|(_, is_sustained)| **is_sustained) {
+            constraints.push((rows.block, rows.sustained.clone()));
+            let friction = rows.friction.iter().map(|force| Reactive {
+                force: force.clone(),
+                block: rows.block,
+            });
+            system.reactive.extend(friction);
+        }
+        system.exchange(constraints);
+        system
+    }
+
+    /// The system in which all contacts are ideal pins.
+    pub fn closed(&self) -> System {
+        let mut system = self.clone();
+        let pins = self.contact_rows.iter();
+        system.exchange(pins.map(|rows| (rows.block, rows.closed.clone())).collect());
+        system.contacts.clear();
+        system.contact_rows.clear();
+        for joint in &mut system.joints {
+            joint.contact = None;
+        }
+        system
+    }
+
+    /// The system of some moving bodies and joints alone, which hold nothing else: no drivers, forces or initial values. None
+    /// where a joint is more than geometry between two bodies.
+    pub fn part(&self, bodies: &[BodyId], joints: &[usize]) -> Option<System> {
+        let id = |body: BodyId| {
+            let index = bodies.iter().position(|own| *own == body);
+            index.map_or(BodyId::GROUND, BodyId::moving)
+        };
+        let own = |body: &BodyId| self.extents[body.0];
+        let extents: Vec<Extent> = [own(&BodyId::GROUND)]
+            .into_iter()
+            .chain(bodies.iter().map(own))
+            .collect();
+        let mut mass = Mass::default();
+        let mut guess = Vec::new();
+        for columns in bodies.iter().filter_map(|body| self.layout.columns(*body)) {
+            mass.push_block_of(&self.mass, columns);
+            guess.extend_from_slice(&self.guess[columns.range()]);
+        }
+        let mut part = System {
+            layout: Layout::rigid(bodies.len()),
+            bodies: bodies
+                .iter()
+                .filter_map(|body| Some(self.bodies[body.index()?].clone()))
+                .collect(),
+            joints: Vec::with_capacity(joints.len()),
+            drivers: Vec::new(),
+            points: Vec::new(),
+            blocks: Vec::with_capacity(joints.len()),
+            initial: Vec::new(),
+            initial_rates: Vec::new(),
+            forces: Vec::new(),
+            force_data: Vec::new(),
+            reactive: Vec::new(),
+            contacts: Vec::new(),
+            contact_rows: Vec::new(),
+            gravity: self.gravity,
+            mass,
+            masses_known: self.masses_known,
+            entries: Vec::new(),
+            measures: Vec::new(),
+            links: 0,
+            guess,
+            scale: self.scale,
+            size: size(&extents),
+            reach: reach(&extents),
+            extents,
+            display: self.display.clone(),
+        };
+        for (index, &joint) in joints.iter().enumerate() {
+            let mut data = self.joints[joint].clone();
+            data.bodies = data.bodies.map(id);
+            for point in &mut data.points {
+                point.body = id(point.body);
+            }
+            let constraint = self.blocks[joint].constraint.between(&id)?;
+            part.joints.push(data);
+            part.push_block(constraint, Origin::Joint(JointId(index)));
+        }
+        Some(part)
+    }
+
+    /// Puts other equations in the place of those of some blocks.
+    fn exchange(&mut self, constraints: Vec<(usize, Arc<dyn Constraint>)>) {
+        for (block, constraint) in constraints {
+            self.blocks[block].constraint = constraint;
+        }
+        self.measures.clear();
+        self.entries.clear();
+        for Block {
+            constraint, origin, ..
+        } in std::mem::take(&mut self.blocks)
+        {
+            self.push_block(constraint, origin);
+        }
+    }
+}
