@@ -178,3 +178,41 @@ fn element_knows_no_matrix() {
         }
     }
 }
+
+/// What a user wrote is compiled once. Below that there are numbers, and nothing is compiled again while a motion runs.
+#[test]
+fn no_file_below_compile_names_the_model() {
+    let is_below = |path: &str| {
+        let folders = ["mechanism", "integrate", "element", "contact", "system"];
+        let path = path.trim_start_matches("crates/engine/src/");
+        let is_in = |folder: &&str| path.starts_with(&format!("{folder}/"));
+        (folders.iter().any(|folder| is_in(&folder)) && !path.starts_with("system/compile/"))
+            || path.starts_with("analysis/dynamics/")
+    };
+    // Of the package of words these know complaints, and how messages speak of quantities.
+    let allowed = ["linkdyn_model::error::", "linkdyn_model::display::"];
+    let mut seen = 0;
+    for (_, source) in sources()
+        .iter()
+        .filter(|(_, source)| is_below(&source.path))
+    {
+        seen += 1;
+        // Tests may begin with what a user writes.
+        let own = source
+            .code
+            .iter()
+            .take_while(|line| !line.contains("#[cfg(test)]"));
+        for (number, line) in own.enumerate() {
+            let rest = allowed
+                .iter()
+                .fold(line.clone(), |line, word| line.replace(word, ""));
+            let words = ["linkdyn_model", "compile::compile", "&Model"];
+            let word = words.iter().find(|word| rest.contains(**word));
+            assert!(word.is_none(), "{}:{}: {word:?}", source.path, number + 1);
+        }
+    }
+    assert!(
+        seen > 40,
+        "only {seen} files were found: this test is blind"
+    );
+}
