@@ -15,10 +15,12 @@
 //!
 //! The verdict depends on units: scale lengths by that of the mechanism first.
 
-use thiserror::Error;
+mod elimination;
+mod rows;
 
-use super::pattern::Pattern;
-use super::triangle::{Entry, NONE, Search, Triangle};
+pub use rows::{BadEntry, SparseRows};
+
+use elimination::Elimination;
 
 /// What is left of a row, over its largest entry, up to which it counts as dependent [-].
 ///
@@ -36,28 +38,6 @@ const DOUBTFUL: f64 = 1e-5;
 /// Kept nevertheless, it multiplies the rounding of the rows that depend on it by the inverse of what was left, until
 /// these look independent. With strong rows first, weak ones are judged by what all strong ones leave of them.
 const LEVELS: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-8];
-
-/// Pivots may be this times smaller than the largest candidate [-].
-const PIVOT_THRESHOLD: f64 = 0.5;
-
-/// Shares of a combination below this times the largest entry of the dependent row are noise [-].
-const SHARE_TOLERANCE: f64 = 1e-9;
-
-/// A matrix by rows.
-#[derive(Debug, Clone)]
-pub struct SparseRows {
-    /// Rows of J as columns.
-    transposed: Pattern,
-    values: Vec<f64>,
-}
-
-/// An entry that is not finite or outside the matrix.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-#[error("row {row}, column {column}: entry is not finite, or outside the matrix")]
-pub struct BadEntry {
-    pub row: usize,
-    pub column: usize,
-}
 
 /// A row that depends on rows kept.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,105 +63,6 @@ pub struct RankReport {
     pub smallest_kept: f64,
     /// Largest ratio among rows dropped. Zero when none was dropped.
     pub largest_dropped: f64,
-}
-
-impl SparseRows {
-    /// From a dense matrix, row after row.
-    ///
-    /// # Errors
-    /// The first entry that is not finite.
-    ///
-    /// # Panics
-    /// When the values do not fill whole rows.
-    pub fn from_dense(rows: usize, columns: usize, values: &[f64]) -> Result<Self, BadEntry> {
-        assert_eq!(
-            values.len(),
-            rows * columns,
-            "a {rows} × {columns} matrix wants {} values",
-            rows * columns
-        );
-        let entries: Vec<(usize, usize, f64)> = values
-            .iter()
-            .enumerate()
-            .filter(|&(_, &value)| value != 0.0)
-            .map(|(at, &value)| (at / columns, at % columns, value))
-            .collect();
-        Self::from_triplets(rows, columns, &entries)
-    }
-
-    /// From (row, column, value) in any order; repeats add up.
-    ///
-    /// # Errors
-    /// The first entry that is not finite or outside.
-    pub fn from_triplets(
-        rows: usize,
-        columns: usize,
-        entries: &[(usize, usize, f64)],
-    ) -> Result<Self, BadEntry> {
-        let outside = |&&(row, column, value): &&(usize, usize, f64)| {
-            row >= rows || column >= columns || !value.is_finite()
-        };
-        if let Some(&(row, column, _)) = entries.iter().find(outside) {
-            return Err(BadEntry { row, column });
-        }
-        let positions: Vec<(usize, usize)> = entries
-            .iter()
-            .map(|&(row, column, _)| (column, row))
-            .collect();
-        let (transposed, slots) =
-            Pattern::from_entries(columns, rows, &positions).map_err(|_| BadEntry {
-                row: rows,
-                column: columns,
-            })?;
-        let mut values = vec![0.0; transposed.entries()];
-        for (&slot, &(_, _, value)) in slots.iter().zip(entries) {
-            values[slot as usize] += value;
-        }
-        Ok(SparseRows { transposed, values })
-    }
-
-    /// From a pattern by columns and its values.
-    ///
-    /// # Errors
-    /// The first entry that is not finite.
-    pub fn from_pattern(pattern: &Pattern, values: &[f64]) -> Result<Self, BadEntry> {
-        assert_eq!(
-            values.len(),
-            pattern.entries(),
-            "one value per entry of the pattern"
-        );
-        let (transposed, slots) = pattern.transposed();
-        let values: Vec<f64> = slots.iter().map(|&slot| values[slot as usize]).collect();
-        for row in 0..transposed.columns() {
-            for at in transposed.span(row) {
-                if !values[at].is_finite() {
-                    let column = transposed.column(row)[at - transposed.span(row).start] as usize;
-                    return Err(BadEntry { row, column });
-                }
-            }
-        }
-        Ok(SparseRows { transposed, values })
-    }
-
-    /// Number of rows.
-    pub fn rows(&self) -> usize {
-        self.transposed.columns()
-    }
-
-    /// Number of columns.
-    pub fn columns(&self) -> usize {
-        self.transposed.rows()
-    }
-
-    /// Entries (column, value) of a row.
-    pub fn row(&self, row: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
-        let span = self.transposed.span(row);
-        self.transposed
-            .column(row)
-            .iter()
-            .map(|&column| column as usize)
-            .zip(self.values[span].iter().copied())
-    }
 }
 
 impl RankReport {
@@ -271,190 +152,18 @@ fn keep_by_levels<'a>(rows: &'a SparseRows, levels: &[f64]) -> (Elimination<'a>,
     kept.sort_unstable();
     report.independent = kept;
     report.free_columns = (0..rows.columns())
-        .filter(|&column| elimination.position[column] == NONE)
+        .filter(|&column| elimination.is_free(column))
         .collect();
     (elimination, report)
 }
 
 /// A direction that none of the rows forbids, largest component 1, as general as such directions are: what stands still in
 /// it stands still in all of them. None where the rows determine everything.
-///
-/// With Jᵀ = L U and U regular, J x = 0 is Lᵀ x = 0: the free columns' components are chosen, the others follow from the
-/// last pivot to the first.
 pub fn free_direction(rows: &SparseRows, tolerance: f64) -> Option<Vec<f64>> {
     let (elimination, _) = decide(rows, tolerance);
-    let mut coordinates = vec![0; elimination.pivot.len()];
-    let mut x = vec![0.0; rows.columns()];
-    for (column, &position) in elimination.position.iter().enumerate() {
-        if position == NONE {
-            // No two alike and none small, so that nothing cancels by chance.
-            x[column] = 0.5 + 0.5 * (column as f64 + 1.0).sin().abs();
-        } else {
-            coordinates[position as usize] = column;
-        }
-    }
-    for (k, &column) in coordinates.iter().enumerate().rev() {
-        x[column] = -elimination
-            .lower
-            .column(k as u32)
-            .iter()
-            .map(|l| l.value * x[l.row as usize])
-            .sum::<f64>();
-    }
+    let x = elimination.null_vector();
     let largest = crate::math::max_abs(&x);
     (largest > 0.0).then(|| x.iter().map(|x| x / largest).collect())
-}
-
-/// The triangular factors of the rows kept so far.
-struct Elimination<'a> {
-    rows: &'a SparseRows,
-    /// Number of rows that use a coordinate.
-    use_count: Vec<u32>,
-    /// Row kept that has its pivot at a coordinate, counting rows kept.
-    position: Vec<u32>,
-    lower: Triangle,
-    upper: Triangle,
-    pivot: Vec<f64>,
-    /// Largest entry of each row kept.
-    scale: Vec<f64>,
-    /// Row being eliminated, by coordinates; zero between rows.
-    work: Vec<f64>,
-    search: Search,
-    /// Number of eliminations, of which a row may take several.
-    searches: u32,
-}
-
-impl<'a> Elimination<'a> {
-    fn new(rows: &'a SparseRows) -> Self {
-        let n = rows.columns();
-        let mut use_count = vec![0; n];
-        for row in 0..rows.rows() {
-            for &coordinate in rows.transposed.column(row) {
-                use_count[coordinate as usize] += 1;
-            }
-        }
-        Elimination {
-            rows,
-            use_count,
-            position: vec![NONE; n],
-            lower: Triangle::new(),
-            upper: Triangle::new(),
-            pivot: Vec::new(),
-            scale: Vec::new(),
-            work: vec![0.0; n],
-            search: Search::new(n),
-            searches: 0,
-        }
-    }
-
-    fn row_scale(&self, row: usize) -> f64 {
-        self.rows.values[self.rows.transposed.span(row)]
-            .iter()
-            .fold(0.0, |m, value| m.max(value.abs()))
-    }
-
-    /// Subtracts the rows kept; gives the largest entry left over the largest there was.
-    fn eliminate(&mut self, row: usize) -> f64 {
-        let coordinates = self.rows.transposed.column(row);
-        self.search
-            .find(self.searches, coordinates, &self.position, &self.lower);
-        self.searches += 1;
-        let x = &mut self.work;
-        for (&coordinate, &value) in coordinates
-            .iter()
-            .zip(&self.rows.values[self.rows.transposed.span(row)])
-        {
-            x[coordinate as usize] = value;
-        }
-        let mut left = 0.0f64;
-        for &coordinate in self.search.reach().iter().rev() {
-            let k = self.position[coordinate as usize];
-            if k == NONE {
-                continue;
-            }
-            let u = std::mem::take(&mut x[coordinate as usize]);
-            self.upper.entries.push(Entry { row: k, value: u });
-            for l in self.lower.column(k) {
-                x[l.row as usize] -= l.value * u;
-            }
-        }
-        for &coordinate in self.search.reach() {
-            left = left.max(x[coordinate as usize].abs());
-        }
-        let scale = self.row_scale(row);
-        self.scale.push(scale);
-        if scale == 0.0 { 0.0 } else { left / scale }
-    }
-
-    /// Makes what is left a column of L.
-    fn keep(&mut self) {
-        let free = || {
-            self.search
-                .reach()
-                .iter()
-                .filter(|&&c| self.position[c as usize] == NONE)
-        };
-        let largest = free().fold(0.0f64, |m, &c| m.max(self.work[c as usize].abs()));
-        let chosen = free()
-            .filter(|&&c| self.work[c as usize].abs() >= PIVOT_THRESHOLD * largest)
-            .min_by_key(|&&c| (self.use_count[c as usize], c));
-        let Some(&chosen) = chosen else { return };
-        let pivot = std::mem::take(&mut self.work[chosen as usize]);
-        self.position[chosen as usize] = self.pivot.len() as u32;
-        self.pivot.push(pivot);
-        for &coordinate in self.search.reach() {
-            let value = std::mem::take(&mut self.work[coordinate as usize]);
-            // What cancelled exactly leads nowhere.
-            if value != 0.0 {
-                self.lower.entries.push(Entry {
-                    row: coordinate,
-                    value: value / pivot,
-                });
-            }
-        }
-        self.lower.close_column();
-        self.upper.close_column();
-    }
-
-    /// Solves U c = u for the row just eliminated.
-    fn combination(&self, row: usize, kept: &[usize]) -> Vec<(usize, f64)> {
-        let mut c = vec![0.0; self.pivot.len()];
-        for entry in &self.upper.entries[self.open_column()..] {
-            c[entry.row as usize] = entry.value;
-        }
-        for k in (0..c.len()).rev() {
-            let factor = c[k] / self.pivot[k];
-            c[k] = factor;
-            if factor != 0.0 {
-                for u in self.upper.column(k as u32) {
-                    c[u.row as usize] -= u.value * factor;
-                }
-            }
-        }
-        let noise = SHARE_TOLERANCE * self.row_scale(row);
-        let counts = |&k: &usize| (c[k] * self.scale[k]).abs() > noise;
-        let mut shares: Vec<(usize, f64)> = (0..c.len())
-            .filter(counts)
-            .map(|k| (kept[k], c[k]))
-            .collect();
-        shares.sort_unstable_by_key(|&(row, _)| row);
-        shares
-    }
-
-    /// Forgets the row just eliminated.
-    fn drop_row(&mut self) {
-        for &coordinate in self.search.reach() {
-            self.work[coordinate as usize] = 0.0;
-        }
-        let end = self.open_column();
-        self.upper.entries.truncate(end);
-        self.scale.pop();
-    }
-
-    /// Where the entries of U that belong to no row kept begin.
-    fn open_column(&self) -> usize {
-        self.upper.start.last().map_or(0, |&end| end as usize)
-    }
 }
 
 #[cfg(test)]

@@ -159,8 +159,8 @@ pub fn cholesky_solve(a: &[f64], x: &mut [f64]) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::linkage::Random;
     use super::*;
+    use crate::linkage::Random;
     use faer::linalg::solvers::Solve;
     use faer::{Mat, MatRef};
 

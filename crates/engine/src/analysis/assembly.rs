@@ -3,7 +3,8 @@
 use super::in_line::singular_text;
 use super::{Stop, overlap};
 use crate::graph::Topology;
-use crate::mechanism::closing::{Closed, close, close_weighted, least_velocity};
+use crate::mechanism::closing::{Closed, close, close_weighted};
+use crate::mechanism::least_velocity::least_velocity;
 use crate::system::{Block, Evaluation, Inputs, Origin, System};
 use linkdyn_linear::rank::{
     DEPENDENCE_TOLERANCE, RankReport, SparseRows, free_direction, independent_rows,

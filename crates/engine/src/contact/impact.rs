@@ -203,70 +203,23 @@ pub fn resolve(
     friction: f64,
     sense: Sense,
 ) -> Impulse {
-    let point = Point::new(inverse_mass, friction);
-    let mut direction = if velocity[1] != 0.0 {
-        Some(velocity[1].signum())
-    } else {
-        point.way_from_rest()
-    };
-    let mut slip = match (velocity[1] != 0.0, direction) {
-        (true, _) => Slip::Continues,
-        (false, Some(_)) => Slip::Starts,
-        (false, None) => Slip::Sticks,
-    };
-    let mut walk = Walk {
+    let mut course = Course::new(
+        Point::new(inverse_mass, friction),
         velocity,
-        impulse: [0.0; 2],
-        normal_work: 0.0,
-        tangential_work: 0.0,
-        sliding: 0.0,
-    };
-    let mut rebound: Option<Rebound> = None;
-    let mut ended = velocity[0] > 0.0 || (velocity[0] == 0.0 && point.rates(direction).1[0] >= 0.0);
-    let mut wedged = false;
-    while !ended {
-        let (ratio, rates) = point.rates(direction);
-        let to_end = match &rebound {
-            None if rates[0] > ROUND_OFF * point.normal => -walk.velocity[0] / rates[0],
-            None => f64::INFINITY,
-            Some(rebound) => rebound.missing(&walk, rates[0]),
-        };
-        let slows =
-            direction.is_some_and(|sign| sign * rates[1] < 0.0 && sign * walk.velocity[1] > 0.0);
-        let to_stop = if slows {
-            -walk.velocity[1] / rates[1]
-        } else {
-            f64::INFINITY
-        };
-        let by = to_end.min(to_stop);
-        if !by.is_finite() {
-            wedged = true;
-            break;
-        }
-        walk.advance(by, ratio, rates);
-        if to_stop < to_end {
-            walk.velocity[1] = 0.0;
-            direction = point.way_from_rest();
-            slip = if direction.is_some() {
-                Slip::Reverses
-            } else {
-                Slip::Stops
-            };
-        } else if rebound.is_none() {
-            walk.velocity[0] = 0.0;
-            let (impulse, work) = (walk.impulse[0], -walk.normal_work);
-            rebound = Some(Rebound {
-                restitution,
-                sense,
-                approach: velocity[0],
-                impulse,
-                work,
-            });
-            walk.normal_work = 0.0;
-        } else {
-            ended = true;
-        }
+        (restitution, sense),
+    );
+    let begins = course.point.rates(course.direction).1[0] < 0.0;
+    let hits = velocity[0] < 0.0 || (velocity[0] == 0.0 && begins);
+    let mut next = if hits { Next::Goes } else { Next::Ended };
+    while next == Next::Goes {
+        next = course.advance();
     }
+    let Course {
+        walk,
+        rebound,
+        slip,
+        ..
+    } = course;
     let compression = rebound.map_or(0.0, |rebound| rebound.work);
     let loss = compression - walk.normal_work - walk.tangential_work;
     Impulse {
@@ -275,7 +228,118 @@ pub fn resolve(
         loss,
         sliding: walk.sliding,
         slip,
-        wedged,
+        wedged: next == Next::Wedged,
+    }
+}
+
+/// An impact on its way, from one change of its rates to the next.
+struct Course {
+    point: Point,
+    /// v_n(0), e and what it compares.
+    approach: f64,
+    restitution: f64,
+    sense: Sense,
+    direction: Direction,
+    slip: Slip,
+    walk: Walk,
+    /// None while it is compressed.
+    rebound: Option<Rebound>,
+}
+
+/// How an impact goes on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Next {
+    Goes,
+    Ended,
+    /// No normal impulse separates the bodies.
+    Wedged,
+}
+
+impl Course {
+    fn new(point: Point, velocity: [f64; 2], (restitution, sense): (f64, Sense)) -> Self {
+        let slides = velocity[1] != 0.0;
+        let direction = if slides {
+            Some(velocity[1].signum())
+        } else {
+            point.way_from_rest()
+        };
+        let slip = match (slides, direction) {
+            (true, _) => Slip::Continues,
+            (false, Some(_)) => Slip::Starts,
+            (false, None) => Slip::Sticks,
+        };
+        let walk = Walk {
+            velocity,
+            impulse: [0.0; 2],
+            normal_work: 0.0,
+            tangential_work: 0.0,
+            sliding: 0.0,
+        };
+        Course {
+            point,
+            approach: velocity[0],
+            restitution,
+            sense,
+            direction,
+            slip,
+            walk,
+            rebound: None,
+        }
+    }
+
+    /// Goes on to where sliding stops, compression ends or the rebound does.
+    fn advance(&mut self) -> Next {
+        let (ratio, rates) = self.point.rates(self.direction);
+        let to_end = match &self.rebound {
+            None if rates[0] > ROUND_OFF * self.point.normal => -self.walk.velocity[0] / rates[0],
+            None => f64::INFINITY,
+            Some(rebound) => rebound.missing(&self.walk, rates[0]),
+        };
+        let sliding = self.walk.velocity[1];
+        let slows = self
+            .direction
+            .is_some_and(|sign| sign * rates[1] < 0.0 && sign * sliding > 0.0);
+        let to_stop = if slows {
+            -sliding / rates[1]
+        } else {
+            f64::INFINITY
+        };
+        let by = to_end.min(to_stop);
+        if !by.is_finite() {
+            return Next::Wedged;
+        }
+        self.walk.advance(by, ratio, rates);
+        if to_stop < to_end {
+            self.stop();
+        } else if self.rebound.is_none() {
+            self.turn();
+        } else {
+            return Next::Ended;
+        }
+        Next::Goes
+    }
+
+    /// Sliding stops, and may start the other way.
+    fn stop(&mut self) {
+        self.walk.velocity[1] = 0.0;
+        self.direction = self.point.way_from_rest();
+        self.slip = match self.direction {
+            Some(_) => Slip::Reverses,
+            None => Slip::Stops,
+        };
+    }
+
+    /// Compression ends.
+    fn turn(&mut self) {
+        self.walk.velocity[0] = 0.0;
+        self.rebound = Some(Rebound {
+            restitution: self.restitution,
+            sense: self.sense,
+            approach: self.approach,
+            impulse: self.walk.impulse[0],
+            work: -self.walk.normal_work,
+        });
+        self.walk.normal_work = 0.0;
     }
 }
 

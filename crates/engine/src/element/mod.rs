@@ -22,6 +22,7 @@ pub mod coordinate;
 pub mod coordinates;
 pub mod driven;
 pub mod fixed;
+pub mod following;
 pub mod gear;
 pub mod joint_friction;
 pub mod journal;

@@ -40,8 +40,17 @@ fn gear(carrier: usize, ratio: f64) -> Gear {
     }
 }
 
-/// One of each kind. A new constraint is added here.
-pub(crate) fn all_constraints() -> Vec<(&'static str, Box<dyn Constraint>)> {
+/// A constraint with the name that a failed check says.
+type Named = (&'static str, Box<dyn Constraint>);
+
+/// One of each kind. A new constraint is added below.
+pub(crate) fn all_constraints() -> Vec<Named> {
+    let mut all = joints();
+    all.extend(drivers_and_initial_values());
+    all
+}
+
+fn joints() -> Vec<Named> {
     let (first, second) = (marker(1, 0.3, -0.2), marker(2, -0.4, 0.1));
     vec![
         (
@@ -86,6 +95,12 @@ pub(crate) fn all_constraints() -> Vec<(&'static str, Box<dyn Constraint>)> {
                 angle: -0.3,
             }),
         ),
+    ]
+}
+
+fn drivers_and_initial_values() -> Vec<Named> {
+    let origin = marker(2, -0.4, 0.1);
+    vec![
         (
             "rotation",
             Box::new(Rotation {
@@ -104,7 +119,7 @@ pub(crate) fn all_constraints() -> Vec<(&'static str, Box<dyn Constraint>)> {
         (
             "coordinate x",
             Box::new(Coordinate {
-                origin: second,
+                origin,
                 axis: Axis::X,
                 value: 0.4,
             }),
@@ -112,7 +127,7 @@ pub(crate) fn all_constraints() -> Vec<(&'static str, Box<dyn Constraint>)> {
         (
             "coordinate y",
             Box::new(Coordinate {
-                origin: second,
+                origin,
                 axis: Axis::Y,
                 value: 0.4,
             }),
@@ -120,7 +135,7 @@ pub(crate) fn all_constraints() -> Vec<(&'static str, Box<dyn Constraint>)> {
         (
             "coordinate angle",
             Box::new(Coordinate {
-                origin: second,
+                origin,
                 axis: Axis::Theta,
                 value: 0.4,
             }),

@@ -13,10 +13,6 @@
 //! f(t + h, y₁) is evaluated once the error is accepted, so that a rejected step costs 11 evaluations. The continuous
 //! extension of order 7 takes three more evaluations, made when it is first asked for.
 //!
-//! Stiffness: the difference of the two slopes at t + h (stage 12 and the end) over that of their arguments estimates
-//! |λ|. When h |λ| lies beyond 6.1, about where stability ends, in 15 steps without 6 others in a row, the problem is
-//! taken to be stiff (Hairer and Wanner, 1996, §IV.2).
-//!
 //! Source: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd ed., Springer 1993,
 //! §II.4 (control), §II.5 (method), §II.6 (continuous extension), §II.10 (estimate).
 
@@ -24,6 +20,7 @@ use super::control::{
     self, ATTEMPTS, Probe, Rejection, eighth_root, failure, finite, first_step, fit, shortest,
 };
 use super::dop853_tableau::*;
+use super::stiffness::Stiffness;
 use super::{Counters, Limits, Ode, Refused, StepFailure, Stepper, Tolerance};
 
 /// Safety factor of the step-size control [-].
@@ -31,12 +28,6 @@ const SAFETY: f64 = 0.9;
 /// A step changes by factors within these [-].
 const SHRINK: f64 = 1.0 / 3.0;
 const GROW: f64 = 6.0;
-
-/// h |λ| beyond which a step speaks for stiffness [-].
-const STABLE: f64 = 6.1;
-/// As many such steps decide, unless they are interrupted by `CALM` others.
-const HITS: u32 = 15;
-const CALM: u32 = 6;
 
 /// Coefficients of the continuous extension.
 const DENSE: usize = 7;
@@ -69,30 +60,6 @@ pub struct Dop853 {
     dense: Vec<f64>,
     dense_known: bool,
     stiffness: Stiffness,
-}
-
-/// Steps that speak for stiffness.
-#[derive(Debug, Clone, Copy, Default)]
-struct Stiffness {
-    hits: u32,
-    calm: u32,
-    found: bool,
-}
-
-impl Stiffness {
-    /// Counts a step with this (h λ)².
-    fn count(&mut self, square: f64) {
-        if square > STABLE * STABLE {
-            self.calm = 0;
-            self.hits += 1;
-            self.found |= self.hits >= HITS;
-        } else if self.hits > 0 {
-            self.calm += 1;
-            if self.calm >= CALM {
-                self.hits = 0;
-            }
-        }
-    }
 }
 
 /// Slices of n slopes for the entries of a row.
@@ -290,7 +257,7 @@ impl Stepper for Dop853 {
         self.k.resize(SLOPES * n, 0.0);
         self.dense.resize(DENSE * n, 0.0);
         (self.t, self.previous, self.taken, self.dense_known) = (t, t, 0.0, false);
-        (self.stiffness.hits, self.stiffness.calm) = (0, 0);
+        self.stiffness.restart();
         self.y.copy_from_slice(y);
         let slope = &mut self.k[LAST * n..][..n];
         self.counters.evaluations += 1;
@@ -414,6 +381,6 @@ impl Stepper for Dop853 {
     }
 
     fn stiff(&self) -> bool {
-        self.stiffness.found
+        self.stiffness.is_found()
     }
 }

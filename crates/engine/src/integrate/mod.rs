@@ -25,6 +25,7 @@ mod dop853_tableau;
 mod method;
 mod radau5;
 mod radau5_tableau;
+mod stiffness;
 
 pub use auto::Auto;
 pub use dop853::Dop853;

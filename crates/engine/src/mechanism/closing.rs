@@ -11,9 +11,9 @@
 //! harm, and with μ = ν |φ̃|² convergence is quadratic even where rank is lost (Yamashita and Fukushima 2001). A loop that
 //! can't be closed ends in the least-squares compromise, where the sum of a loop's joint gaps is what it lacks.
 
-use crate::element::Constraint;
 use crate::system::{Block, Evaluation, Inputs, Origin, System};
 use linkdyn_linear::lu::SparseLu;
+use linkdyn_linear::math::max_abs;
 use linkdyn_linear::order::ColumnOrder;
 use linkdyn_linear::pattern::{Pattern, square};
 
@@ -35,6 +35,17 @@ const LEAST_DAMPING: f64 = 1e-10;
 /// Longest step, in rad or mechanism sizes: a Newton direction means nothing farther away.
 const LONGEST_STEP: f64 = 0.5;
 const MAX_ITERATIONS: u64 = 300;
+/// ν, the damping by the square of the residual: its factors after a good and a bad step, where it stays, and where the
+/// search is given up.
+const EASED: f64 = 0.25;
+const RAISED: f64 = 8.0;
+const LEAST_NU: f64 = 1e-8;
+const MOST_NU: f64 = 1e14;
+/// A step that leaves more than this of the residual gains nothing; after so many of them there is no more to gain.
+const GAINS: f64 = 1.0 - 1e-6;
+const MOST_STALLED: u32 = 12;
+/// Steps below this, in rad or mechanism sizes, are round-off.
+const LEAST_STEP: f64 = 1e-13;
 
 /// Rows and entries of a chosen set of blocks.
 struct Rows<'a> {
@@ -62,220 +73,145 @@ pub fn close_weighted(
     guess: &[f64],
     inputs: &Inputs,
 ) -> Closed {
-    let n = system.n();
-    let (rows, pattern) = layout(system, blocks, weight);
-    let mut evaluation = Evaluation::new(system);
-    let mut q = guess.to_vec();
-    let mut phi = vec![0.0; rows.m];
-    let mut values = vec![0.0; pattern.entries() + 1];
-    let mut lu = SparseLu::new(pattern.clone(), ColumnOrder::amd(&pattern));
-    let mut norm = residual(system, &rows, &mut evaluation, &q, inputs, &mut phi);
+    let mut search = Search::new(system, blocks, weight, guess, inputs);
     let (mut nu, mut stalled) = (1.0_f64, 0);
     let mut iterations = 0;
-    let mut trial = q.clone();
-    let mut trial_phi = phi.clone();
     while iterations < MAX_ITERATIONS
-        && linkdyn_linear::math::max_abs(&phi) > CLOSED
-        && nu < 1e14
-        && stalled < 12
+        && max_abs(&search.phi) > CLOSED
+        && nu < MOST_NU
+        && stalled < MOST_STALLED
     {
         iterations += 1;
-        evaluation.set_position(&q);
-        matrix(system, &rows, &evaluation, inputs, &mut values);
-        let damping = (nu * norm * norm).max(LEAST_DAMPING);
-        for (k, &slot) in rows.diagonal.iter().enumerate() {
-            values[slot as usize] = if k < n { 1.0 } else { -damping };
-        }
-        let mut step: Vec<f64> = std::iter::repeat_n(0.0, n)
-            .chain(phi.iter().map(|p| -p))
-            .collect();
-        if lu.factor(&values[..pattern.entries()]).is_err() {
-            nu *= 8.0;
-            continue;
-        }
-        lu.solve(&mut step);
-        let size = linkdyn_linear::math::max_abs(&step[..n]);
-        let shorten = (LONGEST_STEP / size).min(1.0);
-        for (k, t) in trial.iter_mut().enumerate() {
-            *t = q[k] + shorten * step[k] * system.column_scale(k);
-        }
-        let trial_norm = residual(
-            system,
-            &rows,
-            &mut evaluation,
-            &trial,
-            inputs,
-            &mut trial_phi,
-        );
-        if trial_norm < norm {
-            stalled = if trial_norm > (1.0 - 1e-6) * norm {
-                stalled + 1
-            } else {
-                0
-            };
-            std::mem::swap(&mut q, &mut trial);
-            std::mem::swap(&mut phi, &mut trial_phi);
-            norm = trial_norm;
-            nu = (nu * 0.25).max(1e-8);
-        } else {
-            // At the last digits no step improves the norm any more.
-            if size < 1e-13 {
-                break;
+        match search.step(nu) {
+            Step::Better { gains } => {
+                stalled = if gains { 0 } else { stalled + 1 };
+                nu = (nu * EASED).max(LEAST_NU);
             }
-            nu *= 8.0;
+            // At the last digits no step improves the norm any more.
+            Step::Worse { size } if size < LEAST_STEP => break,
+            Step::Worse { .. } | Step::Singular => nu *= RAISED,
         }
     }
-    let gaps = rows
-        .starts
-        .iter()
-        .zip(blocks)
-        .zip(&rows.weights)
-        .map(|((&start, block), weight)| {
-            phi[start..start + block.rows]
-                .iter()
-                .map(|p| p * p)
-                .sum::<f64>()
-                .sqrt()
-                / weight
-        })
-        .collect();
-    let converged = linkdyn_linear::math::max_abs(&phi) <= 100.0 * CLOSED;
     Closed {
-        q,
-        gaps,
-        converged,
+        gaps: search.gaps(),
+        converged: max_abs(&search.phi) <= 100.0 * CLOSED,
+        q: search.q,
         iterations,
     }
 }
 
-/// Velocities of least kinetic energy ½ vᵀ M v that satisfy J v = −φ_t and the initial velocities; where masses are
-/// unknown, of least square. Coordinates without mass weigh next to nothing. Returns v (n) and the scaled residual of
-/// every row, the initial velocities last. With `near` the kinetic energy of the difference from it is least.
-pub fn least_velocity(
-    system: &System,
-    q: &[f64],
-    inputs: &Inputs,
-    with_initial: bool,
-    near: Option<&[f64]>,
-) -> (Vec<f64>, Vec<f64>) {
-    let n = system.n();
-    let mut evaluation = Evaluation::new(system);
-    evaluation.set_position(q);
-    evaluation.eval_jacobian(system, inputs);
-    let mut rate = vec![0.0; system.m()];
-    evaluation.eval_rate(system, inputs, &mut rate);
-    // Rows of the system, then one per initial velocity, scaled.
-    let mut rows: Vec<Vec<(usize, f64)>> = vec![Vec::new(); system.m()];
-    let mut rhs: Vec<f64> = rate
-        .iter()
-        .enumerate()
-        .map(|(row, r)| -r / system.row_scale(row))
-        .collect();
-    for (entry, value) in system.entries.iter().zip(&evaluation.jacobian) {
-        if let Some(column) = entry.column {
-            let (row, column) = (entry.row as usize, column as usize);
-            rows[row].push((
-                column,
-                value * system.column_scale(column) / system.row_scale(row),
-            ));
+/// What became of one step.
+enum Step {
+    /// The damped matrix has no factors.
+    Singular,
+    /// Taken; whether the residual fell by more than round-off.
+    Better { gains: bool },
+    /// Not taken; its largest component, in rad or mechanism sizes.
+    Worse { size: f64 },
+}
+
+/// A position on its way to the constraints.
+struct Search<'a> {
+    system: &'a System,
+    inputs: &'a Inputs,
+    rows: Rows<'a>,
+    evaluation: Evaluation,
+    q: Vec<f64>,
+    /// Scaled residual at `q` (m), and its norm.
+    phi: Vec<f64>,
+    norm: f64,
+    trial: Vec<f64>,
+    trial_phi: Vec<f64>,
+    /// Values of the matrix, and one cell that takes what belongs to ground.
+    values: Vec<f64>,
+    lu: SparseLu,
+}
+
+impl<'a> Search<'a> {
+    fn new(
+        system: &'a System,
+        blocks: &'a [&'a Block],
+        weight: f64,
+        guess: &[f64],
+        inputs: &'a Inputs,
+    ) -> Self {
+        let (rows, pattern) = layout(system, blocks, weight);
+        let mut evaluation = Evaluation::new(system);
+        let mut phi = vec![0.0; rows.m];
+        let norm = residual(system, &rows, &mut evaluation, guess, inputs, &mut phi);
+        Search {
+            system,
+            inputs,
+            rows,
+            evaluation,
+            q: guess.to_vec(),
+            trial: guess.to_vec(),
+            trial_phi: phi.clone(),
+            phi,
+            norm,
+            values: vec![0.0; pattern.entries() + 1],
+            lu: SparseLu::new(pattern.clone(), ColumnOrder::amd(&pattern)),
         }
     }
-    let at = evaluation.instant(inputs);
-    for (_, rate) in system.initial_rates.iter().filter(|_| with_initial) {
-        let entries = rate.entries();
-        let mut values = vec![0.0; entries.len()];
-        rate.jacobian(&at, &mut values);
-        let scale = system.measure_scale(rate.rows()[0]);
-        let row = entries
-            .iter()
-            .zip(&values)
-            .filter_map(|(&(_, body, axis), value)| {
-                let column = system.layout.column(body, axis)?;
-                Some((column, value * system.column_scale(column) / scale))
-            });
-        rows.push(row.collect());
-        rhs.push(-rate.value / scale);
-    }
-    let weights = weights(system);
-    let m = rows.len();
-    let mut entries: Vec<(usize, usize)> = (0..n + m).map(|k| (k, k)).collect();
-    let mut values: Vec<f64> = weights
-        .iter()
-        .copied()
-        .chain(std::iter::repeat_n(-LEAST_DAMPING, m))
-        .collect();
-    for (row, row_entries) in rows.iter().enumerate() {
-        for &(column, value) in row_entries {
-            entries.extend([(n + row, column), (column, n + row)]);
-            values.extend([value; 2]);
+
+    /// One step with the damping ν |φ̃|², taken where it brings the residual down.
+    fn step(&mut self, nu: f64) -> Step {
+        let n = self.q.len();
+        let damping = (nu * self.norm * self.norm).max(LEAST_DAMPING);
+        self.evaluation.set_position(&self.q);
+        matrix(
+            self.system,
+            &self.rows,
+            &self.evaluation,
+            self.inputs,
+            &mut self.values,
+        );
+        for (k, &slot) in self.rows.diagonal.iter().enumerate() {
+            self.values[slot as usize] = if k < n { 1.0 } else { -damping };
+        }
+        let entries = self.values.len() - 1;
+        if self.lu.factor(&self.values[..entries]).is_err() {
+            return Step::Singular;
+        }
+        let mut step: Vec<f64> = std::iter::repeat_n(0.0, n)
+            .chain(self.phi.iter().map(|p| -p))
+            .collect();
+        self.lu.solve(&mut step);
+        let size = max_abs(&step[..n]);
+        let shorten = (LONGEST_STEP / size).min(1.0);
+        for (k, trial) in self.trial.iter_mut().enumerate() {
+            *trial = self.q[k] + shorten * step[k] * self.system.column_scale(k);
+        }
+        let norm = residual(
+            self.system,
+            &self.rows,
+            &mut self.evaluation,
+            &self.trial,
+            self.inputs,
+            &mut self.trial_phi,
+        );
+        if norm < self.norm {
+            let gains = norm <= GAINS * self.norm;
+            std::mem::swap(&mut self.q, &mut self.trial);
+            std::mem::swap(&mut self.phi, &mut self.trial_phi);
+            self.norm = norm;
+            Step::Better { gains }
+        } else {
+            Step::Worse { size }
         }
     }
-    let (pattern, slots) = square(n + m, &entries);
-    let mut stored = vec![0.0; pattern.entries()];
-    slots
-        .iter()
-        .zip(&values)
-        .for_each(|(&slot, value)| stored[slot as usize] = *value);
-    let mut v: Vec<f64> = match near {
-        Some(near) => near
-            .iter()
-            .enumerate()
-            .map(|(column, v)| v / system.column_scale(column))
-            .collect(),
-        None => vec![0.0; n],
-    };
-    let missing = |v: &[f64]| -> Vec<f64> {
-        let product = |row: &Vec<(usize, f64)>| {
-            row.iter()
-                .map(|&(column, value)| value * v[column])
-                .sum::<f64>()
+
+    /// Residual of each block, unweighed.
+    fn gaps(&self) -> Vec<f64> {
+        let rows = &self.rows;
+        let of_block = |((&start, block), weight): ((&usize, &&Block), &f64)| {
+            let phi = &self.phi[start..start + block.rows];
+            phi.iter().map(|p| p * p).sum::<f64>().sqrt() / weight
         };
-        rhs.iter()
-            .zip(&rows)
-            .map(|(rhs, row)| rhs - product(row))
-            .collect()
-    };
-    let mut residual = missing(&v);
-    let mut lu = SparseLu::new(pattern.clone(), ColumnOrder::amd(&pattern));
-    if lu.factor(&stored).is_ok() {
-        // The damping is refined away.
-        for _ in 0..4 {
-            let mut step: Vec<f64> = std::iter::repeat_n(0.0, n)
-                .chain(residual.iter().copied())
-                .collect();
-            lu.solve(&mut step);
-            v.iter_mut().zip(&step).for_each(|(v, d)| *v += d);
-            residual = missing(&v);
-        }
-    }
-    v.iter_mut()
-        .enumerate()
-        .for_each(|(column, v)| *v *= system.column_scale(column));
-    (v, residual)
-}
-
-/// Weight of each scaled coordinate's velocity, the largest 1.
-fn weights(system: &System) -> Vec<f64> {
-    if !system.masses_known {
-        return vec![1.0; system.n()];
-    }
-    let scaled: Vec<f64> = system
-        .mass
-        .diagonal()
-        .iter()
-        .enumerate()
-        .map(|(k, m)| m * system.column_scale(k) * system.column_scale(k))
-        .collect();
-    let largest = linkdyn_linear::math::max_abs(&scaled);
-    if largest > 0.0 {
-        scaled.iter().map(|w| (w / largest).max(MASSLESS)).collect()
-    } else {
-        vec![1.0; system.n()]
+        let blocks = rows.starts.iter().zip(rows.blocks).zip(&rows.weights);
+        blocks.map(of_block).collect()
     }
 }
-
-/// Weight of a coordinate without mass, relative to the heaviest: enough to keep the matrix regular.
-const MASSLESS: f64 = 1e-6;
 
 fn layout<'a>(system: &System, blocks: &'a [&'a Block], weight: f64) -> (Rows<'a>, Pattern) {
     let n = system.n();

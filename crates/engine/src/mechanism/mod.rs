@@ -3,6 +3,7 @@
 //! ```text
 //! closing       assembly from rough guesses (Levenberg–Marquardt)
 //! failure       why there is no solution
+//! least_velocity velocities to start with
 //! driven        positions, velocities, accelerations, multipliers at one instant
 //! reactive      forces that depend on multipliers, which depend on them: friction
 //! reduced       equations of motion in minimal coordinates
@@ -21,6 +22,7 @@ pub mod driven;
 pub mod equilibrium;
 pub mod failure;
 pub mod held;
+pub mod least_velocity;
 pub mod parts;
 pub mod phases;
 pub mod reactive;

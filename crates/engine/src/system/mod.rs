@@ -14,12 +14,14 @@ mod eval;
 mod mass;
 mod roles;
 mod rows;
+mod matrices;
 mod scale;
 
 pub use eval::{Evaluation, Inputs};
 pub use mass::Mass;
 pub use roles::{DriverRole, ForceData, ForceRole, JointRole};
 pub use rows::{ContactRows, Extent};
+pub use matrices::write_matrix_market;
 pub use scale::Scale;
 
 use crate::element::journal::{Bearing, ContactId, Journal};
@@ -258,18 +260,6 @@ impl System {
             && self.contacts.is_empty()
             && self.reactive.is_empty()
             && self.forces.iter().all(|force| force.is_conservative())
-    }
-
-    /// The constraint Jacobian J (m × n) [1, m, 1/m …] as a sparse matrix, from the values of an
-    /// [`Evaluation`]: for whoever wants to look at it or compute with it outside.
-    pub fn jacobian(&self, evaluation: &Evaluation) -> sprs::CsMat<f64> {
-        let mut triplets = sprs::TriMat::with_capacity((self.m(), self.n()), self.entries.len());
-        for (entry, &value) in self.entries.iter().zip(&evaluation.jacobian) {
-            if let Some(column) = entry.column {
-                triplets.add_triplet(entry.row as usize, column as usize, value);
-            }
-        }
-        triplets.to_csr()
     }
 
     /// The block that makes `row`.

@@ -3,6 +3,7 @@ use proptest::prelude::*;
 use super::super::dense::{Dense, svd_rank};
 use super::super::linkage::{self, Matrix, Random};
 use super::*;
+use crate::pattern::Pattern;
 
 #[test]
 fn what_is_free_is_orthogonal_to_all_rows() {

@@ -23,13 +23,11 @@ impl Path {
     /// rank (a pole of the test function) is passed over.
     pub(super) fn bridge(&mut self, walker: &mut Walker, gap: usize) {
         let (a, b) = (self.nodes[gap].s, self.nodes[gap + 1].s);
-        let (low, high) = self.covered();
         let around = |k: usize| self.nodes[k.min(self.nodes.len() - 1)].s;
         let step = (b - a)
             .max(around(gap + 2) - b)
             .max(a - around(gap.saturating_sub(1)));
         let width = WINDOW * step;
-        let mut centre = 0.5 * (a + b);
         // One choice of rows for the whole window, so that the test function is one function.
         walker.set(b);
         if walker
@@ -43,40 +41,9 @@ impl Path {
         let Some(vectors) = self.null_vectors(walker, b) else {
             return;
         };
-        let mut edge = 0.0_f64;
-        for (pass, width) in [width, 0.25 * width, 0.0625 * width]
-            .into_iter()
-            .enumerate()
-        {
-            let mut x = Vec::new();
-            let mut f = Vec::new();
-            for side in [-1.0, 1.0] {
-                for node in TEST_NODES {
-                    let s = centre + side * node * width;
-                    if s < low || s > high {
-                        continue;
-                    }
-                    if let Some(value) = self.test_at(walker, s, &vectors) {
-                        x.push(s);
-                        f.push(value);
-                    }
-                }
-            }
-            if x.len() < 4 {
-                break;
-            }
-            if pass == 0 {
-                edge = linkdyn_linear::math::max_abs(&f);
-            }
-            let root = root_of(&x, &f, centre, width);
-            match root {
-                Some(root) if root >= a - 0.01 * (b - a) && root <= b + 0.01 * (b - a) => {
-                    centre = root
-                }
-                // No root: the sign changed through a pole.
-                _ => return,
-            }
-        }
+        let Some((centre, edge)) = self.locate(walker, (a, b), width, &vectors) else {
+            return;
+        };
         let at_root = self.test_at_guess(walker, centre, &vectors);
         if at_root.is_some_and(|test| test.abs() > VANISHES.sqrt() * edge) {
             return;
@@ -101,6 +68,49 @@ impl Path {
             }
             self.windows.push(window);
         }
+    }
+
+    /// The root of the test function in the gap from `a` to `b`, and the function's size at the window's edge; none where its
+    /// sign changes through a pole.
+    fn locate(
+        &self,
+        walker: &mut Walker,
+        (a, b): (f64, f64),
+        width: f64,
+        vectors: &NullVectors,
+    ) -> Option<(f64, f64)> {
+        let (low, high) = self.covered();
+        let (mut centre, mut edge) = (0.5 * (a + b), 0.0_f64);
+        for (pass, width) in [width, 0.25 * width, 0.0625 * width]
+            .into_iter()
+            .enumerate()
+        {
+            let (mut x, mut f) = (Vec::new(), Vec::new());
+            let nodes = TEST_NODES;
+            let sides = nodes.map(|node| -node).into_iter().chain(nodes);
+            for s in sides.map(|node| centre + node * width) {
+                if s < low || s > high {
+                    continue;
+                }
+                if let Some(value) = self.test_at(walker, s, vectors) {
+                    x.push(s);
+                    f.push(value);
+                }
+            }
+            if x.len() < 4 {
+                break;
+            }
+            if pass == 0 {
+                edge = linkdyn_linear::math::max_abs(&f);
+            }
+            let root = root_of(&x, &f, centre, width)?;
+            let margin = 0.01 * (b - a);
+            if !(a - margin..=b + margin).contains(&root) {
+                return None;
+            }
+            centre = root;
+        }
+        Some((centre, edge))
     }
 
     fn solve_at(&self, walker: &mut Walker, s: f64) -> Option<Node> {

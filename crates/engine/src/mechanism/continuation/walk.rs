@@ -13,6 +13,12 @@ const TANGENT: f64 = 100.0;
 const LARGEST_MOVE: f64 = 0.3;
 /// A step this much smaller than the largest taken means that the path can't go on.
 const SHORTEST_STEP: f64 = 1e-9;
+/// The first step moves the mechanism by this, in rad or sizes.
+const FIRST_MOVE: f64 = 0.02;
+/// Where time is the parameter, the way takes at least so many steps.
+const LEAST_STEPS: f64 = 20.0;
+/// A prediction error of zero counts as this, so that it can be divided by.
+const NO_ERROR: f64 = 1e-30;
 /// Steps taken beyond the range, to see a singular position that lies just outside.
 const BEYOND: usize = 3;
 /// Inverse iterations for null vectors from nothing: they are wanted to a few percent.
@@ -35,6 +41,7 @@ pub(super) struct Walker<'a, 's> {
 }
 
 /// Sign of the determinant and null vectors at a node, for the independent rows chosen there.
+#[derive(Debug, Default)]
 pub(super) struct Condition {
     pub(super) sign: f64,
     pub(super) right: Vec<f64>,
@@ -62,11 +69,10 @@ impl Walker<'_, '_> {
         Ok((Node { s, q, d, dd }, correction))
     }
 
-    /// Condition at the last factors; the one of the node before is a good start where the rows are the same.
+    /// Condition at the last factors; the one of a node before is a good start where the rows are the same.
     pub(super) fn condition(&mut self, before: Option<Condition>) -> Condition {
         let n = self.driven.system.n();
-        let (iterations, mut right, mut left) = match before.filter(|_| !self.driven.is_redundant())
-        {
+        let (iterations, mut right, mut left) = match before {
             Some(before) => (1, before.right, before.left),
             None => (FIRST_ITERATIONS, vec![1.0; n], vec![1.0; n]),
         };
@@ -103,99 +109,182 @@ impl Walker<'_, '_> {
 
     /// Steps from `start` to `target` and a little beyond.
     pub(super) fn march(&mut self, start: &Node, target: f64, direction: f64) -> (Vec<Mark>, End) {
-        let system = self.driven.system;
-        let parameter = self.parameter;
-        let prediction = parameter.prediction();
-        let mut marks: Vec<Mark> = Vec::new();
-        let mut current = start.clone();
-        let mut previous: Option<Node> = None;
+        let mut marks = Vec::new();
         // The factors must be those of the start.
         if self.node(start.s, start.q.clone()).is_err() {
             return (marks, End::Stuck { s: start.s });
         }
-        let mut condition = self.condition(None);
-        let speed = system.scaled_norm(&start.d);
-        let span = (target - start.s).abs();
-        let cap = |d: &[f64]| {
-            let by_move = LARGEST_MOVE / system.scaled_norm(d);
-            match parameter {
-                Parameter::DriverValue | Parameter::Pin => by_move,
-                Parameter::Time => by_move.min(span.max(f64::MIN_POSITIVE) / 20.0),
-            }
-        };
-        let mut h = cap(&start.d).min(0.02 / speed);
-        if !h.is_finite() || h <= 0.0 {
-            h = (span / 100.0).max(f64::MIN_POSITIVE);
-        }
-        let mut largest = h;
-        let mut beyond = 0;
-        let mut q = vec![0.0; system.n()];
-        let mut d = vec![0.0; system.n()];
+        let mut march = March::new(self, start, target, direction);
         loop {
-            let covered = (current.s - target) * direction >= 0.0;
-            if covered && beyond >= BEYOND {
-                return (marks, End::Reached);
+            match march.step() {
+                Step::Taken(mark) => marks.push(mark),
+                Step::Rejected => {}
+                Step::Ended(end) => return (marks, end),
             }
-            if (self.stop)(current.s) {
-                return (marks, End::Interrupted);
-            }
-            if h < SHORTEST_STEP * largest {
-                if covered {
-                    return (marks, End::Reached);
-                }
-                let end = self.dead_centre(&current, previous.as_ref(), direction);
-                return (
-                    marks,
-                    end.map_or(End::Stuck { s: current.s }, |s| End::DeadCentre { s }),
-                );
-            }
-            let s = current.s + direction * h;
-            match &previous {
-                Some(before) => quintic(before, &current, s, &mut q, Some(&mut d)),
-                None => {
-                    let step = s - current.s;
-                    for k in 0..q.len() {
-                        q[k] = current.q[k] + step * (current.d[k] + 0.5 * step * current.dd[k]);
-                        d[k] = current.d[k] + step * current.dd[k];
-                    }
-                }
-            }
-            let outcome = self.node(s, q.clone());
-            let accepted = outcome.ok().filter(|(node, correction)| {
-                let off: Vec<f64> = node.d.iter().zip(&d).map(|(a, b)| (a - b) * h).collect();
-                correction.first_step <= prediction
-                    && correction.contraction <= CONTRACTION
-                    && system.scaled_norm(&off) <= TANGENT * prediction
-            });
-            let Some((node, correction)) = accepted else {
-                self.rejected += 1;
-                h *= 0.5;
-                continue;
-            };
-            self.steps += 1;
-            // Signs under the rows chosen at the node before, then rows chosen anew.
-            let sign = self.driven.determinant_sign();
-            let test = self.driven.test_function(&condition.right, &condition.left);
-            let crossing = sign != condition.sign || (test < 0.0) != (condition.test < 0.0);
-            if self.driven.is_redundant() && self.driven.reselect(&self.inputs).is_err() {
-                // Rank is lost right here: land elsewhere.
-                self.rejected += 1;
-                h *= 0.7;
-                continue;
-            }
-            condition = self.condition(Some(condition));
-            largest = largest.max(h);
-            let order = if previous.is_some() { 6.0 } else { 3.0 };
-            let grow = 0.8 * (prediction / correction.first_step.max(1e-30)).powf(1.0 / order);
-            h = (h * grow.clamp(0.3, 2.0)).min(cap(&node.d));
-            if covered {
-                beyond += 1;
-            }
-            marks.push(Mark {
-                node: node.clone(),
-                crossing,
-            });
-            previous = Some(std::mem::replace(&mut current, node));
         }
+    }
+}
+
+/// A march on its way.
+struct March<'w, 'a, 's> {
+    walker: &'w mut Walker<'a, 's>,
+    target: f64,
+    /// 1 or −1.
+    direction: f64,
+    /// Length of the way.
+    span: f64,
+    current: Node,
+    previous: Option<Node>,
+    condition: Condition,
+    /// Next step, and the largest taken.
+    h: f64,
+    largest: f64,
+    /// Steps beyond the target.
+    beyond: usize,
+    /// Predicted q and q′.
+    q: Vec<f64>,
+    d: Vec<f64>,
+}
+
+/// What became of one step.
+enum Step {
+    Taken(Mark),
+    /// To be tried again, shorter.
+    Rejected,
+    Ended(End),
+}
+
+impl<'w, 'a, 's> March<'w, 'a, 's> {
+    /// From `start`, where the factors at hand are.
+    fn new(walker: &'w mut Walker<'a, 's>, start: &Node, target: f64, direction: f64) -> Self {
+        let condition = walker.condition(None);
+        let n = walker.driven.system.n();
+        let mut march = March {
+            walker,
+            target,
+            direction,
+            span: (target - start.s).abs(),
+            current: start.clone(),
+            previous: None,
+            condition,
+            h: 0.0,
+            largest: 0.0,
+            beyond: 0,
+            q: vec![0.0; n],
+            d: vec![0.0; n],
+        };
+        let speed = march.walker.driven.system.scaled_norm(&start.d);
+        march.h = march.cap(&start.d).min(FIRST_MOVE / speed);
+        if !march.h.is_finite() || march.h <= 0.0 {
+            march.h = (march.span / 100.0).max(f64::MIN_POSITIVE);
+        }
+        march.largest = march.h;
+        march
+    }
+
+    /// Longest step where the tangent is `d`.
+    fn cap(&self, d: &[f64]) -> f64 {
+        let by_move = LARGEST_MOVE / self.walker.driven.system.scaled_norm(d);
+        match self.walker.parameter {
+            Parameter::DriverValue | Parameter::Pin => by_move,
+            Parameter::Time => by_move.min(self.span.max(f64::MIN_POSITIVE) / LEAST_STEPS),
+        }
+    }
+
+    /// One attempt.
+    fn step(&mut self) -> Step {
+        let covered = (self.current.s - self.target) * self.direction >= 0.0;
+        if covered && self.beyond >= BEYOND {
+            return Step::Ended(End::Reached);
+        }
+        if (self.walker.stop)(self.current.s) {
+            return Step::Ended(End::Interrupted);
+        }
+        if self.h < SHORTEST_STEP * self.largest {
+            return Step::Ended(self.end_of_path(covered));
+        }
+        let s = self.current.s + self.direction * self.h;
+        self.predict(s);
+        let outcome = self.walker.node(s, self.q.clone());
+        let accepted = outcome.ok().filter(|(node, correction)| {
+            let off = node.d.iter().zip(&self.d).map(|(a, b)| (a - b) * self.h);
+            let off: Vec<f64> = off.collect();
+            let prediction = self.walker.parameter.prediction();
+            correction.first_step <= prediction
+                && correction.contraction <= CONTRACTION
+                && self.walker.driven.system.scaled_norm(&off) <= TANGENT * prediction
+        });
+        match accepted {
+            Some((node, correction)) => self.accept(node, correction, covered),
+            None => self.reject(0.5),
+        }
+    }
+
+    /// Why no step is small enough.
+    fn end_of_path(&mut self, covered: bool) -> End {
+        if covered {
+            return End::Reached;
+        }
+        let s = self.current.s;
+        let before = self.previous.as_ref();
+        match self
+            .walker
+            .dead_centre(&self.current, before, self.direction)
+        {
+            Some(s) => End::DeadCentre { s },
+            None => End::Stuck { s },
+        }
+    }
+
+    /// q and q′ at `s` from the nodes behind.
+    fn predict(&mut self, s: f64) {
+        let current = &self.current;
+        match &self.previous {
+            Some(before) => quintic(before, current, s, &mut self.q, Some(&mut self.d)),
+            None => {
+                let step = s - current.s;
+                for k in 0..self.q.len() {
+                    self.q[k] = current.q[k] + step * (current.d[k] + 0.5 * step * current.dd[k]);
+                    self.d[k] = current.d[k] + step * current.dd[k];
+                }
+            }
+        }
+    }
+
+    /// Takes a node that was solved.
+    fn accept(&mut self, node: Node, correction: Correction, covered: bool) -> Step {
+        let walker = &mut *self.walker;
+        walker.steps += 1;
+        // Signs under the rows chosen at the node before, then rows chosen anew.
+        let before = &self.condition;
+        let sign = walker.driven.determinant_sign();
+        let test = walker.driven.test_function(&before.right, &before.left);
+        let crossing = sign != before.sign || (test < 0.0) != (before.test < 0.0);
+        if walker.driven.is_redundant() && walker.driven.reselect(&walker.inputs).is_err() {
+            // Rank is lost right here: land elsewhere.
+            return self.reject(0.7);
+        }
+        let start = (!walker.driven.is_redundant()).then(|| std::mem::take(&mut self.condition));
+        self.condition = walker.condition(start);
+        self.largest = self.largest.max(self.h);
+        let order = if self.previous.is_some() { 6.0 } else { 3.0 };
+        let error = correction.first_step.max(NO_ERROR);
+        let grow = 0.8 * (walker.parameter.prediction() / error).powf(1.0 / order);
+        self.h = (self.h * grow.clamp(0.3, 2.0)).min(self.cap(&node.d));
+        if covered {
+            self.beyond += 1;
+        }
+        let mark = Mark {
+            node: node.clone(),
+            crossing,
+        };
+        self.previous = Some(std::mem::replace(&mut self.current, node));
+        Step::Taken(mark)
+    }
+
+    fn reject(&mut self, shorten: f64) -> Step {
+        self.walker.rejected += 1;
+        self.h *= shorten;
+        Step::Rejected
     }
 }

@@ -12,9 +12,10 @@ use super::{
 use crate::element::coordinate::Coordinate;
 use crate::element::driven::{DriveId, Rotation, Translation};
 use crate::element::fixed::Fixed;
+use crate::element::following::FollowingFriction;
 use crate::element::gear::Gear;
 use crate::element::joint_friction::{GuideFriction, PinFriction};
-use crate::element::journal::{Bearing, ContactId, FollowingFriction, Free, Journal, Surface};
+use crate::element::journal::{Bearing, ContactId, Free, Journal, Surface};
 use crate::element::load::{PointLoad, Torque};
 use crate::element::prismatic::{Guide, Prismatic};
 use crate::element::revolute::{OffsetId, Revolute};
