@@ -145,7 +145,7 @@ fn too_long(system: &System) -> Option<Complaint> {
 fn too_far(system: &System, inputs: &Inputs) -> Option<Complaint> {
     let mut evaluation = Evaluation::new(system);
     evaluation.set_position(&system.guess);
-    let at = evaluation.instant(inputs);
+    let at = evaluation.kinematics(inputs);
     let is_far = |block: &&Block| {
         let mut phi = vec![0.0; block.rows];
         block.constraint.position(&at, &mut phi);

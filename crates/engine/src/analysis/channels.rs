@@ -110,7 +110,7 @@ impl Channels {
         sample: &Sample,
         row: &mut Vec<f64>,
     ) {
-        let at = evaluation.instant(inputs);
+        let at = evaluation.kinematics(inputs);
         for stretch in &self.stretches {
             match stretch {
                 Stretch::Time => row.push(inputs.time),

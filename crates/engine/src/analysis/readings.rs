@@ -1,7 +1,7 @@
 //! What a body, a point, a joint or the mechanism shows at an instant: every quantity a result column may ask for.
 
 use super::sample::{ContactSample, Sample};
-use crate::element::Instant;
+use crate::element::Kinematics;
 use crate::system::{Evaluation, Inputs, System};
 use linkdyn_linear::math::Vec2;
 use linkdyn_output::{BodyQuantity, EnergyQuantity, JointQuantity, PointQuantity};
@@ -18,7 +18,7 @@ pub struct BodyReading {
 
 impl BodyReading {
     /// Of body `body`, whose centre of mass the sample is about.
-    pub fn new(system: &System, at: &Instant, body: usize, sample: &Sample) -> Self {
+    pub fn new(system: &System, at: &Kinematics, body: usize, sample: &Sample) -> Self {
         let (pose, twist) = (&at.poses[body + 1], &at.twists[body + 1]);
         // From the centre of mass to the frame's origin.
         let rho = pose.turn(system.bodies[body].origin);
@@ -63,7 +63,7 @@ pub struct PointReading {
 
 impl PointReading {
     /// Of point `point` of the system.
-    pub fn new(system: &System, at: &Instant, point: usize, sample: &Sample) -> Self {
+    pub fn new(system: &System, at: &Kinematics, point: usize, sample: &Sample) -> Self {
         let marker = &system.points[point].marker;
         let mut acceleration = marker.centripetal(at);
         if let Some(columns) = system.layout.columns(marker.body) {
@@ -105,7 +105,7 @@ impl JointReading {
     /// Of joint `joint`; what it does not have is zero.
     pub fn new(
         system: &System,
-        at: &Instant,
+        at: &Kinematics,
         inputs: &Inputs,
         joint: usize,
         sample: &Sample,

@@ -159,7 +159,7 @@ impl<'s> Exerted<'s> {
     fn by(&mut self, element: usize, body: usize) -> (Vec2, Vec2, f64) {
         let columns = self.system.layout.moving(body);
         self.pull[columns.range()].fill(0.0);
-        let at = self.evaluation.instant(&self.inputs);
+        let at = self.evaluation.kinematics(&self.inputs);
         let mut to = Applied::to(&mut self.pull, &self.system.layout);
         self.system.forces[element].apply(&at, &mut to);
         let [fx, fy, torque] = columns.read(&self.pull);

@@ -15,7 +15,7 @@
 //! Checked against triangles, and against the same mechanism on ground, in `tests/transmission.rs` and `tests/report.rs`.
 
 use super::rows::{Columns, States};
-use crate::element::{BodyId, Instant, Measure};
+use crate::element::{BodyId, Kinematics, Measure};
 use crate::mechanism::driven::Driven;
 use crate::system::{Inputs, JointRole, System};
 use linkdyn_linear::math::{Vec2, perp};
@@ -245,7 +245,7 @@ fn angles(
     line: &mut Vec<f64>,
 ) {
     let system = driven.system;
-    let at = driven.evaluation.instant(still);
+    let at = driven.evaluation.kinematics(still);
     let force = |joint: usize| {
         let block = &system.blocks[joint];
         block
@@ -287,7 +287,7 @@ fn angles(
 }
 
 /// Largest velocity of the motion: of joints, and of bodies that turn, at the distance of the mechanism's size.
-fn fastest(system: &System, at: &Instant) -> f64 {
+fn fastest(system: &System, at: &Kinematics) -> f64 {
     let joints = system
         .joints
         .iter()

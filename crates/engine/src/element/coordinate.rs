@@ -4,7 +4,7 @@
 //! φ = c − (x_O, y_O or θ),   O the frame's origin         (1)  [m or rad]
 //! ```
 
-use super::{Axis, BodyId, Constraint, Entry, Instant, Marker, Measure};
+use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure};
 use linkdyn_linear::math::Vec2;
 
 #[derive(Debug, Clone)]
@@ -31,7 +31,7 @@ impl Constraint for Coordinate {
         }
     }
 
-    fn position(&self, at: &Instant, phi: &mut [f64]) {
+    fn position(&self, at: &Kinematics, phi: &mut [f64]) {
         let place = self.origin.place(at);
         phi[0] = self.value
             - match self.axis {
@@ -41,7 +41,7 @@ impl Constraint for Coordinate {
             };
     }
 
-    fn jacobian(&self, at: &Instant, values: &mut [f64]) {
+    fn jacobian(&self, at: &Kinematics, values: &mut [f64]) {
         let rho = self.origin.rho(at);
         match self.axis {
             Axis::X => values.copy_from_slice(&[-1.0, rho.y]),
@@ -50,11 +50,11 @@ impl Constraint for Coordinate {
         }
     }
 
-    fn rate(&self, _at: &Instant, phi_t: &mut [f64]) {
+    fn rate(&self, _at: &Kinematics, phi_t: &mut [f64]) {
         phi_t[0] = 0.0;
     }
 
-    fn gamma(&self, at: &Instant, gamma: &mut [f64]) {
+    fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
         let turn = self.origin.centripetal(at);
         gamma[0] = match self.axis {
             Axis::X => turn.x,
@@ -63,7 +63,7 @@ impl Constraint for Coordinate {
         };
     }
 
-    fn reaction(&self, _at: &Instant, lambda: &[f64]) -> (Vec2, f64) {
+    fn reaction(&self, _at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         match self.axis {
             Axis::X => (Vec2::new(lambda[0], 0.0), 0.0),
             Axis::Y => (Vec2::new(0.0, lambda[0]), 0.0),

@@ -9,10 +9,10 @@
 //! body along u.
 
 use super::prismatic::{Guide, Slide};
-use super::{Axis, BodyId, Constraint, Entry, Instant, Measure};
+use super::{Axis, BodyId, Constraint, Entry, Kinematics, Measure};
 use linkdyn_linear::math::Vec2;
 
-/// Where a driver's value stands in [`Instant::drive`].
+/// Where a driver's value stands in [`Kinematics::drive`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct DriveId(pub usize);
 
@@ -35,24 +35,24 @@ impl Constraint for Rotation {
         ]
     }
 
-    fn position(&self, at: &Instant, phi: &mut [f64]) {
+    fn position(&self, at: &Kinematics, phi: &mut [f64]) {
         phi[0] = at.poses[self.relative_to.0].theta + at.drive[self.drive.0][0]
             - at.poses[self.body.0].theta;
     }
 
-    fn jacobian(&self, _at: &Instant, values: &mut [f64]) {
+    fn jacobian(&self, _at: &Kinematics, values: &mut [f64]) {
         values.copy_from_slice(&[1.0, -1.0]);
     }
 
-    fn rate(&self, at: &Instant, phi_t: &mut [f64]) {
+    fn rate(&self, at: &Kinematics, phi_t: &mut [f64]) {
         phi_t[0] = at.drive[self.drive.0][1];
     }
 
-    fn gamma(&self, at: &Instant, gamma: &mut [f64]) {
+    fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
         gamma[0] = -at.drive[self.drive.0][2];
     }
 
-    fn reaction(&self, _at: &Instant, lambda: &[f64]) -> (Vec2, f64) {
+    fn reaction(&self, _at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         (Vec2::zeros(), lambda[0])
     }
 }
@@ -72,11 +72,11 @@ impl Constraint for Translation {
         self.guide.entries(0).to_vec()
     }
 
-    fn position(&self, at: &Instant, phi: &mut [f64]) {
+    fn position(&self, at: &Kinematics, phi: &mut [f64]) {
         phi[0] = at.drive[self.drive.0][0] - self.guide.slide(at);
     }
 
-    fn jacobian(&self, at: &Instant, values: &mut [f64]) {
+    fn jacobian(&self, at: &Kinematics, values: &mut [f64]) {
         let Slide {
             u,
             n,
@@ -87,11 +87,11 @@ impl Constraint for Translation {
         values.copy_from_slice(&[u.x, u.y, -n.dot(&(d + rho1)), -u.x, -u.y, n.dot(&rho2)]);
     }
 
-    fn rate(&self, at: &Instant, phi_t: &mut [f64]) {
+    fn rate(&self, at: &Kinematics, phi_t: &mut [f64]) {
         phi_t[0] = at.drive[self.drive.0][1];
     }
 
-    fn gamma(&self, at: &Instant, gamma: &mut [f64]) {
+    fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
         let Slide { u, n, d, .. } = self.guide.at(at);
         let d_rate = self.guide.second.velocity(at) - self.guide.first.velocity(at);
         let omega = self.guide.first.omega(at);
@@ -101,7 +101,7 @@ impl Constraint for Translation {
             - at.drive[self.drive.0][2];
     }
 
-    fn reaction(&self, at: &Instant, lambda: &[f64]) -> (Vec2, f64) {
+    fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         (self.guide.at(at).u * lambda[0], 0.0)
     }
 }

@@ -8,7 +8,7 @@
 //! λ is force and torque of the first body on the second, at the second body's point.
 
 use super::revolute::{point_entries, point_jacobian};
-use super::{Axis, BodyId, Constraint, Entry, Instant, Marker, Measure};
+use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure};
 use linkdyn_linear::math::Vec2;
 use std::sync::Arc;
 
@@ -34,28 +34,28 @@ impl Constraint for Fixed {
         entries
     }
 
-    fn position(&self, at: &Instant, phi: &mut [f64]) {
+    fn position(&self, at: &Kinematics, phi: &mut [f64]) {
         let gap = self.first.place(at) - self.second.place(at);
         let turn =
             at.poses[self.first.body.0].theta + self.angle - at.poses[self.second.body.0].theta;
         phi.copy_from_slice(&[gap.x, gap.y, turn]);
     }
 
-    fn jacobian(&self, at: &Instant, values: &mut [f64]) {
+    fn jacobian(&self, at: &Kinematics, values: &mut [f64]) {
         point_jacobian(at, &self.first, &self.second, &mut values[..8]);
         values[8..].copy_from_slice(&[1.0, -1.0]);
     }
 
-    fn rate(&self, _at: &Instant, phi_t: &mut [f64]) {
+    fn rate(&self, _at: &Kinematics, phi_t: &mut [f64]) {
         phi_t.fill(0.0);
     }
 
-    fn gamma(&self, at: &Instant, gamma: &mut [f64]) {
+    fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
         let g = self.second.centripetal(at) - self.first.centripetal(at);
         gamma.copy_from_slice(&[g.x, g.y, 0.0]);
     }
 
-    fn reaction(&self, _at: &Instant, lambda: &[f64]) -> (Vec2, f64) {
+    fn reaction(&self, _at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         (Vec2::new(lambda[0], lambda[1]), lambda[2])
     }
 

@@ -3,7 +3,9 @@
 //! Symbols as in [`super::journal`].
 
 use super::journal::{Contact, Journal};
-use super::{Applied, Axis, Constraint, Entry, Instant, Marker, Measure, ReactiveForce, direction};
+use super::{
+    Applied, Axis, Constraint, Entry, Kinematics, Marker, Measure, ReactiveForce, direction,
+};
 use crate::contact::friction;
 use linkdyn_linear::math::{Vec2, perp};
 
@@ -32,19 +34,19 @@ pub struct FollowingFriction {
 }
 
 impl ReactiveForce for FollowingFriction {
-    fn apply_unit(&self, at: &Instant, to: &mut Applied) {
+    fn apply_unit(&self, at: &Kinematics, to: &mut Applied) {
         let reading = self.journal.read(at, &Contact::default());
         self.journal.press(at, &reading, [0.0, 1.0], to);
     }
 
-    fn size(&self, at: &Instant, _memory: f64, lambda: &[f64], slope: &mut [f64]) -> f64 {
+    fn size(&self, at: &Kinematics, _memory: f64, lambda: &[f64], slope: &mut [f64]) -> f64 {
         let reading = self.journal.read(at, &Contact::default());
         let friction = self.law.force(reading.sliding, lambda[0], 0.0);
         slope[0] = friction.d_normal;
         friction.force
     }
 
-    fn reaction(&self, at: &Instant, size: f64) -> (Vec2, f64) {
+    fn reaction(&self, at: &Kinematics, size: f64) -> (Vec2, f64) {
         let e = self.journal.journal.place(at) - self.journal.bearing.place(at);
         (
             direction(e).map_or(Vec2::zeros(), |(n, _)| perp(n) * size),
@@ -56,7 +58,7 @@ impl ReactiveForce for FollowingFriction {
         None
     }
 
-    fn memory_rate(&self, _at: &Instant, _memory: f64) -> f64 {
+    fn memory_rate(&self, _at: &Kinematics, _memory: f64) -> f64 {
         0.0
     }
 }
@@ -74,7 +76,7 @@ impl Journal {
 
 impl Following {
     /// n and d.
-    fn normal(&self, at: &Instant) -> (Vec2, f64) {
+    fn normal(&self, at: &Kinematics) -> (Vec2, f64) {
         let e = self.journal.place(at) - self.bearing.place(at);
         direction(e).unwrap_or((Vec2::x(), f64::MIN_POSITIVE))
     }
@@ -98,11 +100,11 @@ impl Constraint for Following {
             .collect()
     }
 
-    fn position(&self, at: &Instant, phi: &mut [f64]) {
+    fn position(&self, at: &Kinematics, phi: &mut [f64]) {
         phi[0] = self.normal(at).1 - self.clearance;
     }
 
-    fn jacobian(&self, at: &Instant, values: &mut [f64]) {
+    fn jacobian(&self, at: &Kinematics, values: &mut [f64]) {
         let (n, _) = self.normal(at);
         let turned = |marker: &Marker| n.dot(&perp(marker.rho(at)));
         values.copy_from_slice(&[
@@ -115,18 +117,18 @@ impl Constraint for Following {
         ]);
     }
 
-    fn rate(&self, _at: &Instant, phi_t: &mut [f64]) {
+    fn rate(&self, _at: &Kinematics, phi_t: &mut [f64]) {
         phi_t[0] = 0.0;
     }
 
-    fn gamma(&self, at: &Instant, gamma: &mut [f64]) {
+    fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
         let (n, distance) = self.normal(at);
         let across = perp(n).dot(&(self.journal.velocity(at) - self.bearing.velocity(at)));
         let along = n.dot(&(self.journal.centripetal(at) - self.bearing.centripetal(at)));
         gamma[0] = -along - across * across / distance;
     }
 
-    fn reaction(&self, at: &Instant, lambda: &[f64]) -> (Vec2, f64) {
+    fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         (self.normal(at).0 * -lambda[0], 0.0)
     }
 }

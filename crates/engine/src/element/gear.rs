@@ -22,7 +22,7 @@
 //! λ is the moment of that force on the second wheel about its point, F = −λ/R₂ t the force. Teeth with pressure angle ψ
 //! press the wheels apart by |F| tan ψ besides, along e: no motion or torque depends on it, and it is left out.
 
-use super::{Axis, BodyId, Constraint, Entry, Instant, Marker, Measure};
+use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure};
 use linkdyn_linear::math::{Vec2, perp};
 
 #[derive(Debug, Clone)]
@@ -43,13 +43,13 @@ pub struct Gear {
 
 impl Gear {
     /// e and t.
-    fn directions(&self, at: &Instant) -> (Vec2, Vec2) {
+    fn directions(&self, at: &Kinematics) -> (Vec2, Vec2) {
         let e = at.poses[self.carrier.0].turn(self.axis);
         (e, perp(e))
     }
 
     /// d.
-    fn span(&self, at: &Instant) -> Vec2 {
+    fn span(&self, at: &Kinematics) -> Vec2 {
         self.second.place(at) - self.first.place(at)
     }
 
@@ -72,7 +72,7 @@ impl Constraint for Gear {
         entries
     }
 
-    fn position(&self, at: &Instant, phi: &mut [f64]) {
+    fn position(&self, at: &Kinematics, phi: &mut [f64]) {
         let theta = |body: BodyId| at.poses[body.0].theta;
         let (_, t) = self.directions(at);
         let line = theta(self.carrier) + t.dot(&self.span(at)) / self.distance;
@@ -80,7 +80,7 @@ impl Constraint for Gear {
             - theta(self.second.body);
     }
 
-    fn jacobian(&self, at: &Instant, values: &mut [f64]) {
+    fn jacobian(&self, at: &Kinematics, values: &mut [f64]) {
         let (e, t) = self.directions(at);
         let k = self.curvature();
         let (rho1, rho2) = (self.first.rho(at), self.second.rho(at));
@@ -95,11 +95,11 @@ impl Constraint for Gear {
         ]);
     }
 
-    fn rate(&self, _at: &Instant, phi_t: &mut [f64]) {
+    fn rate(&self, _at: &Kinematics, phi_t: &mut [f64]) {
         phi_t.fill(0.0);
     }
 
-    fn gamma(&self, at: &Instant, gamma: &mut [f64]) {
+    fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
         let (e, t) = self.directions(at);
         let omega = at.twists[self.carrier.0].omega;
         let d_rate = self.second.velocity(at) - self.first.velocity(at);
@@ -109,7 +109,7 @@ impl Constraint for Gear {
         gamma[0] = self.curvature() * quadratic;
     }
 
-    fn reaction(&self, at: &Instant, lambda: &[f64]) -> (Vec2, f64) {
+    fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         let (_, t) = self.directions(at);
         (t * (-self.curvature() * lambda[0]), lambda[0])
     }

@@ -15,7 +15,7 @@
 //!   as thin as the line it is: friction on opposite faces has no lever.
 
 use super::prismatic::Guide;
-use super::{Applied, BodyId, Instant, ReactiveForce};
+use super::{Applied, BodyId, Kinematics, ReactiveForce};
 use crate::contact::friction::Law;
 use linkdyn_linear::math::Vec2;
 
@@ -31,18 +31,18 @@ pub struct PinFriction {
 
 impl PinFriction {
     /// v [m/s]
-    fn sliding(&self, at: &Instant) -> f64 {
+    fn sliding(&self, at: &Kinematics) -> f64 {
         self.radius * (at.twists[self.second.0].omega - at.twists[self.first.0].omega)
     }
 }
 
 impl ReactiveForce for PinFriction {
-    fn apply_unit(&self, _at: &Instant, to: &mut Applied) {
+    fn apply_unit(&self, _at: &Kinematics, to: &mut Applied) {
         to.add(self.first, Vec2::zeros(), -1.0);
         to.add(self.second, Vec2::zeros(), 1.0);
     }
 
-    fn size(&self, at: &Instant, memory: f64, lambda: &[f64], slope: &mut [f64]) -> f64 {
+    fn size(&self, at: &Kinematics, memory: f64, lambda: &[f64], slope: &mut [f64]) -> f64 {
         let normal = lambda[0].hypot(lambda[1]);
         let value = self.law.force(self.sliding(at), normal, memory);
         // Without load no direction is meant.
@@ -58,7 +58,7 @@ impl ReactiveForce for PinFriction {
         self.radius * value.force
     }
 
-    fn reaction(&self, _at: &Instant, size: f64) -> (Vec2, f64) {
+    fn reaction(&self, _at: &Kinematics, size: f64) -> (Vec2, f64) {
         (Vec2::zeros(), size)
     }
 
@@ -66,7 +66,7 @@ impl ReactiveForce for PinFriction {
         self.law.deflection()
     }
 
-    fn memory_rate(&self, at: &Instant, memory: f64) -> f64 {
+    fn memory_rate(&self, at: &Kinematics, memory: f64) -> f64 {
         self.law.force(self.sliding(at), 0.0, memory).bristle_rate
     }
 }
@@ -82,7 +82,7 @@ pub struct GuideFriction {
 
 impl GuideFriction {
     /// v [m/s]
-    fn sliding(&self, at: &Instant) -> f64 {
+    fn sliding(&self, at: &Kinematics) -> f64 {
         let Guide { first, second, .. } = &self.guide;
         self.guide
             .at(at)
@@ -92,13 +92,13 @@ impl GuideFriction {
 }
 
 impl ReactiveForce for GuideFriction {
-    fn apply_unit(&self, at: &Instant, to: &mut Applied) {
+    fn apply_unit(&self, at: &Kinematics, to: &mut Applied) {
         let u = self.guide.at(at).u;
         to.add_force(at, &self.guide.second, u);
         to.add_force(at, &self.guide.first, -u);
     }
 
-    fn size(&self, at: &Instant, memory: f64, lambda: &[f64], slope: &mut [f64]) -> f64 {
+    fn size(&self, at: &Kinematics, memory: f64, lambda: &[f64], slope: &mut [f64]) -> f64 {
         let pressure = [
             lambda[0].abs(),
             self.length
@@ -118,7 +118,7 @@ impl ReactiveForce for GuideFriction {
         value.force
     }
 
-    fn reaction(&self, at: &Instant, size: f64) -> (Vec2, f64) {
+    fn reaction(&self, at: &Kinematics, size: f64) -> (Vec2, f64) {
         (self.guide.at(at).u * size, 0.0)
     }
 
@@ -126,7 +126,7 @@ impl ReactiveForce for GuideFriction {
         self.law.deflection()
     }
 
-    fn memory_rate(&self, at: &Instant, memory: f64) -> f64 {
+    fn memory_rate(&self, at: &Kinematics, memory: f64) -> f64 {
         self.law.force(self.sliding(at), 0.0, memory).bristle_rate
     }
 }
@@ -137,8 +137,8 @@ mod tests {
     use crate::element::{Marker, Pose, Twist};
 
     /// A slider at 30° on the ground's guide, 2 m/s along it, and a body that turns with 5 rad/s.
-    fn at<'a>(poses: &'a [Pose; 2], twists: &'a [Twist; 2]) -> Instant<'a> {
-        Instant {
+    fn at<'a>(poses: &'a [Pose; 2], twists: &'a [Twist; 2]) -> Kinematics<'a> {
+        Kinematics {
             poses,
             twists,
             drive: &[],

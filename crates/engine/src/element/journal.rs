@@ -18,12 +18,12 @@
 //! within a step every law is the analytic branch that the phase says, also a little beyond its end, so that steps are
 //! smooth and their events can be located.
 
-use super::{Applied, BodyId, Constraint, Entry, Instant, Marker, Measure, direction};
+use super::{Applied, BodyId, Constraint, Entry, Kinematics, Marker, Measure, direction};
 use crate::contact::impact::Sense;
 use crate::contact::{friction, normal};
 use linkdyn_linear::math::{Vec2, perp};
 
-/// Where a journal's memory stands in `Instant::contacts`.
+/// Where a journal's memory stands in `Kinematics::contacts`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ContactId(pub usize);
 
@@ -141,7 +141,7 @@ impl Reading {
 
 impl Journal {
     /// Geometry, velocities and forces; in the phase that `memory` says.
-    pub fn read(&self, at: &Instant, memory: &Contact) -> Reading {
+    pub fn read(&self, at: &Kinematics, memory: &Contact) -> Reading {
         let e = self.journal.place(at) - self.bearing.place(at);
         let e_rate = self.journal.velocity(at) - self.bearing.velocity(at);
         let distance = e.norm();
@@ -182,7 +182,7 @@ impl Journal {
     }
 
     /// Adds the contact's forces.
-    pub fn apply(&self, at: &Instant, memory: &Contact, to: &mut Applied) {
+    pub fn apply(&self, at: &Kinematics, memory: &Contact, to: &mut Applied) {
         if memory.phase != Phase::Contact {
             return;
         }
@@ -193,7 +193,7 @@ impl Journal {
     /// Adds a normal and a tangential force at the contact of a reading, on both bodies.
     pub fn press(
         &self,
-        at: &Instant,
+        at: &Kinematics,
         reading: &Reading,
         [normal, tangential]: [f64; 2],
         to: &mut Applied,
@@ -216,12 +216,12 @@ impl Journal {
     }
 
     /// Elastic energy of the contact \[J\].
-    pub fn potential(&self, at: &Instant, memory: &Contact) -> f64 {
+    pub fn potential(&self, at: &Kinematics, memory: &Contact) -> f64 {
         self.stored(self.penetration(at), memory)
     }
 
     /// δ \[m\].
-    pub fn penetration(&self, at: &Instant) -> f64 {
+    pub fn penetration(&self, at: &Kinematics) -> f64 {
         (self.journal.place(at) - self.bearing.place(at)).norm() - self.clearance
     }
 
@@ -234,7 +234,7 @@ impl Journal {
     }
 
     /// Angle of the contact in the bearing's body \[rad\].
-    pub fn bearing_angle(&self, at: &Instant, reading: &Reading) -> f64 {
+    pub fn bearing_angle(&self, at: &Kinematics, reading: &Reading) -> f64 {
         let own = if self.bearing.body == BodyId::GROUND {
             0.0
         } else {
@@ -258,7 +258,7 @@ impl Bearing {
     /// that on the journal \[N\]; the contact lies where it comes from.
     pub fn held(
         &self,
-        at: &Instant,
+        at: &Kinematics,
         points: &[Marker; 2],
         offset: Option<&[Vec2; 3]>,
         force: Vec2,
@@ -298,15 +298,15 @@ impl Constraint for Free {
         Vec::new()
     }
 
-    fn position(&self, _at: &Instant, _phi: &mut [f64]) {}
+    fn position(&self, _at: &Kinematics, _phi: &mut [f64]) {}
 
-    fn jacobian(&self, _at: &Instant, _values: &mut [f64]) {}
+    fn jacobian(&self, _at: &Kinematics, _values: &mut [f64]) {}
 
-    fn rate(&self, _at: &Instant, _phi_t: &mut [f64]) {}
+    fn rate(&self, _at: &Kinematics, _phi_t: &mut [f64]) {}
 
-    fn gamma(&self, _at: &Instant, _gamma: &mut [f64]) {}
+    fn gamma(&self, _at: &Kinematics, _gamma: &mut [f64]) {}
 
-    fn reaction(&self, _at: &Instant, _lambda: &[f64]) -> (Vec2, f64) {
+    fn reaction(&self, _at: &Kinematics, _lambda: &[f64]) -> (Vec2, f64) {
         (Vec2::zeros(), 0.0)
     }
 }

@@ -5,7 +5,7 @@
 //! torque  T(t) on the body, −T on the other  [N·m]
 //! ```
 
-use super::{Applied, BodyId, Force, Instant, Marker};
+use super::{Applied, BodyId, Force, Kinematics, Marker};
 use crate::motion::Law;
 use linkdyn_linear::math::Vec2;
 
@@ -20,7 +20,7 @@ pub struct PointLoad {
 
 impl PointLoad {
     /// In the ground frame \[N\].
-    fn force(&self, at: &Instant) -> Vec2 {
+    fn force(&self, at: &Kinematics) -> Vec2 {
         let given = Vec2::new(
             self.vector[0].jet(at.time)[0],
             self.vector[1].jet(at.time)[0],
@@ -34,11 +34,11 @@ impl PointLoad {
 }
 
 impl Force for PointLoad {
-    fn apply(&self, at: &Instant, to: &mut Applied) {
+    fn apply(&self, at: &Kinematics, to: &mut Applied) {
         to.add_force(at, &self.at, self.force(at));
     }
 
-    fn potential(&self, _at: &Instant) -> f64 {
+    fn potential(&self, _at: &Kinematics) -> f64 {
         0.0
     }
 
@@ -46,7 +46,7 @@ impl Force for PointLoad {
         false
     }
 
-    fn supplied(&self, at: &Instant) -> f64 {
+    fn supplied(&self, at: &Kinematics) -> f64 {
         self.force(at).dot(&self.at.velocity(at))
     }
 }
@@ -60,13 +60,13 @@ pub struct Torque {
 }
 
 impl Force for Torque {
-    fn apply(&self, at: &Instant, to: &mut Applied) {
+    fn apply(&self, at: &Kinematics, to: &mut Applied) {
         let torque = self.value.jet(at.time)[0];
         to.add(self.body, Vec2::zeros(), torque);
         to.add(self.relative_to, Vec2::zeros(), -torque);
     }
 
-    fn potential(&self, _at: &Instant) -> f64 {
+    fn potential(&self, _at: &Kinematics) -> f64 {
         0.0
     }
 
@@ -74,7 +74,7 @@ impl Force for Torque {
         false
     }
 
-    fn supplied(&self, at: &Instant) -> f64 {
+    fn supplied(&self, at: &Kinematics) -> f64 {
         self.value.jet(at.time)[0]
             * (at.twists[self.body.0].omega - at.twists[self.relative_to.0].omega)
     }

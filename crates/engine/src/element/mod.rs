@@ -84,9 +84,10 @@ pub struct Twist {
     pub omega: f64,
 }
 
-/// All that an element may look at. Index of the slices: body id (0 = ground), driver, offset.
+/// Places and velocities of all bodies at one instant, with what is prescribed from outside: all that an element may look
+/// at. Index of the slices: body id (0 = ground), driver, offset.
 #[derive(Debug, Clone, Copy)]
-pub struct Instant<'a> {
+pub struct Kinematics<'a> {
     pub poses: &'a [Pose],
     pub twists: &'a [Twist],
     /// Driver values with two derivatives.
@@ -112,26 +113,26 @@ impl Marker {
         }
     }
 
-    pub(crate) fn rho(&self, at: &Instant) -> Vec2 {
+    pub(crate) fn rho(&self, at: &Kinematics) -> Vec2 {
         at.poses[self.body.0].turn(self.s)
     }
 
-    pub(crate) fn omega(&self, at: &Instant) -> f64 {
+    pub(crate) fn omega(&self, at: &Kinematics) -> f64 {
         at.twists[self.body.0].omega
     }
 
     /// Place of the point \[m\].
-    pub fn place(&self, at: &Instant) -> Vec2 {
+    pub fn place(&self, at: &Kinematics) -> Vec2 {
         at.poses[self.body.0].r + self.rho(at)
     }
 
     /// Velocity of the point [m/s].
-    pub fn velocity(&self, at: &Instant) -> Vec2 {
+    pub fn velocity(&self, at: &Kinematics) -> Vec2 {
         at.twists[self.body.0].v + perp(self.rho(at)) * self.omega(at)
     }
 
     /// Part of the acceleration that is quadratic in ω: −ω² ρ [m/s²].
-    pub(crate) fn centripetal(&self, at: &Instant) -> Vec2 {
+    pub(crate) fn centripetal(&self, at: &Kinematics) -> Vec2 {
         let omega = self.omega(at);
         self.rho(at) * (-omega * omega)
     }
@@ -154,15 +155,15 @@ pub trait Constraint: Send + Sync {
     /// Where the Jacobian can be non-zero, in the order [`Constraint::jacobian`] writes (entries of ground included).
     fn entries(&self) -> Vec<Entry>;
     /// φ [m or rad].
-    fn position(&self, at: &Instant, phi: &mut [f64]);
+    fn position(&self, at: &Kinematics, phi: &mut [f64]);
     /// Values of the entries of ∂φ/∂q.
-    fn jacobian(&self, at: &Instant, values: &mut [f64]);
+    fn jacobian(&self, at: &Kinematics, values: &mut [f64]);
     /// φ_t [m/s or rad/s].
-    fn rate(&self, at: &Instant, phi_t: &mut [f64]);
+    fn rate(&self, at: &Kinematics, phi_t: &mut [f64]);
     /// γ [m/s² or rad/s²].
-    fn gamma(&self, at: &Instant, gamma: &mut [f64]);
+    fn gamma(&self, at: &Kinematics, gamma: &mut [f64]);
     /// Force on the second body (global axes) \[N\] and torque [N·m] that the multipliers mean.
-    fn reaction(&self, at: &Instant, lambda: &[f64]) -> (Vec2, f64);
+    fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64);
     /// The same equations with other numbers of the two bodies; none where they are more than geometry between two bodies
     /// (drivers, gears, journals).
     fn between(&self, _id: &dyn Fn(BodyId) -> BodyId) -> Option<Arc<dyn Constraint>> {
@@ -183,7 +184,7 @@ impl<'a> Applied<'a> {
     }
 
     /// Adds a force at a marker.
-    pub fn add_force(&mut self, at: &Instant, marker: &Marker, force: Vec2) {
+    pub fn add_force(&mut self, at: &Kinematics, marker: &Marker, force: Vec2) {
         let rho = marker.rho(at);
         self.add(marker.body, force, rho.x * force.y - rho.y * force.x);
     }
@@ -201,13 +202,13 @@ impl<'a> Applied<'a> {
 /// A force element.
 pub trait Force: Send + Sync {
     /// Adds its generalized forces.
-    fn apply(&self, at: &Instant, to: &mut Applied);
+    fn apply(&self, at: &Kinematics, to: &mut Applied);
     /// Potential energy \[J\]; zero for what has none.
-    fn potential(&self, at: &Instant) -> f64;
+    fn potential(&self, at: &Kinematics) -> f64;
     /// Whether its work is the change of its potential energy.
     fn is_conservative(&self) -> bool;
     /// Power that enters the mechanism beside the potential, Q·v + dV/dt \[W\]; negative in dampers.
-    fn supplied(&self, at: &Instant) -> f64;
+    fn supplied(&self, at: &Kinematics) -> f64;
 }
 
 /// A force in one direction whose size depends on the multipliers of a constraint: friction.
@@ -215,15 +216,15 @@ pub trait Force: Send + Sync {
 /// Its size is found in `solve::reactive`.
 pub trait ReactiveForce: Send + Sync {
     /// Adds the generalized forces of size 1.
-    fn apply_unit(&self, at: &Instant, to: &mut Applied);
+    fn apply_unit(&self, at: &Kinematics, to: &mut Applied);
     /// Size [N or N·m] at the constraint's multipliers, with its derivatives by them, which are as many.
-    fn size(&self, at: &Instant, memory: f64, lambda: &[f64], slope: &mut [f64]) -> f64;
+    fn size(&self, at: &Kinematics, memory: f64, lambda: &[f64], slope: &mut [f64]) -> f64;
     /// Force on the second body (global axes) \[N\], at its point, and torque [N·m] that a size means.
-    fn reaction(&self, at: &Instant, size: f64) -> (Vec2, f64);
+    fn reaction(&self, at: &Kinematics, size: f64) -> (Vec2, f64);
     /// Typical size of what the force remembers where that changes with time (bristles' deflection \[m\]).
     fn memory_scale(&self) -> Option<f64>;
     /// Its rate [m/s].
-    fn memory_rate(&self, at: &Instant, memory: f64) -> f64;
+    fn memory_rate(&self, at: &Kinematics, memory: f64) -> f64;
 }
 
 /// Unit vector along `a`, and its length; none for a (numerically) zero vector.

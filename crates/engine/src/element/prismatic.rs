@@ -10,7 +10,7 @@
 //!
 //! λ₁ n is the force and λ₂ the torque of the first body on the second, at the second body's point.
 
-use super::{Axis, BodyId, Constraint, Entry, Instant, Marker, Measure};
+use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure};
 use linkdyn_linear::math::{Vec2, perp};
 use std::sync::Arc;
 
@@ -42,7 +42,7 @@ impl Guide {
         }
     }
 
-    pub(super) fn at(&self, at: &Instant) -> Slide {
+    pub(super) fn at(&self, at: &Kinematics) -> Slide {
         let u = at.poses[self.first.body.0].turn(self.axis);
         let d = self.second.place(at) - self.first.place(at);
         Slide {
@@ -55,19 +55,19 @@ impl Guide {
     }
 
     /// u·d, the slide \[m\].
-    pub fn slide(&self, at: &Instant) -> f64 {
+    pub fn slide(&self, at: &Kinematics) -> f64 {
         let s = self.at(at);
         s.u.dot(&s.d)
     }
 
     /// φ₁ = −n·d, how far the second point is off the line \[m\].
-    pub(super) fn across(&self, at: &Instant) -> f64 {
+    pub(super) fn across(&self, at: &Kinematics) -> f64 {
         let s = self.at(at);
         -s.n.dot(&s.d)
     }
 
     /// Values of [`Guide::entries`] for φ₁.
-    pub(super) fn across_jacobian(&self, at: &Instant) -> [f64; 6] {
+    pub(super) fn across_jacobian(&self, at: &Kinematics) -> [f64; 6] {
         let Slide {
             u,
             n,
@@ -79,7 +79,7 @@ impl Guide {
     }
 
     /// γ₁ [m/s²].
-    pub(super) fn across_gamma(&self, at: &Instant) -> f64 {
+    pub(super) fn across_gamma(&self, at: &Kinematics) -> f64 {
         let Slide { u, n, d, .. } = self.at(at);
         let d_rate = self.second.velocity(at) - self.first.velocity(at);
         let omega = self.first.omega(at);
@@ -121,26 +121,26 @@ impl Constraint for Prismatic {
         entries
     }
 
-    fn position(&self, at: &Instant, phi: &mut [f64]) {
+    fn position(&self, at: &Kinematics, phi: &mut [f64]) {
         let theta = |marker: &Marker| at.poses[marker.body.0].theta;
         let turned = theta(&self.guide.first) + self.angle - theta(&self.guide.second);
         phi.copy_from_slice(&[self.guide.across(at), turned]);
     }
 
-    fn jacobian(&self, at: &Instant, values: &mut [f64]) {
+    fn jacobian(&self, at: &Kinematics, values: &mut [f64]) {
         values[..6].copy_from_slice(&self.guide.across_jacobian(at));
         values[6..].copy_from_slice(&[1.0, -1.0]);
     }
 
-    fn rate(&self, _at: &Instant, phi_t: &mut [f64]) {
+    fn rate(&self, _at: &Kinematics, phi_t: &mut [f64]) {
         phi_t.fill(0.0);
     }
 
-    fn gamma(&self, at: &Instant, gamma: &mut [f64]) {
+    fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
         gamma.copy_from_slice(&[self.guide.across_gamma(at), 0.0]);
     }
 
-    fn reaction(&self, at: &Instant, lambda: &[f64]) -> (Vec2, f64) {
+    fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         (self.guide.at(at).n * lambda[0], lambda[1])
     }
 

@@ -10,11 +10,11 @@
 //! λ is the force of the first body on the second, at the second body's point.
 //! With an offset the joint is the massless equivalent clearance link of Earles and Wu (1972): e = journal − bearing.
 
-use super::{Axis, BodyId, Constraint, Entry, Instant, Marker, Measure};
+use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure};
 use linkdyn_linear::math::Vec2;
 use std::sync::Arc;
 
-/// Where a joint's prescribed offset stands in [`Instant::offset`].
+/// Where a joint's prescribed offset stands in [`Kinematics::offset`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct OffsetId(pub usize);
 
@@ -26,7 +26,7 @@ pub struct Revolute {
 }
 
 impl Revolute {
-    fn offset(&self, at: &Instant, derivative: usize) -> Vec2 {
+    fn offset(&self, at: &Kinematics, derivative: usize) -> Vec2 {
         self.offset
             .map_or(Vec2::zeros(), |id| at.offset[id.0][derivative])
     }
@@ -47,7 +47,7 @@ pub(super) fn point_entries(first: &Marker, second: &Marker) -> Vec<Entry> {
 }
 
 /// Values of [`point_entries`].
-pub(super) fn point_jacobian(at: &Instant, first: &Marker, second: &Marker, values: &mut [f64]) {
+pub(super) fn point_jacobian(at: &Kinematics, first: &Marker, second: &Marker, values: &mut [f64]) {
     let (a, b) = (first.rho(at), second.rho(at));
     values.copy_from_slice(&[1.0, -a.y, 1.0, a.x, -1.0, b.y, -1.0, -b.x]);
 }
@@ -61,26 +61,26 @@ impl Constraint for Revolute {
         point_entries(&self.first, &self.second)
     }
 
-    fn position(&self, at: &Instant, phi: &mut [f64]) {
+    fn position(&self, at: &Kinematics, phi: &mut [f64]) {
         let gap = self.first.place(at) - self.second.place(at) + self.offset(at, 0);
         phi.copy_from_slice(&[gap.x, gap.y]);
     }
 
-    fn jacobian(&self, at: &Instant, values: &mut [f64]) {
+    fn jacobian(&self, at: &Kinematics, values: &mut [f64]) {
         point_jacobian(at, &self.first, &self.second, values);
     }
 
-    fn rate(&self, at: &Instant, phi_t: &mut [f64]) {
+    fn rate(&self, at: &Kinematics, phi_t: &mut [f64]) {
         let rate = self.offset(at, 1);
         phi_t.copy_from_slice(&[rate.x, rate.y]);
     }
 
-    fn gamma(&self, at: &Instant, gamma: &mut [f64]) {
+    fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
         let g = self.second.centripetal(at) - self.first.centripetal(at) - self.offset(at, 2);
         gamma.copy_from_slice(&[g.x, g.y]);
     }
 
-    fn reaction(&self, _at: &Instant, lambda: &[f64]) -> (Vec2, f64) {
+    fn reaction(&self, _at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         (Vec2::new(lambda[0], lambda[1]), 0.0)
     }
 

@@ -12,7 +12,7 @@
 //! The row is the first of a prismatic joint with the same guide.
 
 use super::prismatic::Guide;
-use super::{BodyId, Constraint, Entry, Instant, Measure};
+use super::{BodyId, Constraint, Entry, Kinematics, Measure};
 use linkdyn_linear::math::Vec2;
 use std::sync::Arc;
 
@@ -30,23 +30,23 @@ impl Constraint for Slot {
         self.guide.entries(0).to_vec()
     }
 
-    fn position(&self, at: &Instant, phi: &mut [f64]) {
+    fn position(&self, at: &Kinematics, phi: &mut [f64]) {
         phi[0] = self.guide.across(at);
     }
 
-    fn jacobian(&self, at: &Instant, values: &mut [f64]) {
+    fn jacobian(&self, at: &Kinematics, values: &mut [f64]) {
         values.copy_from_slice(&self.guide.across_jacobian(at));
     }
 
-    fn rate(&self, _at: &Instant, phi_t: &mut [f64]) {
+    fn rate(&self, _at: &Kinematics, phi_t: &mut [f64]) {
         phi_t.fill(0.0);
     }
 
-    fn gamma(&self, at: &Instant, gamma: &mut [f64]) {
+    fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
         gamma[0] = self.guide.across_gamma(at);
     }
 
-    fn reaction(&self, at: &Instant, lambda: &[f64]) -> (Vec2, f64) {
+    fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         (self.guide.at(at).n * lambda[0], 0.0)
     }
 

@@ -6,7 +6,7 @@
 //! force on the first body +S u, on the second −S u;   V = ½ k (l − l₀)²
 //! ```
 
-use super::{Applied, Force, Instant, Marker, direction};
+use super::{Applied, Force, Kinematics, Marker, direction};
 use crate::motion::Law;
 
 #[derive(Debug, Clone)]
@@ -22,7 +22,7 @@ pub struct Spring {
 }
 
 impl Force for Spring {
-    fn apply(&self, at: &Instant, to: &mut Applied) {
+    fn apply(&self, at: &Kinematics, to: &mut Applied) {
         let d = self.second.place(at) - self.first.place(at);
         // Points that coincide have no line: the pull has no direction there and is left out.
         let Some((u, length)) = direction(d) else {
@@ -35,7 +35,7 @@ impl Force for Spring {
         to.add_force(at, &self.second, u * -pull);
     }
 
-    fn potential(&self, at: &Instant) -> f64 {
+    fn potential(&self, at: &Kinematics) -> f64 {
         let length = (self.second.place(at) - self.first.place(at)).norm();
         let stretch = length - self.free_length.jet(at.time)[0];
         0.5 * self.stiffness * stretch * stretch
@@ -45,7 +45,7 @@ impl Force for Spring {
         self.damping == 0.0 && self.free_length.is_constant()
     }
 
-    fn supplied(&self, at: &Instant) -> f64 {
+    fn supplied(&self, at: &Kinematics) -> f64 {
         let d = self.second.place(at) - self.first.place(at);
         let Some((u, length)) = direction(d) else {
             return 0.0;

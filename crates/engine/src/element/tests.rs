@@ -148,7 +148,7 @@ const V0: [f64; 9] = [0.5, 1.1, -0.8, -0.6, 0.9, 1.7, 0.3, -1.2, 1.3];
 const A0: [f64; 9] = [-0.2, 0.3, 0.9, 1.4, -0.5, -1.2, 0.8, 0.1, -0.7];
 
 /// Calls `f` with the instant t along q(t) = q₀ + v₀ t + a₀ t²/2 and matching inputs.
-fn along<T>(t: f64, f: impl Fn(&Instant) -> T) -> T {
+fn along<T>(t: f64, f: impl Fn(&Kinematics) -> T) -> T {
     let q: Vec<f64> = (0..9)
         .map(|i| Q0[i] + V0[i] * t + 0.5 * A0[i] * t * t)
         .collect();
@@ -156,7 +156,7 @@ fn along<T>(t: f64, f: impl Fn(&Instant) -> T) -> T {
     at_state(t, &q, &v, f)
 }
 
-fn at_state<T>(t: f64, q: &[f64], v: &[f64], f: impl Fn(&Instant) -> T) -> T {
+fn at_state<T>(t: f64, q: &[f64], v: &[f64], f: impl Fn(&Kinematics) -> T) -> T {
     let pose = |k: usize| Pose::new(q[k], q[k + 1], q[k + 2]);
     let poses = [Pose::GROUND, pose(0), pose(3), pose(6)];
     let twist = |k: usize| Twist {
@@ -174,7 +174,7 @@ fn at_state<T>(t: f64, q: &[f64], v: &[f64], f: impl Fn(&Instant) -> T) -> T {
         Vec2::new(ex[1], ey[1]),
         Vec2::new(ex[2], ey[2]),
     ]];
-    f(&Instant {
+    f(&Kinematics {
         poses: &poses,
         twists: &twists,
         drive: &drive,
@@ -183,14 +183,14 @@ fn at_state<T>(t: f64, q: &[f64], v: &[f64], f: impl Fn(&Instant) -> T) -> T {
     })
 }
 
-fn phi(c: &dyn Constraint, at: &Instant) -> Vec<f64> {
+fn phi(c: &dyn Constraint, at: &Kinematics) -> Vec<f64> {
     let mut phi = vec![0.0; c.rows().len()];
     c.position(at, &mut phi);
     phi
 }
 
 /// J x by the element's entries.
-fn product(c: &dyn Constraint, at: &Instant, x: &[f64]) -> Vec<f64> {
+fn product(c: &dyn Constraint, at: &Kinematics, x: &[f64]) -> Vec<f64> {
     let entries = c.entries();
     let mut values = vec![0.0; entries.len()];
     c.jacobian(at, &mut values);

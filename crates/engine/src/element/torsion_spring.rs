@@ -4,7 +4,7 @@
 //! T = k (θ₂ − θ₁ − β₀) + c (ω₂ − ω₁)    [N·m] on the first body, −T on the second;   V = ½ k (θ₂ − θ₁ − β₀)²
 //! ```
 
-use super::{Applied, BodyId, Force, Instant};
+use super::{Applied, BodyId, Force, Kinematics};
 use crate::motion::Law;
 use linkdyn_linear::math::Vec2;
 
@@ -22,12 +22,12 @@ pub struct TorsionSpring {
 
 impl TorsionSpring {
     /// ω₂ − ω₁ [rad/s].
-    fn rate(&self, at: &Instant) -> f64 {
+    fn rate(&self, at: &Kinematics) -> f64 {
         at.twists[self.second.0].omega - at.twists[self.first.0].omega
     }
 
     /// From the free angle \[rad\].
-    fn twist(&self, at: &Instant) -> f64 {
+    fn twist(&self, at: &Kinematics) -> f64 {
         at.poses[self.second.0].theta
             - at.poses[self.first.0].theta
             - self.free_angle.jet(at.time)[0]
@@ -35,13 +35,13 @@ impl TorsionSpring {
 }
 
 impl Force for TorsionSpring {
-    fn apply(&self, at: &Instant, to: &mut Applied) {
+    fn apply(&self, at: &Kinematics, to: &mut Applied) {
         let torque = self.stiffness * self.twist(at) + self.damping * self.rate(at);
         to.add(self.first, Vec2::zeros(), torque);
         to.add(self.second, Vec2::zeros(), -torque);
     }
 
-    fn potential(&self, at: &Instant) -> f64 {
+    fn potential(&self, at: &Kinematics) -> f64 {
         let twist = self.twist(at);
         0.5 * self.stiffness * twist * twist
     }
@@ -50,7 +50,7 @@ impl Force for TorsionSpring {
         self.damping == 0.0 && self.free_angle.is_constant()
     }
 
-    fn supplied(&self, at: &Instant) -> f64 {
+    fn supplied(&self, at: &Kinematics) -> f64 {
         let rate = self.rate(at);
         -self.damping * rate * rate
             - self.stiffness * self.twist(at) * self.free_angle.jet(at.time)[1]

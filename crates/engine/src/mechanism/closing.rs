@@ -270,7 +270,7 @@ fn residual(
     phi: &mut [f64],
 ) -> f64 {
     evaluation.set_position(q);
-    let at = evaluation.instant(inputs);
+    let at = evaluation.kinematics(inputs);
     for ((block, &start), weight) in rows.blocks.iter().zip(&rows.starts).zip(&rows.weights) {
         let phi = &mut phi[start..start + block.rows];
         block.constraint.position(&at, phi);
@@ -288,7 +288,7 @@ fn matrix(
     inputs: &Inputs,
     values: &mut [f64],
 ) {
-    let at = evaluation.instant(inputs);
+    let at = evaluation.kinematics(inputs);
     let mut buffer = [0.0; 16];
     let mut slots = rows.slots.iter();
     for (block, weight) in rows.blocks.iter().zip(&rows.weights) {

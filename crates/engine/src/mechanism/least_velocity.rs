@@ -86,7 +86,7 @@ impl Equations {
                 rows[row].push((column, scaled));
             }
         }
-        let at = evaluation.instant(inputs);
+        let at = evaluation.kinematics(inputs);
         for (_, rate) in system.initial_rates.iter().filter(|_| with_initial) {
             let entries = rate.entries();
             let mut values = vec![0.0; entries.len()];

@@ -15,7 +15,7 @@ use super::continuation::{Branch, HALF_TURN, Parameter, Path, follow};
 use super::driven::{Driven, Failure};
 use super::phases::{Exchanged, Phases, Windows};
 use super::reduced::better_pin;
-use crate::element::{Axis, BodyId, Constraint, Entry, Instant, Measure};
+use crate::element::{Axis, BodyId, Constraint, Entry, Kinematics, Measure};
 use crate::system::{Inputs, System};
 use linkdyn_linear::hermite::Node;
 use linkdyn_linear::math::Vec2;
@@ -323,12 +323,12 @@ const MEASURES: [[Measure; 3]; 8] = [
     [A, A, A],
 ];
 
-fn value(at: &Instant, (body, axis): (BodyId, Axis)) -> f64 {
+fn value(at: &Kinematics, (body, axis): (BodyId, Axis)) -> f64 {
     let pose = &at.poses[body.0];
     [pose.r.x, pose.r.y, pose.theta][axis as usize]
 }
 
-fn rate(at: &Instant, (body, axis): (BodyId, Axis)) -> f64 {
+fn rate(at: &Kinematics, (body, axis): (BodyId, Axis)) -> f64 {
     let twist = &at.twists[body.0];
     [twist.v.x, twist.v.y, twist.omega][axis as usize]
 }
@@ -350,7 +350,7 @@ impl Constraint for OnBranch {
         self.coordinates.iter().enumerate().flat_map(of).collect()
     }
 
-    fn position(&self, at: &Instant, phi: &mut [f64]) {
+    fn position(&self, at: &Kinematics, phi: &mut [f64]) {
         let s = value(at, self.pin);
         for ((phi, &column), &coordinate) in
             phi.iter_mut().zip(&self.columns).zip(&self.coordinates)
@@ -359,18 +359,18 @@ impl Constraint for OnBranch {
         }
     }
 
-    fn jacobian(&self, at: &Instant, values: &mut [f64]) {
+    fn jacobian(&self, at: &Kinematics, values: &mut [f64]) {
         let s = value(at, self.pin);
         for (values, &column) in values.chunks_exact_mut(2).zip(&self.columns) {
             values.copy_from_slice(&[1.0, -self.branch.jet(column, s)[1]]);
         }
     }
 
-    fn rate(&self, _at: &Instant, phi_t: &mut [f64]) {
+    fn rate(&self, _at: &Kinematics, phi_t: &mut [f64]) {
         phi_t.fill(0.0);
     }
 
-    fn gamma(&self, at: &Instant, gamma: &mut [f64]) {
+    fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
         let (s, rate) = (value(at, self.pin), rate(at, self.pin));
         for (gamma, &column) in gamma.iter_mut().zip(&self.columns) {
             *gamma = self.branch.jet(column, s)[2] * rate * rate;
@@ -378,7 +378,7 @@ impl Constraint for OnBranch {
     }
 
     /// The joints' own equations tell their reactions.
-    fn reaction(&self, _at: &Instant, _lambda: &[f64]) -> (Vec2, f64) {
+    fn reaction(&self, _at: &Kinematics, _lambda: &[f64]) -> (Vec2, f64) {
         (Vec2::zeros(), 0.0)
     }
 }

@@ -125,7 +125,7 @@ impl ReactiveForces {
 
     /// g_j at the position and velocity that `evaluation` has taken.
     pub fn eval_units(&mut self, system: &System, evaluation: &Evaluation, inputs: &Inputs) {
-        let at = evaluation.instant(inputs);
+        let at = evaluation.kinematics(inputs);
         self.units.fill(0.0);
         for (unit, reactive) in self
             .units
@@ -364,7 +364,7 @@ impl Laws for Here<'_> {
     }
 
     fn size(&self, force: usize, lambda: &[f64], slope: &mut [f64]) -> f64 {
-        let at = self.evaluation.instant(self.inputs);
+        let at = self.evaluation.kinematics(self.inputs);
         self.system.reactive[force]
             .force
             .size(&at, self.inputs.memories[force], lambda, slope)

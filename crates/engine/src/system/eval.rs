@@ -2,7 +2,7 @@
 
 use super::System;
 use crate::element::journal::{Contact, ContactId, Reading};
-use crate::element::{Applied, BodyId, Instant, Layout, Pose, Twist};
+use crate::element::{Applied, BodyId, Kinematics, Layout, Pose, Twist};
 use crate::motion::Jet;
 use linkdyn_linear::math::{Vec2, dot};
 
@@ -72,8 +72,8 @@ impl Evaluation {
     }
 
     /// What the elements may look at.
-    pub fn instant<'a>(&'a self, inputs: &'a Inputs) -> Instant<'a> {
-        Instant {
+    pub fn kinematics<'a>(&'a self, inputs: &'a Inputs) -> Kinematics<'a> {
+        Kinematics {
             poses: &self.poses,
             twists: &self.twists,
             drive: &inputs.drive,
@@ -104,7 +104,7 @@ impl Evaluation {
     /// φ at the position taken.
     pub fn eval_phi(&mut self, system: &System, inputs: &Inputs) {
         let mut phi = std::mem::take(&mut self.phi);
-        let at = self.instant(inputs);
+        let at = self.kinematics(inputs);
         for block in &system.blocks {
             block
                 .constraint
@@ -116,7 +116,7 @@ impl Evaluation {
     /// J at the position taken.
     pub fn eval_jacobian(&mut self, system: &System, inputs: &Inputs) {
         let mut values = std::mem::take(&mut self.jacobian);
-        let at = self.instant(inputs);
+        let at = self.kinematics(inputs);
         for block in &system.blocks {
             block
                 .constraint
@@ -127,7 +127,7 @@ impl Evaluation {
 
     /// φ_t (m).
     pub fn eval_rate(&self, system: &System, inputs: &Inputs, phi_t: &mut [f64]) {
-        let at = self.instant(inputs);
+        let at = self.kinematics(inputs);
         for block in &system.blocks {
             block
                 .constraint
@@ -137,7 +137,7 @@ impl Evaluation {
 
     /// γ (m) at the velocity taken.
     pub fn eval_gamma(&self, system: &System, inputs: &Inputs, gamma: &mut [f64]) {
-        let at = self.instant(inputs);
+        let at = self.kinematics(inputs);
         for block in &system.blocks {
             block
                 .constraint
@@ -149,7 +149,7 @@ impl Evaluation {
     pub fn eval_force(&self, system: &System, inputs: &Inputs, q_force: &mut [f64]) {
         let gravity = [system.gravity.x, system.gravity.y];
         system.mass.weigh(&system.layout, gravity, q_force);
-        let at = self.instant(inputs);
+        let at = self.kinematics(inputs);
         let mut applied = Applied::to(q_force, &system.layout);
         for force in &system.forces {
             force.apply(&at, &mut applied);
@@ -161,12 +161,12 @@ impl Evaluation {
 
     /// A contact at the position and velocity taken.
     pub fn contact(&self, system: &System, inputs: &Inputs, id: ContactId) -> Reading {
-        system.contacts[id.0].read(&self.instant(inputs), &inputs.contacts[id.0])
+        system.contacts[id.0].read(&self.kinematics(inputs), &inputs.contacts[id.0])
     }
 
     /// Elastic energy of all contacts \[J\].
     pub fn contact_energy(&self, system: &System, inputs: &Inputs) -> f64 {
-        let at = self.instant(inputs);
+        let at = self.kinematics(inputs);
         system
             .contacts
             .iter()
@@ -177,7 +177,7 @@ impl Evaluation {
 
     /// Power that force elements bring in beside their potential \[W\].
     pub fn supplied(&self, system: &System, inputs: &Inputs) -> f64 {
-        let at = self.instant(inputs);
+        let at = self.kinematics(inputs);
         system.forces.iter().map(|force| force.supplied(&at)).sum()
     }
 
@@ -188,7 +188,7 @@ impl Evaluation {
 
     /// Potential energy of gravity (zero at the ground's origin) and springs \[J\].
     pub fn potential_energy(&self, system: &System, inputs: &Inputs) -> f64 {
-        let at = self.instant(inputs);
+        let at = self.kinematics(inputs);
         let weight: f64 = self.poses[1..]
             .iter()
             .zip(system.layout.bodies())

@@ -12,16 +12,16 @@
 pub mod compile;
 mod eval;
 mod mass;
+mod matrices;
 mod roles;
 mod rows;
-mod matrices;
 mod scale;
 
 pub use eval::{Evaluation, Inputs};
 pub use mass::Mass;
+pub use matrices::write_matrix_market;
 pub use roles::{DriverRole, ForceData, ForceRole, JointRole};
 pub use rows::{ContactRows, Extent};
-pub use matrices::write_matrix_market;
 pub use scale::Scale;
 
 use crate::element::journal::{Bearing, ContactId, Journal};

@@ -123,7 +123,7 @@ fn forced(system: &System, by: f64) -> f64 {
     }
     evaluation.set_position(&q);
     let inputs = Inputs::at_time(system, 0.0);
-    let at = evaluation.instant(&inputs);
+    let at = evaluation.kinematics(&inputs);
     let mut force = vec![0.0; system.n()];
     let mut applied = Applied::to(&mut force, &system.layout);
     for element in &system.forces {

@@ -18,7 +18,7 @@ use super::motion::Motion;
 use crate::contact::impact::resolve;
 use crate::element::Constraint;
 use crate::element::journal::{Contact, Phase, Reading, Rigid, Surface};
-use crate::element::{Applied, Instant};
+use crate::element::{Applied, Kinematics};
 use crate::mechanism::driven::Failure;
 use linkdyn_linear::complementary::complementary;
 use linkdyn_linear::math::dot;
@@ -499,7 +499,7 @@ fn acting(motion: &Motion) -> Option<usize> {
 fn approach_acceleration(motion: &Motion, contact: usize, point: &Point) -> f64 {
     let following = motion.system().contacts[contact].following();
     let reduced = &motion.reduced;
-    let at: Instant = reduced.driven.evaluation.instant(&reduced.inputs);
+    let at: Kinematics = reduced.driven.evaluation.kinematics(&reduced.inputs);
     let mut gamma = [0.0];
     following.gamma(&at, &mut gamma);
     -dot(&point.forces[0], &reduced.a) - gamma[0]
@@ -517,7 +517,7 @@ impl Point {
     fn new(motion: &Motion, contact: usize, reading: &Reading) -> Self {
         let system = motion.system();
         let reduced = &motion.reduced;
-        let at = reduced.driven.evaluation.instant(&reduced.inputs);
+        let at = reduced.driven.evaluation.kinematics(&reduced.inputs);
         let (n, f) = (system.n(), reduced.freedom());
         let forces = [[1.0, 0.0], [0.0, 1.0]].map(|unit| {
             let mut force = vec![0.0; n];

@@ -240,7 +240,11 @@ impl<'s> Motion<'s> {
 
     /// Angle of a contact in the bearing's body \[rad\].
     pub fn contact_angle(&self, contact: usize, reading: &Reading) -> f64 {
-        let at = self.reduced.driven.evaluation.instant(&self.reduced.inputs);
+        let at = self
+            .reduced
+            .driven
+            .evaluation
+            .kinematics(&self.reduced.inputs);
         self.system().contacts[contact].bearing_angle(&at, reading)
     }
 
@@ -490,7 +494,7 @@ impl Ode for Motion<'_> {
         for (force, reactive) in self.system().reactive.iter().enumerate() {
             if let Some(component) = self.memory(force) {
                 let Reduced { driven, inputs, .. } = &self.reduced;
-                let at = driven.evaluation.instant(inputs);
+                let at = driven.evaluation.kinematics(inputs);
                 dy[component] = reactive.force.memory_rate(&at, inputs.memories[force]);
             }
         }
