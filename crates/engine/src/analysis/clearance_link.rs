@@ -220,11 +220,11 @@ pub fn carried(driven: &mut Driven, inputs: &Inputs, sample: &mut Sample) -> Res
         force,
         balance,
         lambda,
-        reactive,
+        dependent_forces,
         ..
     } = sample;
     let found = driven.react(inputs, force, balance, lambda);
-    reactive.copy_from_slice(driven.reactive.sizes());
+    dependent_forces.copy_from_slice(driven.dependent_forces.sizes());
     found
 }
 

@@ -281,7 +281,7 @@ fn run_assembly(system: &System) -> Result<(Trajectory, Report), Stop> {
 
 /// What to say where a force that depends on multipliers has no finite size.
 fn locked(system: &System, force: usize) -> String {
-    let block = &system.blocks[system.reactive[force].block];
+    let block = &system.blocks[system.dependent_forces[force].block];
     format!(
         "{} locks itself: its friction grows with its reaction faster than it can be balanced (no motion satisfies the \
          equations)",

@@ -121,9 +121,9 @@ impl JointReading {
         }
         let mut friction = 0.0;
         if let Some(at_joint) = data.friction {
-            friction = sample.reactive[at_joint.force];
-            let reactive = &system.reactive[at_joint.force].force;
-            force += reactive.reaction(at, friction).0;
+            friction = sample.dependent_forces[at_joint.force];
+            let dependent = &system.dependent_forces[at_joint.force].force;
+            force += dependent.reaction(at, friction).0;
         }
         // A journal that does not move freely is where its model holds it.
         let held = || {

@@ -19,7 +19,7 @@ pub struct Sample {
     /// Q − M a (n): what the constraints carry.
     pub balance: Vec<f64>,
     /// Sizes of the forces that depend on multipliers.
-    pub reactive: Vec<f64>,
+    pub dependent_forces: Vec<f64>,
     /// Joints whose clearance is modelled by contact.
     pub contacts: Vec<ContactSample>,
     /// Elastic energy of the contacts, and what they have dissipated \[J\].
@@ -46,7 +46,7 @@ impl Sample {
             lambda: vec![0.0; system.m()],
             force: zero.clone(),
             balance: zero,
-            reactive: vec![0.0; system.reactive.len()],
+            dependent_forces: vec![0.0; system.dependent_forces.len()],
             contacts: vec![ContactSample::default(); system.contacts.len()],
             contact_energy: [0.0; 2],
         }

@@ -4,7 +4,8 @@
 
 use super::journal::{Contact, Journal};
 use super::{
-    Applied, Axis, Constraint, Entry, Kinematics, Marker, Measure, ReactiveForce, direction,
+    Applied, Axis, Constraint, ConstraintDependentForce, Entry, Kinematics, Marker, Measure,
+    direction,
 };
 use crate::contact::friction;
 use linkdyn_linear::math::{Vec2, perp};
@@ -33,7 +34,7 @@ pub struct FollowingFriction {
     pub law: friction::Law,
 }
 
-impl ReactiveForce for FollowingFriction {
+impl ConstraintDependentForce for FollowingFriction {
     fn apply_unit(&self, at: &Kinematics, to: &mut Applied) {
         let reading = self.journal.read(at, &Contact::default());
         self.journal.press(at, &reading, [0.0, 1.0], to);

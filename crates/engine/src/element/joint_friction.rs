@@ -15,7 +15,7 @@
 //!   as thin as the line it is: friction on opposite faces has no lever.
 
 use super::prismatic::Guide;
-use super::{Applied, BodyId, Kinematics, ReactiveForce};
+use super::{Applied, BodyId, ConstraintDependentForce, Kinematics};
 use crate::contact::friction::Law;
 use linkdyn_linear::math::Vec2;
 
@@ -36,7 +36,7 @@ impl PinFriction {
     }
 }
 
-impl ReactiveForce for PinFriction {
+impl ConstraintDependentForce for PinFriction {
     fn apply_unit(&self, _at: &Kinematics, to: &mut Applied) {
         to.add(self.first, Vec2::zeros(), -1.0);
         to.add(self.second, Vec2::zeros(), 1.0);
@@ -91,7 +91,7 @@ impl GuideFriction {
     }
 }
 
-impl ReactiveForce for GuideFriction {
+impl ConstraintDependentForce for GuideFriction {
     fn apply_unit(&self, at: &Kinematics, to: &mut Applied) {
         let u = self.guide.at(at).u;
         to.add_force(at, &self.guide.second, u);

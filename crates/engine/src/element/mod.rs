@@ -213,8 +213,8 @@ pub trait Force: Send + Sync {
 
 /// A force in one direction whose size depends on the multipliers of a constraint: friction.
 ///
-/// Its size is found in `solve::reactive`.
-pub trait ReactiveForce: Send + Sync {
+/// Its size is found in `mechanism::dependent_forces`.
+pub trait ConstraintDependentForce: Send + Sync {
     /// Adds the generalized forces of size 1.
     fn apply_unit(&self, at: &Kinematics, to: &mut Applied);
     /// Size [N or N·m] at the constraint's multipliers, with its derivatives by them, which are as many.

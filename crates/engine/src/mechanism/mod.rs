@@ -1,23 +1,24 @@
 //! The solves of a mechanism: closing, following a path, reactions, reduction to few coordinates.
 //!
 //! ```text
-//! closing       assembly from rough guesses (Levenberg–Marquardt)
-//! failure       why there is no solution
-//! least_velocity velocities to start with
-//! driven        positions, velocities, accelerations, multipliers at one instant
-//! reactive      forces that depend on multipliers, which depend on them: friction
-//! reduced       equations of motion in minimal coordinates
-//! parts         parts with one degree of freedom of a mechanism with more, across their change points
-//! phases        systems by the rows in force
-//! held          the mechanism at rest in minimal coordinates: forces, stiffness, damping and mass
-//! branching     singular positions, and the branches that cross there
-//! equilibrium   where the forces at rest vanish, and whether that is stable
-//! continuation  the path of a driven mechanism, branch-safe, with its singular positions
+//! closing           assembly from rough guesses (Levenberg–Marquardt)
+//! failure           why there is no solution
+//! least_velocity    velocities to start with
+//! driven            positions, velocities, accelerations, multipliers at one instant
+//! dependent_forces  forces that depend on multipliers, which depend on them: friction
+//! reduced           equations of motion in minimal coordinates
+//! parts             parts with one degree of freedom of a mechanism with more, across their change points
+//! phases            systems by the rows in force
+//! held              the mechanism at rest in minimal coordinates: forces, stiffness, damping and mass
+//! branching         singular positions, and the branches that cross there
+//! equilibrium       where the forces at rest vanish, and whether that is stable
+//! continuation      the path of a driven mechanism, branch-safe, with its singular positions
 //! ```
 
 pub mod branching;
 pub mod closing;
 pub mod continuation;
+pub mod dependent_forces;
 pub mod driven;
 pub mod equilibrium;
 pub mod failure;
@@ -25,5 +26,4 @@ pub mod held;
 pub mod least_velocity;
 pub mod parts;
 pub mod phases;
-pub mod reactive;
 pub mod reduced;

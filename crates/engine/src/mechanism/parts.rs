@@ -117,7 +117,7 @@ impl<'s> Parts<'s> {
         }
         other.pins.copy_from_slice(&driven.pins);
         (other.last_step, other.done) = (driven.last_step, driven.done);
-        std::mem::swap(&mut other.reactive, &mut driven.reactive);
+        std::mem::swap(&mut other.dependent_forces, &mut driven.dependent_forces);
         std::mem::swap(driven, &mut other);
         self.others
             .push((std::mem::replace(&mut self.now, self.next.clone()), other));

@@ -33,7 +33,7 @@ impl Inputs {
             drive: vec![[0.0; 3]; system.drivers.len()],
             offset: vec![[Vec2::zeros(); 3]; system.links],
             contacts: vec![Contact::default(); system.contacts.len()],
-            memories: vec![0.0; system.reactive.len()],
+            memories: vec![0.0; system.dependent_forces.len()],
             time: 0.0,
         }
     }

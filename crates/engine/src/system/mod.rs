@@ -25,7 +25,9 @@ pub use rows::{ContactRows, Extent};
 pub use scale::Scale;
 
 use crate::element::journal::{Bearing, ContactId, Journal};
-use crate::element::{Axis, BodyId, Constraint, Force, Layout, Marker, Measure, ReactiveForce};
+use crate::element::{
+    Axis, BodyId, Constraint, ConstraintDependentForce, Force, Layout, Marker, Measure,
+};
 use crate::motion::Law;
 use linkdyn_linear::math::Vec2;
 use linkdyn_model::display::DisplayUnits;
@@ -63,8 +65,8 @@ pub struct Block {
 
 /// A force that depends on the multipliers of a block.
 #[derive(Clone)]
-pub struct Reactive {
-    pub force: Arc<dyn ReactiveForce>,
+pub struct DependentForce {
+    pub force: Arc<dyn ConstraintDependentForce>,
     /// Index into [`System::blocks`].
     pub block: usize,
 }
@@ -101,7 +103,7 @@ pub struct JointData {
 /// Where the friction of an ideal joint stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct JointFriction {
-    /// Index into [`System::reactive`].
+    /// Index into [`System::dependent_forces`].
     pub force: usize,
     /// What it brakes: a slide or a rotation.
     pub measure: Measure,
@@ -160,7 +162,7 @@ pub struct System {
     /// What each of them is.
     pub force_data: Vec<ForceData>,
     /// Forces that depend on multipliers; no part of [`Evaluation::eval_force`].
-    pub reactive: Vec<Reactive>,
+    pub dependent_forces: Vec<DependentForce>,
     /// Joints with clearance by contact force, in the order of the joints.
     pub contacts: Vec<Journal>,
     /// Rows that may come into force for each of them.
@@ -258,7 +260,7 @@ impl System {
     pub fn is_conservative(&self) -> bool {
         self.drivers.iter().all(|driver| driver.law.is_constant())
             && self.contacts.is_empty()
-            && self.reactive.is_empty()
+            && self.dependent_forces.is_empty()
             && self.forces.iter().all(|force| force.is_conservative())
     }
 

@@ -11,8 +11,8 @@
 //!
 //! From these a mask picks. The constraints themselves are shared, none is made anew.
 
-use super::{Block, JointId, Mass, Origin, Reactive, System};
-use crate::element::{BodyId, Constraint, Layout, ReactiveForce};
+use super::{Block, DependentForce, JointId, Mass, Origin, System};
+use crate::element::{BodyId, Constraint, ConstraintDependentForce, Layout};
 use linkdyn_linear::math::Vec2;
 use std::sync::Arc;
 
@@ -26,7 +26,7 @@ pub struct ContactRows {
     /// That of a rigid journal which stays on the surface of its bearing.
     pub sustained: Arc<dyn Constraint>,
     /// Its friction there, where there is some.
-    pub friction: Option<Arc<dyn ReactiveForce>>,
+    pub friction: Option<Arc<dyn ConstraintDependentForce>>,
 }
 
 /// How far a body reaches in its own frame, and where that is drawn.
@@ -86,11 +86,11 @@ impl System {
         let in_force = self.contact_rows.iter().zip(sustained);
         for (rows, _) in in_force.filter(|(_, is_sustained)| **is_sustained) {
             constraints.push((rows.block, rows.sustained.clone()));
-            let friction = rows.friction.iter().map(|force| Reactive {
+            let friction = rows.friction.iter().map(|force| DependentForce {
                 force: force.clone(),
                 block: rows.block,
             });
-            system.reactive.extend(friction);
+            system.dependent_forces.extend(friction);
         }
         system.exchange(constraints);
         system
@@ -141,7 +141,7 @@ impl System {
             initial_rates: Vec::new(),
             forces: Vec::new(),
             force_data: Vec::new(),
-            reactive: Vec::new(),
+            dependent_forces: Vec::new(),
             contacts: Vec::new(),
             contact_rows: Vec::new(),
             gravity: self.gravity,

@@ -47,7 +47,11 @@ impl Outputs<'_, '_> {
         } else {
             self.limit_reactions(driven, path, index, s);
         }
-        let exists = self.sample.reactive.iter().all(|size| size.is_finite());
+        let exists = self
+            .sample
+            .dependent_forces
+            .iter()
+            .all(|size| size.is_finite());
         if path.parameter == Parameter::DriverValue && exists {
             let row = system.driver_row(DriverId(0));
             self.sample.lambda[row] = effort_by_power(&self.sample.balance, &tangent);
@@ -75,7 +79,7 @@ impl Outputs<'_, '_> {
         let window = &path.windows()[index];
         let [s, rate, bend] = s;
         let mut limit = vec![0.0; system.m()];
-        let mut sizes = vec![0.0; system.reactive.len()];
+        let mut sizes = vec![0.0; system.dependent_forces.len()];
         // Mean of both sides at h and 2h, then (4 M(h) − M(2h)) / 3: error O(h⁴).
         for (part, weight) in [
             (LIMIT, 4.0 / 6.0),
@@ -105,7 +109,7 @@ impl Outputs<'_, '_> {
                     .for_each(|(sum, l)| *sum += weight * l);
                 sizes
                     .iter_mut()
-                    .zip(&self.scratch.reactive)
+                    .zip(&self.scratch.dependent_forces)
                     .for_each(|(sum, size)| *sum += weight * size);
             } else {
                 limit.fill(f64::NAN);
@@ -131,20 +135,20 @@ impl Outputs<'_, '_> {
                 }
             }
         }
-        for (size, reactive) in sizes.iter_mut().zip(&system.reactive) {
-            if limit[system.blocks[reactive.block].row].is_nan() {
+        for (size, dependent) in sizes.iter_mut().zip(&system.dependent_forces) {
+            if limit[system.blocks[dependent.block].row].is_nan() {
                 *size = f64::NAN;
             }
         }
         self.sample.lambda.copy_from_slice(&limit);
-        self.sample.reactive.copy_from_slice(&sizes);
+        self.sample.dependent_forces.copy_from_slice(&sizes);
         if !sizes.is_empty() {
             driven
-                .reactive
+                .dependent_forces
                 .eval_units(system, &driven.evaluation, &self.inputs);
-            driven.reactive.set_sizes(&sizes);
-            driven.reactive.add_forces(&mut self.sample.force);
-            driven.reactive.add_forces(&mut self.sample.balance);
+            driven.dependent_forces.set_sizes(&sizes);
+            driven.dependent_forces.add_forces(&mut self.sample.force);
+            driven.dependent_forces.add_forces(&mut self.sample.balance);
         }
     }
 }

@@ -89,7 +89,12 @@ fn refuse(system: &System, reactions: bool, at_events: bool) -> Result<(), Stop>
             .hint("use \"equidistant\""),
         ]));
     }
-    let remembers = |force: usize| system.reactive[force].force.memory_scale().is_some();
+    let remembers = |force: usize| {
+        system.dependent_forces[force]
+            .force
+            .memory_scale()
+            .is_some()
+    };
     let bristles = |joint: &&JointData| {
         joint
             .friction

@@ -255,7 +255,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
                 residual = self.bridged(driven, path, index, distance, [s, rate, bend]);
             }
         }
-        let has_locked = driven.reactive.locked().is_some();
+        let has_locked = driven.dependent_forces.locked().is_some();
         if !has_locked {
             self.locking.close(&mut self.report.events);
         }
@@ -273,7 +273,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
                     let note = "the clearance links' fixed point was not met within 50 passes; the last pass is kept";
                     self.wavering.extend("not_converged", time, driver, note);
                 }
-                Fixpoint::NoSolution { .. } if driven.reactive.locked().is_some() => {
+                Fixpoint::NoSolution { .. } if driven.dependent_forces.locked().is_some() => {
                     self.wavering.close(&mut self.report.events);
                     self.gap.close(&mut self.report.events);
                     self.note_locked(driven);
@@ -317,7 +317,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
 
     /// An event where forces do not exist because a joint locks itself.
     pub fn note_locked(&mut self, driven: &Driven) {
-        if let Some(force) = driven.reactive.locked() {
+        if let Some(force) = driven.dependent_forces.locked() {
             let (time, driver) = (self.inputs.time, self.driver_value());
             self.locking
                 .extend("self_locking", time, driver, &locked(self.system, force));

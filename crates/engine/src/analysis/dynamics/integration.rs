@@ -215,7 +215,7 @@ impl Integration {
         let lock = motion
             .reduced
             .driven
-            .reactive
+            .dependent_forces
             .locked()
             .filter(|_| refused)
             .or_else(|| self.lock_ahead());
@@ -245,14 +245,14 @@ impl Integration {
 
     /// Notes how far the friction is from locking a joint at the end of the step just taken.
     fn note_margin(&mut self, motion: &Motion) {
-        let reactive = &motion.reduced.driven.reactive;
-        if motion.system().reactive.is_empty() || reactive.locked().is_some() {
+        let dependent = &motion.reduced.driven.dependent_forces;
+        if motion.system().dependent_forces.is_empty() || dependent.locked().is_some() {
             return;
         }
         let here = Margin {
             time: self.stepper.t(),
-            left: reactive.margin(),
-            force: reactive.tightest(),
+            left: dependent.margin(),
+            force: dependent.tightest(),
         };
         if here.time > self.margins[1].time {
             self.margins = [self.margins[1], here];
@@ -418,7 +418,7 @@ impl Integration {
             self.stepper
                 .interpolate(motion, time, &mut self.y)
                 .map_err(|_| {
-                    let locked = motion.reduced.driven.reactive.locked();
+                    let locked = motion.reduced.driven.dependent_forces.locked();
                     locked.map_or(Failure::Singular, |force| Failure::Locked { force })
                 })?;
         }

@@ -79,8 +79,8 @@ impl<'s> Motion<'s> {
                 Surface::Compliant(_) | Surface::Rigid(_) => None,
             })
             .collect();
-        let memories = system.reactive.iter().map(|reactive| {
-            reactive.force.memory_scale()?;
+        let memories = system.dependent_forces.iter().map(|dependent| {
+            dependent.force.memory_scale()?;
             bristle_count += 1;
             Some(bristle_count - 1)
         });
@@ -143,8 +143,9 @@ impl<'s> Motion<'s> {
         let mut reading =
             evaluation.contact(self.system(), &self.reduced.inputs, ContactId(contact));
         if self.following[contact].is_some() {
-            let friction = self.rubbing[contact]
-                .map_or(0.0, |force| self.reduced.driven.reactive.sizes()[force]);
+            let friction = self.rubbing[contact].map_or(0.0, |force| {
+                self.reduced.driven.dependent_forces.sizes()[force]
+            });
             reading.follow(self.pressing[contact], friction);
         }
         reading
@@ -345,9 +346,9 @@ impl<'s> Motion<'s> {
                 cap: Vec::new(),
             }
         };
-        for (force, reactive) in system.reactive.iter().enumerate() {
+        for (force, dependent) in system.dependent_forces.iter().enumerate() {
             if let (Some(component), Some(scale)) =
-                (self.memory(force), reactive.force.memory_scale())
+                (self.memory(force), dependent.force.memory_scale())
             {
                 tolerance.atol[component] = rtol * scale;
             }
@@ -405,7 +406,7 @@ impl<'s> Motion<'s> {
                 .map(|(effort, jet)| effort * jet[1])
                 .sum::<f64>();
         }
-        power += self.reduced.driven.reactive.power(&self.reduced.v);
+        power += self.reduced.driven.dependent_forces.power(&self.reduced.v);
         // Of contacts it counts as dissipated there.
         for contact in 0..self.contacts() {
             if self.rubbing[contact].is_some() {
@@ -491,11 +492,11 @@ impl Ode for Motion<'_> {
         self.take_bristles(y);
         Ode::eval(&mut self.reduced, t, y, dy)?;
         self.eval_pressing();
-        for (force, reactive) in self.system().reactive.iter().enumerate() {
+        for (force, dependent) in self.system().dependent_forces.iter().enumerate() {
             if let Some(component) = self.memory(force) {
                 let Reduced { driven, inputs, .. } = &self.reduced;
                 let at = driven.evaluation.kinematics(inputs);
-                dy[component] = reactive.force.memory_rate(&at, inputs.memories[force]);
+                dy[component] = dependent.force.memory_rate(&at, inputs.memories[force]);
             }
         }
         if self.contacts() > 0 {

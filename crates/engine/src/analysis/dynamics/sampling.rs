@@ -38,7 +38,7 @@ impl Sampling {
             a,
             lambda,
             force,
-            reactive,
+            dependent_forces,
             ..
         } = &mut self.sample;
         lambda.resize(system.m(), 0.0);
@@ -48,8 +48,8 @@ impl Sampling {
         force.copy_from_slice(&reduced.force);
         reduced.reactions(lambda);
         // Of a journal that follows its bearing the friction is told with the contact.
-        let told = reactive.len();
-        reactive.copy_from_slice(&reduced.driven.reactive.sizes()[..told]);
+        let told = dependent_forces.len();
+        dependent_forces.copy_from_slice(&reduced.driven.dependent_forces.sizes()[..told]);
     }
 
     /// Appends the sample's row.

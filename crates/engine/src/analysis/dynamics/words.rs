@@ -94,11 +94,11 @@ pub(super) fn culprits(motion: &mut Motion) -> String {
 
 /// The joint that is about to lock itself by its friction, where one is.
 pub(super) fn tight(motion: &Motion) -> String {
-    let (system, reactive) = (motion.system(), &motion.reduced.driven.reactive);
-    if system.reactive.is_empty() || reactive.margin() > TIGHT {
+    let (system, dependent) = (motion.system(), &motion.reduced.driven.dependent_forces);
+    if system.dependent_forces.is_empty() || dependent.margin() > TIGHT {
         return String::new();
     }
-    let block = &system.blocks[system.reactive[reactive.tightest()].block];
+    let block = &system.blocks[system.dependent_forces[dependent.tightest()].block];
     format!(
         " ({} is about to lock itself by its friction)",
         system.origin_name(&block.origin)

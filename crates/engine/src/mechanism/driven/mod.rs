@@ -25,8 +25,8 @@
 mod reactions;
 mod rows;
 
+use super::dependent_forces::DependentForces;
 pub use super::failure::Failure;
-use super::reactive::ReactiveForces;
 use crate::system::{Evaluation, Inputs, System};
 use linkdyn_linear::lu::SparseLu;
 use linkdyn_linear::order::ColumnOrder;
@@ -97,7 +97,7 @@ pub struct Driven<'s> {
     /// Newton step after which no further one is made, scaled [–]; by default what leaves nothing above round-off.
     pub last_step: f64,
     pub done: Work,
-    pub reactive: ReactiveForces,
+    pub dependent_forces: DependentForces,
 }
 
 impl<'s> Driven<'s> {
@@ -159,7 +159,7 @@ impl<'s> Driven<'s> {
             rows: vec![0.0; rows],
             last_step: LAST_STEP,
             done: Work::default(),
-            reactive: ReactiveForces::new(system, columns.len()),
+            dependent_forces: DependentForces::new(system, columns.len()),
         };
         driven.scale_rows();
         driven.scatter();

@@ -36,21 +36,21 @@ impl Driven<'_> {
         lambda: &mut [f64],
     ) -> Result<(), Failure> {
         self.multipliers(balance, lambda);
-        if self.system.reactive.is_empty() {
+        if self.system.dependent_forces.is_empty() {
             return Ok(());
         }
-        let mut reactive = std::mem::take(&mut self.reactive);
-        reactive.eval_units(self.system, &self.evaluation, inputs);
-        for (unit, response) in reactive.units_and_responses() {
+        let mut dependent = std::mem::take(&mut self.dependent_forces);
+        dependent.eval_units(self.system, &self.evaluation, inputs);
+        for (unit, response) in dependent.units_and_responses() {
             self.multipliers(unit, response);
         }
-        let solved = reactive.solve(self.system, &self.evaluation, inputs, lambda);
+        let solved = dependent.solve(self.system, &self.evaluation, inputs, lambda);
         if solved.is_ok() {
-            reactive.add_forces(force);
-            reactive.add_forces(balance);
-            reactive.add_responses(lambda);
+            dependent.add_forces(force);
+            dependent.add_forces(balance);
+            dependent.add_responses(lambda);
         }
-        self.reactive = reactive;
+        self.dependent_forces = dependent;
         solved
     }
 

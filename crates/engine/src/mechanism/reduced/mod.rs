@@ -16,7 +16,7 @@
 //! once around.
 //!
 //! Multipliers are worked out only where they are wanted: for results, and where forces depend on them
-//! ([`super::reactive`]), which then become part of Q. Bodies may lack mass as long as SᵀMS is regular. The choice of u
+//! ([`super::dependent_forces`]), which then become part of Q. Bodies may lack mass as long as SᵀMS is regular. The choice of u
 //! is kept while it is good and changed between steps when another coordinate moves more.
 
 mod curve;
@@ -323,7 +323,7 @@ impl<'s> Reduced<'s> {
                 *a += self.rhs[k] * s;
             }
         }
-        if !system.reactive.is_empty() {
+        if !system.dependent_forces.is_empty() {
             self.react()?;
         }
         self.at = Some(time);
@@ -334,11 +334,11 @@ impl<'s> Reduced<'s> {
     fn react(&mut self) -> Result<(), Failure> {
         let system = self.driven.system;
         let n = system.n();
-        let mut reactive = std::mem::take(&mut self.driven.reactive);
-        let mut lambda = std::mem::take(&mut reactive.free);
+        let mut dependent = std::mem::take(&mut self.driven.dependent_forces);
+        let mut lambda = std::mem::take(&mut dependent.free);
         self.multipliers(&mut lambda);
-        reactive.eval_units(system, &self.driven.evaluation, &self.inputs);
-        for ((unit, response), rates) in reactive.units_responses_and_rates() {
+        dependent.eval_units(system, &self.driven.evaluation, &self.inputs);
+        for ((unit, response), rates) in dependent.units_responses_and_rates() {
             for (rate, s) in rates.iter_mut().zip(self.motions.chunks_exact(n)) {
                 *rate = linkdyn_linear::math::dot(s, unit);
             }
@@ -349,10 +349,10 @@ impl<'s> Reduced<'s> {
             }
             self.driven.multipliers(&self.balance, response);
         }
-        let solved = reactive.solve(system, &self.driven.evaluation, &self.inputs, &lambda);
+        let solved = dependent.solve(system, &self.driven.evaluation, &self.inputs, &lambda);
         if solved.is_ok() {
-            reactive.add_forces(&mut self.force);
-            for (size, rates) in reactive.sizes_and_rates() {
+            dependent.add_forces(&mut self.force);
+            for (size, rates) in dependent.sizes_and_rates() {
                 for (k, (rate, s)) in rates.iter().zip(self.motions.chunks_exact(n)).enumerate() {
                     self.rhs[k] += size * rate;
                     self.driven.pins[k].jet[2] = self.rhs[k];
@@ -363,8 +363,8 @@ impl<'s> Reduced<'s> {
                 }
             }
         }
-        reactive.free = lambda;
-        self.driven.reactive = reactive;
+        dependent.free = lambda;
+        self.driven.dependent_forces = dependent;
         solved
     }
 
@@ -464,7 +464,7 @@ impl<'s> Reduced<'s> {
 
     fn keep(&mut self, time: f64) {
         if self.passed.is_none()
-            && !self.driven.system.reactive.is_empty()
+            && !self.driven.system.dependent_forces.is_empty()
             && let Some(curve) = &self.curve
         {
             let column = self.driven.pins[0].column;

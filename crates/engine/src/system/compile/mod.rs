@@ -6,8 +6,8 @@ mod roles;
 
 use super::rows::{reach, size, spread};
 use super::{
-    Block, BodyData, ClearanceLink, ContactRows, DriverData, DriverId, Extent, ForceData,
-    JointData, JointFriction, JointId, Mass, Origin, OutputPoint, Reactive, Scale, System,
+    Block, BodyData, ClearanceLink, ContactRows, DependentForce, DriverData, DriverId, Extent,
+    ForceData, JointData, JointFriction, JointId, Mass, Origin, OutputPoint, Scale, System,
 };
 use crate::element::coordinate::Coordinate;
 use crate::element::driven::{DriveId, Rotation, Translation};
@@ -23,7 +23,8 @@ use crate::element::slot::Slot;
 use crate::element::spring::Spring;
 use crate::element::torsion_spring::TorsionSpring;
 use crate::element::{
-    Axis, BodyId, Constraint, Force as ForceElement, Layout, Marker, Measure, Pose, ReactiveForce,
+    Axis, BodyId, Constraint, ConstraintDependentForce, Force as ForceElement, Layout, Marker,
+    Measure, Pose,
 };
 use crate::motion::{Law, Spline};
 use linkdyn_linear::math::{Vec2, unit};
@@ -129,7 +130,7 @@ impl<'a> Compiler<'a> {
             initial_rates: Vec::new(),
             forces: Vec::new(),
             force_data: Vec::new(),
-            reactive: Vec::new(),
+            dependent_forces: Vec::new(),
             contacts: Vec::new(),
             contact_rows: Vec::new(),
             gravity: Vec2::from(model.gravity),
@@ -340,7 +341,7 @@ impl<'a> Compiler<'a> {
             bearing_radius: bearing.bearing_radius,
             surface: self.joints.surfaces[name].clone(),
         };
-        let friction: Option<Arc<dyn ReactiveForce>> = match &journal.surface {
+        let friction: Option<Arc<dyn ConstraintDependentForce>> = match &journal.surface {
             Surface::Rigid(rigid) if rigid.friction > 0.0 => Some(Arc::new(FollowingFriction {
                 journal: journal.clone(),
                 law: rigid.friction_law(),
@@ -370,7 +371,7 @@ impl<'a> Compiler<'a> {
     ) -> Option<JointFriction> {
         let law = *self.joints.frictions.get(name)?;
         let [first, second] = points;
-        let (force, measure): (Arc<dyn ReactiveForce>, Measure) = match kind {
+        let (force, measure): (Arc<dyn ConstraintDependentForce>, Measure) = match kind {
             JointKind::Revolute { pin_radius, .. } => {
                 let radius = (*pin_radius)?;
                 (
@@ -405,12 +406,12 @@ impl<'a> Compiler<'a> {
             }
         };
         // Blocks stand in the order of the joints.
-        self.system.reactive.push(Reactive {
+        self.system.dependent_forces.push(DependentForce {
             force,
             block: joint,
         });
         Some(JointFriction {
-            force: self.system.reactive.len() - 1,
+            force: self.system.dependent_forces.len() - 1,
             measure,
         })
     }

@@ -33,7 +33,7 @@ const SHORTEST: f64 = 1e-5;
 
 /// The forces' directions, what they do, and their sizes.
 #[derive(Debug, Clone, Default)]
-pub struct ReactiveForces {
+pub struct DependentForces {
     /// (k, n), (k, m), (k, f)
     units: Vec<f64>,
     responses: Vec<f64>,
@@ -60,12 +60,12 @@ pub struct ReactiveForces {
     margin: f64,
 }
 
-impl ReactiveForces {
+impl DependentForces {
     pub fn new(system: &System, freedom: usize) -> Self {
-        let (k, n, m) = (system.reactive.len(), system.n(), system.m());
+        let (k, n, m) = (system.dependent_forces.len(), system.n(), system.m());
         // Nothing is kept for nothing.
         let cells = |count: usize| vec![0.0; k * count];
-        ReactiveForces {
+        DependentForces {
             units: cells(n),
             responses: cells(m),
             rates: cells(freedom),
@@ -127,12 +127,12 @@ impl ReactiveForces {
     pub fn eval_units(&mut self, system: &System, evaluation: &Evaluation, inputs: &Inputs) {
         let at = evaluation.kinematics(inputs);
         self.units.fill(0.0);
-        for (unit, reactive) in self
+        for (unit, dependent) in self
             .units
             .chunks_exact_mut(self.n.max(1))
-            .zip(&system.reactive)
+            .zip(&system.dependent_forces)
         {
-            reactive
+            dependent
                 .force
                 .apply_unit(&at, &mut Applied::to(unit, &system.layout));
         }
@@ -359,15 +359,18 @@ struct Here<'a> {
 
 impl Laws for Here<'_> {
     fn rows(&self, force: usize) -> Range<usize> {
-        let block = &self.system.blocks[self.system.reactive[force].block];
+        let block = &self.system.blocks[self.system.dependent_forces[force].block];
         block.row..block.row + block.rows
     }
 
     fn size(&self, force: usize, lambda: &[f64], slope: &mut [f64]) -> f64 {
         let at = self.evaluation.kinematics(self.inputs);
-        self.system.reactive[force]
-            .force
-            .size(&at, self.inputs.memories[force], lambda, slope)
+        self.system.dependent_forces[force].force.size(
+            &at,
+            self.inputs.memories[force],
+            lambda,
+            slope,
+        )
     }
 }
 

@@ -22,7 +22,7 @@ impl Laws for Coulomb {
 fn find(laws: &[f64], responses: &[f64], free: &[f64]) -> (Result<(), Failure>, Vec<f64>, f64) {
     let k = laws.len();
     let cells = |count: usize| vec![0.0; count];
-    let mut forces = ReactiveForces {
+    let mut forces = DependentForces {
         m: k,
         responses: responses.to_vec(),
         sizes: cells(k),
@@ -33,7 +33,7 @@ fn find(laws: &[f64], responses: &[f64], free: &[f64]) -> (Result<(), Failure>, 
         matrix: cells(k * k),
         lu: SmallLu::new(k),
         work: cells(k * k),
-        ..ReactiveForces::default()
+        ..DependentForces::default()
     };
     let found = forces.find(free, &Coulomb(laws.to_vec()));
     (found, forces.sizes.clone(), forces.margin)
