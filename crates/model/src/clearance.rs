@@ -2,13 +2,10 @@
 //!
 //! Parameters that the chosen model does not use are kept, so that one word switches the model.
 
-use schemars::JsonSchema;
-use serde::Deserialize;
-
-use super::schema;
+use serde::{Deserialize, Serialize};
 
 /// The rung of the ladder.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ClearanceModel {
     /// As if there were no clearance.
@@ -25,41 +22,34 @@ pub enum ClearanceModel {
 }
 
 /// Clearance of a revolute joint; parameters of models other than the one in use are kept as written.
-#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
 pub struct Clearance {
     pub model: ClearanceModel,
     /// Radial clearance: bearing radius − journal radius \[m\]; needed by every model but `ideal`.
     #[serde(default)]
-    #[schemars(schema_with = "schema::length", extend("minimum" = 0))]
     pub radius: Option<f64>,
     /// Radius of the bearing R_b \[m\]; with `elastic` it gives the stiffness.
     #[serde(default)]
-    #[schemars(schema_with = "schema::length", extend("exclusiveMinimum" = 0))]
     pub bearing_radius: Option<f64>,
     /// Axial length of the contact \[m\], of the cylindrical laws `johnson`, `radzimovsky`, `dubowsky_freudenstein` and `pereira`.
     #[serde(default)]
-    #[schemars(schema_with = "schema::length", extend("exclusiveMinimum" = 0))]
     pub axial_length: Option<f64>,
     /// Normal force of `contact`.
     #[serde(default)]
-    #[schemars(with = "Normal")]
     pub normal: Option<Normal>,
     /// Friction of `contact` and `two_state`; left out: none.
     #[serde(default)]
-    #[schemars(with = "Friction")]
     pub friction: Option<Friction>,
     /// Linear surface of `two_state`.
     #[serde(default)]
-    #[schemars(with = "Surface")]
     pub surface: Option<Surface>,
     /// Impact of `three_state`; what it leaves out: `normal.restitution` and `friction.coefficient`.
     #[serde(default)]
-    #[schemars(with = "Impact")]
     pub impact: Option<Impact>,
 }
 
 /// Law of the normal force, F(penetration δ, its rate δ̇) ≥ 0.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum NormalLaw {
     /// F = K δⁿ (Hertz 1881).
@@ -93,38 +83,28 @@ pub enum NormalLaw {
 }
 
 /// Normal force of a contact; where a law dissipates by a hysteresis factor χ, F = K δⁿ + χ δⁿ δ̇.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
-#[schemars(extend("x-refused" = {
-    "axial_length": "it belongs to the clearance, beside \"radius\"",
-    "bearing_radius": "it belongs to the clearance, beside \"radius\"",
-    "radius": "it belongs to the clearance, beside \"model\""
-}))]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 pub struct Normal {
     pub law: NormalLaw,
     /// Stiffness K [N/m^exponent], a plain SI number, for `kelvin_voigt` also text with a unit; left out, it follows from `elastic`. Not used by the cylindrical laws.
     #[serde(default)]
-    #[schemars(schema_with = "schema::contact_stiffness", extend("exclusiveMinimum" = 0))]
     pub stiffness: Option<f64>,
     /// Exponent n of Kδⁿ [–], at least 1, default 3/2 (Hertz); `kelvin_voigt` has 1, the cylindrical laws their own.
     #[serde(default)]
-    #[schemars(schema_with = "schema::number", extend("minimum" = 1))]
     pub exponent: Option<f64>,
     /// Coefficient of restitution c [–], 0 to 1, above 0 for `flores`, `gonthier` and `hu_guo`; without it the cylindrical laws are elastic.
     #[serde(default)]
-    #[schemars(schema_with = "schema::number", extend("minimum" = 0, "maximum" = 1))]
     pub restitution: Option<f64>,
     /// Damping D of `kelvin_voigt` [N·s/m].
     #[serde(default)]
-    #[schemars(schema_with = "schema::damping", extend("minimum" = 0))]
     pub damping: Option<f64>,
     /// Elastic constants that give K = 4/(3(h_b + h_j))·√(R_b R_j/(R_b − R_j)), h = (1 − ν²)/E (Goldsmith 1960).
     #[serde(default)]
-    #[schemars(with = "Elastic")]
     pub elastic: Option<Elastic>,
 }
 
 /// Materials of bearing and journal.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize)]
 #[serde(untagged)]
 pub enum Elastic {
     /// Each its own.
@@ -137,18 +117,16 @@ pub enum Elastic {
 }
 
 /// An elastic material.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize)]
 pub struct Material {
     /// Young's modulus E \[Pa\].
-    #[schemars(schema_with = "schema::stress", extend("exclusiveMinimum" = 0))]
     pub young_modulus: f64,
     /// Poisson's ratio ν [–].
-    #[schemars(extend("minimum" = -1, "maximum" = 0.5))]
     pub poisson_ratio: f64,
 }
 
 /// Law of the friction force, against the sliding velocity v.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum FrictionLaw {
     /// No friction.
@@ -166,82 +144,67 @@ pub enum FrictionLaw {
 }
 
 /// Friction of a contact.
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 pub struct Friction {
     pub law: FrictionLaw,
     /// (Kinetic) coefficient μ [–].
     #[serde(default)]
-    #[schemars(schema_with = "schema::number", extend("minimum" = 0))]
     pub coefficient: Option<f64>,
     /// Static coefficient μ_s [–], of `stribeck` and `lugre`.
     #[serde(default)]
-    #[schemars(schema_with = "schema::number", extend("minimum" = 0))]
     pub static_coefficient: Option<f64>,
     /// Velocity up to which the force grows from zero [m/s], of `coulomb`, `threlfall` and `stribeck`.
     #[serde(default)]
-    #[schemars(schema_with = "schema::velocity", extend("exclusiveMinimum" = 0))]
     pub threshold_velocity: Option<f64>,
     /// Velocity v₀ of `ambrosio` [m/s].
     #[serde(default)]
-    #[schemars(schema_with = "schema::velocity", extend("minimum" = 0))]
     pub lower_velocity: Option<f64>,
     /// Velocity v₁ of `ambrosio` [m/s].
     #[serde(default)]
-    #[schemars(schema_with = "schema::velocity", extend("exclusiveMinimum" = 0))]
     pub upper_velocity: Option<f64>,
     /// Velocity v_s of `stribeck` and `lugre` [m/s].
     #[serde(default)]
-    #[schemars(schema_with = "schema::velocity", extend("exclusiveMinimum" = 0))]
     pub stribeck_velocity: Option<f64>,
     /// Exponent of `stribeck` and `lugre` [–], default 2.
     #[serde(default)]
-    #[schemars(schema_with = "schema::number", extend("exclusiveMinimum" = 0))]
     pub stribeck_exponent: Option<f64>,
     /// Viscous part of `stribeck` and `lugre`, σ₂ [s/m] (of the normal force), a plain SI number.
     #[serde(default)]
-    #[schemars(schema_with = "schema::number", extend("minimum" = 0))]
     pub viscous: Option<f64>,
     /// Stiffness of the bristles of `lugre`, σ₀ [1/m] (of the normal force), a plain SI number.
     #[serde(default)]
-    #[schemars(schema_with = "schema::number", extend("exclusiveMinimum" = 0))]
     pub bristle_stiffness: Option<f64>,
     /// Damping of the bristles of `lugre`, σ₁ [s/m] (of the normal force), a plain SI number.
     #[serde(default)]
-    #[schemars(schema_with = "schema::number", extend("minimum" = 0))]
     pub bristle_damping: Option<f64>,
 }
 
 /// Linear surface of the two-state model (Dubowsky and Freudenstein 1971).
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize)]
 pub struct Surface {
     /// Stiffness [N/m].
-    #[schemars(schema_with = "schema::stiffness", extend("exclusiveMinimum" = 0))]
     pub stiffness: f64,
     /// Damping [N·s/m].
     #[serde(default)]
-    #[schemars(schema_with = "schema::damping", extend("minimum" = 0))]
     pub damping: f64,
 }
 
 /// Impact of the three-state model (Miedema and Mansour 1976).
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize)]
 pub struct Impact {
     /// Coefficient of restitution [–], 0 to 1.
     #[serde(default)]
-    #[schemars(schema_with = "schema::number", extend("minimum" = 0, "maximum" = 1))]
     pub restitution: Option<f64>,
     /// Coefficient of friction [–].
     #[serde(default)]
-    #[schemars(schema_with = "schema::number", extend("minimum" = 0))]
     pub friction: Option<f64>,
     /// What the coefficient of restitution compares, default `energetic`.
     #[serde(default)]
-    #[schemars(with = "ImpactSense")]
     pub sense: Option<ImpactSense>,
 }
 
 /// What a coefficient of restitution compares; the three agree where sliding keeps its direction.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ImpactSense {
     /// Works of the normal force (Stronge 1990): never gains energy.

@@ -3,22 +3,39 @@
 /// What a number of the model is a measure of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dimension {
+    /// A length \[m\].
     Length,
+    /// An angle \[rad\].
     Angle,
+    /// A mass \[kg\].
     Mass,
+    /// A moment of inertia \[kg·m²\].
     Inertia,
+    /// A force \[N\].
     Force,
+    /// A torque \[N·m\].
     Torque,
+    /// A stiffness \[N/m\].
     Stiffness,
+    /// A damping \[N·s/m\].
     Damping,
+    /// A stiffness against turning \[N·m/rad\].
     AngularStiffness,
+    /// A damping of turning \[N·m·s/rad\].
     AngularDamping,
+    /// A velocity \[m/s\].
     Velocity,
+    /// An angular velocity \[rad/s\].
     AngularVelocity,
+    /// An acceleration \[m/s²\].
     Acceleration,
+    /// An angular acceleration \[rad/s²\].
     AngularAcceleration,
+    /// A time \[s\].
     Time,
+    /// A stress, or a modulus of elasticity \[Pa\].
     Stress,
+    /// A frequency \[Hz\].
     Frequency,
 }
 

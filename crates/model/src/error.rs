@@ -1,6 +1,8 @@
 //! What is told to whoever must act: faults of the input, each with its place.
 
+use std::error::Error;
 use std::fmt;
+use std::ops::Deref;
 
 /// Line and column (both from 1, columns in characters) in the model file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -77,5 +79,59 @@ impl fmt::Display for Complaint {
         }
         // names may hold anything, a terminal should not obey them
         f.write_str(&text.replace(char::is_control, " "))
+    }
+}
+
+impl Error for Complaint {}
+
+/// All faults of one input, at least one.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Complaints(pub Vec<Complaint>);
+
+impl Deref for Complaints {
+    type Target = [Complaint];
+
+    fn deref(&self) -> &[Complaint] {
+        &self.0
+    }
+}
+
+impl IntoIterator for Complaints {
+    type Item = Complaint;
+    type IntoIter = std::vec::IntoIter<Complaint>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.into_iter()
+    }
+}
+
+impl From<Complaints> for Vec<Complaint> {
+    fn from(complaints: Complaints) -> Self {
+        complaints.0
+    }
+}
+
+impl From<Vec<Complaint>> for Complaints {
+    fn from(complaints: Vec<Complaint>) -> Self {
+        Complaints(complaints)
+    }
+}
+
+impl fmt::Display for Complaints {
+    /// A line each.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, complaint) in self.0.iter().enumerate() {
+            if index > 0 {
+                f.write_str("\n")?;
+            }
+            write!(f, "{complaint}")?;
+        }
+        Ok(())
+    }
+}
+
+impl Error for Complaints {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        self.0.first().map(|first| first as &(dyn Error + 'static))
     }
 }

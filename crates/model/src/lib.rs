@@ -14,24 +14,24 @@ pub mod force;
 pub mod joint;
 
 mod carrier;
-mod check;
-mod check_clearance;
-mod check_forces;
 mod dimension;
 mod examples;
 mod expression;
+mod gate;
 mod hold;
 mod json;
 mod load;
 mod node;
-mod quantity;
 mod schema;
 mod set;
+mod shape;
 mod source;
 mod stale;
 mod suggest;
+mod tree;
 mod units;
-mod validate;
+mod walk;
+mod words;
 
 pub use analysis::{Analysis, AnalysisKind, OutputsAt, Sample, Solver, Transmission};
 pub use body::{Body, Initial, Pose};
@@ -40,9 +40,11 @@ pub use clearance::{
     Clearance, ClearanceModel, Elastic, Friction, FrictionLaw, Impact, ImpactSense, Material,
     Normal, NormalLaw, Surface,
 };
+pub use dimension::Dimension;
 pub use driver::{Driver, DriverKind, Motion};
 pub use expression::Parameter;
 pub use force::{Force, ForceKind, Frame, Value};
+pub use gate::Checked;
 pub use hold::unheld;
 pub use joint::{Joint, JointKind, PointRef};
 pub use load::{Loaded, load, load_file};
@@ -52,8 +54,7 @@ pub use units::Unit;
 
 use crate::display::DisplayUnits;
 use indexmap::IndexMap;
-use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// The reserved name of the fixed body.
 pub const GROUND: &str = "ground";
@@ -65,25 +66,20 @@ pub const FORMAT: &str = "linkdyn/1";
 const NAME_PATTERN: &str = r"^[^.\[\],=*?\u0000-\u001f\u007f-\u009f]+$";
 
 /// A whole model: order of the maps is the order in the file. All numbers are SI (m, kg, s, rad, N …).
-#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 pub struct Model {
     #[serde(default)]
-    #[schemars(with = "String")]
     pub name: Option<String>,
     /// What this is, and for whom.
     #[serde(default)]
-    #[schemars(with = "String")]
     pub about: Option<String>,
     /// Who measured or published it.
     #[serde(default)]
-    #[schemars(with = "String")]
     pub source: Option<String>,
     /// Acceleration of gravity [m/s²], zero where left out.
     #[serde(default)]
-    #[schemars(schema_with = "schema::acceleration_pair")]
     pub gravity: [f64; 2],
     /// All bodies, `ground` among them where the file has it.
-    #[schemars(schema_with = "schema::bodies")]
     pub bodies: IndexMap<String, Body>,
     #[serde(default)]
     pub joints: IndexMap<String, Joint>,
@@ -98,10 +94,8 @@ pub struct Model {
     #[serde(default)]
     pub points: Vec<PointRef>,
     #[serde(default)]
-    #[schemars(with = "Analysis")]
     pub analysis: Option<Analysis>,
     /// How messages speak of it: the units that the file names.
     #[serde(skip)]
-    #[schemars(skip)]
     pub display: DisplayUnits,
 }

@@ -4,16 +4,15 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use super::check;
 use super::expression::Parameter;
+use super::gate::{self, Checked};
 use super::json;
-use super::node::{self, Kind};
-use super::quantity::display;
+use super::node::{self, Kind, Node};
 use super::set;
 use super::source::Source;
 use super::stale;
-use super::validate::validate;
-use super::{FORMAT, Model, hold};
+use super::walk::{Findings, Undotted, display, walk};
+use super::{FORMAT, ForceKind, Model, hold};
 use crate::error::Complaint;
 
 /// Largest file that is read \[bytes\].
@@ -24,8 +23,11 @@ const MOST_COMPLAINTS: usize = 100;
 /// A model, and what it was read from.
 #[derive(Debug, Clone)]
 pub struct Loaded {
-    pub model: Model,
+    /// The model, legal.
+    pub model: Checked,
+    /// What it was read from.
     pub source: Source,
+    /// What is legal, and yet hardly meant.
     pub warnings: Vec<String>,
     /// The parameters as resolved, in the order of the file.
     pub parameters: Vec<Parameter>,
@@ -129,73 +131,78 @@ pub fn load(text: &[u8], sets: &[String]) -> Result<Loaded, Vec<Complaint>> {
         .root
         .get("format")
         .filter(|node| node.as_str() != Some(FORMAT));
-    let findings = validate(&source);
+    let findings = walk(&source);
     if other_format.is_some() {
         let of_format = |complaint: &Complaint| complaint.path == "format";
         return Err(findings.complaints.into_iter().filter(of_format).collect());
     }
-    complaints.extend(findings.complaints);
     let more = findings.more + uncounted;
-    let mut warnings = findings.warnings;
-    let checked = check::check(&findings.value, &findings.references, &source);
-    complaints.extend(
-        checked
-            .complaints
-            .into_iter()
-            .map(|complaint| source.place(complaint)),
-    );
-    warnings.extend(
-        checked
-            .warnings
-            .into_iter()
-            .take(MOST_COMPLAINTS)
-            .map(|warning| source.place(warning).to_string()),
-    );
-    if !complaints.is_empty() {
-        return Err(sorted(complaints, more));
-    }
-
-    // words → types; the schema comes from these types, so nothing is left to go wrong
-    match serde_json::from_value::<Model>(findings.value) {
-        Ok(mut model) => {
-            model.display = display(source.root.get("units"));
-            let complaints = gears(&model, &source);
-            let said = hold::unheld(&model)
-                .into_iter()
-                .chain(stale::stale(&source.root, sets));
-            warnings.extend(
-                said.take(MOST_COMPLAINTS)
-                    .map(|warning| source.place(warning).to_string()),
-            );
-            if complaints.is_empty() {
-                Ok(Loaded {
-                    model,
-                    document: source.root.to_value(),
-                    source,
-                    warnings,
-                    parameters: findings.parameters,
-                })
-            } else {
-                Err(sorted(complaints, 0))
-            }
-        }
-        Err(error) => Err(vec![Complaint::new(
-            "",
-            format!("the schema allows what the model does not: {error}"),
-        )]),
-    }
+    pass(source, sets, findings, complaints, more)
 }
 
-/// Gears whose wheels have no common carrier.
-fn gears(model: &Model, source: &Source) -> Vec<Complaint> {
-    let carriers = model
-        .joints
-        .iter()
-        .filter_map(|(name, joint)| model.carrier(name, joint));
-    carriers
-        .filter_map(Result::err)
-        .map(|complaint| source.place(complaint))
+/// Words → types → the gate.
+fn pass(
+    source: Source,
+    sets: &[String],
+    findings: Findings,
+    mut complaints: Vec<Complaint>,
+    more: usize,
+) -> Result<Loaded, Vec<Complaint>> {
+    let place = |complaint| source.place(complaint);
+    complaints.extend(findings.complaints);
+    // the words are described as these types are, so nothing is left to go wrong
+    let mut model = serde_json::from_value::<Model>(findings.value).map_err(|error| {
+        let message = format!("the words allow what the model does not: {error}");
+        vec![Complaint::new("", message)]
+    })?;
+    model.display = display(source.root.get("units"));
+    let undotted = findings.undotted.into_iter().take(MOST_COMPLAINTS);
+    let undotted = undotted.map(|Undotted { path, text }| gate::no_point(&model, &path, &text));
+    complaints.extend(undotted.map(place));
+    let (passed, said) = gate::pass(model, findings.holes);
+    let mut warnings = findings.warnings;
+    warnings.extend(told(said, &source));
+    let model = match passed {
+        Ok(model) if complaints.is_empty() => model,
+        Ok(_) => return Err(sorted(complaints, more)),
+        Err(said) => {
+            complaints.extend(said.into_iter().map(place));
+            return Err(sorted(complaints, more));
+        }
+    };
+    let unsaid = unsaid_lengths(&model, &source.root);
+    let said = unsaid
+        .chain(hold::unheld(&model))
+        .chain(stale::stale(&source.root, sets));
+    warnings.extend(told(said, &source));
+    Ok(Loaded {
+        model,
+        document: source.root.to_value(),
+        source,
+        warnings,
+        parameters: findings.parameters,
+    })
+}
+
+/// Warnings as they are told, as many as anybody reads.
+fn told(said: impl IntoIterator<Item = Complaint>, source: &Source) -> Vec<String> {
+    let said = said.into_iter().take(MOST_COMPLAINTS);
+    said.map(|warning| source.place(warning).to_string())
         .collect()
+}
+
+/// A warning per spring with a stiffness whose free length the file does not say.
+fn unsaid_lengths<'m>(model: &'m Model, root: &'m Node) -> impl Iterator<Item = Complaint> + 'm {
+    let unsaid = model.forces.iter().filter(|(name, force)| {
+        let is_stiff =
+            matches!(force.kind, ForceKind::Spring { stiffness, .. } if stiffness != 0.0);
+        let written = root.get("forces").and_then(|forces| forces.get(name));
+        is_stiff && written.is_some_and(|written| written.get("free_length").is_none())
+    });
+    unsaid.map(|(name, _)| {
+        let message = "\"free_length\" is left out and taken as 0";
+        Complaint::new(format!("forces.{name}"), message).hint("write it, even if it is 0")
+    })
 }
 
 /// UTF-8 with or without its mark, neither empty nor too large.

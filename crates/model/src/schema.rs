@@ -1,6 +1,6 @@
-//! The JSON Schema of a model file, from the types of this module.
+//! The JSON Schema of a model file, printed from the descriptions of its [words](crate::words).
 //!
-//! Beyond the standard keywords, which any editor understands, our own loader reads
+//! Beyond the standard keywords, which any editor understands, it says
 //!
 //! | keyword       | at                | says                                                                   |
 //! | ------------- | ----------------- | ---------------------------------------------------------------------- |
@@ -13,16 +13,14 @@
 //! | `x-parameters` | object           | the parameters, which are read before everything else                  |
 //! | `x-refused`   | object            | keys that have a reason of their own for not being allowed             |
 
-use std::sync::LazyLock;
-
-use schemars::generate::SchemaSettings;
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde_json::{Map, Value, json};
 
-use super::body::{Body, Ground};
-use super::dimension::Dimension;
-use super::driver::Motion;
-use super::{Model, NAME_PATTERN};
+use crate::NAME_PATTERN;
+use crate::dimension::Dimension;
+use crate::shape::{
+    Bound, Choice, Default, Drives, Field, Measure, Named, Need, Object, Shape, Tagged,
+};
+use crate::words::{DEFINITIONS, Definition, FILE, MATERIAL, MOTION, SEPARATE};
 
 /// Text with a unit, or an expression.
 const QUANTITY_PATTERN: &str =
@@ -34,302 +32,374 @@ const EXPRESSION_PATTERN: &str = r"^\s*=";
 /// Name of a parameter.
 const PARAMETER_PATTERN: &str = "^[A-Za-z_][A-Za-z0-9_]*$";
 
-/// The whole file: what the loader consumes, and the model.
-#[derive(JsonSchema)]
-#[schemars(title = "linkdyn/1")]
-#[expect(dead_code, reason = "only its schema is wanted")]
-struct File {
-    /// The format of the file.
-    format: Format,
-    /// `"SI"`, or another unit per dimension; SI for the rest. Each dimension stands alone.
-    #[schemars(schema_with = "units")]
-    units: (),
-    /// Numbers with a name, for use in expressions.
-    #[serde(default)]
-    #[schemars(schema_with = "parameters")]
-    parameters: (),
-    #[serde(flatten)]
-    model: Model,
-}
-
-/// Formats that this version reads.
-#[derive(JsonSchema)]
-#[expect(dead_code, reason = "only its schema is wanted")]
-enum Format {
-    #[schemars(rename = "linkdyn/1")]
-    One,
-}
+/// Keys of a schema, in the order in which they are printed.
+type Keys = Map<String, Value>;
 
 /// The JSON Schema (draft 2020-12) of a model file.
 pub fn schema() -> Value {
-    SCHEMA.clone()
+    let mut file = object(&FILE, None);
+    let closed = file.remove("additionalProperties");
+    file.insert("title".into(), FILE.name.into());
+    file.insert(
+        "$schema".into(),
+        "https://json-schema.org/draft/2020-12/schema".into(),
+    );
+    let definitions = DEFINITIONS
+        .iter()
+        .map(|one| (one.name().to_owned(), definition(one)));
+    file.insert("$defs".into(), Value::Object(definitions.collect()));
+    file.extend(closed.map(|closed| ("additionalProperties".to_owned(), closed)));
+    Value::Object(file)
 }
 
-/// The same, made once.
-pub(super) static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
-    let generator = SchemaSettings::draft2020_12().into_generator();
-    let mut schema = generator.into_root_schema_for::<File>().to_value();
-    close(&mut schema);
-    schema
-});
-
-/// Makes every object closed (its keys, `note`, nothing else), tagged unions flat, and drops nulls.
-fn close(schema: &mut Value) {
-    match schema {
-        Value::Array(items) => items.iter_mut().for_each(close),
-        Value::Object(object) => {
-            if object.contains_key("properties") && is_tagged(object) {
-                distribute(object);
-            }
-            object.values_mut().for_each(close);
-            if object.get("default") == Some(&Value::Null) {
-                object.remove("default");
-            }
-            allow_expression(object);
-            close_object(object);
+fn definition(definition: &Definition) -> Value {
+    match definition {
+        Definition::Format(choice) => {
+            let words: Vec<&str> = choice.words.iter().map(|word| word.0).collect();
+            json!({ "type": "string", "enum": words, "description": choice.about })
         }
-        Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => {}
-    }
-}
-
-/// Whether `oneOf` lists objects told apart by `type`.
-fn is_tagged(object: &Map<String, Value>) -> bool {
-    object
-        .get("oneOf")
-        .and_then(Value::as_array)
-        .is_some_and(|variants| {
-            variants
-                .iter()
-                .all(|variant| variant.pointer("/properties/type/const").is_some())
-        })
-}
-
-/// Moves the keys that all variants share into each of them.
-fn distribute(object: &mut Map<String, Value>) {
-    let shared = object.remove("properties");
-    let required = object.remove("required");
-    object.remove("type");
-    for variant in object
-        .get_mut("oneOf")
-        .and_then(Value::as_array_mut)
-        .into_iter()
-        .flatten()
-    {
-        if let (Some(Value::Object(own)), Some(Value::Object(shared))) =
-            (variant.get_mut("properties"), &shared)
-        {
-            own.extend(shared.clone());
+        Definition::Point(about) => json!({
+            "type": "string", "description": about, "pattern": "^[^.]+\\.[^.]+$", "x-reference": "point"
+        }),
+        Definition::Materials(about) => {
+            let same = json!({ "$ref": target(MATERIAL.name), "description": "One for both." });
+            json!({ "anyOf": [object(&SEPARATE, None), same], "description": about })
         }
-        if let (Some(Value::Array(own)), Some(Value::Array(required))) =
-            (variant.get_mut("required"), &required)
-        {
-            own.extend(required.clone());
-        }
+        Definition::Choice(choice) => words(choice),
+        Definition::Object(one) => Value::Object(object(one, None)),
+        Definition::Tagged(one) => tagged(one),
     }
 }
 
-/// Where a plain number may stand, so may an expression.
-fn allow_expression(object: &mut Map<String, Value>) {
-    if let Some(plain @ ("number" | "integer")) = object.get("type").and_then(Value::as_str) {
-        let plain = plain.to_owned();
-        object.insert("type".into(), json!([plain, "string"]));
-        object.insert("pattern".into(), json!(EXPRESSION_PATTERN));
-        object.insert("x-plain".into(), json!(plain));
+fn words(choice: &Choice) -> Value {
+    let words = choice
+        .words
+        .iter()
+        .map(|(word, about)| json!({ "type": "string", "const": word, "description": about }));
+    json!({ "oneOf": words.collect::<Vec<_>>(), "description": choice.about })
+}
+
+fn tagged(tagged: &Tagged) -> Value {
+    let variants: Vec<Value> = tagged
+        .variants
+        .iter()
+        .map(|variant| Value::Object(object(variant, Some(variant.name))))
+        .collect();
+    // The order of the keys is that of the first schema that was published.
+    match tagged.name {
+        "Driver" => json!({ "description": tagged.about, "oneOf": variants }),
+        "Force" => json!({ "type": "object", "oneOf": variants, "description": tagged.about }),
+        _ => json!({ "oneOf": variants, "description": tagged.about }),
     }
 }
 
-/// Adds `note`, and forbids what is not listed; names of maps must be names.
-fn close_object(object: &mut Map<String, Value>) {
-    if object.get("type") != Some(&json!("object")) {
-        return;
-    }
-    let note = json!({ "description": "A remark, for whoever reads the file.", "type": "string" });
-    if let Some(additional) = object
-        .get("additionalProperties")
-        .filter(|value| value.is_object())
-        .cloned()
-    {
-        object
-            .entry("propertyNames")
-            .or_insert_with(|| json!({ "pattern": NAME_PATTERN }));
-        let properties = object.entry("properties").or_insert_with(|| json!({}));
-        properties["note"] = json!({ "anyOf": [note, additional] });
-    } else if let Some(properties) = object.get_mut("properties") {
-        properties["note"] = note;
-        object.insert("additionalProperties".into(), json!(false));
-    }
-}
-
-fn quantity(dimension: &str) -> Schema {
-    json_schema!({ "type": ["number", "string"], "pattern": QUANTITY_PATTERN, "x-dimension": dimension })
-}
-
-fn pair(items: Schema) -> Schema {
-    json_schema!({ "type": "array", "items": items, "minItems": 2, "maxItems": 2 })
-}
-
-fn or_motion(generator: &mut SchemaGenerator, dimension: Dimension) -> Schema {
-    let motion = generator.subschema_for::<Motion>();
-    json_schema!({ "anyOf": [quantity(dimension.name()), motion], "x-driven": dimension.name() })
-}
-
-fn units(_: &mut SchemaGenerator) -> Schema {
-    let mut properties = Map::new();
-    for dimension in Dimension::NAMED {
-        let description = format!(
-            "Unit of a plain number for {}, SI: {}.",
-            dimension.name(),
-            dimension.si()
-        );
+/// An object, closed but for `note`; with its `type` where it is one of several kinds.
+fn object(object: &Object, kind: Option<&str>) -> Keys {
+    let mut properties = Keys::new();
+    properties.extend(kind.map(|kind| ("type".into(), json!({ "type": "string", "const": kind }))));
+    for field in object.fields {
         properties.insert(
-            dimension.name().into(),
-            json!({ "description": description, "type": "string", "x-unit-of": dimension.name() }),
+            field.key.into(),
+            Value::Object(at(&field.shape, Some(field))),
         );
     }
-    json_schema!({ "anyOf": [{ "const": "SI" }, { "type": "object", "properties": properties }] })
+    properties.insert("note".into(), note());
+    let required = object
+        .fields
+        .iter()
+        .filter(|field| field.need == Need::Required);
+    let required: Vec<&str> = kind
+        .map(|_| "type")
+        .into_iter()
+        .chain(required.map(|field| field.key))
+        .collect();
+    let mut keys = keys(json!({ "type": "object", "properties": properties }));
+    if !required.is_empty() {
+        keys.insert("required".into(), json!(required));
+    }
+    keys.insert("description".into(), object.about.into());
+    match object.drives {
+        Drives::Nothing => {}
+        Drives::Always(dimension) => {
+            keys.insert("x-driven".into(), dimension.name().into());
+        }
+        Drives::Sampled => {
+            keys.insert("x-driven".into(), "driver of this sample".into());
+        }
+    }
+    if let Some(either) = object.either {
+        let either = either.map(|key| json!({ "required": [key] }));
+        keys.insert("anyOf".into(), json!(either));
+    }
+    if !object.refused.is_empty() {
+        let refused: Keys = object
+            .refused
+            .iter()
+            .map(|(key, reason)| ((*key).to_owned(), (*reason).into()))
+            .collect();
+        keys.insert("x-refused".into(), Value::Object(refused));
+    }
+    keys.insert("additionalProperties".into(), json!(false));
+    keys
 }
 
-fn parameters(_: &mut SchemaGenerator) -> Schema {
-    json_schema!({
-        "type": "object", "propertyNames": { "pattern": PARAMETER_PATTERN }, "x-parameters": true,
-        "additionalProperties": {
-            "description": "A plain number, text with a unit, or \"=\" and an expression of other parameters.",
-            "type": ["number", "string"], "pattern": QUANTITY_PATTERN
+fn keys(value: Value) -> Keys {
+    match value {
+        Value::Object(keys) => keys,
+        Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) | Value::Array(_) => {
+            Keys::new()
         }
-    })
+    }
+}
+
+fn note() -> Value {
+    json!({ "description": "A remark, for whoever reads the file.", "type": "string" })
+}
+
+fn target(name: &str) -> String {
+    format!("#/$defs/{name}")
+}
+
+/// What a key says beside its shape: description and default.
+fn said(keys: &mut Keys, field: Option<&Field>) {
+    let Some(field) = field else { return };
+    if !field.about.is_empty() {
+        keys.insert("description".into(), field.about.into());
+    }
+    if let Need::Default(default) = field.need {
+        let value = match default {
+            Default::Zero => json!(0.0),
+            Default::Zeros => json!([0.0, 0.0]),
+            Default::Empty => match field.shape {
+                Shape::List(..) => json!([]),
+                _ => json!({}),
+            },
+            Default::Number(number) => json!(number),
+            Default::Text(text) => json!(text),
+            Default::Same => return,
+        };
+        keys.insert("default".into(), value);
+    }
+}
+
+/// A bound; whole numbers without a decimal point.
+fn bounded(keys: &mut Keys, bound: Bound, most_first: bool) {
+    let number = |number: f64| match number.fract() {
+        0.0 => json!(number as i64),
+        _ => json!(number),
+    };
+    match bound {
+        Bound::Any => {}
+        Bound::AtLeast(least) => {
+            keys.insert("minimum".into(), number(least));
+        }
+        Bound::Above(limit) => {
+            keys.insert("exclusiveMinimum".into(), number(limit));
+        }
+        Bound::Between(least, most) => {
+            let (least, most) = (("minimum", number(least)), ("maximum", number(most)));
+            let pair = if most_first {
+                [most, least]
+            } else {
+                [least, most]
+            };
+            keys.extend(pair.map(|(key, value)| (key.to_owned(), value)));
+        }
+        Bound::NotZero => {
+            keys.insert("not".into(), json!({ "const": 0 }));
+        }
+    }
+}
+
+/// The name of a measure in the schema.
+fn measure_name(measure: Measure) -> &'static str {
+    match measure {
+        Measure::Of(dimension) => dimension.name(),
+        Measure::LinearStiffness => "linear stiffness",
+        Measure::Driven => "driven",
+        Measure::DrivenVelocity => "driven velocity",
+        Measure::DrivenAcceleration => "driven acceleration",
+        Measure::DrivenCoefficient => "driven coefficient",
+    }
+}
+
+fn named(kind: Named) -> &'static str {
+    match kind {
+        Named::Body => "body",
+        Named::Joint => "joint",
+        Named::Driver => "driver",
+    }
+}
+
+/// A number with a dimension, without what a key says beside.
+fn quantity(measure: Measure) -> Keys {
+    keys(json!({
+        "type": ["number", "string"], "pattern": QUANTITY_PATTERN, "x-dimension": measure_name(measure)
+    }))
+}
+
+/// A plain number or an expression: its first keys, and what follows behind its bounds.
+fn plain(keys: &mut Keys, kind: &str) {
+    keys.insert("pattern".into(), EXPRESSION_PATTERN.into());
+    keys.insert("x-plain".into(), kind.into());
+}
+
+fn list(items: &Shape, least: usize, most: Option<usize>) -> Keys {
+    let mut keys = keys(json!({ "type": "array", "items": at(items, None) }));
+    if least > 0 {
+        keys.insert("minItems".into(), json!(least));
+    }
+    keys.extend(most.map(|most| ("maxItems".to_owned(), json!(most))));
+    keys
+}
+
+/// What stands at a place, with what its key says.
+fn at(shape: &Shape, field: Option<&Field>) -> Keys {
+    let reference = |name: &str| keys(json!({ "$ref": target(name) }));
+    let mut keys = match shape {
+        Shape::Format => reference("Format"),
+        Shape::Point => reference("PointRef"),
+        Shape::Materials => reference("Elastic"),
+        Shape::Choice(choice) => reference(choice.name),
+        Shape::Object(object) => reference(object.name),
+        Shape::Tagged(tagged) => reference(tagged.name),
+        Shape::Units => units(),
+        Shape::Parameters => return parameters(field),
+        Shape::Map(of) => return map(of, field),
+        Shape::Bodies => return bodies(field),
+        Shape::Text => keys(json!({ "type": "string" })),
+        Shape::Name(kind) => {
+            let mut keys = keys(json!({ "type": "string" }));
+            said(&mut keys, field);
+            keys.insert("x-reference".into(), named(*kind).into());
+            return keys;
+        }
+        Shape::Quantity(measure, bound) => {
+            let mut keys = quantity(*measure);
+            said(&mut keys, field);
+            bounded(&mut keys, *bound, true);
+            return keys;
+        }
+        Shape::Number(_) | Shape::Coefficient(_) | Shape::Count(..) => return number(shape, field),
+        Shape::ContactStiffness => {
+            let mut keys = keys(json!({
+                "type": ["number", "string"], "pattern": QUANTITY_PATTERN, "x-plain": "number",
+                "x-linear": measure_name(Measure::LinearStiffness)
+            }));
+            said(&mut keys, field);
+            bounded(&mut keys, Bound::Above(0.0), true);
+            return keys;
+        }
+        Shape::Direction => {
+            let mut keys = list(&Shape::Number(Bound::Any), 2, Some(2));
+            said(&mut keys, field);
+            keys.insert("not".into(), json!({ "const": [0, 0] }));
+            return keys;
+        }
+        Shape::Pair(of) => list(of, 2, Some(2)),
+        Shape::List(of, least) => list(of, *least, None),
+        Shape::Table => keys(json!({
+            "type": "array",
+            "items": {
+                "type": "array",
+                "prefixItems": [quantity(Measure::Of(Dimension::Time)), quantity(Measure::Driven)],
+                "items": false, "minItems": 2, "maxItems": 2
+            },
+            "minItems": 2
+        })),
+        Shape::Varying(dimension) => keys(json!({
+            "anyOf": [quantity(Measure::Of(*dimension)), reference(MOTION.name)],
+            "x-driven": dimension.name()
+        })),
+    };
+    said(&mut keys, field);
+    keys
+}
+
+fn number(shape: &Shape, field: Option<&Field>) -> Keys {
+    let start = |kind: &str| keys(json!({ "type": [kind, "string"] }));
+    match shape {
+        Shape::Count(least, most) => {
+            let mut keys = start("integer");
+            said(&mut keys, field);
+            bounded(&mut keys, Bound::Between(*least as f64, *most as f64), true);
+            plain(&mut keys, "integer");
+            keys
+        }
+        Shape::Number(bound) => {
+            let mut keys = start("number");
+            keys.insert("format".into(), "double".into());
+            said(&mut keys, field);
+            bounded(&mut keys, *bound, false);
+            plain(&mut keys, "number");
+            keys
+        }
+        Shape::Coefficient(bound) => {
+            let mut keys = start("number");
+            said(&mut keys, field);
+            bounded(&mut keys, *bound, true);
+            plain(&mut keys, "number");
+            keys
+        }
+        _ => Keys::new(),
+    }
+}
+
+fn map(of: &Shape, field: Option<&Field>) -> Keys {
+    let each = at(of, None);
+    let mut keys = keys(json!({ "type": "object", "additionalProperties": each }));
+    said(&mut keys, field);
+    keys.insert("propertyNames".into(), json!({ "pattern": NAME_PATTERN }));
+    keys.insert(
+        "properties".into(),
+        json!({ "note": { "anyOf": [note(), each] } }),
+    );
+    keys
 }
 
 /// `bodies`: `ground` is one of its own kind.
-pub(super) fn bodies(generator: &mut SchemaGenerator) -> Schema {
-    let (ground, body) = (
-        generator.subschema_for::<Ground>(),
-        generator.subschema_for::<Body>(),
-    );
-    json_schema!({ "type": "object", "properties": { "ground": ground }, "additionalProperties": body, "minProperties": 1 })
+fn bodies(field: Option<&Field>) -> Keys {
+    let body = json!({ "$ref": target("Body") });
+    let mut keys = keys(json!({
+        "type": "object",
+        "properties": { "ground": { "$ref": target("Ground") }, "note": { "anyOf": [note(), body] } },
+        "additionalProperties": body,
+        "minProperties": 1
+    }));
+    said(&mut keys, field);
+    keys.insert("propertyNames".into(), json!({ "pattern": NAME_PATTERN }));
+    keys
 }
 
-/// A plain number.
-pub(super) fn number(_: &mut SchemaGenerator) -> Schema {
-    json_schema!({ "type": "number" })
+fn units() -> Keys {
+    let mut properties = Keys::new();
+    for dimension in Dimension::NAMED {
+        let (name, si) = (dimension.name(), dimension.si());
+        let description = format!("Unit of a plain number for {name}, SI: {si}.");
+        properties.insert(
+            name.into(),
+            json!({ "description": description, "type": "string", "x-unit-of": name }),
+        );
+    }
+    properties.insert("note".into(), note());
+    let named =
+        json!({ "type": "object", "properties": properties, "additionalProperties": false });
+    keys(json!({ "anyOf": [{ "const": "SI" }, named] }))
 }
 
-/// A plain number; where the law is linear it has a unit, which text may name.
-pub(super) fn contact_stiffness(_: &mut SchemaGenerator) -> Schema {
-    json_schema!({ "type": ["number", "string"], "pattern": QUANTITY_PATTERN, "x-plain": "number", "x-linear": "linear stiffness" })
-}
-
-/// A whole number.
-pub(super) fn count(_: &mut SchemaGenerator) -> Schema {
-    json_schema!({ "type": "integer" })
-}
-
-pub(super) fn length(_: &mut SchemaGenerator) -> Schema {
-    quantity("length")
-}
-
-pub(super) fn angle(_: &mut SchemaGenerator) -> Schema {
-    quantity("angle")
-}
-
-pub(super) fn mass(_: &mut SchemaGenerator) -> Schema {
-    quantity("mass")
-}
-
-pub(super) fn inertia(_: &mut SchemaGenerator) -> Schema {
-    quantity("inertia")
-}
-
-pub(super) fn stiffness(_: &mut SchemaGenerator) -> Schema {
-    quantity("stiffness")
-}
-
-pub(super) fn damping(_: &mut SchemaGenerator) -> Schema {
-    quantity("damping")
-}
-
-pub(super) fn angular_stiffness(_: &mut SchemaGenerator) -> Schema {
-    quantity("angular_stiffness")
-}
-
-pub(super) fn angular_damping(_: &mut SchemaGenerator) -> Schema {
-    quantity("angular_damping")
-}
-
-pub(super) fn velocity(_: &mut SchemaGenerator) -> Schema {
-    quantity("velocity")
-}
-
-pub(super) fn angular_velocity(_: &mut SchemaGenerator) -> Schema {
-    quantity("angular_velocity")
-}
-
-pub(super) fn time(_: &mut SchemaGenerator) -> Schema {
-    quantity("time")
-}
-
-pub(super) fn stress(_: &mut SchemaGenerator) -> Schema {
-    quantity("stress")
-}
-
-pub(super) fn frequency(_: &mut SchemaGenerator) -> Schema {
-    quantity("frequency")
-}
-
-/// A value of what is driven.
-pub(super) fn driven(_: &mut SchemaGenerator) -> Schema {
-    quantity("driven")
-}
-
-pub(super) fn driven_velocity(_: &mut SchemaGenerator) -> Schema {
-    quantity("driven velocity")
-}
-
-pub(super) fn driven_acceleration(_: &mut SchemaGenerator) -> Schema {
-    quantity("driven acceleration")
-}
-
-/// Coefficients of a polynomial: per second to the power of their index.
-pub(super) fn driven_coefficients(_: &mut SchemaGenerator) -> Schema {
-    json_schema!({ "type": "array", "items": quantity("driven coefficient"), "minItems": 1 })
-}
-
-/// Points (t, value).
-pub(super) fn driven_table(_: &mut SchemaGenerator) -> Schema {
-    let point = json_schema!({
-        "type": "array", "prefixItems": [quantity("time"), quantity("driven")], "items": false, "minItems": 2, "maxItems": 2
+fn parameters(field: Option<&Field>) -> Keys {
+    let value = json!({
+        "description": "A plain number, text with a unit, or \"=\" and an expression of other parameters.",
+        "type": ["number", "string"], "pattern": QUANTITY_PATTERN
     });
-    json_schema!({ "type": "array", "items": point, "minItems": 2 })
-}
-
-pub(super) fn length_pair(_: &mut SchemaGenerator) -> Schema {
-    pair(quantity("length"))
-}
-
-pub(super) fn acceleration_pair(_: &mut SchemaGenerator) -> Schema {
-    pair(quantity("acceleration"))
-}
-
-/// Named points.
-pub(super) fn length_pairs(_: &mut SchemaGenerator) -> Schema {
-    json_schema!({ "type": "object", "additionalProperties": pair(quantity("length")) })
-}
-
-pub(super) fn body_pair(_: &mut SchemaGenerator) -> Schema {
-    pair(json_schema!({ "type": "string", "x-reference": "body" }))
-}
-
-pub(super) fn length_or_motion(generator: &mut SchemaGenerator) -> Schema {
-    or_motion(generator, Dimension::Length)
-}
-
-pub(super) fn angle_or_motion(generator: &mut SchemaGenerator) -> Schema {
-    or_motion(generator, Dimension::Angle)
-}
-
-pub(super) fn torque_or_motion(generator: &mut SchemaGenerator) -> Schema {
-    or_motion(generator, Dimension::Torque)
-}
-
-pub(super) fn force_or_motion_pair(generator: &mut SchemaGenerator) -> Schema {
-    pair(or_motion(generator, Dimension::Force))
+    let mut keys = keys(json!({
+        "type": "object", "propertyNames": { "pattern": PARAMETER_PATTERN }, "x-parameters": true,
+        "additionalProperties": value
+    }));
+    said(&mut keys, field);
+    keys.insert(
+        "properties".into(),
+        json!({ "note": { "anyOf": [note(), value] } }),
+    );
+    keys
 }

@@ -6,6 +6,7 @@ use super::super::node::{Kind, Node, Origin, excerpt};
 use super::super::suggest;
 use super::super::units::{Unit, UnitFault, split_quantity, with_decimal_point};
 use super::{Expression, FUNCTIONS, Fault, Misfit, PI, Quantity, is_expression};
+use crate::dimension::Dimension;
 use crate::error::Complaint;
 
 /// Most parameters of a circle that are named.
@@ -14,11 +15,16 @@ const MOST_NAMED: usize = 8;
 /// A parameter as resolved.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Parameter {
+    /// Its name.
     pub name: String,
     /// In SI.
     pub value: f64,
     /// SI unit; empty of a plain number.
     pub unit: String,
+    /// Its dimension; none of a plain number, nor of what has no name among the dimensions.
+    pub dimension: Option<Dimension>,
+    /// What the file says: a number, text with a unit, or an expression.
+    pub text: String,
 }
 
 /// A fault, and the node and byte of its text at which it stands.
@@ -256,14 +262,22 @@ impl Parameters {
         expression.evaluate(&self.values, self.degrees)
     }
 
-    /// All that have a value.
-    pub fn resolved(&self) -> Vec<Parameter> {
+    /// All that have a value, as written in a node.
+    pub fn resolved(&self, node: Option<&Node>) -> Vec<Parameter> {
         let found = self.names.iter().zip(&self.values);
         let resolved = found.filter_map(|(name, value)| {
+            let value = (*value)?;
+            let text = match &node?.get(name)?.kind {
+                Kind::Number(number) => number.to_string(),
+                Kind::String(text) => text.clone(),
+                Kind::Null | Kind::Bool(_) | Kind::Array(_) | Kind::Object(_) => return None,
+            };
             Some(Parameter {
                 name: name.clone(),
-                value: (*value)?.value,
-                unit: (*value)?.unit(),
+                value: value.value,
+                unit: value.unit(),
+                dimension: value.dimension(),
+                text,
             })
         });
         resolved.collect()

@@ -107,13 +107,17 @@ impl Quantity {
         self.exponents == [0; 4]
     }
 
-    /// Its unit in SI; empty where it is pure.
-    pub fn unit(self) -> String {
+    /// Its dimension, where that has a name.
+    pub fn dimension(self) -> Option<Dimension> {
         let named = Dimension::NAMED.into_iter().chain([Dimension::Frequency]);
-        if let Some(dimension) = named
+        named
             .into_iter()
             .find(|dimension| whole(dimension.powers()) == self.exponents)
-        {
+    }
+
+    /// Its unit in SI; empty where it is pure.
+    pub fn unit(self) -> String {
+        if let Some(dimension) = self.dimension() {
             return dimension.si().to_owned();
         }
         let symbols = [(1, "kg"), (0, "m"), (2, "s"), (3, "rad")];
@@ -145,11 +149,7 @@ impl Quantity {
         if self.is_pure() {
             return "a plain number".into();
         }
-        let named = Dimension::NAMED.into_iter().chain([Dimension::Frequency]);
-        match named
-            .into_iter()
-            .find(|dimension| whole(dimension.powers()) == self.exponents)
-        {
+        match self.dimension() {
             Some(dimension) => with_article(dimension.name(), dimension.si()),
             None => format!("a quantity in {}", self.unit()),
         }

@@ -1,19 +1,21 @@
 //! Numbers with units: a plain number in the unit that `units` names for its dimension, text that brings its own, or an
 //! expression, whose result is in SI where it has a dimension, and counts as a plain number where it has none.
 
-use super::dimension::{Dimension, Powers};
-use super::expression::{Misfit, Pure, Quantity, is_expression, with_article};
-use super::node::{Kind, Node};
-use super::source::Source;
-use super::units::{Unit, UnitFault, split_quantity, with_decimal_point};
-use super::validate::{Walk, wrong_kind};
-use crate::display::{DisplayUnits, Shown};
+use super::units::Wanted;
+use super::{Walk, wrong_kind};
+use crate::dimension::Dimension;
 use crate::error::Complaint;
+use crate::expression::{Misfit, Pure, Quantity, is_expression, with_article};
+use crate::node::{Kind, Node, excerpt};
+use crate::shape::Measure;
+use crate::units::{Unit, UnitFault, split_quantity, with_decimal_point};
 
 /// What a motion drives, or a sample samples.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Driven {
+pub enum Driven {
+    /// There is none around.
     Nothing,
+    /// A quantity of a dimension.
     Dimension(Dimension),
     /// Coefficient of t^order.
     Coefficient(Dimension, usize),
@@ -31,181 +33,16 @@ impl Driven {
     }
 }
 
-/// Units of plain numbers.
-pub(super) struct Units {
-    /// In the order of `Dimension::NAMED`; none: SI.
-    named: [Option<Unit>; Dimension::NAMED.len()],
-    /// First plain number, other than zero, of each dimension.
-    plain: [Option<String>; Dimension::NAMED.len()],
-}
-
-/// The units in which messages speak: those of plain numbers.
-pub(super) fn display(node: Option<&Node>) -> DisplayUnits {
-    let shown = |dimension: Dimension, otherwise: Shown| {
-        let text = node
-            .and_then(|node| node.get(dimension.name())?.as_str())
-            .map(str::trim);
-        let unit = text
-            .and_then(|text| Unit::parse(text).ok())
-            .filter(|unit| unit.powers == dimension.powers());
-        let size = unit.and_then(|unit| unit.convert(1.0, Unit::si(dimension.powers())));
-        match (text, size) {
-            (Some("deg"), Some(size)) => Shown::new("°", size),
-            (Some(text), Some(size)) => Shown::new(text, size),
-            (_, None) | (None, Some(_)) => otherwise,
-        }
-    };
-    let DisplayUnits {
-        length,
-        angle,
-        mass,
-        time,
-    } = DisplayUnits::default();
-    DisplayUnits {
-        length: shown(Dimension::Length, length),
-        angle: shown(Dimension::Angle, angle),
-        mass: shown(Dimension::Mass, mass),
-        time: shown(Dimension::Time, time),
-    }
-}
-
-/// What is expected at one place.
-struct Wanted {
-    powers: Powers,
-    /// Of a plain number.
-    plain: Unit,
-    /// In words.
-    name: String,
-    /// SI unit, as text.
-    si: String,
-    dimension: Option<Dimension>,
-}
-
-impl Units {
-    /// Reads `units`; what is wrong there is complained about when its turn comes.
-    pub fn read(node: Option<&Node>) -> Units {
-        let named = Dimension::NAMED.map(|dimension| {
-            let text = node?.get(dimension.name())?.as_str()?;
-            Unit::parse(text)
-                .ok()
-                .filter(|unit| dimension.powers().accepts(unit.powers))
-        });
-        Units {
-            named,
-            plain: Default::default(),
-        }
-    }
-
-    fn of(&self, dimension: Dimension) -> Unit {
-        let named = dimension.index().and_then(|index| self.named[index]);
-        named.unwrap_or_else(|| Unit::si(dimension.powers()))
-    }
-
-    /// Whether plain angles are in radians.
-    pub fn in_radians(&self) -> bool {
-        self.of(Dimension::Angle) == Unit::si(Dimension::Angle.powers())
-    }
-
-    /// Warns of plain numbers in radians where angles are not.
-    pub fn warnings(&self, source: &Source) -> Vec<String> {
-        if self.in_radians() {
-            return Vec::new();
-        }
-        let angular = [
-            Dimension::AngularVelocity,
-            Dimension::AngularAcceleration,
-            Dimension::AngularStiffness,
-            Dimension::AngularDamping,
-        ];
-        let mut warnings = Vec::new();
-        for dimension in angular {
-            let Some(index) = dimension
-                .index()
-                .filter(|&index| self.named[index].is_none())
-            else {
-                continue;
-            };
-            let Some(path) = &self.plain[index] else {
-                continue;
-            };
-            let (name, si) = (dimension.name(), dimension.si());
-            let message = format!("a plain {name} is in {si}, although \"angle\" has another unit");
-            let hint = format!("name a unit for {name:?} in units, or write it with its unit");
-            warnings.push(
-                source
-                    .place(Complaint::new(path.as_str(), message).hint(hint))
-                    .to_string(),
-            );
-        }
-        warnings
-    }
-
-    /// What a keyword `x-dimension` wants here; none where that is not known.
-    fn wanted(&self, keyword: &str, driven: Driven) -> Option<Wanted> {
-        if keyword == "linear stiffness" {
-            // A plain stiffness of a contact is in SI whatever `units` names for springs.
-            let plain = Unit::si(Dimension::Stiffness.powers());
-            return Some(Wanted {
-                plain,
-                dimension: None,
-                ..self.derivative(Dimension::Stiffness, 0)
-            });
-        }
-        let (dimension, order) = match (keyword, driven) {
-            ("driven", Driven::Dimension(dimension)) => (dimension, 0),
-            ("driven velocity", Driven::Dimension(dimension)) => {
-                return Some(self.rate(dimension, 1));
-            }
-            ("driven acceleration", Driven::Dimension(dimension)) => {
-                return Some(self.rate(dimension, 2));
-            }
-            ("driven coefficient", Driven::Coefficient(dimension, order)) => (dimension, order),
-            _ => (Dimension::from_name(keyword)?, 0),
-        };
-        Some(self.derivative(dimension, order))
-    }
-
-    /// A derivative by time, a plain number of it in the unit of its own dimension where it has one.
-    fn rate(&self, dimension: Dimension, order: usize) -> Wanted {
-        match dimension.rate(order) {
-            Some(rate) => self.derivative(rate, 0),
-            None => self.derivative(dimension, order),
-        }
-    }
-
-    /// A derivative by time, a plain number of it in the unit of the dimension per second^order.
-    fn derivative(&self, dimension: Dimension, order: usize) -> Wanted {
-        let seconds = i32::try_from(order).unwrap_or(i32::MAX / 2);
-        let name = match (dimension.rate(order), order) {
-            (Some(rate), _) => rate.name().replace('_', " "),
-            (None, 1) => format!("{} per second", dimension.name()),
-            (None, _) => format!("{} per second^{order}", dimension.name()),
-        };
-        let si = match (dimension.rate(order), order) {
-            (Some(rate), _) => rate.si().to_owned(),
-            (None, 1) => format!("{}/s", dimension.si()),
-            (None, _) => format!("{}/s^{order}", dimension.si()),
-        };
-        Wanted {
-            powers: dimension.powers().per_second(seconds),
-            plain: self.of(dimension).per_second(seconds),
-            name,
-            si,
-            dimension: (order == 0).then_some(dimension),
-        }
-    }
-}
-
 impl Walk<'_> {
     /// The quantity in SI units, or none and a complaint.
     pub(super) fn quantity(
         &mut self,
         node: &Node,
-        keyword: &str,
+        measure: Measure,
         path: &str,
         driven: Driven,
     ) -> Option<f64> {
-        let wanted = self.units.wanted(keyword, driven);
+        let wanted = self.units.wanted(measure, driven);
         match &node.kind {
             Kind::Number(number) => {
                 let text = number.to_string();
@@ -273,10 +110,7 @@ impl Walk<'_> {
         let Some(meant) = with_decimal_point(text) else {
             return false;
         };
-        let hint = format!(
-            "a decimal point is a point: {:?}",
-            super::node::excerpt(&meant)
-        );
+        let hint = format!("a decimal point is a point: {:?}", excerpt(&meant));
         self.complain(
             node,
             Complaint::new(path, "a number has no comma").hint(hint),
@@ -297,7 +131,7 @@ impl Walk<'_> {
         wanted: &Wanted,
         path: &str,
     ) -> Option<Unit> {
-        let text = super::node::excerpt(text);
+        let text = excerpt(text);
         let such = if wanted.powers == Dimension::AngularVelocity.powers() {
             "such as \"rad/s\", \"deg/s\" or \"rpm\"".to_owned()
         } else {

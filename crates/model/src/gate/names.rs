@@ -1,0 +1,258 @@
+//! Names that must exist.
+
+use std::collections::HashMap;
+
+use indexmap::IndexMap;
+
+use super::{ENOUGH, Rules};
+use crate::error::Complaint;
+use crate::shape::Named;
+use crate::{DriverKind, ForceKind, GROUND, JointKind, Model, PointRef, suggest};
+
+/// Complains where a text names nothing.
+pub(super) fn references(rules: &mut Rules<'_>) {
+    let model = rules.model;
+    let look = Names {
+        model,
+        dotted: model
+            .bodies
+            .keys()
+            .filter(|name| name.contains('.'))
+            .map(String::as_str)
+            .collect(),
+        rules,
+    };
+    look.all();
+}
+
+/// What was probably meant, else all there is.
+fn did_you_mean<T>(word: &str, names: &IndexMap<String, T>, what: &str) -> String {
+    match suggest::nearest(word, names.keys().map(String::as_str)) {
+        Some(near) => format!("did you mean {near:?}?"),
+        None => format!("{what}: {}", suggest::list(names.keys())),
+    }
+}
+
+/// What a text without a dot is where a point is wanted.
+pub fn no_point(model: &Model, path: &str, text: &str) -> Complaint {
+    let hint = match model.bodies.get(text) {
+        Some(body) => format!(
+            "write it as body.point; the points of {text:?}: {}",
+            suggest::list(body.points.keys())
+        ),
+        None => "write it as body.point, such as \"crank.A\"".into(),
+    };
+    Complaint::new(path, "this is no point of a body").hint(hint)
+}
+
+struct Names<'r, 'm> {
+    model: &'m Model,
+    /// Names of bodies that are refused for a dot in them.
+    dotted: Vec<&'m str>,
+    rules: &'r mut Rules<'m>,
+}
+
+impl Names<'_, '_> {
+    fn all(mut self) {
+        let model = self.model;
+        for (name, joint) in &model.joints {
+            let path = format!("joints.{name}");
+            self.points(&joint.between, &path);
+            match &joint.kind {
+                JointKind::Gear { carrier, .. } => self.maybe_body(carrier, &path, "carrier"),
+                JointKind::Revolute { .. }
+                | JointKind::Prismatic { .. }
+                | JointKind::Slot { .. }
+                | JointKind::Fixed { .. } => {}
+            }
+        }
+        for (name, driver) in &model.drivers {
+            let path = format!("drivers.{name}");
+            match &driver.kind {
+                DriverKind::Rotation { body, relative_to } => {
+                    self.name(&format!("{path}.body"), Named::Body, body);
+                    self.maybe_body(relative_to, &path, "relative_to");
+                }
+                DriverKind::Translation { joint } => {
+                    self.name(&format!("{path}.joint"), Named::Joint, joint);
+                }
+            }
+        }
+        self.forces();
+        for (index, point) in model.points.iter().enumerate() {
+            self.point(&format!("points[{index}]"), point);
+        }
+        let Some(analysis) = &model.analysis else {
+            return;
+        };
+        if let Some(sample) = &analysis.sample {
+            self.name("analysis.sample.driver", Named::Driver, &sample.driver);
+        }
+        if let Some(transmission) = &analysis.transmission {
+            if let Some(driver) = &transmission.driver {
+                self.name("analysis.transmission.driver", Named::Driver, driver);
+            }
+            let output = &transmission.output;
+            self.name("analysis.transmission.output", Named::Body, output);
+        }
+    }
+
+    fn forces(&mut self) {
+        for (name, force) in &self.model.forces {
+            let path = format!("forces.{name}");
+            match &force.kind {
+                ForceKind::Spring { between, .. } => self.points(between, &path),
+                ForceKind::TorsionSpring { between, .. } => {
+                    for (index, body) in between.iter().enumerate() {
+                        self.name(&format!("{path}.between[{index}]"), Named::Body, body);
+                    }
+                }
+                ForceKind::Load { at, .. } => self.point(&format!("{path}.at"), at),
+                ForceKind::Torque {
+                    body, relative_to, ..
+                } => {
+                    self.name(&format!("{path}.body"), Named::Body, body);
+                    self.maybe_body(relative_to, &path, "relative_to");
+                }
+            }
+        }
+    }
+
+    fn points(&mut self, between: &[PointRef; 2], path: &str) {
+        for (index, point) in between.iter().enumerate() {
+            self.point(&format!("{path}.between[{index}]"), point);
+        }
+    }
+
+    fn maybe_body(&mut self, body: &Option<String>, path: &str, key: &str) {
+        if let Some(body) = body {
+            self.name(&format!("{path}.{key}"), Named::Body, body);
+        }
+    }
+
+    /// Whether it is not yet known what is wrong at a path.
+    fn is_open(&self, path: &str) -> bool {
+        self.rules.complaints.len() < ENOUGH && !self.rules.holes.has(path)
+    }
+
+    fn name(&mut self, path: &str, kind: Named, name: &str) {
+        if !self.is_open(path) {
+            return;
+        }
+        let model = self.model;
+        let complaint = match kind {
+            Named::Body if name == GROUND => None,
+            Named::Body => match name.split_once('.') {
+                Some((body, _)) if model.bodies.contains_key(body) => Some(
+                    Complaint::new(path, "a body is expected, this is a point")
+                        .hint(format!("write {body:?}")),
+                ),
+                Some(_) | None => self.missing(path, name, &model.bodies, "bodies", "body"),
+            },
+            Named::Joint => self.missing(path, name, &model.joints, "joints", "joint"),
+            Named::Driver => self.missing(path, name, &model.drivers, "drivers", "driver"),
+        };
+        self.rules.complaints.extend(complaint);
+    }
+
+    fn missing<T>(
+        &self,
+        path: &str,
+        name: &str,
+        things: &IndexMap<String, T>,
+        map: &str,
+        what: &str,
+    ) -> Option<Complaint> {
+        if self.rules.holes.has(map) || things.contains_key(name) {
+            return None;
+        }
+        let hint = did_you_mean(name, things, &format!("the {map}"));
+        Some(Complaint::new(path, format!("there is no {what} {name:?}")).hint(hint))
+    }
+
+    fn point(&mut self, path: &str, point: &PointRef) {
+        if self.is_open(path) && !self.rules.holes.has("bodies") {
+            let complaint = self.missing_point(path, point);
+            self.rules.complaints.extend(complaint);
+        }
+    }
+
+    fn missing_point(&self, path: &str, reference: &PointRef) -> Option<Complaint> {
+        let text = reference.to_string();
+        // A body whose name is refused for its dot is not missed again.
+        if self.dotted.iter().any(|name| text.starts_with(name)) {
+            return None;
+        }
+        let bodies = &self.model.bodies;
+        let PointRef { body, point } = reference;
+        let empty = IndexMap::new();
+        let points = match bodies.get(body) {
+            Some(found) => {
+                if self.rules.holes.has(&format!("bodies.{body}.points")) {
+                    return None;
+                }
+                &found.points
+            }
+            None if body == GROUND => {
+                match bodies.keys().find(|name| name.eq_ignore_ascii_case(GROUND)) {
+                    Some(name) => {
+                        let hint = format!("the fixed body is written {GROUND:?}, not {name:?}");
+                        return Some(
+                            Complaint::new(path, format!("there is no body {GROUND:?}")).hint(hint),
+                        );
+                    }
+                    None => &empty,
+                }
+            }
+            None => {
+                let hint = did_you_mean(body, bodies, "the bodies");
+                return Some(Complaint::new(path, format!("there is no body {body:?}")).hint(hint));
+            }
+        };
+        let is_begun = |name: &String| name.contains('.') && point.starts_with(name.as_str());
+        if points.contains_key(point) || points.keys().any(is_begun) {
+            return None;
+        }
+        let mut hint = format!("its points: {}", suggest::list(points.keys()));
+        if let Some(near) =
+            suggest::nearest(point, points.keys().map(String::as_str)).filter(|_| points.len() > 1)
+        {
+            hint = format!("did you mean {:?}? {hint}", format!("{body}.{near}"));
+        }
+        Some(Complaint::new(path, format!("body {body:?} has no point {point:?}")).hint(hint))
+    }
+}
+
+/// Initial values are of bodies that move.
+pub(super) fn initial(rules: &mut Rules<'_>) {
+    let model = rules.model;
+    if rules.holes.has("bodies") {
+        return;
+    }
+    for name in model.initial.keys() {
+        let path = format!("initial.{name}");
+        if name == GROUND {
+            let message = "ground is fixed, it has no initial values";
+            rules.complaints.push(Complaint::new(path, message));
+        } else if !model.bodies.contains_key(name) {
+            let hint = did_you_mean(name, &model.bodies, "the bodies");
+            rules.complain(path, format!("there is no body {name:?}"), hint);
+        }
+    }
+}
+
+/// No point is wanted twice.
+pub(super) fn wanted_points(rules: &mut Rules<'_>) {
+    let model = rules.model;
+    let mut seen = HashMap::new();
+    for (index, point) in model.points.iter().enumerate() {
+        let path = format!("points[{index}]");
+        if rules.holes.has(&path) {
+            continue;
+        }
+        if let Some(first) = seen.insert((&point.body, &point.point), index) {
+            let hint = format!("first as points[{first}]");
+            rules.complain(path, "the point is listed twice", hint);
+        }
+    }
+}

@@ -1,0 +1,213 @@
+//! Rules on single values: numbers in their ranges, names without signs that paths need, lists that are long enough.
+
+use super::holes::Holes;
+use crate::error::Complaint;
+use crate::shape::{Bound, Object, Shape};
+use crate::tree::Tree;
+use crate::words::{BODY, FILE, GROUND, MATERIAL, MOTION, SEPARATE};
+use crate::{GROUND as FIXED, Model};
+
+/// A name that a file can't hold: what is wrong, and what would be right.
+pub fn name_fault(name: &str) -> Option<(String, Option<&'static str>)> {
+    if name.is_empty() {
+        return Some(("a name must not be empty".to_owned(), None));
+    }
+    let bad = name
+        .chars()
+        .find(|&c| ".[],=*?".contains(c) || c.is_control())?;
+    Some((
+        format!("a name must not contain {:?}", bad.to_string()),
+        Some("nor any of . [ ] , = * ? and control characters"),
+    ))
+}
+
+/// A list that is too short, where `least` are wanted, or as many where that is `exact`.
+pub fn length_fault(found: usize, least: usize, exact: bool) -> String {
+    let wanted = if exact {
+        format!("{least}")
+    } else {
+        format!("at least {least}")
+    };
+    format!("a list of {wanted} is expected, this one has {found}")
+}
+
+/// All single values that are not legal.
+pub(super) fn ranges(model: &Model, holes: &Holes) -> Vec<Complaint> {
+    let mut look = Look {
+        holes,
+        path: String::new(),
+        complaints: Vec::new(),
+    };
+    match Tree::of(model) {
+        tree @ Tree::Map(_) => look.object(&tree, &FILE),
+        Tree::Null | Tree::Number(_) | Tree::Count(_) | Tree::Text(_) | Tree::List(_) => {
+            look.complain("this is no model");
+        }
+    }
+    look.complaints
+}
+
+struct Look<'h> {
+    holes: &'h Holes,
+    path: String,
+    complaints: Vec<Complaint>,
+}
+
+impl Look<'_> {
+    fn complain(&mut self, message: impl Into<String>) -> &mut Complaint {
+        self.complaints.push(Complaint::new(&self.path, message));
+        let last = self.complaints.len() - 1;
+        &mut self.complaints[last]
+    }
+
+    /// Looks at what a step further holds.
+    fn enter(&mut self, step: std::fmt::Arguments<'_>, look: impl FnOnce(&mut Self)) {
+        let length = self.path.len();
+        self.path += &step.to_string();
+        if self.holes.is_empty() || !self.holes.has(&self.path) {
+            look(self);
+        }
+        self.path.truncate(length);
+    }
+
+    fn key(&mut self, key: &str, look: impl FnOnce(&mut Self)) {
+        if self.path.is_empty() {
+            self.enter(format_args!("{key}"), look);
+        } else {
+            self.enter(format_args!(".{key}"), look);
+        }
+    }
+
+    fn object(&mut self, tree: &Tree, object: &Object) {
+        for field in object.fields {
+            if let Some(value) = tree.get(field.key) {
+                self.key(field.key, |look| look.value(value, &field.shape));
+            }
+        }
+    }
+
+    fn value(&mut self, tree: &Tree, shape: &Shape) {
+        match (shape, tree) {
+            (
+                Shape::Quantity(_, bound) | Shape::Number(bound) | Shape::Coefficient(bound),
+                Tree::Number(number),
+            ) => self.number(*number, *bound),
+            (Shape::ContactStiffness, Tree::Number(number)) => {
+                self.number(*number, Bound::Above(0.0));
+            }
+            (Shape::Varying(_), Tree::Number(number)) => self.number(*number, Bound::Any),
+            (Shape::Varying(_), motion) => self.value(motion, &Shape::Tagged(&MOTION)),
+            (Shape::Count(least, most), Tree::Count(count)) => {
+                let bound = Bound::Between(*least as f64, *most as f64);
+                self.number(*count as f64, bound);
+            }
+            (Shape::Direction, Tree::List(items)) => self.direction(items),
+            (Shape::Pair(of), Tree::List(items)) => self.list(items, of, 0),
+            (Shape::List(of, least), Tree::List(items)) => self.list(items, of, *least),
+            (Shape::Table, Tree::List(items)) => {
+                self.list(items, &Shape::Pair(&Shape::Number(Bound::Any)), 2);
+            }
+            (Shape::Materials, materials) => {
+                let is_one = materials.get("young_modulus").is_some();
+                self.object(materials, if is_one { &MATERIAL } else { &SEPARATE });
+            }
+            (Shape::Map(of), Tree::Map(members)) => {
+                for (name, value) in members {
+                    self.named(name, value, of);
+                }
+            }
+            (Shape::Bodies, Tree::Map(members)) => {
+                if members.is_empty() {
+                    self.complain("it is empty, at least one is needed");
+                }
+                for (name, value) in members {
+                    self.named(name, value, &Shape::Object(&BODY));
+                }
+                if let Some(ground) = members.get(FIXED) {
+                    self.key(FIXED, |look| look.ground(ground));
+                }
+            }
+            (Shape::Object(object), tree) => self.object(tree, object),
+            (Shape::Tagged(tagged), tree) => {
+                let kind = tree.get("type").and_then(Tree::text);
+                if let Some(variant) = kind.and_then(|kind| tagged.variant(kind)) {
+                    self.object(tree, variant);
+                }
+            }
+            // Their types allow nothing else, or names are looked up.
+            (
+                Shape::Format
+                | Shape::Units
+                | Shape::Parameters
+                | Shape::Text
+                | Shape::Choice(_)
+                | Shape::Name(_)
+                | Shape::Point
+                | Shape::Quantity(..)
+                | Shape::Number(_)
+                | Shape::Coefficient(_)
+                | Shape::Count(..)
+                | Shape::ContactStiffness
+                | Shape::Direction
+                | Shape::Pair(_)
+                | Shape::List(..)
+                | Shape::Table
+                | Shape::Map(_)
+                | Shape::Bodies,
+                _,
+            ) => {}
+        }
+    }
+
+    fn number(&mut self, number: f64, bound: Bound) {
+        if let Some(fault) = bound.fault(number) {
+            let complaint = self.complain(fault);
+            if !number.is_finite() {
+                complaint.found = Some(number.to_string());
+            }
+        }
+    }
+
+    fn direction(&mut self, items: &[Tree]) {
+        let is_known = |index: usize| !self.holes.has(&format!("{}[{index}]", self.path));
+        let is_zero = |item: &Tree| *item == Tree::Number(0.0);
+        if items.iter().all(is_zero) && (0..items.len()).all(is_known) {
+            self.complain("both components are zero, which is no direction");
+        }
+        self.list(items, &Shape::Number(Bound::Any), 0);
+    }
+
+    fn list(&mut self, items: &[Tree], of: &Shape, least: usize) {
+        if items.len() < least {
+            self.complain(length_fault(items.len(), least, false));
+        }
+        for (index, item) in items.iter().enumerate() {
+            self.enter(format_args!("[{index}]"), |look| look.value(item, of));
+        }
+    }
+
+    fn named(&mut self, name: &str, value: &Tree, of: &Shape) {
+        self.key(name, |look| {
+            if let Some((message, hint)) = name_fault(name)
+                && !look.holes.has_key(&look.path)
+            {
+                let complaint = look.complain(message);
+                complaint.found = Some(format!("{name:?}"));
+                complaint.hint = hint.map(str::to_owned);
+            }
+            look.value(value, of);
+        });
+    }
+
+    /// Ground has points and nothing else.
+    fn ground(&mut self, ground: &Tree) {
+        let rest = Tree::of(&crate::Body::default());
+        for (key, reason) in GROUND.refused {
+            if ground.get(key) != rest.get(key) {
+                self.key(key, |look| {
+                    look.complain(*reason);
+                });
+            }
+        }
+    }
+}

@@ -1,0 +1,267 @@
+//! What may stand where in a model file: one typed description, from which the schema is printed, a file is read, the
+//! numbers of a model are checked, and a model is printed back.
+
+use crate::dimension::Dimension;
+
+/// Which numbers are legal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Bound {
+    /// All that are finite.
+    Any,
+    /// This one and greater ones.
+    AtLeast(f64),
+    /// Greater ones.
+    Above(f64),
+    /// From the first to the second, both included.
+    Between(f64, f64),
+    /// All but zero.
+    NotZero,
+}
+
+impl Bound {
+    /// What is wrong with a number, where something is.
+    pub fn fault(self, number: f64) -> Option<String> {
+        let least = |least: f64| match least {
+            0.0 => "must not be negative".to_owned(),
+            least => format!("must not be less than {least}"),
+        };
+        match self {
+            _ if !number.is_finite() => Some("a finite number is expected".to_owned()),
+            Bound::AtLeast(bound) if number < bound => Some(least(bound)),
+            Bound::Between(bound, _) if number < bound => Some(least(bound)),
+            Bound::Between(_, most) if number > most => {
+                Some(format!("must not be greater than {most}"))
+            }
+            Bound::Above(bound) if number <= bound => Some(format!("must be greater than {bound}")),
+            Bound::NotZero if number == 0.0 => Some("must not be zero".to_owned()),
+            Bound::Any
+            | Bound::AtLeast(_)
+            | Bound::Above(_)
+            | Bound::Between(..)
+            | Bound::NotZero => None,
+        }
+    }
+}
+
+/// What a quantity is a measure of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measure {
+    /// A dimension.
+    Of(Dimension),
+    /// The stiffness of a linear contact, whose plain numbers are in SI whatever `units` names for springs.
+    LinearStiffness,
+    /// What the motion around it drives.
+    Driven,
+    /// Its rate.
+    DrivenVelocity,
+    /// The rate of its rate.
+    DrivenAcceleration,
+    /// Its derivative of the order of the place in the list.
+    DrivenCoefficient,
+}
+
+/// Kinds of things that have names in a model.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Named {
+    /// A body, `ground` among them.
+    Body,
+    /// A joint.
+    Joint,
+    /// A driver.
+    Driver,
+}
+
+/// What a motion or a sample inside of an object speaks of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Drives {
+    /// What is around the object says it.
+    Nothing,
+    /// A dimension.
+    Always(Dimension),
+    /// That of the driver that the object names.
+    Sampled,
+}
+
+/// What stands at one place.
+#[derive(Debug, Clone, Copy)]
+pub enum Shape {
+    /// The name of the format.
+    Format,
+    /// `"SI"`, or a unit per dimension.
+    Units,
+    /// Numbers with names.
+    Parameters,
+    /// Any text.
+    Text,
+    /// One of some words.
+    Choice(&'static Choice),
+    /// The name of something.
+    Name(Named),
+    /// A point of a body, `body.point`.
+    Point,
+    /// A number with a dimension.
+    Quantity(Measure, Bound),
+    /// A number without dimension.
+    Number(Bound),
+    /// The same; the schema does not say that it is a double.
+    Coefficient(Bound),
+    /// A whole number from the first to the second.
+    Count(usize, usize),
+    /// A number above zero, which has a dimension where the `law` beside it is linear.
+    ContactStiffness,
+    /// Two numbers, not both zero.
+    Direction,
+    /// A list of two.
+    Pair(&'static Shape),
+    /// A list of at least so many.
+    List(&'static Shape, usize),
+    /// Points (t, value), at least two.
+    Table,
+    /// A quantity, or a motion of it.
+    Varying(Dimension),
+    /// One elastic material, or one of the bearing and one of the journal.
+    Materials,
+    /// Things of one kind by their names.
+    Map(&'static Shape),
+    /// The bodies by their names, `ground` of its own kind.
+    Bodies,
+    /// An object with keys.
+    Object(&'static Object),
+    /// An object whose keys depend on its `type`.
+    Tagged(&'static Tagged),
+}
+
+/// What a key is where a file leaves it out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Default {
+    /// 0.
+    Zero,
+    /// [0, 0].
+    Zeros,
+    /// An empty list or map.
+    Empty,
+    /// A number.
+    Number(f64),
+    /// A text.
+    Text(&'static str),
+    /// An object whose keys are what they are where they are left out.
+    Same,
+}
+
+/// Whether a key may be left out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Need {
+    /// It may not.
+    Required,
+    /// It may; then there is nothing.
+    Optional,
+    /// It may; the schema says what it is then.
+    Default(Default),
+    /// It may; the schema does not say what it is then.
+    Silent(Default),
+}
+
+/// A key of an object.
+#[derive(Debug, Clone, Copy)]
+pub struct Field {
+    /// The key.
+    pub key: &'static str,
+    /// What it means.
+    pub about: &'static str,
+    /// Whether it may be left out.
+    pub need: Need,
+    /// What stands there.
+    pub shape: Shape,
+}
+
+/// An object with keys.
+#[derive(Debug)]
+pub struct Object {
+    /// Its name in the schema; of a variant its `type`.
+    pub name: &'static str,
+    /// What it is.
+    pub about: &'static str,
+    /// Its keys.
+    pub fields: &'static [Field],
+    /// Keys that it does not have, each with the reason.
+    pub refused: &'static [(&'static str, &'static str)],
+    /// What motions inside of it drive.
+    pub drives: Drives,
+    /// Two keys of which it has one at least.
+    pub either: Option<[&'static str; 2]>,
+}
+
+impl Object {
+    /// The field of a key.
+    pub fn field(&self, key: &str) -> Option<&'static Field> {
+        self.fields.iter().find(|field| field.key == key)
+    }
+}
+
+/// Objects told apart by their `type`.
+#[derive(Debug)]
+pub struct Tagged {
+    /// Their name in the schema.
+    pub name: &'static str,
+    /// What they are.
+    pub about: &'static str,
+    /// Each kind, its name the `type`.
+    pub variants: &'static [Object],
+}
+
+impl Tagged {
+    /// The kind of a `type`.
+    pub fn variant(&self, name: &str) -> Option<&'static Object> {
+        self.variants.iter().find(|variant| variant.name == name)
+    }
+}
+
+/// Some words.
+#[derive(Debug)]
+pub struct Choice {
+    /// Their name in the schema.
+    pub name: &'static str,
+    /// What they are for.
+    pub about: &'static str,
+    /// Each word, and what it means.
+    pub words: &'static [(&'static str, &'static str)],
+}
+
+/// A key that may not be left out.
+pub const fn required(key: &'static str, shape: Shape, about: &'static str) -> Field {
+    field(key, shape, Need::Required, about)
+}
+
+/// A key that may be left out; then there is nothing.
+pub const fn optional(key: &'static str, shape: Shape, about: &'static str) -> Field {
+    field(key, shape, Need::Optional, about)
+}
+
+/// A key that may be left out; the schema says what it is then.
+pub const fn default(
+    key: &'static str,
+    shape: Shape,
+    default: Default,
+    about: &'static str,
+) -> Field {
+    field(key, shape, Need::Default(default), about)
+}
+
+/// A key that may be left out; the schema does not say what it is then.
+pub const fn silent(
+    key: &'static str,
+    shape: Shape,
+    default: Default,
+    about: &'static str,
+) -> Field {
+    field(key, shape, Need::Silent(default), about)
+}
+
+const fn field(key: &'static str, shape: Shape, need: Need, about: &'static str) -> Field {
+    Field {
+        key,
+        about,
+        need,
+        shape,
+    }
+}

@@ -1,0 +1,398 @@
+//! The tree of a file against the descriptions of its words: all faults of syntax, shape and units at once, and every
+//! quantity turned into SI on the way.
+//!
+//! What is faulty becomes something of the right kind, and its path a hole, so that later checks know not to blame
+//! anything else for it.
+
+mod lists;
+mod object;
+mod quantity;
+mod units;
+
+pub use quantity::Driven;
+pub use units::{Units, display};
+
+use std::collections::HashMap;
+
+use serde_json::{Map, Value};
+
+use crate::dimension::Dimension;
+use crate::error::Complaint;
+use crate::examples;
+use crate::expression::{Parameter, Parameters};
+use crate::gate::Holes;
+use crate::node::{Kind, Node, Origin};
+use crate::shape::{Bound, Choice, Measure, Need, Shape, Tagged};
+use crate::source::Source;
+use crate::suggest;
+use crate::words::{FILE, MATERIAL, MOTION, SEPARATE};
+
+/// Complaints after which the rest is only counted; placing them takes time.
+const ENOUGH: usize = 200;
+
+/// A text without a dot, where a point is wanted.
+pub struct Undotted {
+    /// Where it stands.
+    pub path: String,
+    /// The text.
+    pub text: String,
+}
+
+/// What the walk found.
+pub struct Findings {
+    /// The model in SI units.
+    pub value: Value,
+    /// Where it holds nothing that counts.
+    pub holes: Holes,
+    /// Faults.
+    pub complaints: Vec<Complaint>,
+    /// How many more there would be.
+    pub more: usize,
+    /// Texts that should be points.
+    pub undotted: Vec<Undotted>,
+    /// What is legal, and yet hardly meant.
+    pub warnings: Vec<String>,
+    /// The parameters as resolved.
+    pub parameters: Vec<Parameter>,
+}
+
+/// Reads the whole file.
+pub fn walk(source: &Source) -> Findings {
+    let units = Units::read(source.root.get("units"));
+    let written = source.root.get("parameters");
+    let (parameters, faults) = Parameters::read(written, !units.in_radians());
+    let mut walk = Walk::new(source, units, parameters, driven(&source.root));
+    for fault in faults {
+        walk.complain_at(fault.node, fault.at, fault.complaint);
+    }
+    let value = walk.value(&source.root, &Shape::Object(&FILE), "", Driven::Nothing);
+    let mut warnings = walk.units.warnings(source);
+    // what nothing uses may stay in a file, but a --set would be in vain
+    let unused = walk.parameters.unused(written);
+    let (in_vain, idle): (Vec<_>, Vec<_>) = unused.into_iter().partition(|(_, is_set)| *is_set);
+    warnings.extend(
+        idle.into_iter()
+            .map(|(complaint, _)| source.place(complaint).to_string()),
+    );
+    if walk.complaints.is_empty() {
+        walk.complaints.extend(
+            in_vain
+                .into_iter()
+                .map(|(complaint, _)| source.place(complaint)),
+        );
+    }
+    let parameters = walk.parameters.resolved(written);
+    Findings {
+        value,
+        holes: walk.holes,
+        complaints: walk.complaints,
+        more: walk.more,
+        undotted: walk.undotted,
+        warnings,
+        parameters,
+    }
+}
+
+/// What each driver of a file drives, by its name.
+fn driven(root: &Node) -> HashMap<String, Dimension> {
+    let Some(Kind::Object(drivers)) = root.get("drivers").map(|drivers| &drivers.kind) else {
+        return HashMap::new();
+    };
+    let known = drivers.iter().filter_map(|(name, driver)| {
+        let dimension = match driver.node.get("type")?.as_str()? {
+            "rotation" => Dimension::Angle,
+            "translation" => Dimension::Length,
+            _ => return None,
+        };
+        Some((name.clone(), dimension))
+    });
+    known.collect()
+}
+
+/// The state of the walk.
+pub struct Walk<'a> {
+    source: &'a Source,
+    units: Units,
+    parameters: Parameters,
+    /// What drivers drive.
+    driven: HashMap<String, Dimension>,
+    holes: Holes,
+    complaints: Vec<Complaint>,
+    more: usize,
+    undotted: Vec<Undotted>,
+}
+
+impl<'a> Walk<'a> {
+    /// Before the first step.
+    pub fn new(
+        source: &'a Source,
+        units: Units,
+        parameters: Parameters,
+        driven: HashMap<String, Dimension>,
+    ) -> Self {
+        Walk {
+            source,
+            units,
+            parameters,
+            driven,
+            holes: Holes::default(),
+            complaints: Vec::new(),
+            more: 0,
+            undotted: Vec::new(),
+        }
+    }
+
+    /// The value in SI units, where nothing is wrong with it.
+    pub fn sound(&mut self, node: &Node, shape: &Shape, driven: Driven) -> Option<Value> {
+        let before = self.complaints.len() + self.more + self.undotted.len();
+        let value = self.value(node, shape, "", driven);
+        (self.complaints.len() + self.more + self.undotted.len() == before).then_some(value)
+    }
+
+    /// The units of plain numbers.
+    pub fn units(&self) -> &Units {
+        &self.units
+    }
+
+    /// Complains about a value.
+    fn complain(&mut self, node: &Node, complaint: Complaint) {
+        let found = self.source.found(node);
+        self.add(node.origin, found, complaint);
+    }
+
+    /// Complains about a value, at a byte of its text.
+    fn complain_at(&mut self, node: &Node, at: Option<usize>, complaint: Complaint) {
+        let origin = at.map_or(node.origin, |at| self.source.within(node, at));
+        let found = self.source.found(node);
+        self.add(origin, found, complaint);
+    }
+
+    /// Complains about a key.
+    fn complain_key(&mut self, origin: Origin, key: &str, complaint: Complaint) {
+        let key = format!("{:?}", crate::node::excerpt(key));
+        self.add(origin, Some(key), complaint);
+    }
+
+    fn add(&mut self, origin: Origin, found: Option<String>, complaint: Complaint) {
+        if self.complaints.len() < ENOUGH {
+            self.complaints
+                .push(self.source.complain(origin, found, complaint));
+        } else {
+            self.more += 1;
+        }
+    }
+
+    /// The value in SI units; where it is faulty a complaint, a hole, and something of the right kind.
+    fn value(&mut self, node: &Node, shape: &Shape, path: &str, driven: Driven) -> Value {
+        self.read(node, shape, path, driven)
+            .unwrap_or_else(|| self.hole(shape, path))
+    }
+
+    /// Something of the right kind, which does not count.
+    fn hole(&mut self, shape: &Shape, path: &str) -> Value {
+        self.holes.add(path);
+        filler(shape)
+    }
+
+    fn read(&mut self, node: &Node, shape: &Shape, path: &str, driven: Driven) -> Option<Value> {
+        match shape {
+            Shape::Format => self.choice(node, &[crate::FORMAT], path),
+            Shape::Units => self.units_of_file(node, path),
+            // they are read already
+            Shape::Parameters => Some(Value::Null),
+            Shape::Text | Shape::Name(_) => self.text(node, path).map(Value::from),
+            Shape::Point => {
+                let text = self.text(node, path)?;
+                if text.contains('.') {
+                    return Some(text.into());
+                }
+                self.undotted.push(Undotted {
+                    path: path.to_owned(),
+                    text,
+                });
+                None
+            }
+            Shape::Choice(choice) => self.choice(node, &texts(choice), path),
+            Shape::Quantity(measure, _) => {
+                self.quantity(node, *measure, path, driven).map(Value::from)
+            }
+            Shape::Number(_) | Shape::Coefficient(_) | Shape::ContactStiffness => {
+                self.plain_number(node, path).map(Value::from)
+            }
+            Shape::Count(least, most) => {
+                let bound = Bound::Between(*least as f64, *most as f64);
+                self.whole(node, bound, path).map(Value::from)
+            }
+            Shape::Direction => {
+                self.list(node, &Shape::Number(Bound::Any), (2, Some(2)), path, driven)
+            }
+            Shape::Pair(of) => self.list(node, of, (2, Some(2)), path, driven),
+            Shape::List(of, least) => self.list(node, of, (*least, None), path, driven),
+            Shape::Table => self.table(node, path, driven),
+            Shape::Varying(dimension) => {
+                let driven = Driven::Dimension(*dimension);
+                match node.kind {
+                    Kind::Object(_) => self.tagged(node, &MOTION, path, driven),
+                    _ => {
+                        let measure = Measure::Of(*dimension);
+                        self.quantity(node, measure, path, driven).map(Value::from)
+                    }
+                }
+            }
+            Shape::Materials => {
+                let keys = |object: &crate::shape::Object| match &node.kind {
+                    Kind::Object(members) => members.keys().filter(|key| object.has(key)).count(),
+                    _ => 0,
+                };
+                let object = if keys(&SEPARATE) >= keys(&MATERIAL) {
+                    &SEPARATE
+                } else {
+                    &MATERIAL
+                };
+                self.object(node, object, None, path, driven)
+            }
+            Shape::Map(of) => self.map(node, of, path, driven),
+            Shape::Bodies => self.bodies(node, path, driven),
+            Shape::Object(object) => self.object(node, object, None, path, driven),
+            Shape::Tagged(tagged) => self.tagged(node, tagged, path, driven),
+        }
+    }
+
+    fn tagged(
+        &mut self,
+        node: &Node,
+        tagged: &Tagged,
+        path: &str,
+        driven: Driven,
+    ) -> Option<Value> {
+        let names = || tagged.variants.iter().map(|variant| variant.name);
+        let Kind::Object(members) = &node.kind else {
+            self.complain(node, wrong_kind(path, "an object", node));
+            return None;
+        };
+        let Some(member) = members.get("type") else {
+            let misspelt = members
+                .iter()
+                .find(|(key, _)| suggest::nearest(key, ["type"]).is_some());
+            match misspelt {
+                Some((key, member)) => {
+                    let complaint = Complaint::new(crate::node::join(path, key), "unknown key")
+                        .hint("did you mean \"type\"?");
+                    self.complain_key(member.key, key, complaint);
+                }
+                None => {
+                    let complaint = Complaint::new(path, "\"type\" is missing");
+                    let hint = format!("one of {}", suggest::any_of(names()));
+                    self.complain(node, complaint.hint(hint));
+                }
+            }
+            return None;
+        };
+        // a misspelt type is read as the one that was probably meant, to find what else is wrong
+        let kind = member.node.as_str();
+        let meant = kind.and_then(|kind| {
+            let exact = tagged.variant(kind);
+            exact.or_else(|| tagged.variant(suggest::nearest(kind, names())?))
+        });
+        match meant {
+            Some(variant) => self.object(node, variant, Some(variant.name), path, driven),
+            None => {
+                let names: Vec<&str> = names().collect();
+                self.choice(&member.node, &names, &crate::node::join(path, "type"))?;
+                None
+            }
+        }
+    }
+
+    fn choice(&mut self, node: &Node, choices: &[&str], path: &str) -> Option<Value> {
+        let any = || suggest::any_of(choices.iter().copied());
+        let Some(text) = node.as_str() else {
+            let complaint = wrong_kind(path, "text", node);
+            self.complain(node, complaint.hint(format!("one of {}", any())));
+            return None;
+        };
+        if choices.contains(&text) {
+            return Some(Value::from(text));
+        }
+        let word = path.rsplit(['.', ']']).next().unwrap_or(path);
+        let hint = match (choices, suggest::meant(text, choices)) {
+            (["SI"], _) => format!("write {}", examples::UNITS),
+            ([only], _) if word != "type" => format!("{only:?} is expected"),
+            (_, Some(near)) => format!("did you mean {near:?}?"),
+            (_, None) => format!("one of {}", any()),
+        };
+        let complaint = Complaint::new(path, format!("unknown {word}"));
+        self.complain(node, complaint.hint(hint));
+        None
+    }
+
+    fn text(&mut self, node: &Node, path: &str) -> Option<String> {
+        let text = node.as_str().map(str::to_owned);
+        if text.is_none() {
+            self.complain(node, wrong_kind(path, "text", node));
+        }
+        text
+    }
+
+    /// `"SI"`, or a unit per dimension.
+    fn units_of_file(&mut self, node: &Node, path: &str) -> Option<Value> {
+        match &node.kind {
+            Kind::Object(members) => self.named_units(members, path),
+            _ => self.choice(node, &["SI"], path),
+        }
+    }
+}
+
+/// The words of a choice.
+fn texts(choice: &Choice) -> Vec<&'static str> {
+    choice.words.iter().map(|word| word.0).collect()
+}
+
+/// A value of a shape that stands for none.
+fn filler(shape: &Shape) -> Value {
+    match shape {
+        Shape::Format | Shape::Text | Shape::Name(_) => Value::from(""),
+        Shape::Units | Shape::Parameters => Value::Null,
+        Shape::Point => Value::from("."),
+        Shape::Choice(choice) => Value::from(choice.words.first().map_or("", |word| word.0)),
+        Shape::Quantity(..)
+        | Shape::Number(_)
+        | Shape::Coefficient(_)
+        | Shape::ContactStiffness
+        | Shape::Varying(_) => Value::from(0.0),
+        Shape::Count(least, _) => Value::from(*least),
+        Shape::Direction => Value::from(vec![1.0, 0.0]),
+        Shape::Pair(of) => Value::from(vec![filler(of), filler(of)]),
+        Shape::List(..) | Shape::Table => Value::Array(Vec::new()),
+        Shape::Map(_) | Shape::Bodies => Value::Object(Map::new()),
+        Shape::Materials => empty(&MATERIAL, None),
+        Shape::Object(object) => empty(object, None),
+        Shape::Tagged(tagged) => tagged
+            .variants
+            .first()
+            .map_or(Value::Null, |variant| empty(variant, Some(variant.name))),
+    }
+}
+
+/// An object with the keys that it may not lack.
+fn empty(object: &crate::shape::Object, kind: Option<&str>) -> Value {
+    let kind = kind.map(|kind| ("type".to_owned(), kind.into()));
+    let needed = object
+        .fields
+        .iter()
+        .filter(|field| field.need == Need::Required);
+    let needed = needed.map(|field| (field.key.to_owned(), filler(&field.shape)));
+    Value::Object(kind.into_iter().chain(needed).collect())
+}
+
+/// Something else is expected here.
+fn wrong_kind(path: &str, wanted: &str, node: &Node) -> Complaint {
+    let hint = examples::example(path).map(|example| format!("as in {example}"));
+    Complaint {
+        hint,
+        ..Complaint::new(
+            path,
+            format!("{wanted} is expected, not {}", node.kind_name()),
+        )
+    }
+}

@@ -1,0 +1,251 @@
+//! Objects and maps of a file.
+
+use indexmap::IndexMap;
+use serde_json::{Map, Value};
+
+use super::{Driven, Walk, texts, wrong_kind};
+use crate::GROUND as FIXED;
+use crate::dimension::Dimension;
+use crate::error::Complaint;
+use crate::examples;
+use crate::gate::name_fault;
+use crate::node::{Kind, Member, Node, join};
+use crate::shape::{Bound, Drives, Field, Measure, Need, Object, Shape};
+use crate::suggest;
+use crate::words::{BODY, GROUND};
+
+/// The key of a remark.
+pub const NOTE: &str = "note";
+
+/// Members of an object.
+type Members = IndexMap<String, Member>;
+
+impl Object {
+    /// Whether it has a key, `note` among them.
+    pub fn has(&self, key: &str) -> bool {
+        key == NOTE || self.field(key).is_some()
+    }
+}
+
+/// What stands at a key; the stiffness of a contact has a unit where its law is linear.
+pub fn shape_of(field: &Field, law: Option<&str>) -> Shape {
+    match (field.shape, law) {
+        (Shape::ContactStiffness, Some("kelvin_voigt")) => {
+            Shape::Quantity(Measure::LinearStiffness, Bound::Above(0.0))
+        }
+        (shape, _) => shape,
+    }
+}
+
+impl Walk<'_> {
+    /// What is driven inside of an object.
+    fn drives(&self, object: &Object, members: &Members, around: Driven) -> Driven {
+        match object.drives {
+            Drives::Nothing => around,
+            Drives::Always(dimension) => Driven::Dimension(dimension),
+            Drives::Sampled => {
+                let driver = members
+                    .get("driver")
+                    .and_then(|member| member.node.as_str());
+                self.driven_by(driver)
+            }
+        }
+    }
+
+    /// What the driver of a name drives.
+    pub fn driven_by(&self, driver: Option<&str>) -> Driven {
+        let found = driver.and_then(|name| self.driven.get(name));
+        found.map_or(Driven::Unknown, |&dimension| Driven::Dimension(dimension))
+    }
+
+    /// An object; with its `type` where it is one of several kinds.
+    pub(super) fn object(
+        &mut self,
+        node: &Node,
+        object: &Object,
+        kind: Option<&str>,
+        path: &str,
+        driven: Driven,
+    ) -> Option<Value> {
+        let Kind::Object(members) = &node.kind else {
+            self.complain(node, wrong_kind(path, "an object", node));
+            return None;
+        };
+        let driven = self.drives(object, members, driven);
+        let law = members.get("law").and_then(|member| member.node.as_str());
+        let mut out = Map::new();
+        for (key, member) in members.iter() {
+            let here = join(path, key);
+            match (object.field(key), kind) {
+                (Some(field), _) => {
+                    let value = self.value(&member.node, &shape_of(field, law), &here, driven);
+                    out.insert(key.clone(), value);
+                }
+                (None, Some(kind)) if key == "type" => {
+                    if self.choice(&member.node, &[kind], &here).is_none() {
+                        self.holes.add(&here);
+                    }
+                    out.insert(key.clone(), kind.into());
+                }
+                (None, _) if key == NOTE => {
+                    self.text(&member.node, &here);
+                }
+                (None, _) => {
+                    if let Some(meant) = self.unknown_key(key, object, kind, members, &here) {
+                        let value = self.hole(&meant.shape, &join(path, meant.key));
+                        out.insert(meant.key.to_owned(), value);
+                    }
+                }
+            }
+        }
+        self.missing(node, object, &mut out, path);
+        Some(Value::Object(out))
+    }
+
+    /// Complains about keys that are missing.
+    fn missing(&mut self, node: &Node, object: &Object, out: &mut Map<String, Value>, path: &str) {
+        for field in object
+            .fields
+            .iter()
+            .filter(|field| field.need == Need::Required)
+        {
+            if out.contains_key(field.key) {
+                continue;
+            }
+            let mut complaint = Complaint::new(path, format!("{:?} is missing", field.key));
+            complaint.hint = examples::of_missing(path, field.key).or_else(|| match field.shape {
+                Shape::Choice(choice) => Some(format!("one of {}", suggest::any_of(texts(choice)))),
+                _ => None,
+            });
+            self.complain(node, complaint);
+            let value = self.hole(&field.shape, &join(path, field.key));
+            out.insert(field.key.to_owned(), value);
+        }
+        if let Some([first, second]) = object.either
+            && !out.contains_key(first)
+            && !out.contains_key(second)
+        {
+            let complaint = Complaint::new(path, format!("{first:?} is missing"));
+            let hint = format!("with {second:?} alone it would be a damper");
+            self.complain(node, complaint.hint(hint));
+        }
+    }
+
+    /// Complains about a key that is not known; the field that was probably meant.
+    fn unknown_key(
+        &mut self,
+        key: &str,
+        object: &Object,
+        kind: Option<&str>,
+        members: &Members,
+        path: &str,
+    ) -> Option<&'static Field> {
+        let origin = members.get(key)?.key;
+        if let Some((_, reason)) = object.refused.iter().find(|row| row.0 == key) {
+            self.complain_key(origin, key, Complaint::new(path, *reason));
+            return None;
+        }
+        let known: Vec<&str> = kind
+            .map(|_| "type")
+            .into_iter()
+            .chain(object.fields.iter().map(|field| field.key))
+            .chain([NOTE])
+            .collect();
+        let meant = self.unknown(key, &known, members, path)?;
+        object.field(meant)
+    }
+
+    /// Complains about a key that is none of the known ones; the one that was probably meant.
+    fn unknown<'k>(
+        &mut self,
+        key: &str,
+        known: &[&'k str],
+        members: &Members,
+        path: &str,
+    ) -> Option<&'k str> {
+        let origin = members.get(key)?.key;
+        let free = known
+            .iter()
+            .copied()
+            .filter(|known| !members.contains_key(*known));
+        let meant = suggest::nearest(key, free);
+        let complaint = Complaint::new(path, "unknown key").hint(match meant {
+            Some(meant) => format!("did you mean {meant:?}?"),
+            None => format!("known keys: {}", known.join(", ")),
+        });
+        self.complain_key(origin, key, complaint);
+        meant
+    }
+
+    /// Things by their names.
+    pub(super) fn map(
+        &mut self,
+        node: &Node,
+        of: &Shape,
+        path: &str,
+        driven: Driven,
+    ) -> Option<Value> {
+        self.entries(node, path, driven, |_| *of)
+    }
+
+    /// Bodies by their names; `ground` is one of its own kind.
+    pub(super) fn bodies(&mut self, node: &Node, path: &str, driven: Driven) -> Option<Value> {
+        self.entries(node, path, driven, |name| {
+            Shape::Object(if name == FIXED { &GROUND } else { &BODY })
+        })
+    }
+
+    fn entries(
+        &mut self,
+        node: &Node,
+        path: &str,
+        driven: Driven,
+        of: impl Fn(&str) -> Shape,
+    ) -> Option<Value> {
+        let Kind::Object(members) = &node.kind else {
+            self.complain(node, wrong_kind(path, "an object", node));
+            return None;
+        };
+        let mut out = Map::new();
+        for (name, member) in members.iter() {
+            // in a map, `note` is a remark if it is text, else a name like any other
+            if name == NOTE && member.node.as_str().is_some() {
+                continue;
+            }
+            let here = join(path, name);
+            if let Some((message, hint)) = name_fault(name) {
+                let mut complaint = Complaint::new(here.as_str(), message);
+                complaint.hint = hint.map(str::to_owned);
+                self.complain_key(member.key, name, complaint);
+                self.holes.add_key(&here);
+            }
+            let value = self.value(&member.node, &of(name), &here, driven);
+            out.insert(name.clone(), value);
+        }
+        Some(Value::Object(out))
+    }
+
+    /// A unit per dimension.
+    pub(super) fn named_units(&mut self, members: &Members, path: &str) -> Option<Value> {
+        let names = Dimension::NAMED.into_iter().map(Dimension::name);
+        let known: Vec<&str> = names.chain([NOTE]).collect();
+        for (key, member) in members {
+            let here = join(path, key);
+            let dimension = Dimension::NAMED.into_iter().find(|one| one.name() == key);
+            match dimension {
+                Some(dimension) => {
+                    if let Some(text) = self.text(&member.node, &here) {
+                        self.unit(&member.node, &text, dimension, &here);
+                    }
+                }
+                None if key == NOTE => {
+                    self.text(&member.node, &here);
+                }
+                None => {
+                    self.unknown(key, &known, members, &here);
+                }
+            }
+        }
+        Some(Value::Null)
+    }
+}

@@ -1,0 +1,124 @@
+//! Springs, loads and torques.
+
+use crate::dimension::Dimension;
+use crate::shape::{
+    Bound, Choice, Default, Drives, Measure, Named, Object, Shape, Tagged, default, optional,
+    required, silent,
+};
+
+/// A force element.
+pub static FORCE: Tagged = Tagged {
+    name: "Force",
+    about: "A force element.",
+    variants: &[
+        Object {
+            name: "spring",
+            about: "Along the line of two points: stiffness [N/m], damping [N·s/m], free length \\[m\\].",
+            fields: &[
+                required(
+                    "between",
+                    Shape::Pair(&Shape::Point),
+                    "Two points, `body.point`.",
+                ),
+                default(
+                    "stiffness",
+                    Shape::Quantity(Measure::Of(Dimension::Stiffness), Bound::AtLeast(0.0)),
+                    Default::Zero,
+                    "[N/m]; may be left out where `damping` is given.",
+                ),
+                default(
+                    "damping",
+                    Shape::Quantity(Measure::Of(Dimension::Damping), Bound::AtLeast(0.0)),
+                    Default::Zero,
+                    "[N·s/m]",
+                ),
+                silent(
+                    "free_length",
+                    Shape::Varying(Dimension::Length),
+                    Default::Zero,
+                    "\\[m\\]",
+                ),
+            ],
+            refused: &[],
+            drives: Drives::Nothing,
+            either: Some(["stiffness", "damping"]),
+        },
+        Object {
+            name: "torsion_spring",
+            about: "Between two bodies: torque on the first k(θ₂ − θ₁ − θ₀) + c(ω₂ − ω₁), the opposite on the second.",
+            fields: &[
+                required(
+                    "between",
+                    Shape::Pair(&Shape::Name(Named::Body)),
+                    "Two bodies.",
+                ),
+                default(
+                    "stiffness",
+                    Shape::Quantity(
+                        Measure::Of(Dimension::AngularStiffness),
+                        Bound::AtLeast(0.0),
+                    ),
+                    Default::Zero,
+                    "[N·m/rad]; may be left out where `damping` is given.",
+                ),
+                default(
+                    "damping",
+                    Shape::Quantity(Measure::Of(Dimension::AngularDamping), Bound::AtLeast(0.0)),
+                    Default::Zero,
+                    "[N·m·s/rad]",
+                ),
+                silent(
+                    "free_angle",
+                    Shape::Varying(Dimension::Angle),
+                    Default::Zero,
+                    "\\[rad\\]",
+                ),
+            ],
+            refused: &[],
+            drives: Drives::Nothing,
+            either: Some(["stiffness", "damping"]),
+        },
+        Object {
+            name: "force",
+            about: "A force at a point, vector in the ground's or the body's frame \\[N\\].",
+            fields: &[
+                required("at", Shape::Point, "The point, `body.point`."),
+                required(
+                    "vector",
+                    Shape::Pair(&Shape::Varying(Dimension::Force)),
+                    "\\[N\\]",
+                ),
+                silent("frame", Shape::Choice(&FRAME), Default::Text("ground"), ""),
+            ],
+            refused: &[],
+            drives: Drives::Nothing,
+            either: None,
+        },
+        Object {
+            name: "torque",
+            about: "A torque [N·m] on a body; `relative_to` takes the opposite.",
+            fields: &[
+                required("body", Shape::Name(Named::Body), ""),
+                required("value", Shape::Varying(Dimension::Torque), "[N·m]"),
+                optional(
+                    "relative_to",
+                    Shape::Name(Named::Body),
+                    "The body that takes the opposite.",
+                ),
+            ],
+            refused: &[],
+            drives: Drives::Nothing,
+            either: None,
+        },
+    ],
+};
+
+/// Frame of a force vector.
+pub static FRAME: Choice = Choice {
+    name: "Frame",
+    about: "Frame of a force vector.",
+    words: &[
+        ("ground", "The vector keeps its direction in space."),
+        ("body", "The vector turns with the body."),
+    ],
+};

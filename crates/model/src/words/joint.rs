@@ -1,0 +1,166 @@
+//! Joints.
+
+use super::clearance::CLEARANCE;
+use super::friction::FRICTION;
+use crate::dimension::Dimension;
+use crate::shape::{
+    Bound, Default, Drives, Measure, Named, Object, Shape, Tagged, default, optional, required,
+};
+
+/// A joint from the first point to the second.
+pub static JOINT: Tagged = Tagged {
+    name: "Joint",
+    about: "A joint from the first point to the second.",
+    variants: &[
+        Object {
+            name: "revolute",
+            about: "The points coincide; with `clearance` the first body holds the bearing, the second the journal.",
+            fields: &[
+                optional("clearance", Shape::Object(&CLEARANCE), ""),
+                optional(
+                    "friction",
+                    Shape::Object(&FRICTION),
+                    "Friction of the ideal joint, from its own reaction; that of a clearance stands in the clearance. Left out: none.",
+                ),
+                optional(
+                    "pin_radius",
+                    Shape::Quantity(Measure::Of(Dimension::Length), Bound::Above(0.0)),
+                    "Radius of the pin \\[m\\] on which `friction` acts, and which it needs.",
+                ),
+                required(
+                    "between",
+                    Shape::Pair(&Shape::Point),
+                    "Two points `body.point`, first → second.",
+                ),
+            ],
+            refused: &[],
+            drives: Drives::Nothing,
+            either: None,
+        },
+        Object {
+            name: "prismatic",
+            about: "The second point stays on the line through the first along `axis` (first body's frame, any length but zero); relative angle fixed \\[rad\\].",
+            fields: &[
+                required(
+                    "axis",
+                    Shape::Direction,
+                    "A direction fixed in the first body; its length does not matter.",
+                ),
+                default(
+                    "angle",
+                    Shape::Quantity(Measure::Of(Dimension::Angle), Bound::Any),
+                    Default::Zero,
+                    "Angle of the second body relative to the first \\[rad\\].",
+                ),
+                optional(
+                    "friction",
+                    Shape::Object(&FRICTION),
+                    "Friction along the axis, from the joint's own reaction; left out: none.",
+                ),
+                optional(
+                    "guide_length",
+                    Shape::Quantity(Measure::Of(Dimension::Length), Bound::Above(0.0)),
+                    "Length of the slider on its guide \\[m\\], centred at the second point: with it the joint's torque presses, too.",
+                ),
+                required(
+                    "between",
+                    Shape::Pair(&Shape::Point),
+                    "Two points `body.point`, first → second.",
+                ),
+            ],
+            refused: &[("clearance", "only a revolute joint can have clearance")],
+            drives: Drives::Nothing,
+            either: None,
+        },
+        Object {
+            name: "slot",
+            about: "The second point stays on the line through the first along `axis` (first body's frame, any length but zero); the bodies may turn against each other.",
+            fields: &[
+                required(
+                    "axis",
+                    Shape::Direction,
+                    "A direction fixed in the first body; its length does not matter.",
+                ),
+                required(
+                    "between",
+                    Shape::Pair(&Shape::Point),
+                    "Two points `body.point`, first → second.",
+                ),
+            ],
+            refused: &[
+                ("clearance", "only a revolute joint can have clearance"),
+                (
+                    "friction",
+                    "only revolute and prismatic joints can have friction",
+                ),
+                (
+                    "angle",
+                    "the angle in a slot is free; a prismatic joint fixes it",
+                ),
+            ],
+            drives: Drives::Nothing,
+            either: None,
+        },
+        Object {
+            name: "gear",
+            about: "Two wheels, each held at its point by a revolute joint to a common carrier, mesh: θ₂ − θ_c = ratio·(θ₁ − θ_c) + angle.",
+            fields: &[
+                required(
+                    "ratio",
+                    Shape::Number(Bound::NotZero),
+                    "Turns of the second wheel per turn of the first, seen from the carrier: −z₁/z₂ for an external mesh, z₁/z₂ for an internal one.",
+                ),
+                optional(
+                    "carrier",
+                    Shape::Name(Named::Body),
+                    "The body on which both wheels turn; left out: found from the joints.",
+                ),
+                optional(
+                    "angle",
+                    Shape::Quantity(Measure::Of(Dimension::Angle), Bound::Any),
+                    "θ₂ − θ_c − ratio·(θ₁ − θ_c) \\[rad\\]; left out: as drawn, that of the angles in `pose`.",
+                ),
+                required(
+                    "between",
+                    Shape::Pair(&Shape::Point),
+                    "Two points `body.point`, first → second.",
+                ),
+            ],
+            refused: &[
+                ("clearance", "only a revolute joint can have clearance"),
+                (
+                    "friction",
+                    "only revolute and prismatic joints can have friction",
+                ),
+            ],
+            drives: Drives::Nothing,
+            either: None,
+        },
+        Object {
+            name: "fixed",
+            about: "The points coincide, relative angle fixed \\[rad\\].",
+            fields: &[
+                default(
+                    "angle",
+                    Shape::Quantity(Measure::Of(Dimension::Angle), Bound::Any),
+                    Default::Zero,
+                    "Angle of the second body relative to the first \\[rad\\].",
+                ),
+                required(
+                    "between",
+                    Shape::Pair(&Shape::Point),
+                    "Two points `body.point`, first → second.",
+                ),
+            ],
+            refused: &[
+                ("clearance", "only a revolute joint can have clearance"),
+                (
+                    "friction",
+                    "only revolute and prismatic joints can have friction",
+                ),
+            ],
+            drives: Drives::Nothing,
+            either: None,
+        },
+    ],
+};

@@ -1,0 +1,165 @@
+//! The words of a model file: what each key means, and what may stand there.
+
+mod analysis;
+mod body;
+mod clearance;
+mod driver;
+mod force;
+mod friction;
+mod joint;
+
+pub use body::{BODY, GROUND};
+pub use clearance::{MATERIAL, SEPARATE};
+pub use driver::MOTION;
+
+use crate::dimension::Dimension;
+use crate::shape::{
+    Bound, Choice, Default, Drives, Measure, Object, Shape, Tagged, default, optional, required,
+    silent,
+};
+use analysis::{ANALYSIS, ANALYSIS_KIND, OUTPUTS_AT, SAMPLE, SOLVER, TRANSMISSION};
+use body::{INITIAL, POSE};
+use clearance::{CLEARANCE, CLEARANCE_MODEL, IMPACT, IMPACT_SENSE, NORMAL, NORMAL_LAW, SURFACE};
+use driver::DRIVER;
+use force::{FORCE, FRAME};
+use friction::{FRICTION, FRICTION_LAW};
+use joint::JOINT;
+
+/// The whole file.
+pub static FILE: Object = Object {
+    name: "linkdyn/1",
+    about: "The whole file: what the loader consumes, and the model.",
+    fields: &[
+        required("format", Shape::Format, "The format of the file."),
+        required(
+            "units",
+            Shape::Units,
+            "`\"SI\"`, or another unit per dimension; SI for the rest. Each dimension stands alone.",
+        ),
+        silent(
+            "parameters",
+            Shape::Parameters,
+            Default::Empty,
+            "Numbers with a name, for use in expressions.",
+        ),
+        optional("name", Shape::Text, ""),
+        optional("about", Shape::Text, "What this is, and for whom."),
+        optional("source", Shape::Text, "Who measured or published it."),
+        default(
+            "gravity",
+            Shape::Pair(&Shape::Quantity(
+                Measure::Of(Dimension::Acceleration),
+                Bound::Any,
+            )),
+            Default::Zeros,
+            "Acceleration of gravity [m/s²], zero where left out.",
+        ),
+        required(
+            "bodies",
+            Shape::Bodies,
+            "All bodies, `ground` among them where the file has it.",
+        ),
+        silent(
+            "joints",
+            Shape::Map(&Shape::Tagged(&JOINT)),
+            Default::Empty,
+            "",
+        ),
+        silent(
+            "drivers",
+            Shape::Map(&Shape::Tagged(&DRIVER)),
+            Default::Empty,
+            "",
+        ),
+        silent(
+            "forces",
+            Shape::Map(&Shape::Tagged(&FORCE)),
+            Default::Empty,
+            "",
+        ),
+        silent(
+            "initial",
+            Shape::Map(&Shape::Object(&INITIAL)),
+            Default::Empty,
+            "Exact values at t = 0, per body.",
+        ),
+        silent(
+            "points",
+            Shape::List(&Shape::Point, 0),
+            Default::Empty,
+            "Body points whose motion is wanted among the results.",
+        ),
+        optional("analysis", Shape::Object(&ANALYSIS), ""),
+    ],
+    refused: &[],
+    drives: Drives::Nothing,
+    either: None,
+};
+
+/// Formats that this version reads.
+pub static FORMATS: Choice = Choice {
+    name: "Format",
+    about: "Formats that this version reads.",
+    words: &[(crate::FORMAT, "")],
+};
+
+/// What the schema defines by a name.
+pub enum Definition {
+    /// The formats.
+    Format(&'static Choice),
+    /// A point, and what it is.
+    Point(&'static str),
+    /// Materials, and what they are.
+    Materials(&'static str),
+    /// Words.
+    Choice(&'static Choice),
+    /// An object.
+    Object(&'static Object),
+    /// Objects told apart by their `type`.
+    Tagged(&'static Tagged),
+}
+
+impl Definition {
+    /// The name.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Definition::Format(choice) | Definition::Choice(choice) => choice.name,
+            Definition::Point(_) => "PointRef",
+            Definition::Materials(_) => "Elastic",
+            Definition::Object(object) => object.name,
+            Definition::Tagged(tagged) => tagged.name,
+        }
+    }
+}
+
+/// All that the schema defines by a name, in its order.
+pub static DEFINITIONS: [Definition; 28] = [
+    Definition::Format(&FORMATS),
+    Definition::Object(&GROUND),
+    Definition::Object(&BODY),
+    Definition::Object(&POSE),
+    Definition::Tagged(&JOINT),
+    Definition::Point("A point of a body: `body.point`."),
+    Definition::Object(&CLEARANCE),
+    Definition::Choice(&CLEARANCE_MODEL),
+    Definition::Object(&NORMAL),
+    Definition::Choice(&NORMAL_LAW),
+    Definition::Materials("Materials of bearing and journal."),
+    Definition::Object(&MATERIAL),
+    Definition::Object(&FRICTION),
+    Definition::Choice(&FRICTION_LAW),
+    Definition::Object(&SURFACE),
+    Definition::Object(&IMPACT),
+    Definition::Choice(&IMPACT_SENSE),
+    Definition::Tagged(&DRIVER),
+    Definition::Tagged(&MOTION),
+    Definition::Tagged(&FORCE),
+    Definition::Choice(&FRAME),
+    Definition::Object(&INITIAL),
+    Definition::Object(&ANALYSIS),
+    Definition::Choice(&ANALYSIS_KIND),
+    Definition::Object(&SAMPLE),
+    Definition::Choice(&OUTPUTS_AT),
+    Definition::Object(&SOLVER),
+    Definition::Object(&TRANSMISSION),
+];
