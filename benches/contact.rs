@@ -9,7 +9,7 @@ use std::hint::black_box;
 
 use linkdyn_engine::analysis::{self, Control, Outcome};
 use linkdyn_model::bundled;
-use linkdyn_model::{self, Model};
+use linkdyn_model::{self, Checked};
 use linkdyn_output::Status;
 use linkdyn_validation::table::Table;
 
@@ -25,13 +25,13 @@ const LOCK: &str = r#"{ "model": "contact", "radius": "100 um", "bearing_radius"
                 "elastic": { "young_modulus": "207 GPa", "poisson_ratio": 0.3 } } }"#;
 const LOCK_JOINTS: [&str; 7] = ["a", "b", "c", "d", "e", "f", "g"];
 
-fn load(text: &str, sets: &[String]) -> Model {
+fn load(text: &str, sets: &[String]) -> Checked {
     linkdyn_model::load(text.as_bytes(), sets)
         .unwrap_or_else(|said| panic!("{said:?}"))
         .model
 }
 
-fn run(model: &Model) -> Outcome {
+fn run(model: &Checked) -> Outcome {
     let outcome = analysis::run(black_box(model), &Control::default())
         .unwrap_or_else(|said| panic!("{said:?}"));
     assert_eq!(
@@ -44,7 +44,7 @@ fn run(model: &Model) -> Outcome {
 }
 
 /// Least CPU of the solve in some runs, and the last of them.
-fn least(model: &Model, repetitions: usize) -> (f64, Outcome) {
+fn least(model: &Checked, repetitions: usize) -> (f64, Outcome) {
     let runs = (0..repetitions)
         .map(|_| run(model))
         .map(|outcome| (outcome.report.solve.cpu, outcome));

@@ -15,7 +15,7 @@ use linkdyn_engine::mechanism::continuation::{Parameter, follow};
 use linkdyn_engine::mechanism::driven::Driven;
 use linkdyn_engine::system::Inputs;
 use linkdyn_engine::system::compile::compile;
-use linkdyn_model::{self, AnalysisKind, Model};
+use linkdyn_model::{self, AnalysisKind, Checked};
 use serde_json::{Value, json};
 
 #[path = "../tests/common/benchmarks.rs"]
@@ -140,13 +140,13 @@ impl Problem {
     }
 }
 
-fn load(json: &Value) -> Model {
+fn load(json: &Value) -> Checked {
     linkdyn_model::load(json.to_string().as_bytes(), &[])
         .unwrap_or_else(|said| panic!("{said:?}"))
         .model
 }
 
-fn run(model: &Model) -> Outcome {
+fn run(model: &Checked) -> Outcome {
     let outcome = analysis::run(black_box(model), &Control::default())
         .unwrap_or_else(|said| panic!("{said:?}"));
     assert_eq!(
@@ -230,9 +230,12 @@ fn without_rows(mut outcome: Outcome) -> Outcome {
     outcome
 }
 
-fn set_tolerance(model: &mut Model, tolerance: f64) {
-    let solver = &mut model.analysis.as_mut().expect("an analysis").solver;
-    (solver.rtol, solver.atol) = (tolerance, tolerance);
+fn set_tolerance(model: &mut Checked, tolerance: f64) {
+    let edited = model.edit(|model| {
+        let solver = &mut model.analysis.as_mut().expect("an analysis").solver;
+        (solver.rtol, solver.atol) = (tolerance, tolerance);
+    });
+    *model = edited.expect("legal");
 }
 
 /// CPU per step [s] of some loops, without outputs between and without what is done once: the difference of a longer and
@@ -242,8 +245,11 @@ fn per_step(loops: usize) -> f64 {
     json["analysis"]["outputs"] = json!(2);
     let mut model = load(&json);
     set_tolerance(&mut model, 1e-6);
-    let mut run_to = |end: f64| {
-        model.analysis.as_mut().expect("an analysis").end = Some(end);
+    let run_to = |end: f64| {
+        let model = model.edit(|model| {
+            model.analysis.as_mut().expect("an analysis").end = Some(end);
+        });
+        let model = model.expect("legal");
         let runs: Vec<Outcome> = (0..3).map(|_| run(&model)).map(without_rows).collect();
         (
             spread(

@@ -14,7 +14,7 @@ use linkdyn_engine::mechanism::driven::Driven;
 use linkdyn_engine::system::compile::compile;
 use linkdyn_engine::system::{Inputs, System};
 use linkdyn_model::bundled;
-use linkdyn_model::{self, AnalysisKind, Model};
+use linkdyn_model::{self, AnalysisKind, Checked};
 use linkdyn_output::Trajectory;
 use linkdyn_validation::table::Table;
 use linkdyn_validation::{CASES, CaseKind};
@@ -23,7 +23,7 @@ const INSTANTS: usize = 2000;
 const FROM: f64 = -50.0;
 const TO: f64 = 125.0;
 
-fn load(name: &str, sets: &[String]) -> Model {
+fn load(name: &str, sets: &[String]) -> Checked {
     let text = bundled::find(name).expect("bundled").text;
     linkdyn_model::load(text.as_bytes(), sets)
         .expect("a sound model")
@@ -31,7 +31,7 @@ fn load(name: &str, sets: &[String]) -> Model {
 }
 
 /// The lock with 2000 instants over its range.
-fn lock() -> Model {
+fn lock() -> Checked {
     let step = (TO - FROM) / (INSTANTS - 1) as f64;
     load(
         "watt-i-lock",

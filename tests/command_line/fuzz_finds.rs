@@ -5,8 +5,8 @@ use std::path::Path;
 
 use linkdyn::cli::{Said, captured};
 use linkdyn_engine::analysis::{Control, check, run};
+use linkdyn_model::Checked;
 use linkdyn_model::error::Complaint;
-use linkdyn_model::{self, Model};
 use serde_json::{Value, json};
 
 /// A driven slider-crank.
@@ -47,7 +47,7 @@ fn with(changes: &[(&str, Value)]) -> Value {
     json
 }
 
-fn load(json: &Value) -> Model {
+fn load(json: &Value) -> Checked {
     linkdyn_model::load(json.to_string().as_bytes(), &[])
         .unwrap_or_else(|said| panic!("{said:?}"))
         .model

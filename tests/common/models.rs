@@ -2,7 +2,7 @@
 
 use linkdyn::bundled;
 use linkdyn_engine::analysis::{Control, Outcome, run};
-use linkdyn_model::Model;
+use linkdyn_model::{Checked, Model};
 use linkdyn_validation::{CASES, CaseKind};
 use serde_json::Value;
 
@@ -39,6 +39,7 @@ pub fn load_bundled(name: &str, sets: &[&str]) -> Model {
     linkdyn_model::load(text.as_bytes(), &sets)
         .unwrap_or_else(|said| panic!("{name}: {said:?}"))
         .model
+        .into_model()
 }
 
 /// The model that a JSON text says.
@@ -47,12 +48,22 @@ pub fn load(json: &Value) -> Model {
     linkdyn_model::load(json.to_string().as_bytes(), &[])
         .unwrap_or_else(|said| panic!("{said:?}\n{json:#}"))
         .model
+        .into_model()
+}
+
+/// The model, legal.
+#[track_caller]
+pub fn checked(model: &Model) -> Checked {
+    model
+        .clone()
+        .check()
+        .unwrap_or_else(|said| panic!("{said}"))
 }
 
 /// Runs a model's analysis.
 #[track_caller]
 pub fn solve(model: &Model) -> Outcome {
-    run(model, &Control::default()).unwrap_or_else(|said| panic!("{said:?}"))
+    run(&checked(model), &Control::default()).unwrap_or_else(|said| panic!("{said:?}"))
 }
 
 /// Values of a column.

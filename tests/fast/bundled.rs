@@ -1,7 +1,7 @@
 //! Every bundled model runs, and says one thing each that is known without running it.
 
 use crate::benchmarks;
-use crate::models::{load_bundled, solve, values};
+use crate::models::{checked, load_bundled, solve, values};
 use linkdyn::bundled;
 use linkdyn_engine::analysis::{Control, Outcome, modes};
 use linkdyn_output::Status;
@@ -481,7 +481,7 @@ fn the_pendulum_swings_as_published() {
 #[test]
 fn the_double_pendulum_has_its_two_frequencies() {
     let found = modes(
-        &load_bundled("double-pendulum", &[]),
+        &checked(&load_bundled("double-pendulum", &[])),
         false,
         &Control::default(),
     )
@@ -580,7 +580,10 @@ fn the_four_bar_hangs_in_its_spring_as_published() {
         );
     }
     let found = modes(
-        &load_bundled("four-bar-spring", &["forces.diagonal.damping=0"]),
+        &checked(&load_bundled(
+            "four-bar-spring",
+            &["forces.diagonal.damping=0"],
+        )),
         false,
         &Control::default(),
     );

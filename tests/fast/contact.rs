@@ -2,6 +2,7 @@
 //! ledger, the ideal joint as the clearance vanishes, the same mechanism told otherwise, and what is refused.
 
 use crate::mechanisms::{column, loaded};
+use crate::models;
 use crate::transform::{mirror, rename_and_reverse, renamed, rotate, swap, turned};
 use linkdyn_engine::analysis::{Control, Outcome, run};
 use linkdyn_model::{Model, load};
@@ -12,7 +13,8 @@ const SLIDER_CRANK: &str = include_str!("../../validation/slider-crank-clearance
 
 #[track_caller]
 fn solve(model: &Model) -> Outcome {
-    let outcome = run(model, &Control::default()).unwrap_or_else(|said| panic!("{said:?}"));
+    let outcome =
+        run(&models::checked(model), &Control::default()).unwrap_or_else(|said| panic!("{said:?}"));
     assert_eq!(
         outcome.report.status,
         Status::Completed,
@@ -34,6 +36,7 @@ fn slider_crank(sets: &[&str]) -> Model {
     load(SLIDER_CRANK.as_bytes(), &sets)
         .unwrap_or_else(|said| panic!("{said:?}"))
         .model
+        .into_model()
 }
 
 fn episodes(outcome: &Outcome) -> Vec<Episode> {

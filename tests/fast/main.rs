@@ -32,6 +32,7 @@ mod complaints_clearance;
 mod contact;
 mod crossing;
 mod dynamics;
+mod edits;
 mod extremes;
 mod flat_start;
 mod golden;

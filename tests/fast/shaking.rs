@@ -20,7 +20,7 @@ fn shaking_is_the_balance_of_momentum() {
     ] {
         let model = models::load_bundled(name, sets);
         let outcome = models::solve(&model);
-        let (derived, _) = derived(&model, outcome.all());
+        let (derived, _) = derived(&models::checked(&model), outcome.all());
         let ours = ["fx", "fy", "moment"]
             .map(|q| derived.values(&format!("shaking.{q}")).expect("shaking"));
         let of = |column: String| {
@@ -103,6 +103,6 @@ fn shaking_is_the_balance_of_momentum() {
     assert!(tried > 5000, "{tried}");
     // The load of the slider-crank by hand: −600 + 500 sin(−90°).
     let model = models::load_bundled("slider-crank", &[]);
-    let (derived, _) = derived(&model, models::solve(&model).all());
+    let (derived, _) = derived(&models::checked(&model), models::solve(&model).all());
     assert!((derived.values("force.gas.fx").expect("the load")[0] + 1100.0).abs() < 1e-9);
 }

@@ -53,7 +53,7 @@ fn held(motion: Value) -> Value {
 }
 
 fn transmitted(model: &Model) -> (Trajectory, Vec<String>) {
-    derived(model, models::solve(model).all())
+    derived(&models::checked(model), models::solve(model).all())
 }
 
 #[track_caller]
@@ -236,7 +236,7 @@ fn transmission_of_a_four_bar_is_that_of_its_triangle() {
         &[r#"analysis.transmission={"output":"rocker"}"#],
     );
     let outcome = models::solve(&model);
-    let (derived, notes) = derived(&model, outcome.all());
+    let (derived, notes) = derived(&models::checked(&model), outcome.all());
     assert!(notes.is_empty(), "{notes:?}");
     let joint = model.joints.iter().find(|(_, joint)| {
         let bodies = joint.between.each_ref().map(|end| end.body.as_str());
@@ -319,7 +319,7 @@ fn transmission_of_a_slider_crank_is_its_closed_form() {
             &sets.iter().map(String::as_str).collect::<Vec<_>>(),
         );
         let outcome = models::solve(&model);
-        let (derived, _) = derived(&model, outcome.all());
+        let (derived, _) = derived(&models::checked(&model), outcome.all());
         assert_eq!(
             derived.columns[derived.column_index("transmission.ratio").expect("a ratio")].unit,
             "m/rad"
@@ -363,7 +363,7 @@ fn a_transmission_that_the_drivers_do_not_determine_is_said_to_be_none() {
     ];
     let mut model = models::load_bundled("quick-return", &sets);
     model.drivers.clear();
-    let (derived, notes) = derived(&model, models::solve(&model).all());
+    let (derived, notes) = derived(&models::checked(&model), models::solve(&model).all());
     assert!(derived.column_index("transmission.ratio").is_none());
     assert!(
         notes.len() == 1 && notes[0].contains("do not determine the motion"),

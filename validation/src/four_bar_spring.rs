@@ -6,7 +6,7 @@ use std::f64::consts::{PI, SQRT_2};
 
 use super::{CaseError, CaseReport, Claim, Setting, Verdict};
 use linkdyn_engine::analysis::{self, Linearised};
-use linkdyn_model::{self, Model};
+use linkdyn_model::{self, Checked};
 use linkdyn_output::Status;
 
 /// A line about the case.
@@ -77,14 +77,14 @@ pub fn run(setting: &Setting) -> Result<CaseReport, CaseError> {
     })
 }
 
-fn read(sets: &[&str]) -> Result<Model, CaseError> {
+fn read(sets: &[&str]) -> Result<Checked, CaseError> {
     let sets: Vec<String> = sets.iter().map(|set| (*set).to_string()).collect();
     let loaded = linkdyn_model::load(MODEL.as_bytes(), &sets)
         .map_err(|said| CaseError::Broken(format!("{said:?}")))?;
     Ok(loaded.model)
 }
 
-fn linearise(model: &Model, setting: &Setting) -> Result<Linearised, CaseError> {
+fn linearise(model: &Checked, setting: &Setting) -> Result<Linearised, CaseError> {
     let found = analysis::modes(model, false, &setting.control)
         .map_err(|said| CaseError::Broken(format!("{said:?}")))?;
     if found.status == Status::Interrupted {

@@ -14,7 +14,7 @@ use linkdyn_engine::integrate::{Limits, Method, Stepper, Tolerance};
 use linkdyn_engine::mechanism::reduced::Reduced;
 use linkdyn_engine::system::Inputs;
 use linkdyn_engine::system::compile::compile;
-use linkdyn_model::{self, AnalysisKind, Model};
+use linkdyn_model::{self, AnalysisKind, Checked};
 use linkdyn_output::Status;
 
 /// A line about the case.
@@ -209,7 +209,7 @@ fn one_loop(mut model: Value) -> Value {
     model
 }
 
-fn load(model: &Value) -> Result<Model, CaseError> {
+fn load(model: &Value) -> Result<Checked, CaseError> {
     let loaded = linkdyn_model::load(model.to_string().as_bytes(), &[])
         .map_err(|said| CaseError::Broken(format!("{said:?}")))?;
     Ok(loaded.model)

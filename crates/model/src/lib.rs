@@ -22,6 +22,7 @@ mod hold;
 mod json;
 mod load;
 mod node;
+mod print;
 mod schema;
 mod set;
 mod shape;

@@ -5,15 +5,16 @@ use std::io::Read;
 use std::path::Path;
 
 use super::expression::Parameter;
-use super::gate::{self, Checked};
+use super::gate::{self, Checked, Holes};
 use super::json;
 use super::node::{self, Kind, Node};
 use super::set;
 use super::source::Source;
 use super::stale;
-use super::walk::{Findings, Undotted, display, walk};
+use super::walk::{Findings, Undotted, display, walk, walk_given};
 use super::{FORMAT, ForceKind, Model, hold};
-use crate::error::Complaint;
+use crate::error::{Complaint, Complaints};
+use serde_json::Value;
 
 /// Largest file that is read \[bytes\].
 const LARGEST: u64 = 64 * 1024 * 1024;
@@ -148,28 +149,18 @@ fn pass(
     mut complaints: Vec<Complaint>,
     more: usize,
 ) -> Result<Loaded, Vec<Complaint>> {
-    let place = |complaint| source.place(complaint);
     complaints.extend(findings.complaints);
-    // the words are described as these types are, so nothing is left to go wrong
-    let mut model = serde_json::from_value::<Model>(findings.value).map_err(|error| {
-        let message = format!("the words allow what the model does not: {error}");
-        vec![Complaint::new("", message)]
-    })?;
-    model.display = display(source.root.get("units"));
-    let undotted = findings.undotted.into_iter().take(MOST_COMPLAINTS);
-    let undotted = undotted.map(|Undotted { path, text }| gate::no_point(&model, &path, &text));
-    complaints.extend(undotted.map(place));
-    let (passed, said) = gate::pass(model, findings.holes);
-    let mut warnings = findings.warnings;
-    warnings.extend(told(said, &source));
+    let (passed, said) = typed(&source, findings.value, findings.holes, &findings.undotted);
     let model = match passed {
         Ok(model) if complaints.is_empty() => model,
         Ok(_) => return Err(sorted(complaints, more)),
         Err(said) => {
-            complaints.extend(said.into_iter().map(place));
+            complaints.extend(said);
             return Err(sorted(complaints, more));
         }
     };
+    let mut warnings = findings.warnings;
+    warnings.extend(told(said, &source));
     let unsaid = unsaid_lengths(&model, &source.root);
     let said = unsaid
         .chain(hold::unheld(&model))
@@ -182,6 +173,65 @@ fn pass(
         warnings,
         parameters: findings.parameters,
     })
+}
+
+/// A typed model from its value in SI units, passed by the gate; complaints with their places, and warnings.
+fn typed(
+    source: &Source,
+    value: Value,
+    holes: Holes,
+    undotted: &[Undotted],
+) -> (Result<Checked, Vec<Complaint>>, Vec<Complaint>) {
+    // the words are described as these types are, so nothing is left to go wrong
+    let mut model = match serde_json::from_value::<Model>(value) {
+        Ok(model) => model,
+        Err(error) => {
+            let message = format!("the words allow what the model does not: {error}");
+            return (Err(vec![Complaint::new("", message)]), Vec::new());
+        }
+    };
+    model.display = display(source.root.get("units"));
+    let undotted = undotted.iter().take(MOST_COMPLAINTS);
+    let undotted = undotted.map(|Undotted { path, text }| gate::no_point(&model, path, text));
+    let mut complaints: Vec<Complaint> = undotted.collect();
+    let (passed, warnings) = gate::pass(model, holes);
+    let passed = passed.map_err(|said| {
+        complaints.extend(said);
+        let placed = complaints.into_iter();
+        placed.map(|complaint| source.place(complaint)).collect()
+    });
+    (passed, warnings)
+}
+
+impl Source {
+    /// The model with other values of parameters \[SI\], each in the dimension that it has; no number is printed or read
+    /// on the way.
+    ///
+    /// # Errors
+    /// A name that no parameter has, and all faults of the model with these values.
+    ///
+    /// # Examples
+    /// ```
+    /// let text = br#"{ "format": "linkdyn/1", "units": "SI", "parameters": { "l": "5 mm" },
+    ///     "bodies": { "bar": { "points": { "A": ["=2*l", 0] } } } }"#;
+    /// let loaded = linkdyn_model::load(text, &[]).unwrap();
+    /// let longer = loaded.source.with_parameters(&[("l", 0.006)]).unwrap();
+    /// assert_eq!(longer.bodies["bar"].points["A"], [0.012, 0.0]);
+    /// ```
+    pub fn with_parameters(&self, values: &[(&str, f64)]) -> Result<Checked, Complaints> {
+        let place = |complaint| self.place(complaint);
+        let findings = walk_given(self, values)
+            .map_err(|said| Complaints(said.into_iter().map(place).collect()))?;
+        let (passed, _) = typed(self, findings.value, findings.holes, &findings.undotted);
+        match passed {
+            Ok(model) if findings.complaints.is_empty() => Ok(model),
+            Ok(_) => Err(Complaints(sorted(findings.complaints, findings.more))),
+            Err(said) => {
+                let said = findings.complaints.into_iter().chain(said).collect();
+                Err(Complaints(sorted(said, findings.more)))
+            }
+        }
+    }
 }
 
 /// Warnings as they are told, as many as anybody reads.

@@ -7,7 +7,7 @@ use crate::CaseError;
 use linkdyn_engine::analysis::{self, Control};
 use linkdyn_model::bundled;
 use linkdyn_model::error::Complaint;
-use linkdyn_model::{self, Model};
+use linkdyn_model::{self, Checked};
 use linkdyn_output::{Event, Report, Status, Trajectory};
 
 /// Names of the hinges.
@@ -121,7 +121,7 @@ impl Request {
 ///
 /// # Errors
 /// When it is refused, or the user interrupts.
-pub fn run(document: &Value, control: &Control) -> Result<(Model, analysis::Outcome), CaseError> {
+pub fn run(document: &Value, control: &Control) -> Result<(Checked, analysis::Outcome), CaseError> {
     let refused = |complaints: Vec<Complaint>| {
         let complaints: Vec<String> = complaints.iter().map(ToString::to_string).collect();
         broken(complaints.join("; "))
@@ -236,7 +236,7 @@ pub enum Found {
 #[derive(Debug, Clone)]
 pub struct Stroke {
     pub request: Request,
-    pub model: Model,
+    pub model: Checked,
     pub trajectory: Trajectory,
     pub report: Report,
     /// \[deg\]
@@ -253,7 +253,7 @@ impl Stroke {
     /// When columns are missing.
     pub fn new(
         request: Request,
-        model: Model,
+        model: Checked,
         trajectory: Trajectory,
         report: Report,
     ) -> Result<Self, CaseError> {

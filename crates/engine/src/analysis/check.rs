@@ -9,8 +9,8 @@ use crate::system::{Evaluation, Inputs, System, compile::compile, compile::compi
 use linkdyn_linear::math::Vec2;
 use linkdyn_model::error::Complaint;
 use linkdyn_model::{
-    AnalysisKind, ClearanceModel, ForceKind, GROUND, JointKind, Model, PointRef, Pose, Sample,
-    Value,
+    AnalysisKind, Checked, ClearanceModel, ForceKind, GROUND, JointKind, Model, PointRef, Pose,
+    Sample, Value,
 };
 use linkdyn_output::{Mobility, Status};
 
@@ -78,8 +78,8 @@ enum Undriven {
 ///
 /// # Errors
 /// Faults of the input.
-pub fn check(model: &Model) -> Result<Check, Vec<Complaint>> {
-    let system = compile(&with_clearances(model, |_| false), AnalysisKind::Assembly)?;
+pub fn check(model: &Checked) -> Result<Check, Vec<Complaint>> {
+    let system = compile(&model.with_clearances(|_| false), AnalysisKind::Assembly)?;
     let topology = topology(&system);
     let names: Vec<&str> = system
         .joints
@@ -182,8 +182,8 @@ fn undriven(system: &System, assembled: &Assembled, inputs: &Inputs) -> Option<U
 
 /// The mechanism with its journals free, at the position that it has with ideal pins, as a run has it. Its motion is
 /// integrated whatever the analysis, so that only too many drivers are in the way.
-fn open(model: &Model, closed: Assembled) -> Result<(Open, Option<Undriven>), Vec<Complaint>> {
-    let system = compile_geometry(&with_clearances(model, is_open))?;
+fn open(model: &Checked, closed: Assembled) -> Result<(Open, Option<Undriven>), Vec<Complaint>> {
+    let system = compile_geometry(&model.with_clearances(is_open))?;
     let inputs = Inputs::at_time(&system, 0.0);
     let assembled = ranked(&system, closed, &inputs);
     let undriven =
@@ -230,23 +230,6 @@ fn moving_names(system: &System, bodies: &[usize]) -> Vec<String> {
         .filter(|&&body| body > 0)
         .map(|&body| system.bodies[body - 1].name.clone())
         .collect()
-}
-
-/// The model with the clearances of some models only, the others ideal.
-fn with_clearances(model: &Model, kept: fn(ClearanceModel) -> bool) -> Model {
-    let mut model = model.clone();
-    for joint in model.joints.values_mut() {
-        match &mut joint.kind {
-            JointKind::Revolute { clearance, .. } => {
-                *clearance = clearance.take().filter(|clearance| kept(clearance.model));
-            }
-            JointKind::Prismatic { .. }
-            | JointKind::Slot { .. }
-            | JointKind::Gear { .. }
-            | JointKind::Fixed { .. } => {}
-        }
-    }
-    model
 }
 
 /// Joints whose clearance is modelled.

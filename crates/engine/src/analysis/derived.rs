@@ -4,12 +4,12 @@ use super::applied::applied;
 use super::shaking::shaking;
 use super::transmission::transmission;
 use crate::system::compile::compile;
-use linkdyn_model::Model;
+use linkdyn_model::Checked;
 use linkdyn_output::Trajectory;
 
 /// Applied forces, shaking force and moment, velocity ratio, mechanical advantage and transmission angles, where they exist; what there is to say
 /// about those that do not.
-pub fn derived(model: &Model, results: &Trajectory) -> (Trajectory, Vec<String>) {
+pub fn derived(model: &Checked, results: &Trajectory) -> (Trajectory, Vec<String>) {
     let mut derived = Trajectory::default();
     let mut notes = Vec::new();
     let Some(analysis) = &model.analysis else {

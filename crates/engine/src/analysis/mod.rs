@@ -33,7 +33,7 @@ pub use suspicious::suspicious;
 use crate::system::{Evaluation, Inputs, System, compile::compile};
 use channels::Contents;
 use linkdyn_model::error::Complaint;
-use linkdyn_model::{AnalysisKind, Model, OutputsAt, unheld};
+use linkdyn_model::{AnalysisKind, Checked, OutputsAt, unheld};
 use linkdyn_output::{Event, Quality, Report, Status, Stopwatch, Trajectory};
 use record::Recorder;
 use sample::Sample;
@@ -124,7 +124,7 @@ impl Stop {
 /// # Errors
 /// Faults of the input: no analysis, a clearance model that the analysis has no place for, missing data, too few or too
 /// many drivers. Everything else ends in the report's status, with what was computed until then.
-pub fn run(model: &Model, control: &Control) -> Result<Outcome, Vec<Complaint>> {
+pub fn run(model: &Checked, control: &Control) -> Result<Outcome, Vec<Complaint>> {
     let Some(analysis) = &model.analysis else {
         return Err(vec![Complaint::new("analysis", "the model says no analysis to run").hint(
             "add \"analysis\": { \"type\": \"kinematics\", \"end\": 1, \"outputs\": 101 }, or use `linkdyn check`",

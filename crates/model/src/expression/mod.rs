@@ -16,7 +16,7 @@ mod parse;
 mod quantity;
 
 pub use parameters::Parameter;
-pub(super) use parameters::Parameters;
+pub(super) use parameters::{Found, Parameters};
 pub(super) use quantity::{Fault, Pure, Quantity, with_article};
 
 use parse::Parser;

@@ -39,7 +39,10 @@ pub struct Found<'a> {
 pub struct Parameters {
     names: Vec<String>,
     places: HashMap<String, usize>,
+    written: Vec<Written>,
     values: Vec<Option<Quantity>>,
+    /// Values in the place of written ones.
+    given: HashMap<usize, f64>,
     used: Vec<bool>,
     /// Whether plain numbers of angles are in another unit than radians.
     degrees: bool,
@@ -60,7 +63,9 @@ impl Parameters {
         let mut parameters = Parameters {
             names: Vec::new(),
             places: HashMap::new(),
+            written: Vec::new(),
             values: Vec::new(),
+            given: HashMap::new(),
             used: Vec::new(),
             degrees,
         };
@@ -96,16 +101,49 @@ impl Parameters {
             }
         }
         parameters.used = vec![false; nodes.len()];
-        let written: Vec<Written> = nodes
+        parameters.written = nodes
             .iter()
             .zip(&parameters.names)
-            .map(|(node, name)| parameters.written(node, name, &mut faults))
+            .map(|(node, name)| parameters.read_one(node, name, &mut faults))
             .collect();
-        parameters.evaluate_all(&nodes, &written, &mut faults);
+        parameters.evaluate_all(&nodes, &mut faults);
         (parameters, faults)
     }
 
-    fn written<'a>(&self, node: &'a Node, name: &str, faults: &mut Vec<Found<'a>>) -> Written {
+    /// Gives parameters other values \[SI\], each in the dimension that it has, and evaluates what follows from them.
+    ///
+    /// # Errors
+    /// A name that no parameter has, a value that is not finite, and what can't be evaluated with it.
+    pub fn give(
+        &mut self,
+        node: Option<&Node>,
+        values: &[(&str, f64)],
+    ) -> Result<(), Vec<Complaint>> {
+        for (name, value) in values {
+            let Some(&place) = self.places.get(*name) else {
+                let complaint =
+                    Complaint::new("parameters", format!("there is no parameter {name:?}"));
+                let hint = format!("the parameters: {}", suggest::list(self.names.iter()));
+                return Err(vec![complaint.hint(hint)]);
+            };
+            if !value.is_finite() {
+                let complaint = Complaint::new(path(name), "a finite number is expected");
+                return Err(vec![complaint.found(value.to_string())]);
+            }
+            self.given.insert(place, *value);
+        }
+        let found = |name: &String| node.and_then(|node| node.get(name));
+        let nodes: Vec<&Node> = self.names.iter().filter_map(found).collect();
+        let mut faults = Vec::new();
+        self.evaluate_all(&nodes, &mut faults);
+        if faults.is_empty() {
+            Ok(())
+        } else {
+            Err(faults.into_iter().map(|fault| fault.complaint).collect())
+        }
+    }
+
+    fn read_one<'a>(&self, node: &'a Node, name: &str, faults: &mut Vec<Found<'a>>) -> Written {
         let mut add = |at: Option<usize>, fault: Fault| {
             let complaint = Complaint {
                 hint: fault.hint,
@@ -146,13 +184,9 @@ impl Parameters {
     }
 
     /// Evaluates each after those that it names, and complains about circles.
-    fn evaluate_all<'a>(
-        &mut self,
-        nodes: &[&'a Node],
-        written: &[Written],
-        faults: &mut Vec<Found<'a>>,
-    ) {
-        self.values = vec![None; written.len()];
+    fn evaluate_all<'a>(&mut self, nodes: &[&'a Node], faults: &mut Vec<Found<'a>>) {
+        let written = &self.written;
+        let nominal = std::mem::replace(&mut self.values, vec![None; written.len()]);
         let mut followers: Vec<Vec<usize>> = vec![Vec::new(); written.len()];
         let mut waits = vec![0_usize; written.len()];
         for (index, written) in written.iter().enumerate() {
@@ -169,7 +203,12 @@ impl Parameters {
             .filter(|&index| waits[index] == 0)
             .collect();
         while let Some(index) = ready.pop() {
+            let given = self
+                .given
+                .get(&index)
+                .zip(nominal.get(index).copied().flatten());
             self.values[index] = match &written[index] {
+                _ if given.is_some() => given.map(|(&value, nominal)| nominal.with_value(value)),
                 Written::Value(value) => Some(*value),
                 Written::Faulty => None,
                 Written::Expression(expression) => expression
@@ -194,17 +233,11 @@ impl Parameters {
                 }
             }
         }
-        self.circles(nodes, written, &waits, faults);
+        self.circles(nodes, &waits, faults);
     }
 
     /// Complains about each circle among those that still wait.
-    fn circles<'a>(
-        &self,
-        nodes: &[&'a Node],
-        written: &[Written],
-        waits: &[usize],
-        faults: &mut Vec<Found<'a>>,
-    ) {
+    fn circles<'a>(&self, nodes: &[&'a Node], waits: &[usize], faults: &mut Vec<Found<'a>>) {
         // walk number in which one was met
         let mut met = vec![None; waits.len()];
         for start in (0..waits.len()).filter(|&index| waits[index] > 0) {
@@ -213,7 +246,7 @@ impl Parameters {
             while let Some(index) = next.filter(|&index| met[index].is_none()) {
                 met[index] = Some(start);
                 walk.push(index);
-                next = match &written[index] {
+                next = match &self.written[index] {
                     Written::Expression(expression) => {
                         expression.parameters().find(|&named| waits[named] > 0)
                     }

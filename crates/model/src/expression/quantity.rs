@@ -87,6 +87,11 @@ impl Quantity {
         }
     }
 
+    /// Another number of the same dimension.
+    pub fn with_value(self, value: f64) -> Self {
+        Quantity { value, ..self }
+    }
+
     /// A number made of others.
     fn made(value: f64, exponents: [i32; 4], pure: Pure) -> Outcome {
         if !value.is_finite() {

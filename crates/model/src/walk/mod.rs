@@ -9,6 +9,8 @@ mod object;
 mod quantity;
 mod units;
 
+pub use lists::{COLUMNS, entry_driven};
+pub use object::{NOTE, shape_of};
 pub use quantity::Driven;
 pub use units::{Units, display};
 
@@ -19,7 +21,7 @@ use serde_json::{Map, Value};
 use crate::dimension::Dimension;
 use crate::error::Complaint;
 use crate::examples;
-use crate::expression::{Parameter, Parameters};
+use crate::expression::{Found, Parameter, Parameters};
 use crate::gate::Holes;
 use crate::node::{Kind, Node, Origin};
 use crate::shape::{Bound, Choice, Measure, Need, Shape, Tagged};
@@ -61,6 +63,28 @@ pub fn walk(source: &Source) -> Findings {
     let units = Units::read(source.root.get("units"));
     let written = source.root.get("parameters");
     let (parameters, faults) = Parameters::read(written, !units.in_radians());
+    walk_with(source, units, parameters, faults)
+}
+
+/// Reads the whole file with other values of parameters.
+///
+/// # Errors
+/// A value that no parameter can have.
+pub fn walk_given(source: &Source, given: &[(&str, f64)]) -> Result<Findings, Vec<Complaint>> {
+    let units = Units::read(source.root.get("units"));
+    let written = source.root.get("parameters");
+    let (mut parameters, faults) = Parameters::read(written, !units.in_radians());
+    parameters.give(written, given)?;
+    Ok(walk_with(source, units, parameters, faults))
+}
+
+fn walk_with(
+    source: &Source,
+    units: Units,
+    parameters: Parameters,
+    faults: Vec<Found<'_>>,
+) -> Findings {
+    let written = source.root.get("parameters");
     let mut walk = Walk::new(source, units, parameters, driven(&source.root));
     for fault in faults {
         walk.complain_at(fault.node, fault.at, fault.complaint);

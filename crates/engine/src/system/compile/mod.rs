@@ -30,8 +30,8 @@ use crate::motion::{Law, Spline};
 use linkdyn_linear::math::{Vec2, unit};
 use linkdyn_model::error::Complaint;
 use linkdyn_model::{
-    AnalysisKind, Body, Carrier, ClearanceModel, DriverKind, ForceKind, Frame, GROUND, JointKind,
-    Model, Motion, PointRef, Value,
+    AnalysisKind, Body, Carrier, Checked, ClearanceModel, DriverKind, ForceKind, Frame, GROUND,
+    JointKind, Model, Motion, PointRef, Value,
 };
 use needs::{Joints, bearing, clearance, missing};
 use std::collections::HashMap;
@@ -41,7 +41,7 @@ use std::sync::Arc;
 ///
 /// # Errors
 /// Data that the analysis needs and the file lacks, all at once.
-pub fn compile(model: &Model, analysis: AnalysisKind) -> Result<System, Vec<Complaint>> {
+pub fn compile(model: &Checked, analysis: AnalysisKind) -> Result<System, Vec<Complaint>> {
     let system = lower(model, missing(model, analysis))?;
     Ok(match analysis {
         AnalysisKind::Assembly => system.closed(),
@@ -56,7 +56,7 @@ pub fn compile(model: &Model, analysis: AnalysisKind) -> Result<System, Vec<Comp
 ///
 /// # Errors
 /// Parameters that its joints need and the file lacks.
-pub fn compile_geometry(model: &Model) -> Result<System, Vec<Complaint>> {
+pub fn compile_geometry(model: &Checked) -> Result<System, Vec<Complaint>> {
     lower(model, Vec::new())
 }
 
