@@ -238,12 +238,6 @@ fn quantity(measure: Measure) -> Keys {
     }))
 }
 
-/// A plain number or an expression: its first keys, and what follows behind its bounds.
-fn plain(keys: &mut Keys, kind: &str) {
-    keys.insert("pattern".into(), EXPRESSION_PATTERN.into());
-    keys.insert("x-plain".into(), kind.into());
-}
-
 fn list(items: &Shape, least: usize, most: Option<usize>) -> Keys {
     let mut keys = keys(json!({ "type": "array", "items": at(items, None) }));
     if least > 0 {
@@ -280,7 +274,12 @@ fn at(shape: &Shape, field: Option<&Field>) -> Keys {
             bounded(&mut keys, *bound, true);
             return keys;
         }
-        Shape::Number(_) | Shape::Coefficient(_) | Shape::Count(..) => return number(shape, field),
+        Shape::Number(bound) => return number("number", true, *bound, field),
+        Shape::Coefficient(bound) => return number("number", false, *bound, field),
+        Shape::Count(least, most) => {
+            let bound = Bound::Between(*least as f64, *most as f64);
+            return number("integer", false, bound, field);
+        }
         Shape::ContactStiffness => {
             let mut keys = keys(json!({
                 "type": ["number", "string"], "pattern": QUANTITY_PATTERN, "x-plain": "number",
@@ -316,33 +315,17 @@ fn at(shape: &Shape, field: Option<&Field>) -> Keys {
     keys
 }
 
-fn number(shape: &Shape, field: Option<&Field>) -> Keys {
-    let start = |kind: &str| keys(json!({ "type": [kind, "string"] }));
-    match shape {
-        Shape::Count(least, most) => {
-            let mut keys = start("integer");
-            said(&mut keys, field);
-            bounded(&mut keys, Bound::Between(*least as f64, *most as f64), true);
-            plain(&mut keys, "integer");
-            keys
-        }
-        Shape::Number(bound) => {
-            let mut keys = start("number");
-            keys.insert("format".into(), "double".into());
-            said(&mut keys, field);
-            bounded(&mut keys, *bound, false);
-            plain(&mut keys, "number");
-            keys
-        }
-        Shape::Coefficient(bound) => {
-            let mut keys = start("number");
-            said(&mut keys, field);
-            bounded(&mut keys, *bound, true);
-            plain(&mut keys, "number");
-            keys
-        }
-        _ => Keys::new(),
+/// A number without dimension, or an expression.
+fn number(kind: &str, is_double: bool, bound: Bound, field: Option<&Field>) -> Keys {
+    let mut keys = keys(json!({ "type": [kind, "string"] }));
+    if is_double {
+        keys.insert("format".into(), "double".into());
     }
+    said(&mut keys, field);
+    bounded(&mut keys, bound, !is_double);
+    keys.insert("pattern".into(), EXPRESSION_PATTERN.into());
+    keys.insert("x-plain".into(), kind.into());
+    keys
 }
 
 fn map(of: &Shape, field: Option<&Field>) -> Keys {

@@ -14,6 +14,7 @@
 mod parameters;
 mod parse;
 mod quantity;
+mod written;
 
 pub use parameters::Parameter;
 pub(super) use parameters::{Found, Parameters};

@@ -4,6 +4,7 @@
 //! What is faulty becomes something of the right kind, and its path a hole, so that later checks know not to blame
 //! anything else for it.
 
+mod filler;
 mod lists;
 mod object;
 mod quantity;
@@ -11,12 +12,11 @@ mod units;
 
 pub use lists::{COLUMNS, entry_driven};
 pub use object::{NOTE, shape_of};
-pub use quantity::Driven;
-pub use units::{Units, display};
+pub use units::{Driven, Units, display};
 
 use std::collections::HashMap;
 
-use serde_json::{Map, Value};
+use serde_json::Value;
 
 use crate::dimension::Dimension;
 use crate::error::Complaint;
@@ -24,7 +24,7 @@ use crate::examples;
 use crate::expression::{Found, Parameter, Parameters};
 use crate::gate::Holes;
 use crate::node::{Kind, Node, Origin};
-use crate::shape::{Bound, Choice, Measure, Need, Shape, Tagged};
+use crate::shape::{Bound, Choice, Measure, Shape, Tagged};
 use crate::source::Source;
 use crate::suggest;
 use crate::words::{FILE, MATERIAL, MOTION, SEPARATE};
@@ -215,7 +215,7 @@ impl<'a> Walk<'a> {
     /// Something of the right kind, which does not count.
     fn hole(&mut self, shape: &Shape, path: &str) -> Value {
         self.holes.add(path);
-        filler(shape)
+        filler::filler(shape)
     }
 
     fn read(&mut self, node: &Node, shape: &Shape, path: &str, driven: Driven) -> Option<Value> {
@@ -370,43 +370,6 @@ impl<'a> Walk<'a> {
 /// The words of a choice.
 fn texts(choice: &Choice) -> Vec<&'static str> {
     choice.words.iter().map(|word| word.0).collect()
-}
-
-/// A value of a shape that stands for none.
-fn filler(shape: &Shape) -> Value {
-    match shape {
-        Shape::Format | Shape::Text | Shape::Name(_) => Value::from(""),
-        Shape::Units | Shape::Parameters => Value::Null,
-        Shape::Point => Value::from("."),
-        Shape::Choice(choice) => Value::from(choice.words.first().map_or("", |word| word.0)),
-        Shape::Quantity(..)
-        | Shape::Number(_)
-        | Shape::Coefficient(_)
-        | Shape::ContactStiffness
-        | Shape::Varying(_) => Value::from(0.0),
-        Shape::Count(least, _) => Value::from(*least),
-        Shape::Direction => Value::from(vec![1.0, 0.0]),
-        Shape::Pair(of) => Value::from(vec![filler(of), filler(of)]),
-        Shape::List(..) | Shape::Table => Value::Array(Vec::new()),
-        Shape::Map(_) | Shape::Bodies => Value::Object(Map::new()),
-        Shape::Materials => empty(&MATERIAL, None),
-        Shape::Object(object) => empty(object, None),
-        Shape::Tagged(tagged) => tagged
-            .variants
-            .first()
-            .map_or(Value::Null, |variant| empty(variant, Some(variant.name))),
-    }
-}
-
-/// An object with the keys that it may not lack.
-fn empty(object: &crate::shape::Object, kind: Option<&str>) -> Value {
-    let kind = kind.map(|kind| ("type".to_owned(), kind.into()));
-    let needed = object
-        .fields
-        .iter()
-        .filter(|field| field.need == Need::Required);
-    let needed = needed.map(|field| (field.key.to_owned(), filler(&field.shape)));
-    Value::Object(kind.into_iter().chain(needed).collect())
 }
 
 /// Something else is expected here.

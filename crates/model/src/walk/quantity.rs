@@ -1,7 +1,7 @@
 //! Numbers with units: a plain number in the unit that `units` names for its dimension, text that brings its own, or an
 //! expression, whose result is in SI where it has a dimension, and counts as a plain number where it has none.
 
-use super::units::Wanted;
+use super::units::{Driven, Wanted};
 use super::{Walk, wrong_kind};
 use crate::dimension::Dimension;
 use crate::error::Complaint;
@@ -9,29 +9,6 @@ use crate::expression::{Misfit, Pure, Quantity, is_expression, with_article};
 use crate::node::{Kind, Node, excerpt};
 use crate::shape::Measure;
 use crate::units::{Unit, UnitFault, split_quantity, with_decimal_point};
-
-/// What a motion drives, or a sample samples.
-#[derive(Debug, Clone, Copy)]
-pub enum Driven {
-    /// There is none around.
-    Nothing,
-    /// A quantity of a dimension.
-    Dimension(Dimension),
-    /// Coefficient of t^order.
-    Coefficient(Dimension, usize),
-    /// That fault is complained about elsewhere.
-    Unknown,
-}
-
-impl Driven {
-    /// Of the coefficient of t^order.
-    pub fn derivative(self, order: usize) -> Driven {
-        match self {
-            Driven::Dimension(dimension) => Driven::Coefficient(dimension, order),
-            Driven::Nothing | Driven::Coefficient(..) | Driven::Unknown => self,
-        }
-    }
-}
 
 impl Walk<'_> {
     /// The quantity in SI units, or none and a complaint.

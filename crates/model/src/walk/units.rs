@@ -1,6 +1,5 @@
 //! Which units plain numbers of a file have, and what is wanted at each place.
 
-use super::quantity::Driven;
 use crate::dimension::{Dimension, Powers};
 use crate::display::{DisplayUnits, Shown};
 use crate::error::Complaint;
@@ -8,6 +7,29 @@ use crate::node::Node;
 use crate::shape::Measure;
 use crate::source::Source;
 use crate::units::Unit;
+
+/// What a motion drives, or a sample samples.
+#[derive(Debug, Clone, Copy)]
+pub enum Driven {
+    /// There is none around.
+    Nothing,
+    /// A quantity of a dimension.
+    Dimension(Dimension),
+    /// Coefficient of t^order.
+    Coefficient(Dimension, usize),
+    /// That fault is complained about elsewhere.
+    Unknown,
+}
+
+impl Driven {
+    /// Of the coefficient of t^order.
+    pub fn derivative(self, order: usize) -> Driven {
+        match self {
+            Driven::Dimension(dimension) => Driven::Coefficient(dimension, order),
+            Driven::Nothing | Driven::Coefficient(..) | Driven::Unknown => self,
+        }
+    }
+}
 
 /// Units of plain numbers.
 pub struct Units {
