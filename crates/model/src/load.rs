@@ -89,7 +89,7 @@ fn too_large(length: u64) -> Complaint {
 /// # Examples
 /// ```
 /// let text = br#"{ "format": "linkdyn/1", "units": "SI", "bodies": { "bar": { "points": { "A": ["5 mm", 0] } } } }"#;
-/// let loaded = linkdyn::model::load(text, &[]).unwrap();
+/// let loaded = linkdyn_model::load(text, &[]).unwrap();
 /// assert_eq!(loaded.model.bodies["bar"].points["A"], [0.005, 0.0]);
 /// ```
 pub fn load(text: &[u8], sets: &[String]) -> Result<Loaded, Vec<Complaint>> {
