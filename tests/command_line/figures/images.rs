@@ -1,0 +1,76 @@
+//! Raster images and films are what they say.
+
+use super::*;
+
+#[test]
+fn a_png_has_the_size_and_resolution_asked_for() {
+    let scratch = Scratch::new("png");
+    scratch.write("r.csv", "time[s],a[m]\n0,1\n1,2\n");
+    scratch.done(&[
+        "plot", "r.csv", "--y", "a", "--size", "127x50.8", "--dpi", "200", "-o", "a.png",
+    ]);
+    // 5 in × 2 in; 200 dots per 25.4 mm.
+    assert_eq!(png_facts(&scratch.read("a.png")), [1000, 400, 7874]);
+    scratch.done(&["plot", "r.csv", "--y", "a", "--width", "180", "-o", "a.svg"]);
+    let svg = scratch.text("a.svg");
+    let root = Document::parse(&svg).expect("XML");
+    assert_eq!(root.root_element().attribute("width"), Some("180mm"));
+}
+
+#[test]
+fn figures_are_the_same_every_time() {
+    let scratch = Scratch::new("same");
+    scratch.write("r.csv", "time[s],a[m]\n0,1\n1,2\n2,0\n");
+    for file in ["a.svg", "b.svg", "a.png", "b.png"] {
+        scratch.done(&["plot", "r.csv", "--y", "a", "-o", file]);
+    }
+    assert_eq!(scratch.read("a.svg"), scratch.read("b.svg"));
+    assert_eq!(scratch.read("a.png"), scratch.read("b.png"));
+}
+
+#[test]
+fn a_film_has_the_frames_and_delays_asked_for() {
+    let scratch = Scratch::new("film");
+    scratch.done(&[
+        "run",
+        "four-bar",
+        "--set",
+        "analysis.outputs=41",
+        "-o",
+        "out",
+    ]);
+    let said = scratch.done(&[
+        "animate",
+        "out",
+        "-o",
+        "a.gif",
+        "--fps",
+        "30",
+        "--duration",
+        "1",
+        "--width",
+        "200",
+    ]);
+    assert!(said.contains("30 frames in 1 s, 2 × real time"), "{said}");
+    let ([width, _], delays) = gif_facts(&scratch.read("a.gif"));
+    assert_eq!(
+        (width, delays.len(), delays.iter().sum::<u16>()),
+        (200, 30, 100)
+    );
+    assert!(
+        delays.iter().all(|delay| (3..=4).contains(delay)),
+        "{delays:?}"
+    );
+    // By itself as long as the motion.
+    scratch.done(&[
+        "animate",
+        "out/results.csv",
+        "-o",
+        "b.gif",
+        "--fps",
+        "10",
+        "--width",
+        "100",
+    ]);
+    assert_eq!(gif_facts(&scratch.read("b.gif")).1, [10; 20]);
+}

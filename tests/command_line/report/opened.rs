@@ -1,0 +1,233 @@
+//! Pages opened in a browser.
+
+use super::*;
+
+#[test]
+fn every_outcome_opens_without_a_word_on_the_console() {
+    let Some(browser) = find() else { return };
+    let cases: &[(&[&str], &str)] = &[
+        (&["four-bar"], "completed"),
+        (
+            &["slider-crank", "--set", "analysis.type=kinematics"],
+            "completed",
+        ),
+        (&["geared-five-bar"], "completed"),
+        (&["scotch-yoke"], "completed"),
+        (&["parallel-crank"], "completed"),
+        (
+            &[
+                "quick-return",
+                "--set",
+                "drivers={}",
+                "--set",
+                "analysis.type=dynamics",
+            ],
+            "completed",
+        ),
+        (
+            &[
+                "scotch-yoke",
+                "--set",
+                "drivers={}",
+                "--set",
+                "analysis.type=statics",
+            ],
+            "completed",
+        ),
+        (&["lock", "--set", "analysis.type=assembly"], "completed"),
+        (
+            &[
+                "lock",
+                "--set",
+                "joints.a.clearance.model=massless_link",
+                "--set",
+                "joints.d.clearance.model=massless_link",
+            ],
+            "completed_with_gaps",
+        ),
+        (
+            &[
+                "lock",
+                "--set",
+                "analysis.sample.to=135 deg",
+                "--set",
+                "analysis.sample.step=1 deg",
+            ],
+            "dead_centre",
+        ),
+        (
+            &["four-bar", "--set", r#"bodies.coupler.points.B=["9 m", 0]"#],
+            "assembly_failed",
+        ),
+        (
+            &[
+                "quick-return",
+                "--set",
+                "drivers={}",
+                "--set",
+                "analysis.type=dynamics",
+                "--set",
+                "analysis.solver.max_wall_time=1e-9",
+            ],
+            "time_limit",
+        ),
+        (
+            &["four-bar", "--set", r#"analysis.columns=["driver.*"]"#],
+            "completed",
+        ),
+    ];
+    for (arguments, status) in cases {
+        let (page, _, summary) = run(arguments);
+        assert_eq!(summary["status"], *status, "{arguments:?}");
+        let visit = open(&browser, &page, Some(1000));
+        assert!(
+            visit.console.is_empty(),
+            "{arguments:?}: {:#?}",
+            visit.console
+        );
+        assert!(
+            visit.dom.contains("data-ready=\"true\""),
+            "{arguments:?} does not get ready"
+        );
+        assert!(
+            !visit
+                .dom
+                .split("id=\"data\"")
+                .next()
+                .expect("a part")
+                .contains("NaN"),
+            "{arguments:?}"
+        );
+    }
+}
+
+/// A run that came to its end begins at the beginning, one that is stuck shows where.
+#[test]
+fn a_page_opens_where_the_run_is_stuck() {
+    let Some(browser) = find() else { return };
+    let stuck = [
+        "lock",
+        "--set",
+        "analysis.sample.to=135 deg",
+        "--set",
+        "analysis.sample.step=1 deg",
+    ];
+    for (arguments, early) in [
+        (&["lock", "--set", "analysis.sample.step=1 deg"][..], false),
+        (&stuck, true),
+    ] {
+        let (page, csv, summary) = run(arguments);
+        assert_eq!(summary["status"] == "dead_centre", early);
+        let probe = "setTimeout(() => { const { player, rows } = linkdyn; const row = player.row, scrub = Number(document.getElementById('scrub').value); \
+            player.toggle(); const played = player.row; player.pause(); answer({ row, rows, scrub, played }); }, 300);";
+        let (told, visit) = ask(&browser, &page, probe, Some(2000));
+        assert!(visit.console.is_empty(), "{:#?}", visit.console);
+        let last = csv.lines().count() - 2;
+        let opened = if early { last } else { 0 };
+        assert_eq!(
+            told,
+            json!({ "row": opened, "rows": last + 1, "scrub": opened, "played": 0 })
+        );
+    }
+}
+
+#[test]
+fn hostile_names_do_nothing() {
+    let Some(browser) = find() else { return };
+    let probe = "setTimeout(() => answer({ hacked: typeof window.hacked, scripts: document.scripts.length, \
+        odd: document.querySelectorAll('img,svg:not(.chip svg),iframe').length, title: document.title, \
+        heading: document.getElementById('name').textContent, origin: document.getElementById('origin').textContent, \
+        bodies: [...document.querySelectorAll('#poses tbody tr')].map((line) => line.cells[0].textContent), \
+        names: linkdyn.plots.shown.length }), 300);";
+    let (told, visit) = ask(&browser, &hostile(), probe, Some(2000));
+    assert!(visit.console.is_empty(), "{:#?}", visit.console);
+    assert_eq!(
+        (&told["hacked"], &told["scripts"], &told["odd"]),
+        (&json!("undefined"), &json!(5), &json!(0)),
+        "{told:#}"
+    );
+    assert_eq!(
+        told["heading"],
+        "</script><script>window.hacked=1</script><!--<script>"
+    );
+    assert_eq!(told["origin"], "\\u{202e}evil\\u{2028}line");
+    assert_eq!(told["bodies"], json!(["<!--<script>", "__proto__"]));
+}
+
+#[test]
+fn a_page_without_results_says_so_where_the_drawing_would_be() {
+    let Some(browser) = find() else { return };
+    let (page, _, _) = run(&["four-bar", "--set", r#"bodies.coupler.points.B=["9 m", 0]"#]);
+    let probe = "const box = (name) => document.getElementById(name).getBoundingClientRect(); \
+        const [card, said] = [box('motion'), box('undrawn')]; answer({ text: document.getElementById('undrawn').textContent, \
+        high: said.height, inside: said.top >= card.top && said.bottom <= card.bottom, wide: card.width });";
+    let (told, _) = ask(&browser, &page, probe, Some(1000));
+    assert_eq!(
+        told["text"],
+        "There is no result to show: assembly failed, for the reason given above."
+    );
+    assert!(
+        told["inside"] == true
+            && told["high"].as_f64() > Some(15.0)
+            && told["wide"].as_f64() > Some(1000.0),
+        "{told:#}"
+    );
+}
+
+/// The policy refuses what is not ours, even if it got in.
+#[test]
+fn foreign_scripts_are_refused() {
+    let Some(browser) = find() else { return };
+    let (page, _, _) = run(&["four-bar", "--set", "analysis.outputs=3"]);
+    let visit = open(
+        &browser,
+        &page.replace(
+            "</body>",
+            "<script>document.title = 'hacked'</script></body>",
+        ),
+        Some(500),
+    );
+    assert!(!visit.dom.contains("<title>hacked"));
+    assert!(
+        visit
+            .console
+            .iter()
+            .any(|line| line.contains("Content Security Policy")),
+        "{:?}",
+        visit.console
+    );
+}
+
+/// 2000 instants of 60 columns: the time from opening to a page that can be used. The bound leaves room for a busy machine.
+#[test]
+fn a_usual_page_opens_at_once() {
+    let Some(browser) = find() else { return };
+    for (what, page, bound) in [
+        (
+            "2000 rows, 64 columns",
+            large(7, 2000, |k| format!("body {k}")),
+            3000.0,
+        ),
+        (
+            "10 000 bodies",
+            large(10_000, 101, |k| format!("body {k}")),
+            20_000.0,
+        ),
+    ] {
+        let probe = "answer({ ready: performance.now(), plots: linkdyn.plots.list.filter((plot) => plot.u).length, known: linkdyn.shapes.known });";
+        let (told, _) = ask(&browser, &page, probe, None);
+        println!(
+            "{what}: {} bytes, ready after {} ms",
+            page.len(),
+            told["ready"]
+        );
+        assert!(
+            told["ready"].as_f64().expect("a time") < bound,
+            "{what}: {told}"
+        );
+        assert!(
+            told["plots"].as_u64() >= Some(1) && told["known"] == true,
+            "{told}"
+        );
+    }
+}

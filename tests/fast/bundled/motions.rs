@@ -1,0 +1,204 @@
+//! Motions and equilibria with published numbers.
+
+use super::*;
+
+/// The library's own six digits, and the pendulum's elliptic functions.
+#[test]
+fn the_pendulum_swings_as_published() {
+    let outcome = solve(&load_bundled("pendulum", &[]));
+    let ours = path(&outcome, "rod.P");
+    for (row, published) in [
+        (10, [-0.391049, -0.920370]),
+        (20, [0.986292, -0.165011]),
+        (30, [0.884132, -0.467237]),
+    ] {
+        // Half their last digit.
+        assert!(
+            apart(&ours[row..=row], &[published]) <= 0.71e-6,
+            "{:?}",
+            ours[row]
+        );
+    }
+    let place = benchmarks::pendulum_place();
+    let known: Vec<[f64; 2]> = values(&outcome, "time").into_iter().map(place).collect();
+    assert!(apart(&ours, &known) <= 1e-6, "{:e}", apart(&ours, &known));
+}
+
+/// ω² = (2 ∓ √2) g/l about its rest. Let go level, both masses begin to fall freely: no force along the rods holds them.
+#[test]
+fn the_double_pendulum_has_its_two_frequencies() {
+    let found = modes(
+        &checked(&load_bundled("double-pendulum", &[])),
+        false,
+        &Control::default(),
+    )
+    .expect("sound");
+    let ours: Vec<f64> = found.modes.iter().map(|mode| mode.frequency()).collect();
+    assert_eq!(ours.len(), 2);
+    for (ours, factor) in ours.iter().zip([2.0 - SQRT_2, 2.0 + SQRT_2]) {
+        close(*ours, (factor * 9.81).sqrt(), 1e-12);
+    }
+    let outcome = solve(&load_bundled("double-pendulum", &[]));
+    close(values(&outcome, "upper.alpha")[0], -9.81, 1e-12);
+    close(values(&outcome, "lower.alpha")[0], 0.0, 1e-12);
+    close(values(&outcome, "lower.P.ay")[0], -9.81, 1e-12);
+}
+
+/// The closed form for two loops and for the library's forty, and there its own digits too.
+#[test]
+fn the_row_of_four_bars_moves_as_published() {
+    for (name, loops) in [("nfourbar", 2), ("nfourbar:40", 40)] {
+        let text = bundled::text(name).expect("a model");
+        let sets = [
+            "analysis.end=20",
+            "analysis.outputs=401",
+            "analysis.solver.rtol=1e-11",
+            "analysis.solver.atol=1e-13",
+        ];
+        let outcome = solve(
+            &linkdyn_model::load(text.as_bytes(), &sets.map(String::from))
+                .expect(name)
+                .model,
+        );
+        assert_eq!(outcome.report.status, Status::Completed, "{name}");
+        let ours = path(&outcome, "rocker0.B");
+        let known: Vec<[f64; 2]> = values(&outcome, "time")
+            .into_iter()
+            .map(benchmarks::four_bars_place(loops))
+            .collect();
+        println!("{name}: off by {:e}", apart(&ours, &known));
+        assert!(
+            apart(&ours, &known) <= 5e-6,
+            "{name}: {:e}",
+            apart(&ours, &known)
+        );
+        if loops == 40 {
+            // The library's run is off by up to 4e-6 itself.
+            for (row, published) in [
+                (2, [0.101676, 0.994818]),
+                (200, [0.180513, 0.983573]),
+                (400, [0.410902, 0.911679]),
+            ] {
+                assert!(
+                    apart(&ours[row..=row], &[published]) <= 1e-5,
+                    "{:?}",
+                    ours[row]
+                );
+            }
+        }
+    }
+}
+
+/// The angles at 0.03 s to the digits of the test set; β has turned by 15.8 rad by then.
+#[test]
+fn andrews_squeezer_ends_where_the_test_set_says() {
+    let outcome = solve(&load_bundled("andrews-squeezer", &[]));
+    let last = |body: &str| {
+        *values(&outcome, &format!("{body}.angle"))
+            .last()
+            .expect("rows")
+    };
+    let (of, fe, bde, ge, ag, he, ah) = (
+        last("OF"),
+        last("FE"),
+        last("BDE"),
+        last("GE"),
+        last("AG"),
+        last("HE"),
+        last("AH"),
+    );
+    for (ours, known) in [of, fe - of, bde, ge - ag, ag, he - ah, ah]
+        .into_iter()
+        .zip(benchmarks::SQUEEZER_END)
+    {
+        close(ours, known, 1e-6);
+    }
+}
+
+/// The equilibrium as published, to its last digit.
+#[test]
+fn the_four_bar_hangs_in_its_spring_as_published() {
+    let outcome = solve(&load_bundled("four-bar-spring", &[]));
+    for body in ["left", "right"] {
+        close(
+            values(&outcome, &format!("{body}.angle"))[0],
+            2.23433101898,
+            5e-11,
+        );
+    }
+    let found = modes(
+        &checked(&load_bundled(
+            "four-bar-spring",
+            &["forces.diagonal.damping=0"],
+        )),
+        false,
+        &Control::default(),
+    );
+    // ω² = V″/(5/3 m l²), see validation/four-bar-spring.
+    close(
+        found.expect("sound").modes[0].frequency(),
+        (7.687524905947409_f64 / (5.0 / 3.0)).sqrt(),
+        1e-11,
+    );
+}
+
+/// Ideal, the slider is decelerated by r ω² (1 + r/l) at its outer dead centre. With the massless link the pin touches its
+/// bearing everywhere, on the side to which the force presses it: at the dead centres, where all lies in line, on the outside.
+#[test]
+fn the_piston_pin_touches_its_bearing() {
+    let ideal = solve(&load_bundled(
+        "slider-crank-clearance",
+        &["joints.wristpin.clearance.model=ideal"],
+    ));
+    let omega = 5000.0 / 60.0 * TAU;
+    let known = -0.05 * omega * omega * (1.0 + 0.05 / 0.12);
+    close(
+        values(&ideal, "slider.ax")[0],
+        known,
+        10.0 * ROUND_OFF * known.abs(),
+    );
+
+    let link = [
+        "joints.wristpin.clearance.model=massless_link",
+        "analysis.type=inverse_dynamics",
+        "analysis.end=12 ms",
+        "analysis.outputs=37",
+    ];
+    let outcome = solve(&load_bundled("slider-crank-clearance", &link));
+    let [ex, ey, fx, fy] =
+        ["ex", "ey", "fx", "fy"].map(|name| values(&outcome, &format!("joint.wristpin.{name}")));
+    for k in 0..ex.len() {
+        close(ex[k].hypot(ey[k]), 5e-4, ROUND_OFF);
+        let force = fx[k].hypot(fy[k]);
+        close((ex[k] * fx[k] + ey[k] * fy[k]) / (5e-4 * force), -1.0, 1e-9);
+    }
+    let x = values(&outcome, "slider.x");
+    close(x[0], 0.17 + 5e-4, ROUND_OFF);
+    close(x[18], 0.12 - 0.05 - 5e-4, ROUND_OFF);
+}
+
+/// The first three impacts to the digits of another program in other coordinates (rod angle and slider), and the number of all
+/// (validation/slider-crank-clearance).
+#[test]
+fn the_worn_piston_pin_strikes_when_another_program_says() {
+    let outcome = solve(&load_bundled(
+        "slider-crank-clearance",
+        &["analysis.solver.rtol=1e-9"],
+    ));
+    let impacts: Vec<_> = outcome
+        .report
+        .events
+        .iter()
+        .filter_map(|event| event.episode)
+        .collect();
+    assert_eq!(impacts.len(), 24);
+    let known = [
+        (2.272860e-4, 4.38578),
+        (5.733549e-4, 2.26735),
+        (7.191476e-4, 2.11926),
+    ];
+    for (impact, (time, speed)) in impacts.iter().zip(known) {
+        close(impact.start, time, 0.5e-10);
+        close(impact.approach_speed, speed, 0.5e-5);
+    }
+}

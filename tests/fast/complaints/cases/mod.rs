@@ -1,0 +1,14 @@
+//! Bad models and what is said about them: edits of the base model.
+
+use super::{Case, GEAR};
+
+pub mod analysis;
+pub mod bodies;
+pub mod clearances;
+pub mod drivers;
+pub mod expressions;
+pub mod joints;
+pub mod sets;
+pub mod slips;
+pub mod syntax;
+pub mod words;
