@@ -4,6 +4,7 @@ use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 use crate::long::text;
+use cpu_time::ThreadTime;
 use linkdyn_engine::analysis::{Control, Outcome, run};
 use linkdyn_output::Status;
 
@@ -118,21 +119,22 @@ fn a_fast_driver_does_not_outlast_its_time() {
         let model = linkdyn_model::load(text.as_bytes(), &[])
             .expect("a sound model")
             .model;
-        let start = Instant::now();
+        let (start, work) = (Instant::now(), ThreadTime::now());
+        let most = Duration::from_millis(500);
         let control = Control {
-            deadline: start.checked_add(Duration::from_millis(500)),
+            deadline: start.checked_add(most).filter(|_| limit),
             ..Control::default()
         };
         let outcome = run(&model, &control).expect("sound");
-        assert!(
-            start.elapsed() < Duration::from_millis(1500),
-            "{:?}",
-            start.elapsed()
-        );
         if limit {
+            let took = start.elapsed();
+            assert!(took < most + Duration::from_secs(1), "{took:?}");
             assert_eq!(outcome.report.status, Status::TimeLimit);
             continue;
         }
+        // Of the processor, which others may use too.
+        let took = work.elapsed();
+        assert!(took < most, "{took:?}");
         assert_eq!(
             outcome.report.status,
             Status::Completed,
