@@ -186,7 +186,7 @@ fn no_file_below_compile_names_the_model() {
         let folders = ["mechanism", "integrate", "element", "contact", "system"];
         let path = path.trim_start_matches("crates/engine/src/");
         let is_in = |folder: &&str| path.starts_with(&format!("{folder}/"));
-        (folders.iter().any(|folder| is_in(&folder)) && !path.starts_with("system/compile/"))
+        (folders.iter().any(is_in) && !path.starts_with("system/compile/"))
             || path.starts_with("analysis/dynamics/")
     };
     // Of the package of words these know complaints, and how messages speak of quantities.
