@@ -8,12 +8,12 @@ use super::measures::{dpi, number_within};
 use super::open;
 use super::page::{Page, count, number};
 use super::results::{Results, extension, write_file};
+use super::shape::shape_for;
 use super::{BadInput, Exit, print};
-use linkdyn_picture::drawing::Drawing;
-use linkdyn_picture::film::{self, Film};
+use linkdyn_picture::film::Film;
 use linkdyn_picture::mechanism::{Layout, Mechanism};
 use linkdyn_picture::poses::Poses;
-use linkdyn_picture::{Fault, POINTS_PER_MM, chart, raster, svg};
+use linkdyn_picture::{Fault, MOST_FILM_PIXELS, POINTS_PER_MM, Shape, chart, raster, svg};
 
 /// Width of a GIF by default \[pixels\]; pixels per point, so that lines and letters have the size of a screen.
 const WIDTH: u32 = 480;
@@ -77,9 +77,9 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     idle(options, &format)?;
     let results = Results::open(&options.results)?;
     let fault = |fault: Fault| BadInput(vec![format!("{file}: {fault}")]);
-    let drawing = drawing(options, &results)?;
-    let poses = Poses::read(&results.table, &drawing).map_err(fault)?;
-    let mechanism = Mechanism::new(drawing, poses).map_err(fault)?;
+    let shape = shape_of(options, &results)?;
+    let poses = Poses::read(&results.table, &shape).map_err(fault)?;
+    let mechanism = Mechanism::new(shape, poses).map_err(fault)?;
     let (content, about) = match format.as_str() {
         "gif" => film_of(options, &mechanism).map_err(fault)?,
         _ => picture_of(options, &mechanism, &format).map_err(fault)?,
@@ -130,18 +130,14 @@ fn idle(options: &Options, format: &str) -> Result<(), BadInput> {
 }
 
 /// The shape: of the model that was given, else as the run has kept it.
-fn drawing(options: &Options, results: &Results) -> Result<Drawing, BadInput> {
+fn shape_of(options: &Options, results: &Results) -> Result<Shape, BadInput> {
     if let Some(path) = &options.model {
-        return Ok(Drawing::of_model(&open::model(path)?.model));
+        let loaded = open::model(path)?;
+        return Ok(shape_for(&loaded.model, &results.table));
     }
     let path = results.table.path.with_file_name("summary.json");
-    if let Some(json) = results
-        .summary
-        .as_ref()
-        .and_then(|summary| summary.get("drawing"))
-    {
-        return Drawing::from_json(json)
-            .map_err(|fault| BadInput(vec![format!("{}: {fault}", path.display())]));
+    if let Some(shape) = results.summary.as_ref().and_then(Shape::of_summary) {
+        return shape.map_err(|fault| BadInput(vec![format!("{}: {fault}", path.display())]));
     }
     let why = match (path.exists(), &results.summary) {
         (false, _) => "no such file",
@@ -205,7 +201,7 @@ fn film_of(options: &Options, mechanism: &Mechanism) -> Result<(Vec<u8>, String)
     let opening = draw(0.0)?;
     let [w, h] = [opening.width, opening.height].map(u64::from);
     let pixels = (frames * (w * h) as f64) as u64;
-    if pixels > film::MOST_PIXELS || frames > MOST_FRAMES {
+    if pixels > MOST_FILM_PIXELS || frames > MOST_FRAMES {
         return Err(Fault::TooMuchFilm(pixels));
     }
     let samples =

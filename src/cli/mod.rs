@@ -19,6 +19,7 @@ mod report;
 mod results;
 mod run;
 mod schema;
+mod shape;
 mod summary;
 mod validate;
 

@@ -7,11 +7,11 @@ use clap::Args;
 
 use super::open::{ModelOptions, Opened};
 use super::progress::Line;
+use super::shape::shape;
 use super::{BadInput, Exit, complain, interrupt, print, report, summary};
 use linkdyn_engine::analysis::{self, Control, Outcome};
 use linkdyn_model::Model;
 use linkdyn_output::{Directory, Stage, Stopwatch, Summary, WriteError, csv};
-use linkdyn_picture::drawing::Drawing;
 
 const RESULTS: &str = "results.csv";
 /// Rows between those of the results, where columns have their peaks.
@@ -102,6 +102,7 @@ pub fn write(
         Some(directory.write_with(PEAKS, |file| csv::write(&peaks, file))?)
     };
     let curves = outcome.curves();
+    let shape = shape(&opened.loaded.model, outcome.all());
     let report = directory.write(REPORT, report::text(opened, outcome).as_bytes())?;
     let summary = Summary {
         model_name: &opened.name,
@@ -109,7 +110,8 @@ pub fn write(
         settings: &outcome.settings,
         report: &outcome.report,
         trajectory: &curves,
-        drawing: Drawing::of_model(&opened.loaded.model).to_json(),
+        mechanism: shape.to_json(),
+        drawing: shape.to_drawing(),
         load: opened.time,
         write: watch.read(),
     };

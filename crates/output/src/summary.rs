@@ -15,6 +15,8 @@ pub struct Summary<'a> {
     pub report: &'a Report,
     pub trajectory: &'a Trajectory,
     /// The shape of the mechanism, for pictures.
+    pub mechanism: Value,
+    /// The shape as version 0.1 knew it.
     pub drawing: Value,
     pub load: Stage,
     /// Writing of all files but the summary itself.
@@ -42,10 +44,11 @@ pub fn to_json(summary: &Summary) -> Value {
     let mut json = facts(summary);
     json.insert("extremes".into(), extremes(summary.trajectory));
     json.insert("drawing".into(), summary.drawing.clone());
+    json.insert("mechanism".into(), summary.mechanism.clone());
     Value::Object(json)
 }
 
-/// All of the summary but the extremes and the drawing.
+/// All of the summary but the extremes and the shape.
 pub fn facts(summary: &Summary) -> Map<String, Value> {
     let report = summary.report;
     let mut json = Map::new();
@@ -247,6 +250,7 @@ mod tests {
             settings: &settings,
             report: &report,
             trajectory: &trajectory,
+            mechanism: json!({}),
             drawing: json!({}),
             load: stage,
             write: stage,
@@ -271,7 +275,8 @@ mod tests {
                 "warnings",
                 "events",
                 "extremes",
-                "drawing"
+                "drawing",
+                "mechanism"
             ]
         );
         assert_eq!(

@@ -3,7 +3,7 @@
 //! # Examples
 //!
 //! ```
-//! use linkdyn::figure::{Axis, Chart, Curve, Panel, svg};
+//! use linkdyn_picture::{Axis, Chart, Curve, Panel, svg};
 //!
 //! let curve = Curve::new("crank", vec![0.0, 0.5, 1.0], vec![0.0, f64::NAN, 2.0]);
 //! let panel = Panel { axis: Axis::new("angular velocity", "rad/s"), curves: vec![curve] };
@@ -11,10 +11,10 @@
 //! assert!(svg::write(&chart.draw().expect("there are values")).starts_with("<svg"));
 //! ```
 
-use super::{Fault, POINTS_PER_MM, Scene, layout, scale, style};
+use super::fault::{Fault, MOST_CURVES};
+use super::scale;
+use super::scene::POINTS_PER_MM;
 
-/// Curves of one panel that can be told apart without colour.
-pub const MOST_CURVES: usize = style::DISTINCT;
 /// Width of a journal's column \[mm\].
 pub const COLUMN_MM: f64 = 88.0;
 /// Height of the first panel, and of each further one \[mm\].
@@ -131,11 +131,11 @@ impl Chart {
         (FIRST_MM + FURTHER_MM * further) * POINTS_PER_MM
     }
 
-    /// Lays the figure out.
+    /// Refuses what no figure can show.
     ///
     /// # Errors
-    /// When there is no value to show, a range is none, there are too many curves, or no room.
-    pub fn draw(&self) -> Result<Scene, Fault> {
+    /// When a range is none, or there are too many curves.
+    pub(super) fn check(&self) -> Result<(), Fault> {
         let axes = self.panels.iter().map(|panel| &panel.axis).chain([&self.x]);
         for [low, high] in axes.clone().filter_map(|axis| axis.range) {
             let is_range = low < high && -scale::LARGEST <= low && high <= scale::LARGEST;
@@ -158,7 +158,7 @@ impl Chart {
         if most > MOST_CURVES {
             return Err(Fault::TooManyCurves(most));
         }
-        layout::draw(self)
+        Ok(())
     }
 
     /// The range of the x axis: given, or what the curves with values take.

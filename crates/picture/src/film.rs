@@ -5,11 +5,9 @@ use std::collections::HashMap;
 use color_quant::NeuQuant;
 use gif::{DisposalMethod, Encoder, Frame, Repeat};
 
-use super::Fault;
+use super::fault::Fault;
 use super::raster::Picture;
 
-/// Most pixels of all frames together.
-pub const MOST_PIXELS: u64 = 2_000_000_000;
 /// Colours of a palette.
 const COLOURS: usize = 256;
 /// Pixels that the palette is made from, at most.

@@ -3,8 +3,8 @@
 //! Between outputs x, y and angle follow the cubic polynomials through values and rates of both outputs where the table has
 //! rates, else straight lines; across a gap there is no pose.
 
-use super::Fault;
-use super::drawing::Drawing;
+use super::fault::Fault;
+use super::shape::Shape;
 use linkdyn_output::Table;
 
 /// Place and angle of a body's frame: x, y \[m\], angle \[rad\].
@@ -34,7 +34,7 @@ impl Poses {
     ///
     /// # Errors
     /// When columns are missing, time does not ascend, or no row has all poses.
-    pub fn read(table: &Table, drawing: &Drawing) -> Result<Poses, Fault> {
+    pub fn read(table: &Table, shape: &Shape) -> Result<Poses, Fault> {
         let fault = |error: String| Fault::Drawing(error);
         let mut missing = Vec::new();
         let mut column = |name: String, needed: bool| -> Result<Option<Vec<f64>>, Fault> {
@@ -51,7 +51,7 @@ impl Poses {
         };
         let time = column("time".into(), true)?.unwrap_or_default();
         let mut bodies = Vec::new();
-        for body in drawing.bodies.iter().skip(1) {
+        for body in shape.bodies.iter().skip(1) {
             let mut one = [const { (Vec::new(), None) }; 3];
             for (entry, [value, rate]) in
                 one.iter_mut()
@@ -197,6 +197,7 @@ pub fn global([x, y, angle]: Pose, [u, v]: [f64; 2]) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
+    use super::super::shape::Body;
     use super::*;
     use linkdyn_output::read::ReadColumn;
 
@@ -223,20 +224,20 @@ mod tests {
         }
     }
 
-    fn drawing() -> Drawing {
-        let shape = |name: &str| super::super::drawing::Shape {
+    fn shape() -> Shape {
+        let body = |name: &str| Body {
             name: name.into(),
-            points: Vec::new(),
+            ..Body::default()
         };
-        Drawing {
-            bodies: vec![shape("ground"), shape("a")],
-            ..Drawing::default()
+        Shape {
+            bodies: vec![body("ground"), body("a")],
+            ..Shape::default()
         }
     }
 
     #[test]
     fn between_outputs_rates_are_followed() {
-        let poses = Poses::read(&table(true), &drawing()).expect("sound");
+        let poses = Poses::read(&table(true), &shape()).expect("sound");
         for t in [0.0, 0.25, 1.5, 3.75, 4.0] {
             let pose = poses.at(t).expect("no gap")[1];
             assert!(
@@ -244,7 +245,7 @@ mod tests {
                 "{t}: {pose:?}"
             );
         }
-        let straight = Poses::read(&table(false), &drawing()).expect("sound");
+        let straight = Poses::read(&table(false), &shape()).expect("sound");
         assert_eq!(straight.at(1.5).expect("no gap")[1][2], 2.5);
     }
 
@@ -252,7 +253,7 @@ mod tests {
     fn across_gaps_there_is_no_pose() {
         let mut table = table(true);
         table.columns[3].values[2] = f64::NAN;
-        let poses = Poses::read(&table, &drawing()).expect("sound");
+        let poses = Poses::read(&table, &shape()).expect("sound");
         assert!(
             poses.at(1.5).is_none()
                 && poses.at(2.0).is_none()
@@ -266,7 +267,7 @@ mod tests {
     fn a_row_without_time_is_a_gap() {
         let mut table = table(true);
         table.columns[0].values = vec![f64::NAN, 1.0, f64::NAN, 3.0, 4.0];
-        let poses = Poses::read(&table, &drawing()).expect("sound");
+        let poses = Poses::read(&table, &shape()).expect("sound");
         assert_eq!(
             (poses.span(), poses.time.as_slice()),
             ([1.0, 4.0], [1.0, 1.0, 3.0, 4.0].as_slice())
@@ -279,7 +280,7 @@ mod tests {
             );
         }
         table.columns[0].values.fill(f64::NAN);
-        let said = Poses::read(&table, &drawing())
+        let said = Poses::read(&table, &shape())
             .expect_err("no time at all")
             .to_string();
         assert!(
@@ -292,9 +293,7 @@ mod tests {
     fn missing_columns_are_named() {
         let mut table = table(true);
         table.columns.remove(1);
-        let said = Poses::read(&table, &drawing())
-            .expect_err("no x")
-            .to_string();
+        let said = Poses::read(&table, &shape()).expect_err("no x").to_string();
         assert_eq!(
             said,
             "r.csv: no column a.x: a picture needs the pose of every body"

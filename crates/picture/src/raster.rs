@@ -3,12 +3,11 @@
 use tiny_skia::{Color, FillRule, Paint, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform};
 use ttf_parser::OutlineBuilder;
 
+use super::fault::{Fault, MOST_PIXELS};
 use super::font;
-use super::scene::{Anchor, Ink, Item, Pen, Place, RAISED_BY, RAISED_SIZE, Run, Scene};
-use super::{Fault, POINTS_PER_MM};
-
-/// Largest picture \[pixels\].
-pub const MOST_PIXELS: u64 = 100_000_000;
+use super::scene::{
+    Anchor, Ink, Item, POINTS_PER_MM, Pen, Place, RAISED_BY, RAISED_SIZE, Run, Scene,
+};
 
 /// A picture, opaque.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -1,5 +1,8 @@
 //! Lines, areas and texts on a page, in points, y downwards.
 
+/// Points per millimetre.
+pub const POINTS_PER_MM: f64 = 72.0 / 25.4;
+
 /// A place on the page \[pt\].
 pub type Place = [f64; 2];
 

@@ -1,19 +1,7 @@
 //! Curves that can be told apart: by colour, and in grey print by dashes, and beyond those by markers.
-//!
-//! Colours: Okabe and Ito (2008), made for all kinds of colour vision, black first; the yellow is left out, which is too light
-//! for lines.
 
+use super::palette;
 use super::scene::{Ink, Pen};
-
-const COLOURS: [[u8; 3]; 7] = [
-    [0, 0, 0],
-    [0, 114, 178],
-    [213, 94, 0],
-    [0, 158, 115],
-    [204, 121, 167],
-    [86, 180, 233],
-    [230, 159, 0],
-];
 
 const DASHES: [&[f64]; 4] = [&[], &[4.0, 1.8], &[6.0, 1.6, 1.0, 1.6], &[1.2, 1.4]];
 
@@ -47,7 +35,7 @@ pub struct Style {
 
 /// The style of the curve with that number.
 pub fn style(number: usize, width: f64) -> Style {
-    let ink = Ink::new(COLOURS[number % COLOURS.len()]);
+    let ink = Ink::new(palette::curve(number).light);
     let pen = Pen {
         ink,
         width,

@@ -2,9 +2,10 @@
 
 use std::fmt::Write;
 
-use super::POINTS_PER_MM;
 use super::font::FAMILIES;
-use super::scene::{Anchor, Ink, Item, Pen, Place, RAISED_BY, RAISED_SIZE, Run, Scene};
+use super::scene::{
+    Anchor, Ink, Item, POINTS_PER_MM, Pen, Place, RAISED_BY, RAISED_SIZE, Run, Scene,
+};
 
 /// The scene as the text of a file.
 pub fn write(scene: &Scene) -> String {

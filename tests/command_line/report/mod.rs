@@ -6,7 +6,8 @@ mod page;
 
 use crate::browser::{Scratch, ask, find, open};
 use linkdyn_output::{BodyQuantity, Channel, Column, Report, Stage, Summary, Trajectory};
-use linkdyn_picture::report::{self, Body, Joint, Mechanism};
+use linkdyn_picture::report::Report as Page;
+use linkdyn_picture::shape::{Body, Joint, JointKind, Shape};
 use serde_json::{Value, json};
 use std::fs;
 use std::process::{Command, Stdio};
@@ -102,19 +103,16 @@ fn large(bodies: usize, rows: usize, name: impl Fn(usize) -> String) -> String {
         points: vec![("A".into(), 0.0, 0.0), ("B".into(), 0.1, 0.0)],
         com: None,
     };
-    let mut mechanism = Mechanism {
+    let mut shape = Shape {
         bodies: vec![body("ground")],
-        ..Mechanism::default()
+        ..Shape::default()
     };
-    mechanism.bodies.extend(names.iter().map(|name| body(name)));
-    mechanism.joints = (0..bodies)
+    shape.bodies.extend(names.iter().map(|name| body(name)));
+    shape.joints = (0..bodies)
         .map(|k| Joint {
             name: format!("j{k}"),
-            kind: "revolute",
+            kind: JointKind::Revolute { clearance: None },
             between: [(k, 1), (k + 1, 0)],
-            axis: None,
-            gear: None,
-            clearance: None,
         })
         .collect();
     let (report, stage, settings) = (
@@ -128,17 +126,19 @@ fn large(bodies: usize, rows: usize, name: impl Fn(usize) -> String) -> String {
         settings: &settings,
         report: &report,
         trajectory: &table,
+        mechanism: serde_json::Value::Null,
         drawing: serde_json::Value::Null,
         load: stage,
         write: stage,
     };
-    report::to_text(&report::Page {
-        summary: &summary,
+    let page = Page {
+        shape,
         about: None,
         source: None,
-        mechanism: &mechanism,
-        complete: &table,
-        derived: &Trajectory::default(),
+        summary: &summary,
+        table: &table,
+        derived: None,
         notes: Vec::new(),
-    })
+    };
+    page.html()
 }

@@ -7,6 +7,12 @@ use crate::system::compile::compile;
 use linkdyn_model::Checked;
 use linkdyn_output::Trajectory;
 
+/// Applied forces and torques at the instants of a table with the poses of all bodies; none where the model can't be run.
+pub fn loads(model: &Model, results: &Trajectory) -> Option<Trajectory> {
+    let system = compile(model, model.analysis.as_ref()?.kind).ok()?;
+    Some(applied(&system, results))
+}
+
 /// Applied forces, shaking force and moment, velocity ratio, mechanical advantage and transmission angles, where they exist; what there is to say
 /// about those that do not.
 pub fn derived(model: &Checked, results: &Trajectory) -> (Trajectory, Vec<String>) {

@@ -53,7 +53,7 @@ const linkdyn = {};
 
   Object.assign(linkdyn, {
     plain, element, ofContact, eventWord, eventEnd,
-    summary: given.summary, about: given.about, source: given.source, mechanism: given.mechanism, notes: given.notes,
+    summary: given.summary, about: given.about, source: given.source, mechanism: given.mechanism, palette: given.palette, notes: given.notes,
     rows, columns, byName, width: given.width,
     column: (name) => byName.get(name),
     time,

@@ -8,19 +8,16 @@
   probe.hidden = true;
   document.body.append(probe);
   const colour = (name) => { probe.style.color = `var(--${name})`; return getComputedStyle(probe).color; };
-  const HUES = [212, 28, 140, 275, 350, 180, 50, 320];
-  const body = (k, dark) => {
-    const hue = HUES[(k - 1) % HUES.length];
-    // Lightness varies, too, so that bodies differ in grey.
-    const shade = 12 * (((k - 1) % 3) - 1);
-    return dark ? { fill: `hsl(${hue} 38% ${30 + shade * 0.5}%)`, line: `hsl(${hue} 65% ${72 + shade * 0.6}%)` }
-      : { fill: `hsl(${hue} 62% ${83 + shade * 0.5}%)`, line: `hsl(${hue} 68% ${32 + shade * 0.7}%)` };
+  const { bodies } = linkdyn.palette;
+  const body = (k, theme) => {
+    const { fill, line } = bodies[(k - 1) % bodies.length];
+    return { fill: fill[theme], line: line[theme] };
   };
   const palette = () => {
     const dark = linkdyn.theme.dark;
     const names = ["card", "ink", "muted", "steel", "ground", "pin", "force", "load", "accent", "line"];
     const found = Object.fromEntries(names.map((name) => [name, colour(name)]));
-    return { ...found, dark, body: (k) => k === 0 ? { fill: found.card, line: found.ground } : body(k, dark) };
+    return { ...found, dark, body: (k) => k === 0 ? { fill: found.card, line: found.ground } : body(k, dark ? "dark" : "light") };
   };
 
   const path = (pen, points, closed) => {
@@ -44,6 +41,16 @@
       pen.lineTo(a[0] + u[0] * (s - px * 0.7) + n[0] * px * 0.8, a[1] + u[1] * (s - px * 0.7) + n[1] * px * 0.8);
     }
     pen.stroke();
+  };
+
+  const disc = (pen, centre, radius) => { pen.beginPath(); pen.arc(...centre, radius, 0, 7); pen.fill(); pen.stroke(); };
+
+  // The support of a pin.
+  const support = (pen, colours, pin, px) => {
+    const wide = px * 1.25, low = px * 1.9;
+    path(pen, [pin, [pin[0] - wide, pin[1] + low], [pin[0] + wide, pin[1] + low]], true);
+    pen.fillStyle = colours.card; pen.fill(); pen.stroke();
+    hatch(pen, [pin[0] + wide * 1.6, pin[1] + low], [pin[0] - wide * 1.6, pin[1] + low], -1, px * 0.7);
   };
 
   const arrow = (pen, from, to, width, head) => {
@@ -72,34 +79,52 @@
     arrow(pen, [at[0] - u[0], at[1] - u[1]], [at[0] + u[0] * radius * 0.55, at[1] + u[1] * radius * 0.55], width, radius * 0.65);
   };
 
+  // The strokes of a damper between 0 and 1 along and -1 and 1 across: rod, cup, piston, rod.
+  const DASHPOT = [[[0, 0], [0.4, 0]], [[0.7, 1], [0.4, 1], [0.4, -1], [0.7, -1]], [[0.58, 0.7], [0.58, -0.7]], [[0.58, 0], [1, 0]]];
+
   const spring = (pen, a, b, px, damper) => {
     const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
     if (length < 1) return;
     const u = [(b[0] - a[0]) / length, (b[1] - a[1]) / length], n = [-u[1], u[0]];
     const at = (s, d) => [a[0] + u[0] * s + n[0] * d, a[1] + u[1] * s + n[1] * d];
-    const start = length * 0.14, rest = length * 0.72, wide = px * 0.8;
+    const start = length * 0.15, rest = length * 0.7, wide = px * 0.8;
     if (damper) {
-      path(pen, [a, at(length * 0.4, 0)]); pen.stroke();
-      path(pen, [at(length * 0.7, wide), at(length * 0.4, wide), at(length * 0.4, -wide), at(length * 0.7, -wide)]); pen.stroke();
-      path(pen, [at(length * 0.58, wide * 0.7), at(length * 0.58, -wide * 0.7)]); pen.stroke();
-      path(pen, [at(length * 0.58, 0), b]); pen.stroke();
+      for (const stroke of DASHPOT) { path(pen, stroke.map(([s, d]) => at(s * length, d * wide))); pen.stroke(); }
       return;
     }
     const points = [a, at(start, 0)];
-    for (let k = 0; k < 12; k++) points.push(at(start + rest * (k + 0.5) / 12, (k % 2 ? -1 : 1) * wide));
+    for (let k = 0; k < 14; k++) points.push(at(start + rest * (k + 0.5) / 14, (k % 2 ? -1 : 1) * wide));
     path(pen, [...points, at(start + rest, 0), b]);
     pen.stroke();
   };
 
-  // A spiral round a pin, which winds up with the angle between the bodies.
-  const spiral = (pen, [x, y], from, to, px) => {
-    const turns = 2 * Math.PI * 2, first = -from, sweep = turns + Math.atan2(Math.sin(to - from), Math.cos(to - from));
+  // Least and greatest radius of what is drawn around a pin, in details.
+  const COIL = [0.75, 1.4];
+
+  // A coil round a pin, which winds up with the angle between the bodies.
+  const coil = (pen, [x, y], from, to, px) => {
+    const sweep = 4 * Math.PI + Math.atan2(Math.sin(to - from), Math.cos(to - from));
     pen.beginPath();
     for (let k = 0; k <= 60; k++) {
-      const radius = px * (0.9 + 1.5 * k / 60), angle = first - sweep * k / 60;
+      const radius = px * (COIL[0] + (COIL[1] - COIL[0]) * k / 60), angle = -from - sweep * k / 60;
       pen.lineTo(x + radius * Math.cos(angle), y + radius * Math.sin(angle));
     }
     pen.stroke();
+  };
+
+  // A damper bent round a pin, from the angle of a body on.
+  const roundDashpot = (pen, [x, y], from, px) => {
+    const bent = (s, d) => {
+      const radius = px * ((COIL[0] + COIL[1]) / 2 + d * (COIL[1] - COIL[0]) / 2), angle = -from - s * 1.6 * Math.PI;
+      return [x + radius * Math.cos(angle), y + radius * Math.sin(angle)];
+    };
+    for (const stroke of DASHPOT) {
+      const points = [bent(...stroke[0])];
+      for (let k = 1; k < stroke.length; k++) for (let part = 1; part <= 16; part++) {
+        points.push(bent(...[0, 1].map((i) => stroke[k - 1][i] + part / 16 * (stroke[k][i] - stroke[k - 1][i]))));
+      }
+      path(pen, points); pen.stroke();
+    }
   };
 
   // A strip of length along an axis, round or square at its ends.
@@ -235,16 +260,17 @@
       if (!a || !b) continue;
       const grounded = joint.between.some(([number]) => number === 0), pin = joint.between[0][0] === 0 ? a : b;
       pen.strokeStyle = colours.ground; pen.lineWidth = 1.5;
-      if (grounded && (joint.type === "revolute" || joint.type === "fixed")) {
-        const wide = px * 1.25, low = px * 1.9;
-        path(pen, [pin, [pin[0] - wide, pin[1] + low], [pin[0] + wide, pin[1] + low]], true);
-        pen.fillStyle = colours.card; pen.fill(); pen.stroke();
-        hatch(pen, [pin[0] + wide * 1.6, pin[1] + low], [pin[0] - wide * 1.6, pin[1] + low], -1, px * 0.7);
-      }
+      if (grounded && (joint.type === "revolute" || joint.type === "fixed")) support(pen, colours, pin, px);
       pen.strokeStyle = colours.steel; pen.fillStyle = colours.pin; pen.lineWidth = 1.8;
       if (joint.type === "revolute" || joint.type === "slot") {
-        pen.beginPath(); pen.arc(...b, px * 0.46, 0, 7); pen.fill(); pen.stroke();
-        if (joint.clearance) { pen.strokeStyle = colours.force; pen.setLineDash([3, 2.5]); pen.beginPath(); pen.arc(...b, px * 0.85, 0, 7); pen.stroke(); pen.setLineDash([]); }
+        // A clearance that can be seen is seen.
+        if (joint.type === "revolute" && Math.hypot(a[0] - b[0], a[1] - b[1]) > 0.2 * px) disc(pen, a, px * 0.46);
+        disc(pen, b, px * 0.46);
+        if (joint.clearance) {
+          pen.strokeStyle = colours.force; pen.setLineDash([3, 2.5]);
+          pen.beginPath(); pen.arc(...a, Math.max(joint.clearance.radius * scale, px * 0.85), 0, 7); pen.stroke();
+          pen.setLineDash([]);
+        }
       } else if (joint.type === "fixed") {
         pen.fillStyle = colours.steel; pen.fillRect(b[0] - px * 0.45, b[1] - px * 0.45, px * 0.9, px * 0.9);
       }
@@ -264,12 +290,13 @@
       spring(pen, a, b, px, damper);
       if (show.joints) names.push({ text: name, at: [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2], colour: colours.ink, beside: px });
     }
-    for (const { bodies } of mechanism.torsion_springs) {
-      const joint = mechanism.joints.find(({ between }) => between.every(([number]) => bodies.includes(number)));
-      const moving = bodies.find((number) => number > 0);
-      const where = joint ? at(joint.between[1]) : at([moving, 0]);
+    // Where something turns: around a pin, else at a body.
+    const around = (pin, number) => pin === undefined ? at([number, 0]) : at(mechanism.joints[pin].between[1]);
+    for (const { bodies, pin, damper } of mechanism.torsion_springs) {
+      const where = around(pin, bodies.find((number) => number > 0));
       const [first, second] = bodies.map((number) => shapes.pose(number, row));
-      if (where && first && second) spiral(pen, where, first[2], second[2], px);
+      if (!where || !first || !second) continue;
+      if (damper) roundDashpot(pen, where, second[2], px); else coil(pen, where, first[2], second[2], px);
     }
 
     // Centres of mass: a quartered disc.
@@ -284,16 +311,15 @@
     });
 
     // Drivers: an arrow round the pin, or along the guide.
-    if (show.drivers) for (const { body: driven, relative_to, joint: guide } of mechanism.drivers) {
+    if (show.drivers) for (const driver of mechanism.drivers) {
       pen.strokeStyle = pen.fillStyle = colours.accent;
-      if (guide !== undefined) {
-        const { between, axis } = mechanism.joints[guide], b = at(between[1]), u = direction(between[0][0], axis);
-        if (b && u) arrow(pen, [b[0] - u[0] * px * 2 + u[1] * px * 1.7, b[1] - u[1] * px * 2 - u[0] * px * 1.7], [b[0] + u[0] * px * 2 + u[1] * px * 1.7, b[1] + u[1] * px * 2 - u[0] * px * 1.7], 2, px);
+      if (driver.type === "translation") {
+        const { between, axis } = mechanism.joints[driver.joint], b = at(between[1]), u = direction(between[0][0], axis);
+        if (b && u) arrow(pen, ...[-2, 2].map((far) => [b[0] + (u[0] * far + u[1] * 1.9) * px, b[1] + (u[1] * far - u[0] * 1.9) * px]), 2, px);
         continue;
       }
-      const pin = mechanism.joints.find(({ type, between }) => type === "revolute" && between.some(([number]) => number === driven) && between.some(([number]) => number === relative_to));
-      const centre = pin ? at(pin.between[1]) : at([driven, 0]);
-      if (centre) round(pen, centre, px * 1.55, true, 2);
+      const centre = around(driver.pin, driver.body);
+      if (centre) round(pen, centre, px * 1.8, true, 2);
     }
     return names;
   };

@@ -4,11 +4,8 @@
   const { player, units, element, rows, summary, drawing } = linkdyn;
   const FOOT = 7;
   const DASHES = [[], [8, 4], [2, 3], [12, 3, 2, 3], [5, 5], [1, 4]];
-  const HUES = [212, 18, 150, 285, 340, 190, 45];
-  const stroke = (k) => {
-    const hue = HUES[k % HUES.length], shade = (k % 3) * 9;
-    return linkdyn.theme.dark ? `hsl(${hue} 80% ${74 - shade * 0.6}%)` : `hsl(${hue} 85% ${hue > 40 && hue < 200 ? 27 : 36 + shade * 0.5}%)`;
-  };
+  const { curves } = linkdyn.palette;
+  const stroke = (k) => curves[k % curves.length][linkdyn.theme.dark ? "dark" : "light"];
   const times = (values, factor) => Array.from(values, (value) => Number.isFinite(value) ? value * factor : null);
 
   // A curve over values that go to and fro, which uPlot's own paths are not made for.

@@ -3,6 +3,12 @@
 (() => {
   const { mechanism, rows, column } = linkdyn;
 
+  // Directions of guides have length one here.
+  for (const joint of mechanism.joints) {
+    const long = joint.axis ? Math.hypot(...joint.axis) : 0;
+    joint.axis = long > 0 ? joint.axis.map((part) => part / long) : undefined;
+  }
+
   const poses = mechanism.bodies.map(({ name }, k) => {
     if (k === 0) return null;
     const found = ["x", "y", "angle"].map((quantity) => column(`${name}.${quantity}`));

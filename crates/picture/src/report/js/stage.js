@@ -113,7 +113,7 @@
         if (tail[0] > 0 && tail[0] < width && tail[1] > 0 && tail[1] < height) drawing.arrow(pen, tail, end, 2.6, px);
         else drawing.arrow(pen, end, [end[0] + f[0], end[1] - f[1]], 2.6, px);
       } else if (torques[k] && torques[k].values[row] !== 0) {
-        drawing.round(pen, end, px * 2.1, torques[k].values[row] > 0, 2.6);
+        drawing.round(pen, end, px * 2.4, torques[k].values[row] > 0, 2.6);
       }
     });
   };

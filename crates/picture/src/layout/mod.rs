@@ -1,0 +1,11 @@
+//! Places the parts of a chart on the page, from the outside inwards: title, legend, note, labels; the axes get the rest.
+//!
+//! Nothing can overlap the curves, since only they are drawn inside the axes.
+
+mod axes;
+mod labels;
+mod legend;
+mod measures;
+mod note;
+mod page;
+mod panel;

@@ -1,0 +1,131 @@
+//! Draws what acts in one pose: springs and dampers, drivers, loads.
+
+use super::sketch::Sketch;
+use crate::palette;
+use crate::scene::{Pen, Place, Scene};
+use crate::shape::{DriverKind, Spring, TorsionSpring};
+use crate::symbols;
+
+/// Radii of the round arrows of drivers and of torques, in bars: a coil has room in them.
+const DRIVER: f64 = 2.7;
+const TORQUE: f64 = 3.6;
+/// Length of the arrow of the largest force, in bars.
+const LARGEST: f64 = 11.0;
+/// Width of arrows, in bars.
+const ARROW: f64 = 0.32;
+/// Radius of the end of a spring, in bars.
+const END: f64 = 0.4;
+
+/// Springs and dampers between points.
+pub fn draw_springs(scene: &mut Scene, sketch: &Sketch) {
+    for spring in &sketch.mechanism.shape.springs {
+        draw_spring(scene, sketch, spring);
+    }
+}
+
+/// Coils, drivers and loads at a time \[s\]: what would cover too much in a picture of many poses.
+pub fn draw_actions(scene: &mut Scene, sketch: &Sketch, time: f64) {
+    for spring in &sketch.mechanism.shape.torsion_springs {
+        draw_torsion_spring(scene, sketch, spring);
+    }
+    for driver in &sketch.mechanism.shape.drivers {
+        draw_driver(scene, sketch, driver.kind);
+    }
+    draw_loads(scene, sketch, time);
+}
+
+fn draw_spring(scene: &mut Scene, sketch: &Sketch, spring: &Spring) {
+    let (bar, pen) = (sketch.bar(), sketch.pen(palette::INK));
+    let ends = spring.between.map(|end| sketch.at(end));
+    for (point, [x, y]) in spring.between.into_iter().zip(ends) {
+        scene.circle("spring-end", [x, y], END * bar, Some(pen.ink), None);
+        let joints = &sketch.mechanism.shape.joints;
+        let is_held = joints.iter().any(|joint| joint.between.contains(&point));
+        if point.0 == 0 && !is_held {
+            let line = [[x - 1.5 * bar, y], [x + 1.5 * bar, y]];
+            symbols::hatched_line(scene, line, bar, sketch.pen(palette::GROUND));
+        }
+    }
+    if spring.damper {
+        symbols::dashpot(scene, ends, bar, pen);
+    } else {
+        symbols::spring(scene, ends, bar, pen);
+    }
+}
+
+fn draw_torsion_spring(scene: &mut Scene, sketch: &Sketch, spring: &TorsionSpring) {
+    let moving = spring.bodies.into_iter().find(|body| *body > 0);
+    let centre = around(sketch, spring.pin, moving.unwrap_or(0));
+    let angles = spring.bodies.map(|body| sketch.pose[body][2]);
+    let (bar, pen) = (sketch.bar(), sketch.pen(palette::INK));
+    if spring.damper {
+        symbols::round_dashpot(scene, centre, angles[1], bar, pen);
+    } else {
+        symbols::coil(scene, centre, angles, bar, pen);
+    }
+}
+
+/// An arrow around the pin to the left, or beside the guide along its axis: the way in which the driver's value counts.
+fn draw_driver(scene: &mut Scene, sketch: &Sketch, driver: DriverKind) {
+    let (bar, pen) = (sketch.bar(), arrow_pen(sketch, palette::ACCENT));
+    match driver {
+        DriverKind::Rotation { body, pin, .. } => {
+            let centre = around(sketch, pin, body);
+            symbols::round_arrow(scene, "driver", (centre, DRIVER), true, bar, pen);
+        }
+        DriverKind::Translation { joint } => {
+            let joint = &sketch.mechanism.shape.joints[joint];
+            let Some([u, v]) = sketch.direction(joint) else {
+                return;
+            };
+            let [x, y] = sketch.at(joint.between[1]);
+            let [away, half] = [2.9 * bar, 3.0 * bar];
+            let middle = [x + away * v, y - away * u];
+            let ends = [-half, half].map(|far| [middle[0] + far * u, middle[1] + far * v]);
+            symbols::arrow(scene, "driver", ends, bar, pen);
+        }
+    }
+}
+
+/// Forces with their head at the point they push on, the largest one over time with a fixed length; torques around the body.
+fn draw_loads(scene: &mut Scene, sketch: &Sketch, time: f64) {
+    let (bar, pen) = (sketch.bar(), arrow_pen(sketch, palette::LOAD));
+    for load in &sketch.mechanism.shape.loads {
+        let Some([x, y]) = load.at_time(time) else {
+            continue;
+        };
+        let Some(point) = load.at else {
+            if x != 0.0 {
+                let place = (sketch.body_at(load.body), TORQUE);
+                symbols::round_arrow(scene, "load", place, x > 0.0, bar, pen);
+            }
+            continue;
+        };
+        let head = sketch.at(point);
+        let per_newton = LARGEST * bar / sketch.mechanism.largest_load.max(f64::MIN_POSITIVE);
+        let [dx, dy] = [x * per_newton, -y * per_newton];
+        let tail = [head[0] - dx, head[1] - dy];
+        // Where there is no room for the tail the arrow begins at the point.
+        let ends = if sketch.view.shows(tail) {
+            [tail, head]
+        } else {
+            [head, [head[0] + dx, head[1] + dy]]
+        };
+        symbols::arrow(scene, "load", ends, bar, pen);
+    }
+}
+
+fn arrow_pen(sketch: &Sketch, tone: palette::Tone) -> Pen {
+    Pen {
+        width: ARROW * sketch.bar(),
+        ..sketch.pen(tone)
+    }
+}
+
+/// Where something turns: around a pin, else at a body.
+fn around(sketch: &Sketch, pin: Option<usize>, body: usize) -> Place {
+    match pin {
+        Some(joint) => sketch.at(sketch.mechanism.shape.joints[joint].between[1]),
+        None => sketch.body_at(body),
+    }
+}

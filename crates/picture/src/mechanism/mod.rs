@@ -1,0 +1,22 @@
+//! Shape and poses → scene: one pose, poses over each other, a strip of poses.
+//!
+//! A body is the convex hull of its points with rounded corners; the ground is drawn where something is held by it.
+//!
+//! | file      | does                                                        |
+//! | --------- | ----------------------------------------------------------- |
+//! | `moving`  | a mechanism with its motion: extent, paths, slides          |
+//! | `view`    | the part of a page that shows it                            |
+//! | `pages`   | one pose with its time, several poses over or beside others |
+//! | `pose`    | draws bodies and joints of one pose                         |
+//! | `actions` | draws springs, drivers and loads of one pose                |
+//! | `sketch`  | what all drawing of one pose needs                          |
+
+mod actions;
+mod moving;
+mod pages;
+mod pose;
+mod sketch;
+mod view;
+
+pub use moving::Mechanism;
+pub use pages::{Layout, MOST_POSES};

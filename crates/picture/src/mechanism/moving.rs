@@ -1,0 +1,168 @@
+//! A mechanism with its motion: how far it reaches, the paths of its points, how far its slides go.
+
+use super::view::Extent;
+use crate::fault::Fault;
+use crate::poses::{Pose, Poses, global};
+use crate::shape::{Joint, JointKind, PitchCircles, PointId, Shape};
+
+/// Outputs that paths and the extent are taken from, at most.
+const MOST_ROWS: usize = 2000;
+/// Largest extent, and distance from the origin, of what is drawn \[m\].
+const FARTHEST: f64 = 1e12;
+
+/// A mechanism that can be drawn at any time.
+#[derive(Debug)]
+pub struct Mechanism {
+    pub(super) shape: Shape,
+    pub(super) poses: Poses,
+    pub(super) extent: Extent,
+    /// Paths of the traced points, of each in pieces between gaps.
+    pub(super) paths: Vec<Vec<Vec<[f64; 2]>>>,
+    /// Least and greatest slide of each joint that has a guide \[m\].
+    pub(super) slides: Vec<[f64; 2]>,
+    /// Magnitude of the largest force among the loads \[N\].
+    pub(super) largest_load: f64,
+}
+
+impl Mechanism {
+    /// A mechanism and its motion.
+    ///
+    /// # Errors
+    /// When the extent is no number that a picture can have.
+    pub fn new(shape: Shape, poses: Poses) -> Result<Self, Fault> {
+        shape.check("mechanism")?;
+        let count = poses.time.len();
+        let stride = count.div_ceil(MOST_ROWS).max(1);
+        let rows: Vec<Option<Vec<Pose>>> = (0..count)
+            .step_by(stride)
+            .chain([count - 1])
+            .map(|row| poses.row(row))
+            .collect();
+        let forces = shape.loads.iter().filter(|load| load.at.is_some());
+        let mut mechanism = Mechanism {
+            paths: Vec::new(),
+            slides: shape.joints.iter().map(first_slide).collect(),
+            extent: Extent::EMPTY,
+            largest_load: forces.map(|load| load.largest()).fold(0.0, f64::max),
+            shape,
+            poses,
+        };
+        if let Some(pose) = rows.iter().flatten().next() {
+            mechanism.find_wheels(pose);
+        }
+        for pose in rows.iter().flatten() {
+            mechanism.include(pose);
+        }
+        let points = mechanism.shape.points.iter();
+        mechanism.paths = points
+            .map(|point| path(&mechanism.shape, *point, &rows))
+            .collect();
+        mechanism.check_extent()?;
+        Ok(mechanism)
+    }
+
+    /// First and last time with a pose \[s\].
+    pub fn span(&self) -> [f64; 2] {
+        self.poses.span()
+    }
+
+    /// Pitch circles of wheels whose carrier is not known, by the distance that they have in a pose.
+    fn find_wheels(&mut self, pose: &[Pose]) {
+        let places: Vec<[[f64; 2]; 2]> = self
+            .shape
+            .joints
+            .iter()
+            .map(|joint| joint.between.map(|end| place(&self.shape, pose, end)))
+            .collect();
+        for (joint, [[x1, y1], [x2, y2]]) in self.shape.joints.iter_mut().zip(places) {
+            if let JointKind::Gear { ratio, gear } = &mut joint.kind
+                && gear.is_none()
+            {
+                *gear = PitchCircles::of_wheels(*ratio, (x2 - x1).hypot(y2 - y1), 0);
+            }
+        }
+    }
+
+    /// Widens extent and slides.
+    fn include(&mut self, pose: &[Pose]) {
+        let shape = &self.shape;
+        for (body, pose) in shape.bodies.iter().zip(pose).skip(1) {
+            for (_, x, y) in &body.points {
+                self.extent.add(global(*pose, [*x, *y]), 0.0);
+            }
+        }
+        for point in shape.springs.iter().flat_map(|spring| spring.between) {
+            self.extent.add(place(shape, pose, point), 0.0);
+        }
+        for (joint, slide) in shape.joints.iter().zip(&mut self.slides) {
+            let ends = joint.between.map(|end| place(shape, pose, end));
+            let radii = match joint.kind {
+                JointKind::Gear { gear, .. } => gear.map(|gear| gear.radii).unwrap_or_default(),
+                JointKind::Revolute { .. }
+                | JointKind::Prismatic { .. }
+                | JointKind::Slot { .. }
+                | JointKind::Fixed => [0.0; 2],
+            };
+            for (end, radius) in ends.into_iter().zip(radii) {
+                self.extent.add(end, radius);
+            }
+            if let Some(axis) = joint.axis() {
+                let [u, v] = turned(pose[joint.between[0].0], axis);
+                let s = u * (ends[1][0] - ends[0][0]) + v * (ends[1][1] - ends[0][1]);
+                *slide = [slide[0].min(s), slide[1].max(s)];
+            }
+        }
+    }
+
+    /// Refuses what has no place on a page.
+    fn check_extent(&self) -> Result<(), Fault> {
+        let Extent { low, high } = self.extent;
+        if low[0] > high[0] {
+            let of_what = if self.shape.bodies.len() < 2 {
+                "no body but the ground"
+            } else {
+                "no point that moves"
+            };
+            return Err(Fault::Nothing(format!("the model has {of_what}")));
+        }
+        let sizes = self.extent.sizes();
+        let is_drawable = sizes.iter().all(|size| (0.0..FARTHEST).contains(size))
+            && low.iter().all(|x| x.abs() < FARTHEST);
+        if is_drawable {
+            Ok(())
+        } else {
+            Err(Fault::Drawing(
+                "the mechanism is too large for a picture".into(),
+            ))
+        }
+    }
+}
+
+/// A point in global coordinates. The shape was checked: every point that is named is there.
+pub fn place(shape: &Shape, pose: &[Pose], point: PointId) -> [f64; 2] {
+    global(pose[point.0], shape.point(point).unwrap_or_default())
+}
+
+/// A direction of a body in global axes.
+pub fn turned([_, _, angle]: Pose, direction: [f64; 2]) -> [f64; 2] {
+    global([0.0, 0.0, angle], direction)
+}
+
+/// The slide before any is known. A guide on a moving body reaches to the body's point: else it would float beside the body.
+fn first_slide(joint: &Joint) -> [f64; 2] {
+    if joint.between[0].0 == 0 {
+        [f64::INFINITY, f64::NEG_INFINITY]
+    } else {
+        [0.0, 0.0]
+    }
+}
+
+/// The path of a point, in pieces between gaps.
+fn path(shape: &Shape, point: PointId, rows: &[Option<Vec<Pose>>]) -> Vec<Vec<[f64; 2]>> {
+    let pieces = rows.split(Option::is_none);
+    let piece = |rows: &[Option<Vec<Pose>>]| -> Vec<[f64; 2]> {
+        let poses = rows.iter().flatten();
+        poses.map(|pose| place(shape, pose, point)).collect()
+    };
+    pieces.map(piece).filter(|piece| piece.len() > 1).collect()
+}

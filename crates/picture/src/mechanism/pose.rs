@@ -1,0 +1,175 @@
+//! Draws bodies and joints of one pose, from the back to the front: wheels, guides, bodies, blocks, pins.
+
+use super::sketch::Sketch;
+use crate::palette;
+use crate::scene::{Ink, Pen, Place, Scene};
+use crate::shape::{Clearance, Joint, JointKind};
+use crate::symbols::{self, Wheel};
+
+/// Radius of a pin, and of the ring that tells of a clearance, in bars.
+const PIN: f64 = 0.62;
+const RING: f64 = 1.2;
+/// Half the side of a weld, in bars.
+const WELD: f64 = 0.7;
+/// Distance from which on bearing and journal are seen apart, in bars.
+const APART: f64 = 0.3;
+
+/// Draws all of them.
+pub fn draw(scene: &mut Scene, sketch: &Sketch) {
+    let shape = &sketch.mechanism.shape;
+    for joint in &shape.joints {
+        draw_wheels(scene, sketch, joint);
+    }
+    for (joint, slide) in shape.joints.iter().zip(&sketch.mechanism.slides) {
+        draw_guide(scene, sketch, joint, *slide);
+    }
+    for number in 1..shape.bodies.len() {
+        let points = 0..shape.bodies[number].points.len();
+        let corners: Vec<Place> = points.map(|point| sketch.at((number, point))).collect();
+        let (fill, pen) = sketch.of_body(number);
+        let outline = symbols::rounded_hull(&corners, sketch.bar());
+        scene.area("body", outline, Some(fill), Some(pen));
+    }
+    for joint in &shape.joints {
+        draw_block(scene, sketch, joint);
+    }
+    for joint in &shape.joints {
+        draw_pin(scene, sketch, joint);
+    }
+}
+
+/// Two wheels in mesh, a ring behind the wheel in it.
+fn draw_wheels(scene: &mut Scene, sketch: &Sketch, joint: &Joint) {
+    let JointKind::Gear {
+        gear: Some(gear), ..
+    } = joint.kind
+    else {
+        return;
+    };
+    let larger = usize::from(gear.radii[1] > gear.radii[0]);
+    for k in [larger, 1 - larger] {
+        let body = joint.between[k].0;
+        let wheel = Wheel {
+            centre: sketch.at(joint.between[k]),
+            radius: gear.radii[k] * sketch.view.scale,
+            angle: sketch.pose[body][2],
+            internal: gear.internal && k == larger,
+        };
+        symbols::wheel(scene, &wheel, sketch.bar(), sketch.of_body(body));
+    }
+}
+
+/// Rails on the ground, a rod on a body, or a slot.
+fn draw_guide(scene: &mut Scene, sketch: &Sketch, joint: &Joint, [low, high]: [f64; 2]) {
+    let (Some([u, v]), true) = (sketch.direction(joint), low <= high) else {
+        return;
+    };
+    let (start, bar) = (sketch.at(joint.between[0]), sketch.bar());
+    let end = |slide: f64| {
+        let far = slide * sketch.view.scale;
+        [start[0] + far * u, start[1] + far * v]
+    };
+    let ends = [end(low), end(high)];
+    let body = joint.between[0].0;
+    let (fill, pen) = sketch.of_body(body);
+    match joint.kind {
+        JointKind::Slot { .. } => symbols::slot(scene, ends, bar, (fill, pen)),
+        JointKind::Prismatic { .. } if body == 0 => {
+            symbols::rails(scene, ends, [u, v], bar, pen);
+        }
+        JointKind::Prismatic { .. } => {
+            let width = 0.7 * bar;
+            scene.line("guide", ends, Pen { width, ..pen });
+        }
+        JointKind::Revolute { .. } | JointKind::Gear { .. } | JointKind::Fixed => {}
+    }
+}
+
+/// The block of a prismatic joint.
+fn draw_block(scene: &mut Scene, sketch: &Sketch, joint: &Joint) {
+    let (JointKind::Prismatic { .. }, Some([u, v])) = (&joint.kind, sketch.direction(joint)) else {
+        return;
+    };
+    let (centre, bar) = (sketch.at(joint.between[1]), sketch.bar());
+    let body = joint.between[1].0;
+    symbols::block(scene, centre, [u, v], bar, sketch.of_body(body));
+    if body == 0 {
+        let side = |far: f64| {
+            let [along, across] = [far * bar, 1.4 * bar];
+            [
+                centre[0] + along * u - across * v,
+                centre[1] + along * v + across * u,
+            ]
+        };
+        symbols::hatched_line(
+            scene,
+            [side(-2.4), side(2.4)],
+            bar,
+            sketch.pen(palette::GROUND),
+        );
+    }
+}
+
+/// A pin with its support, or a weld.
+fn draw_pin(scene: &mut Scene, sketch: &Sketch, joint: &Joint) {
+    let bar = sketch.bar();
+    let [first, second] = joint.between.map(|end| sketch.at(end));
+    let on_ground = if joint.between[0].0 == 0 {
+        first
+    } else {
+        second
+    };
+    let support = |scene: &mut Scene| {
+        if joint.is_on_ground() {
+            symbols::support(scene, on_ground, bar, sketch.pen(palette::GROUND));
+        }
+    };
+    let pin = |scene: &mut Scene, at: Place| {
+        let white = Some(Ink::grey(255).faded(sketch.strength));
+        scene.circle(
+            "pin",
+            at,
+            PIN * bar,
+            white,
+            Some(sketch.pen(palette::STEEL)),
+        );
+    };
+    match &joint.kind {
+        JointKind::Revolute { clearance } => {
+            support(scene);
+            // A clearance that can be seen is seen.
+            if (first[0] - second[0]).hypot(first[1] - second[1]) > APART * bar {
+                pin(scene, first);
+            }
+            pin(scene, second);
+            draw_clearance(scene, sketch, clearance.as_ref(), first);
+        }
+        JointKind::Slot { .. } => pin(scene, second),
+        JointKind::Fixed => {
+            support(scene);
+            let half = WELD * bar;
+            let [x, y] = second;
+            let corners = [[-half, -half], [half, -half], [half, half], [-half, half]];
+            let corners = corners.map(|[dx, dy]| [x + dx, y + dy]);
+            scene.area("weld", corners, Some(sketch.ink(palette::STEEL)), None);
+        }
+        JointKind::Prismatic { .. } | JointKind::Gear { .. } => {}
+    }
+}
+
+/// The room of the journal's centre where it can be seen at this scale, else a ring that tells of it.
+fn draw_clearance(
+    scene: &mut Scene,
+    sketch: &Sketch,
+    clearance: Option<&Clearance>,
+    bearing: Place,
+) {
+    if let Some(clearance) = clearance {
+        let radius = (clearance.radius * sketch.view.scale).max(RING * sketch.bar());
+        let pen = Pen {
+            dash: &[2.4, 1.8],
+            ..sketch.pen(palette::FORCE)
+        };
+        scene.circle("clearance", bearing, radius, None, Some(pen));
+    }
+}

@@ -1,0 +1,119 @@
+//! What a page is made of, and the page.
+
+use serde_json::{Value, json};
+
+use super::columns::{heading, sources};
+use super::encode::{Plan, Source, plan, values};
+use super::facts::{cut, facts};
+use super::template::{self, escaped};
+use crate::palette;
+use crate::shape::Shape;
+use linkdyn_model::Model;
+use linkdyn_output::{Summary, Trajectory};
+
+/// Largest size of a page \[bytes\].
+pub const LIMIT: usize = 5_000_000;
+/// Room kept for what the page says about what it leaves out.
+const MARGIN: usize = 20_000;
+/// Shapes of more text than this are left out.
+const LARGEST_SHAPE: usize = 3_500_000;
+
+/// What a page is made of.
+#[derive(Debug)]
+pub struct Report<'a> {
+    /// The mechanism to draw.
+    pub shape: Shape,
+    /// What the model is about.
+    pub about: Option<&'a str>,
+    /// Where the model comes from.
+    pub source: Option<&'a str>,
+    /// How the run went; its columns are the ones to show.
+    pub summary: &'a Summary<'a>,
+    /// All columns that were computed, those of bodies among them: the page draws the mechanism from their poses.
+    pub table: &'a Trajectory,
+    /// Further columns of the same rows that are no results, such as applied forces.
+    pub derived: Option<&'a Trajectory>,
+    /// What the reader should know.
+    pub notes: Vec<String>,
+}
+
+impl<'a> Report<'a> {
+    /// A page about a run of a model: how it went, and all columns that were computed.
+    pub fn new(model: &'a Model, summary: &'a Summary<'a>, table: &'a Trajectory) -> Self {
+        Report {
+            shape: Shape::of_model(model),
+            about: model.about.as_deref(),
+            source: model.source.as_deref(),
+            summary,
+            table,
+            derived: None,
+            notes: Vec::new(),
+        }
+    }
+
+    /// The page as the text of a file, which needs nothing else.
+    pub fn html(&self) -> String {
+        let mut notes = self.notes.clone();
+        let facts = escaped(&facts(self.summary, &mut notes).to_string());
+        let mut shape = escaped(&self.shape.to_json().to_string());
+        if shape.len() > LARGEST_SHAPE {
+            notes.push("The model is too large to be drawn here.".into());
+            shape = escaped(&Shape::default().to_json().to_string());
+        }
+        let [about, source] =
+            [self.about, self.source].map(|text| escaped(&json!(text.map(cut)).to_string()));
+        let used = [&facts, &shape, &about, &source].map(|text| text.len());
+        let used = template::fixed_length() + used.iter().sum::<usize>() + notes.concat().len();
+        let sources = sources(self.summary.trajectory, self.table, self.derived);
+        let rows = self.table.len();
+        let room = LIMIT.saturating_sub(used + MARGIN);
+        let plan = plan(&sources, rows, room, |source| heading(source).len() + 1);
+        let kept: Vec<&Source> = sources
+            .iter()
+            .filter(|source| source.worth <= plan.worth)
+            .collect();
+        notes.extend(left_out(&plan, rows, kept.len(), sources.len()));
+        let columns: Vec<String> = kept.iter().map(|source| heading(source)).collect();
+        let parts = [
+            ("summary", facts),
+            ("about", about),
+            ("source", source),
+            ("mechanism", shape),
+            ("palette", palette::to_json().to_string()),
+            ("notes", escaped(&json!(notes).to_string())),
+            ("rows", plan.rows.len().to_string()),
+            ("width", self.summary.trajectory.width().to_string()),
+            ("bytes", if plan.binary64 { "8" } else { "4" }.into()),
+            ("columns", format!("[{}]", columns.join(","))),
+        ];
+        let data = parts.map(|(name, json)| format!("{}:{json}", Value::from(name)));
+        let data = format!("{{{}}}", data.join(","));
+        template::page(&data, &values(kept.iter().copied(), &plan))
+    }
+}
+
+/// What to say about rows, columns and digits that are not in the page.
+fn left_out(plan: &Plan, rows: usize, columns: usize, all_columns: usize) -> Vec<String> {
+    let mut notes = Vec::new();
+    if plan.rows.len() < rows {
+        let extremes = match plan.all_extremes {
+            true => "All extremes are among them",
+            false => "What lies between does not count among the extremes below",
+        };
+        notes.push(format!(
+            "Of {rows} instants every {}th is in this page, and some with extremes, {} in all, so that it stays below 5 MB. \
+             {extremes}; results.csv has all outputs.",
+            plan.step,
+            plan.rows.len()
+        ));
+    }
+    if columns < all_columns {
+        notes.push(format!(
+            "Of {all_columns} columns {columns} are in this page, so that it stays below 5 MB. Columns that analysis.columns asks for come first.",
+        ));
+    }
+    if !plan.binary64 {
+        notes.push("Numbers in this page have 7 digits; results.csv has all 16.".into());
+    }
+    notes
+}

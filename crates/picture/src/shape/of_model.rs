@@ -1,0 +1,248 @@
+//! Model → shape. Points and bodies that do not exist were refused when the model was checked.
+
+use std::collections::HashMap;
+
+use super::parts::{
+    Body, Clearance, Driver, DriverKind, Joint, JointKind, Load, PitchCircles, PointId, Shape,
+    Spring, TorsionSpring,
+};
+use linkdyn_model::{self as model, ClearanceModel, ForceKind, GROUND, Model, PointRef};
+
+/// Bodies beyond which centres of mass are not drawn.
+const MANY: usize = 2000;
+
+impl Shape {
+    /// The shape of a model; what its loads are over time is not known yet.
+    pub fn of_model(model: &Model) -> Shape {
+        let numbers = Numbers::new(model);
+        let mut shape = Shape {
+            bodies: bodies(model),
+            joints: model
+                .joints
+                .iter()
+                .map(|(name, joint)| joint_of(&numbers, name, joint))
+                .collect(),
+            points: model
+                .points
+                .iter()
+                .map(|point| numbers.point(point))
+                .collect(),
+            ..Shape::default()
+        };
+        shape.drivers = model
+            .drivers
+            .iter()
+            .filter_map(|(name, driver)| driver_of(&numbers, &shape, name, &driver.kind))
+            .collect();
+        for (name, force) in &model.forces {
+            shape.add_force(&numbers, name, &force.kind);
+        }
+        shape
+    }
+
+    fn add_force(&mut self, numbers: &Numbers, name: &str, kind: &ForceKind) {
+        let name = name.to_string();
+        match kind {
+            ForceKind::Spring {
+                between, stiffness, ..
+            } => self.springs.push(Spring {
+                name,
+                between: numbers.ends(between),
+                damper: *stiffness == 0.0,
+            }),
+            ForceKind::TorsionSpring {
+                between, stiffness, ..
+            } => {
+                let bodies = between.each_ref().map(|body| numbers.body(body));
+                self.torsion_springs.push(TorsionSpring {
+                    name,
+                    bodies,
+                    pin: self.pin_between(bodies),
+                    damper: *stiffness == 0.0,
+                });
+            }
+            ForceKind::Load { at, .. } => {
+                let at = numbers.point(at);
+                self.loads.push(Load {
+                    name,
+                    at: Some(at),
+                    body: at.0,
+                    ..Load::default()
+                });
+            }
+            ForceKind::Torque { body, .. } => self.loads.push(Load {
+                name,
+                body: numbers.body(body),
+                ..Load::default()
+            }),
+        }
+    }
+}
+
+/// Numbers of bodies, ground first, and of their points.
+struct Numbers<'m> {
+    model: &'m Model,
+    bodies: HashMap<&'m str, usize>,
+}
+
+impl<'m> Numbers<'m> {
+    fn new(model: &'m Model) -> Self {
+        Numbers {
+            model,
+            bodies: names(model).zip(0..).collect(),
+        }
+    }
+
+    fn body(&self, name: &str) -> usize {
+        self.bodies.get(name).copied().unwrap_or(0)
+    }
+
+    fn point(&self, point: &PointRef) -> PointId {
+        let body = self.model.bodies.get(&point.body);
+        let number = body.and_then(|body| body.points.get_index_of(&point.point));
+        (self.body(&point.body), number.unwrap_or(0))
+    }
+
+    fn ends(&self, ends: &[PointRef; 2]) -> [PointId; 2] {
+        ends.each_ref().map(|end| self.point(end))
+    }
+}
+
+/// Names of the bodies, ground first.
+fn names(model: &Model) -> impl Iterator<Item = &str> {
+    let moving = model.bodies.keys().map(String::as_str);
+    [GROUND]
+        .into_iter()
+        .chain(moving.filter(|name| *name != GROUND))
+}
+
+fn bodies(model: &Model) -> Vec<Body> {
+    let body_of = |name: &str| {
+        let body = model.bodies.get(name);
+        let points = body.into_iter().flat_map(|body| &body.points);
+        Body {
+            name: name.to_string(),
+            points: points
+                .map(|(name, [x, y])| (name.clone(), *x, *y))
+                .collect(),
+            com: body
+                .and_then(|body| body.com)
+                .filter(|_| model.bodies.len() <= MANY),
+        }
+    };
+    names(model).map(body_of).collect()
+}
+
+fn joint_of(numbers: &Numbers, name: &str, joint: &model::Joint) -> Joint {
+    let kind = match &joint.kind {
+        model::JointKind::Revolute { clearance, .. } => JointKind::Revolute {
+            clearance: clearance.as_deref().and_then(clearance_of),
+        },
+        model::JointKind::Prismatic { axis, .. } => JointKind::Prismatic { axis: *axis },
+        model::JointKind::Slot { axis } => JointKind::Slot { axis: *axis },
+        model::JointKind::Gear { ratio, .. } => JointKind::Gear {
+            ratio: *ratio,
+            gear: pitch_circles(numbers, name, joint, *ratio),
+        },
+        model::JointKind::Fixed { .. } => JointKind::Fixed,
+    };
+    Joint {
+        name: name.to_string(),
+        between: numbers.ends(&joint.between),
+        kind,
+    }
+}
+
+/// Wheels roll on each other: |R₁| = |ratio|·|R₂|, R₂ = ℓ/(1 − ratio), where ℓ is the distance of their centres.
+fn pitch_circles(
+    numbers: &Numbers,
+    name: &str,
+    joint: &model::Joint,
+    ratio: f64,
+) -> Option<PitchCircles> {
+    let carrier = numbers.model.carrier(name, joint)?.ok()?;
+    let [[x1, y1], [x2, y2]] = carrier.centres;
+    PitchCircles::of_wheels(ratio, (x2 - x1).hypot(y2 - y1), numbers.body(carrier.body))
+}
+
+impl PitchCircles {
+    /// Pitch circles of wheels at that distance \[m\]; none where they would have no end.
+    pub fn of_wheels(ratio: f64, distance: f64, carrier: usize) -> Option<Self> {
+        let second = (distance / (1.0 - ratio)).abs();
+        let radii = [second * ratio.abs(), second];
+        let is_drawable = |radius: &f64| radius.is_finite() && *radius < 1e3 * distance;
+        radii.iter().all(is_drawable).then_some(PitchCircles {
+            radii,
+            internal: ratio > 0.0,
+            carrier,
+        })
+    }
+}
+
+/// The clearance, where its model leaves an eccentricity.
+fn clearance_of(clearance: &model::Clearance) -> Option<Clearance> {
+    let word = match clearance.model {
+        ClearanceModel::Ideal => return None,
+        ClearanceModel::MasslessLink => "massless_link",
+        ClearanceModel::TwoState => "two_state",
+        ClearanceModel::ThreeState => "three_state",
+        ClearanceModel::Contact => "contact",
+    };
+    Some(Clearance {
+        model: word.into(),
+        radius: clearance.radius?,
+    })
+}
+
+/// The driver; none where its joint is not there.
+fn driver_of(
+    numbers: &Numbers,
+    shape: &Shape,
+    name: &str,
+    kind: &model::DriverKind,
+) -> Option<Driver> {
+    let kind = match kind {
+        model::DriverKind::Rotation { body, relative_to } => {
+            let body = numbers.body(body);
+            let relative_to = relative_to
+                .as_deref()
+                .map_or(0, |other| numbers.body(other));
+            DriverKind::Rotation {
+                body,
+                relative_to,
+                pin: shape.pin_between([body, relative_to]),
+            }
+        }
+        model::DriverKind::Translation { joint } => DriverKind::Translation {
+            joint: numbers.model.joints.get_index_of(joint)?,
+        },
+    };
+    Some(Driver {
+        name: name.to_string(),
+        kind,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wheels_touch_and_roll() {
+        for (ratio, radii) in [
+            (-2.0, [2.0, 1.0]),
+            (-0.5, [1.0, 2.0]),
+            (3.0, [4.5, 1.5]),
+            (0.25, [1.0, 4.0]),
+        ] {
+            let found = PitchCircles::of_wheels(ratio, 3.0, 0)
+                .expect("wheels")
+                .radii;
+            assert!(
+                (0..2).all(|i| (found[i] - radii[i]).abs() < 1e-12),
+                "{ratio}: {found:?}"
+            );
+        }
+        assert_eq!(PitchCircles::of_wheels(1.0, 1.0, 0), None);
+    }
+}

@@ -1,0 +1,17 @@
+//! Small signs: markers of curves, and the parts of a mechanism. Sizes are told in bars, half the width of a drawn body.
+
+mod arrow;
+mod ground;
+mod hull;
+mod line;
+mod marker;
+mod spring;
+mod wheel;
+
+pub use arrow::{arrow, round_arrow};
+pub use ground::{hatched_line, rails, support};
+pub use hull::rounded_hull;
+pub use line::{block, slot};
+pub use marker::marker;
+pub use spring::{coil, dashpot, round_dashpot, spring};
+pub use wheel::{Wheel, wheel};

@@ -1,0 +1,87 @@
+//! Springs and dampers, straight ones and those around a pin.
+
+use super::line::Line;
+use crate::scene::{Pen, Place, Scene};
+
+/// Strokes of a straight spring.
+const STROKES: usize = 14;
+/// Half the width of a straight spring or damper, in bars.
+const WIDTH: f64 = 1.2;
+/// Turns of a coil, and its least and greatest radius, in bars.
+const TURNS: f64 = 2.0;
+const COIL: [f64; 2] = [1.1, 2.1];
+/// Pieces of a bent line.
+const PIECES: usize = 60;
+
+/// A spring.
+pub fn spring(scene: &mut Scene, ends: [Place; 2], bar: f64, pen: Pen) {
+    let Some(line) = Line::between(ends) else {
+        return;
+    };
+    let straight = 0.15 * line.length;
+    let step = (line.length - 2.0 * straight) / STROKES as f64;
+    let mut places = vec![line.at(0.0, 0.0), line.at(straight, 0.0)];
+    for index in 0..STROKES {
+        let side = if index % 2 == 0 { WIDTH } else { -WIDTH };
+        places.push(line.at(straight + (index as f64 + 0.5) * step, side * bar));
+    }
+    places.extend([line.at(line.length - straight, 0.0), ends[1]]);
+    scene.line("spring", places, pen);
+}
+
+/// The strokes of a damper between 0 and 1 along and −1 and 1 across: rod, cup, piston, rod.
+const DASHPOT: [&[[f64; 2]]; 4] = [
+    &[[0.0, 0.0], [0.4, 0.0]],
+    &[[0.7, 1.0], [0.4, 1.0], [0.4, -1.0], [0.7, -1.0]],
+    &[[0.58, 0.7], [0.58, -0.7]],
+    &[[0.58, 0.0], [1.0, 0.0]],
+];
+
+/// A damper.
+pub fn dashpot(scene: &mut Scene, ends: [Place; 2], bar: f64, pen: Pen) {
+    if let Some(line) = Line::between(ends) {
+        for stroke in DASHPOT {
+            let places = stroke
+                .iter()
+                .map(|[s, d]| line.at(s * line.length, d * WIDTH * bar));
+            scene.line("damper", places.collect::<Vec<_>>(), pen);
+        }
+    }
+}
+
+/// A place around a pin; the angle counts to the left.
+fn around([x, y]: Place, radius: f64, angle: f64) -> Place {
+    [x + radius * angle.cos(), y - radius * angle.sin()]
+}
+
+/// A coil around a pin, which winds up with the angle between both bodies \[rad\].
+pub fn coil(scene: &mut Scene, centre: Place, [from, to]: [f64; 2], bar: f64, pen: Pen) {
+    let turn = to - from;
+    let sweep = TURNS * std::f64::consts::TAU + turn.sin().atan2(turn.cos());
+    let place = |piece: usize| {
+        let part = piece as f64 / PIECES as f64;
+        let radius = COIL[0] + part * (COIL[1] - COIL[0]);
+        around(centre, radius * bar, from + sweep * part)
+    };
+    scene.line("coil", (0..=PIECES).map(place).collect::<Vec<_>>(), pen);
+}
+
+/// A damper bent around a pin, from the angle of one body on \[rad\].
+pub fn round_dashpot(scene: &mut Scene, centre: Place, from: f64, bar: f64, pen: Pen) {
+    let [low, high] = COIL;
+    let bent = |[s, d]: [f64; 2]| {
+        let radius = (low + high) / 2.0 + d * (high - low) / 2.0;
+        around(centre, radius * bar, from + s * 0.8 * std::f64::consts::TAU)
+    };
+    for stroke in DASHPOT {
+        let mut places = vec![bent(stroke[0])];
+        for pair in stroke.windows(2) {
+            let part = |k: usize| {
+                let part = k as f64 / 16.0;
+                [0, 1].map(|i| pair[0][i] + part * (pair[1][i] - pair[0][i]))
+            };
+            places.extend((1..=16).map(|k| bent(part(k))));
+        }
+        scene.line("damper", places, pen);
+    }
+}
