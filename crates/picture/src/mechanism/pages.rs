@@ -6,6 +6,7 @@ use super::view::View;
 use super::{actions, pose};
 use crate::fault::Fault;
 use crate::palette;
+use crate::poses::Pose;
 use crate::scene::POINTS_PER_MM;
 use crate::scene::{Anchor, Ink, Pen, Place, Run, Scene};
 use crate::{font, style, words};
@@ -35,7 +36,7 @@ impl Mechanism {
         let height = self.extent.height(width);
         let mut scene = Scene::new(width, height + 2.0 * size);
         let view = View::new(&self.extent, [0.0, 0.0], [width, height]);
-        self.draw_paths(&mut scene, &view);
+        self.draw_backdrop(&mut scene, &view, time);
         self.draw_pose(&mut scene, &view, time, None);
         let text = if self.poses.at(time).is_some() {
             time_words(time, self.span())
@@ -70,8 +71,8 @@ impl Mechanism {
     fn overlaid(&self, times: &[f64], width: f64) -> Scene {
         let mut scene = Scene::new(width, self.extent.height(width));
         let view = View::new(&self.extent, [0.0, 0.0], [width, scene.height]);
-        self.draw_paths(&mut scene, &view);
         let count = times.len();
+        self.draw_backdrop(&mut scene, &view, times[count - 1]);
         for (index, time) in times.iter().enumerate() {
             let part = (index + 1) as f64 / count as f64;
             let faded = 0.75 * (FADED + (1.0 - FADED) * part);
@@ -96,7 +97,7 @@ impl Mechanism {
             let [column, row] = [index % columns, index / columns].map(|number| number as f64);
             let corner: Place = [column * each, row * step];
             let view = View::new(&self.extent, corner, [each, height]);
-            self.draw_paths(&mut scene, &view);
+            self.draw_backdrop(&mut scene, &view, *time);
             self.draw_pose(&mut scene, &view, *time, None);
             let at = [corner[0] + each / 2.0, corner[1] + height + 1.1 * size];
             let text = font::fit(&time_words(*time, self.span()), size, each);
@@ -105,27 +106,34 @@ impl Mechanism {
         scene
     }
 
-    /// Paths of points.
-    fn draw_paths(&self, scene: &mut Scene, view: &View) {
+    /// Paths of points, and what is drawn once for all poses, as it is at a time.
+    fn draw_backdrop(&self, scene: &mut Scene, view: &View, time: f64) {
         for (index, path) in self.paths.iter().enumerate() {
             for piece in path {
                 let places: Vec<Place> = piece.iter().map(|place| view.place(*place)).collect();
                 scene.line("trace", places, Pen::new(trace_ink(index), 0.3 * view.bar));
             }
         }
+        if let Some(poses) = self.poses.at(time) {
+            pose::draw_backdrop(scene, &self.sketch(view, &poses, 1.0));
+        }
     }
 
-    /// Everything at a time; nothing in a gap. A pose that stands behind others is faded, and tells no actions.
+    fn sketch<'s>(&'s self, view: &'s View, pose: &'s [Pose], strength: f64) -> Sketch<'s> {
+        Sketch {
+            mechanism: self,
+            view,
+            pose,
+            strength,
+        }
+    }
+
+    /// Everything else at a time; nothing in a gap. A pose that stands behind others is faded, and tells no actions.
     fn draw_pose(&self, scene: &mut Scene, view: &View, time: f64, faded: Option<f64>) {
         let Some(poses) = self.poses.at(time) else {
             return;
         };
-        let sketch = Sketch {
-            mechanism: self,
-            view,
-            pose: &poses,
-            strength: faded.unwrap_or(1.0),
-        };
+        let sketch = self.sketch(view, &poses, faded.unwrap_or(1.0));
         pose::draw(scene, &sketch);
         actions::draw_springs(scene, &sketch);
         if faded.is_none() {

@@ -1,4 +1,5 @@
-//! Draws bodies and joints of one pose, from the back to the front: wheels, guides, bodies, blocks, pins.
+//! Draws bodies and joints of one pose, from the back to the front: wheels and guides of the ground, other guides, bodies,
+//! blocks, pins.
 
 use super::sketch::Sketch;
 use crate::palette;
@@ -14,14 +15,26 @@ const WELD: f64 = 0.7;
 /// Distance from which on bearing and journal are seen apart, in bars.
 const APART: f64 = 0.3;
 
-/// Draws all of them.
-pub fn draw(scene: &mut Scene, sketch: &Sketch) {
-    let shape = &sketch.mechanism.shape;
-    for joint in &shape.joints {
+/// Draws what would cover other poses: wheels, and guides that do not move.
+pub fn draw_backdrop(scene: &mut Scene, sketch: &Sketch) {
+    let mechanism = sketch.mechanism;
+    for joint in &mechanism.shape.joints {
         draw_wheels(scene, sketch, joint);
     }
+    for (joint, slide) in mechanism.shape.joints.iter().zip(&mechanism.slides) {
+        if joint.between[0].0 == 0 {
+            draw_guide(scene, sketch, joint, *slide);
+        }
+    }
+}
+
+/// Draws all but the backdrop.
+pub fn draw(scene: &mut Scene, sketch: &Sketch) {
+    let shape = &sketch.mechanism.shape;
     for (joint, slide) in shape.joints.iter().zip(&sketch.mechanism.slides) {
-        draw_guide(scene, sketch, joint, *slide);
+        if joint.between[0].0 != 0 {
+            draw_guide(scene, sketch, joint, *slide);
+        }
     }
     for number in 1..shape.bodies.len() {
         let points = 0..shape.bodies[number].points.len();

@@ -11,7 +11,7 @@ const TEETH: [f64; 2] = [8.0, 240.0];
 /// Where a tooth changes between root (−1) and tip (1), as parts of its pitch.
 const TOOTH: [[f64; 2]; 4] = [[0.0, -1.0], [0.3, -1.0], [0.45, 1.0], [0.85, 1.0]];
 /// How much of the fill a wheel has: what lies behind shows through.
-const FILL: f64 = 0.55;
+const FILL: f64 = 0.45;
 
 /// A wheel with its pitch circle on the page.
 #[derive(Debug, Clone, Copy)]
