@@ -1,12 +1,12 @@
 //! The shape of a model with what its loads are over time, which the engine knows.
 
 use linkdyn_engine::analysis::derived;
-use linkdyn_model::Model;
+use linkdyn_model::Checked;
 use linkdyn_output::{BodyQuantity, Channel, Column, TIME, Table, Trajectory};
 use linkdyn_picture::Shape;
 
 /// The shape of a model; its loads at the instants of a table that has the poses of all bodies.
-pub fn shape(model: &Model, results: &Trajectory) -> Shape {
+pub fn shape(model: &Checked, results: &Trajectory) -> Shape {
     let mut shape = Shape::of_model(model);
     if shape.loads.is_empty() {
         return shape;
@@ -18,7 +18,7 @@ pub fn shape(model: &Model, results: &Trajectory) -> Shape {
 }
 
 /// The shape of a model, for results that were read.
-pub fn shape_for(model: &Model, table: &Table) -> Shape {
+pub fn shape_for(model: &Checked, table: &Table) -> Shape {
     let moving = Shape::of_model(model).bodies.into_iter().skip(1);
     shape(model, &poses(table, moving.map(|body| body.name)))
 }

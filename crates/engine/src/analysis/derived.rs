@@ -8,7 +8,7 @@ use linkdyn_model::Checked;
 use linkdyn_output::Trajectory;
 
 /// Applied forces and torques at the instants of a table with the poses of all bodies; none where the model can't be run.
-pub fn loads(model: &Model, results: &Trajectory) -> Option<Trajectory> {
+pub fn loads(model: &Checked, results: &Trajectory) -> Option<Trajectory> {
     let system = compile(model, model.analysis.as_ref()?.kind).ok()?;
     Some(applied(&system, results))
 }

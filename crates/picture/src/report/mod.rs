@@ -6,7 +6,7 @@
 //!
 //! | file       | does                                                       |
 //! | ---------- | ---------------------------------------------------------- |
-//! | `report`   | what a page is made of; the page                           |
+//! | `page`     | what a page is made of; the page                           |
 //! | `template` | `page.html` and what is put into it; escapes               |
 //! | `facts`    | the summary, without what is too long for a page           |
 //! | `columns`  | columns and what they are worth                            |
@@ -15,7 +15,7 @@
 mod columns;
 mod encode;
 mod facts;
-mod report;
+mod page;
 mod template;
 
-pub use report::{LIMIT, Report};
+pub use page::{LIMIT, Report};
