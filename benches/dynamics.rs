@@ -8,14 +8,14 @@
 use std::hint::black_box;
 
 use cpu_time::ThreadTime;
-use linkdyn::{bundled, output::Status};
 use linkdyn_engine::analysis::sample::Sample;
 use linkdyn_engine::analysis::{self, Control, Outcome, assembly, driven};
 use linkdyn_engine::mechanism::continuation::{Parameter, follow};
 use linkdyn_engine::mechanism::driven::Driven;
 use linkdyn_engine::system::Inputs;
 use linkdyn_engine::system::compile::compile;
-use linkdyn_model::{self, AnalysisKind, Checked};
+use linkdyn_model::{self, AnalysisKind, Checked, bundled};
+use linkdyn_output::Status;
 use serde_json::{Value, json};
 
 #[path = "../tests/common/benchmarks.rs"]

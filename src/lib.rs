@@ -20,21 +20,42 @@
 //! # Examples
 //!
 //! ```
-//! use linkdyn::{analysis, bundled, model};
+//! use linkdyn::prelude::*;
 //!
-//! let text = bundled::find("four-bar").expect("bundled").text;
-//! let loaded = linkdyn_model::load(text.as_bytes(), &["analysis.outputs=3".into()]).expect("a sound model");
-//! let outcome = analysis::run(&loaded.model, &analysis::Control::default()).expect("a driven mechanism");
-//! let effort = outcome.trajectory.values("driver.motor.effort").expect("inverse dynamics has efforts");
-//! assert_eq!(effort.len(), 3);
+//! let mechanism = Mechanism::bundled("four-bar")?;
+//! let effort = mechanism.column("driver.motor.effort")?;
+//! let run = mechanism.run()?;
+//! println!("{}", run.column(effort).max_abs());
+//! # Ok::<(), linkdyn::Error>(())
 //! ```
 
 #[cfg(feature = "command")]
 #[doc(hidden)]
 pub mod cli;
 pub mod guide;
+pub mod prelude;
 
-pub use linkdyn_engine::analysis;
-pub use linkdyn_model as model;
-pub use linkdyn_model::bundled;
-pub use linkdyn_output as output;
+mod error;
+mod files;
+mod mechanism;
+mod quantity;
+mod run;
+
+pub use error::Error;
+pub use linkdyn_engine::analysis::{Check, Control, Linearised, Mode};
+pub use linkdyn_model::Model;
+pub use linkdyn_model::error::{Complaint, Complaints, Place};
+pub use linkdyn_output::{Event, Report, Status, Trajectory};
+pub use mechanism::{Column, Mechanism, Parameter};
+pub use quantity::{Quantity, deg, kg, m, mm, newton, newton_metre, rad, rpm, s, um};
+pub use run::{Run, Values};
+
+/// Every type of a [`Model`].
+pub mod model {
+    pub use linkdyn_model::{
+        Analysis, AnalysisKind, Body, Checked, Clearance, ClearanceModel, Driver, DriverKind,
+        Elastic, FORMAT, Force, ForceKind, Frame, Friction, FrictionLaw, GROUND, Impact,
+        ImpactSense, Initial, Joint, JointKind, Material, Model, Motion, Normal, NormalLaw,
+        OutputsAt, PointRef, Pose, Sample, Solver, Surface, Transmission, Value, schema,
+    };
+}

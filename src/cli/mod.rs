@@ -15,7 +15,6 @@ mod page;
 mod plot;
 mod plot_units;
 mod progress;
-mod report;
 mod results;
 mod run;
 mod schema;

@@ -7,6 +7,7 @@ use clap::Args;
 use sha2::{Digest, Sha256};
 
 use super::{BadInput, did_you_mean};
+use crate::files::Origin;
 use linkdyn_model::bundled::{self, NotBundled};
 use linkdyn_model::error::Complaint;
 use linkdyn_model::{self, Loaded};
@@ -91,6 +92,16 @@ pub fn model(path: &Path) -> Result<Loaded, BadInput> {
 }
 
 impl Opened {
+    /// What the files of a run tell of the model.
+    pub fn origin(&self) -> Origin<'_> {
+        Origin {
+            model: &self.loaded.model,
+            name: &self.name,
+            sha256: &self.sha256,
+            load: self.time,
+        }
+    }
+
     /// Complaints about the model that came up after it was read.
     pub fn bad_input(&self, complaints: Vec<Complaint>) -> BadInput {
         bad_input(

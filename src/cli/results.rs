@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 use super::BadInput;
-use super::run::PEAKS;
+use crate::files::PEAKS;
 use linkdyn_model::bundled;
 use linkdyn_output::matches;
 use linkdyn_output::read::{ReadColumn, ReadError, read_file};

@@ -1,21 +1,9 @@
-//! The shape of a model with what its loads are over time, which the engine knows.
+//! The shape of a model with what its loads are over time, for results that were read.
 
-use linkdyn_engine::analysis::derived;
+use crate::files::shape;
 use linkdyn_model::Checked;
-use linkdyn_output::{BodyQuantity, Channel, Column, TIME, Table, Trajectory};
+use linkdyn_output::{BodyQuantity, Channel, Column, Table, Trajectory};
 use linkdyn_picture::Shape;
-
-/// The shape of a model; its loads at the instants of a table that has the poses of all bodies.
-pub fn shape(model: &Checked, results: &Trajectory) -> Shape {
-    let mut shape = Shape::of_model(model);
-    if shape.loads.is_empty() {
-        return shape;
-    }
-    if let Some((times, loads)) = results.values(TIME).zip(derived::loads(model, results)) {
-        shape.take_loads(&times, &loads);
-    }
-    shape
-}
 
 /// The shape of a model, for results that were read.
 pub fn shape_for(model: &Checked, table: &Table) -> Shape {

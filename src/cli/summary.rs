@@ -2,7 +2,7 @@
 
 use super::open::Opened;
 use super::page::{Page, count, names, number, seconds, shorten};
-use super::run::Written;
+use crate::files::Written;
 use linkdyn_engine::analysis::Outcome;
 use linkdyn_model::AnalysisKind;
 use linkdyn_model::display::DisplayUnits;

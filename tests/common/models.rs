@@ -1,8 +1,7 @@
 //! The models that every law is tried on: the bundled ones and those of the reference cases.
 
-use linkdyn::bundled;
 use linkdyn_engine::analysis::{Control, Outcome, run};
-use linkdyn_model::{Checked, Model};
+use linkdyn_model::{Checked, Model, bundled};
 use linkdyn_validation::{CASES, CaseKind};
 use serde_json::Value;
 

@@ -63,7 +63,7 @@ fn sources() -> Vec<Loaded> {
     let mut sources: Vec<Loaded> = named
         .iter()
         .map(|name| {
-            let text = linkdyn::bundled::find(name).expect("bundled").text;
+            let text = linkdyn_model::bundled::find(name).expect("bundled").text;
             linkdyn_model::load(text.as_bytes(), &[]).expect("sound")
         })
         .collect();

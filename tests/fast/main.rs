@@ -34,6 +34,7 @@ mod crossing;
 mod dynamics;
 mod edits;
 mod extremes;
+mod face;
 mod flat_start;
 mod golden;
 mod impacts;

@@ -41,7 +41,7 @@ pub use clearance::{
     Clearance, ClearanceModel, Elastic, Friction, FrictionLaw, Impact, ImpactSense, Material,
     Normal, NormalLaw, Surface,
 };
-pub use dimension::Dimension;
+pub use dimension::{Dimension, Powers};
 pub use driver::{Driver, DriverKind, Motion};
 pub use expression::Parameter;
 pub use force::{Force, ForceKind, Frame, Value};
@@ -51,6 +51,7 @@ pub use joint::{Joint, JointKind, PointRef};
 pub use load::{Loaded, load, load_file};
 pub use schema::schema;
 pub use source::Source;
+pub use suggest::nearest;
 pub use units::Unit;
 
 use crate::display::DisplayUnits;

@@ -10,8 +10,9 @@ use clap::Args;
 
 use super::open::{ModelOptions, Opened};
 use super::progress::Line;
-use super::run::{deadline, open_directory, write};
 use super::{BadInput, Exit, complain, interrupt, nearest, print};
+use crate::files::{open_directory, write};
+use crate::run::deadline;
 use linkdyn_engine::analysis::{self, Control, Outcome};
 use linkdyn_model::error::Complaint;
 use linkdyn_model::{DriverKind, GROUND, JointKind, Model};
@@ -303,7 +304,7 @@ fn run(
         .splice(0..0, opened.loaded.warnings.iter().cloned());
     if let Some(directory) = directory {
         let directory = open_directory(&directory.path().join(model))?;
-        write(&directory, &opened, &outcome)?;
+        write(&directory, opened.origin(), &outcome)?;
     }
     Ok(Ok(outcome))
 }

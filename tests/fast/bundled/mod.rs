@@ -5,8 +5,8 @@ mod motions;
 
 use crate::benchmarks;
 use crate::models::{checked, load_bundled, solve, values};
-use linkdyn::bundled;
 use linkdyn_engine::analysis::{Control, Outcome, modes};
+use linkdyn_model::bundled;
 use linkdyn_output::Status;
 use std::f64::consts::{FRAC_PI_6, PI, SQRT_2, TAU};
 

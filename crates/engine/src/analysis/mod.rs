@@ -31,10 +31,10 @@ pub use progress::Progress;
 pub use suspicious::suspicious;
 
 use crate::system::{Evaluation, Inputs, System, compile::compile};
-use channels::Contents;
+use channels::{Channels, Contents};
 use linkdyn_model::error::Complaint;
 use linkdyn_model::{AnalysisKind, Checked, OutputsAt, unheld};
-use linkdyn_output::{Event, Quality, Report, Status, Stopwatch, Trajectory};
+use linkdyn_output::{Column, Event, Quality, Report, Status, Stopwatch, Trajectory};
 use record::Recorder;
 use sample::Sample;
 use std::borrow::Cow;
@@ -184,6 +184,20 @@ pub fn run(model: &Checked, control: &Control) -> Result<Outcome, Vec<Complaint>
         report,
         settings: settings(analysis),
     })
+}
+
+/// The columns of the results of the model's analysis, without running it; none where it says no analysis.
+///
+/// # Errors
+/// Faults of the input that come up when it is compiled.
+pub fn columns(model: &Checked) -> Result<Arc<[Column]>, Vec<Complaint>> {
+    let Some(analysis) = &model.analysis else {
+        return Ok(Arc::new([]));
+    };
+    let system = compile(model, analysis.kind)?;
+    Ok(Arc::clone(
+        Channels::new(&system, contents(analysis.kind)).columns(),
+    ))
 }
 
 /// Whether joint forces are among the results.

@@ -1,0 +1,83 @@
+//! What can go wrong before a run.
+
+use std::path::PathBuf;
+
+use linkdyn_model::error::{Complaint, Complaints};
+use linkdyn_output::WriteError;
+use thiserror::Error as ThisError;
+
+/// Why something could not be done. How a run ended is no error: see [`Run::status`](crate::Run::status).
+#[derive(Debug, ThisError)]
+#[non_exhaustive]
+pub enum Error {
+    /// The model has faults; all of them, in the order of the lines.
+    #[error(transparent)]
+    Model(Complaints),
+    /// A file can't be read.
+    #[error("{}: can't be read: {cause}", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        #[source]
+        cause: std::io::Error,
+    },
+    /// A result file can't be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
+    /// No bundled model has this name.
+    #[error("{name}: {cause}")]
+    Bundled {
+        /// As asked for.
+        name: String,
+        /// Why there is none.
+        cause: linkdyn_model::bundled::NotBundled,
+    },
+    /// No parameter or column has this name.
+    #[error("no {what} is called {name:?}{}", nearest.as_ref().map_or(String::new(), |near| format!("; did you mean {near:?}?")))]
+    Unknown {
+        /// `parameter` or `column`.
+        what: &'static str,
+        /// As asked for.
+        name: String,
+        /// The most similar name that there is.
+        nearest: Option<String>,
+    },
+    /// A value has another dimension than its parameter.
+    #[error("the parameter {parameter:?} is in {expected}, not in {given}")]
+    Dimension {
+        /// Name of the parameter.
+        parameter: String,
+        /// SI unit of the parameter.
+        expected: String,
+        /// SI unit of the value.
+        given: String,
+    },
+    /// A text is no unit.
+    #[error("{0:?} is no unit")]
+    Unit(String),
+    /// A run ended early; what was computed until then can be had from [`Run`](crate::Run).
+    #[error("the run ended early ({}): {message}", status.word())]
+    Early {
+        /// How it ended.
+        status: linkdyn_output::Status,
+        /// Why, in a sentence or two.
+        message: String,
+    },
+}
+
+impl Error {
+    /// The faults of the model, each with path, place, cause and mend; empty of other errors.
+    pub fn complaints(&self) -> &[Complaint] {
+        match self {
+            Error::Model(complaints) => complaints,
+            _ => &[],
+        }
+    }
+}
+
+impl From<Vec<Complaint>> for Error {
+    fn from(complaints: Vec<Complaint>) -> Self {
+        Error::Model(complaints.into())
+    }
+}

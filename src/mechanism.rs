@@ -1,0 +1,487 @@
+//! A mechanism ready to run, and handles of its parameters and columns.
+
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::Path;
+use std::str::FromStr;
+use std::sync::Arc;
+use std::time::Instant;
+
+use linkdyn_engine::analysis::{self, Check, Control, Linearised};
+use linkdyn_model::error::{Complaint, Complaints};
+use linkdyn_model::{Checked, Loaded, Model, bundled};
+use linkdyn_output::{Column as Heading, ColumnId, Stage, Stopwatch};
+use sha2::{Digest, Sha256};
+
+use crate::error::Error;
+use crate::files::Origin;
+use crate::quantity::Quantity;
+use crate::run::{Run, deadline};
+
+/// A model that was read and checked: ready to run as often as wanted, from any thread.
+///
+/// It never changes. What sets values gives another mechanism, and handles of one serve the other.
+///
+/// # Examples
+/// ```
+/// use linkdyn::prelude::*;
+///
+/// let mechanism: Mechanism = r#"{
+///     "format": "linkdyn/1", "units": "SI", "parameters": { "r": "50 mm" },
+///     "bodies": { "ground": { "points": { "O": [0, 0] } }, "crank": { "points": { "O": [0, 0], "P": ["=r", 0] } } },
+///     "joints": { "pin": { "type": "revolute", "between": ["ground.O", "crank.O"] } },
+///     "drivers": { "motor": { "type": "rotation", "body": "crank",
+///                             "motion": { "type": "polynomial", "coefficients": [0, 1] } } },
+///     "points": ["crank.P"],
+///     "analysis": { "type": "kinematics", "end": 1, "outputs": 11 }
+/// }"#.parse()?;
+/// let radius = mechanism.parameter("r")?;
+/// let height = mechanism.column("crank.P.y")?;
+/// for size in [40.0, 60.0] {
+///     let run = mechanism.with([(radius, mm(size))])?.run()?;
+///     let top = run.column(height).max();
+///     assert!((top - size / 1e3 * 1f64.sin()).abs() < 1e-12);
+/// }
+/// # Ok::<(), linkdyn::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Mechanism {
+    file: Arc<File>,
+    /// `PATH=VALUE`, in the order in which they were set.
+    sets: Vec<String>,
+    loaded: Arc<Loaded>,
+    /// Parameters that have other values than in `loaded`, by index, in SI.
+    given: Vec<(usize, f64)>,
+    model: Arc<Checked>,
+    columns: Arc<Columns>,
+    /// Time that reading it took.
+    load: Stage,
+}
+
+/// What was read.
+#[derive(Debug)]
+struct File {
+    /// The file's name without its end, or that of a bundled model.
+    stem: String,
+    text: Vec<u8>,
+    /// Of the text, hexadecimal.
+    sha256: String,
+}
+
+/// The columns of the results.
+#[derive(Debug)]
+struct Columns {
+    table: Arc<[Heading]>,
+    mark: u64,
+}
+
+/// Handle of a parameter of a [`Mechanism`], and of all mechanisms that are made of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameter {
+    index: usize,
+    nominal: Quantity,
+}
+
+/// Handle of a result column of a [`Mechanism`], and of all mechanisms with the same columns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Column {
+    pub(crate) id: ColumnId,
+    pub(crate) table: u64,
+    unit: &'static str,
+}
+
+impl Parameter {
+    /// The value in the model that was read, with its dimension.
+    pub fn nominal(self) -> Quantity {
+        self.nominal
+    }
+
+    /// The SI unit of its dimension; empty of a plain number.
+    pub fn unit(self) -> String {
+        self.nominal.unit()
+    }
+}
+
+impl Column {
+    /// The SI unit, such as `N*m`.
+    pub fn unit(self) -> &'static str {
+        self.unit
+    }
+}
+
+/// Reads the text of a model file (`linkdyn/1`).
+impl FromStr for Mechanism {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self, Error> {
+        Mechanism::read("model", text.as_bytes().to_vec())
+    }
+}
+
+/// Where mechanisms come from.
+impl Mechanism {
+    /// Reads a model file.
+    ///
+    /// # Errors
+    /// [`Error::Read`] where there is no such file, [`Error::Model`] with all faults of the model.
+    ///
+    /// # Examples
+    /// ```no_run
+    /// use linkdyn::prelude::*;
+    ///
+    /// let mechanism = Mechanism::open("four-bar.json")?;
+    /// let rod = mechanism.parameter("l_rod")?;
+    /// let torque = mechanism.column("driver.motor.effort")?;
+    /// let run = mechanism.with([(rod, mm(120.3))])?.run()?;
+    /// println!("{}", run.column(torque).max_abs());
+    /// # Ok::<(), linkdyn::Error>(())
+    /// ```
+    pub fn open(path: impl AsRef<Path>) -> Result<Self, Error> {
+        let path = path.as_ref();
+        let text = std::fs::read(path).map_err(|cause| Error::Read {
+            path: path.to_owned(),
+            cause,
+        })?;
+        let stem = path.file_stem().unwrap_or_default();
+        Mechanism::read(&stem.to_string_lossy(), text)
+    }
+
+    /// A bundled model, such as `four-bar`, `lock` or `nfourbar:40`.
+    ///
+    /// # Errors
+    /// [`Error::Bundled`] where there is none of that name.
+    pub fn bundled(name: &str) -> Result<Self, Error> {
+        let text = bundled::text(name).map_err(|cause| Error::Bundled {
+            name: name.to_owned(),
+            cause,
+        })?;
+        Mechanism::read(name, text.into_owned().into_bytes())
+    }
+
+    /// A model that was made or changed by the program, through the same gate as a file.
+    ///
+    /// # Errors
+    /// [`Error::Model`] with all faults of the model.
+    ///
+    /// # Examples
+    /// ```
+    /// use linkdyn::prelude::*;
+    ///
+    /// let mut model: Model = (**Mechanism::bundled("four-bar")?.model()).clone();
+    /// model.bodies.shift_remove("rocker");
+    /// let refused = Mechanism::of_model(model).expect_err("joints name the rocker");
+    /// assert_eq!(refused.complaints()[0].path, "joints.c.between[1]");
+    /// # Ok::<(), linkdyn::Error>(())
+    /// ```
+    pub fn of_model(model: Model) -> Result<Self, Error> {
+        let model = model.check()?;
+        Mechanism::read("model", model.to_json().to_string().into_bytes())
+    }
+
+    fn read(stem: &str, text: Vec<u8>) -> Result<Self, Error> {
+        let file = File {
+            stem: stem.to_owned(),
+            sha256: format!("{:x}", Sha256::digest(&text)),
+            text,
+        };
+        Mechanism::load(Arc::new(file), Vec::new(), &[])
+    }
+
+    /// Reads the text with values set, and gives parameters other values.
+    fn load(file: Arc<File>, sets: Vec<String>, given: &[(&str, f64)]) -> Result<Self, Error> {
+        let watch = Stopwatch::start();
+        let loaded = linkdyn_model::load(&file.text, &sets)?;
+        let place = |complaints: Vec<Complaint>| {
+            let placed = complaints.into_iter().map(|one| loaded.source.place(one));
+            Error::Model(placed.collect::<Vec<_>>().into())
+        };
+        let columns = Columns::new(analysis::columns(&loaded.model).map_err(place)?);
+        let read = Mechanism {
+            file,
+            sets,
+            given: Vec::new(),
+            model: Arc::new(loaded.model.clone()),
+            loaded: Arc::new(loaded),
+            columns: Arc::new(columns),
+            load: watch.read(),
+        };
+        let known = |name: &str| read.parameter(name).map(Parameter::index);
+        let kept = given
+            .iter()
+            .filter_map(|(name, si)| Some((known(name).ok()?, *si)));
+        let kept: Vec<_> = kept.collect();
+        if kept.is_empty() {
+            return Ok(read);
+        }
+        read.given(kept)
+    }
+}
+
+/// What a mechanism is.
+impl Mechanism {
+    /// The model, all numbers in SI units.
+    pub fn model(&self) -> &Checked {
+        &self.model
+    }
+
+    /// The model's own name, or the file's.
+    pub fn name(&self) -> &str {
+        let own = self.model.name.as_deref().filter(|name| !name.is_empty());
+        own.unwrap_or(&self.file.stem)
+    }
+
+    /// The model as a file: the words that were read, parameters and expressions included, with what was set since.
+    ///
+    /// # Examples
+    /// ```
+    /// use linkdyn::prelude::*;
+    ///
+    /// let mechanism = Mechanism::bundled("four-bar")?;
+    /// let crank = mechanism.parameter("crank")?;
+    /// let text = mechanism.with([(crank, mm(90.0))])?.to_json();
+    /// assert!(text.contains(r#""crank": "0.09 m""#));
+    /// assert_eq!(text.parse::<Mechanism>()?.parameter("crank")?.nominal(), mm(90.0));
+    /// # Ok::<(), linkdyn::Error>(())
+    /// ```
+    pub fn to_json(&self) -> String {
+        let mut document = self.loaded.source.print(&self.loaded.model);
+        for &(index, si) in &self.given {
+            let parameter = &self.loaded.parameters[index];
+            document["parameters"][&parameter.name] = match parameter.unit.as_str() {
+                "" => si.into(),
+                // The shortest text that is read as the same double.
+                unit => format!("{si:?} {unit}").into(),
+            };
+        }
+        format!("{document:#}")
+    }
+
+    /// What is allowed in the model and yet probably a slip.
+    pub fn warnings(&self) -> &[String] {
+        &self.loaded.warnings
+    }
+
+    /// Names and handles of the parameters, in the order of the model.
+    pub fn parameters(&self) -> impl Iterator<Item = (&str, Parameter)> {
+        let parameters = self.loaded.parameters.iter().enumerate();
+        parameters.filter_map(|(index, parameter)| {
+            let nominal = Quantity::in_si(parameter.value, &parameter.unit)?;
+            Some((parameter.name.as_str(), Parameter { index, nominal }))
+        })
+    }
+
+    /// The handle of a parameter.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] where the model has none of that name.
+    pub fn parameter(&self, name: &str) -> Result<Parameter, Error> {
+        let found = self.parameters().find(|(known, _)| *known == name);
+        found
+            .map(|(_, parameter)| parameter)
+            .ok_or_else(|| unknown("parameter", name, self.parameters().map(|(known, _)| known)))
+    }
+
+    /// Names and handles of the result columns, in the order of `results.csv`; `time` is the first. Empty where the model says
+    /// no analysis.
+    pub fn columns(&self) -> impl Iterator<Item = (&str, Column)> {
+        let columns = self.columns.table.iter().enumerate();
+        columns.map(|(index, column)| {
+            let handle = Column {
+                id: ColumnId::at(index),
+                table: self.columns.mark,
+                unit: column.unit,
+            };
+            (column.name.as_str(), handle)
+        })
+    }
+
+    /// The handle of a result column, such as `driver.motor.effort` or `joint.b.fx`.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] where the analysis has none of that name.
+    pub fn column(&self, name: &str) -> Result<Column, Error> {
+        let found = self.columns().find(|(known, _)| *known == name);
+        found
+            .map(|(_, column)| column)
+            .ok_or_else(|| unknown("column", name, self.columns().map(|(known, _)| known)))
+    }
+
+    pub(crate) fn table(&self) -> u64 {
+        self.columns.mark
+    }
+
+    pub(crate) fn origin(&self) -> Origin<'_> {
+        Origin {
+            model: self.model(),
+            name: self.name(),
+            sha256: &self.file.sha256,
+            load: self.load,
+        }
+    }
+}
+
+/// Variants.
+impl Mechanism {
+    /// The mechanism with other values of parameters; whatever follows from them by expressions follows. No number is
+    /// printed or read on the way.
+    ///
+    /// # Errors
+    /// [`Error::Dimension`] where a value has another dimension than its parameter, [`Error::Model`] where the model has faults
+    /// with these values.
+    pub fn with(
+        &self,
+        values: impl IntoIterator<Item = (Parameter, Quantity)>,
+    ) -> Result<Self, Error> {
+        let mut given = self.given.clone();
+        for (parameter, value) in values {
+            let Some(known) = self.loaded.parameters.get(parameter.index) else {
+                let name = format!("number {}", parameter.index);
+                return Err(unknown("parameter", &name, std::iter::empty()));
+            };
+            if !parameter.nominal.same_dimension(value) {
+                return Err(Error::Dimension {
+                    parameter: known.name.clone(),
+                    expected: word(parameter.nominal),
+                    given: word(value),
+                });
+            }
+            given.retain(|(index, _)| *index != parameter.index);
+            given.push((parameter.index, value.si()));
+        }
+        self.given(given)
+    }
+
+    fn given(&self, given: Vec<(usize, f64)>) -> Result<Self, Error> {
+        let named: Vec<(&str, f64)> = given.iter().map(|one| self.named(one)).collect();
+        let model = self.loaded.source.with_parameters(&named)?;
+        Ok(Mechanism {
+            given,
+            model: Arc::new(model),
+            ..self.clone()
+        })
+    }
+
+    fn named(&self, (index, si): &(usize, f64)) -> (&str, f64) {
+        (&self.loaded.parameters[*index].name, *si)
+    }
+
+    /// The mechanism with a value of its model set, as by `--set PATH=VALUE` of the command.
+    ///
+    /// # Errors
+    /// [`Error::Model`] where the path leads nowhere, or the model has faults with that value.
+    ///
+    /// # Examples
+    /// ```
+    /// use linkdyn::prelude::*;
+    ///
+    /// let coarse = Mechanism::bundled("four-bar")?.set("analysis.outputs", "5")?;
+    /// assert_eq!(coarse.run()?.time().len(), 5);
+    /// # Ok::<(), linkdyn::Error>(())
+    /// ```
+    pub fn set(&self, path: &str, value: &str) -> Result<Self, Error> {
+        let mut sets = self.sets.clone();
+        sets.push(format!("{path}={value}"));
+        let given: Vec<(&str, f64)> = self.given.iter().map(|one| self.named(one)).collect();
+        Mechanism::load(Arc::clone(&self.file), sets, &given)
+    }
+}
+
+/// Questions.
+impl Mechanism {
+    /// Runs the model's analysis.
+    ///
+    /// # Errors
+    /// [`Error::Model`] where the model has no analysis, or lacks what it needs. How the run ended is told by the [`Run`].
+    pub fn run(&self) -> Result<Run, Error> {
+        self.run_under(&Control::default())
+    }
+
+    /// Runs the model's analysis under outside control: a deadline, an interrupt, an eye on progress.
+    ///
+    /// # Errors
+    /// As [`Mechanism::run`].
+    pub fn run_under(&self, control: &Control) -> Result<Run, Error> {
+        let own = deadline(&self.model, Instant::now());
+        let control = Control {
+            deadline: [control.deadline, own].into_iter().flatten().min(),
+            ..control.clone()
+        };
+        let outcome = analysis::run(&self.model, &control);
+        let mut outcome = outcome.map_err(|found| self.place(found))?;
+        let warnings = self.warnings().iter().cloned();
+        outcome.report.warnings.splice(0..0, warnings);
+        Ok(Run::new(self.clone(), outcome))
+    }
+
+    /// Assembles and diagnoses the model without running it: mobility, loops, what is missing for which analysis.
+    ///
+    /// # Errors
+    /// [`Error::Model`] where it can't be compiled.
+    ///
+    /// # Examples
+    /// ```
+    /// use linkdyn::prelude::*;
+    ///
+    /// let check = Mechanism::bundled("four-bar")?.check()?;
+    /// assert_eq!((check.bodies, check.mobility.rank), (3, 0));
+    /// # Ok::<(), linkdyn::Error>(())
+    /// ```
+    pub fn check(&self) -> Result<Check, Error> {
+        analysis::check(&self.model).map_err(|found| self.place(found))
+    }
+
+    /// Natural frequencies, damping ratios and shapes of small motions about the equilibrium.
+    ///
+    /// # Errors
+    /// [`Error::Model`] where it can't be compiled.
+    pub fn modes(&self) -> Result<Linearised, Error> {
+        let modes = analysis::modes(&self.model, false, &Control::default());
+        modes.map_err(|found| self.place(found))
+    }
+
+    /// Complaints that came up after the model was read, with their places.
+    fn place(&self, complaints: Vec<Complaint>) -> Error {
+        let placed = complaints
+            .into_iter()
+            .map(|complaint| self.loaded.source.place(complaint));
+        Error::Model(placed.collect::<Vec<_>>().into())
+    }
+}
+
+impl Parameter {
+    fn index(self) -> usize {
+        self.index
+    }
+}
+
+impl Columns {
+    fn new(table: Arc<[Heading]>) -> Self {
+        let mut hasher = DefaultHasher::new();
+        for column in table.iter() {
+            (&column.name, column.unit).hash(&mut hasher);
+        }
+        let mark = hasher.finish();
+        Columns { table, mark }
+    }
+}
+
+impl From<Complaints> for Error {
+    fn from(complaints: Complaints) -> Self {
+        Error::Model(complaints)
+    }
+}
+
+/// A unit as messages name it.
+fn word(quantity: Quantity) -> String {
+    match quantity.unit() {
+        unit if unit.is_empty() => "plain numbers".to_owned(),
+        unit => unit,
+    }
+}
+
+fn unknown<'a>(what: &'static str, name: &str, known: impl Iterator<Item = &'a str>) -> Error {
+    Error::Unknown {
+        what,
+        name: name.to_owned(),
+        nearest: linkdyn_model::nearest(name, known).map(str::to_owned),
+    }
+}

@@ -1,0 +1,7 @@
+//! What most programs need: `use linkdyn::prelude::*;`.
+
+pub use crate::quantity::{deg, kg, m, mm, newton, newton_metre, rad, rpm, s, um};
+pub use crate::{
+    Check, Column, Complaint, Control, Error, Event, Mechanism, Model, Parameter, Quantity, Report,
+    Run, Status, Trajectory, Values,
+};

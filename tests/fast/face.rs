@@ -1,0 +1,140 @@
+//! The face of the library: what a program can do with a mechanism, and what it is told where it can't.
+
+use linkdyn::prelude::*;
+
+fn four_bar() -> Mechanism {
+    Mechanism::bundled("four-bar").expect("bundled")
+}
+
+#[test]
+fn mechanisms_and_runs_go_to_any_thread() {
+    fn shared<T: Send + Sync + 'static>() {}
+    shared::<Mechanism>();
+    shared::<Run>();
+    shared::<Model>();
+    shared::<Parameter>();
+    shared::<Column>();
+    shared::<Error>();
+    let mechanism = four_bar();
+    let effort = mechanism.column("driver.motor.effort").expect("there");
+    let peaks: Vec<f64> = std::thread::scope(|scope| {
+        let runs =
+            (0..2).map(|_| scope.spawn(|| mechanism.run().expect("runs").column(effort).max_abs()));
+        let runs: Vec<_> = runs.collect();
+        runs.into_iter()
+            .map(|run| run.join().expect("no panic"))
+            .collect()
+    });
+    assert_eq!(peaks[0].to_bits(), peaks[1].to_bits());
+}
+
+#[test]
+fn a_parameter_at_its_nominal_value_changes_no_bit() {
+    let mechanism = four_bar();
+    let nominal = mechanism
+        .parameters()
+        .map(|(_, parameter)| (parameter, parameter.nominal()));
+    let same = mechanism.with(nominal.collect::<Vec<_>>()).expect("sound");
+    assert_eq!(same.model(), mechanism.model());
+    let (a, b) = (mechanism.run().expect("runs"), same.run().expect("runs"));
+    let bits = |run: &Run| {
+        run.trajectory()
+            .data
+            .iter()
+            .map(|x| x.to_bits())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(bits(&a), bits(&b));
+}
+
+#[test]
+fn a_crank_of_another_length_moves_on_another_circle() {
+    let mechanism = four_bar();
+    let crank = mechanism.parameter("crank").expect("a parameter");
+    assert_eq!((crank.nominal().si(), crank.unit()), (0.1, "m".to_owned()));
+    for radius in [80.0, 95.5] {
+        let longer = mechanism.with([(crank, mm(radius))]).expect("sound");
+        // Handles of the first mechanism serve its variants.
+        let (x, y) = ("joint.b.fx", "crank.x");
+        assert_eq!(
+            longer.column(x).expect("there"),
+            mechanism.column(x).expect("there")
+        );
+        let points = longer.set("points", r#"["crank.A"]"#).expect("sound");
+        let run = points.run().expect("runs").complete().expect("completes");
+        let [px, py] = ["crank.A.x", "crank.A.y"].map(|name| points.column(name).expect("there"));
+        for (x, y) in run.column(px).iter().zip(run.column(py).iter()) {
+            assert!((x.hypot(y) - radius / 1e3).abs() < 1e-12, "{x} {y}");
+        }
+        assert!(points.column(y).is_ok());
+    }
+}
+
+#[test]
+fn what_can_t_be_done_is_said() {
+    let mechanism = four_bar();
+    let said = |error: Error| error.to_string();
+    let unknown = mechanism.parameter("cranc").expect_err("none");
+    assert_eq!(
+        said(unknown),
+        r#"no parameter is called "cranc"; did you mean "crank"?"#
+    );
+    let unknown = mechanism.column("driver.motor.efort").expect_err("none");
+    assert_eq!(
+        said(unknown),
+        r#"no column is called "driver.motor.efort"; did you mean "driver.motor.effort"?"#
+    );
+    let crank = mechanism.parameter("crank").expect("there");
+    let wrong = mechanism.with([(crank, deg(3.0))]).expect_err("an angle");
+    assert_eq!(said(wrong), r#"the parameter "crank" is in m, not in rad"#);
+    let wrong = mechanism.with([(crank, 3.0.into())]).expect_err("a number");
+    assert_eq!(
+        said(wrong),
+        r#"the parameter "crank" is in m, not in plain numbers"#
+    );
+    for value in [f64::NAN, f64::INFINITY, -1.0, 0.0, 1e300] {
+        // Whatever it is, it is told or runs; nothing panics.
+        if let Ok(odd) = mechanism.with([(crank, m(value))]) {
+            let _ = odd.run().map(|run| run.status());
+        }
+    }
+    let missing = Mechanism::open("no/such/file.json").expect_err("no file");
+    assert!(said(missing).starts_with("no/such/file.json: can't be read"));
+    let faulty = r#"{ "format": "linkdyn/1", "units": "SI", "bodies": { "a": {}, "b": { "mass": "5 mm" } } }"#;
+    let faulty = faulty.parse::<Mechanism>().expect_err("a mass in mm");
+    assert_eq!(faulty.complaints().len(), 1, "{faulty}");
+    assert!(faulty.complaints()[0].place.is_some());
+    let error: Box<dyn std::error::Error + Send + Sync> = Box::new(faulty);
+    assert!(error.to_string().contains("bodies.b.mass"), "{error}");
+}
+
+#[test]
+fn a_run_that_ends_early_keeps_what_it_has() {
+    // A crank too long to go round.
+    let mechanism = four_bar();
+    let crank = mechanism.parameter("crank").expect("there");
+    let stuck = mechanism.with([(crank, mm(240.0))]).expect("sound");
+    let run = stuck.run().expect("runs");
+    assert_eq!(run.status(), Status::DeadCentre);
+    assert!(!run.time().is_empty());
+    let early = run.complete().expect_err("ends early");
+    assert!(
+        matches!(
+            early,
+            Error::Early {
+                status: Status::DeadCentre,
+                ..
+            }
+        ),
+        "{early}"
+    );
+}
+
+#[test]
+#[should_panic(expected = "the column is one of a mechanism with other columns")]
+fn columns_of_another_mechanism_are_refused() {
+    let other = Mechanism::bundled("slider-crank").expect("bundled");
+    let column = other.columns().last().expect("some").1;
+    let run = four_bar().run().expect("runs");
+    run.column(column);
+}
