@@ -12,7 +12,7 @@
 //! round-off. ∂Q/∂q along a motion is a central difference, extrapolated (Ridders 1982). No mass is divided by.
 
 use super::driven::{Driven, Failure};
-use super::reduced::better_pin;
+use super::pins::better_pin;
 use crate::system::{Evaluation, Inputs, System};
 use linkdyn_linear::math::{dot, max_abs};
 
@@ -31,8 +31,11 @@ const STRAIN_ITERATIONS: usize = 3;
 
 /// A mechanism held at its minimal coordinates.
 pub struct Held<'s> {
+    /// Solver of the position.
     pub driven: Driven<'s>,
+    /// Drivers at their values, at rest.
     pub inputs: Inputs,
+    /// Position (n).
     pub q: Vec<f64>,
     /// Q (n).
     pub force: Vec<f64>,

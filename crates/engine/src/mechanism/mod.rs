@@ -8,6 +8,7 @@
 //! dependent_forces  forces that depend on multipliers, which depend on them: friction
 //! reduced           equations of motion in minimal coordinates
 //! parts             parts with one degree of freedom of a mechanism with more, across their change points
+//! pins              which coordinates determine the rest well
 //! phases            systems by the rows in force
 //! held              the mechanism at rest in minimal coordinates: forces, stiffness, damping and mass
 //! branching         singular positions, and the branches that cross there
@@ -26,4 +27,5 @@ pub mod held;
 pub mod least_velocity;
 pub mod parts;
 pub mod phases;
+mod pins;
 pub mod reduced;

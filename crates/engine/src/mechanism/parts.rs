@@ -14,7 +14,7 @@
 use super::continuation::{Branch, HALF_TURN, Parameter, Path, follow};
 use super::driven::{Driven, Failure};
 use super::phases::{Exchanged, Phases, Windows};
-use super::reduced::better_pin;
+use super::pins::better_pin;
 use crate::element::{Axis, BodyId, Constraint, Entry, Kinematics, Measure};
 use crate::system::{Inputs, System};
 use linkdyn_linear::hermite::Node;
@@ -28,6 +28,7 @@ const SAME: f64 = 1e-5;
 
 /// A part by itself, and where it stands in the whole.
 pub struct Part {
+    /// The part by itself.
     pub system: System,
     /// Columns of the whole, by those of the part.
     pub columns: Vec<usize>,

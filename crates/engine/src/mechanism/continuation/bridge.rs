@@ -13,6 +13,8 @@ const WINDOW_NODES: [f64; 3] = [0.4, 0.7, 1.0];
 const TEST_NODES: [f64; 4] = [0.4, 0.6, 0.8, 1.0];
 /// Largest accepted difference of a window's polynomial from the constraints' solution [rad or sizes].
 const WINDOW_ERROR: f64 = 1e-12;
+/// Change points nearer than this are one [half widths].
+const SAME: f64 = 1e-9;
 /// Smallest singular value (of the scaled Jacobian) at a located position, by that at the window's edge, to count.
 const VANISHES: f64 = 1e-6;
 /// Distance from a change point, in half widths, at which its self-stress is read off.
@@ -51,7 +53,7 @@ impl Path {
         if self
             .singular
             .iter()
-            .any(|p| (p.s - centre).abs() < 1e-9 * width)
+            .any(|p| (p.s - centre).abs() < SAME * width)
         {
             return;
         }

@@ -16,7 +16,7 @@ impl Walker<'_, '_> {
         before: Option<&Node>,
         direction: f64,
     ) -> Option<f64> {
-        let system = self.driven.system;
+        let (system, unit) = (self.driven.system, self.unit());
         // With a pin the path is only wanted as far as the pin is good.
         let before = before.filter(|_| self.parameter != Parameter::Pin)?;
         let scaled = |x: &[f64]| -> Vec<f64> {
@@ -46,9 +46,9 @@ impl Walker<'_, '_> {
         ];
         let [mut earlier, mut here] = ends;
         let (mut q, mut s) = (last.q.clone(), last.s);
-        for _ in 0..60 {
+        for _ in 0..MOST_SECANTS {
             let step = -here.g * (here.p - earlier.p) / (here.g - earlier.g);
-            let limit = 4.0 * (here.p - earlier.p).abs().max(1e-9);
+            let limit = LONGEST_SECANT * (here.p - earlier.p).abs().max(LEAST_SECANT);
             let step = if step.is_finite() {
                 step.clamp(-limit, limit)
             } else {
@@ -60,11 +60,11 @@ impl Walker<'_, '_> {
                 break;
             };
             (earlier, here) = (here, Point { p, s, g });
-            if (s - last.s).abs() > 1e-3 * (1.0 + last.s.abs()) {
+            if (s - last.s).abs() > ASTRAY * (unit + last.s.abs()) {
                 break;
             }
-            if g.abs() <= 1e-11 * (1.0 + earlier.g.abs()) || step.abs() <= 1e-13 {
-                if g.abs() >= 1e-6 * (direction / length).abs().max(1.0) {
+            if g.abs() <= LEVEL * (unit + earlier.g.abs()) || step.abs() <= ROUND_OFF {
+                if g.abs() >= STEEP * (direction / length).abs().max(unit) {
                     break;
                 }
                 return Some(if p.abs() > RUNS_OFF {
@@ -86,6 +86,21 @@ struct Point {
     g: f64,
 }
 
+/// Most steps of the secant method, and of Newton's for each.
+const MOST_SECANTS: usize = 60;
+const MOST_ITERATIONS: usize = 30;
+/// A secant leads no farther than this many times the step before, which counts as no less than the second [rad or sizes].
+const LONGEST_SECANT: f64 = 4.0;
+const LEAST_SECANT: f64 = 1e-9;
+/// The path ends some 1e-9 of a step before its dead centre: one that lies farther away than this is another [units of s].
+const ASTRAY: f64 = 1e-3;
+/// ds/dp that is none, and a step of p that is round-off [units of s; rad or sizes].
+const LEVEL: f64 = 1e-11;
+const ROUND_OFF: f64 = 1e-13;
+/// ds/dp that is too much for a dead centre where the search comes to rest [units of s].
+const STEEP: f64 = 1e-6;
+/// Newton's last step: the next one is its square [rad, sizes, units of s].
+const LAST_STEP: f64 = 1e-10;
 /// A position that has moved by more than this, in rad or sizes, while s hardly did runs off to infinity.
 const RUNS_OFF: f64 = 1e3;
 /// Largest difference between two extrapolations of a dead centre, by the way to it.
@@ -154,9 +169,10 @@ impl<'a, 'b, 's> Arc<'a, 'b, 's> {
         let system = self.walker.driven.system;
         let (n, m) = (system.n(), system.m());
         let active = self.walker.driven.active_rows().to_vec();
+        let unit = self.walker.unit();
         let mut rate = vec![0.0; m];
         let mut values = vec![0.0; self.pattern.entries()];
-        for iteration in 0..30 {
+        for iteration in 0..MOST_ITERATIONS {
             self.walker.set(*s);
             let Walker { driven, inputs, .. } = &mut *self.walker;
             let evaluation = &mut driven.evaluation;
@@ -191,7 +207,8 @@ impl<'a, 'b, 's> Arc<'a, 'b, 's> {
                 q[k] += step[k] * system.column_scale(k);
             }
             *s += step[n];
-            if iteration > 0 && linkdyn_linear::math::max_abs(&step) < 1e-10 {
+            step[n] /= unit;
+            if iteration > 0 && linkdyn_linear::math::max_abs(&step) < LAST_STEP {
                 let mut tangent = vec![0.0; n + 1];
                 tangent[n] = 1.0;
                 self.lu.solve(&mut tangent);

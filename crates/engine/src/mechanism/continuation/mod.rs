@@ -76,7 +76,9 @@ pub enum SingularKind {
 /// A located singular position.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SingularPosition {
+    /// What happens there.
     pub kind: SingularKind,
+    /// Its parameter.
     pub s: f64,
     /// Left null vector over all rows (m): the self-stress whose multipliers have no bound there. Empty at the dead centre of
     /// a pin, or where it is not known.

@@ -15,6 +15,7 @@ const MOST_TURNS: i64 = 1000;
 /// Near a change point: the smooth branch.
 #[derive(Debug, Clone)]
 pub struct Window {
+    /// Where the change point lies.
     pub s: f64,
     /// Within this distance the polynomial is used.
     pub radius: f64,
@@ -25,6 +26,7 @@ pub struct Window {
 
 /// The path: nodes in ascending s.
 pub struct Path {
+    /// What s is.
     pub parameter: Parameter,
     pub(super) nodes: Vec<Node>,
     pub(super) windows: Vec<Window>,
@@ -32,9 +34,13 @@ pub struct Path {
     pub(super) singular: Vec<SingularPosition>,
     /// Where the path repeats itself: centre of the stretch that stands for all, and what a turn adds to q (n).
     pub(super) turn: Option<(f64, Vec<f64>)>,
+    /// How it ended below.
     pub low: End,
+    /// How it ended above.
     pub high: End,
+    /// Steps taken.
     pub steps: u64,
+    /// Steps tried in vain.
     pub rejected: u64,
 }
 

@@ -54,6 +54,16 @@ impl Walker<'_, '_> {
         self.parameter.set(self.driven, s, &mut self.inputs);
     }
 
+    /// What the parameter is measured by: 1 rad, the mechanism's length or its time.
+    pub(super) fn unit(&self) -> f64 {
+        let system = self.driven.system;
+        match self.parameter {
+            Parameter::DriverValue => system.measure_scale(system.drivers[0].measure),
+            Parameter::Pin => system.column_scale(self.driven.pins[0].column),
+            Parameter::Time => system.scale.time,
+        }
+    }
+
     /// Corrects a guess at `s` and differentiates there.
     pub(super) fn node(&mut self, s: f64, mut q: Vec<f64>) -> Result<(Node, Correction), Failure> {
         self.set(s);

@@ -26,12 +26,11 @@ use super::continuation::{Path, SingularKind, Source};
 use super::driven::{Driven, Failure};
 use super::parts::{Part, Parts};
 use super::phases::Phases;
+use super::pins::better_pin;
 use crate::system::{Inputs, System};
 use linkdyn_linear::hermite::{Node, quintic};
 use linkdyn_linear::small::cholesky_solve;
 
-/// A coordinate that moves this much more than the one pinned takes its place.
-const EXCHANGE: f64 = 2.0;
 /// Contraction of Newton above which a point is refused: its branch is not certain.
 const CONTRACTION: f64 = 0.35;
 /// Largest distance from the prediction, in rad or sizes, for the same reason.
@@ -39,13 +38,19 @@ const FARTHEST: f64 = 0.3;
 
 /// A mechanism with freedom left.
 pub struct Reduced<'s> {
+    /// Solver of the dependent coordinates.
     pub driven: Driven<'s>,
+    /// What is prescribed, and what contacts remember.
     pub inputs: Inputs,
+    /// Position of the last evaluation (n).
     pub q: Vec<f64>,
+    /// Its velocity (n).
     pub v: Vec<f64>,
+    /// Its acceleration (n).
     pub a: Vec<f64>,
     /// Q (n) and Q − M a (n).
     pub force: Vec<f64>,
+    /// Q − M a (n).
     pub balance: Vec<f64>,
     /// Factors whose position is this far from the solution are taken for those of the solution [rad or sizes].
     pub lag: f64,
@@ -495,18 +500,3 @@ impl<'s> Reduced<'s> {
 const STRAINED: f64 = 0.1;
 /// Inverse iterations for that self-stress: near a singular position one is enough, three are safe.
 const STRAIN_ITERATIONS: usize = 3;
-/// A pin and the coordinate that moves more than it, where there is one; `motions` are ∂q/∂u, one after the other (f × n).
-pub(super) fn better_pin(driven: &Driven, motions: &[f64]) -> Option<(usize, usize)> {
-    let system = driven.system;
-    let mut best: Option<(f64, usize, usize)> = None;
-    for (k, motion) in motions.chunks_exact(system.n().max(1)).enumerate() {
-        let own = system.column_scale(driven.pins[k].column);
-        for (column, s) in motion.iter().enumerate() {
-            let moves = s.abs() * own / system.column_scale(column);
-            if moves > EXCHANGE && best.is_none_or(|(most, ..)| moves > most) {
-                best = Some((moves, k, column));
-            }
-        }
-    }
-    best.map(|(_, k, column)| (k, column))
-}
