@@ -53,7 +53,9 @@ pub struct Island {
 /// to the root; walked in the direction whose first joint stands first in the file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Loop {
+    /// Its joints.
     pub joints: Vec<usize>,
+    /// Its bodies.
     pub bodies: Vec<usize>,
     /// The joint that closes the tree to this loop.
     pub chord: usize,

@@ -20,13 +20,16 @@ pub type Jet = [f64; 3];
 /// A compiled law of time (or, for a path, of its parameter).
 #[derive(Debug, Clone, PartialEq)]
 pub enum Law {
+    /// Coefficients, ascending.
     Polynomial(Vec<f64>),
+    /// o + A sin(2π ν t + φ).
     Harmonic {
         offset: f64,
         amplitude: f64,
         frequency: f64,
         phase: f64,
     },
+    /// A table.
     Spline(Spline),
 }
 

@@ -32,8 +32,10 @@ pub struct Dense {
 /// Why a dense factorisation failed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum DenseFault {
+    /// An entry is infinite or no number.
     #[error("entry in row {row}, column {column} is not finite")]
     NotFinite { row: usize, column: usize },
+    /// The iteration for singular values does not end.
     #[error("singular values did not converge")]
     NoConvergence,
 }
@@ -41,6 +43,7 @@ pub enum DenseFault {
 /// Rank with the spaces that belong to it.
 #[derive(Debug, Clone)]
 pub struct SvdRank {
+    /// Number of singular values that count.
     pub rank: usize,
     /// min(m, n) values, falling.
     pub singular_values: Vec<f64>,
@@ -53,7 +56,9 @@ pub struct SvdRank {
 /// The shortest of the vectors that solve best.
 #[derive(Debug, Clone)]
 pub struct LeastNorm {
+    /// The vector.
     pub x: Vec<f64>,
+    /// Number of singular values that count.
     pub rank: usize,
     /// |b − A x|, Euclidean: zero but for rounding when the equations are consistent.
     pub residual: f64,

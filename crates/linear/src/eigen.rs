@@ -31,6 +31,7 @@ pub struct Eigenpair {
 pub enum EigenFault {
     /// M is not positive definite.
     Massless,
+    /// The iteration does not end.
     NoConvergence,
 }
 

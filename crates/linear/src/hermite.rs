@@ -6,9 +6,13 @@
 /// q, q′, q″ at a parameter value, each (n).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Node {
+    /// Parameter.
     pub s: f64,
+    /// Values.
     pub q: Vec<f64>,
+    /// First derivatives.
     pub d: Vec<f64>,
+    /// Second derivatives.
     pub dd: Vec<f64>,
 }
 

@@ -18,7 +18,9 @@ const LARGE_RATIO: f64 = 1e-3;
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("structurally singular: rows {rows:?} and columns {columns:?} find no partner")]
 pub struct Unmatched {
+    /// Rows without partner.
     pub rows: Vec<usize>,
+    /// Columns without partner.
     pub columns: Vec<usize>,
 }
 

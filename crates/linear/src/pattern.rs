@@ -20,10 +20,13 @@ pub struct Pattern {
 /// What is wrong with a pattern.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum PatternFault {
+    /// Column starts that are no partition.
     #[error("column starts must run from 0 to the number of entries without falling")]
     Starts,
+    /// Rows out of order or range.
     #[error("column {column}: rows must increase strictly and stay below {rows}")]
     Rows { column: usize, rows: usize },
+    /// Indices of 32 bits are not enough.
     #[error("more than 2^32 - 2 rows, columns or entries")]
     TooLarge,
 }

@@ -42,6 +42,7 @@ const LEVELS: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-8];
 /// A row that depends on rows kept.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Dependent {
+    /// The row.
     pub row: usize,
     /// What was left of it, over its largest entry [-].
     pub ratio: f64,
@@ -52,6 +53,7 @@ pub struct Dependent {
 /// Verdict on all rows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RankReport {
+    /// Number of rows kept.
     pub rank: usize,
     /// Rows kept, rising.
     pub independent: Vec<usize>,

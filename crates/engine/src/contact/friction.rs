@@ -63,12 +63,10 @@ pub struct Decay {
 /// A law T(v, F; z), its parameters as numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Law {
+    /// Smooth surfaces.
     None,
     /// μ and v_t.
-    Coulomb {
-        coefficient: f64,
-        threshold: f64,
-    },
+    Coulomb { coefficient: f64, threshold: f64 },
     /// μ, v₀ and v₁ > v₀ ≥ 0.
     Ambrosio {
         coefficient: f64,
@@ -76,10 +74,7 @@ pub enum Law {
         upper: f64,
     },
     /// μ and v_t.
-    Threlfall {
-        coefficient: f64,
-        threshold: f64,
-    },
+    Threlfall { coefficient: f64, threshold: f64 },
     /// μ(s), v_t and σ₂.
     Stribeck {
         decay: Decay,

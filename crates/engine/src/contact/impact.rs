@@ -65,6 +65,7 @@ pub struct Impulse {
     pub loss: f64,
     /// Sliding under load, ∫|v_t| dp_n [N·m].
     pub sliding: f64,
+    /// What sliding did.
     pub slip: Slip,
     /// No finite impulse ends the approach; the other values are those where that shows.
     pub wedged: bool,

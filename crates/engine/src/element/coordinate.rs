@@ -7,11 +7,14 @@
 use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure};
 use linkdyn_linear::math::Vec2;
 
+/// One coordinate of a body at a value.
 #[derive(Debug, Clone)]
 pub struct Coordinate {
     /// The frame's origin as a point of the body.
     pub origin: Marker,
+    /// Which coordinate.
     pub axis: Axis,
+    /// Its value \[m or rad\].
     pub value: f64,
 }
 

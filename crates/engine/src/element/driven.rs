@@ -16,10 +16,14 @@ use linkdyn_linear::math::Vec2;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct DriveId(pub usize);
 
+/// A body turned by a driver.
 #[derive(Debug, Clone)]
 pub struct Rotation {
+    /// The body that is turned.
     pub body: BodyId,
+    /// The body from which the angle is counted.
     pub relative_to: BodyId,
+    /// The driver.
     pub drive: DriveId,
 }
 
@@ -57,9 +61,12 @@ impl Constraint for Rotation {
     }
 }
 
+/// A guide moved along by a driver.
 #[derive(Debug, Clone)]
 pub struct Translation {
+    /// The guide.
     pub guide: Guide,
+    /// The driver.
     pub drive: DriveId,
 }
 

@@ -12,9 +12,12 @@ use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure};
 use linkdyn_linear::math::Vec2;
 use std::sync::Arc;
 
+/// Two bodies that hold each other at a point.
 #[derive(Debug, Clone)]
 pub struct Fixed {
+    /// The point on the first body.
     pub first: Marker,
+    /// The point on the second body.
     pub second: Marker,
     /// β = θ₂ − θ₁ \[rad\].
     pub angle: f64,

@@ -21,7 +21,9 @@ use linkdyn_linear::math::{Vec2, perp};
 /// The multiplier is the normal force N \[N\]: it presses where it is positive.
 #[derive(Debug, Clone, Copy)]
 pub struct Following {
+    /// The bearing's centre.
     pub bearing: Marker,
+    /// The journal's centre.
     pub journal: Marker,
     /// c \[m\]
     pub clearance: f64,
@@ -30,7 +32,9 @@ pub struct Following {
 /// Friction of a rigid journal on the surface that it follows: T along t by the multiplier N, at the contact on both bodies.
 #[derive(Debug, Clone)]
 pub struct FollowingFriction {
+    /// The journal and its bearing.
     pub journal: Journal,
+    /// Friction between them.
     pub law: friction::Law,
 }
 

@@ -25,11 +25,14 @@
 use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure};
 use linkdyn_linear::math::{Vec2, perp};
 
+/// Two wheels that mesh.
 #[derive(Debug, Clone)]
 pub struct Gear {
     /// Centres of the wheels.
     pub first: Marker,
+    /// The second wheel's centre.
     pub second: Marker,
+    /// The body that bears both.
     pub carrier: BodyId,
     /// e in the carrier's frame.
     pub axis: Vec2,

@@ -22,10 +22,13 @@ use linkdyn_linear::math::Vec2;
 /// A pin that rubs in its hole.
 #[derive(Debug, Clone)]
 pub struct PinFriction {
+    /// The first body.
     pub first: BodyId,
+    /// The second body.
     pub second: BodyId,
     /// r \[m\]
     pub radius: f64,
+    /// Friction by the sliding velocity.
     pub law: Law,
 }
 
@@ -74,9 +77,11 @@ impl ConstraintDependentForce for PinFriction {
 /// A slider that rubs on its guide.
 #[derive(Debug, Clone)]
 pub struct GuideFriction {
+    /// The guide.
     pub guide: Guide,
     /// L \[m\]; none where the torque does not press.
     pub length: Option<f64>,
+    /// Friction by the sliding velocity.
     pub law: Law,
 }
 

@@ -42,6 +42,7 @@ pub enum Phase {
 /// A contact's memory.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Contact {
+    /// What the journal is doing.
     pub phase: Phase,
     /// Speed at which this episode's contact was approached, δ̇₀ [m/s].
     pub approach: f64,
@@ -54,12 +55,15 @@ pub struct Contact {
 /// A joint with clearance as a contact.
 #[derive(Debug, Clone)]
 pub struct Journal {
+    /// The bearing's centre.
     pub bearing: Marker,
+    /// The journal's centre.
     pub journal: Marker,
     /// c \[m\]
     pub clearance: f64,
     /// R_b \[m\]
     pub bearing_radius: f64,
+    /// What happens where they meet.
     pub surface: Surface,
 }
 
@@ -72,9 +76,12 @@ pub enum Surface {
     Rigid(Rigid),
 }
 
+/// Laws of a contact whose surfaces overlap.
 #[derive(Debug, Clone)]
 pub struct Compliant {
+    /// Normal force.
     pub normal: normal::Law,
+    /// Friction force.
     pub friction: friction::Law,
 }
 
@@ -112,11 +119,13 @@ pub struct Reading {
     pub eccentricity: Vec2,
     /// δ \[m\], negative in flight, and δ̇ [m/s].
     pub penetration: f64,
+    /// δ̇ [m/s].
     pub rate: f64,
     /// v_t [m/s]
     pub sliding: f64,
     /// N and T \[N\].
     pub normal: f64,
+    /// T \[N\].
     pub tangential: f64,
     /// Force on the journal, ground frame \[N\].
     pub force: Vec2,

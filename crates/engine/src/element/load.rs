@@ -9,8 +9,10 @@ use super::{Applied, BodyId, Force, Kinematics, Marker};
 use crate::motion::Law;
 use linkdyn_linear::math::Vec2;
 
+/// A force at a point.
 #[derive(Debug, Clone)]
 pub struct PointLoad {
+    /// The point.
     pub at: Marker,
     /// Components \[N\].
     pub vector: [Law; 2],
@@ -51,9 +53,12 @@ impl Force for PointLoad {
     }
 }
 
+/// A torque on a body.
 #[derive(Debug, Clone)]
 pub struct Torque {
+    /// The body it acts on.
     pub body: BodyId,
+    /// The body that it reacts on.
     pub relative_to: BodyId,
     /// [N·m]
     pub value: Law,

@@ -46,11 +46,14 @@ pub struct Pose {
     pub r: Vec2,
     /// Angle \[rad\].
     pub theta: f64,
+    /// cos θ.
     pub cos: f64,
+    /// sin θ.
     pub sin: f64,
 }
 
 impl Pose {
+    /// Where ground stands.
     pub const GROUND: Pose = Pose {
         r: Vec2::new(0.0, 0.0),
         theta: 0.0,
@@ -58,6 +61,7 @@ impl Pose {
         sin: 0.0,
     };
 
+    /// From the coordinates [m, m, rad].
     pub fn new(x: f64, y: f64, theta: f64) -> Self {
         let (sin, cos) = theta.sin_cos();
         Pose {
@@ -80,7 +84,9 @@ impl Pose {
 /// Velocity of a body at an instant.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Twist {
+    /// Of the centre of mass [m/s].
     pub v: Vec2,
+    /// Angular velocity [rad/s].
     pub omega: f64,
 }
 
@@ -88,19 +94,24 @@ pub struct Twist {
 /// at. Index of the slices: body id (0 = ground), driver, offset.
 #[derive(Debug, Clone, Copy)]
 pub struct Kinematics<'a> {
+    /// Places of all bodies.
     pub poses: &'a [Pose],
+    /// Velocities of all bodies.
     pub twists: &'a [Twist],
     /// Driver values with two derivatives.
     pub drive: &'a [Jet],
     /// Prescribed offsets of joints with a clearance link, with two derivatives [m, m/s, m/s²].
     pub offset: &'a [[Vec2; 3]],
+    /// \[s\]
     pub time: f64,
 }
 
 /// A point fixed in a body, from its centre of mass \[m\].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Marker {
+    /// The body.
     pub body: BodyId,
+    /// The point in the frame of the body.
     pub s: Vec2,
 }
 
@@ -141,7 +152,9 @@ impl Marker {
 /// What a row's residual is measured in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measure {
+    /// Metres.
     Length,
+    /// Radians.
     Angle,
 }
 

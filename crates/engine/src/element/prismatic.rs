@@ -17,7 +17,9 @@ use std::sync::Arc;
 /// A line fixed in the first body, and a point of the second body.
 #[derive(Debug, Clone)]
 pub struct Guide {
+    /// A point of the guide, on the first body.
     pub first: Marker,
+    /// The point that it guides, on the second body.
     pub second: Marker,
     /// Unit vector in the first body's frame.
     pub axis: Vec2,
@@ -25,8 +27,11 @@ pub struct Guide {
 
 /// The guide at an instant.
 pub(super) struct Slide {
+    /// Direction of the guide.
     pub u: Vec2,
+    /// Direction across it.
     pub n: Vec2,
+    /// From the first point to the second \[m\].
     pub d: Vec2,
     pub rho1: Vec2,
     pub rho2: Vec2,
@@ -100,8 +105,10 @@ impl Guide {
     }
 }
 
+/// A body that slides along a guide without turning.
 #[derive(Debug, Clone)]
 pub struct Prismatic {
+    /// The guide.
     pub guide: Guide,
     /// β = θ₂ − θ₁ \[rad\].
     pub angle: f64,

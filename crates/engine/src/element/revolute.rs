@@ -18,10 +18,14 @@ use std::sync::Arc;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct OffsetId(pub usize);
 
+/// Two points that coincide.
 #[derive(Debug, Clone)]
 pub struct Revolute {
+    /// The point on the first body.
     pub first: Marker,
+    /// The point on the second body.
     pub second: Marker,
+    /// What keeps them apart, where a clearance link does.
     pub offset: Option<OffsetId>,
 }
 

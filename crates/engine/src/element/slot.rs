@@ -16,8 +16,10 @@ use super::{BodyId, Constraint, Entry, Kinematics, Measure};
 use linkdyn_linear::math::Vec2;
 use std::sync::Arc;
 
+/// A point that slides along a guide.
 #[derive(Debug, Clone)]
 pub struct Slot {
+    /// The guide.
     pub guide: Guide,
 }
 

@@ -9,9 +9,12 @@
 use super::{Applied, Force, Kinematics, Marker, direction};
 use crate::motion::Law;
 
+/// A spring and damper between two points.
 #[derive(Debug, Clone)]
 pub struct Spring {
+    /// One end.
     pub first: Marker,
+    /// The other end.
     pub second: Marker,
     /// k [N/m]
     pub stiffness: f64,

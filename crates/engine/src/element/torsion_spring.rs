@@ -8,9 +8,12 @@ use super::{Applied, BodyId, Force, Kinematics};
 use crate::motion::Law;
 use linkdyn_linear::math::Vec2;
 
+/// A spring and damper between two bodies.
 #[derive(Debug, Clone)]
 pub struct TorsionSpring {
+    /// One end.
     pub first: BodyId,
+    /// The other end.
     pub second: BodyId,
     /// k [N·m/rad]
     pub stiffness: f64,

@@ -15,6 +15,7 @@ pub struct Auto {
 }
 
 impl Auto {
+    /// A stepper that has not started.
     pub fn new(tolerance: Tolerance, limits: Limits) -> Self {
         Auto {
             limits,

@@ -87,9 +87,13 @@ pub(super) fn eighth_root(x: f64) -> f64 {
 
 /// Room for choosing a first step, each (n), and the root that the method's estimate asks for.
 pub(super) struct Probe<'a> {
+    /// Root of the method's order.
     pub root: fn(f64) -> f64,
+    /// Weights of the errors (n).
     pub weights: &'a [f64],
+    /// Room for an argument (n).
     pub y: &'a mut [f64],
+    /// Room for a slope (n).
     pub dy: &'a mut [f64],
 }
 

@@ -87,6 +87,7 @@ fn combine<const N: usize>(row: &Row<N>, k: &[f64], h: f64, y: &[f64], into: &mu
 }
 
 impl Dop853 {
+    /// A stepper that has not started.
     pub fn new(tolerance: Tolerance, limits: Limits) -> Self {
         Dop853 {
             tolerance,

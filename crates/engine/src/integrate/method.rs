@@ -23,6 +23,7 @@ pub enum Method {
 pub struct UnknownMethod(pub String);
 
 impl Method {
+    /// Every method.
     pub const ALL: [Method; 3] = [Method::Auto, Method::Dop853, Method::Radau5];
 
     /// The name in models.

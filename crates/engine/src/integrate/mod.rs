@@ -75,6 +75,7 @@ impl Tolerance {
 pub struct Limits {
     /// Length of the first step; chosen from f where not given.
     pub initial_step: Option<f64>,
+    /// Longest step; as long as the error allows where not given.
     pub max_step: Option<f64>,
     /// Where the error asks for less, integration fails; ten rounding units of t where not given.
     pub min_step: Option<f64>,
@@ -100,7 +101,9 @@ pub struct Counters {
     pub rejected: u64,
     /// Evaluations of f, with those for Jacobians and dense output.
     pub evaluations: u64,
+    /// Jacobians by differences.
     pub jacobians: u64,
+    /// Factorisations of the stages' matrices.
     pub factorisations: u64,
 }
 
@@ -116,8 +119,10 @@ pub trait Stepper {
     /// `end` may differ from step to step. After a failure t and y are still those of the last accepted step.
     fn step(&mut self, ode: &mut dyn Ode, end: f64) -> Result<(), StepFailure>;
 
+    /// End of the last accepted step.
     fn t(&self) -> f64;
 
+    /// y there.
     fn y(&self) -> &[f64];
 
     /// Start of the last accepted step; t after `start` and after a failure.
@@ -128,6 +133,7 @@ pub trait Stepper {
     /// Whatever evaluations it needs are made once per step, at the first call.
     fn interpolate(&mut self, ode: &mut dyn Ode, t: f64, y: &mut [f64]) -> Result<(), Refused>;
 
+    /// Work done so far.
     fn counters(&self) -> Counters;
 
     /// True once the explicit method has found the problem stiff.

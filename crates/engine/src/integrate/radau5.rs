@@ -98,6 +98,7 @@ struct Converged {
 }
 
 impl Radau5 {
+    /// A stepper that has not started.
     pub fn new(tolerance: Tolerance, limits: Limits) -> Self {
         Radau5 {
             given: tolerance.clone(),

@@ -20,10 +20,13 @@ use linkdyn_linear::pattern::{Pattern, square};
 /// A position and how well it meets the constraints.
 #[derive(Debug, Clone)]
 pub struct Closed {
+    /// The position (n).
     pub q: Vec<f64>,
     /// Residual of each block, in the order given (lengths by the mechanism's size, angles plain), as a Euclidean norm.
     pub gaps: Vec<f64>,
+    /// Whether it meets them.
     pub converged: bool,
+    /// Steps tried.
     pub iterations: u64,
 }
 

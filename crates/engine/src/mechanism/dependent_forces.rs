@@ -61,6 +61,7 @@ pub struct DependentForces {
 }
 
 impl DependentForces {
+    /// Room for those of a system with so many degrees of freedom.
     pub fn new(system: &System, freedom: usize) -> Self {
         let (k, n, m) = (system.dependent_forces.len(), system.n(), system.m());
         // Nothing is kept for nothing.

@@ -40,11 +40,13 @@ pub enum Stability {
 /// An equilibrium.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Balance {
+    /// What a small push does.
     pub stability: Stability,
     /// Eigenvalues of the reduced stiffness's symmetric part, ascending [N/m or N·m].
     pub stiffness: Vec<f64>,
     /// Largest force left, relative to the largest force and stiffness [–].
     pub residual: f64,
+    /// Steps tried.
     pub iterations: u64,
 }
 

@@ -10,8 +10,11 @@ use linkdyn_linear::math::{Vec2, dot};
 /// contacts remember.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Inputs {
+    /// Values of the drivers.
     pub drive: Vec<Jet>,
+    /// Offsets of the clearance links [m, m/s, m/s²].
     pub offset: Vec<[Vec2; 3]>,
+    /// What the contacts remember.
     pub contacts: Vec<Contact>,
     /// What the forces that depend on multipliers remember.
     pub memories: Vec<f64>,
@@ -60,6 +63,7 @@ pub struct Evaluation {
 }
 
 impl Evaluation {
+    /// A workspace with all bodies at the origin.
     pub fn new(system: &System) -> Self {
         let bodies = system.bodies.len() + 1;
         Evaluation {

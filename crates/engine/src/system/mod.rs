@@ -44,7 +44,9 @@ pub struct DriverId(pub usize);
 /// What a constraint came from, for naming it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Origin {
+    /// A joint.
     Joint(JointId),
+    /// A driver.
     Driver(DriverId),
     /// An `initial` value, `crank.angle`.
     Initial(String),
@@ -53,19 +55,24 @@ pub enum Origin {
 /// Equations of one joint, driver or initial value, with their place in φ and in the entry list.
 #[derive(Clone)]
 pub struct Block {
+    /// The equations.
     pub constraint: Arc<dyn Constraint>,
+    /// What they came from.
     pub origin: Origin,
     /// First row.
     pub row: usize,
+    /// Number of rows.
     pub rows: usize,
     /// First entry.
     pub entry: usize,
+    /// Number of entries.
     pub entries: usize,
 }
 
 /// A force that depends on the multipliers of a block.
 #[derive(Clone)]
 pub struct DependentForce {
+    /// The force.
     pub force: Arc<dyn ConstraintDependentForce>,
     /// Index into [`System::blocks`].
     pub block: usize,
@@ -74,23 +81,30 @@ pub struct DependentForce {
 /// A moving body's numbers.
 #[derive(Debug, Clone)]
 pub struct BodyData {
+    /// As the file names it.
     pub name: String,
     /// The frame's origin from the centre of mass, body frame \[m\].
     pub origin: Vec2,
     /// Mass \[kg\] and inertia [kg·m²]; none where the file has none.
     pub mass: Option<f64>,
+    /// About the centre of mass [kg·m²].
     pub inertia: Option<f64>,
 }
 
 /// A joint's numbers beyond its constraint.
 #[derive(Debug, Clone)]
 pub struct JointData {
+    /// As the file names it.
     pub name: String,
+    /// What kind of joint it is, for results and pictures.
     pub role: JointRole,
+    /// What it joins.
     pub bodies: [BodyId; 2],
+    /// Where it joins them.
     pub points: [Marker; 2],
     /// Carries a torque in the results.
     pub torque: bool,
+    /// Its clearance link, where that is its model.
     pub clearance: Option<ClearanceLink>,
     /// Journal and bearing that touch by a contact force.
     pub contact: Option<ContactId>,
@@ -121,22 +135,29 @@ pub struct ClearanceLink {
 /// A driver's numbers beyond its constraint.
 #[derive(Debug, Clone)]
 pub struct DriverData {
+    /// As the file names it.
     pub name: String,
+    /// What it drives, for results and pictures.
     pub role: DriverRole,
+    /// Its value over time.
     pub law: Law,
+    /// What its value is measured in.
     pub measure: Measure,
 }
 
 /// A body point among the results.
 #[derive(Debug, Clone)]
 pub struct OutputPoint {
+    /// As the file names it.
     pub name: String,
+    /// The point.
     pub marker: Marker,
 }
 
 /// One entry of J: row and column (global).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct JacobianEntry {
+    /// Row.
     pub row: u32,
     /// None for ground.
     pub column: Option<u32>,
@@ -149,8 +170,11 @@ pub struct System {
     pub layout: Layout,
     /// Moving bodies.
     pub bodies: Vec<BodyData>,
+    /// Joints, in the order of the file.
     pub joints: Vec<JointData>,
+    /// Drivers, in the order of the file.
     pub drivers: Vec<DriverData>,
+    /// Points among the results.
     pub points: Vec<OutputPoint>,
     /// Blocks of joints, then of drivers.
     pub blocks: Vec<Block>,
@@ -158,6 +182,7 @@ pub struct System {
     pub initial: Vec<Block>,
     /// `initial` velocities: name, row over the coordinates as (column, factor) at the assembled pose is in `eval`.
     pub initial_rates: Vec<(String, crate::element::coordinate::Coordinate)>,
+    /// Springs, dampers, loads and torques.
     pub forces: Vec<Arc<dyn Force>>,
     /// What each of them is.
     pub force_data: Vec<ForceData>,
@@ -173,6 +198,7 @@ pub struct System {
     pub mass: Mass,
     /// All masses (and inertias) are known.
     pub masses_known: bool,
+    /// Where the entries of J stand.
     pub entries: Vec<JacobianEntry>,
     /// What each row is measured in (m).
     pub measures: Vec<Measure>,

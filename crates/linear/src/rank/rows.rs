@@ -15,7 +15,9 @@ pub struct SparseRows {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 #[error("row {row}, column {column}: entry is not finite, or outside the matrix")]
 pub struct BadEntry {
+    /// Its row.
     pub row: usize,
+    /// Its column.
     pub column: usize,
 }
 

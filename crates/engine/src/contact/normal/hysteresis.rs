@@ -26,17 +26,26 @@
 /// Where χ comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Rule {
+    /// Hunt and Crossley 1975.
     HuntCrossley,
+    /// Herbert and McWhannell 1977.
     HerbertMcwhannell,
+    /// Lee and Wang 1983.
     LeeWang,
+    /// Lankarani and Nikravesh 1990.
     LankaraniNikravesh,
+    /// Flores and others 2011.
     Flores,
+    /// Gonthier and others 2004.
     Gonthier,
+    /// Zhiying and Qishao 2006.
     ZhiyingQishao,
+    /// Hu and Guo 2015.
     HuGuo,
 }
 
 impl Rule {
+    /// Every rule.
     pub const ALL: [Rule; 8] = [
         Rule::HuntCrossley,
         Rule::HerbertMcwhannell,

@@ -34,8 +34,11 @@ use linkdyn_linear::order::ColumnOrder;
 /// Work done.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Work {
+    /// Steps of Newton's iteration.
     pub newton_iterations: u64,
+    /// Evaluations of φ.
     pub evaluations: u64,
+    /// Factorisations of J.
     pub factorisations: u64,
 }
 
@@ -64,7 +67,9 @@ const MAX_ITERATIONS: usize = 25;
 /// A coordinate that is prescribed: value, velocity, acceleration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pin {
+    /// Its column.
     pub column: usize,
+    /// What it is given.
     pub jet: crate::motion::Jet,
 }
 
@@ -77,8 +82,11 @@ struct Selection {
 
 /// Solver for one driven mechanism.
 pub struct Driven<'s> {
+    /// The mechanism.
     pub system: &'s System,
+    /// The point at hand.
     pub evaluation: Evaluation,
+    /// Coordinates that are prescribed besides its drivers.
     pub pins: Vec<Pin>,
     selection: Selection,
     /// Scale of each active row (n).
@@ -96,7 +104,9 @@ pub struct Driven<'s> {
     rows: Vec<f64>,
     /// Newton step after which no further one is made, scaled [–]; by default what leaves nothing above round-off.
     pub last_step: f64,
+    /// Work since it was made.
     pub done: Work,
+    /// Forces that depend on multipliers.
     pub dependent_forces: DependentForces,
 }
 
