@@ -46,7 +46,6 @@ mod joints;
 mod laws;
 mod schema;
 mod shaking;
-mod similarity;
 mod singular;
 mod statics;
 mod transmission;

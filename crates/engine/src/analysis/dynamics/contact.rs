@@ -19,17 +19,17 @@
 
 use crate::contact::friction;
 use crate::element::journal::{Contact, Journal, Phase, Reading, Surface};
-use crate::system::Scale;
 use linkdyn_output::{Episode, Event};
 
 /// A journal has left where it is this far, in parts of the bearing's clearance, from the surface: well above round-off.
 const GONE: f64 = 1e-10;
-/// Approach of a rigid journal that is round-off [L/T]: velocities of constrained bodies are good to some 1e-12.
+/// Approach of a rigid journal that is round-off [m/s].
 const CREEP: f64 = 1e-10;
-/// Pull on a journal that stays on its bearing which is round-off [M L/T²]: multipliers lose a few digits more.
+/// Pull on a journal that follows its bearing which is round-off \[N\].
 const PULL: f64 = 1e-9;
-/// Sliding velocity past the end of a piece of the friction law from which the next piece holds [L/T]: as little as
-/// velocities resolve, for the law is continuous there.
+/// Makes lengths and speeds comparable by their signs \[s\].
+const SECOND: f64 = 1.0;
+/// Sliding velocity past the end of a piece of the friction law from which the next piece holds [m/s].
 const PAST: f64 = 1e-12;
 /// The same for journals that follow rigid bearings, in parts of the threshold: their forces are large where they wedge, and
 /// round-off in their velocities too.
@@ -39,16 +39,15 @@ pub const WEAR_BINS: usize = 72;
 /// Episodes, and changes between stick and slip, that are listed at most; all are counted.
 const LISTED: usize = 20_000;
 
-/// The largest of a contact's guards, with round-off by the mechanism's own length, mass and time.
-pub fn worst_guard(scale: &Scale, journal: &Journal, memory: &Contact, reading: &Reading) -> f64 {
+/// The largest of a contact's guards.
+pub fn worst_guard(journal: &Journal, memory: &Contact, reading: &Reading) -> f64 {
     match (&journal.surface, memory.phase) {
         (Surface::Compliant(_), Phase::Flight) => reading.penetration,
         // On its way out it may still be where it touched.
         (Surface::Rigid(_), Phase::Flight) => {
-            let approach = reading.rate - CREEP * scale.velocity();
-            reading.penetration.min(approach * scale.time)
+            reading.penetration.min((reading.rate - CREEP) * SECOND)
         }
-        (Surface::Rigid(rigid), Phase::Contact) => lets_go(scale, reading)
+        (Surface::Rigid(rigid), Phase::Contact) => lets_go(reading)
             .max(past(&rigid.friction_law(), memory, reading) - PAST_RIGID * rigid.threshold),
         (Surface::Compliant(laws), Phase::Contact) => {
             let hold = laws
@@ -56,7 +55,7 @@ pub fn worst_guard(scale: &Scale, journal: &Journal, memory: &Contact, reading: 
                 .hold(reading.penetration, reading.rate, memory.approach);
             gone(journal, reading)
                 .max(-hold)
-                .max(past(&laws.friction, memory, reading) - PAST * scale.velocity())
+                .max(past(&laws.friction, memory, reading) - PAST)
         }
         (Surface::Compliant(laws), Phase::Released) => gone(journal, reading).max(
             laws.normal
@@ -67,8 +66,8 @@ pub fn worst_guard(scale: &Scale, journal: &Journal, memory: &Contact, reading: 
 }
 
 /// Positive where a rigid journal that follows its bearing would be pulled.
-pub fn lets_go(scale: &Scale, reading: &Reading) -> f64 {
-    -reading.normal - PULL * scale.force()
+pub fn lets_go(reading: &Reading) -> f64 {
+    -reading.normal - PULL
 }
 
 /// Positive beyond the ends of the friction law's piece.
@@ -113,12 +112,7 @@ pub enum Change {
 }
 
 /// Changes the memory where a guard has become positive.
-pub fn change(
-    scale: &Scale,
-    journal: &Journal,
-    memory: &mut Contact,
-    reading: &Reading,
-) -> Option<Change> {
+pub fn change(journal: &Journal, memory: &mut Contact, reading: &Reading) -> Option<Change> {
     let next_piece = |friction: &friction::Law, memory: &mut Contact, slack: f64| {
         (past(friction, memory, reading) > slack).then(|| {
             memory.piece = friction.piece(reading.sliding);
@@ -151,7 +145,7 @@ pub fn change(
                 memory.phase = Phase::Released;
                 Some(Change::Release)
             } else {
-                next_piece(&laws.friction, memory, PAST * scale.velocity())
+                next_piece(&laws.friction, memory, PAST)
             }
         }
         Phase::Released => (laws
