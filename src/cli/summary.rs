@@ -185,7 +185,7 @@ fn contacts(sums: &ClearanceSums) -> String {
 
 /// One event: `change point at 1.7 s, motor = 117.5°`, `impact at 0.01 s (joint b)`.
 fn event_words(event: &Event, trajectory: &Trajectory, display: &DisplayUnits) -> String {
-    let kind = event.kind.replace('_', " ");
+    let kind = event.kind.name().replace('_', " ");
     let start = display.time(event.time);
     let mut text = match (&event.episode, event.end_time) {
         (Some(_), Some(end)) if end == event.time => format!("impact at {start}"),
@@ -304,7 +304,7 @@ pub fn unit_words(unit: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use linkdyn_output::{Column, Episode};
+    use linkdyn_output::{Column, Episode, EventKind};
 
     fn results() -> Trajectory {
         let force =
@@ -329,13 +329,11 @@ mod tests {
 
     fn event(driver: &str, end_time: Option<f64>) -> Event {
         Event {
-            kind: "change_point",
-            time: 1.7,
             end_time,
             driver: Some(driver.into()),
             value: Some(2.05),
             end_value: end_time.map(|_| 2.1),
-            ..Event::default()
+            ..Event::at(EventKind::ChangePoint, 1.7)
         }
     }
 
@@ -360,18 +358,17 @@ mod tests {
 
     #[test]
     fn contacts_tell_their_joint_and_how_long_they_last() {
-        let of_pin = |kind: &'static str, end_time: Option<f64>, episode: Option<Episode>| {
+        let of_pin = |kind: EventKind, end_time: Option<f64>, episode: Option<Episode>| {
             let event = Event {
-                kind,
-                time: 0.0100964,
                 end_time,
                 joint: Some("pin".into()),
                 episode,
-                ..Event::default()
+                ..Event::at(kind, 0.0100964)
             };
             event_words(&event, &results(), &DisplayUnits::default())
         };
-        let contact = |end_time: Option<f64>| of_pin("contact", end_time, Some(Episode::default()));
+        let contact =
+            |end_time: Option<f64>| of_pin(EventKind::Contact, end_time, Some(Episode::default()));
         assert_eq!(
             contact(Some(0.0100964)),
             "impact at 0.0100964 s (joint pin)"
@@ -386,7 +383,7 @@ mod tests {
         );
         assert_eq!(contact(None), "contact from 0.0100964 s on (joint pin)");
         assert_eq!(
-            of_pin("slip", None, None),
+            of_pin(EventKind::Slip, None, None),
             "slip at 0.0100964 s (joint pin)"
         );
     }

@@ -50,7 +50,7 @@ fn remembered(outcome: &Outcome) -> Value {
     let work = &outcome.report.statistics;
     json!({
         "status": outcome.report.status.word(),
-        "events": outcome.report.events.iter().map(|event| event.kind).collect::<Vec<_>>(),
+        "events": outcome.report.events.iter().map(|event| event.kind.name()).collect::<Vec<_>>(),
         "work": {
             "steps": work.steps,
             "rejected": work.rejected,

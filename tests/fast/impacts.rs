@@ -3,7 +3,7 @@
 use crate::mechanisms::{column, loaded};
 use crate::rigid::rigid;
 use linkdyn_engine::analysis::{Control, Outcome, run};
-use linkdyn_output::{Episode, Status};
+use linkdyn_output::{Episode, EventKind, Status};
 use serde_json::{Value, json};
 
 /// Radial clearance, and radius of the journal [m].
@@ -207,7 +207,7 @@ fn a_following_disc_sticks_at_last() {
             column(&outcome, &format!("joint.pin.{b}")),
         )
     });
-    let events = |kind: &str| {
+    let events = |kind: EventKind| {
         outcome
             .report
             .events
@@ -215,7 +215,7 @@ fn a_following_disc_sticks_at_last() {
             .filter(|event| event.kind == kind)
             .collect::<Vec<_>>()
     };
-    let (sticks, slips) = (events("stick"), events("slip"));
+    let (sticks, slips) = (events(EventKind::Stick), events(EventKind::Slip));
     assert!(sticks.len() == slips.len() + 1, "{sticks:?} {slips:?}");
     let mut stuck = 0;
     for (state, sliding) in state

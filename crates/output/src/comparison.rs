@@ -11,27 +11,35 @@ use super::{Column, TIME, Trajectory, matches};
 /// A run's name, and its table.
 #[derive(Debug, Clone, Copy)]
 pub struct Run<'a> {
+    /// What the run is called.
     pub name: &'a str,
+    /// Its table.
     pub trajectory: &'a Trajectory,
 }
 
 /// How far a run's column is from the first run's.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Difference {
+    /// Name of the run.
     pub run: String,
+    /// The column that is compared.
     pub column: Column,
     /// Instants at which both have a value.
     pub instants: usize,
-    /// Largest |d|, its time \[s\], mean |d| and root of the mean square; none without such an instant.
+    /// The numbers over them; none without such an instant.
     pub numbers: Option<Numbers>,
 }
 
 /// In the unit of the column, but for the time \[s\].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Numbers {
+    /// Largest |d|.
     pub max: f64,
+    /// Time of the largest |d| \[s\].
     pub max_time: f64,
+    /// Mean |d|.
     pub mean: f64,
+    /// Root of the mean d².
     pub rms: f64,
 }
 

@@ -9,14 +9,28 @@ use thiserror::Error;
 /// Why results could not be written.
 #[derive(Debug, Error)]
 pub enum WriteError {
+    /// A file stands where the directory would be.
     #[error("{}: not a directory, so results can't be written into it (choose another with -o)", .0.display())]
     NotADirectory(PathBuf),
+    /// The system refuses the directory.
     #[error("{}: the directory can't be made: {source} (choose another with -o)", .path.display())]
-    MakeDirectory { path: PathBuf, source: io::Error },
+    MakeDirectory {
+        /// The directory.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// A directory stands where a file would be.
     #[error("{}: a directory stands where a result file would go (move it away, or choose another with -o)", .0.display())]
     InTheWay(PathBuf),
+    /// The system refuses the file.
     #[error("{}: can't be written: {source}", .path.display())]
-    Write { path: PathBuf, source: io::Error },
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
 }
 
 /// A directory that takes results; made where missing.

@@ -1,13 +1,18 @@
 //! Results: the trajectory (columns with name and unit) and the report (why it stopped, counters, events).
 
+#![warn(missing_docs)]
+
 pub mod channel;
 mod column;
 pub mod comparison;
 pub mod csv;
+mod event;
 mod extremes;
 pub mod files;
 pub mod read;
+mod read_error;
 mod selection;
+mod status;
 pub mod stopwatch;
 pub mod summary;
 mod trajectory;
@@ -18,10 +23,12 @@ pub use channel::{
 };
 pub use column::{Column, ColumnId, ColumnView};
 pub use comparison::Comparison;
+pub use event::{Episode, Event, EventKind};
 pub use extremes::Extremes;
 pub use files::{Directory, WriteError};
 pub use read::Table;
 pub use selection::{Selection, matches};
+pub use status::Status;
 pub use stopwatch::Stopwatch;
 pub use summary::Summary;
 pub use trajectory::Trajectory;
@@ -29,65 +36,12 @@ pub use trajectory::Trajectory;
 /// Name of the column that is always first and always kept.
 pub const TIME: &str = "time";
 
-/// Why the run ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Status {
-    #[default]
-    Completed,
-    CompletedWithGaps,
-    DeadCentre,
-    AssemblyFailed,
-    StepTooSmall,
-    Singular,
-    TimeLimit,
-    Interrupted,
-}
-
-/// Something that happened at an instant or over an interval.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Event {
-    /// `change_point`, `dead_centre`, `no_solution`, `not_converged`, …
-    pub kind: &'static str,
-    /// Start \[s\].
-    pub time: f64,
-    /// End of an interval \[s\].
-    pub end_time: Option<f64>,
-    pub driver: Option<String>,
-    /// Driver value at `time` [rad or m].
-    pub value: Option<f64>,
-    /// Driver value at `end_time`.
-    pub end_value: Option<f64>,
-    /// Joint with clearance.
-    pub joint: Option<String>,
-    /// Of events `contact`.
-    pub episode: Option<Episode>,
-    /// What a reader should know.
-    pub note: Option<String>,
-}
-
-/// One time that a journal touches its bearing.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Episode {
-    /// \[s\]; the end is none where the run ends before.
-    pub start: f64,
-    pub end: Option<f64>,
-    /// Normal speeds towards and away from the bearing's surface [m/s].
-    pub approach_speed: f64,
-    pub separation_speed: Option<f64>,
-    /// \[m\]
-    pub peak_penetration: f64,
-    /// Largest normal force \[N\].
-    pub peak_force: f64,
-    /// Normal impulse ∫N dt [N·s].
-    pub impulse: f64,
-    /// By damping and friction \[J\].
-    pub energy_lost: f64,
-}
-
 /// A joint's contacts over the whole run.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ClearanceSums {
+    /// Name of the joint.
     pub joint: String,
+    /// How often the journal touched its bearing.
     pub episodes: u64,
     /// Changes between stick and slip.
     pub switches: u64,
@@ -104,8 +58,11 @@ pub struct ClearanceSums {
 /// Degrees of freedom, counted and by rank.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Mobility {
+    /// By Grübler's count.
     pub grubler: i64,
+    /// By the rank of the constraints.
     pub rank: i64,
+    /// Number of drivers.
     pub drivers: usize,
     /// Joints with constraints that others already impose.
     pub redundant: Vec<String>,
@@ -116,10 +73,15 @@ pub struct Mobility {
 /// Work done.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Statistics {
+    /// Steps of the integration, or along the path.
     pub steps: u64,
+    /// Steps that were repeated with a smaller size.
     pub rejected: u64,
+    /// Newton's iterations.
     pub newton_iterations: u64,
+    /// Evaluations of the equations.
     pub evaluations: u64,
+    /// Factorisations of matrices.
     pub factorisations: u64,
 }
 
@@ -153,25 +115,35 @@ pub struct Equilibrium {
 /// Wall and process CPU seconds of a stage.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Stage {
+    /// By the clock on the wall \[s\].
     pub wall: f64,
+    /// Of all cores together \[s\].
     pub cpu: f64,
 }
 
 /// Everything about a run but its columns.
 #[derive(Debug, Clone, Default)]
 pub struct Report {
+    /// How the run ended.
     pub status: Status,
     /// Why a run that did not complete stopped, in a sentence or two; for standard error.
     pub message: Option<String>,
+    /// Degrees of freedom.
     pub mobility: Mobility,
+    /// Work done.
     pub statistics: Statistics,
+    /// How good the result is.
     pub quality: Quality,
     /// Of statics alone.
     pub equilibrium: Option<Equilibrium>,
+    /// What to doubt.
     pub warnings: Vec<String>,
+    /// What happened, by time.
     pub events: Vec<Event>,
     /// Joints with clearance by contact.
     pub clearances: Vec<ClearanceSums>,
+    /// Time of the assembly.
     pub assemble: Stage,
+    /// Time of the analysis.
     pub solve: Stage,
 }

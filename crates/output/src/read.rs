@@ -4,54 +4,14 @@ use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use thiserror::Error;
-
 use super::TIME;
-
-/// Largest file that is read \[bytes\].
-const LARGEST: u64 = 1 << 30;
-
-/// Why a table can't be read.
-#[derive(Debug, Error)]
-pub enum ReadError {
-    #[error("{}: no such file or directory", .0.display())]
-    Missing(PathBuf),
-    #[error("{}: a directory without {name} (linkdyn run … -o leaves one)", .path.display())]
-    Without { path: PathBuf, name: &'static str },
-    #[error("{}: can't be read: {source}", .path.display())]
-    Unreadable {
-        path: PathBuf,
-        source: std::io::Error,
-    },
-    #[error("{}: larger than {LARGEST} bytes", .0.display())]
-    TooLarge(PathBuf),
-    #[error("{}: the file is empty", .0.display())]
-    Empty(PathBuf),
-    #[error("{}: not a table of results: its first line names no column as name[unit]", .0.display())]
-    NoHeader(PathBuf),
-    #[error("{}: its columns are separated by {separator:?}: commas are wanted, and points in numbers", .path.display())]
-    Separator { path: PathBuf, separator: char },
-    #[error("{}: not a table of results: it is not text in UTF-8", .0.display())]
-    NotText(PathBuf),
-    #[error("{}: line {line} has {cells} cells, the header has {columns}", .path.display())]
-    Ragged {
-        path: PathBuf,
-        line: u64,
-        cells: usize,
-        columns: usize,
-    },
-    #[error("{}: line {line}: {cell:?} in column {column:?} is not a number", .path.display())]
-    NotANumber {
-        path: PathBuf,
-        line: u64,
-        column: String,
-        cell: String,
-    },
-}
+use super::read_error::LARGEST;
+pub use super::read_error::ReadError;
 
 /// A column that was read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReadColumn {
+    /// Without its unit.
     pub name: String,
     /// Empty where the header gives none.
     pub unit: String,
@@ -75,7 +35,9 @@ impl ReadColumn {
 /// A table that was read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
+    /// The file that it was read from.
     pub path: PathBuf,
+    /// In the order of the file.
     pub columns: Vec<ReadColumn>,
 }
 
@@ -119,7 +81,7 @@ impl Table {
     }
 
     fn parse(path: PathBuf, bytes: &[u8]) -> Result<Table, ReadError> {
-        let text = std::str::from_utf8(bytes).map_err(|_| ReadError::NotText(path.clone()))?;
+        let text = std::str::from_utf8(bytes).map_err(|fault| not_text(&path, fault))?;
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         if text.trim().is_empty() {
             return Err(ReadError::Empty(path));
@@ -127,9 +89,7 @@ impl Table {
         let mut reader = csv::ReaderBuilder::new()
             .flexible(true)
             .from_reader(text.as_bytes());
-        let header = reader
-            .headers()
-            .map_err(|_| ReadError::NotText(path.clone()))?;
+        let header = reader.headers().map_err(|fault| not_text(&path, fault))?;
         let mut columns: Vec<ReadColumn> = header.iter().map(column).collect();
         if let [only] = &columns[..]
             && let Some(separator) = [';', '\t']
@@ -142,7 +102,7 @@ impl Table {
             return Err(ReadError::NoHeader(path));
         }
         for record in reader.records() {
-            let record = record.map_err(|_| ReadError::NotText(path.clone()))?;
+            let record = record.map_err(|fault| not_text(&path, fault))?;
             let line = record.position().map_or(0, csv::Position::line);
             if record.len() != columns.len() {
                 return Err(ReadError::Ragged {
@@ -238,6 +198,14 @@ impl Table {
                 cell: cell.chars().take(40).collect(),
             }),
         }
+    }
+}
+
+/// The fault of a file that is no text.
+fn not_text(path: &Path, fault: impl std::error::Error + Send + Sync + 'static) -> ReadError {
+    ReadError::NotText {
+        path: path.to_owned(),
+        source: Box::new(fault),
     }
 }
 
@@ -360,6 +328,9 @@ mod tests {
             (spaced.columns[1].unit.as_str(), spaced.column("z")),
             ("m", None)
         );
+        let fault = Table::parse("r.csv".into(), &[0xff]).expect_err("no text");
+        let cause = std::error::Error::source(&fault).expect("a cause");
+        assert!(cause.to_string().contains("utf-8"), "{cause}");
         let table = parse("t[s],what[m]\n0,1\n1,none\n").expect("only one column is odd");
         assert!(table.values(&table.columns[0]).is_ok());
         let said = table

@@ -2,41 +2,29 @@
 
 use serde_json::{Map, Value, json};
 
-use super::{ClearanceSums, Equilibrium, Event, Report, Stage, Status, Trajectory};
+use super::{ClearanceSums, Equilibrium, Event, Report, Stage, Trajectory};
 
 /// What a summary is made of.
 #[derive(Debug)]
 pub struct Summary<'a> {
+    /// Name of the model.
     pub model_name: &'a str,
     /// Digest of the model file's bytes, hexadecimal.
     pub model_sha256: &'a str,
     /// Settings as resolved.
     pub settings: &'a Value,
+    /// How the run went.
     pub report: &'a Report,
+    /// The table whose extremes are listed.
     pub trajectory: &'a Trajectory,
     /// The shape of the mechanism, for pictures.
     pub mechanism: Value,
     /// The shape as version 0.1 knew it.
     pub drawing: Value,
+    /// Reading and checking of the model.
     pub load: Stage,
     /// Writing of all files but the summary itself.
     pub write: Stage,
-}
-
-impl Status {
-    /// The word for it in `summary.json`.
-    pub fn word(self) -> &'static str {
-        match self {
-            Status::Completed => "completed",
-            Status::CompletedWithGaps => "completed_with_gaps",
-            Status::DeadCentre => "dead_centre",
-            Status::AssemblyFailed => "assembly_failed",
-            Status::StepTooSmall => "step_too_small",
-            Status::Singular => "singular",
-            Status::TimeLimit => "time_limit",
-            Status::Interrupted => "interrupted",
-        }
-    }
 }
 
 /// The summary as JSON; a number that is not finite becomes null.
@@ -151,7 +139,7 @@ fn stage(stage: Stage) -> Value {
 /// An event; what it does not have is left out.
 fn event(event: &Event) -> Value {
     let mut json = Map::new();
-    json.insert("type".into(), event.kind.into());
+    json.insert("type".into(), event.kind.name().into());
     json.insert("time".into(), event.time.into());
     let optional: [(&str, Option<Value>); 6] = [
         ("joint", event.joint.as_deref().map(Value::from)),
@@ -203,25 +191,18 @@ fn extremes(trajectory: &Trajectory) -> Value {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Column, Quality};
+    use super::super::{Column, EventKind, Quality};
     use super::*;
 
     fn example() -> (Report, Trajectory) {
         let change_point = Event {
-            kind: "change_point",
-            time: 1.7,
-            end_time: None,
             driver: Some("motor \"M\" 🔒".into()),
             value: Some(2.05),
-            end_value: None,
-            ..Event::default()
+            ..Event::at(EventKind::ChangePoint, 1.7)
         };
         let gap = Event {
-            kind: "no_solution",
             end_time: Some(2.0),
-            driver: None,
-            value: None,
-            ..change_point.clone()
+            ..Event::at(EventKind::NoSolution, 1.7)
         };
         let report = Report {
             events: vec![change_point, gap],

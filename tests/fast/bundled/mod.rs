@@ -7,7 +7,7 @@ use crate::benchmarks;
 use crate::models::{checked, load_bundled, solve, values};
 use linkdyn_engine::analysis::{Control, Outcome, modes};
 use linkdyn_model::bundled;
-use linkdyn_output::Status;
+use linkdyn_output::{EventKind, Status};
 use std::f64::consts::{FRAC_PI_6, PI, SQRT_2, TAU};
 
 /// A few ulps of the sizes that occur (0.1 … 1 m, some rad), through a solution of some ten equations.
@@ -155,7 +155,7 @@ fn the_lock_passes_its_change_point() {
     let events = &outcome.report.events;
     assert_eq!(
         events.iter().map(|event| event.kind).collect::<Vec<_>>(),
-        ["change_point"]
+        [EventKind::ChangePoint]
     );
     let value = events[0].value.expect("a driver value").to_degrees();
     close(value, 117.512206516641, 1e-8);

@@ -5,7 +5,7 @@ mod rows;
 use crate::mechanisms::{loaded, parallelogram};
 use crate::models::{load_bundled, solve};
 use linkdyn_engine::analysis::Outcome;
-use linkdyn_output::{Event, Extremes, Status};
+use linkdyn_output::{Event, EventKind, Extremes, Status};
 use serde_json::json;
 use std::f64::consts::PI;
 
@@ -35,7 +35,7 @@ fn contacts(outcome: &Outcome) -> Vec<&Event> {
         .report
         .events
         .iter()
-        .filter(|event| event.kind == "contact")
+        .filter(|event| event.kind == EventKind::Contact)
         .collect()
 }
 

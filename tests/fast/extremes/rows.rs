@@ -1,10 +1,18 @@
 //! Rows at events.
 
 use super::*;
+use linkdyn_output::EventKind;
 
 fn times(outcome: &Outcome) -> Vec<f64> {
     outcome.trajectory.values("time").expect("a time")
 }
+
+/// Events at which a contact goes on in another way.
+const SWITCHES: [EventKind; 3] = [
+    EventKind::Stick,
+    EventKind::Slip,
+    EventKind::SustainedContact,
+];
 
 /// The outputs stay what they are, and every contact's beginning, peak and end are rows, each once.
 #[test]
@@ -59,7 +67,7 @@ fn outputs_at_events_are_added() {
             .report
             .events
             .iter()
-            .filter(|event| ["stick", "slip", "following"].contains(&event.kind))
+            .filter(|event| SWITCHES.contains(&event.kind))
         {
             assert!(many.contains(&event.time), "{model}: no row at {event:?}");
         }

@@ -1,6 +1,7 @@
 //! The slider-crank against its statics, and where it locks itself.
 
 use super::*;
+use linkdyn_output::EventKind;
 
 /// A slider-crank without mass but in its slider, which is pulled with `pull`.
 fn bare_slider_crank(mu: f64, pull: f64) -> Value {
@@ -104,7 +105,7 @@ fn where_a_slider_locks_itself_there_are_no_forces_but_an_event() {
         .report
         .events
         .iter()
-        .find(|event| event.kind == "self_locking")
+        .find(|event| event.kind == EventKind::SelfLocking)
         .expect("an event");
     let note = event.note.as_deref().expect("a note");
     assert!(note.starts_with("joint \"g\" locks itself"), "{note}");

@@ -15,7 +15,7 @@ use crate::transform::{
 use crate::write::{SI, WORKSHOP};
 use linkdyn_engine::analysis::Outcome;
 use linkdyn_model::{Analysis, AnalysisKind, ClearanceModel, DriverKind, JointKind, Model};
-use linkdyn_output::{Column, Status};
+use linkdyn_output::{Column, EventKind, Status};
 use std::collections::{BTreeMap, HashMap};
 
 /// Every model of a prescribed motion with its analysis as it is; `dynamics.rs` has the laws of free motion. Clearance is
@@ -174,7 +174,7 @@ fn allowed(run: &Outcome, unit: &str) -> f64 {
         .report
         .events
         .iter()
-        .filter(|event| event.kind == "change_point")
+        .filter(|event| event.kind == EventKind::ChangePoint)
         .filter_map(|event| {
             let driver = format!("driver.{}.value", event.driver.as_deref()?);
             let distances = values(run, &driver)

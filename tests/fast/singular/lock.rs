@@ -1,6 +1,7 @@
 //! The lock of the founding paper.
 
 use super::*;
+use linkdyn_output::EventKind;
 
 const LOCK: &str = include_str!("../../../models/watt-i-lock.json");
 
@@ -19,13 +20,13 @@ const DEAD_CENTRE: f64 = 132.743309602;
 #[test]
 fn the_lock_has_one_change_point_and_a_dead_centre() {
     let whole = lock(-50.0, 125.0, 0.5);
-    let found = degrees(&whole, "change_point");
+    let found = degrees(&whole, EventKind::ChangePoint);
     assert_eq!(found.len(), 1, "{found:?}");
     assert!((found[0] - CHANGE_POINT).abs() < 1e-8, "{found:?}");
     assert_eq!(whole.report.status, Status::Completed);
     let too_far = lock(-50.0, 135.0, 0.5);
     assert_eq!(too_far.report.status, Status::DeadCentre);
-    let found = degrees(&too_far, "dead_centre");
+    let found = degrees(&too_far, EventKind::DeadCentre);
     assert!((found[0] - DEAD_CENTRE).abs() < 1e-8, "{found:?}");
     // Everything before it is kept: −50° to 132.5°.
     assert_eq!(too_far.trajectory.len(), 366);

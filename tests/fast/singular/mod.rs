@@ -4,11 +4,11 @@ mod lock;
 mod turns;
 
 use crate::mechanisms::*;
-use linkdyn_output::Status;
+use linkdyn_output::{EventKind, Status};
 use serde_json::json;
 use std::f64::consts::PI;
 
-fn degrees(outcome: &linkdyn_engine::analysis::Outcome, kind: &str) -> Vec<f64> {
+fn degrees(outcome: &linkdyn_engine::analysis::Outcome, kind: EventKind) -> Vec<f64> {
     outcome
         .report
         .events
@@ -31,7 +31,7 @@ fn parallelograms_stay_parallelograms_through_their_flat_positions() {
     ] {
         let run = outcome(&parallelogram(cells, third, PI / 3.0, &motion));
         assert_eq!(run.report.status, Status::Completed, "{cells} {third}");
-        let flat = degrees(&run, "change_point");
+        let flat = degrees(&run, EventKind::ChangePoint);
         assert_eq!(flat.len(), 2, "{cells} {third}: {flat:?}");
         assert!(
             (flat[0] - 180.0).abs() < 1e-8 && (flat[1] - 360.0).abs() < 1e-8,
@@ -82,7 +82,7 @@ fn a_third_crank_shares_the_load_by_least_norm() {
 fn an_isosceles_slider_crank_passes_over_its_pivot() {
     let motion = json!({ "type": "polynomial", "coefficients": [PI / 6.0, 2.0 * PI] });
     let run = outcome(&slider_crank(0.1, 0.1, PI / 6.0, false, &motion));
-    let found = degrees(&run, "change_point");
+    let found = degrees(&run, EventKind::ChangePoint);
     assert!(
         (found[0] - 90.0).abs() < 1e-8 && (found[1] - 270.0).abs() < 1e-8,
         "{found:?}"
@@ -106,7 +106,7 @@ fn a_slider_driven_past_its_dead_centre_is_refused_there() {
         .report
         .events
         .iter()
-        .find(|e| e.kind == "dead_centre")
+        .find(|e| e.kind == EventKind::DeadCentre)
         .expect("an event");
     assert!(
         (event.value.expect("one driver") - 0.4).abs() < 1e-12,
@@ -165,7 +165,7 @@ fn a_dead_centre_of_two_parts_at_once_is_located() {
         .report
         .events
         .iter()
-        .find(|e| e.kind == "dead_centre")
+        .find(|e| e.kind == EventKind::DeadCentre)
         .expect("an event");
     // |s u + w − p2| = |b1| − |b2| by hand, u the guide's direction, w the crank's p1 from its p0.
     let known = -0.125_439_957_264_526_4;
@@ -218,7 +218,7 @@ fn guides_that_become_parallel_are_a_dead_centre() {
             .report
             .events
             .iter()
-            .find(|e| e.kind == "dead_centre")
+            .find(|e| e.kind == EventKind::DeadCentre)
             .expect("an event");
         assert!(event.value.expect("one driver").abs() < 1e-9, "{event:?}");
         let message = run.report.message.as_deref().expect("a message");

@@ -1,6 +1,7 @@
 //! Many passages.
 
 use super::*;
+use linkdyn_output::EventKind;
 
 #[test]
 fn every_passage_of_a_change_point_is_an_event() {
@@ -73,7 +74,7 @@ fn many_turns_are_followed_by_one() {
     model["analysis"] = json!({ "type": "kinematics", "end": 1.0, "outputs": 301 });
     let run = outcome(&model);
     assert_eq!(run.report.status, Status::Completed);
-    let flat = degrees(&run, "change_point");
+    let flat = degrees(&run, EventKind::ChangePoint);
     assert_eq!(flat.len(), 100, "{:?}", &flat[..4]);
     for (k, value) in flat.iter().enumerate() {
         assert!(

@@ -222,7 +222,7 @@ pub fn damped(setting: &Setting, report: &mut CaseReport) -> Result<(), CaseErro
         .report
         .events
         .iter()
-        .find(|event| event.kind == "following");
+        .find(|event| event.kind == linkdyn_output::EventKind::SustainedContact);
     let follows = follows
         .ok_or_else(|| broken("it does not follow the wall"))?
         .time;

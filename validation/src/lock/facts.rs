@@ -8,7 +8,7 @@ use super::table::NEAR_CHANGE_POINT;
 use crate::table::Table;
 use crate::{CaseError, Claim, Verdict};
 use linkdyn_engine::analysis::Control;
-use linkdyn_output::{Event, Status};
+use linkdyn_output::{Event, EventKind, Status};
 
 /// One number beside its reference.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,13 +51,13 @@ impl Fact {
 pub fn facts(stroke: &Stroke, control: &Control) -> Result<Vec<Fact>, CaseError> {
     let table = include_str!("../../lock/independent.csv");
     let table = Table::parse(table).map_err(broken)?;
-    let change = value_of(&stroke.report.events, "change_point");
+    let change = value_of(&stroke.report.events, EventKind::ChangePoint);
     // Beyond the stroke, to the driver's dead centre.
     let mut document = Request::ideal(1.0).document()?;
     document["analysis"]["sample"]["to"] = json!("135 deg");
     let (_, beyond) = run(&document, control)?;
     let dead = match beyond.report.status {
-        Status::DeadCentre => value_of(&beyond.report.events, "dead_centre"),
+        Status::DeadCentre => value_of(&beyond.report.events, EventKind::DeadCentre),
         Status::Completed
         | Status::CompletedWithGaps
         | Status::AssemblyFailed
@@ -103,7 +103,7 @@ pub fn facts(stroke: &Stroke, control: &Control) -> Result<Vec<Fact>, CaseError>
 }
 
 /// Driver value of the first event of a kind \[rad\].
-fn value_of(events: &[Event], kind: &str) -> f64 {
+fn value_of(events: &[Event], kind: EventKind) -> f64 {
     events
         .iter()
         .find(|event| event.kind == kind)

@@ -8,7 +8,7 @@ use linkdyn_engine::analysis::{self, Control};
 use linkdyn_model::bundled;
 use linkdyn_model::error::Complaint;
 use linkdyn_model::{self, Checked};
-use linkdyn_output::{Event, Report, Status, Trajectory};
+use linkdyn_output::{Event, EventKind, Report, Status, Trajectory};
 
 /// Names of the hinges.
 pub const JOINTS: [&str; 7] = ["a", "b", "c", "d", "e", "f", "g"];
@@ -329,10 +329,10 @@ pub fn intervals(x: &[f64], is: impl Fn(usize) -> bool) -> Vec<[f64; 2]> {
 fn found(events: &[Event], time: f64) -> Found {
     let within =
         |event: &&Event| event.time <= time && time <= event.end_time.unwrap_or(event.time);
-    let of_kind = |kind: &str| events.iter().filter(within).any(|event| event.kind == kind);
-    if of_kind("no_solution") {
+    let of_kind = |kind: EventKind| events.iter().filter(within).any(|event| event.kind == kind);
+    if of_kind(EventKind::NoSolution) {
         Found::Nothing
-    } else if of_kind("not_converged") {
+    } else if of_kind(EventKind::NotConverged) {
         Found::LastPass
     } else {
         Found::Solution

@@ -5,9 +5,10 @@
 //! (angles in rad, lengths by the mechanism's size), that is the one on which the mechanism leaves let go in thick oil; of
 //! equally pulled ones that whose bodies turn most alike.
 
-use super::Stop;
-use super::assembly::{Assembled, listed, ranked};
+use super::assembly::{Assembled, ranked};
+use super::control::Stop;
 use super::in_line::singular_text;
+use super::words::listed;
 use crate::mechanism::branching::{Branch, Singularity};
 use crate::mechanism::closing::close;
 use crate::system::{Block, Evaluation, Inputs, System};

@@ -5,7 +5,7 @@
 //! one line. A slider that it holds by a pin and a guide has that force square to the guide, and one between two guides has
 //! them parallel. So it is enough to know where the self-stress is.
 
-use super::assembly::quoted;
+use super::words::quoted;
 use crate::element::Measure;
 use crate::system::{Block, Origin, System};
 
@@ -41,91 +41,109 @@ pub fn stressed_rows(system: &System, self_stress: &[f64]) -> Vec<usize> {
     stressed.map(|(row, _)| row).collect()
 }
 
+/// A body that carries a force between two pins: its number, and the first rows of these.
+type Rod = (usize, [usize; 2]);
+
 /// What lies in a line, from the rows of a self-stress: `"coupler" and "rocker" are in line`; none where that is not it.
 pub fn in_line(system: &System, rows: &[usize]) -> Option<String> {
-    let stressed: Vec<&Block> = system
-        .blocks
-        .iter()
-        .filter(|block| {
-            rows.iter()
-                .any(|&row| (block.row..block.row + block.rows).contains(&row))
-        })
-        .collect();
-    let holding = |body: usize| -> Vec<&Block> {
-        let touches = |block: &&&Block| {
-            block
-                .constraint
-                .entries()
-                .iter()
-                .any(|(_, id, _)| id.0 == body)
-        };
-        stressed.iter().filter(touches).copied().collect()
+    let is_stressed = |block: &&Block| {
+        let mut own = block.row..block.row + block.rows;
+        own.any(|row| rows.contains(&row))
     };
-    let kind = |block: &Block| match block.origin {
+    let stressed: Vec<&Block> = system.blocks.iter().filter(is_stressed).collect();
+    let mut rods: Vec<Rod> = Vec::new();
+    let mut sliders: Vec<[&Block; 2]> = Vec::new();
+    for body in 1..=system.bodies.len() {
+        if let [first, second] = holding(&stressed, body)[..] {
+            match (holds(system, first), holds(system, second)) {
+                (Holds::Pin, Holds::Pin) => rods.push((body, [first.row, second.row])),
+                (Holds::Pin, Holds::Guide) => sliders.push([first, second]),
+                (Holds::Guide, Holds::Pin) => sliders.push([second, first]),
+                (Holds::Guide, Holds::Guide) => {
+                    let guides = [joint_name(system, first), joint_name(system, second)];
+                    return Some(format!(
+                        "the guides {} are parallel",
+                        quoted(guides.into_iter())
+                    ));
+                }
+                (Holds::Otherwise, _) | (_, Holds::Otherwise) => {}
+            }
+        }
+    }
+    let lines = lines(system, &rods, &sliders);
+    (!lines.is_empty()).then(|| lines.join(", "))
+}
+
+/// Blocks that hold a body.
+fn holding<'s>(stressed: &[&'s Block], body: usize) -> Vec<&'s Block> {
+    let touches = |block: &&&Block| {
+        let entries = block.constraint.entries();
+        entries.iter().any(|(_, id, _)| id.0 == body)
+    };
+    stressed.iter().filter(touches).copied().collect()
+}
+
+/// How a block holds its bodies.
+fn holds(system: &System, block: &Block) -> Holds {
+    match block.origin {
         Origin::Joint(id) => match (block.rows, system.joints[id.0].torque) {
             (2, false) => Holds::Pin,
             (1, false) | (2, true) => Holds::Guide,
             _ => Holds::Otherwise,
         },
         Origin::Driver(_) | Origin::Initial(_) => Holds::Otherwise,
-    };
-    let name = |block: &Block| match block.origin {
+    }
+}
+
+/// The name of the joint that a block is from.
+fn joint_name<'s>(system: &'s System, block: &Block) -> &'s str {
+    match block.origin {
         Origin::Joint(id) => system.joints[id.0].name.as_str(),
         Origin::Driver(_) | Origin::Initial(_) => "",
-    };
-    // Bodies that carry a force between two pins, with these.
-    let mut rods: Vec<(usize, [usize; 2])> = Vec::new();
-    let mut sliders: Vec<[&Block; 2]> = Vec::new();
-    for body in 1..=system.bodies.len() {
-        if let [first, second] = holding(body)[..] {
-            match (kind(first), kind(second)) {
-                (Holds::Pin, Holds::Pin) => rods.push((body, [first.row, second.row])),
-                (Holds::Pin, Holds::Guide) => sliders.push([first, second]),
-                (Holds::Guide, Holds::Pin) => sliders.push([second, first]),
-                (Holds::Guide, Holds::Guide) => {
-                    return Some(format!(
-                        "the guides {} are parallel",
-                        quoted([name(first), name(second)].into_iter())
-                    ));
-                }
-                _ => {}
-            }
-        }
     }
+}
+
+/// Rods that hang together, and rods square to the guide of a slider.
+fn lines(system: &System, rods: &[Rod], sliders: &[[&Block; 2]]) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     let mut told: Vec<usize> = Vec::new();
-    let share = |a: &[usize; 2], b: &[usize; 2]| a.iter().any(|row| b.contains(row));
     for (k, (first, pins)) in rods.iter().enumerate() {
         if told.contains(first) {
             continue;
         }
-        let mut line: Vec<(usize, [usize; 2])> = vec![(*first, *pins)];
-        // Those that hang on the ones found so far.
-        while let Some(next) = rods[k + 1..].iter().find(|rod| {
-            !line.iter().any(|found| found.0 == rod.0)
-                && line.iter().any(|found| share(&found.1, &rod.1))
-        }) {
-            line.push(*next);
-        }
-        if line.len() > 1 {
-            let mut bodies: Vec<usize> = line.iter().map(|(body, _)| *body).collect();
+        let mut bodies = hanging_on(&rods[k], &rods[k + 1..]);
+        if bodies.len() > 1 {
             bodies.sort_unstable();
             let names: Vec<String> = bodies
                 .iter()
                 .map(|body| format!("\"{}\"", system.bodies[body - 1].name))
                 .collect();
-            let (last, others) = names.split_last()?;
-            lines.push(format!("{} and {last} are in line", others.join(", ")));
+            if let Some((last, others)) = names.split_last() {
+                lines.push(format!("{} and {last} are in line", others.join(", ")));
+            }
             told.extend(bodies);
         } else if let Some([_, guide]) = sliders.iter().find(|[pin, _]| pins.contains(&pin.row)) {
             let rod = &system.bodies[first - 1].name;
             lines.push(format!(
                 "\"{rod}\" stands square to the guide \"{}\"",
-                name(guide)
+                joint_name(system, guide)
             ));
         }
     }
-    (!lines.is_empty()).then(|| lines.join(", "))
+    lines
+}
+
+/// The body of a rod and those of the rods that hang on it, pin by pin.
+fn hanging_on(first: &Rod, others: &[Rod]) -> Vec<usize> {
+    let share = |a: &[usize; 2], b: &[usize; 2]| a.iter().any(|row| b.contains(row));
+    let mut line: Vec<Rod> = vec![*first];
+    while let Some(next) = others.iter().find(|rod| {
+        !line.iter().any(|found| found.0 == rod.0)
+            && line.iter().any(|found| share(&found.1, &rod.1))
+    }) {
+        line.push(*next);
+    }
+    line.into_iter().map(|(body, _)| body).collect()
 }
 
 /// The same, or else the joints that carry the self-stress.

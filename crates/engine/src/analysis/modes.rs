@@ -9,8 +9,9 @@
 //! M̂, Ĉ, K̂ as in [`crate::mechanism::held`], drivers held. About the equilibrium, or about the assembled position as it is: what
 //! is linearised there is the motion relative to the one that the unbalanced forces begin.
 
+use super::control::{Control, Stop};
 use super::statics::{balance, described, refuse, start, warning};
-use super::{Control, Stop, friction_left_out};
+use super::words::friction_left_out;
 use crate::element::Axis;
 use crate::mechanism::equilibrium::judge;
 use crate::mechanism::held::Held;
@@ -23,19 +24,25 @@ use linkdyn_output::{Equilibrium, Mobility, Status};
 /// A mechanism linearised.
 #[derive(Debug, Clone, Default)]
 pub struct Linearised {
+    /// How it ended.
     pub status: Status,
     /// Why there are no modes.
     pub message: Option<String>,
+    /// Degrees of freedom.
     pub mobility: Mobility,
+    /// The position that it is linearised about.
     pub equilibrium: Option<Equilibrium>,
     /// Moving bodies, with x, y, angle of their frames where the mechanism rests [m, m, rad].
     pub bodies: Vec<(String, [f64; 3])>,
-    /// M̂, Ĉ, K̂ by rows, by the coordinates of `equilibrium`.
+    /// Mass matrix M̂ by rows, by the coordinates of `equilibrium`.
     pub mass: Vec<Vec<f64>>,
+    /// Damping matrix Ĉ, likewise.
     pub damping: Vec<Vec<f64>>,
+    /// Stiffness matrix K̂, likewise.
     pub stiffness: Vec<Vec<f64>>,
     /// Slowest first.
     pub modes: Vec<Mode>,
+    /// What to doubt.
     pub warnings: Vec<String>,
 }
 

@@ -1,9 +1,10 @@
 //! The words of a question about motion, as the numbers that [`super::dynamics`] takes.
 
 use super::channels::Contents;
+use super::control::{Control, Stop};
+use super::driven;
 use super::dynamics::{self, Settings, Start, Wanted};
 use super::instants::instants;
-use super::{Control, Stop, driven};
 use crate::integrate::{Method, UnknownMethod};
 use crate::system::System;
 use linkdyn_model::error::Complaint;

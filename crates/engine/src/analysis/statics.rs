@@ -6,10 +6,12 @@
 
 use super::assembly::{Assembled, assemble, check_driven, ranks};
 use super::branch::{leave, singularity};
+use super::contents::contents;
+use super::control::{Control, Stop};
 use super::in_line::singular_text;
 use super::record::Recorder;
 use super::sample::Sample;
-use super::{Control, Stop, contents, friction_left_out};
+use super::words::friction_left_out;
 use crate::element::Axis;
 use crate::mechanism::driven::Failure;
 use crate::mechanism::equilibrium::{Balance, Lost, Stability, find};

@@ -12,7 +12,7 @@ use super::strokes::is_whole;
 use crate::CaseError;
 use linkdyn_engine::analysis::Control;
 use linkdyn_linear::math::Vec2;
-use linkdyn_output::Status;
+use linkdyn_output::{EventKind, Status};
 
 /// Where the other branch ends \[deg\]: 50 digits, `other_branch` in validation/generate/lock.py.
 pub const OTHER_END: f64 = 118.162_183_358_957_5;
@@ -115,7 +115,7 @@ pub fn other_end(control: &Control) -> Result<f64, CaseError> {
         .report
         .events
         .iter()
-        .find(|event| event.kind == "dead_centre")
+        .find(|event| event.kind == EventKind::DeadCentre)
         .and_then(|event| event.value);
     match (outcome.report.status, dead) {
         (Status::DeadCentre, Some(value)) => Ok(value.to_degrees()),

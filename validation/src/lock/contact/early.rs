@@ -72,7 +72,7 @@ fn begins(stroke: &Stroke) -> [Vec<f64>; 7] {
             .report
             .events
             .iter()
-            .filter(|event| event.kind == "contact");
+            .filter(|event| event.kind == linkdyn_output::EventKind::Contact);
         contacts
             .filter(|event| event.joint.as_deref() == Some(joint))
             .map(|event| event.time)

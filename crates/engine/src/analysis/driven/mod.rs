@@ -3,12 +3,14 @@
 mod bridge;
 mod outputs;
 mod passages;
+mod words;
 
 use super::assembly::{assemble, check_driven};
 use super::clearance_link::forces;
+use super::contents::has_reactions;
+use super::control::{Control, Stop};
 use super::instants::instants;
 use super::sample::Sample;
-use super::{Control, Stop};
 use crate::element::Measure;
 use crate::mechanism::continuation::{HALF_TURN, Parameter, Path, follow};
 use crate::mechanism::driven::{Driven, Failure};
@@ -29,7 +31,7 @@ pub fn run(
     control: &Control,
 ) -> Result<(Trajectory, Report), Stop> {
     let clock = Stopwatch::start();
-    let reactions = super::has_reactions(analysis.kind);
+    let reactions = has_reactions(analysis.kind);
     let at_events = analysis.outputs_at == OutputsAt::Events;
     refuse(system, reactions, at_events)?;
     let instants = instants(system, analysis).map_err(Stop::Input)?;

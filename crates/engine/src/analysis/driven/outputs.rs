@@ -2,30 +2,22 @@
 
 use super::super::channels::Contents;
 use super::super::clearance_link::{ClearanceLinks, Fixpoint, balance, carried};
-use super::super::in_line::{singular_text, stressed_rows};
+use super::super::control::Control;
 use super::super::instants::OutputInstant;
+use super::super::interval::Interval;
 use super::super::power::Powers;
 use super::super::record::Recorder;
 use super::super::sample::Sample;
-use super::super::{Control, Interval, locked, unsure_friction};
-use super::passages::{ON_THE_EDGE, range, times_of};
-use crate::mechanism::continuation::{End, Parameter, Path, SingularKind, Source};
+use super::super::words::{locked, unsure_friction};
+use super::passages::{events, range, with_passages};
+use super::words::{describe, limits, stopped};
+use crate::mechanism::continuation::{End, Parameter, Path, Source};
 use crate::mechanism::driven::{Driven, Failure};
 use crate::system::{Inputs, System};
-use linkdyn_output::{Event, Report, Status, Trajectory};
+use linkdyn_output::{Event, EventKind, Report, Status, Trajectory};
 
 /// A joint belongs to a self-stress when its part is above this, relative to the largest.
 const STRESSED: f64 = 1e-6;
-
-/// Why and when somebody asked to stop.
-fn stopped(status: Status, when: &str) -> String {
-    let why = if status == Status::Interrupted {
-        "interrupted"
-    } else {
-        "max_wall_time is over"
-    };
-    format!("{why} {when}")
-}
 
 /// State of the loop over the outputs.
 pub(super) struct Outputs<'a, 'r> {
@@ -88,12 +80,11 @@ impl<'a, 'r> Outputs<'a, 'r> {
             ));
             return;
         }
-        let limit = self.limits(path, end);
-        self.events(
-            path,
-            range(self.system, instants),
-            limit.as_ref().map_or(end, |(time, ..)| *time),
-        );
+        let limit = limits(self.system, path, end);
+        let until = limit.as_ref().map_or(end, |(time, ..)| *time);
+        let passed = events(self.system, path, range(self.system, instants), until);
+        self.report.events.extend(passed);
+        self.report.events.sort_by(|a, b| a.time.total_cmp(&b.time));
         let passages: &[Event] = if at_events { &self.report.events } else { &[] };
         for instant in &with_passages(instants, passages) {
             control.progress.note(end + instant.time, 2.0 * end);
@@ -130,90 +121,6 @@ impl<'a, 'r> Outputs<'a, 'r> {
                 return;
             }
         }
-    }
-
-    /// Where the path ends before the outputs do.
-    fn limits(&self, path: &Path, end: f64) -> Option<(f64, Status, String)> {
-        let ends = [path.low, path.high]
-            .into_iter()
-            .filter_map(|side| match side {
-                End::Reached | End::Interrupted => None,
-                End::DeadCentre { s } => {
-                    let time = times_of(self.system, s, end).first().copied()?;
-                    Some((
-                        time,
-                        Status::DeadCentre,
-                        self.dead_centre_text(path, s, time),
-                    ))
-                }
-                End::Stuck { s } => {
-                    let time = times_of(self.system, s, end).first().copied()?;
-                    let what = format!(
-                        "{} can't be followed beyond {}; the results until there are kept",
-                        self.drivers_text(),
-                        self.position_text(s, time)
-                    );
-                    Some((time, Status::Singular, what))
-                }
-            });
-        ends.min_by(|a, b| a.0.total_cmp(&b.0))
-    }
-
-    /// Where and when the path ends: `2.31681 rad (132.743°), t = 0.22 s`, or the time alone.
-    fn position_text(&self, s: f64, time: f64) -> String {
-        let time = self.system.display.time(time);
-        match Parameter::of(self.system) {
-            Parameter::Time | Parameter::Pin => format!("t = {time}"),
-            Parameter::DriverValue => {
-                format!("{}, t = {time}", self.system.driver_value(0, s))
-            }
-        }
-    }
-
-    /// Who drives: `driver "motor"`, or `the drivers`.
-    fn drivers_text(&self) -> String {
-        match &self.system.drivers[..] {
-            [driver] => format!("driver \"{}\"", driver.name),
-            _ => "the drivers".into(),
-        }
-    }
-
-    /// `driver "motor" can't go on beyond …, where "coupler" and "rocker" are in line`, and what to try.
-    fn dead_centre_text(&self, path: &Path, s: f64, time: f64) -> String {
-        let stress = path
-            .singular_at(s)
-            .map(|position| stressed_rows(self.system, &position.self_stress));
-        let what = singular_text(self.system, &stress.unwrap_or_default());
-        let what = what.map_or_else(String::new, |what| format!(", where {what}"));
-        format!(
-            "dead centre: {} can't go on beyond {}{what}; the results until there are kept. Turn back before it, go the other \
-             way, or drive another body",
-            self.drivers_text(),
-            self.position_text(s, time)
-        )
-    }
-
-    /// Passages of singular positions within the run, by time; a dead centre ends it.
-    fn events(&mut self, path: &Path, (low, high): (f64, f64), end: f64) {
-        let by_value = path.parameter == Parameter::DriverValue;
-        let edge = ON_THE_EDGE * (high - low);
-        for position in path.singular_between(low - edge, high + edge) {
-            let times = times_of(self.system, position.s, end);
-            let (kind, times) = match position.kind {
-                SingularKind::ChangePoint => ("change_point", &times[..]),
-                SingularKind::DeadCentre => ("dead_centre", &times[..times.len().min(1)]),
-            };
-            self.report.events.extend(times.iter().map(|&time| Event {
-                kind,
-                time,
-                end_time: None,
-                driver: by_value.then(|| self.system.drivers[0].name.clone()),
-                value: by_value.then_some(position.s),
-                end_value: None,
-                ..Event::default()
-            }));
-        }
-        self.report.events.sort_by(|a, b| a.time.total_cmp(&b.time));
     }
 
     fn driver_value(&self) -> Option<(String, f64)> {
@@ -262,34 +169,9 @@ impl<'a, 'r> Outputs<'a, 'r> {
         if !has_locked && let Some(mut links) = self.links.take() {
             let outcome = links.solve(driven, &mut self.inputs, &mut self.sample);
             self.links = Some(links);
-            match outcome {
-                Fixpoint::Converged { .. } => {
-                    self.gap.close(&mut self.report.events);
-                    self.wavering.close(&mut self.report.events);
-                }
-                Fixpoint::NotConverged { .. } => {
-                    self.gap.close(&mut self.report.events);
-                    let (time, driver) = (self.inputs.time, self.driver_value());
-                    let note = "the clearance links' fixed point was not met within 50 passes; the last pass is kept";
-                    self.wavering.extend("not_converged", time, driver, note);
-                }
-                Fixpoint::NoSolution { .. } if driven.dependent_forces.locked().is_some() => {
-                    self.wavering.close(&mut self.report.events);
-                    self.gap.close(&mut self.report.events);
-                    self.note_locked(driven);
-                    self.recorder.push_gap(&self.inputs);
-                    return Ok(());
-                }
-                Fixpoint::NoSolution { .. } => {
-                    self.wavering.close(&mut self.report.events);
-                    let (time, driver) = (self.inputs.time, self.driver_value());
-                    let note = "with the clearance links in the directions of the joint forces the mechanism can't be \
-                                assembled on the branch of the ideal one";
-                    self.gap.extend("no_solution", time, driver, note);
-                    self.recorder.push_gap(&self.inputs);
-                    self.report.status = Status::CompletedWithGaps;
-                    return Ok(());
-                }
+            if !self.is_met(driven, outcome) {
+                self.recorder.push_gap(&self.inputs);
+                return Ok(());
             }
             driven.evaluation.set_position(&self.sample.q);
             driven.evaluation.set_velocity(&self.sample.v);
@@ -306,6 +188,41 @@ impl<'a, 'r> Outputs<'a, 'r> {
         Ok(())
     }
 
+    /// Notes how the clearance links' fixed point came out; whether there is a position to record.
+    fn is_met(&mut self, driven: &Driven, outcome: Fixpoint) -> bool {
+        let events = &mut self.report.events;
+        match outcome {
+            Fixpoint::Converged { .. } => {
+                self.gap.close(events);
+                self.wavering.close(events);
+                true
+            }
+            Fixpoint::NotConverged { .. } => {
+                self.gap.close(events);
+                let (time, driver) = (self.inputs.time, self.driver_value());
+                let note = "the clearance links' fixed point was not met within 50 passes; the last pass is kept";
+                self.wavering
+                    .extend(EventKind::NotConverged, time, driver, note);
+                true
+            }
+            Fixpoint::NoSolution { .. } if driven.dependent_forces.locked().is_some() => {
+                self.wavering.close(events);
+                self.gap.close(events);
+                self.note_locked(driven);
+                false
+            }
+            Fixpoint::NoSolution { .. } => {
+                self.wavering.close(events);
+                let (time, driver) = (self.inputs.time, self.driver_value());
+                let note = "with the clearance links in the directions of the joint forces the mechanism can't be \
+                            assembled on the branch of the ideal one";
+                self.gap.extend(EventKind::NoSolution, time, driver, note);
+                self.report.status = Status::CompletedWithGaps;
+                false
+            }
+        }
+    }
+
     /// What the constraints carry, with friction; where a joint locks itself these values do not exist.
     pub fn carry(&mut self, driven: &mut Driven) {
         if carried(driven, &self.inputs, &mut self.sample).is_err() {
@@ -319,8 +236,12 @@ impl<'a, 'r> Outputs<'a, 'r> {
     pub fn note_locked(&mut self, driven: &Driven) {
         if let Some(force) = driven.dependent_forces.locked() {
             let (time, driver) = (self.inputs.time, self.driver_value());
-            self.locking
-                .extend("self_locking", time, driver, &locked(self.system, force));
+            self.locking.extend(
+                EventKind::SelfLocking,
+                time,
+                driver,
+                &locked(self.system, force),
+            );
             self.report.status = Status::CompletedWithGaps;
         }
     }
@@ -392,12 +313,12 @@ impl<'a, 'r> Outputs<'a, 'r> {
         }
         for (kind, what) in [
             (
-                "not_converged",
+                EventKind::NotConverged,
                 "the clearance fixed point does not converge",
             ),
-            ("no_solution", "there is no assembly"),
+            (EventKind::NoSolution, "there is no assembly"),
             (
-                "self_locking",
+                EventKind::SelfLocking,
                 "a joint locks itself by its friction: forces do not exist",
             ),
         ] {
@@ -415,42 +336,5 @@ impl<'a, 'r> Outputs<'a, 'r> {
             }
         }
         self.recorder.trajectory
-    }
-}
-
-/// The instants, with those of events between them.
-fn with_passages(instants: &[OutputInstant], events: &[Event]) -> Vec<OutputInstant> {
-    let mut all = instants.to_vec();
-    let end = instants.last().map_or(0.0, |last| last.time);
-    let is_near = |time: f64| {
-        instants
-            .iter()
-            .any(|instant| (instant.time - time).abs() <= ON_THE_EDGE * end)
-    };
-    let between = events.iter().filter(|event| !is_near(event.time));
-    // By value there is one driver that counts.
-    all.extend(between.map(|event| OutputInstant {
-        time: event.time,
-        exact: event.value.map(|value| (0, value)),
-    }));
-    all.sort_by(|a, b| a.time.total_cmp(&b.time));
-    all
-}
-
-fn describe(system: &System, failure: Failure) -> String {
-    match failure {
-        Failure::Locked { force } => locked(system, force),
-        Failure::Singular => "the constraints are singular there".into(),
-        Failure::Diverged { residual } if !residual.is_finite() => {
-            "Newton's iteration does not converge (it leaves the range of numbers)".into()
-        }
-        Failure::Diverged { residual } => {
-            format!("Newton's iteration does not converge (residual {residual:.1e} of the size)")
-        }
-        Failure::Inconsistent { residual } => {
-            format!(
-                "redundant constraints contradict each other by {residual:.1e} of the mechanism's size"
-            )
-        }
     }
 }

@@ -1,9 +1,10 @@
 //! When the drivers pass a value of the path's parameter.
 
 use super::super::instants::OutputInstant;
-use crate::mechanism::continuation::Parameter;
+use crate::mechanism::continuation::{Parameter, Path, SingularKind};
 use crate::motion::Law;
 use crate::system::System;
+use linkdyn_output::{Event, EventKind};
 
 /// The range of the path's parameter that the instants (and what lies between them) need.
 pub(super) fn range(system: &System, instants: &[OutputInstant]) -> (f64, f64) {
@@ -79,4 +80,48 @@ fn passages(law: &Law, value: f64, end: f64) -> Vec<f64> {
         left = right;
     }
     times
+}
+
+/// Passages of singular positions in `low` to `high` until `end`, by time; a dead centre ends the run.
+pub(super) fn events(
+    system: &System,
+    path: &Path,
+    (low, high): (f64, f64),
+    end: f64,
+) -> Vec<Event> {
+    let by_value = path.parameter == Parameter::DriverValue;
+    let edge = ON_THE_EDGE * (high - low);
+    let mut events = Vec::new();
+    for position in path.singular_between(low - edge, high + edge) {
+        let times = times_of(system, position.s, end);
+        let (kind, times) = match position.kind {
+            SingularKind::ChangePoint => (EventKind::ChangePoint, &times[..]),
+            SingularKind::DeadCentre => (EventKind::DeadCentre, &times[..times.len().min(1)]),
+        };
+        events.extend(times.iter().map(|&time| Event {
+            driver: by_value.then(|| system.drivers[0].name.clone()),
+            value: by_value.then_some(position.s),
+            ..Event::at(kind, time)
+        }));
+    }
+    events
+}
+
+/// The instants, with those of events between them.
+pub(super) fn with_passages(instants: &[OutputInstant], events: &[Event]) -> Vec<OutputInstant> {
+    let mut all = instants.to_vec();
+    let end = instants.last().map_or(0.0, |last| last.time);
+    let is_near = |time: f64| {
+        instants
+            .iter()
+            .any(|instant| (instant.time - time).abs() <= ON_THE_EDGE * end)
+    };
+    let between = events.iter().filter(|event| !is_near(event.time));
+    // By value there is one driver that counts.
+    all.extend(between.map(|event| OutputInstant {
+        time: event.time,
+        exact: event.value.map(|value| (0, value)),
+    }));
+    all.sort_by(|a, b| a.time.total_cmp(&b.time));
+    all
 }

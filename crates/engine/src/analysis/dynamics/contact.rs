@@ -19,7 +19,7 @@
 
 use crate::contact::friction;
 use crate::element::journal::{Contact, Journal, Phase, Reading, Surface};
-use linkdyn_output::{Episode, Event};
+use linkdyn_output::{Episode, Event, EventKind};
 
 /// A journal has left where it is this far, in parts of the bearing's clearance, from the surface: well above round-off.
 const GONE: f64 = 1e-10;
@@ -302,12 +302,10 @@ impl History {
         self.most = self.most.max(episode.peak_penetration);
         self.time_in_contact += episode.end.unwrap_or(episode.start) - episode.start;
         self.list(Event {
-            kind: "contact",
-            time: episode.start,
             end_time: episode.end,
             joint: Some(self.joint.clone()),
             episode: Some(episode),
-            ..Event::default()
+            ..Event::at(EventKind::Contact, episode.start)
         });
     }
 
@@ -328,25 +326,24 @@ impl History {
         let note = format!(
             "impacts lower than {height} would follow: the journal stays on the bearing's surface"
         );
-        let (kind, joint, note) = ("following", Some(self.joint.clone()), Some(note));
         self.list(Event {
-            kind,
-            time,
-            joint,
-            note,
-            ..Event::default()
+            joint: Some(self.joint.clone()),
+            note: Some(note),
+            ..Event::at(EventKind::SustainedContact, time)
         });
     }
 
     /// The journal sticks or slips from now on.
     pub fn switch(&mut self, time: f64, sticks: bool) {
         self.switches += 1;
-        let kind = if sticks { "stick" } else { "slip" };
+        let kind = if sticks {
+            EventKind::Stick
+        } else {
+            EventKind::Slip
+        };
         self.list(Event {
-            kind,
-            time,
             joint: Some(self.joint.clone()),
-            ..Event::default()
+            ..Event::at(kind, time)
         });
     }
 

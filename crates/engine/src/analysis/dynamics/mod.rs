@@ -28,7 +28,8 @@ mod words;
 
 use super::assembly::Assembled;
 use super::branch::singularity;
-use super::{Control, Stop, locked, unsure_friction};
+use super::control::{Control, Stop};
+use super::words::{locked, unsure_friction};
 use crate::mechanism::driven::Failure;
 use crate::mechanism::phases::Phases;
 use crate::mechanism::reduced::Reduced;

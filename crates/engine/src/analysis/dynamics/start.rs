@@ -1,7 +1,7 @@
 //! Where a motion starts: with open joints closed, unless initial values say otherwise.
 
-use crate::analysis::Stop;
 use crate::analysis::assembly::{Assembled, assemble, ranked, velocities, velocities_near};
+use crate::analysis::control::Stop;
 use crate::mechanism::closing::close;
 use crate::system::{Block, Inputs, System};
 use linkdyn_output::Stopwatch;

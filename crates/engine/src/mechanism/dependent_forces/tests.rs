@@ -31,7 +31,6 @@ fn find(laws: &[f64], responses: &[f64], free: &[f64]) -> (Result<(), Failure>, 
         residual: cells(k),
         slopes: cells(k * ROWS),
         matrix: cells(k * k),
-        lu: SmallLu::new(k),
         work: cells(k * k),
         ..DependentForces::default()
     };

@@ -3,8 +3,10 @@
 //! Found by rank: the row of a driver that depends on those of joints and of other drivers, here and beside; the
 //! combination tells which of these take part.
 
-use super::Stop;
-use super::assembly::{beside_by_joints, quoted, ranks};
+use super::beside::beside_by_joints;
+use super::ranks::ranks;
+use crate::analysis::control::Stop;
+use crate::analysis::words::quoted;
 use crate::system::{Inputs, Origin, System};
 use linkdyn_model::error::Complaint;
 

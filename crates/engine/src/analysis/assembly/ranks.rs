@@ -1,0 +1,58 @@
+//! Ranks of the constraints at a position.
+
+use crate::system::{Evaluation, Inputs, System};
+use linkdyn_linear::rank::{
+    DEPENDENCE_TOLERANCE, RankReport, SparseRows, free_direction, independent_rows,
+};
+
+/// Ranks of the joints' rows and of all rows at `q`.
+pub fn ranks(system: &System, q: &[f64], inputs: &Inputs) -> (RankReport, RankReport) {
+    let mut evaluation = Evaluation::new(system);
+    evaluation.set_position(q);
+    evaluation.eval_jacobian(system, inputs);
+    let of = |rows| {
+        independent_rows(
+            &scaled_rows(system, &evaluation.jacobian, rows),
+            DEPENDENCE_TOLERANCE,
+        )
+    };
+    (of(system.joint_rows()), of(system.m()))
+}
+
+/// A direction in which nothing holds the mechanism at `q`, scaled; see [`free_direction`].
+pub(super) fn free(system: &System, q: &[f64], inputs: &Inputs) -> Option<Vec<f64>> {
+    let mut evaluation = Evaluation::new(system);
+    evaluation.set_position(q);
+    evaluation.eval_jacobian(system, inputs);
+    free_direction(
+        &scaled_rows(system, &evaluation.jacobian, system.m()),
+        DEPENDENCE_TOLERANCE,
+    )
+}
+
+/// The first `rows` rows of the scaled Jacobian.
+fn scaled_rows(system: &System, values: &[f64], rows: usize) -> SparseRows {
+    let entries: Vec<(usize, usize, f64)> = system
+        .entries
+        .iter()
+        .zip(values)
+        .filter_map(|(entry, value)| {
+            let (row, column) = (entry.row as usize, entry.column? as usize);
+            (row < rows).then(|| {
+                (
+                    row,
+                    column,
+                    value * system.column_scale(column) / system.row_scale(row),
+                )
+            })
+        })
+        .collect();
+    match SparseRows::from_triplets(rows, system.n(), &entries) {
+        Ok(rows) => rows,
+        // `assemble` has seen to it that no number overflows.
+        Err(bad) => panic!(
+            "the Jacobian's entry at row {}, column {} is not finite",
+            bad.row, bad.column
+        ),
+    }
+}

@@ -1,0 +1,63 @@
+//! Sentences that several analyses say, and lists of names in them.
+
+use crate::system::System;
+
+/// Names that a message lists before it only counts them.
+const MOST_NAMES: usize = 12;
+
+/// `"a", "b", "c"`, as many as anybody reads.
+pub fn quoted<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    let names: Vec<String> = names.map(|name| format!("\"{name}\"")).collect();
+    listed(&names, ", ")
+}
+
+/// Names with something between them, as many as anybody reads.
+pub fn listed<S: AsRef<str>>(names: &[S], between: &str) -> String {
+    let first: Vec<&str> = names.iter().take(MOST_NAMES).map(AsRef::as_ref).collect();
+    let text = first.join(between);
+    if names.len() > MOST_NAMES {
+        format!("{text}{between}and {} more", names.len() - MOST_NAMES)
+    } else {
+        text
+    }
+}
+
+/// What to say where a force that depends on multipliers has no finite size.
+pub fn locked(system: &System, force: usize) -> String {
+    let block = &system.blocks[system.dependent_forces[force].block];
+    format!(
+        "{} locks itself: its friction grows with its reaction faster than it can be balanced (no motion satisfies the \
+         equations)",
+        system.origin_name(&block.origin)
+    )
+}
+
+/// What to say of friction from reactions that are not the only ones possible.
+pub fn unsure_friction(system: &System, not_unique: &[String]) -> Option<String> {
+    let rubbing = system
+        .joints
+        .iter()
+        .filter(|joint| joint.friction.is_some() && not_unique.contains(&joint.name));
+    let names: Vec<&str> = rubbing.map(|joint| joint.name.as_str()).collect();
+    (!names.is_empty()).then(|| {
+        format!(
+            "the friction of {} follows from reactions of least norm, which are not the only ones",
+            names.join(", ")
+        )
+    })
+}
+
+/// What to say where nothing moves.
+pub fn friction_left_out(system: &System) -> Option<String> {
+    let rubbing = system
+        .joints
+        .iter()
+        .filter(|joint| joint.friction.is_some());
+    let names: Vec<&str> = rubbing.map(|joint| joint.name.as_str()).collect();
+    (!names.is_empty()).then(|| {
+        format!(
+            "the friction of {} is left out: at rest it can hold the mechanism in many positions, this is the one that needs none",
+            names.join(", ")
+        )
+    })
+}
