@@ -46,6 +46,7 @@ mod joints;
 mod laws;
 mod schema;
 mod shaking;
+mod similarity;
 mod singular;
 mod statics;
 mod transmission;

@@ -19,17 +19,17 @@
 
 use crate::contact::friction;
 use crate::element::journal::{Contact, Journal, Phase, Reading, Surface};
+use crate::system::Scale;
 use linkdyn_output::{Episode, Event, EventKind};
 
 /// A journal has left where it is this far, in parts of the bearing's clearance, from the surface: well above round-off.
 const GONE: f64 = 1e-10;
-/// Approach of a rigid journal that is round-off [m/s].
+/// Approach of a rigid journal that is round-off [L/T]: velocities of constrained bodies are good to some 1e-12.
 const CREEP: f64 = 1e-10;
-/// Pull on a journal that follows its bearing which is round-off \[N\].
+/// Pull on a journal that stays on its bearing which is round-off [M L/T²]: multipliers lose a few digits more.
 const PULL: f64 = 1e-9;
-/// Makes lengths and speeds comparable by their signs \[s\].
-const SECOND: f64 = 1.0;
-/// Sliding velocity past the end of a piece of the friction law from which the next piece holds [m/s].
+/// Sliding velocity past the end of a piece of the friction law from which the next piece holds [L/T]: as little as
+/// velocities resolve, for the law is continuous there.
 const PAST: f64 = 1e-12;
 /// The same for journals that follow rigid bearings, in parts of the threshold: their forces are large where they wedge, and
 /// round-off in their velocities too.
@@ -39,15 +39,16 @@ pub const WEAR_BINS: usize = 72;
 /// Episodes, and changes between stick and slip, that are listed at most; all are counted.
 const LISTED: usize = 20_000;
 
-/// The largest of a contact's guards.
-pub fn worst_guard(journal: &Journal, memory: &Contact, reading: &Reading) -> f64 {
+/// The largest of a contact's guards, with round-off by the mechanism's own length, mass and time.
+pub fn worst_guard(scale: &Scale, journal: &Journal, memory: &Contact, reading: &Reading) -> f64 {
     match (&journal.surface, memory.phase) {
         (Surface::Compliant(_), Phase::Flight) => reading.penetration,
         // On its way out it may still be where it touched.
         (Surface::Rigid(_), Phase::Flight) => {
-            reading.penetration.min((reading.rate - CREEP) * SECOND)
+            let approach = reading.rate - CREEP * scale.velocity();
+            reading.penetration.min(approach * scale.time)
         }
-        (Surface::Rigid(rigid), Phase::Contact) => lets_go(reading)
+        (Surface::Rigid(rigid), Phase::Contact) => lets_go(scale, reading)
             .max(past(&rigid.friction_law(), memory, reading) - PAST_RIGID * rigid.threshold),
         (Surface::Compliant(laws), Phase::Contact) => {
             let hold = laws
@@ -55,7 +56,7 @@ pub fn worst_guard(journal: &Journal, memory: &Contact, reading: &Reading) -> f6
                 .hold(reading.penetration, reading.rate, memory.approach);
             gone(journal, reading)
                 .max(-hold)
-                .max(past(&laws.friction, memory, reading) - PAST)
+                .max(past(&laws.friction, memory, reading) - PAST * scale.velocity())
         }
         (Surface::Compliant(laws), Phase::Released) => gone(journal, reading).max(
             laws.normal
@@ -66,8 +67,8 @@ pub fn worst_guard(journal: &Journal, memory: &Contact, reading: &Reading) -> f6
 }
 
 /// Positive where a rigid journal that follows its bearing would be pulled.
-pub fn lets_go(reading: &Reading) -> f64 {
-    -reading.normal - PULL
+pub fn lets_go(scale: &Scale, reading: &Reading) -> f64 {
+    -reading.normal - PULL * scale.force()
 }
 
 /// Positive beyond the ends of the friction law's piece.
@@ -112,7 +113,12 @@ pub enum Change {
 }
 
 /// Changes the memory where a guard has become positive.
-pub fn change(journal: &Journal, memory: &mut Contact, reading: &Reading) -> Option<Change> {
+pub fn change(
+    scale: &Scale,
+    journal: &Journal,
+    memory: &mut Contact,
+    reading: &Reading,
+) -> Option<Change> {
     let next_piece = |friction: &friction::Law, memory: &mut Contact, slack: f64| {
         (past(friction, memory, reading) > slack).then(|| {
             memory.piece = friction.piece(reading.sliding);
@@ -145,7 +151,7 @@ pub fn change(journal: &Journal, memory: &mut Contact, reading: &Reading) -> Opt
                 memory.phase = Phase::Released;
                 Some(Change::Release)
             } else {
-                next_piece(&laws.friction, memory, PAST)
+                next_piece(&laws.friction, memory, PAST * scale.velocity())
             }
         }
         Phase::Released => (laws

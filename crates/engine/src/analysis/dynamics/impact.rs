@@ -31,8 +31,13 @@ const MANY: usize = 100;
 /// Impulse by which a follower may be pulled, in parts of the impact's, before it lets go.
 const PULLED: f64 = 1e-9;
 
-/// Normal speed of a journal that stays where it is [m/s].
-pub(super) const AT_REST: f64 = 1e-9;
+/// Normal speed of a journal that stays where it is [L/T]: above what approaches by round-off.
+const AT_REST: f64 = 1e-9;
+
+/// The same in a motion [m/s].
+pub(super) fn at_rest(motion: &Motion) -> f64 {
+    AT_REST * motion.system().scale.velocity()
+}
 
 /// Directions of an impact and what unit impulses along them change.
 pub(super) struct Point {
@@ -51,7 +56,7 @@ impl Integration {
             if round >= MANY {
                 self.settle(motion, f64::INFINITY, time)?;
             } else if motion.reduced.inputs.contacts[contact].phase == Phase::Contact {
-                self.settle(motion, AT_REST, time)?;
+                self.settle(motion, at_rest(motion), time)?;
             } else {
                 let reading = motion.reading(contact);
                 self.impact(motion, contact, &reading, time)?;
@@ -96,7 +101,7 @@ impl Integration {
             .zip(&stays)
             .map(|((&contact, point), &stays)| {
                 // What an impact has stopped may leave by round-off.
-                let least = if were[contact] { slow } else { AT_REST };
+                let least = if were[contact] { slow } else { at_rest(motion) };
                 let at_rest = stays || motion.reading(contact).rate.abs() <= least;
                 if at_rest {
                     approach_acceleration(motion, contact, point)
@@ -274,9 +279,9 @@ impl Integration {
         }
         if stays || strike.parts || jams {
             let slow = if stays {
-                (2.0 * fall.max(0.0) * height).sqrt().max(AT_REST)
+                (2.0 * fall.max(0.0) * height).sqrt().max(at_rest(motion))
             } else {
-                AT_REST
+                at_rest(motion)
             };
             self.settle(motion, slow, time)?;
             if motion.followers()[contact] {
@@ -487,9 +492,9 @@ fn acting(motion: &Motion) -> Option<usize> {
         );
         // What friction does asks for no impulse.
         let guard = if memory.phase == Phase::Contact {
-            lets_go(&reading)
+            lets_go(&system.scale, &reading)
         } else {
-            worst_guard(journal, memory, &reading)
+            worst_guard(&system.scale, journal, memory, &reading)
         };
         matches!(journal.surface, Surface::Rigid(_)) && guard > 0.0
     })

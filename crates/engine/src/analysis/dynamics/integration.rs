@@ -340,7 +340,7 @@ impl Integration {
             let before = motion.reduced.inputs.contacts[contact];
             let journal = &system.contacts[contact];
             let mut memory = before;
-            let Some(change) = change(journal, &mut memory, &reading) else {
+            let Some(change) = change(&system.scale, journal, &mut memory, &reading) else {
                 continue;
             };
             let stored = |memory| motion.stored(contact, memory);

@@ -17,7 +17,7 @@
 //! (see [`crate::contact::impact`]); several at once give nothing back. The same ends a motion in which N grows beyond all
 //! bounds, d → 0.
 
-use super::impact::{AT_REST, Point, inverse_mass, rubbing};
+use super::impact::{Point, at_rest, inverse_mass, rubbing};
 use super::integration::Integration;
 use super::motion::Motion;
 use super::words::TIGHT;
@@ -93,7 +93,7 @@ impl Integration {
             let pushes = way.come_to_rest(motion, jam).ok_or(Failure::Singular)?;
             self.push_all(motion, contacts, jam.points, &pushes);
             motion.evaluate(time, &self.y)?;
-            self.settle(motion, AT_REST, time)?;
+            self.settle(motion, at_rest(motion), time)?;
         }
         self.jammed.clear();
         Ok(())
@@ -245,7 +245,7 @@ impl Way {
                         dot(&jam.points[k].forces[0], &point.sum(&point.changes, push))
                     })
                     .sum();
-                !press[k] && motion.reading(jam.contacts[k]).rate - change > AT_REST
+                !press[k] && motion.reading(jam.contacts[k]).rate - change > at_rest(motion)
             });
             let Some(nearer) = nearer else {
                 return Some(pushes);

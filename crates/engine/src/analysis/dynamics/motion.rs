@@ -29,8 +29,8 @@ use crate::system::System;
 const PER_CONTACT: usize = 3;
 /// Evaluations remembered: those of one step of any method are among them.
 const MARKS: usize = 24;
-/// Velocities are no worse resolved than this part of rtol [m/s, rad/s].
-const SLOW: f64 = 0.1;
+/// Rates near zero are measured against this [L/T, 1/T]: slow against the motion, fast against its round-off.
+const SLOW: f64 = 2e-3;
 
 /// Errors of the energy ledger are bounded by this, times rtol, of the kinetic energy at the last event.
 const LEDGER: f64 = 10.0;
@@ -286,9 +286,10 @@ impl<'s> Motion<'s> {
     /// The largest of all guards at the point of the last evaluation.
     pub fn worst(&self) -> f64 {
         let memories = &self.reduced.inputs.contacts;
+        let scale = &self.system().scale;
         let guards = self.system().contacts.iter().zip(memories).enumerate();
         guards.fold(f64::NEG_INFINITY, |worst, (contact, (journal, memory))| {
-            worst.max(worst_guard(journal, memory, &self.reading(contact)))
+            worst.max(worst_guard(scale, journal, memory, &self.reading(contact)))
         })
     }
 
@@ -319,7 +320,8 @@ impl<'s> Motion<'s> {
 
     /// The bound of the local error. In a mechanism with contacts lengths are measured against the smallest clearance, or the
     /// smallest depth at which a contact would hold all the kinetic energy of the moment, where that is less: an error of the
-    /// penetration is one of the energy, force times error. Rates near zero are measured against 1 m/s.
+    /// penetration is one of the energy, force times error. Rates near zero are measured
+    /// against [`SLOW`].
     pub fn tolerance(&self, wanted: Wanted) -> Tolerance {
         let f = self.reduced.freedom();
         let dimension = self.dimension();
@@ -372,7 +374,8 @@ impl<'s> Motion<'s> {
             tolerance.atol[k] = atol
                 .min(rtol * small)
                 .max(LEAST * system.column_scale(pin.column));
-            tolerance.atol[f + k] = atol.min(SLOW * rtol);
+            let rate = system.column_scale(pin.column) / system.scale.time;
+            tolerance.atol[f + k] = atol.min(SLOW * rtol * rate);
         }
         for contact in 0..self.contacts() {
             if let Some(component) = self.bristle(contact) {
@@ -418,7 +421,12 @@ impl<'s> Motion<'s> {
         for contact in 0..self.contacts() {
             let reading = self.reading(contact);
             let memory = self.reduced.inputs.contacts[contact];
-            worst = worst.max(worst_guard(&system.contacts[contact], &memory, &reading));
+            worst = worst.max(worst_guard(
+                &system.scale,
+                &system.contacts[contact],
+                &memory,
+                &reading,
+            ));
             let k = self.dissipated(contact);
             let pressed = if memory.phase == Phase::Contact {
                 reading.normal
