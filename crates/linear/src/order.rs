@@ -12,6 +12,12 @@
 //!
 //! On a grid of 16 × 16 cells pairing leaves a third of the fill of plain minimum degree; on chains plain is a fifth
 //! better.
+//!
+//! Strongly connected blocks of the paired graph (petgraph has them) would be the loops that are solved one after the
+//! other, and only their diagonal blocks would be factored (block triangular form). They are not looked for: minimum
+//! degree already leaves a driven chain of 200 loops less than four times its entries (a test below holds that), and a KKT
+//! matrix is symmetric, so that a connected mechanism is one block. petgraph serves where topology itself is the
+//! question, in `graph` of the engine.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::SymbolicSparseColMatRef;
