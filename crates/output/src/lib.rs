@@ -121,6 +121,21 @@ pub struct Stage {
     pub cpu: f64,
 }
 
+/// Why a motion could not be followed any further.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Reason {
+    /// Up to where it is known \[s\].
+    pub time: f64,
+    /// What the solver found.
+    pub cause: String,
+    /// Largest residual of the constraints, lengths by the mechanism's size, where they could not be met \[–\].
+    pub residual: Option<f64>,
+    /// Rows of the constraints that take the largest part in it.
+    pub rows: Vec<usize>,
+    /// What makes these rows, `joint "b"`.
+    pub owners: Vec<String>,
+}
+
 /// Everything about a run but its columns.
 #[derive(Debug, Clone, Default)]
 pub struct Report {
@@ -128,6 +143,8 @@ pub struct Report {
     pub status: Status,
     /// Why a run that did not complete stopped, in a sentence or two; for standard error.
     pub message: Option<String>,
+    /// The same in parts, where the equations of a motion were the reason.
+    pub reason: Option<Reason>,
     /// Degrees of freedom.
     pub mobility: Mobility,
     /// Work done.

@@ -146,6 +146,20 @@ fn a_dead_centre_of_a_motion_that_is_integrated_tells_what_is_in_line() {
         message.contains("\"crank\" and \"rod\" are in line"),
         "{message}"
     );
+    // The solver's own finding reaches the report.
+    let reason = run.report.reason.expect("a reason");
+    assert!(
+        (0.1..0.2).contains(&reason.time) && !reason.cause.is_empty(),
+        "{reason:?}"
+    );
+    assert!(
+        !reason.rows.is_empty()
+            && reason
+                .owners
+                .iter()
+                .any(|owner| owner.starts_with("joint ")),
+        "{reason:?}"
+    );
 }
 
 const TWO_AT_ONCE: &str = include_str!("../../cases/dead-centre-called-singular.json");

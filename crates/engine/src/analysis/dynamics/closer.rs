@@ -4,13 +4,13 @@
 //! that exceeds the extreme so far, the mechanism is evaluated at its top. What counts is always a row that was evaluated.
 
 use super::episodes::{Episodes, by_time, insert};
+use super::fault::Fault;
 use super::integration::Integration;
 use super::motion::Motion;
 use super::settings::Settings;
 use super::watch::{Node, SIDES, Watch};
 use super::within::{self, POINTS};
 use crate::element::journal::{Phase, Surface};
-use crate::integrate::Refused;
 use linkdyn_output::Trajectory;
 
 /// Evaluations of one step after which the rest is left as it is.
@@ -208,7 +208,7 @@ impl Integration {
         motion: &mut Motion,
         watch: &mut Watch,
         from: f64,
-    ) -> Result<(), Refused> {
+    ) -> Result<(), Fault> {
         self.evaluate_at(motion, from)?;
         let mut node = std::mem::take(&mut watch.end);
         self.fill(motion, watch, &mut node);
@@ -224,7 +224,7 @@ impl Integration {
         looking: &mut Looking,
         from: f64,
         until: f64,
-    ) -> Result<(), Refused> {
+    ) -> Result<(), Fault> {
         // All of a piece within one step: its ends tell nothing.
         let is_all = !looking.watch.has_before() && self.pending.is_some();
         if !is_all && !looking.watch.is_suspicious() {
@@ -276,11 +276,10 @@ impl Integration {
         looking: &mut Looking,
         time: f64,
         point: Option<usize>,
-    ) -> Result<(), Refused> {
-        self.stepper.interpolate(motion, time, &mut self.y)?;
-        motion
-            .evaluate_exactly(time, &self.y)
-            .map_err(|_| Refused)?;
+    ) -> Result<(), Fault> {
+        let known = self.stepper.interpolate(motion, time, &mut self.y);
+        known.map_err(|refused| motion.refused(refused))?;
+        motion.evaluate_exactly(time, &self.y)?;
         let Looking {
             watch, inner, here, ..
         } = looking;
@@ -309,7 +308,7 @@ impl Integration {
         looking: &mut Looking,
         &(quantity, side, place, _): &Top,
         (from, until): (f64, f64),
-    ) -> Result<(), Refused> {
+    ) -> Result<(), Fault> {
         let (mut place, mut width) = (place, WIDTH);
         for _ in 0..PARABOLAS {
             let middle = place.clamp(width, 1.0 - width);

@@ -3,15 +3,16 @@
 
 use super::closer::Looking;
 use super::contact::{Change, History, Sums, change, first_phase, sticks};
+use super::fault::Fault;
 use super::motion::Motion;
 use super::settings::{Settings, Wanted};
 use super::words::{TIGHT, beyond_range, culprits, deep_start, describe, jam, tight};
 use crate::analysis::control::{Control, Stop};
 use crate::analysis::words::locked;
 use crate::element::journal::{Phase, Reading, Surface};
-use crate::integrate::{Limits, Method, Ode, StepFailure, Stepper};
+use crate::integrate::{Limits, Method, Ode, Stepper};
 use crate::mechanism::driven::Failure;
-use linkdyn_output::{ClearanceSums, Report, Status};
+use linkdyn_output::{ClearanceSums, Reason, Report, Status};
 
 /// Newton's step, by rtol, below which the equations are taken for those of its end: a hundredth of what the step's error
 /// may be.
@@ -70,7 +71,35 @@ struct Margin {
 const LOCK_AHEAD: f64 = 1e6;
 
 /// Why the loop ended before its time.
-pub type Ended = (Status, String);
+pub struct Ended {
+    pub status: Status,
+    pub message: String,
+    pub reason: Option<Reason>,
+}
+
+impl Ended {
+    /// At an output that can't be solved.
+    pub fn at_output(motion: &mut Motion, fault: Fault, time: f64) -> Ended {
+        let system = motion.system();
+        let when = system.display.time(time);
+        let message = match fault {
+            Fault::Unsolved(Failure::Locked { force }) => format!(
+                "at t = {when} {}; the rows until there are kept",
+                locked(system, force)
+            ),
+            Fault::Unsolved(
+                Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. },
+            )
+            | Fault::TooSmall { .. }
+            | Fault::Indivisible { .. } => format!("the position at t = {when} can't be solved"),
+        };
+        Ended {
+            status: Status::Singular,
+            message,
+            reason: Some(fault.reason(motion, time)),
+        }
+    }
+}
 
 impl Integration {
     /// Starts at t = 0.
@@ -145,9 +174,10 @@ impl Integration {
         let started = integration.stepper.start(motion, 0.0, &y, end);
         integration.y = y;
         started.map_err(|failure| {
+            let fault = motion.stopped(failure);
             Stop::failed(
                 Status::Singular,
-                describe(failure, 0.0, "", &motion.system().display),
+                describe(fault, 0.0, "", &motion.system().display),
             )
         })?;
         Ok(integration)
@@ -165,7 +195,7 @@ impl Integration {
         time: f64,
         y: &[f64],
         step: Option<f64>,
-    ) -> Result<(), StepFailure> {
+    ) -> Result<(), Fault> {
         let counters = self.stepper.counters();
         for (sum, part) in
             self.before
@@ -180,7 +210,8 @@ impl Integration {
             ..Limits::default()
         };
         self.stepper = self.method.stepper(motion.tolerance(self.wanted), limits);
-        self.stepper.start(motion, time, y, self.end)
+        let started = self.stepper.start(motion, time, y, self.end);
+        started.map_err(|failure| motion.stopped(failure))
     }
 
     /// Steps until `time` lies within the last step, before its event.
@@ -200,19 +231,35 @@ impl Integration {
                         motion.system().display.time(self.stepper.t())
                     ),
                 };
-                return Err((status, format!("{why}; the rows until then are kept")));
+                return Err(Ended {
+                    status,
+                    message: format!("{why}; the rows until then are kept"),
+                    reason: None,
+                });
             }
             let now = self.reached();
-            if let Err(failure) = self.advance(motion) {
-                return Err(self.ended(motion, failure, now));
+            if let Err(fault) = self.advance(motion) {
+                return Err(self.ended(motion, fault, now));
             }
         }
         Ok(())
     }
 
     /// What a step that can't be taken means.
-    fn ended(&self, motion: &mut Motion, failure: StepFailure, now: f64) -> Ended {
-        let refused = matches!(failure, StepFailure::Refused { .. });
+    fn ended(&self, motion: &mut Motion, fault: Fault, now: f64) -> Ended {
+        let (status, message) = self.told(motion, fault, now);
+        Ended {
+            status,
+            message,
+            reason: Some(fault.reason(motion, now)),
+        }
+    }
+
+    fn told(&self, motion: &mut Motion, fault: Fault, now: f64) -> (Status, String) {
+        let refused = match fault {
+            Fault::TooSmall { .. } => false,
+            Fault::Indivisible { .. } | Fault::Unsolved(_) => true,
+        };
         let lock = motion
             .reduced
             .driven
@@ -229,19 +276,15 @@ impl Integration {
             );
         }
         let display = &motion.system().display;
-        match failure {
-            StepFailure::TooSmall { .. } => (
-                Status::StepTooSmall,
-                format!("{}{}", describe(failure, now, "", display), tight(motion)),
-            ),
-            StepFailure::Refused { .. } if !self.jammed.is_empty() => {
-                (Status::Singular, jam(motion, &self.jammed, now))
-            }
-            StepFailure::Refused { .. } => (
-                Status::Singular,
-                describe(failure, now, &culprits(motion), display),
-            ),
+        if !refused {
+            let what = describe(fault, now, "", display);
+            return (Status::StepTooSmall, format!("{what}{}", tight(motion)));
         }
+        if !self.jammed.is_empty() {
+            return (Status::Singular, jam(motion, &self.jammed, now));
+        }
+        let culprits = culprits(motion);
+        (Status::Singular, describe(fault, now, &culprits, display))
     }
 
     /// Notes how far the friction is from locking a joint at the end of the step just taken.
@@ -271,38 +314,35 @@ impl Integration {
     }
 
     /// One step.
-    fn advance(&mut self, motion: &mut Motion) -> Result<(), StepFailure> {
+    fn advance(&mut self, motion: &mut Motion) -> Result<(), Fault> {
         let now = self.reached();
-        let refused = |_| StepFailure::Refused { t: now };
         if let Some(time) = self.pending.take() {
             self.change(motion, time)?;
         }
-        if motion
-            .reduced
-            .repin()
-            .map_err(|_: Failure| StepFailure::Refused { t: now })?
-        {
+        if motion.reduced.repin()? {
             self.y.copy_from_slice(self.stepper.y());
             motion.state(&mut self.y);
             self.begin_again(motion, now)?;
         }
         if let Err(failure) = self.stepper.step(motion, self.end) {
+            let fault = motion.stopped(failure);
             if !self.loosen(motion, now) {
-                return Err(failure);
+                return Err(fault);
             }
             self.begin_again(motion, now)?;
-            self.stepper.step(motion, self.end)?;
+            let taken = self.stepper.step(motion, self.end);
+            taken.map_err(|failure| motion.stopped(failure))?;
         }
         self.note_margin(motion);
         if !self.histories.is_empty() {
-            self.look_closely(motion).map_err(refused)?;
+            self.look_closely(motion)?;
             self.watch_step(motion);
         }
         Ok(())
     }
 
     /// A new stepper at (time, y), as long steps as the last one was.
-    fn begin_again(&mut self, motion: &mut Motion, time: f64) -> Result<(), StepFailure> {
+    fn begin_again(&mut self, motion: &mut Motion, time: f64) -> Result<(), Fault> {
         let y = std::mem::take(&mut self.y);
         let step = (self.stepper.t() - self.stepper.previous()).abs();
         let restarted = self.restart(motion, time, &y, (step > 0.0).then_some(step));
@@ -329,11 +369,9 @@ impl Integration {
     }
 
     /// Changes the phases that end at `time`, and starts again from there.
-    fn change(&mut self, motion: &mut Motion, time: f64) -> Result<(), StepFailure> {
-        let refused = |_| StepFailure::Refused { t: time };
-        self.evaluate_at(motion, time).map_err(refused)?;
-        self.collide(motion, time)
-            .map_err(|_: Failure| StepFailure::Refused { t: time })?;
+    fn change(&mut self, motion: &mut Motion, time: f64) -> Result<(), Fault> {
+        self.evaluate_at(motion, time)?;
+        self.collide(motion, time)?;
         let system = motion.system();
         for contact in 0..self.histories.len() {
             let reading = motion.reading(contact);
@@ -389,20 +427,19 @@ impl Integration {
     ///
     /// # Errors
     /// Where the position can't be solved.
-    pub fn output(&mut self, motion: &mut Motion, time: f64) -> Result<(), Failure> {
+    pub fn output(&mut self, motion: &mut Motion, time: f64) -> Result<(), Fault> {
         for _ in 0..HALVINGS {
             match self.point(motion, time) {
                 // Long steps of smooth motions have stages, or predictions, that are too far from it.
-                Err(Failure::Singular | Failure::Diverged { .. })
+                Err(Fault::Unsolved(Failure::Singular | Failure::Diverged { .. }))
                     if time > self.stepper.previous() =>
                 {
-                    let refused = |_| Failure::Singular;
-                    self.halve(motion, time).map_err(refused)?;
+                    self.halve(motion, time)?;
                     if !self.histories.is_empty() {
-                        self.look_closely(motion).map_err(refused)?;
+                        self.look_closely(motion)?;
                     }
                     while self.reached() < time {
-                        self.advance(motion).map_err(|_| Failure::Singular)?;
+                        self.advance(motion)?;
                     }
                 }
                 result => return result,
@@ -411,19 +448,15 @@ impl Integration {
         self.point(motion, time)
     }
 
-    fn point(&mut self, motion: &mut Motion, time: f64) -> Result<(), Failure> {
+    fn point(&mut self, motion: &mut Motion, time: f64) -> Result<(), Fault> {
         self.y.resize(motion.dimension(), 0.0);
         if time == self.stepper.t() {
             self.y.copy_from_slice(self.stepper.y());
         } else {
-            self.stepper
-                .interpolate(motion, time, &mut self.y)
-                .map_err(|_| {
-                    let locked = motion.reduced.driven.dependent_forces.locked();
-                    locked.map_or(Failure::Singular, |force| Failure::Locked { force })
-                })?;
+            let known = self.stepper.interpolate(motion, time, &mut self.y);
+            known.map_err(|refused| motion.refused(refused))?;
         }
-        motion.evaluate_exactly(time, &self.y)
+        Ok(motion.evaluate_exactly(time, &self.y)?)
     }
 
     /// Work and contacts into the report.

@@ -1,10 +1,11 @@
 //! Looks at a step that was taken: the first event in it, and what contacts did before.
 
+use super::fault::Fault;
 use super::integration::{HALVINGS, Integration};
 use super::locate::locate;
 use super::motion::Motion;
 use crate::element::journal::Phase;
-use crate::integrate::{Ode, Refused, StepFailure};
+use crate::integrate::Ode;
 
 /// Points within a step at which guards are looked at once one of them has been positive somewhere.
 const LOOKS: usize = 8;
@@ -14,7 +15,7 @@ const BEYOND: f64 = 1e-3;
 impl Integration {
     /// Looks at the last step; where something within it can't be evaluated, at the first part of it alone, which the step
     /// then is.
-    pub(super) fn look_closely(&mut self, motion: &mut Motion) -> Result<(), Refused> {
+    pub(super) fn look_closely(&mut self, motion: &mut Motion) -> Result<(), Fault> {
         for _ in 0..HALVINGS {
             if self.look(motion).is_ok() {
                 return Ok(());
@@ -25,22 +26,22 @@ impl Integration {
     }
 
     /// Takes the last step again, to halfway between its beginning and `time`.
-    pub(super) fn halve(&mut self, motion: &mut Motion, time: f64) -> Result<(), Refused> {
+    pub(super) fn halve(&mut self, motion: &mut Motion, time: f64) -> Result<(), Fault> {
         self.pending = None;
         let from = self.stepper.previous();
         self.step_again(motion, from, 0.5 * (from + time))
-            .map_err(|_| Refused)
     }
 
     /// y and the mechanism at a time within the last step.
-    pub(super) fn evaluate_at(&mut self, motion: &mut Motion, time: f64) -> Result<(), Refused> {
-        self.stepper.interpolate(motion, time, &mut self.y)?;
-        motion.evaluate(time, &self.y).map_err(|_| Refused)
+    pub(super) fn evaluate_at(&mut self, motion: &mut Motion, time: f64) -> Result<(), Fault> {
+        let known = self.stepper.interpolate(motion, time, &mut self.y);
+        known.map_err(|refused| motion.refused(refused))?;
+        Ok(motion.evaluate(time, &self.y)?)
     }
 
     /// Finds the first event of the last step, and tells the histories what came before it. The mechanism is evaluated at the
     /// event, or the step's end, then.
-    fn look(&mut self, motion: &mut Motion) -> Result<(), Refused> {
+    fn look(&mut self, motion: &mut Motion) -> Result<(), Fault> {
         let (mut from, mut to) = (self.stepper.previous(), self.stepper.t());
         let has_passed = motion.passed(from, to);
         if has_passed {
@@ -49,8 +50,7 @@ impl Integration {
         if let Some(time) = self.pending
             && from + (1.0 + BEYOND) * (time - from) < to
         {
-            self.step_again(motion, from, from + (1.0 + BEYOND) * (time - from))
-                .map_err(|_| Refused)?;
+            self.step_again(motion, from, from + (1.0 + BEYOND) * (time - from))?;
             (from, to) = (self.stepper.previous(), self.stepper.t());
             self.pending = self.first_event(motion, from, to)?;
         }
@@ -85,19 +85,20 @@ impl Integration {
 
     /// The last step once more, from its beginning, to `to` within it: a method's continuous extension is less accurate than
     /// the ends of its steps, and where the motion goes on after an event is such an end.
-    fn step_again(&mut self, motion: &mut Motion, from: f64, to: f64) -> Result<(), StepFailure> {
+    fn step_again(&mut self, motion: &mut Motion, from: f64, to: f64) -> Result<(), Fault> {
         let mut y = std::mem::take(&mut self.y);
         y.resize(motion.dimension(), 0.0);
         let known = self
             .stepper
             .interpolate(motion, from, &mut y)
-            .map_err(|_| StepFailure::Refused { t: from });
+            .map_err(|refused| motion.refused(refused));
         let end = std::mem::replace(&mut self.end, to);
         let restarted = known.and_then(|()| self.restart(motion, from, &y, Some(to - from)));
         (self.y, self.end) = (y, end);
-        restarted?;
+        restarted.map_err(Fault::of_part)?;
         // Where it is rejected now, a shorter one takes its place.
-        self.stepper.step(motion, to)
+        let taken = self.stepper.step(motion, to);
+        taken.map_err(|failure| motion.stopped(failure).of_part())
     }
 
     /// The first instant in (from, to] at which a guard is positive, where there is one.
@@ -106,10 +107,10 @@ impl Integration {
         motion: &mut Motion,
         from: f64,
         to: f64,
-    ) -> Result<Option<f64>, Refused> {
+    ) -> Result<Option<f64>, Fault> {
         let guard = |integration: &mut Self, motion: &mut Motion, time: f64| {
             integration.evaluate_at(motion, time)?;
-            Ok::<f64, Refused>(motion.worst())
+            Ok::<f64, Fault>(motion.worst())
         };
         let mut low = (from, guard(self, motion, from)?.min(0.0));
         for look in 1..=LOOKS {

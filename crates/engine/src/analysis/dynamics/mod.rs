@@ -10,6 +10,7 @@
 mod closer;
 mod contact;
 mod episodes;
+mod fault;
 mod impact;
 mod integration;
 mod jam;
@@ -35,7 +36,7 @@ use crate::mechanism::phases::Phases;
 use crate::mechanism::reduced::Reduced;
 use crate::system::System;
 use closer::Looking;
-use integration::Integration;
+use integration::{Ended, Integration};
 use linkdyn_model::error::Complaint;
 use linkdyn_output::{Report, Status, Stopwatch, Trajectory};
 use motion::Motion;
@@ -87,26 +88,14 @@ pub fn run(
     let rows = settings.instants.len();
     let mut outputs = Outputs::new(system, settings.contents, rows, &mut report);
     for &instant in &settings.instants {
-        if let Err((status, message)) = solver.reach(&mut motion, instant, control) {
-            outputs.report.status = status;
-            outputs.report.message = Some(message);
-            break;
-        }
-        if let Err(failure) = outputs.record(&mut solver, &mut motion, instant) {
-            outputs.report.status = Status::Singular;
-            outputs.report.message = Some(match failure {
-                Failure::Locked { force } => format!(
-                    "at t = {} {}; the rows until there are kept",
-                    system.display.time(instant),
-                    locked(system, force)
-                ),
-                Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. } => {
-                    format!(
-                        "the position at t = {} can't be solved",
-                        system.display.time(instant)
-                    )
-                }
-            });
+        let reached = solver.reach(&mut motion, instant, control).and_then(|()| {
+            let recorded = outputs.record(&mut solver, &mut motion, instant);
+            recorded.map_err(|fault| Ended::at_output(&mut motion, fault, instant))
+        });
+        if let Err(ended) = reached {
+            outputs.report.status = ended.status;
+            outputs.report.message = Some(ended.message);
+            outputs.report.reason = ended.reason;
             break;
         }
     }

@@ -59,6 +59,8 @@ pub struct Motion<'s> {
     memories: Vec<Option<usize>>,
     bristle_count: usize,
     moving_drivers: bool,
+    /// Why the last evaluation for a stepper was refused, where it was.
+    pub(super) refusal: Option<Failure>,
     lambda: Vec<f64>,
     marks: [Mark; MARKS],
     next_mark: usize,
@@ -98,6 +100,7 @@ impl<'s> Motion<'s> {
                 .drivers
                 .iter()
                 .any(|driver| !driver.law.is_constant()),
+            refusal: None,
             lambda: vec![0.0; system.m()],
             marks: [(f64::NEG_INFINITY, f64::NEG_INFINITY); MARKS],
             next_mark: 0,
@@ -468,6 +471,13 @@ fn depth(contact: &Journal, energy: f64) -> f64 {
     low
 }
 
+/// (u̇, ü) of the last evaluation.
+fn rates(reduced: &Reduced, y: &[f64], dy: &mut [f64]) {
+    let f = reduced.freedom();
+    dy[..f].copy_from_slice(&y[f..2 * f]);
+    dy[f..2 * f].copy_from_slice(reduced.accelerations());
+}
+
 impl Ode for Reduced<'_> {
     fn dimension(&self) -> usize {
         2 * self.freedom()
@@ -475,9 +485,7 @@ impl Ode for Reduced<'_> {
 
     fn eval(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Refused> {
         self.evaluate(t, y).map_err(|_| Refused)?;
-        let f = self.freedom();
-        dy[..f].copy_from_slice(&y[f..2 * f]);
-        dy[f..2 * f].copy_from_slice(self.accelerations());
+        rates(self, y, dy);
         Ok(())
     }
 
@@ -498,7 +506,10 @@ impl Ode for Motion<'_> {
 
     fn eval(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Refused> {
         self.take_bristles(y);
-        Ode::eval(&mut self.reduced, t, y, dy)?;
+        let evaluated = self.reduced.evaluate(t, y);
+        self.refusal = evaluated.err();
+        evaluated.map_err(|_| Refused)?;
+        rates(&self.reduced, y, dy);
         self.eval_pressing();
         for (force, dependent) in self.system().dependent_forces.iter().enumerate() {
             if let Some(component) = self.memory(force) {

@@ -1,12 +1,12 @@
 //! The loop's results: rows, and how good they are.
 
+use super::fault::Fault;
 use super::integration::Integration;
 use super::motion::Motion;
 use super::sampling::Sampling;
 use crate::analysis::channels::Contents;
 use crate::analysis::power::Powers;
 use crate::analysis::sample::Sample;
-use crate::mechanism::driven::Failure;
 use crate::system::System;
 use linkdyn_output::{Report, Trajectory};
 
@@ -54,7 +54,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
         solver: &mut Integration,
         motion: &mut Motion,
         time: f64,
-    ) -> Result<(), Failure> {
+    ) -> Result<(), Fault> {
         solver.output(motion, time)?;
         self.sampling.take(motion);
         let [dissipated, work] = solver.ledger(motion);

@@ -1,9 +1,9 @@
 //! Largest penetration and force of a contact, within the steps.
 
+use super::fault::Fault;
 use super::integration::Integration;
 use super::motion::Motion;
 use crate::element::journal::{Reading, Surface};
-use crate::integrate::Refused;
 
 /// Parts of a step at whose ends peaks are looked for, and how far inside at those of the step.
 const PEAK_LOOKS: usize = 16;
@@ -24,7 +24,7 @@ impl Integration {
         end: &Reading,
         from: f64,
         to: f64,
-    ) -> Result<bool, Refused> {
+    ) -> Result<bool, Fault> {
         let Surface::Compliant(laws) = &motion.system().contacts[contact].surface else {
             return Ok(false);
         };
@@ -79,7 +79,7 @@ impl Integration {
         contact: usize,
         (mut time, mut width): (f64, f64),
         of: Quantity,
-    ) -> Result<(), Refused> {
+    ) -> Result<(), Fault> {
         for _ in 0..PEAK_PARABOLAS {
             let mut values = [0.0; 3];
             for (value, side) in values.iter_mut().zip([-1.0, 0.0, 1.0]) {

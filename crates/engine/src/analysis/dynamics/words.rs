@@ -1,9 +1,9 @@
 //! What is said of a run: where it ended and by whose fault, and what to doubt.
 
+use super::fault::Fault;
 use super::motion::Motion;
 use crate::analysis::in_line::singular_text;
 use crate::element::journal::{Journal, Reading, Surface};
-use crate::integrate::StepFailure;
 use crate::system::System;
 use linkdyn_model::display::DisplayUnits;
 use linkdyn_model::error::Complaint;
@@ -106,20 +106,15 @@ pub(super) fn tight(motion: &Motion) -> String {
 }
 
 /// What a failed step means; `what` says what is singular.
-pub(super) fn describe(
-    failure: StepFailure,
-    now: f64,
-    what: &str,
-    display: &DisplayUnits,
-) -> String {
-    match failure {
-        StepFailure::TooSmall { t, h } => format!(
+pub(super) fn describe(fault: Fault, now: f64, what: &str, display: &DisplayUnits) -> String {
+    match fault {
+        Fault::TooSmall { t, h } => format!(
             "step too small at t = {}: the tolerances ask for steps below {}; the rows until there are kept. \
              Loosen rtol, or look for what changes so fast there",
             display.time(t),
             display.time_to(h, 2)
         ),
-        StepFailure::Refused { .. } => format!(
+        Fault::Indivisible { .. } | Fault::Unsolved(_) => format!(
             "the motion can't be followed beyond t = {}: the constraints are singular there{what}; the rows until there are kept",
             display.time(now)
         ),

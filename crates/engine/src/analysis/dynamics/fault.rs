@@ -1,0 +1,92 @@
+//! Why a motion can't be followed any further, from the solver that finds it up to the report.
+
+use super::motion::Motion;
+use crate::integrate::{Refused, StepFailure};
+use crate::mechanism::failure::Failure;
+use linkdyn_output::Reason;
+use thiserror::Error;
+
+/// Why a motion can't be followed any further.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum Fault {
+    /// The tolerances ask for shorter steps than the time resolves.
+    #[error("at t = {t} s the tolerances ask for steps shorter than {h:e} s")]
+    TooSmall {
+        /// Where \[s\].
+        t: f64,
+        /// Shorter than this \[s\].
+        h: f64,
+    },
+    /// A step that was taken can't be taken again in parts.
+    #[error("the step from t = {t} s can't be divided below {h:e} s")]
+    Indivisible {
+        /// Its beginning \[s\].
+        t: f64,
+        /// The shortest part \[s\].
+        h: f64,
+    },
+    /// The mechanism can't be evaluated.
+    #[error(transparent)]
+    Unsolved(#[from] Failure),
+}
+
+impl Fault {
+    /// The same of a step that is taken again.
+    pub fn of_part(self) -> Fault {
+        match self {
+            Fault::TooSmall { t, h } => Fault::Indivisible { t, h },
+            Fault::Indivisible { .. } | Fault::Unsolved(_) => self,
+        }
+    }
+
+    /// In parts for the report, of a motion that is known up to `time`.
+    pub fn reason(self, motion: &mut Motion, time: f64) -> Reason {
+        let residual = match self {
+            Fault::Unsolved(
+                Failure::Diverged { residual } | Failure::Inconsistent { residual },
+            ) => Some(residual),
+            Fault::Unsolved(Failure::Singular | Failure::Locked { .. })
+            | Fault::TooSmall { .. }
+            | Fault::Indivisible { .. } => None,
+        };
+        let system = motion.system();
+        // To look for it is no work of the run.
+        let done = motion.reduced.driven.done;
+        let rows = match self {
+            Fault::Unsolved(Failure::Locked { force }) => {
+                let block = &system.blocks[system.dependent_forces[force].block];
+                (block.row..block.row + block.rows).collect()
+            }
+            Fault::Unsolved(
+                Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. },
+            ) => motion.reduced.strained_rows(),
+            Fault::TooSmall { .. } | Fault::Indivisible { .. } => Vec::new(),
+        };
+        motion.reduced.driven.done = done;
+        let owner = |row: &usize| system.origin_name(&system.block_of_row(*row).origin);
+        let mut owners: Vec<String> = rows.iter().map(owner).collect();
+        owners.dedup();
+        Reason {
+            time,
+            cause: self.to_string(),
+            residual,
+            rows,
+            owners,
+        }
+    }
+}
+
+impl Motion<'_> {
+    /// What a step that can't be taken means: the stepper knows only that it was refused, the motion why.
+    pub fn stopped(&self, failure: StepFailure) -> Fault {
+        match failure {
+            StepFailure::TooSmall { t, h } => Fault::TooSmall { t, h },
+            StepFailure::Refused { .. } => self.refused(Refused),
+        }
+    }
+
+    /// What a refused point means. Values that are not finite come of singular equations.
+    pub fn refused(&self, _: Refused) -> Fault {
+        Fault::Unsolved(self.refusal.unwrap_or(Failure::Singular))
+    }
+}
