@@ -4,12 +4,13 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::exit::{BadInput, Exit};
 use super::measures::{dpi, number_within};
 use super::open;
 use super::page::{Page, count, number};
 use super::results::{Results, extension, write_file};
 use super::shape::shape_for;
-use super::{BadInput, Exit, print};
+use super::streams::print;
 use linkdyn_picture::film::Film;
 use linkdyn_picture::mechanism::{Layout, Mechanism};
 use linkdyn_picture::poses::Poses;

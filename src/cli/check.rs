@@ -3,10 +3,11 @@
 use clap::Args;
 use serde_json::{Map, Value, json};
 
+use super::exit::{BadInput, Exit};
 use super::open::{ModelOptions, Opened};
 use super::page::{Page, names, number, shorten, wrapped};
-use super::summary::{analysis_words, mobility, status_words};
-use super::{BadInput, Exit, complain, print};
+use super::streams::{complain, print};
+use super::words::{analysis_words, mobility, status_words};
 use linkdyn_engine::analysis::{self, Check, Lack};
 use linkdyn_model::AnalysisKind;
 use linkdyn_output::{Mobility, Status};

@@ -3,8 +3,10 @@
 use clap::Args;
 use serde_json::Value;
 
+use super::exit::{BadInput, Exit};
+use super::near::did_you_mean;
 use super::page::{Page, wrapped};
-use super::{BadInput, Exit, did_you_mean, print};
+use super::streams::print;
 use linkdyn_model::bundled::{self, Bundled, NotBundled};
 
 #[derive(Debug, Args)]

@@ -7,11 +7,13 @@ use std::time::Instant;
 use clap::Args;
 use serde_json::{Value, json};
 
+use super::exit::{BadInput, Exit};
+use super::interrupt;
 use super::open::{ModelOptions, Opened};
 use super::page::{Page, number};
 use super::progress::Line;
-use super::summary::{equilibrium, mobility, status_words};
-use super::{BadInput, Exit, complain, interrupt, print};
+use super::streams::{complain, print};
+use super::words::{equilibrium, mobility, status_words};
 use linkdyn_engine::analysis::{self, Control, Linearised, Mode};
 use linkdyn_output::{Column, Directory, Trajectory, csv, summary};
 

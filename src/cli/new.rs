@@ -6,8 +6,10 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use super::exit::{BadInput, Exit};
+use super::near::did_you_mean;
 use super::page::Page;
-use super::{BadInput, Exit, did_you_mean, print};
+use super::streams::print;
 
 /// Starter models: name, what it is for, file.
 const TEMPLATES: [(&str, &str, &str); 5] = [

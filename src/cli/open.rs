@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use sha2::{Digest, Sha256};
 
-use super::{BadInput, did_you_mean};
+use super::exit::BadInput;
+use super::near::did_you_mean;
 use crate::files::Origin;
 use linkdyn_model::bundled::{self, NotBundled};
 use linkdyn_model::error::Complaint;

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use super::BadInput;
+use super::exit::BadInput;
 use crate::files::PEAKS;
 use linkdyn_model::bundled;
 use linkdyn_output::matches;

@@ -8,9 +8,11 @@ use clap::Args;
 use crate::files::{open_directory, write};
 use crate::run::deadline;
 
+use super::exit::{BadInput, Exit};
 use super::open::ModelOptions;
 use super::progress::Line;
-use super::{BadInput, Exit, complain, interrupt, print, summary};
+use super::streams::{complain, print};
+use super::{interrupt, summary};
 use linkdyn_engine::analysis::{self, Control};
 
 #[derive(Debug, Args)]

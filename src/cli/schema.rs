@@ -1,6 +1,7 @@
 //! `linkdyn schema`: the JSON Schema of model files.
 
-use super::{BadInput, Exit, print};
+use super::exit::{BadInput, Exit};
+use super::streams::print;
 
 /// Prints the schema.
 pub fn execute() -> Result<Exit, BadInput> {

@@ -1,14 +1,14 @@
 //! What `run` tells: how it went, and the numbers that are asked for first.
 
 use super::open::Opened;
-use super::page::{Page, count, names, number, seconds, shorten};
+use super::page::{Page, count, number, seconds, shorten};
+use super::words::{analysis_words, equilibrium, mobility, status_words, unit_words};
 use crate::files::Written;
 use linkdyn_engine::analysis::Outcome;
-use linkdyn_model::AnalysisKind;
 use linkdyn_model::display::DisplayUnits;
 use linkdyn_output::{
-    Channel, ClearanceSums, ColumnId, DriverQuantity, Equilibrium, Event, JointQuantity, Mobility,
-    Quality, Stage, Status, Trajectory,
+    Channel, ClearanceSums, ColumnId, DriverQuantity, Event, JointQuantity, Quality, Stage,
+    Trajectory,
 };
 
 /// Digits of numbers.
@@ -72,44 +72,6 @@ pub fn page(opened: &Opened, outcome: &Outcome, written: &Written) -> String {
     page.text().to_string()
 }
 
-/// The analysis in words.
-pub fn analysis_words(kind: AnalysisKind) -> &'static str {
-    match kind {
-        AnalysisKind::Assembly => "assembly",
-        AnalysisKind::Kinematics => "kinematics",
-        AnalysisKind::InverseDynamics => "inverse dynamics",
-        AnalysisKind::Dynamics => "dynamics",
-        AnalysisKind::Statics => "statics",
-    }
-}
-
-/// The status in words.
-pub fn status_words(status: Status) -> String {
-    status.word().replace('_', " ")
-}
-
-/// Mobility and what is odd about it.
-pub fn mobility(mobility: &Mobility) -> String {
-    let Mobility {
-        grubler,
-        rank,
-        drivers,
-        redundant,
-        reactions_not_unique,
-    } = mobility;
-    let mut text = format!(
-        "{grubler} by Grübler, {rank} by rank, {}",
-        count(*drivers, "driver")
-    );
-    if !redundant.is_empty() {
-        text += &format!("; redundant: {}", names(redundant));
-    }
-    if !reactions_not_unique.is_empty() {
-        text += &format!("; reactions not unique: {}", names(reactions_not_unique));
-    }
-    text
-}
-
 fn outputs(trajectory: &Trajectory) -> String {
     let Some(time) = trajectory
         .column_index("time")
@@ -127,24 +89,6 @@ fn outputs(trajectory: &Trajectory) -> String {
         number(first, 6),
         number(last, 6),
         count(trajectory.width(), "column")
-    )
-}
-
-/// `stable, stiffness 7.688 by crank.angle, residual 1e-16`.
-pub fn equilibrium(found: &Equilibrium) -> String {
-    let stiffness: Vec<String> = found.stiffness.iter().map(|k| number(*k, DIGITS)).collect();
-    let by = match stiffness.is_empty() {
-        true => "nothing is free to move".to_string(),
-        false => format!(
-            "stiffness {} by {}",
-            stiffness.join(", "),
-            found.coordinates.join(", ")
-        ),
-    };
-    format!(
-        "{}, {by}, residual {}",
-        found.stability,
-        number(found.residual, 2)
     )
 }
 
@@ -296,11 +240,6 @@ fn times(stages: &[(&str, Stage)]) -> String {
     format!("{} (CPU {})", walls.join(", "), seconds(cpu))
 }
 
-/// A unit as people write it: `N·m`, `m/s²`.
-pub fn unit_words(unit: &str) -> String {
-    unit.replace('*', "·").replace("^2", "²")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -400,9 +339,5 @@ mod tests {
     #[test]
     fn an_empty_run_has_words_too() {
         assert_eq!(outputs(&Trajectory::default()), "none");
-        assert_eq!(
-            mobility(&Mobility::default()),
-            "0 by Grübler, 0 by rank, 0 drivers"
-        );
     }
 }

@@ -6,9 +6,12 @@ use std::time::Instant;
 
 use clap::Args;
 
+use super::exit::{BadInput, Exit};
+use super::interrupt;
+use super::near::nearest;
 use super::page::{Page, count};
 use super::progress::Line;
-use super::{BadInput, Exit, complain, interrupt, nearest, print};
+use super::streams::{complain, print};
 use linkdyn_engine::analysis::Control;
 use linkdyn_output::Directory;
 use linkdyn_validation::{CASES, Case, CaseError, Claim, Verdict};

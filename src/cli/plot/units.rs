@@ -1,6 +1,6 @@
 //! Units of a figure: which column is drawn in which, and words for what is drawn.
 
-use super::BadInput;
+use crate::cli::exit::BadInput;
 use linkdyn_model::Unit;
 use linkdyn_output::Table;
 use linkdyn_output::read::ReadColumn;

@@ -1,0 +1,105 @@
+//! Runs of one model, each with a rung of the ladder of clearance models.
+
+use std::time::Instant;
+
+use crate::cli::exit::{BadInput, Exit};
+use crate::cli::interrupt;
+use crate::cli::open::ModelOptions;
+use crate::cli::progress::Line;
+use crate::files::{open_directory, write};
+use crate::run::deadline;
+use linkdyn_engine::analysis::{self, Control, Outcome};
+use linkdyn_model::error::Complaint;
+use linkdyn_output::Directory;
+
+/// What came of a model.
+pub struct Rung {
+    /// Word of the clearance model.
+    pub model: &'static str,
+    /// The run, or why there is none.
+    pub ran: Result<Outcome, String>,
+}
+
+/// Runs with one clearance model and writes its results; inside, why it can't be run.
+pub fn run(
+    options: &ModelOptions,
+    joints: &[String],
+    model: &str,
+    directory: Option<&Directory>,
+) -> Result<Result<Outcome, String>, BadInput> {
+    let started = Instant::now();
+    let sets: Vec<String> = joints
+        .iter()
+        .map(|joint| format!("joints.{joint}.clearance.model={model}"))
+        .collect();
+    let opened = match options.open_with(&sets)? {
+        Ok(opened) => opened,
+        Err(complaints) => return Ok(Err(reason(&complaints))),
+    };
+    let deadline = deadline(&opened.loaded.model, started);
+    let control = Control {
+        deadline,
+        interrupted: interrupt::watch(),
+        ..Control::default()
+    };
+    let progress = control.progress.clone();
+    let line = Line::start(started, model, move || progress.share());
+    let ran = analysis::run(&opened.loaded.model, &control);
+    drop(line);
+    let mut outcome = match ran {
+        Ok(outcome) => outcome,
+        Err(complaints) => return Ok(Err(reason(&complaints))),
+    };
+    outcome
+        .report
+        .warnings
+        .splice(0..0, opened.loaded.warnings.iter().cloned());
+    if let Some(directory) = directory {
+        let directory = open_directory(&directory.path().join(model))?;
+        write(&directory, opened.origin(), &outcome)?;
+    }
+    Ok(Ok(outcome))
+}
+
+/// Complaints as a line; where they stand in the file does not matter here.
+fn reason(complaints: &[Complaint]) -> String {
+    let said = complaints.iter().map(
+        |Complaint {
+             path,
+             message,
+             hint,
+             ..
+         }| {
+            let hint = hint
+                .as_ref()
+                .map(|hint| format!(" ({hint})"))
+                .unwrap_or_default();
+            format!("{path}: {message}{hint}")
+        },
+    );
+    said.collect::<Vec<_>>().join("; ")
+}
+
+/// What to tell of two ends: an interruption, then a stop, then bad input.
+pub fn worse(a: Exit, b: Exit) -> Exit {
+    let rank = |exit: Exit| match exit {
+        Exit::Done => 0,
+        Exit::Fault => 1,
+        Exit::BadInput => 2,
+        Exit::Stopped => 3,
+        Exit::Interrupted => 4,
+    };
+    if rank(b) > rank(a) { b } else { a }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_worst_end_counts() {
+        assert_eq!(worse(Exit::BadInput, Exit::Stopped), Exit::Stopped);
+        assert_eq!(worse(Exit::Interrupted, Exit::BadInput), Exit::Interrupted);
+        assert_eq!(worse(Exit::Done, Exit::Done), Exit::Done);
+    }
+}

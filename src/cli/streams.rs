@@ -1,0 +1,60 @@
+//! What goes to which stream: standard output carries what was asked for, standard error complaints.
+
+use std::cell::RefCell;
+use std::io::{self, Write};
+
+use super::page::plain;
+
+/// What a command left that another program ran.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Said {
+    /// The exit status.
+    pub status: u8,
+    /// What it printed.
+    pub stdout: String,
+    /// What it complained of.
+    pub stderr: String,
+}
+
+thread_local! {
+    /// Takes the place of both streams while [`keep`] runs.
+    static SAID: RefCell<Option<Said>> = const { RefCell::new(None) };
+}
+
+/// Keeps what `run` writes to both streams instead; `run` returns the exit status.
+pub fn keep(run: impl FnOnce() -> u8) -> Said {
+    SAID.set(Some(Said::default()));
+    let status = run();
+    Said {
+        status,
+        ..SAID.take().unwrap_or_default()
+    }
+}
+
+/// Lets `put` have the streams that are kept; whether they are.
+pub fn kept(put: impl FnOnce(&mut Said)) -> bool {
+    SAID.with_borrow_mut(|said| said.as_mut().map(put).is_some())
+}
+
+/// Writes one line to standard error; there is nobody to tell if that fails.
+pub fn complain(line: &str) {
+    let line = format!("error: {}\n", plain(line));
+    if !kept(|said| said.stderr += &line) {
+        let _ = io::stderr().write_all(line.as_bytes());
+    }
+}
+
+/// Writes to standard output; a reader that has gone away (`| head`) is no error.
+pub fn print(text: &str) -> io::Result<()> {
+    if kept(|said| said.stdout += text) {
+        return Ok(());
+    }
+    let mut stdout = io::stdout().lock();
+    match stdout
+        .write_all(text.as_bytes())
+        .and_then(|()| stdout.flush())
+    {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        result => result,
+    }
+}
