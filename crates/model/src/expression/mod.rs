@@ -11,14 +11,16 @@
 //! A unit stands behind a number and holds on to it: `1/2 mm` is 1/(2 mm). The text becomes a list of steps on a stack, so
 //! that evaluation neither recurses nor reads the text again; names are known or refused while it is read.
 
+mod naming;
 mod parameters;
 mod parse;
 mod quantity;
 mod written;
 
+pub(super) use naming::with_article;
 pub use parameters::Parameter;
 pub(super) use parameters::{Found, Parameters};
-pub(super) use quantity::{Fault, Pure, Quantity, with_article};
+pub(super) use quantity::{Fault, Pure, Quantity};
 
 use parse::Parser;
 

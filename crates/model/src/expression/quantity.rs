@@ -3,7 +3,7 @@
 //! Exponents of length, mass, time and angle may be fractions (√ of a length), and are kept in twelfths. The radian counts
 //! as a dimension, so that Hz is not rad/s; where lengths or masses are about, one radian too many is dropped, as in r·ω.
 
-use super::super::dimension::{Dimension, Powers};
+use super::super::dimension::Powers;
 
 /// One whole power.
 const WHOLE: i32 = 12;
@@ -29,7 +29,8 @@ pub struct Quantity {
     /// In SI.
     pub value: f64,
     /// Twelfths of the exponents of length, mass, time, angle.
-    exponents: [i32; 4],
+    pub(super) exponents: [i32; 4],
+    /// Where it comes from.
     pub pure: Pure,
 }
 
@@ -57,7 +58,7 @@ impl Fault {
 /// What an operation gives.
 pub type Outcome = Result<Quantity, Fault>;
 
-fn whole(powers: Powers) -> [i32; 4] {
+pub(super) fn whole(powers: Powers) -> [i32; 4] {
     [powers.length, powers.mass, powers.time, powers.angle].map(|power| power.saturating_mul(WHOLE))
 }
 
@@ -112,78 +113,12 @@ impl Quantity {
         self.exponents == [0; 4]
     }
 
-    /// Its dimension, where that has a name.
-    pub fn dimension(self) -> Option<Dimension> {
-        let named = Dimension::NAMED.into_iter().chain([Dimension::Frequency]);
-        named
-            .into_iter()
-            .find(|dimension| whole(dimension.powers()) == self.exponents)
-    }
-
-    /// Its unit in SI; empty where it is pure.
-    pub fn unit(self) -> String {
-        if let Some(dimension) = self.dimension() {
-            return dimension.si().to_owned();
-        }
-        let symbols = [(1, "kg"), (0, "m"), (2, "s"), (3, "rad")];
-        let part = |sign: i32| {
-            let factors = symbols
-                .iter()
-                .filter(|(index, _)| sign * self.exponents[*index] > 0);
-            let factors = factors.map(|&(index, symbol)| {
-                match f64::from(sign * self.exponents[index]) / 12.0 {
-                    1.0 => symbol.to_owned(),
-                    power => format!("{symbol}^{}", (power * 1e4).round() / 1e4),
-                }
-            });
-            factors.collect::<Vec<_>>()
-        };
-        let (above, below) = (part(1).join("*"), part(-1));
-        let above = if above.is_empty() && !below.is_empty() {
-            "1".to_owned()
-        } else {
-            above
-        };
-        below
-            .iter()
-            .fold(above, |text, factor| format!("{text}/{factor}"))
-    }
-
-    /// What it is, in words: `a length [m]`, `a plain number`.
-    pub fn words(self) -> String {
-        if self.is_pure() {
-            return "a plain number".into();
-        }
-        match self.dimension() {
-            Some(dimension) => with_article(dimension.name(), dimension.si()),
-            None => format!("a quantity in {}", self.unit()),
-        }
-    }
-
     /// Whether it may stand where a quantity of these powers is wanted.
     pub fn fits(self, wanted: Powers) -> bool {
         let wanted = whole(wanted);
         let per_radian_left_out =
             wanted[3] < 0 && self.exponents[3] == 0 && self.exponents[..3] == wanted[..3];
         per_radian_left_out || alike(self.exponents, wanted)
-    }
-
-    /// The factor, a power of the radian, with which it would fit.
-    pub fn radians_to(self, wanted: Powers) -> Option<String> {
-        let wanted = whole(wanted);
-        let lacking = f64::from(wanted[3] - self.exponents[3]) / 12.0;
-        (self.exponents[..3] == wanted[..3] && !self.is_pure()).then(|| match lacking {
-            1.0 => "* 1 rad".to_owned(),
-            -1.0 => "/ 1 rad".to_owned(),
-            power => format!(
-                "* (1 rad)^{}",
-                if power < 0.0 {
-                    format!("({power})")
-                } else {
-                    format!("{power}")
-                }
-            ),
-        })
     }
 
     pub fn negate(self) -> Self {
@@ -410,14 +345,4 @@ impl Quantity {
 fn alike(one: [i32; 4], other: [i32; 4]) -> bool {
     let beside = one[0] != 0 || one[1] != 0;
     one[..3] == other[..3] && (one[3] == other[3] || (beside && one[3] >= 0 && other[3] >= 0))
-}
-
-/// `an angular velocity [rad/s]`.
-pub fn with_article(name: &str, unit: &str) -> String {
-    let article = if name.starts_with(['a', 'e', 'i', 'o', 'u']) {
-        "an"
-    } else {
-        "a"
-    };
-    format!("{article} {} [{unit}]", name.replace('_', " "))
 }

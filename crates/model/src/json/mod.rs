@@ -3,11 +3,13 @@
 //! Stricter than the RFC where it lets a reader choose: keys must not repeat, numbers must fit a double, and nesting
 //! and size have limits. The first fault of syntax ends the reading; repeated keys are collected.
 
+mod number;
+mod string;
+
 use indexmap::IndexMap;
 use indexmap::map::Entry as Slot;
-use serde_json::Number;
 
-use super::node::{Kind, Member, Node, Origin, excerpt, join};
+use crate::node::{Kind, Member, Node, Origin, join};
 
 /// Deepest nesting of lists and objects. A model needs eight.
 pub const DEEPEST: usize = 128;
@@ -260,152 +262,6 @@ impl Parser<'_> {
                 _ => return Err(self.unexpected("\",\" or \"}\"")),
             }
         }
-    }
-
-    fn digits(&mut self) -> usize {
-        let start = self.at;
-        while self.peek().is_some_and(|byte| byte.is_ascii_digit()) {
-            self.at += 1;
-        }
-        self.at - start
-    }
-
-    fn number(&mut self) -> Result<Number, Fault> {
-        let start = self.at;
-        if self.peek() == Some(b'-') {
-            self.at += 1;
-        }
-        let whole = self.at;
-        let count = self.digits();
-        if count == 0 {
-            return Err(self.unexpected("a digit"));
-        }
-        if count > 1 && self.text.as_bytes()[whole] == b'0' {
-            return Err(self.fault(
-                start,
-                "a number must not begin with a zero that counts nothing",
-            ));
-        }
-        let mut integer = true;
-        if self.peek() == Some(b'.') {
-            integer = false;
-            self.at += 1;
-            if self.digits() == 0 {
-                return Err(self.unexpected("a digit after the decimal point"));
-            }
-        }
-        if matches!(self.peek(), Some(b'e' | b'E')) {
-            integer = false;
-            self.at += 1;
-            if matches!(self.peek(), Some(b'+' | b'-')) {
-                self.at += 1;
-            }
-            if self.digits() == 0 {
-                return Err(self.unexpected("a digit of the exponent"));
-            }
-        }
-        let text = &self.text[start..self.at];
-        if integer
-            && text != "-0"
-            && let Ok(number) = text.parse::<i64>()
-        {
-            return Ok(number.into());
-        }
-        let number = text.parse().ok().and_then(Number::from_f64);
-        number.ok_or_else(|| {
-            self.fault(
-                start,
-                format!("{}: the number is too large for a double", excerpt(text)),
-            )
-        })
-    }
-
-    fn string(&mut self) -> Result<String, Fault> {
-        let start = self.at;
-        self.at += 1;
-        let mut out = String::new();
-        loop {
-            let rest = &self.text[self.at..];
-            let plain = rest
-                .find(|c: char| c == '"' || c == '\\' || c < ' ')
-                .unwrap_or(rest.len());
-            out.push_str(&rest[..plain]);
-            self.at += plain;
-            match self.peek() {
-                Some(b'"') => {
-                    self.at += 1;
-                    return Ok(out);
-                }
-                Some(b'\\') => out.push(self.escape()?),
-                Some(b'\n' | b'\r') => {
-                    return Err(self.fault(start, "the text has no closing quote on its line"));
-                }
-                Some(_) => {
-                    return Err(self.fault(
-                        self.at,
-                        "a control character in a text; write a tab as \\t, another as \\u00XX",
-                    ));
-                }
-                None => {
-                    return Err(
-                        self.fault(start, "the text has no closing quote; it seems cut short")
-                    );
-                }
-            }
-        }
-    }
-
-    fn escape(&mut self) -> Result<char, Fault> {
-        let start = self.at;
-        self.at += 2;
-        let byte = self.text.as_bytes().get(start + 1).copied();
-        match byte {
-            Some(b'"') => Ok('"'),
-            Some(b'\\') => Ok('\\'),
-            Some(b'/') => Ok('/'),
-            Some(b'b') => Ok('\u{8}'),
-            Some(b'f') => Ok('\u{c}'),
-            Some(b'n') => Ok('\n'),
-            Some(b'r') => Ok('\r'),
-            Some(b't') => Ok('\t'),
-            Some(b'u') => self.unicode(start),
-            _ => Err(self.fault(
-                start,
-                "an escape that JSON does not know; a backslash itself is written \\\\",
-            )),
-        }
-    }
-
-    /// `\uXXXX`, or two of them that are a surrogate pair.
-    fn unicode(&mut self, start: usize) -> Result<char, Fault> {
-        let broken = || Fault {
-            at: start,
-            message: "a broken \\u escape".into(),
-            hint: Some("\\u and four hex digits"),
-        };
-        let high = self.hex().ok_or_else(broken)?;
-        if !(0xD800..0xDC00).contains(&high) {
-            return char::from_u32(high).ok_or_else(broken);
-        }
-        if !self.text[self.at..].starts_with("\\u") {
-            return Err(broken());
-        }
-        self.at += 2;
-        let low = self
-            .hex()
-            .filter(|low| (0xDC00..0xE000).contains(low))
-            .ok_or_else(broken)?;
-        char::from_u32(0x10000 + ((high - 0xD800) << 10) + (low - 0xDC00)).ok_or_else(broken)
-    }
-
-    fn hex(&mut self) -> Option<u32> {
-        let digits = self.text.get(self.at..self.at + 4)?;
-        let code = digits
-            .bytes()
-            .all(|byte| byte.is_ascii_hexdigit())
-            .then(|| u32::from_str_radix(digits, 16).ok())?;
-        self.at += 4;
-        code
     }
 }
 
