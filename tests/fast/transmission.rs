@@ -357,12 +357,13 @@ fn transmission_of_a_slider_crank_is_its_closed_form() {
 
 #[test]
 fn a_transmission_that_the_drivers_do_not_determine_is_said_to_be_none() {
+    // A pendulum beside the driven mechanism.
     let sets = [
-        r#"analysis.transmission={"driver":"motor","output":"arm"}"#,
-        "analysis.type=dynamics",
+        r#"analysis={"type":"dynamics","end":0.1,"outputs":3,"transmission":{"driver":"motor","output":"arm"}}"#,
+        r#"bodies.bob={"mass":1,"inertia":0.1,"com":[0,0],"points":{"P":[100,0]}}"#,
+        r#"joints.swing={"type":"revolute","between":["ground.O","bob.P"]}"#,
     ];
-    let mut model = models::load_bundled("quick-return", &sets);
-    model.drivers.clear();
+    let model = models::load_bundled("quick-return", &sets);
     let (derived, notes) = derived(&models::checked(&model), models::solve(&model).all());
     assert!(derived.column_index("transmission.ratio").is_none());
     assert!(

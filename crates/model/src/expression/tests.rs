@@ -92,152 +92,155 @@ fn values_and_units_are_those_of_the_hand() {
     }
 }
 
+/// Texts, the byte at which each fails, and what is said.
+const FAULTS: &[(&str, usize, &str)] = &[
+    ("=", 1, "the expression ends where a value is expected"),
+    ("=r+  ", 3, "the expression ends where a value is expected"),
+    ("=r+*2", 3, "\"*\" where a value is expected"),
+    ("=2**3", 2, "unknown operator \"**\" (a power is written ^)"),
+    (
+        "=2(3)",
+        2,
+        "\"(\" where an operator is expected (a product is written with *)",
+    ),
+    (
+        "=r l",
+        3,
+        "\"l\" where an operator is expected (a product is written with *)",
+    ),
+    (
+        "=2 r",
+        3,
+        "\"r\" where a unit or an operator is expected (a product is written with *: 2*r)",
+    ),
+    (
+        "=2 parsec",
+        3,
+        "unknown unit \"parsec\" (a product is written with *)",
+    ),
+    (
+        "=2 m",
+        3,
+        "\"m\" is a unit here, and a parameter, too (put the parameter in brackets, *(m), or give it another name)",
+    ),
+    (
+        "=2 mm * m",
+        8,
+        "\"m\" is a unit here, and a parameter, too (put the parameter in brackets, *(m), or give it another name)",
+    ),
+    (
+        "=2 mm^n",
+        5,
+        "the power of a unit is a whole number (put the quantity in brackets: (2 mm)^ …)",
+    ),
+    ("=(r", 1, "this \"(\" is not closed"),
+    ("=r)", 2, "this \")\" closes nothing"),
+    ("=(r, l)", 3, "\",\" where an operator or \")\" is expected"),
+    ("=r%2", 2, "\"%\" where an operator is expected"),
+    (
+        "=3*omga",
+        3,
+        "there is no parameter \"omga\" (did you mean \"omega\"?)",
+    ),
+    (
+        "=2*kg",
+        3,
+        "there is no parameter \"kg\" (the parameters: r, l, k, mass, phi, n, omega, m; a unit stands behind a number, as in 1 kg)",
+    ),
+    (
+        "=2*deg",
+        3,
+        "there is no parameter \"deg\" (the parameters: r, l, k, mass, phi, n, omega, m; a unit stands behind a number, as in 1 deg)",
+    ),
+    (
+        "=2*width",
+        3,
+        "there is no parameter \"width\" (the parameters: r, l, k, mass, phi, n, omega, m)",
+    ),
+    ("=sin", 1, "\"sin\" is a function (write sin( … ))"),
+    (
+        "=sinn(1)",
+        1,
+        "there is no function \"sinn\" (did you mean \"sin\"?)",
+    ),
+    (
+        "=r(2)",
+        1,
+        "\"r\" is no function (a product is written with *)",
+    ),
+    ("=atan2(1)", 1, "atan2 takes 2 values, here it has 1"),
+    ("=sin(1, 2)", 1, "sin takes 1 value, here it has 2"),
+    ("=min(1)", 1, "min takes at least 2 values, here it has 1"),
+    (
+        "=r+2",
+        2,
+        "a length [m] and a plain number can't be added (a number gets a unit as in 2 m)",
+    ),
+    (
+        "=r-mass",
+        2,
+        "a length [m] and a mass [kg] can't be subtracted",
+    ),
+    (
+        "=phi+1",
+        4,
+        "an angle [rad] and a plain number can't be added (a number gets a unit as in 2 rad)",
+    ),
+    (
+        "=omega+1 Hz",
+        6,
+        "an angular velocity [rad/s] and a frequency [Hz] can't be added",
+    ),
+    (
+        "=max(r, n)",
+        1,
+        "a length [m] and a plain number can't be compared (a number gets a unit as in 2 m)",
+    ),
+    ("=1/(n-4)", 2, "this divides by zero"),
+    ("=0^-1", 2, "this divides by zero"),
+    ("=sqrt(-n)", 1, "a negative number has no square root"),
+    (
+        "=(-2)^0.5",
+        5,
+        "a negative number has no power that is not whole",
+    ),
+    (
+        "=r^0.123",
+        2,
+        "the exponent of a length [m] must be whole or a simple fraction (as in ^2, ^0.5 or ^(1/3))",
+    ),
+    ("=2^r", 2, "an exponent is a plain number, not a length [m]"),
+    ("=r^1000", 2, "the power of a unit gets too high"),
+    ("=10^400", 3, "the result is too large for a double"),
+    ("=1e999", 1, "the number is too large for a double"),
+    ("=2^2^2^2^2^2^2", 6, "the result is too large for a double"),
+    ("=ln(0)", 1, "ln takes numbers greater than zero"),
+    (
+        "=ln(r)",
+        1,
+        "ln takes a plain number, not a length [m] (divide it by 1 m)",
+    ),
+    (
+        "=acos(1.5)",
+        1,
+        "acos takes numbers from -1 to 1, this is 1.5",
+    ),
+    ("=sin(r)", 1, "sin takes an angle, not a length [m]"),
+    (
+        "=sin(30)",
+        1,
+        "sin of a plain number, although the file's angles are not in radians (give it a unit, as in 30 deg or 0.5 rad)",
+    ),
+    (
+        "=atan2(r, 1)",
+        1,
+        "a length [m] and a plain number can't be the components of one vector (a number gets a unit as in 2 m)",
+    ),
+];
+
 #[test]
 fn what_does_not_go_is_told_where_and_why() {
-    for (text, at, words) in [
-        ("=", 1, "the expression ends where a value is expected"),
-        ("=r+  ", 3, "the expression ends where a value is expected"),
-        ("=r+*2", 3, "\"*\" where a value is expected"),
-        ("=2**3", 2, "unknown operator \"**\" (a power is written ^)"),
-        (
-            "=2(3)",
-            2,
-            "\"(\" where an operator is expected (a product is written with *)",
-        ),
-        (
-            "=r l",
-            3,
-            "\"l\" where an operator is expected (a product is written with *)",
-        ),
-        (
-            "=2 r",
-            3,
-            "\"r\" where a unit or an operator is expected (a product is written with *: 2*r)",
-        ),
-        (
-            "=2 parsec",
-            3,
-            "unknown unit \"parsec\" (a product is written with *)",
-        ),
-        (
-            "=2 m",
-            3,
-            "\"m\" is a unit here, and a parameter, too (put the parameter in brackets, *(m), or give it another name)",
-        ),
-        (
-            "=2 mm * m",
-            8,
-            "\"m\" is a unit here, and a parameter, too (put the parameter in brackets, *(m), or give it another name)",
-        ),
-        (
-            "=2 mm^n",
-            5,
-            "the power of a unit is a whole number (put the quantity in brackets: (2 mm)^ …)",
-        ),
-        ("=(r", 1, "this \"(\" is not closed"),
-        ("=r)", 2, "this \")\" closes nothing"),
-        ("=(r, l)", 3, "\",\" where an operator or \")\" is expected"),
-        ("=r%2", 2, "\"%\" where an operator is expected"),
-        (
-            "=3*omga",
-            3,
-            "there is no parameter \"omga\" (did you mean \"omega\"?)",
-        ),
-        (
-            "=2*kg",
-            3,
-            "there is no parameter \"kg\" (the parameters: r, l, k, mass, phi, n, omega, m; a unit stands behind a number, as in 1 kg)",
-        ),
-        (
-            "=2*deg",
-            3,
-            "there is no parameter \"deg\" (the parameters: r, l, k, mass, phi, n, omega, m; a unit stands behind a number, as in 1 deg)",
-        ),
-        (
-            "=2*width",
-            3,
-            "there is no parameter \"width\" (the parameters: r, l, k, mass, phi, n, omega, m)",
-        ),
-        ("=sin", 1, "\"sin\" is a function (write sin( … ))"),
-        (
-            "=sinn(1)",
-            1,
-            "there is no function \"sinn\" (did you mean \"sin\"?)",
-        ),
-        (
-            "=r(2)",
-            1,
-            "\"r\" is no function (a product is written with *)",
-        ),
-        ("=atan2(1)", 1, "atan2 takes 2 values, here it has 1"),
-        ("=sin(1, 2)", 1, "sin takes 1 value, here it has 2"),
-        ("=min(1)", 1, "min takes at least 2 values, here it has 1"),
-        (
-            "=r+2",
-            2,
-            "a length [m] and a plain number can't be added (a number gets a unit as in 2 m)",
-        ),
-        (
-            "=r-mass",
-            2,
-            "a length [m] and a mass [kg] can't be subtracted",
-        ),
-        (
-            "=phi+1",
-            4,
-            "an angle [rad] and a plain number can't be added (a number gets a unit as in 2 rad)",
-        ),
-        (
-            "=omega+1 Hz",
-            6,
-            "an angular velocity [rad/s] and a frequency [Hz] can't be added",
-        ),
-        (
-            "=max(r, n)",
-            1,
-            "a length [m] and a plain number can't be compared (a number gets a unit as in 2 m)",
-        ),
-        ("=1/(n-4)", 2, "this divides by zero"),
-        ("=0^-1", 2, "this divides by zero"),
-        ("=sqrt(-n)", 1, "a negative number has no square root"),
-        (
-            "=(-2)^0.5",
-            5,
-            "a negative number has no power that is not whole",
-        ),
-        (
-            "=r^0.123",
-            2,
-            "the exponent of a length [m] must be whole or a simple fraction (as in ^2, ^0.5 or ^(1/3))",
-        ),
-        ("=2^r", 2, "an exponent is a plain number, not a length [m]"),
-        ("=r^1000", 2, "the power of a unit gets too high"),
-        ("=10^400", 3, "the result is too large for a double"),
-        ("=1e999", 1, "the number is too large for a double"),
-        ("=2^2^2^2^2^2^2", 6, "the result is too large for a double"),
-        ("=ln(0)", 1, "ln takes numbers greater than zero"),
-        (
-            "=ln(r)",
-            1,
-            "ln takes a plain number, not a length [m] (divide it by 1 m)",
-        ),
-        (
-            "=acos(1.5)",
-            1,
-            "acos takes numbers from -1 to 1, this is 1.5",
-        ),
-        ("=sin(r)", 1, "sin takes an angle, not a length [m]"),
-        (
-            "=sin(30)",
-            1,
-            "sin of a plain number, although the file's angles are not in radians (give it a unit, as in 30 deg or 0.5 rad)",
-        ),
-        (
-            "=atan2(r, 1)",
-            1,
-            "a length [m] and a plain number can't be the components of one vector (a number gets a unit as in 2 m)",
-        ),
-    ] {
+    for &(text, at, words) in FAULTS {
         let misfit = evaluate(text).expect_err(text);
         let hint = misfit
             .fault

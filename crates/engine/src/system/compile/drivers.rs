@@ -1,0 +1,117 @@
+//! Drivers and initial values.
+
+use super::Compiler;
+use super::laws::law;
+use crate::element::coordinate::Coordinate;
+use crate::element::driven::{DriveId, Rotation, Translation};
+use crate::element::prismatic::Guide;
+use crate::element::{Axis, BodyId, Constraint, Marker, Measure};
+use crate::system::{Block, DriverData, DriverId, Origin};
+use linkdyn_linear::math::{Vec2, unit};
+use linkdyn_model::{DriverKind, JointKind};
+use std::sync::Arc;
+
+impl Compiler<'_> {
+    pub(super) fn add_drivers(&mut self) {
+        for (k, (name, driver)) in self.model.drivers.iter().enumerate() {
+            let drive = DriveId(k);
+            let (constraint, measure): (Arc<dyn Constraint>, Measure) = match &driver.kind {
+                DriverKind::Rotation { body, relative_to } => {
+                    let relative_to = relative_to
+                        .as_deref()
+                        .map_or(BodyId::GROUND, |name| self.body(name));
+                    (
+                        Arc::new(Rotation {
+                            body: self.body(body),
+                            relative_to,
+                            drive,
+                        }),
+                        Measure::Angle,
+                    )
+                }
+                DriverKind::Translation { joint } => {
+                    let joint = &self.model.joints[joint];
+                    let axis = match &joint.kind {
+                        JointKind::Prismatic { axis, .. } | JointKind::Slot { axis } => {
+                            unit(Vec2::from(*axis))
+                        }
+                        // The loader lets translations drive prismatic joints and slots only.
+                        JointKind::Revolute { .. }
+                        | JointKind::Gear { .. }
+                        | JointKind::Fixed { .. } => Vec2::x(),
+                    };
+                    let (first, second) = (
+                        self.marker(&joint.between[0]),
+                        self.marker(&joint.between[1]),
+                    );
+                    (
+                        Arc::new(Translation {
+                            guide: Guide {
+                                first,
+                                second,
+                                axis,
+                            },
+                            drive,
+                        }),
+                        Measure::Length,
+                    )
+                }
+            };
+            self.system.drivers.push(DriverData {
+                name: name.clone(),
+                role: self.driver_role(&driver.kind),
+                law: law(&driver.motion),
+                measure,
+            });
+            self.push_block(constraint, Origin::Driver(DriverId(k)));
+        }
+    }
+
+    pub(super) fn add_initial(&mut self) {
+        for (name, initial) in &self.model.initial {
+            let body = self.body(name);
+            let origin = Marker {
+                body,
+                s: -self.com[body.0],
+            };
+            let values = [
+                (Axis::X, "x", "vx", initial.x, initial.vx),
+                (Axis::Y, "y", "vy", initial.y, initial.vy),
+                (
+                    Axis::Theta,
+                    "angle",
+                    "angular_velocity",
+                    initial.angle,
+                    initial.angular_velocity,
+                ),
+            ];
+            for (axis, key, rate_key, value, rate) in values {
+                if let Some(value) = value {
+                    let constraint = Coordinate {
+                        origin,
+                        axis,
+                        value,
+                    };
+                    self.system.initial.push(Block {
+                        rows: 1,
+                        entries: constraint.entries().len(),
+                        constraint: Arc::new(constraint),
+                        origin: Origin::Initial(format!("{name}.{key}")),
+                        row: 0,
+                        entry: 0,
+                    });
+                }
+                if let Some(rate) = rate {
+                    let row = Coordinate {
+                        origin,
+                        axis,
+                        value: rate,
+                    };
+                    self.system
+                        .initial_rates
+                        .push((format!("{name}.{rate_key}"), row));
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,245 @@
+//! Joints: the constraints of the ideal ones, journals in bearings, friction.
+
+use super::needs::{bearing, clearance};
+use super::{Compiler, roles};
+use crate::element::fixed::Fixed;
+use crate::element::following::FollowingFriction;
+use crate::element::gear::Gear;
+use crate::element::joint_friction::{GuideFriction, PinFriction};
+use crate::element::journal::{Bearing, ContactId, Free, Journal, Surface};
+use crate::element::prismatic::{Guide, Prismatic};
+use crate::element::revolute::{OffsetId, Revolute};
+use crate::element::slot::Slot;
+use crate::element::{BodyId, Constraint, ConstraintDependentForce, Marker, Measure};
+use crate::system::{
+    ClearanceLink, ContactRows, DependentForce, JointData, JointFriction, JointId, Origin,
+};
+use linkdyn_linear::math::{Vec2, unit};
+use linkdyn_model::{Carrier, Clearance, ClearanceModel, JointKind};
+use std::sync::Arc;
+
+/// What a joint becomes.
+struct Made {
+    constraint: Arc<dyn Constraint>,
+    /// Whether it carries a torque.
+    torque: bool,
+    link: Option<ClearanceLink>,
+    contact: Option<ContactId>,
+}
+
+impl Compiler<'_> {
+    pub(super) fn add_joints(&mut self) {
+        let model = self.model;
+        for (k, (name, joint)) in model.joints.iter().enumerate() {
+            let points = [0, 1].map(|side: usize| self.marker(&joint.between[side]));
+            let made = self.joint(k, name, &joint.kind, points);
+            let friction = self.friction(k, name, &joint.kind, points);
+            self.system.joints.push(JointData {
+                name: name.clone(),
+                role: roles::joint_role(&joint.kind),
+                bodies: points.map(|point| point.body),
+                points,
+                torque: made.torque,
+                clearance: made.link,
+                contact: made.contact,
+                bearing: clearance(&joint.kind).map(bearing),
+                friction,
+            });
+            self.push_block(made.constraint, Origin::Joint(JointId(k)));
+        }
+    }
+
+    fn joint(&mut self, k: usize, name: &str, kind: &JointKind, points: [Marker; 2]) -> Made {
+        let [first, second] = points;
+        let guide = |axis: &[f64; 2]| Guide {
+            first,
+            second,
+            axis: unit(Vec2::from(*axis)),
+        };
+        let (constraint, torque): (Arc<dyn Constraint>, bool) = match kind {
+            JointKind::Revolute { clearance, .. } => {
+                return self.revolute(k, name, clearance.as_deref(), points);
+            }
+            JointKind::Prismatic { axis, angle, .. } => {
+                let (guide, angle) = (guide(axis), *angle);
+                (Arc::new(Prismatic { guide, angle }), true)
+            }
+            JointKind::Slot { axis } => (Arc::new(Slot { guide: guide(axis) }), false),
+            JointKind::Gear { ratio, angle, .. } => {
+                let carrier = &self.joints.carriers[name];
+                (Arc::new(self.gear(points, *ratio, *angle, carrier)), true)
+            }
+            JointKind::Fixed { angle } => {
+                let angle = *angle;
+                let weld = Fixed {
+                    first,
+                    second,
+                    angle,
+                };
+                (Arc::new(weld), true)
+            }
+        };
+        Made {
+            constraint,
+            torque,
+            link: None,
+            contact: None,
+        }
+    }
+
+    /// A pin: ideal, at the end of a massless link, or a journal that is free in its bearing.
+    fn revolute(
+        &mut self,
+        k: usize,
+        name: &str,
+        clearance: Option<&Clearance>,
+        points: [Marker; 2],
+    ) -> Made {
+        let [first, second] = points;
+        let pin = |offset| Revolute {
+            first,
+            second,
+            offset,
+        };
+        let ideal = Made {
+            constraint: Arc::new(pin(None)),
+            torque: false,
+            link: None,
+            contact: None,
+        };
+        let Some(clearance) = clearance else {
+            return ideal;
+        };
+        match clearance.model {
+            ClearanceModel::Ideal => ideal,
+            ClearanceModel::MasslessLink => {
+                let offset = self.system.links;
+                self.system.links += 1;
+                Made {
+                    constraint: Arc::new(pin(Some(OffsetId(offset)))),
+                    link: Some(ClearanceLink {
+                        offset,
+                        radius: clearance.radius.unwrap_or(0.0),
+                    }),
+                    ..ideal
+                }
+            }
+            ClearanceModel::TwoState | ClearanceModel::ThreeState | ClearanceModel::Contact => {
+                let contact = ContactId(self.system.contacts.len());
+                self.add_contact(k, name, bearing(clearance), points);
+                Made {
+                    constraint: Arc::new(Free),
+                    contact: Some(contact),
+                    ..ideal
+                }
+            }
+        }
+    }
+
+    /// A journal in its bearing, with all rows that may come into force for it.
+    fn add_contact(&mut self, joint: usize, name: &str, bearing: Bearing, points: [Marker; 2]) {
+        let [first, second] = points;
+        let journal = Journal {
+            bearing: first,
+            journal: second,
+            clearance: bearing.clearance,
+            bearing_radius: bearing.bearing_radius,
+            surface: self.joints.surfaces[name].clone(),
+        };
+        let friction: Option<Arc<dyn ConstraintDependentForce>> = match &journal.surface {
+            Surface::Rigid(rigid) if rigid.friction > 0.0 => Some(Arc::new(FollowingFriction {
+                journal: journal.clone(),
+                law: rigid.friction_law(),
+            })),
+            Surface::Rigid(_) | Surface::Compliant(_) => None,
+        };
+        self.system.contact_rows.push(ContactRows {
+            block: joint,
+            closed: Arc::new(Revolute {
+                first,
+                second,
+                offset: None,
+            }),
+            sustained: Arc::new(journal.following()),
+            friction,
+        });
+        self.system.contacts.push(journal);
+    }
+
+    /// Friction of an ideal joint, where it has some.
+    fn friction(
+        &mut self,
+        joint: usize,
+        name: &str,
+        kind: &JointKind,
+        points: [Marker; 2],
+    ) -> Option<JointFriction> {
+        let law = *self.joints.frictions.get(name)?;
+        let [first, second] = points;
+        let (force, measure): (Arc<dyn ConstraintDependentForce>, Measure) = match kind {
+            JointKind::Revolute { pin_radius, .. } => {
+                let radius = (*pin_radius)?;
+                (
+                    Arc::new(PinFriction {
+                        first: first.body,
+                        second: second.body,
+                        radius,
+                        law,
+                    }),
+                    Measure::Angle,
+                )
+            }
+            JointKind::Prismatic {
+                axis, guide_length, ..
+            } => {
+                let guide = Guide {
+                    first,
+                    second,
+                    axis: unit(Vec2::from(*axis)),
+                };
+                (
+                    Arc::new(GuideFriction {
+                        guide,
+                        length: *guide_length,
+                        law,
+                    }),
+                    Measure::Length,
+                )
+            }
+            JointKind::Slot { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => {
+                return None;
+            }
+        };
+        // Blocks stand in the order of the joints.
+        self.system.dependent_forces.push(DependentForce {
+            force,
+            block: joint,
+        });
+        Some(JointFriction {
+            force: self.system.dependent_forces.len() - 1,
+            measure,
+        })
+    }
+
+    /// A gear pair; without an angle it meshes as drawn.
+    fn gear(&self, wheels: [Marker; 2], ratio: f64, angle: Option<f64>, carrier: &Carrier) -> Gear {
+        let [first, second] = wheels;
+        let span = Vec2::from(carrier.centres[1]) - Vec2::from(carrier.centres[0]);
+        let carrier = self.body(carrier.body);
+        let drawn = |body: BodyId| {
+            let columns = self.system.layout.columns(body);
+            columns.map_or(0.0, |columns| self.system.guess[columns.theta()])
+        };
+        let from_carrier = |wheel: Marker| drawn(wheel.body) - drawn(carrier);
+        let angle = angle.unwrap_or_else(|| from_carrier(second) - ratio * from_carrier(first));
+        Gear {
+            first,
+            second,
+            carrier,
+            axis: unit(span),
+            distance: span.norm(),
+            ratio,
+            angle,
+        }
+    }
+}
