@@ -35,6 +35,7 @@ pub enum OutputsAt {
 /// The wanted analysis.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 pub struct Analysis {
+    /// What is computed.
     #[serde(rename = "type")]
     pub kind: AnalysisKind,
     /// End time \[s\], start is 0.
@@ -49,6 +50,7 @@ pub struct Analysis {
     /// Which instants are outputs: equally spaced ones alone, or those of located events, too.
     #[serde(default)]
     pub outputs_at: OutputsAt,
+    /// How it is solved.
     #[serde(default)]
     pub solver: Solver,
     /// Patterns of the result columns to keep; `*` and `?` match the name without its `[unit]`; none means all.

@@ -150,6 +150,7 @@ pub fn names() -> impl Iterator<Item = &'static str> + Clone {
 /// Why there is no bundled model of a name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NotBundled {
+    /// No model has this name.
     Unknown,
     /// A size was asked of a model that has one size only.
     OneSize(&'static str),

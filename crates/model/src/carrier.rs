@@ -8,6 +8,7 @@ use crate::error::Complaint;
 /// The body on which both wheels of a gear turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Carrier<'a> {
+    /// Its name.
     pub body: &'a str,
     /// Centres of the first and the second wheel, in its frame \[m\].
     pub centres: [[f64; 2]; 2],

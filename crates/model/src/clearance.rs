@@ -24,6 +24,7 @@ pub enum ClearanceModel {
 /// Clearance of a revolute joint; parameters of models other than the one in use are kept as written.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
 pub struct Clearance {
+    /// How it is modelled.
     pub model: ClearanceModel,
     /// Radial clearance: bearing radius − journal radius \[m\]; needed by every model but `ideal`.
     #[serde(default)]
@@ -85,6 +86,7 @@ pub enum NormalLaw {
 /// Normal force of a contact; where a law dissipates by a hysteresis factor χ, F = K δⁿ + χ δⁿ δ̇.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 pub struct Normal {
+    /// The law.
     pub law: NormalLaw,
     /// Stiffness K [N/m^exponent], a plain SI number, for `kelvin_voigt` also text with a unit; left out, it follows from `elastic`. Not used by the cylindrical laws.
     #[serde(default)]
@@ -109,7 +111,9 @@ pub struct Normal {
 pub enum Elastic {
     /// Each its own.
     Separate {
+        /// Of the bearing.
         bearing: Material,
+        /// Of the journal.
         journal: Material,
     },
     /// One for both.
@@ -146,6 +150,7 @@ pub enum FrictionLaw {
 /// Friction of a contact.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 pub struct Friction {
+    /// The law.
     pub law: FrictionLaw,
     /// (Kinetic) coefficient μ [–].
     #[serde(default)]

@@ -42,9 +42,13 @@ pub enum Dimension {
 /// Exponents of length, mass, time and angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Powers {
+    /// Of length.
     pub length: i32,
+    /// Of mass.
     pub mass: i32,
+    /// Of time.
     pub time: i32,
+    /// Of angle.
     pub angle: i32,
 }
 

@@ -11,7 +11,9 @@ pub const DIGITS: usize = 6;
 /// A unit: its symbol, and its size in SI.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shown {
+    /// Its symbol.
     pub symbol: String,
+    /// Its size in SI.
     pub size: f64,
 }
 
@@ -45,9 +47,13 @@ impl Shown {
 /// The units in which messages speak of a model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DisplayUnits {
+    /// Of lengths.
     pub length: Shown,
+    /// Of angles.
     pub angle: Shown,
+    /// Of masses.
     pub mass: Shown,
+    /// Of times.
     pub time: Shown,
 }
 

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 /// A prescribed coordinate.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 pub struct Driver {
+    /// Which coordinate it prescribes.
     #[serde(flatten)]
     pub kind: DriverKind,
     /// The law of time that the coordinate follows.
@@ -41,8 +42,10 @@ pub enum Motion {
     },
     /// offset + amplitude·sin(2π·frequency·t + phase).
     Harmonic {
+        /// Middle of the oscillation.
         #[serde(default)]
         offset: f64,
+        /// Half of its width.
         amplitude: f64,
         /// \[Hz\]
         frequency: f64,
@@ -57,16 +60,21 @@ pub enum Motion {
     },
     /// start + velocity·t.
     ConstantVelocity {
+        /// Value at t = 0.
         #[serde(default)]
         start: f64,
+        /// Rate at t = 0.
         velocity: f64,
     },
     /// start + velocity·t + acceleration·t²/2.
     ConstantAcceleration {
+        /// Value at t = 0.
         #[serde(default)]
         start: f64,
+        /// Rate at t = 0.
         #[serde(default)]
         velocity: f64,
+        /// Rate of the rate.
         acceleration: f64,
     },
 }

@@ -7,7 +7,9 @@ use std::ops::Deref;
 /// Line and column (both from 1, columns in characters) in the model file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Place {
+    /// Line, from 1.
     pub line: usize,
+    /// Column in characters, from 1.
     pub column: usize,
 }
 

@@ -9,7 +9,9 @@ use super::joint::PointRef;
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(untagged)]
 pub enum Value {
+    /// A value that does not vary.
     Constant(f64),
+    /// A law of time.
     Motion(Motion),
 }
 
@@ -33,6 +35,7 @@ pub enum Frame {
 /// A force element.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 pub struct Force {
+    /// What acts.
     #[serde(flatten)]
     pub kind: ForceKind,
 }
@@ -76,11 +79,13 @@ pub enum ForceKind {
         at: PointRef,
         /// \[N\]
         vector: [Value; 2],
+        /// Whose frame the vector is in.
         #[serde(default)]
         frame: Frame,
     },
     /// A torque [N·m] on a body; `relative_to` takes the opposite.
     Torque {
+        /// The body.
         body: String,
         /// [N·m]
         value: Value,

@@ -10,7 +10,9 @@ use super::clearance::{Clearance, Friction};
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct PointRef {
+    /// The body.
     pub body: String,
+    /// Its point.
     pub point: String,
 }
 
@@ -45,6 +47,7 @@ impl fmt::Display for PointRef {
 pub struct Joint {
     /// Two points `body.point`, first → second.
     pub between: [PointRef; 2],
+    /// What it lets move.
     #[serde(flatten)]
     pub kind: JointKind,
 }
@@ -55,6 +58,7 @@ pub struct Joint {
 pub enum JointKind {
     /// The points coincide; with `clearance` the first body holds the bearing, the second the journal.
     Revolute {
+        /// What is between pin and hole; left out: none.
         #[serde(default)]
         clearance: Option<Box<Clearance>>,
         /// Friction of the ideal joint, from its own reaction; that of a clearance stands in the clearance. Left out: none.

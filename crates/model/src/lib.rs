@@ -70,6 +70,7 @@ const NAME_PATTERN: &str = r"^[^.\[\],=*?\u0000-\u001f\u007f-\u009f]+$";
 /// A whole model: order of the maps is the order in the file. All numbers are SI (m, kg, s, rad, N …).
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 pub struct Model {
+    /// What it is called.
     #[serde(default)]
     pub name: Option<String>,
     /// What this is, and for whom.
@@ -83,10 +84,13 @@ pub struct Model {
     pub gravity: [f64; 2],
     /// All bodies, `ground` among them where the file has it.
     pub bodies: IndexMap<String, Body>,
+    /// Joints by their names.
     #[serde(default)]
     pub joints: IndexMap<String, Joint>,
+    /// Prescribed motions by their names.
     #[serde(default)]
     pub drivers: IndexMap<String, Driver>,
+    /// Springs, loads and torques by their names.
     #[serde(default)]
     pub forces: IndexMap<String, Force>,
     /// Exact values at t = 0, per body.
@@ -95,6 +99,7 @@ pub struct Model {
     /// Body points whose motion is wanted among the results.
     #[serde(default)]
     pub points: Vec<PointRef>,
+    /// What is to be computed.
     #[serde(default)]
     pub analysis: Option<Analysis>,
     /// How messages speak of it: the units that the file names.

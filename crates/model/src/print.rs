@@ -305,9 +305,19 @@ impl Printer<'_> {
             };
             out.insert(key.clone(), value);
         }
+        // Of two keys of which one is needed, the first is written where both may be left out.
+        let has_either = |out: &Map<String, Value>, keys: [&str; 2]| {
+            keys.iter().any(|key| {
+                let other = object.field(key).zip(tree.get(key));
+                out.contains_key(*key)
+                    || other.is_some_and(|(field, value)| !is_default(value, field))
+            })
+        };
+        let needed = object.either.filter(|keys| !has_either(&out, *keys));
+        let needed = needed.map(|[first, _]| first);
         for field in object.fields.iter().filter(|field| !is_written(field.key)) {
             if let Some(value) = tree.get(field.key)
-                && !is_default(value, field)
+                && (needed == Some(field.key) || !is_default(value, field))
             {
                 let value = self.value(value, &shape_of(field, law), None, driven);
                 out.insert(field.key.to_owned(), value);

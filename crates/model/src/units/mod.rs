@@ -18,6 +18,7 @@ use reader::Reader;
 /// A unit: num/den · 10^ten · π^pi in SI, and its exponents.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unit {
+    /// Its exponents.
     pub powers: Powers,
     num: f64,
     den: f64,
