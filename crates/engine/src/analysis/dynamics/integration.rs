@@ -74,7 +74,7 @@ const LOCK_AHEAD: f64 = 1e6;
 pub struct Ended {
     pub status: Status,
     pub message: String,
-    pub reason: Option<Reason>,
+    pub reason: Option<Box<Reason>>,
 }
 
 impl Ended {
@@ -96,7 +96,7 @@ impl Ended {
         Ended {
             status: Status::Singular,
             message,
-            reason: Some(fault.reason(motion, time)),
+            reason: Some(Box::new(fault.reason(motion, time))),
         }
     }
 }
@@ -251,7 +251,7 @@ impl Integration {
         Ended {
             status,
             message,
-            reason: Some(fault.reason(motion, now)),
+            reason: Some(Box::new(fault.reason(motion, now))),
         }
     }
 

@@ -95,7 +95,7 @@ pub fn run(
         if let Err(ended) = reached {
             outputs.report.status = ended.status;
             outputs.report.message = Some(ended.message);
-            outputs.report.reason = ended.reason;
+            outputs.report.reason = ended.reason.map(|reason| *reason);
             break;
         }
     }
