@@ -1,4 +1,4 @@
-//! Guide for people who design mechanisms. Every model in it is loaded and run by `tests/guide.rs`, and every command
+//! Guide for people who design mechanisms. Every model in it is loaded and run by `tests/command_line/guide.rs`, and every command
 //! executed, so what it shows is what this version does.
 //!
 //! | page         | for                                                               |

@@ -1,7 +1,7 @@
 //! Memory, not evidence: what the bundled models gave when somebody last looked, numbers and work.
 //!
 //! A difference says that something changed, not which of the two is right; evidence stands in `validation/` and
-//! `tests/laws.rs`. After a change that is meant: `LINKDYN_GOLDEN=write cargo test --test fast golden`, and read the
+//! `tests/fast/laws`. After a change that is meant: `LINKDYN_GOLDEN=write cargo test --test fast golden`, and read the
 //! difference before committing it.
 
 use crate::models;

@@ -2,5 +2,6 @@
 
 mod layers;
 mod packages;
+mod pages;
 mod sizes;
 mod source;

@@ -7,7 +7,7 @@
 //!
 //! Weights are in it, since they reach the ground through these; applied `force`s and `torque`s come from outside and are not,
 //! but for a torque whose `relative_to` is ground. So F = Σ (weights and applied forces) − d/dt Σ m v, and likewise M
-//! (Berkof and Lowen, J. Eng. Ind. 91, 1969, of the inertia part alone). Checked against that balance in `tests/report.rs`.
+//! (Berkof and Lowen, J. Eng. Ind. 91, 1969, of the inertia part alone). Checked against that balance in `tests/fast/shaking.rs`.
 
 use super::rows::{Columns, Frame, Place, States};
 use crate::element::{Applied, BodyId};

@@ -12,7 +12,7 @@
 //! holds (90° − pressure angle). i is found from J S = e, f from Jᵀ λ = b, by the factors of one Jacobian per row, so that
 //! a driver at rest has a ratio, too. Where the point stands still (its carrier is welded to ground, held by another driver, or the
 //! output turns back) or the joint carries nothing, v or f has no direction and μ does not exist: the cell is empty, and a note says why.
-//! Checked against triangles, and against the same mechanism on ground, in `tests/transmission.rs` and `tests/report.rs`.
+//! Checked against triangles, and against the same mechanism on ground, in `tests/fast/transmission.rs`.
 
 use super::rows::{Columns, States};
 use crate::element::{BodyId, Kinematics, Measure};
