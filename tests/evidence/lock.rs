@@ -162,6 +162,40 @@ fn expect_map(text: &str) {
     assert_eq!(rows.iter().filter(|row| row[8] == "yes").count(), 4);
 }
 
+/// A figure of the massless links: all its rows, its gaps, and its place in the report.
+fn expect_figure(figure: usize, read: &dyn Fn(&str) -> String) {
+    let text = read(&format!("figure{figure}.csv"));
+    assert_eq!(
+        text.lines().count(),
+        1 + 351,
+        "-50 to 125 deg every 0.5 deg"
+    );
+    assert!(
+        !text.contains("NaN") && !text.contains("inf"),
+        "figure {figure}"
+    );
+    // 117.5° with clearance: no assembly, no value.
+    let row = text
+        .lines()
+        .find(|line| line.starts_with("117.5,") || line.starts_with("117.49999"))
+        .expect("a row");
+    assert!(row.ends_with(",,"), "{row}");
+    let figure = format!("figure{figure}.svg");
+    let svg = read(&figure);
+    for part in [
+        "e = 100 µm",
+        "change point 117.51°",
+        "no assembly",
+        "class=\"mark\"",
+    ] {
+        assert!(svg.contains(part), "{figure}: {part}");
+    }
+    assert!(
+        read("report.md").contains(&figure),
+        "{figure} is not in the report"
+    );
+}
+
 #[test]
 fn the_lock_is_validated_and_written() {
     let output = Path::new(env!("CARGO_TARGET_TMPDIR"))
@@ -215,36 +249,7 @@ fn the_lock_is_validated_and_written() {
     assert!(read("singular.csv").contains("change_point[deg],117.512206516641,"));
     assert!(read("intervals.csv").contains("no assembly"));
     for figure in 4..=8 {
-        let text = read(&format!("figure{figure}.csv"));
-        assert_eq!(
-            text.lines().count(),
-            1 + 351,
-            "-50 to 125 deg every 0.5 deg"
-        );
-        assert!(
-            !text.contains("NaN") && !text.contains("inf"),
-            "figure {figure}"
-        );
-        // 117.5° with clearance: no assembly, no value.
-        let row = text
-            .lines()
-            .find(|line| line.starts_with("117.5,") || line.starts_with("117.49999"))
-            .expect("a row");
-        assert!(row.ends_with(",,"), "{row}");
-        let figure = format!("figure{figure}.svg");
-        let svg = read(&figure);
-        for part in [
-            "e = 100 µm",
-            "change point 117.51°",
-            "no assembly",
-            "class=\"mark\"",
-        ] {
-            assert!(svg.contains(part), "{figure}: {part}");
-        }
-        assert!(
-            read("report.md").contains(&figure),
-            "{figure} is not in the report"
-        );
+        expect_figure(figure, &read);
     }
     fs::remove_dir_all(output).expect("removed");
 }

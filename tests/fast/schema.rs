@@ -73,6 +73,32 @@ fn clearance(clearance: &Value) -> Value {
     json!({ "joints": { "pin": { "type": "revolute", "between": ["ground.O", "bar.O"], "clearance": clearance } } })
 }
 
+/// Clearances of each model.
+fn clearances() -> Vec<Value> {
+    vec![
+        minimal(&clearance(&json!({ "model": "ideal" }))),
+        minimal(&clearance(
+            &json!({ "model": "massless_link", "radius": 0 }),
+        )),
+        minimal(&clearance(&json!({
+            "model": "contact", "radius": "0.5 mm", "bearing_radius": "10 mm",
+            "normal": { "law": "lankarani_nikravesh", "restitution": 0.9,
+                        "elastic": { "young_modulus": "207 GPa", "poisson_ratio": 0.3 } },
+            "friction": { "law": "coulomb", "coefficient": 0.03, "threshold_velocity": 0.01 },
+            "surface": { "stiffness": 1e8, "damping": 2e3 },
+            "impact": { "restitution": 0.9, "friction": 0.03 }
+        }))),
+        minimal(&clearance(&json!({
+            "model": "contact", "radius": "0.5 mm", "bearing_radius": "10 mm", "axial_length": "15 mm",
+            "normal": { "law": "pereira", "restitution": 0.9, "elastic": {
+                "bearing": { "young_modulus": "207 GPa", "poisson_ratio": 0.3 },
+                "journal": { "young_modulus": 7e10, "poisson_ratio": 0.33, "note": "aluminium" } } },
+            "friction": { "law": "lugre", "coefficient": 0.03, "static_coefficient": 0.05, "stribeck_velocity": "1 mm/s",
+                          "bristle_stiffness": 1e5, "bristle_damping": 300, "viscous": 0.4 }
+        }))),
+    ]
+}
+
 fn good() -> Vec<Value> {
     let mut models = vec![
         serde_json::from_str(EXAMPLE).unwrap(),
@@ -123,27 +149,8 @@ fn good() -> Vec<Value> {
             "solver": { "method": "auto", "rtol": 1e-6, "atol": 1e-9, "max_step": "1 ms", "initial_step": 1e-6,
                         "max_wall_time": "2 min" } } }),
         ),
-        minimal(&clearance(&json!({ "model": "ideal" }))),
-        minimal(&clearance(
-            &json!({ "model": "massless_link", "radius": 0 }),
-        )),
-        minimal(&clearance(&json!({
-            "model": "contact", "radius": "0.5 mm", "bearing_radius": "10 mm",
-            "normal": { "law": "lankarani_nikravesh", "restitution": 0.9,
-                        "elastic": { "young_modulus": "207 GPa", "poisson_ratio": 0.3 } },
-            "friction": { "law": "coulomb", "coefficient": 0.03, "threshold_velocity": 0.01 },
-            "surface": { "stiffness": 1e8, "damping": 2e3 },
-            "impact": { "restitution": 0.9, "friction": 0.03 }
-        }))),
-        minimal(&clearance(&json!({
-            "model": "contact", "radius": "0.5 mm", "bearing_radius": "10 mm", "axial_length": "15 mm",
-            "normal": { "law": "pereira", "restitution": 0.9, "elastic": {
-                "bearing": { "young_modulus": "207 GPa", "poisson_ratio": 0.3 },
-                "journal": { "young_modulus": 7e10, "poisson_ratio": 0.33, "note": "aluminium" } } },
-            "friction": { "law": "lugre", "coefficient": 0.03, "static_coefficient": 0.05, "stribeck_velocity": "1 mm/s",
-                          "bristle_stiffness": 1e5, "bristle_damping": 300, "viscous": 0.4 }
-        }))),
     ];
+    models.extend(clearances());
     models[1]["bodies"]["note"] = json!("a remark, not a body");
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("models");
     for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {

@@ -1,8 +1,54 @@
 //! Shaking forces and moments of derived columns.
 
 use crate::models;
+use linkdyn_engine::analysis::Outcome;
 use linkdyn_engine::analysis::derived::derived;
-use linkdyn_model::ForceKind;
+use linkdyn_model::{ForceKind, Model};
+use linkdyn_output::Trajectory;
+
+/// Adds force and moment of each load from outside, row by row.
+fn add_loads(model: &Model, derived: &Trajectory, outcome: &Outcome, sums: &mut [[f64; 3]]) {
+    let of = |column: String| {
+        outcome
+            .trajectory
+            .values(&column)
+            .unwrap_or_else(|| panic!("no {column}"))
+    };
+    for (force, words) in &model.forces {
+        match &words.kind {
+            ForceKind::Load { at, .. } => {
+                let [fx, fy] = ["fx", "fy"].map(|q| {
+                    derived
+                        .values(&format!("force.{force}.{q}"))
+                        .expect("a load")
+                });
+                let [x, y, angle] = ["x", "y", "angle"].map(|q| of(format!("{}.{q}", at.body)));
+                let point = model.bodies[&at.body].points[&at.point];
+                for (row, sum) in sums.iter_mut().enumerate() {
+                    let (sin, cos) = angle[row].sin_cos();
+                    let px = x[row] + cos * point[0] - sin * point[1];
+                    let py = y[row] + sin * point[0] + cos * point[1];
+                    sum[0] += fx[row];
+                    sum[1] += fy[row];
+                    sum[2] += px * fy[row] - py * fx[row];
+                }
+            }
+            ForceKind::Torque {
+                relative_to: None, ..
+            } => {
+                let torque = derived
+                    .values(&format!("force.{force}.torque"))
+                    .expect("a torque");
+                sums.iter_mut()
+                    .zip(torque)
+                    .for_each(|(sum, torque)| sum[2] += torque);
+            }
+            ForceKind::Torque { .. }
+            | ForceKind::Spring { .. }
+            | ForceKind::TorsionSpring { .. } => {}
+        }
+    }
+}
 
 /// What the mechanism does to the ground by Newton and Euler: weights and loads less the change of momentum, with nothing of joints.
 #[test]
@@ -50,40 +96,7 @@ fn shaking_is_the_balance_of_momentum() {
                 sum[2] += (x + rx) * fy - (y + ry) * fx - inertia * alpha;
             }
         }
-        for (force, words) in &model.forces {
-            match &words.kind {
-                ForceKind::Load { at, .. } => {
-                    let [fx, fy] = ["fx", "fy"].map(|q| {
-                        derived
-                            .values(&format!("force.{force}.{q}"))
-                            .expect("a load")
-                    });
-                    let [x, y, angle] = ["x", "y", "angle"].map(|q| of(format!("{}.{q}", at.body)));
-                    let point = model.bodies[&at.body].points[&at.point];
-                    for (row, sum) in sums.iter_mut().enumerate() {
-                        let (sin, cos) = angle[row].sin_cos();
-                        let px = x[row] + cos * point[0] - sin * point[1];
-                        let py = y[row] + sin * point[0] + cos * point[1];
-                        sum[0] += fx[row];
-                        sum[1] += fy[row];
-                        sum[2] += px * fy[row] - py * fx[row];
-                    }
-                }
-                ForceKind::Torque {
-                    relative_to: None, ..
-                } => {
-                    let torque = derived
-                        .values(&format!("force.{force}.torque"))
-                        .expect("a torque");
-                    sums.iter_mut()
-                        .zip(torque)
-                        .for_each(|(sum, torque)| sum[2] += torque);
-                }
-                ForceKind::Torque { .. }
-                | ForceKind::Spring { .. }
-                | ForceKind::TorsionSpring { .. } => {}
-            }
-        }
+        add_loads(&model, &derived, &outcome, &mut sums);
         for k in 0..3 {
             let largest = sums
                 .iter()

@@ -185,6 +185,30 @@ fn the_starter_model_runs_the_whole_ladder() {
     );
 }
 
+/// Largest, mean and root mean square of the differences of two curves.
+fn expect_differences(summary: &Value, label: &str, ideal: &[f64], contact: &[f64]) {
+    let off: Vec<f64> = ideal
+        .iter()
+        .zip(contact)
+        .map(|(a, b)| (a - b).abs())
+        .collect();
+    let n = off.len() as f64;
+    let max = off.iter().copied().fold(0.0, f64::max);
+    let rms = (off.iter().map(|d| d * d).sum::<f64>() / n).sqrt();
+    let told = &summary["differences"][label]["contact"];
+    for (key, expected) in [
+        ("max", max),
+        ("mean", off.iter().sum::<f64>() / n),
+        ("rms", rms),
+    ] {
+        let told = told[key].as_f64().expect("a number");
+        assert!(
+            expected > 0.0 && (told / expected - 1.0).abs() < 1e-12,
+            "{label} {key}: {told} {expected}"
+        );
+    }
+}
+
 /// Worked out anew from the files of the single runs.
 #[test]
 fn differences_and_curves_are_those_of_the_runs() {
@@ -237,26 +261,7 @@ fn differences_and_curves_are_those_of_the_runs() {
             scratch.column("out/compare.csv", &format!("ideal:{label}")),
             ideal
         );
-        let off: Vec<f64> = ideal
-            .iter()
-            .zip(&contact)
-            .map(|(a, b)| (a - b).abs())
-            .collect();
-        let n = off.len() as f64;
-        let max = off.iter().copied().fold(0.0, f64::max);
-        let rms = (off.iter().map(|d| d * d).sum::<f64>() / n).sqrt();
-        let told = &summary["differences"][label]["contact"];
-        for (key, expected) in [
-            ("max", max),
-            ("mean", off.iter().sum::<f64>() / n),
-            ("rms", rms),
-        ] {
-            let told = told[key].as_f64().expect("a number");
-            assert!(
-                expected > 0.0 && (told / expected - 1.0).abs() < 1e-12,
-                "{label} {key}: {told} {expected}"
-            );
-        }
+        expect_differences(&summary, label, &ideal, &contact);
     }
     assert_eq!(scratch.table("out/compare.csv").0[0], "time[s]");
     // A figure per column, with a curve per model; the guided slider's vy is a flat line.

@@ -68,22 +68,24 @@ fn panels_and_legends_follow_units_and_runs() {
     );
 }
 
-/// A page that may have any height gives the legend its own; labels of neighbouring panels never meet, whatever the size.
-#[test]
-fn legends_and_many_panels_leave_room_for_the_curves() {
-    let scratch = Scratch::new("room");
-    let frames = |file: &str| -> Vec<[f64; 2]> {
-        let svg = scratch.text(file);
-        let document = Document::parse(&svg).expect("XML");
-        let span = |frame: Node| {
-            let heights: Vec<f64> = points(frame).into_iter().map(|[_, y]| y).collect();
-            [
-                heights.iter().copied().fold(f64::INFINITY, f64::min),
-                heights.iter().copied().fold(0.0, f64::max),
-            ]
-        };
-        of_class(&document, "frame").into_iter().map(span).collect()
+/// Upper and lower edges of a figure's panels.
+fn frames(scratch: &Scratch, file: &str) -> Vec<[f64; 2]> {
+    let svg = scratch.text(file);
+    let document = Document::parse(&svg).expect("XML");
+    let span = |frame: Node| {
+        let heights: Vec<f64> = points(frame).into_iter().map(|[_, y]| y).collect();
+        [
+            heights.iter().copied().fold(f64::INFINITY, f64::min),
+            heights.iter().copied().fold(0.0, f64::max),
+        ]
     };
+    of_class(&document, "frame").into_iter().map(span).collect()
+}
+
+/// A page that may have any height gives the legend its own.
+#[test]
+fn legends_leave_room_for_the_curves() {
+    let scratch = Scratch::new("room");
     let names: Vec<String> = (0..16)
         .map(|k| format!("a_body_with_a_long_name_{k}.omega"))
         .collect();
@@ -99,7 +101,7 @@ fn legends_and_many_panels_leave_room_for_the_curves() {
         &format!("time[s],{}\n0,{}\n1,{}\n", heads.join(","), row(0), row(1)),
     );
     scratch.done(&["plot", "r.csv", "--y", "*.omega", "-o", "a.svg"]);
-    let [[upper, lower]] = frames("a.svg")[..] else {
+    let [[upper, lower]] = frames(&scratch, "a.svg")[..] else {
         panic!("one panel")
     };
     assert!(
@@ -114,7 +116,12 @@ fn legends_and_many_panels_leave_room_for_the_curves() {
         ],
         "too small",
     );
+}
 
+/// Labels of neighbouring panels never meet, whatever the size.
+#[test]
+fn labels_of_many_panels_never_meet() {
+    let scratch = Scratch::new("labels");
     let units = [
         "m", "m/s", "m/s^2", "rad", "rad/s", "rad/s^2", "N", "N*m", "J",
     ];
@@ -147,7 +154,7 @@ fn legends_and_many_panels_leave_room_for_the_curves() {
                 )
             })
             .collect();
-        assert_eq!((labels.len(), frames("c.svg").len()), (9, 9));
+        assert_eq!((labels.len(), frames(&scratch, "c.svg").len()), (9, 9));
         assert!(
             !whole || labels.iter().all(|(_, text)| !text.contains('…')),
             "{labels:?}"

@@ -9,11 +9,6 @@ fn what_can_not_be_drawn_is_told() {
         "r.csv",
         "time[s],crank.omega[rad/s],crank.x[m],what[m]\n0,1,2,no\n1,2,3,no\n",
     );
-    scratch.write("empty.csv", "");
-    scratch.write("header.csv", "time[s],a[m]\n");
-    scratch.write("other.csv", "x,y\n1,2\n");
-    scratch.write("void.csv", "time[s],a[m]\n0,\n1,\n");
-    scratch.write("none/readme", "");
     let plot = |file: &str, rest: &[&str], said: &str| {
         let arguments = [&["plot", file, "-o", "a.svg"], rest].concat();
         scratch.refused(&arguments, said);
@@ -63,6 +58,41 @@ fn what_can_not_be_drawn_is_told() {
         &["--y", "crank.x", "--label", "a", "--label", "b"],
         "--label: 2 given for 1 columns",
     );
+    scratch.refused(
+        &["plot", "r.csv", "--y", "time", "-o", "a.pdf"],
+        "must end in .svg or .png",
+    );
+    let huge = [
+        "plot",
+        "r.csv",
+        "--y",
+        "crank.x",
+        "--size",
+        "2000x2000",
+        "--dpi",
+        "2400",
+        "-o",
+        "a.png",
+    ];
+    scratch.refused(&huge, "pixels are too many");
+    assert!(
+        !scratch.0.join("a.svg").exists(),
+        "a refusal leaves no file"
+    );
+}
+
+#[test]
+fn what_is_no_table_can_not_be_drawn() {
+    let scratch = Scratch::new("no-table");
+    scratch.write("empty.csv", "");
+    scratch.write("header.csv", "time[s],a[m]\n");
+    scratch.write("other.csv", "x,y\n1,2\n");
+    scratch.write("void.csv", "time[s],a[m]\n0,\n1,\n");
+    scratch.write("none/readme", "");
+    let plot = |file: &str, rest: &[&str], said: &str| {
+        let arguments = [&["plot", file, "-o", "a.svg"], rest].concat();
+        scratch.refused(&arguments, said);
+    };
     plot("empty.csv", &["--y", "a"], "empty.csv: the file is empty");
     plot(
         "header.csv",
@@ -81,23 +111,6 @@ fn what_can_not_be_drawn_is_told() {
         &["--y", "a"],
         "nowhere: no such file or directory",
     );
-    scratch.refused(
-        &["plot", "r.csv", "--y", "time", "-o", "a.pdf"],
-        "must end in .svg or .png",
-    );
-    let huge = [
-        "plot",
-        "r.csv",
-        "--y",
-        "crank.x",
-        "--size",
-        "2000x2000",
-        "--dpi",
-        "2400",
-        "-o",
-        "a.png",
-    ];
-    scratch.refused(&huge, "pixels are too many");
     assert!(
         !scratch.0.join("a.svg").exists(),
         "a refusal leaves no file"
@@ -133,6 +146,27 @@ fn what_can_not_be_animated_is_told() {
         &["-o", "a.gif", "--fps", "1000"],
         "a number from 0.1 to 50 is wanted",
     );
+    let ground = r#"{ "format": "linkdyn/1", "units": "SI", "bodies": { "ground": { "points": { "O": [0, 0] } } },
+        "analysis": { "type": "kinematics", "end": 1, "outputs": 3 } }"#;
+    scratch.write("ground.json", ground);
+    animate(
+        "bare",
+        &["-o", "a.gif", "--model", "ground.json"],
+        "nothing to draw: the model has no body but the ground",
+    );
+    assert!(
+        !scratch.0.join("a.gif").exists(),
+        "a refusal leaves no file"
+    );
+}
+
+#[test]
+fn what_a_run_leaves_can_not_be_animated_in_every_way() {
+    let scratch = Scratch::new("not-so-animated");
+    let animate = |results: &str, rest: &[&str], said: &str| {
+        let arguments = [&["animate", results], rest].concat();
+        scratch.refused(&arguments, said);
+    };
     scratch.done(&[
         "run",
         "four-bar",
@@ -184,14 +218,6 @@ fn what_can_not_be_animated_is_told() {
         "out",
         &["-o", "a.svg", "--fps", "4"],
         "--fps: only for a film",
-    );
-    let ground = r#"{ "format": "linkdyn/1", "units": "SI", "bodies": { "ground": { "points": { "O": [0, 0] } } },
-        "analysis": { "type": "kinematics", "end": 1, "outputs": 3 } }"#;
-    scratch.write("ground.json", ground);
-    animate(
-        "bare",
-        &["-o", "a.gif", "--model", "ground.json"],
-        "nothing to draw: the model has no body but the ground",
     );
     let columns = "analysis.columns=[\"crank.*\"]";
     scratch.done(&[

@@ -2,22 +2,9 @@
 
 use super::*;
 
-#[test]
-fn the_controls_move_the_mechanism() {
-    let Some(browser) = find() else { return };
-    let (page, csv, _) = run(&["four-bar"]);
-    let (told, visit) = ask(
-        &browser,
-        &page,
-        include_str!("../report/controls.js"),
-        Some(12_000),
-    );
-    assert!(visit.console.is_empty(), "{:#?}", visit.console);
-    let (heads, rows) = cells(&csv);
-    let last = rows.len() - 1;
-    assert_eq!(told["rows"], json!(rows.len()));
-    // Every pose that the page shows is the one of the file, to the last digit.
-    for row in [0, 90, last] {
+/// Every pose that the page shows is the one of the file, to the last digit.
+fn expect_poses(told: &Value, heads: &[&str], rows: &[Vec<Option<f64>>]) {
+    for row in [0, 90, rows.len() - 1] {
         let bodies = told["poses"][row.to_string()].as_array().expect("poses");
         assert_eq!(bodies.len(), 3, "{bodies:?}");
         for body in bodies {
@@ -35,6 +22,23 @@ fn the_controls_move_the_mechanism() {
             }
         }
     }
+}
+
+#[test]
+fn the_controls_move_the_mechanism() {
+    let Some(browser) = find() else { return };
+    let (page, csv, _) = run(&["four-bar"]);
+    let (told, visit) = ask(
+        &browser,
+        &page,
+        include_str!("../report/controls.js"),
+        Some(12_000),
+    );
+    assert!(visit.console.is_empty(), "{:#?}", visit.console);
+    let (heads, rows) = cells(&csv);
+    let last = rows.len() - 1;
+    assert_eq!(told["rows"], json!(rows.len()));
+    expect_poses(&told, &heads, &rows);
     assert!(
         told["inked"].as_u64() > Some(5000) && told["same"] == true && told["moves"] == true,
         "{told:#}"

@@ -2,81 +2,83 @@
 
 use super::*;
 
+/// Runs of all kinds, and how each ends.
+const OUTCOMES: &[(&[&str], &str)] = &[
+    (&["four-bar"], "completed"),
+    (
+        &["slider-crank", "--set", "analysis.type=kinematics"],
+        "completed",
+    ),
+    (&["geared-five-bar"], "completed"),
+    (&["scotch-yoke"], "completed"),
+    (&["parallel-crank"], "completed"),
+    (
+        &[
+            "quick-return",
+            "--set",
+            "drivers={}",
+            "--set",
+            "analysis.type=dynamics",
+        ],
+        "completed",
+    ),
+    (
+        &[
+            "scotch-yoke",
+            "--set",
+            "drivers={}",
+            "--set",
+            "analysis.type=statics",
+        ],
+        "completed",
+    ),
+    (&["lock", "--set", "analysis.type=assembly"], "completed"),
+    (
+        &[
+            "lock",
+            "--set",
+            "joints.a.clearance.model=massless_link",
+            "--set",
+            "joints.d.clearance.model=massless_link",
+        ],
+        "completed_with_gaps",
+    ),
+    (
+        &[
+            "lock",
+            "--set",
+            "analysis.sample.to=135 deg",
+            "--set",
+            "analysis.sample.step=1 deg",
+        ],
+        "dead_centre",
+    ),
+    (
+        &["four-bar", "--set", r#"bodies.coupler.points.B=["9 m", 0]"#],
+        "assembly_failed",
+    ),
+    (
+        &[
+            "quick-return",
+            "--set",
+            "drivers={}",
+            "--set",
+            "analysis.type=dynamics",
+            "--set",
+            "analysis.solver.max_wall_time=1e-9",
+        ],
+        "time_limit",
+    ),
+    (
+        &["four-bar", "--set", r#"analysis.columns=["driver.*"]"#],
+        "completed",
+    ),
+];
+
 #[test]
 fn every_outcome_opens_without_a_word_on_the_console() {
     let Some(browser) = find() else { return };
-    let cases: &[(&[&str], &str)] = &[
-        (&["four-bar"], "completed"),
-        (
-            &["slider-crank", "--set", "analysis.type=kinematics"],
-            "completed",
-        ),
-        (&["geared-five-bar"], "completed"),
-        (&["scotch-yoke"], "completed"),
-        (&["parallel-crank"], "completed"),
-        (
-            &[
-                "quick-return",
-                "--set",
-                "drivers={}",
-                "--set",
-                "analysis.type=dynamics",
-            ],
-            "completed",
-        ),
-        (
-            &[
-                "scotch-yoke",
-                "--set",
-                "drivers={}",
-                "--set",
-                "analysis.type=statics",
-            ],
-            "completed",
-        ),
-        (&["lock", "--set", "analysis.type=assembly"], "completed"),
-        (
-            &[
-                "lock",
-                "--set",
-                "joints.a.clearance.model=massless_link",
-                "--set",
-                "joints.d.clearance.model=massless_link",
-            ],
-            "completed_with_gaps",
-        ),
-        (
-            &[
-                "lock",
-                "--set",
-                "analysis.sample.to=135 deg",
-                "--set",
-                "analysis.sample.step=1 deg",
-            ],
-            "dead_centre",
-        ),
-        (
-            &["four-bar", "--set", r#"bodies.coupler.points.B=["9 m", 0]"#],
-            "assembly_failed",
-        ),
-        (
-            &[
-                "quick-return",
-                "--set",
-                "drivers={}",
-                "--set",
-                "analysis.type=dynamics",
-                "--set",
-                "analysis.solver.max_wall_time=1e-9",
-            ],
-            "time_limit",
-        ),
-        (
-            &["four-bar", "--set", r#"analysis.columns=["driver.*"]"#],
-            "completed",
-        ),
-    ];
-    for (arguments, status) in cases {
+    for (arguments, status) in OUTCOMES {
         let (page, _, summary) = run(arguments);
         assert_eq!(summary["status"], *status, "{arguments:?}");
         let visit = open(&browser, &page, Some(1000));

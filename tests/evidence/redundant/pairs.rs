@@ -124,6 +124,30 @@ pub fn pair(seed: u64) -> Pair {
     pair
 }
 
+/// The cranks and the plate as one body on a pivot, whose end is at `arm`.
+fn one_crank(model: &Value, inertia: f64, moment: V, arm: V) -> Value {
+    let mut regular = model.clone();
+    let bodies = regular["bodies"].as_object_mut().expect("bodies");
+    bodies.retain(|name, _| name == "ground" || name.starts_with("hung"));
+    // So heavy that what is left for the inertia is positive.
+    let square = moment[0] * moment[0] + moment[1] * moment[1];
+    let heavy = 2.0 * square / inertia + 1.0;
+    let com = moment.map(|m| m / heavy);
+    bodies.insert(
+        "one".into(),
+        json!({ "mass": heavy, "inertia": inertia - square / heavy, "com": com,
+        "points": { "P": [0, 0], "A": arm } }),
+    );
+    let joints = regular["joints"].as_object_mut().expect("joints");
+    joints.retain(|name, _| name.starts_with('h'));
+    joints.insert(
+        "p".into(),
+        json!({ "type": "revolute", "between": ["ground.P0", "one.P"] }),
+    );
+    joints["h0"]["between"][0] = json!("one.A");
+    regular
+}
+
 /// A plate that moves without turning: with energy ½ (Σ I + Σ m c² + M r²) θ̇² and moment of gravity Σ m c + M r it moves
 /// as one body with these sums, whose end at r has the motion of each of the plate's points.
 fn parallel_cranks(maker: &mut Maker, more: usize) -> Pair {
@@ -193,25 +217,7 @@ fn parallel_cranks(maker: &mut Maker, more: usize) -> Pair {
         );
     }
     maker.hang(more, "plate.A0", plus(feet[0], arm));
-    let mut regular = maker.model.clone();
-    let bodies = regular["bodies"].as_object_mut().expect("bodies");
-    bodies.retain(|name, _| name == "ground" || name.starts_with("hung"));
-    // So heavy that what is left for the inertia is positive.
-    let square = moment[0] * moment[0] + moment[1] * moment[1];
-    let heavy = 2.0 * square / inertia + 1.0;
-    let com = moment.map(|m| m / heavy);
-    bodies.insert(
-        "one".into(),
-        json!({ "mass": heavy, "inertia": inertia - square / heavy, "com": com,
-        "points": { "P": [0, 0], "A": arm } }),
-    );
-    let joints = regular["joints"].as_object_mut().expect("joints");
-    joints.retain(|name, _| name.starts_with('h'));
-    joints.insert(
-        "p".into(),
-        json!({ "type": "revolute", "between": ["ground.P0", "one.P"] }),
-    );
-    joints["h0"]["between"][0] = json!("one.A");
+    let regular = one_crank(&maker.model, inertia, moment, arm);
     Pair {
         kind: "parallel cranks",
         redundant: maker.model.clone(),

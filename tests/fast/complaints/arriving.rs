@@ -2,8 +2,8 @@
 
 use super::*;
 
-#[test]
-fn expressions_arrive_in_si() {
+/// The base model with parameters and expressions.
+fn sized(sets: &[&str]) -> linkdyn_model::Loaded {
     let text = BASE
         .replace(
             "\"name\": \"four-bar and slider\"",
@@ -18,11 +18,13 @@ fn expressions_arrive_in_si() {
         .replace("\"axis\": [1, 0]", "\"axis\": [\"=cos(turn)\", \"=sin(0)\"]")
         .replace("\"10 rad/s\"", "\"=0.2 m/s / r * 1 rad\"")
         .replace("401", "\"=100*n+1\"");
-    let model = |sets: &[&str]| {
-        let sets: Vec<String> = sets.iter().map(ToString::to_string).collect();
-        linkdyn_model::load(text.as_bytes(), &sets).unwrap_or_else(|said| panic!("{}", said[0]))
-    };
-    let loaded = model(&[]);
+    let sets: Vec<String> = sets.iter().map(ToString::to_string).collect();
+    linkdyn_model::load(text.as_bytes(), &sets).unwrap_or_else(|said| panic!("{}", said[0]))
+}
+
+#[test]
+fn expressions_arrive_in_si() {
+    let loaded = sized(&[]);
     let crank = &loaded.model.bodies["crank"];
     assert_eq!(
         (crank.mass, crank.inertia),
@@ -73,8 +75,12 @@ fn expressions_arrive_in_si() {
             ("spare", 1.0, "")
         ]
     );
-    // one value changes all that follows from it; the document keeps the words
-    let changed = model(&[
+}
+
+/// One value changes all that follows from it; the document keeps the words.
+#[test]
+fn a_parameter_changes_what_follows_from_it() {
+    let changed = sized(&[
         "parameters.r=200 mm",
         "parameters.l==r+10 mm",
         "initial.crank.angle==30 deg",

@@ -99,6 +99,55 @@ fn the_same_rigid_journal_told_otherwise_moves_the_same() {
     );
 }
 
+/// A column in a world that is turned by `angle`.
+fn rotated_column(outcome: &Outcome, name: &str, angle: f64) -> Vec<f64> {
+    let (stem, quantity) = name.rsplit_once('.').expect("an owner");
+    match quantity {
+        "ex" | "ey" | "fx" | "fy" => {
+            let kind = &quantity[..1];
+            let [x, y] = ["x", "y"].map(|axis| column(outcome, &format!("{stem}.{kind}{axis}")));
+            let component = usize::from(quantity.ends_with('y'));
+            let pairs = x.iter().zip(&y);
+            pairs
+                .map(|(x, y)| turned([*x, *y], angle)[component])
+                .collect()
+        }
+        "angle" => column(outcome, name)
+            .iter()
+            .map(|value| value + angle)
+            .collect(),
+        _ => column(outcome, name),
+    }
+}
+
+/// What a mirror changes the sign of: x, angles, torques, and the sense of sliding.
+fn mirrored(name: &str) -> (String, f64) {
+    let quantity = name.rsplit('.').next().unwrap_or(name);
+    let turns = [
+        "ex",
+        "fx",
+        "angle",
+        "effort",
+        "sliding_speed",
+        "tangential_force",
+    ]
+    .contains(&quantity);
+    (name.to_string(), if turns { -1.0 } else { 1.0 })
+}
+
+/// The name of a column of the renamed model.
+fn again(name: &str) -> (String, f64) {
+    let words: Vec<&str> = name.split('.').collect();
+    let renamed = match words.as_slice() {
+        [kind @ ("joint" | "driver"), owner, quantity] => {
+            format!("{kind}.{}.{quantity}", renamed(owner))
+        }
+        [owner, quantity] if *owner != "energy" => format!("{}.{quantity}", renamed(owner)),
+        _ => name.to_string(),
+    };
+    (renamed, 1.0)
+}
+
 /// Turned, mirrored, renamed, bearing and journal exchanged (this without friction, whose arms differ).
 #[track_caller]
 fn told_otherwise(short: &[&str], without_friction: &str, more: &[&str], least: usize) {
@@ -106,36 +155,11 @@ fn told_otherwise(short: &[&str], without_friction: &str, more: &[&str], least: 
     let frictionless = slider_crank(&[short, &[without_friction]].concat());
     let angle = 0.7;
     let same = |name: &str| (name.to_string(), 1.0);
-    // What a mirror changes the sign of: x, angles, torques, and the sense of sliding.
-    let mirrored = |name: &str| {
-        let quantity = name.rsplit('.').next().unwrap_or(name);
-        let turns = [
-            "ex",
-            "fx",
-            "angle",
-            "effort",
-            "sliding_speed",
-            "tangential_force",
-        ]
-        .contains(&quantity);
-        (name.to_string(), if turns { -1.0 } else { 1.0 })
-    };
     let swapped = |name: &str| {
         let turns = ["ex", "ey", "fx", "fy"]
             .map(|q| format!("joint.b.{q}"))
             .contains(&name.to_string());
         (name.to_string(), if turns { -1.0 } else { 1.0 })
-    };
-    let again = |name: &str| {
-        let words: Vec<&str> = name.split('.').collect();
-        let renamed = match words.as_slice() {
-            [kind @ ("joint" | "driver"), owner, quantity] => {
-                format!("{kind}.{}.{quantity}", renamed(owner))
-            }
-            [owner, quantity] if *owner != "energy" => format!("{}.{quantity}", renamed(owner)),
-            _ => name.to_string(),
-        };
-        (renamed, 1.0)
     };
     let common = [
         "joint.b.ex",
@@ -180,28 +204,12 @@ fn told_otherwise(short: &[&str], without_friction: &str, more: &[&str], least: 
         );
         for name in names.iter().map(String::as_str) {
             let (other_name, sign) = expected(name);
-            let mut wanted: Vec<f64> = column(&one, name)
-                .iter()
-                .map(|value| sign * value)
-                .collect();
-            if what == "rotated" {
-                let pair = |x: &str, y: &str| [column(&one, x), column(&one, y)];
-                let (stem, quantity) = name.rsplit_once('.').expect("an owner");
-                match quantity {
-                    "ex" | "ey" | "fx" | "fy" => {
-                        let kind = &quantity[..1];
-                        let [x, y] = pair(&format!("{stem}.{kind}x"), &format!("{stem}.{kind}y"));
-                        let component = usize::from(quantity.ends_with('y'));
-                        wanted = x
-                            .iter()
-                            .zip(&y)
-                            .map(|(x, y)| turned([*x, *y], angle)[component])
-                            .collect();
-                    }
-                    "angle" => wanted.iter_mut().for_each(|value| *value += angle),
-                    _ => {}
-                }
-            }
+            let wanted = if what == "rotated" {
+                rotated_column(&one, name, angle)
+            } else {
+                let values = column(&one, name);
+                values.iter().map(|value| sign * value).collect()
+            };
             let scale = wanted.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
             let ours = column(&two, &other_name);
             let off = ours

@@ -48,28 +48,34 @@ fn near(what: &str, ours: f64, exact: f64, relative: f64) {
     );
 }
 
+const G: f64 = 9.81;
+/// Mass [kg], gap [m] and speed at the start [m/s] of a disc that falls to its bearing.
+const DISC: (f64, f64, f64) = (2.0, 0.002, 0.3);
+
+fn falling_disc(normal: &serde_json::Value) -> linkdyn_model::Model {
+    let (m, gap, speed) = DISC;
+    let model = json!({ "format": "linkdyn/1", "units": "SI", "gravity": [0, -G],
+            "bodies": { "ground": { "points": { "O": [0, 0] } },
+                "disc": { "mass": m, "inertia": 1e-3, "com": [0, 0], "points": { "P": [0, 0] } } },
+            "joints": { "pin": { "type": "revolute", "between": ["ground.O", "disc.P"],
+                "clearance": { "model": "contact", "radius": gap, "bearing_radius": 0.05, "normal": normal } } },
+            "initial": { "disc": { "vy": -speed } },
+            "analysis": { "type": "dynamics", "end": 0.01, "outputs": 2, "solver": { "rtol": 1e-10 } } });
+    loaded(&model).model.into_model()
+}
+
 /// A disc of 2 kg falls 2 mm to its bearing and on: ½ m v² + m g δ = K δ^(n+1)/(n + 1) where it is deepest. What it
 /// presses there is K δ^n, its acceleration less by g. Two rows, neither of them near.
 #[test]
 fn a_falling_disc_presses_as_its_energy_says() {
-    const G: f64 = 9.81;
-    let (m, gap, speed) = (2.0, 0.002, 0.3);
+    let (m, gap, speed) = DISC;
     for (law, exponent) in [("hertz", 1.5), ("kelvin_voigt", 1.0)] {
         let stiffness = if exponent == 1.0 { 1e6 } else { 1e9 };
         let mut normal = json!({ "law": law, "stiffness": stiffness });
         if law == "kelvin_voigt" {
             normal["damping"] = json!(0.0);
         }
-        let outcome = solve(
-            &loaded(&json!({ "format": "linkdyn/1", "units": "SI", "gravity": [0, -G],
-                "bodies": { "ground": { "points": { "O": [0, 0] } },
-                    "disc": { "mass": m, "inertia": 1e-3, "com": [0, 0], "points": { "P": [0, 0] } } },
-                "joints": { "pin": { "type": "revolute", "between": ["ground.O", "disc.P"],
-                    "clearance": { "model": "contact", "radius": gap, "bearing_radius": 0.05, "normal": normal } } },
-                "initial": { "disc": { "vy": -speed } },
-                "analysis": { "type": "dynamics", "end": 0.01, "outputs": 2, "solver": { "rtol": 1e-10 } } }))
-            .model,
-        );
+        let outcome = solve(&falling_disc(&normal));
         // v at the surface, from the height.
         let taken = |depth: f64| {
             stiffness * depth.powf(exponent + 1.0) / (exponent + 1.0) - m * G * (depth + gap)
