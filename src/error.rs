@@ -76,6 +76,12 @@ impl Error {
     }
 }
 
+impl From<Complaints> for Error {
+    fn from(complaints: Complaints) -> Self {
+        Error::Model(complaints)
+    }
+}
+
 impl From<Vec<Complaint>> for Error {
     fn from(complaints: Vec<Complaint>) -> Self {
         Error::Model(complaints.into())

@@ -1,21 +1,19 @@
 //! A mechanism ready to run, and handles of its parameters and columns.
 
-use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::Path;
 use std::str::FromStr;
 use std::sync::Arc;
-use std::time::Instant;
 
-use linkdyn_engine::analysis::{self, Check, Control, Linearised};
-use linkdyn_model::error::{Complaint, Complaints};
+use linkdyn_engine::analysis;
+use linkdyn_model::error::Complaint;
 use linkdyn_model::{Checked, Loaded, Model, bundled};
-use linkdyn_output::{Column as Heading, ColumnId, Stage, Stopwatch};
+use linkdyn_output::{ColumnId, Stage, Stopwatch};
 use sha2::{Digest, Sha256};
 
 use crate::error::Error;
 use crate::files::Origin;
+use crate::handles::{Column, Columns, Parameter};
 use crate::quantity::Quantity;
-use crate::run::{Run, deadline};
 
 /// A model that was read and checked: ready to run as often as wanted, from any thread.
 ///
@@ -65,47 +63,6 @@ struct File {
     text: Vec<u8>,
     /// Of the text, hexadecimal.
     sha256: String,
-}
-
-/// The columns of the results.
-#[derive(Debug)]
-struct Columns {
-    table: Arc<[Heading]>,
-    mark: u64,
-}
-
-/// Handle of a parameter of a [`Mechanism`], and of all mechanisms that are made of it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Parameter {
-    index: usize,
-    nominal: Quantity,
-}
-
-/// Handle of a result column of a [`Mechanism`], and of all mechanisms with the same columns.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Column {
-    pub(crate) id: ColumnId,
-    pub(crate) table: u64,
-    unit: &'static str,
-}
-
-impl Parameter {
-    /// The value in the model that was read, with its dimension.
-    pub fn nominal(self) -> Quantity {
-        self.nominal
-    }
-
-    /// The SI unit of its dimension; empty of a plain number.
-    pub fn unit(self) -> String {
-        self.nominal.unit()
-    }
-}
-
-impl Column {
-    /// The SI unit, such as `N*m`.
-    pub fn unit(self) -> &'static str {
-        self.unit
-    }
 }
 
 /// Reads the text of a model file (`linkdyn/1`).
@@ -204,7 +161,7 @@ impl Mechanism {
             columns: Arc::new(columns),
             load: watch.read(),
         };
-        let known = |name: &str| read.parameter(name).map(Parameter::index);
+        let known = |name: &str| read.parameter(name).map(|parameter| parameter.index);
         let kept = given
             .iter()
             .filter_map(|(name, si)| Some((known(name).ok()?, *si)));
@@ -309,6 +266,14 @@ impl Mechanism {
         self.columns.mark
     }
 
+    /// Complaints that came up after the model was read, with their places.
+    pub(crate) fn place(&self, complaints: Vec<Complaint>) -> Error {
+        let placed = complaints
+            .into_iter()
+            .map(|complaint| self.loaded.source.place(complaint));
+        Error::Model(placed.collect::<Vec<_>>().into())
+    }
+
     pub(crate) fn origin(&self) -> Origin<'_> {
         Origin {
             model: self.model(),
@@ -382,91 +347,6 @@ impl Mechanism {
         sets.push(format!("{path}={value}"));
         let given: Vec<(&str, f64)> = self.given.iter().map(|one| self.named(one)).collect();
         Mechanism::load(Arc::clone(&self.file), sets, &given)
-    }
-}
-
-/// Questions.
-impl Mechanism {
-    /// Runs the model's analysis.
-    ///
-    /// # Errors
-    /// [`Error::Model`] where the model has no analysis, or lacks what it needs. How the run ended is told by the [`Run`].
-    pub fn run(&self) -> Result<Run, Error> {
-        self.run_under(&Control::default())
-    }
-
-    /// Runs the model's analysis under outside control: a deadline, an interrupt, an eye on progress.
-    ///
-    /// # Errors
-    /// As [`Mechanism::run`].
-    pub fn run_under(&self, control: &Control) -> Result<Run, Error> {
-        let own = deadline(&self.model, Instant::now());
-        let control = Control {
-            deadline: [control.deadline, own].into_iter().flatten().min(),
-            ..control.clone()
-        };
-        let outcome = analysis::run(&self.model, &control);
-        let mut outcome = outcome.map_err(|found| self.place(found))?;
-        let warnings = self.warnings().iter().cloned();
-        outcome.report.warnings.splice(0..0, warnings);
-        Ok(Run::new(self.clone(), outcome))
-    }
-
-    /// Assembles and diagnoses the model without running it: mobility, loops, what is missing for which analysis.
-    ///
-    /// # Errors
-    /// [`Error::Model`] where it can't be compiled.
-    ///
-    /// # Examples
-    /// ```
-    /// use linkdyn::prelude::*;
-    ///
-    /// let check = Mechanism::bundled("four-bar")?.check()?;
-    /// assert_eq!((check.bodies, check.mobility.rank), (3, 0));
-    /// # Ok::<(), linkdyn::Error>(())
-    /// ```
-    pub fn check(&self) -> Result<Check, Error> {
-        analysis::check(&self.model).map_err(|found| self.place(found))
-    }
-
-    /// Natural frequencies, damping ratios and shapes of small motions about the equilibrium.
-    ///
-    /// # Errors
-    /// [`Error::Model`] where it can't be compiled.
-    pub fn modes(&self) -> Result<Linearised, Error> {
-        let modes = analysis::modes(&self.model, false, &Control::default());
-        modes.map_err(|found| self.place(found))
-    }
-
-    /// Complaints that came up after the model was read, with their places.
-    fn place(&self, complaints: Vec<Complaint>) -> Error {
-        let placed = complaints
-            .into_iter()
-            .map(|complaint| self.loaded.source.place(complaint));
-        Error::Model(placed.collect::<Vec<_>>().into())
-    }
-}
-
-impl Parameter {
-    fn index(self) -> usize {
-        self.index
-    }
-}
-
-impl Columns {
-    fn new(table: Arc<[Heading]>) -> Self {
-        let mut hasher = DefaultHasher::new();
-        for column in table.iter() {
-            (&column.name, column.unit).hash(&mut hasher);
-        }
-        let mark = hasher.finish();
-        Columns { table, mark }
-    }
-}
-
-impl From<Complaints> for Error {
-    fn from(complaints: Complaints) -> Self {
-        Error::Model(complaints)
     }
 }
 

@@ -1,14 +1,13 @@
 //! What a run leaves: columns by handle, how it ended, and files.
 
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
 
 use linkdyn_engine::analysis::Outcome;
-use linkdyn_model::Model;
 use linkdyn_output::{ColumnId, ColumnView, Event, Report, Status, Trajectory};
 
 use crate::error::Error;
-use crate::mechanism::{Column, Mechanism};
+use crate::handles::Column;
+use crate::mechanism::Mechanism;
 
 /// A finished run of a [`Mechanism`]: its results, and how it ended.
 ///
@@ -132,12 +131,6 @@ impl Run {
         let directory = crate::files::open_directory(directory.as_ref())?;
         Ok(crate::files::write(&directory, self.mechanism.origin(), &self.outcome)?.paths)
     }
-}
-
-/// When `max_wall_time` is over; none where there is no such setting, or no clock can tell that instant.
-pub(crate) fn deadline(model: &Model, started: Instant) -> Option<Instant> {
-    let seconds = model.analysis.as_ref()?.solver.max_wall_time?;
-    started.checked_add(Duration::try_from_secs_f64(seconds).ok()?)
 }
 
 impl<'r> Values<'r> {

@@ -6,7 +6,7 @@ use std::time::Instant;
 use clap::Args;
 
 use crate::files::{open_directory, write};
-use crate::run::deadline;
+use crate::questions::deadline;
 
 use super::exit::{BadInput, Exit};
 use super::open::ModelOptions;

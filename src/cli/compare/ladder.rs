@@ -7,7 +7,7 @@ use crate::cli::interrupt;
 use crate::cli::open::ModelOptions;
 use crate::cli::progress::Line;
 use crate::files::{open_directory, write};
-use crate::run::deadline;
+use crate::questions::deadline;
 use linkdyn_engine::analysis::{self, Control, Outcome};
 use linkdyn_model::error::Complaint;
 use linkdyn_output::Directory;

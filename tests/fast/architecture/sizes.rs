@@ -17,7 +17,6 @@ const LONGER: &[&str] = &[
     "crates/engine/src/analysis/dynamics/motion.rs",
     "crates/engine/src/analysis/dynamics/watch.rs",
     "crates/engine/src/mechanism/reduced/mod.rs",
-    "src/mechanism.rs",
     "tests/fast/edits.rs",
     "validation/src/journal_billiard/billiard.rs",
     "validation/src/lock/checks.rs",
