@@ -1,18 +1,20 @@
 //! The loop of steps: chooses coordinates anew where that is better, finds what contacts do within each step, and starts
 //! again from there.
 
-use super::closer::Looking;
-use super::contact::{Change, History, Sums, change, first_phase, sticks};
+use super::contact::{Change, change, first_phase, sticks};
+use super::ended::Ended;
 use super::fault::Fault;
+use super::history::{History, Sums};
+use super::looking::Looking;
+use super::margins::Margins;
 use super::motion::Motion;
 use super::settings::{Settings, Wanted};
-use super::words::{TIGHT, beyond_range, culprits, deep_start, describe, jam, tight};
+use super::words::{deep_start, describe};
 use crate::analysis::control::{Control, Stop};
-use crate::analysis::words::locked;
 use crate::element::journal::{Phase, Reading, Surface};
 use crate::integrate::{Limits, Method, Ode, Stepper};
 use crate::mechanism::driven::Failure;
-use linkdyn_output::{ClearanceSums, Reason, Report, Status};
+use linkdyn_output::Status;
 
 /// Newton's step, by rtol, below which the equations are taken for those of its end: a hundredth of what the step's error
 /// may be.
@@ -33,15 +35,20 @@ const DEEPEST_RIGID: f64 = 1e-9;
 /// The stepper at work, and what the contacts have done.
 pub struct Integration {
     method: Method,
+    /// What is wanted of a step's error.
     pub(super) wanted: Wanted,
     max_step: Option<f64>,
+    /// The method at work.
     pub(super) stepper: Box<dyn Stepper>,
     /// Work of steppers before.
-    before: [u64; 3],
+    pub(super) before: [u64; 3],
+    /// Where the run, or a step that is taken again, ends \[s\].
     pub(super) end: f64,
     /// Where, within the last step, a contact changes its phase.
     pub(super) pending: Option<f64>,
+    /// The point that is looked at.
     pub(super) y: Vec<f64>,
+    /// What each contact has done.
     pub histories: Vec<History>,
     /// Readings at the end of the last piece of a step.
     pub(super) last: Vec<Reading>,
@@ -52,53 +59,9 @@ pub struct Integration {
     /// When they did last, and how often then.
     pub(super) last_jam: (f64, usize),
     /// How far the friction of ideal joints was from locking them at the ends of the last two steps.
-    margins: [Margin; 2],
+    margins: Margins,
     /// What looks for the extremes of columns, in motions with contacts.
     pub(super) looking: Option<Box<Looking>>,
-}
-
-/// How far the equations of friction are from having no solution.
-#[derive(Debug, Clone, Copy)]
-struct Margin {
-    time: f64,
-    /// Their determinant: 1 without friction, 0 where a joint locks itself.
-    left: f64,
-    /// The force that feeds on itself most.
-    force: usize,
-}
-
-/// A lock that lies ahead by less than this many rounding units of the time is where the steps end.
-const LOCK_AHEAD: f64 = 1e6;
-
-/// Why the loop ended before its time.
-pub struct Ended {
-    pub status: Status,
-    pub message: String,
-    pub reason: Option<Box<Reason>>,
-}
-
-impl Ended {
-    /// At an output that can't be solved.
-    pub fn at_output(motion: &mut Motion, fault: Fault, time: f64) -> Ended {
-        let system = motion.system();
-        let when = system.display.time(time);
-        let message = match fault {
-            Fault::Unsolved(Failure::Locked { force }) => format!(
-                "at t = {when} {}; the rows until there are kept",
-                locked(system, force)
-            ),
-            Fault::Unsolved(
-                Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. },
-            )
-            | Fault::TooSmall { .. }
-            | Fault::Indivisible { .. } => format!("the position at t = {when} can't be solved"),
-        };
-        Ended {
-            status: Status::Singular,
-            message,
-            reason: Some(Box::new(fault.reason(motion, time))),
-        }
-    }
 }
 
 impl Integration {
@@ -139,11 +102,7 @@ impl Integration {
             released: vec![0.0; contacts],
             jammed: Vec::new(),
             last_jam: (f64::NEG_INFINITY, 0),
-            margins: [Margin {
-                time: f64::NEG_INFINITY,
-                left: 1.0,
-                force: 0,
-            }; 2],
+            margins: Margins::new(),
             looking: None,
         };
         for (contact, journal) in system.contacts.iter().enumerate() {
@@ -239,78 +198,11 @@ impl Integration {
             }
             let now = self.reached();
             if let Err(fault) = self.advance(motion) {
-                return Err(self.ended(motion, fault, now));
+                let ahead = self.margins.lock_ahead();
+                return Err(Ended::at_step(motion, fault, now, ahead, &self.jammed));
             }
         }
         Ok(())
-    }
-
-    /// What a step that can't be taken means.
-    fn ended(&self, motion: &mut Motion, fault: Fault, now: f64) -> Ended {
-        let (status, message) = self.told(motion, fault, now);
-        Ended {
-            status,
-            message,
-            reason: Some(Box::new(fault.reason(motion, now))),
-        }
-    }
-
-    fn told(&self, motion: &mut Motion, fault: Fault, now: f64) -> (Status, String) {
-        let refused = match fault {
-            Fault::TooSmall { .. } => false,
-            Fault::Indivisible { .. } | Fault::Unsolved(_) => true,
-        };
-        let lock = motion
-            .reduced
-            .driven
-            .dependent_forces
-            .locked()
-            .filter(|_| refused)
-            .or_else(|| self.lock_ahead());
-        if let Some(force) = lock {
-            let who = locked(motion.system(), force);
-            let when = motion.system().display.time(now);
-            return (
-                Status::Singular,
-                format!("at t = {when} {who}; the rows until there are kept"),
-            );
-        }
-        let display = &motion.system().display;
-        if !refused {
-            let what = describe(fault, now, "", display);
-            return (Status::StepTooSmall, format!("{what}{}", tight(motion)));
-        }
-        if !self.jammed.is_empty() {
-            return (Status::Singular, jam(motion, &self.jammed, now));
-        }
-        let culprits = culprits(motion);
-        (Status::Singular, describe(fault, now, &culprits, display))
-    }
-
-    /// Notes how far the friction is from locking a joint at the end of the step just taken.
-    fn note_margin(&mut self, motion: &Motion) {
-        let dependent = &motion.reduced.driven.dependent_forces;
-        if motion.system().dependent_forces.is_empty() || dependent.locked().is_some() {
-            return;
-        }
-        let here = Margin {
-            time: self.stepper.t(),
-            left: dependent.margin(),
-            force: dependent.tightest(),
-        };
-        if here.time > self.margins[1].time {
-            self.margins = [self.margins[1], here];
-        }
-    }
-
-    /// The force that locks its joint within the next few of the shortest steps, where its margin goes to zero: friction
-    /// grows there as 1/(t* − t), or with its root, so that every step goes a part of the way only.
-    fn lock_ahead(&self) -> Option<usize> {
-        let [before, here] = self.margins;
-        let fall = (before.left - here.left) / (here.time - before.time);
-        let ahead = here.left / fall;
-        let near = LOCK_AHEAD * f64::EPSILON * here.time.abs();
-        (here.left < TIGHT && fall > 0.0 && ahead <= near).then_some(here.force)
     }
 
     /// One step.
@@ -333,7 +225,7 @@ impl Integration {
             let taken = self.stepper.step(motion, self.end);
             taken.map_err(|failure| motion.stopped(failure))?;
         }
-        self.note_margin(motion);
+        self.margins.note(motion, self.stepper.t());
         if !self.histories.is_empty() {
             self.look_closely(motion)?;
             self.watch_step(motion);
@@ -457,47 +349,5 @@ impl Integration {
             known.map_err(|refused| motion.refused(refused))?;
         }
         Ok(motion.evaluate_exactly(time, &self.y)?)
-    }
-
-    /// Work and contacts into the report.
-    pub fn account(&mut self, motion: &Motion, report: &mut Report) {
-        let counters = self.stepper.counters();
-        report.statistics.steps = self.before[0] + counters.steps;
-        report.statistics.rejected = self.before[1] + counters.rejected;
-        report.statistics.evaluations = self.before[2] + counters.evaluations;
-        let joints = motion
-            .system()
-            .joints
-            .iter()
-            .filter(|joint| joint.contact.is_some());
-        for (contact, joint) in joints.enumerate() {
-            let sums = self.sums(motion, contact);
-            let history = &mut self.histories[contact];
-            history.finish(self.stepper.t(), sums);
-            report.clearances.push(ClearanceSums {
-                joint: joint.name.clone(),
-                episodes: history.episodes,
-                switches: history.switches,
-                time_in_contact: history.time_in_contact,
-                energy_lost: sums.dissipated,
-                impulse: sums.impulse,
-                wear: std::mem::take(&mut history.wear),
-            });
-            let (display, journal) = (&motion.system().display, &motion.system().contacts[contact]);
-            report.warnings.extend(beyond_range(
-                display,
-                joint.name.as_str(),
-                journal,
-                history.most,
-            ));
-            if history.unlisted > 0 {
-                report.warnings.push(format!(
-                    "joint \"{}\": {} further contacts and changes between stick and slip are counted but not listed",
-                    joint.name, history.unlisted
-                ));
-            }
-            report.events.append(&mut history.events);
-        }
-        report.events.sort_by(|a, b| a.time.total_cmp(&b.time));
     }
 }

@@ -17,9 +17,9 @@
 //! (see [`crate::contact::impact`]); several at once give nothing back. The same ends a motion in which N grows beyond all
 //! bounds, d → 0.
 
-use super::impact::{Point, at_rest, inverse_mass, rubbing};
 use super::integration::Integration;
 use super::motion::Motion;
+use super::point::{Point, at_rest, inverse_mass, rubbing};
 use super::words::TIGHT;
 use crate::element::journal::{Rigid, Surface};
 use crate::mechanism::driven::Failure;

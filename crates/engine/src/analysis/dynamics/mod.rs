@@ -7,22 +7,32 @@
 //! Joints with clearance by contact are open: journals fly and press (`contact`), and the instants at which they begin
 //! and cease to are located within the steps (`integration`).
 
+mod account;
 mod closer;
 mod contact;
+mod ended;
 mod episodes;
 mod fault;
+mod following;
+mod history;
 mod impact;
 mod integration;
 mod jam;
 mod locate;
 mod look;
+mod looking;
+mod margins;
 pub mod motion;
 mod outputs;
 mod parts;
 mod peaks;
+mod point;
+mod quantities;
 mod sampling;
 mod settings;
+mod settle;
 mod start;
+mod tolerance;
 mod watch;
 mod within;
 mod words;
@@ -35,10 +45,11 @@ use crate::mechanism::driven::Failure;
 use crate::mechanism::phases::Phases;
 use crate::mechanism::reduced::Reduced;
 use crate::system::System;
-use closer::Looking;
-use integration::{Ended, Integration};
+use ended::Ended;
+use integration::Integration;
 use linkdyn_model::error::Complaint;
 use linkdyn_output::{Report, Status, Stopwatch, Trajectory};
+use looking::Looking;
 use motion::Motion;
 use outputs::Outputs;
 

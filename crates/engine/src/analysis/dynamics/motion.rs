@@ -15,58 +15,48 @@
 //! Without contacts y is (u, u̇ | z) alone.
 
 use super::contact::worst_guard;
-use super::settings::Wanted;
-use crate::analysis::assembly::ranks;
-use crate::element::journal::{Contact, ContactId, Journal, Phase, Reading, Surface};
-use crate::integrate::{Ode, Refused, Tolerance};
+use crate::element::journal::{Contact, ContactId, Phase, Reading, Surface};
+use crate::integrate::{Ode, Refused};
 use crate::mechanism::driven::{Failure, LAST_STEP};
-use crate::mechanism::phases::{Exchanged, Phases, Windows};
+use crate::mechanism::phases::Phases;
 use crate::mechanism::reduced::Reduced;
-use crate::system::Inputs;
 use crate::system::System;
 
 /// Quantities kept per contact.
 const PER_CONTACT: usize = 3;
 /// Evaluations remembered: those of one step of any method are among them.
 const MARKS: usize = 24;
-/// Rates near zero are measured against this [L/T, 1/T]: slow against the motion, fast against its round-off.
-const SLOW: f64 = 2e-3;
-
-/// Errors of the energy ledger are bounded by this, times rtol, of the kinetic energy at the last event.
-const LEDGER: f64 = 10.0;
-/// No step is bounded by less than this part of what it moves, for evaluations are no better.
-const ROUND_OFF: f64 = 1e-14;
-/// The same of contacts' lengths, which are differences of coordinates, and of coordinates in sizes.
-const LEAST: f64 = 1e-16;
-/// Lengths are measured against no less than this part of a clearance [–].
-const SHALLOW: f64 = 1e-2;
 
 /// An evaluation: its time, and the largest of all guards there, above zero where an event has passed.
 type Mark = (f64, f64);
 
 /// A mechanism in motion.
 pub struct Motion<'s> {
+    /// Its equations in minimal coordinates.
     pub reduced: Reduced<'s>,
-    phases: &'s Phases<'s>,
+    /// The mechanism by what follows.
+    pub(super) phases: &'s Phases<'s>,
     /// First row of each contact that follows its bearing, and the normal force there \[N\].
-    following: Vec<Option<usize>>,
+    pub(super) following: Vec<Option<usize>>,
     pressing: Vec<f64>,
     /// Friction of each contact that follows its bearing, as a force that depends on multipliers.
-    rubbing: Vec<Option<usize>>,
+    pub(super) rubbing: Vec<Option<usize>>,
     /// Component of each contact's bristles, counted from the first.
     bristles: Vec<Option<usize>>,
     /// The same of forces that depend on multipliers.
-    memories: Vec<Option<usize>>,
+    pub(super) memories: Vec<Option<usize>>,
     bristle_count: usize,
     moving_drivers: bool,
     /// Why the last evaluation for a stepper was refused, where it was.
     pub(super) refusal: Option<Failure>,
-    lambda: Vec<f64>,
+    /// Multipliers (m).
+    pub(super) lambda: Vec<f64>,
     marks: [Mark; MARKS],
     next_mark: usize,
 }
 
 impl<'s> Motion<'s> {
+    /// At the point of these equations, with all contacts in flight.
     pub fn new(phases: &'s Phases<'s>, reduced: Reduced<'s>) -> Self {
         let system = reduced.driven.system;
         let mut bristle_count = 0;
@@ -107,11 +97,13 @@ impl<'s> Motion<'s> {
         }
     }
 
+    /// The mechanism with its contacts of the moment.
     pub fn system(&self) -> &'s System {
         self.reduced.driven.system
     }
 
-    fn contacts(&self) -> usize {
+    /// Number of contacts.
+    pub(super) fn contacts(&self) -> usize {
         self.reduced.inputs.contacts.len()
     }
 
@@ -131,7 +123,7 @@ impl<'s> Motion<'s> {
     }
 
     /// Component z of a force that depends on multipliers.
-    fn memory(&self, force: usize) -> Option<usize> {
+    pub(super) fn memory(&self, force: usize) -> Option<usize> {
         Some(2 * self.reduced.freedom() + (*self.memories.get(force)?)?)
     }
 
@@ -152,79 +144,6 @@ impl<'s> Motion<'s> {
             reading.follow(self.pressing[contact], friction);
         }
         reading
-    }
-
-    /// Rigid contacts whose journals follow their bearings, by contact.
-    pub fn followers(&self) -> Vec<bool> {
-        self.following.iter().map(Option::is_some).collect()
-    }
-
-    /// Whether a contact is one of rigid surfaces with friction.
-    pub fn rubs(&self, contact: usize) -> bool {
-        matches!(&self.system().contacts[contact].surface, Surface::Rigid(rigid) if rigid.friction > 0.0)
-    }
-
-    /// First row of a contact that follows its bearing.
-    pub fn following_row(&self, contact: usize) -> Option<usize> {
-        self.following[contact]
-    }
-
-    /// Goes on with other rigid journals on their bearings' surfaces, from the position and velocities at hand.
-    ///
-    /// # Errors
-    /// Where the constraints of these contacts are singular.
-    pub fn follow(&mut self, following: &[bool], time: f64) -> Result<(), Failure> {
-        let system = self.phases.get(following, &Windows::new(), Exchanged::new);
-        let inputs = Inputs::at_time(system, time);
-        let (q, v) = (&self.reduced.q, &self.reduced.v);
-        let (_, all) = ranks(system, q, &inputs);
-        let mut reduced = Reduced::new(system, &all.free_columns, q, v, time)?;
-        reduced
-            .inputs
-            .contacts
-            .clone_from(&self.reduced.inputs.contacts);
-        for (memory, was) in reduced
-            .inputs
-            .memories
-            .iter_mut()
-            .zip(&self.reduced.inputs.memories)
-        {
-            *memory = *was;
-        }
-        reduced.lag = self.reduced.lag;
-        reduced.driven.done = self.reduced.driven.done;
-        reduced.cross_as(&mut self.reduced, following);
-        self.reduced = reduced;
-        self.lambda.resize(system.m(), 0.0);
-        let rows = system
-            .joints
-            .iter()
-            .zip(&system.blocks)
-            .filter(|(joint, _)| joint.contact.is_some());
-        // Those of contacts stand behind the joints' own.
-        let mut next = self.memories.len();
-        for (contact, (_, block)) in rows.enumerate() {
-            self.following[contact] = following[contact].then_some(block.row);
-            let rubs = self.rubs(contact);
-            self.rubbing[contact] = (following[contact] && rubs).then_some(next);
-            next += usize::from(following[contact] && rubs);
-        }
-        Ok(())
-    }
-
-    /// The follower that an impulse and its change of the velocities pull most towards its bearing, and its own impulse.
-    pub fn pulled(&mut self, impulse: &[f64], change: &[f64]) -> Option<(usize, f64)> {
-        self.following.iter().any(Option::is_some).then(|| {
-            self.reduced
-                .impulsive_multipliers(impulse, change, &mut self.lambda);
-        })?;
-        let rows = self
-            .following
-            .iter()
-            .enumerate()
-            .filter_map(|(contact, row)| Some((contact, (*row)?)));
-        rows.map(|(contact, row)| (contact, self.lambda[row]))
-            .min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
     /// Work that moving drivers do in an impulse that changes the velocities (n) \[J\].
@@ -321,80 +240,6 @@ impl<'s> Motion<'s> {
             .any(|&(t, guard)| t > from && t <= to && guard > 0.0)
     }
 
-    /// The bound of the local error. In a mechanism with contacts lengths are measured against the smallest clearance, or the
-    /// smallest depth at which a contact would hold all the kinetic energy of the moment, where that is less: an error of the
-    /// penetration is one of the energy, force times error. Rates near zero are measured
-    /// against [`SLOW`].
-    pub fn tolerance(&self, wanted: Wanted) -> Tolerance {
-        let f = self.reduced.freedom();
-        let dimension = self.dimension();
-        let system = self.system();
-        let (rtol, atol) = (
-            wanted.rtol.max(ROUND_OFF),
-            wanted.atol.max(ROUND_OFF * system.size.min(1.0)),
-        );
-        let clearance = system
-            .contacts
-            .iter()
-            .map(|contact| contact.clearance)
-            .fold(f64::INFINITY, f64::min);
-        let mut tolerance = if clearance.is_finite() {
-            Tolerance {
-                rtol,
-                atol: vec![f64::MAX; dimension],
-                cap: vec![f64::INFINITY; dimension],
-            }
-        } else {
-            Tolerance {
-                rtol,
-                atol: vec![atol; dimension],
-                cap: Vec::new(),
-            }
-        };
-        for (force, dependent) in system.dependent_forces.iter().enumerate() {
-            if let (Some(component), Some(scale)) =
-                (self.memory(force), dependent.force.memory_scale())
-            {
-                tolerance.atol[component] = rtol * scale;
-            }
-        }
-        if !clearance.is_finite() {
-            return tolerance;
-        }
-        let energy = self
-            .reduced
-            .driven
-            .evaluation
-            .kinetic_energy(system, &self.reduced.v);
-        let depth = system
-            .contacts
-            .iter()
-            .map(|contact| depth(contact, energy))
-            .fold(f64::INFINITY, f64::min);
-        for (k, pin) in self.reduced.driven.pins.iter().enumerate() {
-            let small = depth / system.size * system.column_scale(pin.column);
-            tolerance.cap[k] = small;
-            tolerance.atol[k] = atol
-                .min(rtol * small)
-                .max(LEAST * system.column_scale(pin.column));
-            let rate = system.column_scale(pin.column) / system.scale.time;
-            tolerance.atol[f + k] = atol.min(SLOW * rtol * rate);
-        }
-        for contact in 0..self.contacts() {
-            if let Some(component) = self.bristle(contact) {
-                tolerance.atol[component] = rtol * clearance;
-            }
-            if energy > 0.0 {
-                tolerance.atol[self.dissipated(contact)] = LEDGER * rtol * energy;
-            }
-        }
-        // Where all is smooth the motion needs no steps as short as the work of its drivers.
-        if energy > 0.0 {
-            tolerance.atol[self.work()] = LEDGER * rtol * energy;
-        }
-        tolerance
-    }
-
     fn eval_ledger(&mut self, t: f64, dy: &mut [f64]) {
         let system = self.system();
         let work = self.work();
@@ -448,27 +293,6 @@ impl<'s> Motion<'s> {
         self.marks[self.next_mark] = (t, worst);
         self.next_mark = (self.next_mark + 1) % MARKS;
     }
-}
-
-/// Depth at which a contact would hold this energy, within [`SHALLOW`] … 1 of its clearance \[m\].
-fn depth(contact: &Journal, energy: f64) -> f64 {
-    let Surface::Compliant(laws) = &contact.surface else {
-        return contact.clearance;
-    };
-    let (mut low, mut high) = (SHALLOW * contact.clearance, contact.clearance);
-    if laws.normal.elastic_energy(high) <= energy {
-        return high;
-    }
-    // Its order of magnitude is enough.
-    while high > 1.1 * low {
-        let middle = (low * high).sqrt();
-        if laws.normal.elastic_energy(middle) < energy {
-            low = middle
-        } else {
-            high = middle
-        }
-    }
-    low
 }
 
 /// (u̇, ü) of the last evaluation.

@@ -7,12 +7,11 @@
 //! Rows at the ends are as exact as steps need them, with round-off of some 1e-10 in velocities and forces. They hold an extreme
 //! only until the mechanism is evaluated exactly there.
 
+use super::quantities::{Watched, watched};
 use super::sampling::Sampling;
 use crate::analysis::channels::Contents;
 use crate::system::System;
-use linkdyn_output::{
-    Channel, Column, DriverQuantity, EnergyQuantity, JointQuantity, Selection, Trajectory,
-};
+use linkdyn_output::Trajectory;
 
 /// An extreme is located to this part of the column's range, and of columns of a joint with contact to less.
 const LOCATED: f64 = 1e-7;
@@ -21,35 +20,12 @@ const LOCATED_CONTACT: f64 = 1e-10;
 /// small as such.
 const ROUND_OFF: f64 = 1e-3;
 const ROUND_OFF_CONTACT: f64 = 1e-5;
-/// Columns that are watched at most: in a large mechanism those of joints and drivers.
-const MOST_WATCHED: usize = 1000;
 /// How far beyond its ends, in parts of the step, a parabola's vertex may lie so that the extreme may be within.
 const ASIDE: f64 = 0.3;
 /// How much larger than a parabola says an extreme may be, in parts of its rise above the chord.
 const HIGHER: f64 = 0.3;
 /// The same of a first step, of which only the ends are known, in parts of their difference.
 const FIRST_RISE: f64 = 0.25;
-
-/// What is watched: a column, or the size of a joint's force, of whose components the columns are.
-#[derive(Debug, Clone, Copy)]
-enum Quantity {
-    Column(usize),
-    Size([usize; 2]),
-}
-
-/// A quantity and what is known of it beforehand.
-#[derive(Debug, Clone, Copy)]
-struct Watched {
-    quantity: Quantity,
-    /// Number of its unit.
-    unit: usize,
-    /// Column of its rate.
-    rate: Option<usize>,
-    /// It only grows as a rule, or is prescribed, or changes at events alone: a first step is no reason to look closer.
-    steady: bool,
-    /// It belongs to a joint with contact.
-    of_contact: bool,
-}
 
 /// An extreme so far: its value and the row it is in.
 #[derive(Debug, Clone, Copy)]
@@ -69,11 +45,14 @@ struct Kept {
 /// A row, and the quantities in it.
 #[derive(Debug, Clone, Default)]
 pub struct Node {
+    /// All columns.
     pub row: Vec<f64>,
+    /// The quantities.
     pub values: Vec<f64>,
 }
 
 impl Node {
+    /// Its time \[s\], none of an empty node.
     pub fn time(&self) -> f64 {
         self.row.first().copied().unwrap_or(f64::NAN)
     }
@@ -84,6 +63,7 @@ pub const SIDES: [f64; 2] = [-1.0, 1.0];
 
 /// Extremes of a motion.
 pub struct Watch {
+    /// What fills rows.
     pub sampling: Sampling,
     watched: Vec<Watched>,
     /// Least and largest, by quantity.
@@ -93,9 +73,11 @@ pub struct Watch {
     /// How near an extreme has to be, by quantity.
     pub near: Vec<f64>,
     spans: Vec<f64>,
-    /// The end before the last step where that is of the same smooth piece, and the ends of the last step.
+    /// The end before the last step, where that is of the same smooth piece.
     pub before: Node,
+    /// The beginning of the last step.
     pub start: Node,
+    /// Its end.
     pub end: Node,
     /// Ends of this piece so far.
     pub ends: usize,
@@ -343,92 +325,6 @@ fn tangents([a, b]: [f64; 2], [up, down]: [f64; 2], h: f64) -> Option<f64> {
         let meet = ((b - a - down * h) / (up - down)).clamp(0.0, h);
         (a + up * meet).max(b - down * (h - meet))
     })
-}
-
-impl Quantity {
-    fn of(self, row: &[f64]) -> f64 {
-        match self {
-            Quantity::Column(column) => row[column],
-            Quantity::Size([x, y]) => row[x].hypot(row[y]),
-        }
-    }
-}
-
-/// The quantities of these columns, and how many units they have.
-fn watched(columns: &[Column], patterns: &[String]) -> (Vec<Watched>, usize) {
-    let at = |channel: Channel| {
-        let is_it = |column: &Column| column.channel == Some(channel);
-        columns.iter().position(is_it)
-    };
-    let mut units: Vec<&'static str> = Vec::new();
-    let mut unit = |column: &Column| {
-        units
-            .iter()
-            .position(|unit| *unit == column.unit)
-            .unwrap_or_else(|| {
-                units.push(column.unit);
-                units.len() - 1
-            })
-    };
-    let mut found: Vec<(usize, Watched)> = Vec::new();
-    let selected = Selection::new(columns, patterns).columns;
-    for id in &selected {
-        let index = id.index();
-        let column = &columns[index];
-        let Some(channel) = column.channel.filter(|channel| *channel != Channel::Time) else {
-            continue;
-        };
-        // Those that count most come first where there are too many.
-        let (rank, steady, joint) = match channel {
-            Channel::Joint(joint, quantity) => (0, quantity == JointQuantity::State, Some(joint)),
-            Channel::Driver(_, quantity) => (1, quantity == DriverQuantity::Value, None),
-            Channel::Energy(quantity) => (1, quantity == EnergyQuantity::Dissipated, None),
-            Channel::Time
-            | Channel::Body(..)
-            | Channel::Point(..)
-            | Channel::Load(..)
-            | Channel::Shaking(_)
-            | Channel::Transmission(_) => (2, false, None),
-        };
-        let of_joint = |quantity| at(Channel::Joint(joint?, quantity));
-        let of_contact = of_joint(JointQuantity::Eccentricity).is_some();
-        let unit = unit(column);
-        found.push((
-            rank,
-            Watched {
-                quantity: Quantity::Column(index),
-                unit,
-                rate: channel.rate().and_then(at),
-                steady,
-                of_contact,
-            },
-        ));
-        let across = match channel {
-            Channel::Joint(_, JointQuantity::Fx) => of_joint(JointQuantity::Fy),
-            _ => None,
-        };
-        if let Some(across) =
-            across.filter(|across| selected.iter().any(|id| id.index() == *across))
-        {
-            let quantity = Quantity::Size([index, across]);
-            found.push((
-                0,
-                Watched {
-                    quantity,
-                    unit,
-                    rate: None,
-                    steady: false,
-                    of_contact,
-                },
-            ));
-        }
-    }
-    found.sort_by_key(|(rank, _)| *rank);
-    found.truncate(MOST_WATCHED);
-    (
-        found.into_iter().map(|(_, watched)| watched).collect(),
-        units.len(),
-    )
 }
 
 #[cfg(test)]

@@ -1,0 +1,273 @@
+//! What a contact has done: its episodes, its changes between stick and slip, and its wear.
+
+use crate::element::journal::Reading;
+use linkdyn_output::{Episode, Event, EventKind};
+
+/// Bins of the bearing's circumference in which sliding under load is summed.
+pub const WEAR_BINS: usize = 72;
+/// Episodes, and changes between stick and slip, that are listed at most; all are counted.
+const LISTED: usize = 20_000;
+
+/// Dissipated energy, normal impulse and sliding under load since the start.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Sums {
+    /// Dissipated energy \[J\].
+    pub dissipated: f64,
+    /// Normal impulse \[N·s\].
+    pub impulse: f64,
+    /// Sliding under load \[N·m\].
+    pub sliding: f64,
+}
+
+impl Sums {
+    /// From their components of y.
+    pub fn of(parts: &[f64]) -> Self {
+        Sums {
+            dissipated: parts[0],
+            impulse: parts[1],
+            sliding: parts[2],
+        }
+    }
+}
+
+/// Everything that is told of a joint's contact.
+#[derive(Debug, Clone)]
+pub struct History {
+    joint: String,
+    open: Option<(Episode, Sums)>,
+    /// Sums at the last point.
+    last: Sums,
+    last_angle: f64,
+    /// S by angle of the bearing \[N·m\].
+    pub wear: Vec<f64>,
+    /// Episodes that are over.
+    pub episodes: u64,
+    /// Largest penetration of all of them \[m\].
+    pub most: f64,
+    /// Changes between stick and slip.
+    pub switches: u64,
+    /// Time in contact \[s\].
+    pub time_in_contact: f64,
+    /// What is listed of it.
+    pub events: Vec<Event>,
+    /// How many more events there were.
+    pub unlisted: u64,
+}
+
+impl History {
+    /// Of a joint, before anything has happened.
+    pub fn new(joint: &str) -> Self {
+        History {
+            joint: joint.into(),
+            open: None,
+            last: Sums::default(),
+            last_angle: 0.0,
+            wear: vec![0.0; WEAR_BINS],
+            episodes: 0,
+            most: 0.0,
+            switches: 0,
+            time_in_contact: 0.0,
+            events: Vec::new(),
+            unlisted: 0,
+        }
+    }
+
+    /// An episode begins.
+    pub fn begin(&mut self, time: f64, reading: &Reading, sums: Sums, angle: f64) {
+        let episode = Episode {
+            start: time,
+            approach_speed: reading.rate,
+            ..Episode::default()
+        };
+        self.open = Some((episode, sums));
+        self.last = sums;
+        self.last_angle = angle;
+    }
+
+    /// The state at a later point of the episode.
+    pub fn go_on(&mut self, reading: &Reading, sums: Sums, angle: f64) {
+        self.peak(reading.penetration, reading.normal);
+        self.wear_between(angle, sums.sliding - self.last.sliding);
+        self.last = sums;
+        self.last_angle = angle;
+    }
+
+    /// Larger penetration or force than the episode's so far.
+    pub fn peak(&mut self, penetration: f64, force: f64) {
+        if let Some((episode, _)) = &mut self.open {
+            episode.peak_penetration = episode.peak_penetration.max(penetration);
+            episode.peak_force = episode.peak_force.max(force);
+        }
+    }
+
+    /// Whether one of them could be larger than the episode's so far, by estimates good to a percent.
+    pub fn rises(&self, penetration: f64, force: f64) -> bool {
+        self.open.as_ref().is_some_and(|(episode, _)| {
+            1.01 * penetration > episode.peak_penetration || 1.01 * force > episode.peak_force
+        })
+    }
+
+    /// Largest penetration of the open episode.
+    pub fn deepest(&self) -> Option<f64> {
+        self.open
+            .as_ref()
+            .map(|(episode, _)| episode.peak_penetration)
+    }
+
+    /// The episode ends (for now): the last end counts.
+    pub fn rest(&mut self, time: f64, reading: &Reading, sums: Sums) {
+        if let Some((episode, start)) = &mut self.open {
+            episode.end = Some(time);
+            episode.separation_speed = Some(-reading.rate);
+            episode.impulse = sums.impulse - start.impulse;
+            episode.energy_lost = sums.dissipated - start.dissipated;
+        }
+    }
+
+    /// It presses again.
+    pub fn press(&mut self) {
+        if let Some((episode, _)) = &mut self.open {
+            (episode.end, episode.separation_speed) = (None, None);
+        }
+    }
+
+    /// The journal has left.
+    pub fn end(&mut self) {
+        let Some((episode, _)) = self.open.take() else {
+            return;
+        };
+        self.episodes += 1;
+        self.most = self.most.max(episode.peak_penetration);
+        self.time_in_contact += episode.end.unwrap_or(episode.start) - episode.start;
+        self.list(Event {
+            end_time: episode.end,
+            joint: Some(self.joint.clone()),
+            episode: Some(episode),
+            ..Event::at(EventKind::Contact, episode.start)
+        });
+    }
+
+    /// The run is over: an episode that goes on has neither end nor separation speed.
+    pub fn finish(&mut self, time: f64, sums: Sums) {
+        if let Some((episode, start)) = &mut self.open {
+            if episode.end.is_none() {
+                self.time_in_contact += time - episode.start;
+                episode.impulse = sums.impulse - start.impulse;
+                episode.energy_lost = sums.dissipated - start.dissipated;
+            }
+            self.end();
+        }
+    }
+
+    /// Impacts have become so low, `height` in words, that the journal follows the surface from now on.
+    pub fn follow(&mut self, time: f64, height: &str) {
+        let note = format!(
+            "impacts lower than {height} would follow: the journal stays on the bearing's surface"
+        );
+        self.list(Event {
+            joint: Some(self.joint.clone()),
+            note: Some(note),
+            ..Event::at(EventKind::SustainedContact, time)
+        });
+    }
+
+    /// The journal sticks or slips from now on.
+    pub fn switch(&mut self, time: f64, sticks: bool) {
+        self.switches += 1;
+        let kind = if sticks {
+            EventKind::Stick
+        } else {
+            EventKind::Slip
+        };
+        self.list(Event {
+            joint: Some(self.joint.clone()),
+            ..Event::at(kind, time)
+        });
+    }
+
+    fn list(&mut self, event: Event) {
+        if self.events.len() < LISTED {
+            self.events.push(event);
+        } else {
+            self.unlisted += 1;
+        }
+    }
+
+    /// Spreads a part of S over the bins from the last angle to this one, the shorter way.
+    fn wear_between(&mut self, angle: f64, part: f64) {
+        use std::f64::consts::TAU;
+        if part == 0.0 {
+            return;
+        }
+        let bins = WEAR_BINS as f64;
+        let turn = (angle - self.last_angle + 0.5 * TAU).rem_euclid(TAU) - 0.5 * TAU;
+        let (from, to) = (
+            self.last_angle / TAU * bins,
+            (self.last_angle + turn) / TAU * bins,
+        );
+        let (low, high) = (from.min(to), from.max(to));
+        let mut bin = low.floor();
+        loop {
+            let share = if high > low {
+                ((bin + 1.0).min(high) - bin.max(low)) / (high - low)
+            } else {
+                1.0
+            };
+            self.wear[bin.rem_euclid(bins) as usize % WEAR_BINS] += share * part;
+            bin += 1.0;
+            if bin >= high {
+                break;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wear_goes_to_the_bins_passed_the_shorter_way() {
+        let mut history = History::new("a");
+        let degrees = f64::to_radians;
+        history.begin(0.0, &Reading::default(), Sums::default(), degrees(-2.5));
+        history.go_on(
+            &Reading::default(),
+            Sums {
+                sliding: 3.0,
+                ..Sums::default()
+            },
+            degrees(12.5),
+        );
+        let bins: Vec<(usize, f64)> = history
+            .wear
+            .iter()
+            .copied()
+            .enumerate()
+            .filter(|(_, s)| *s > 0.0)
+            .collect();
+        let expected = [(0, 1.0), (1, 1.0), (2, 0.5), (71, 0.5)];
+        assert_eq!(bins.len(), 4, "{bins:?}");
+        for ((bin, sum), (expected_bin, expected)) in bins.iter().zip(expected) {
+            assert!(
+                *bin == expected_bin && (sum - expected).abs() < 1e-12,
+                "{bins:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn wear_at_one_angle_goes_to_one_bin() {
+        let mut history = History::new("a");
+        history.begin(0.0, &Reading::default(), Sums::default(), -1e-12);
+        history.go_on(
+            &Reading::default(),
+            Sums {
+                sliding: 1.0,
+                ..Sums::default()
+            },
+            -1e-12,
+        );
+        assert_eq!(history.wear[71], 1.0);
+    }
+}
