@@ -45,7 +45,7 @@ impl Mechanism {
     /// use linkdyn::prelude::*;
     ///
     /// let check = Mechanism::bundled("four-bar")?.check()?;
-    /// assert_eq!((check.bodies, check.mobility.rank), (3, 0));
+    /// assert_eq!((check.bodies, check.mobility.rank), (3, 1));
     /// # Ok::<(), linkdyn::Error>(())
     /// ```
     pub fn check(&self) -> Result<Check, Error> {

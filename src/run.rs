@@ -115,7 +115,7 @@ impl Run {
     /// use linkdyn::prelude::*;
     ///
     /// let page = Mechanism::bundled("four-bar")?.run()?.html();
-    /// assert!(page.starts_with("<!DOCTYPE html>"));
+    /// assert!(page.starts_with("<!doctype html>"));
     /// # Ok::<(), linkdyn::Error>(())
     /// ```
     pub fn html(&self) -> String {

@@ -24,6 +24,7 @@ fn find(laws: &[f64], responses: &[f64], free: &[f64]) -> (Result<(), Failure>, 
     let cells = |count: usize| vec![0.0; count];
     let mut forces = DependentForces {
         m: k,
+        lu: SmallLu::new(k),
         responses: responses.to_vec(),
         sizes: cells(k),
         kept: cells(k),
