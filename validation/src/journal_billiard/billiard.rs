@@ -216,7 +216,6 @@ pub fn damped(setting: &Setting, report: &mut CaseReport) -> Result<(), CaseErro
     ];
     let outcome = solve(setting, &sets)?;
     let exact = Billiard::new(RESTITUTION, end);
-    let along = exact.along;
     let ours = episodes(&outcome);
     let follows = outcome
         .report
@@ -226,13 +225,27 @@ pub fn damped(setting: &Setting, report: &mut CaseReport) -> Result<(), CaseErro
     let follows = follows
         .ok_or_else(|| broken("it does not follow the wall"))?
         .time;
-    let (first, last) = (&exact.bounces[0], &exact.bounces[exact.bounces.len() - 1]);
+    let last = &exact.bounces[exact.bounces.len() - 1];
     let _ = writeln!(
         report.text,
         "damped: {} impacts, following from {follows:.9} s; by the map infinitely many until {:.9} s\n",
         ours.len(),
         last.time
     );
+    lower(&outcome, &exact, follows, report)?;
+    along_the_wall(&outcome, &exact, end, report)
+}
+
+/// The impacts, and the flights between them until the journal follows the wall.
+fn lower(
+    outcome: &Outcome,
+    exact: &Billiard,
+    follows: f64,
+    report: &mut CaseReport,
+) -> Result<(), CaseError> {
+    let along = exact.along;
+    let ours = episodes(outcome);
+    let (first, last) = (&exact.bounces[0], &exact.bounces[exact.bounces.len() - 1]);
     // Height above the wall c (v_n/v_t)²/2 of the flight after an impact.
     let slope = (2.0 * LOWEST).sqrt();
     let rebound = exact
@@ -268,7 +281,7 @@ pub fn damped(setting: &Setting, report: &mut CaseReport) -> Result<(), CaseErro
         off,
         left,
     ));
-    let [place, velocity] = errors(&outcome, &exact, |time| time < follows)?;
+    let [place, velocity] = errors(outcome, exact, |time| time < follows)?;
     report.claims.push(at_most(
         "damped: place until then, error by the clearance [–]".into(),
         place,
@@ -279,7 +292,19 @@ pub fn damped(setting: &Setting, report: &mut CaseReport) -> Result<(), CaseErro
         velocity,
         far,
     ));
-    let [place, velocity] = errors(&outcome, &exact, |time| time > last.time)?;
+    Ok(())
+}
+
+/// The motion along the wall, what presses there, and what was lost before.
+fn along_the_wall(
+    outcome: &Outcome,
+    exact: &Billiard,
+    end: f64,
+    report: &mut CaseReport,
+) -> Result<(), CaseError> {
+    let along = exact.along;
+    let (first, last) = (&exact.bounces[0], &exact.bounces[exact.bounces.len() - 1]);
+    let [place, velocity] = errors(outcome, exact, |time| time > last.time)?;
     let far = INTEGRATED * along / CLEARANCE * (end - last.time);
     report.claims.push(at_most(
         "damped: place along the wall, error by the clearance [–]".into(),
@@ -291,8 +316,8 @@ pub fn damped(setting: &Setting, report: &mut CaseReport) -> Result<(), CaseErro
         velocity,
         far,
     ));
-    let times = values(&outcome, "time")?;
-    let normal = values(&outcome, "joint.pin.normal_force")?;
+    let times = values(outcome, "time")?;
+    let normal = values(outcome, "joint.pin.normal_force")?;
     let after = times
         .iter()
         .zip(&normal)
@@ -306,7 +331,7 @@ pub fn damped(setting: &Setting, report: &mut CaseReport) -> Result<(), CaseErro
         most,
     ));
     let lost = 0.5 * MASS * first.across * first.across;
-    let dissipated = values(&outcome, "energy.dissipated")?;
+    let dissipated = values(outcome, "energy.dissipated")?;
     let loss = dissipated
         .last()
         .map_or(f64::INFINITY, |ours| (ours / lost - 1.0).abs());

@@ -9,7 +9,7 @@
 
 use serde_json::{Value, json};
 
-use super::models::point;
+use super::document::point;
 use crate::CaseError;
 
 /// A choice for one link, whose joints are: its first, c, and the one of the second loop.
@@ -189,7 +189,7 @@ impl Centres {
 
 #[cfg(test)]
 mod tests {
-    use super::super::models::Request;
+    use super::super::document::bundled;
     use super::*;
 
     fn com(document: &Value, body: &str) -> [f64; 2] {
@@ -202,7 +202,7 @@ mod tests {
 
     #[test]
     fn the_models_own_centres_are_the_means_of_three_joints() {
-        let printed = Request::ideal(1.0).document().expect("bundled");
+        let printed = bundled().expect("bundled");
         let mut placed = printed.clone();
         for (link, body) in [(Ternary::Link3, "link3"), (Ternary::Link4, "link4")] {
             link.place(Centre::Joints, &mut placed)
@@ -220,12 +220,8 @@ mod tests {
         let all: Vec<Centres> = Centres::all().collect();
         assert_eq!(all.len(), 49);
         let places = all.iter().map(|centres| {
-            let document = Request {
-                centres: *centres,
-                ..Request::ideal(1.0)
-            }
-            .document()
-            .expect("bundled");
+            let mut document = bundled().expect("bundled");
+            centres.place(&mut document).expect("it has its joints");
             [com(&document, "link3"), com(&document, "link4")]
         });
         let places: Vec<[[f64; 2]; 2]> = places.collect();

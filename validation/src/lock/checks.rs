@@ -14,12 +14,13 @@
 //! the terms of the sums are made of. Instants without a solution, and last passes of a fixed point that was not met, are
 //! left out: the equations belong to a solution.
 
-use super::equations::{Accelerations, Angles, Lock, Offsets};
-use super::models::{Found, JOINTS, LINKS, Order, Stroke, broken};
+use super::document::broken;
+use super::equations::{Accelerations, Lock, Offsets};
+use super::instant::Instant;
+use super::models::{Found, JOINTS, LINKS, Order, Stroke};
 use crate::CaseError;
 use linkdyn_linear::math::{Vec2, perp};
-use linkdyn_model::{Model, PointRef};
-use linkdyn_output::Trajectory;
+use linkdyn_model::Model;
 
 /// Largest violation that counts as met.
 pub const TOLERANCE: f64 = 1e-9;
@@ -87,155 +88,6 @@ impl Violations {
     }
 }
 
-/// Angle, velocity and acceleration of a body frame.
-#[derive(Debug, Clone, Copy)]
-struct Frame {
-    angle: f64,
-    velocity: Vec2,
-    omega: f64,
-    acceleration: Vec2,
-    alpha: f64,
-}
-
-impl Frame {
-    const GROUND: Frame = Frame {
-        angle: 0.0,
-        velocity: Vec2::new(0.0, 0.0),
-        omega: 0.0,
-        acceleration: Vec2::new(0.0, 0.0),
-        alpha: 0.0,
-    };
-
-    fn arm(&self, p: [f64; 2]) -> Vec2 {
-        let (sin, cos) = self.angle.sin_cos();
-        Vec2::new(cos * p[0] - sin * p[1], sin * p[0] + cos * p[1])
-    }
-
-    fn velocity_of(&self, p: [f64; 2]) -> Vec2 {
-        self.velocity + perp(self.arm(p)) * self.omega
-    }
-
-    fn acceleration_of(&self, p: [f64; 2]) -> Vec2 {
-        let arm = self.arm(p);
-        self.acceleration + perp(arm) * self.alpha - arm * (self.omega * self.omega)
-    }
-}
-
-/// A row of results by name.
-struct Row<'a> {
-    trajectory: &'a Trajectory,
-    row: &'a [f64],
-}
-
-impl Row<'_> {
-    fn get(&self, name: &str) -> Result<f64, CaseError> {
-        let column = self
-            .trajectory
-            .column_index(name)
-            .ok_or_else(|| broken(format!("no column {name}")))?;
-        Ok(self.row[column])
-    }
-
-    fn pair(&self, owner: &str, x: &str, y: &str) -> Result<Vec2, CaseError> {
-        Ok(Vec2::new(
-            self.get(&format!("{owner}.{x}"))?,
-            self.get(&format!("{owner}.{y}"))?,
-        ))
-    }
-
-    fn frame(&self, link: &str) -> Result<Frame, CaseError> {
-        Ok(Frame {
-            angle: self.get(&format!("{link}.angle"))?,
-            velocity: self.pair(link, "vx", "vy")?,
-            omega: self.get(&format!("{link}.omega"))?,
-            acceleration: self.pair(link, "ax", "ay")?,
-            alpha: self.get(&format!("{link}.alpha"))?,
-        })
-    }
-}
-
-/// Everything of one instant.
-struct Instant {
-    frames: [Frame; 5],
-    forces: [Vec2; 7],
-    offsets: Offsets,
-    torque: f64,
-    time: f64,
-}
-
-impl Instant {
-    fn read(row: &Row) -> Result<Self, CaseError> {
-        let mut frames = [Frame::GROUND; 5];
-        for (frame, link) in frames.iter_mut().zip(LINKS) {
-            *frame = row.frame(link)?;
-        }
-        let (mut forces, mut offsets) = ([Vec2::zeros(); 7], [Vec2::zeros(); 7]);
-        for ((force, offset), joint) in forces.iter_mut().zip(&mut offsets).zip(JOINTS) {
-            *force = row.pair(&format!("joint.{joint}"), "fx", "fy")?;
-            *offset = row.pair(&format!("joint.{joint}"), "ex", "ey")?;
-        }
-        Ok(Instant {
-            frames,
-            forces,
-            offsets,
-            torque: row.get("driver.motor.effort")?,
-            time: row.get("time")?,
-        })
-    }
-
-    /// Velocities ṙ of the clearance links that turned uniformly since the row `before`.
-    fn rates(&self, before: Option<&Instant>) -> Offsets {
-        let mut rates = [Vec2::zeros(); 7];
-        let Some(before) = before else { return rates };
-        for ((rate, r), last) in rates.iter_mut().zip(&self.offsets).zip(&before.offsets) {
-            let turn = perp(*last).dot(r).atan2(last.dot(r));
-            *rate = perp(*r) * (turn / (self.time - before.time));
-        }
-        rates
-    }
-
-    fn angles(&self) -> Angles {
-        self.frames.map(|frame| frame.angle)
-    }
-
-    /// The frame and place in it of a joint's end.
-    fn end(
-        &self,
-        model: &Model,
-        end: &PointRef,
-    ) -> Result<(Option<usize>, Frame, [f64; 2]), CaseError> {
-        let body = model
-            .bodies
-            .get(&end.body)
-            .ok_or_else(|| broken(format!("no body {}", end.body)))?;
-        let place = body
-            .points
-            .get(&end.point)
-            .ok_or_else(|| broken(format!("no point {}", end.point)))?;
-        let link = LINKS.iter().position(|link| *link == end.body);
-        Ok((
-            link,
-            link.map_or(Frame::GROUND, |link| self.frames[link]),
-            *place,
-        ))
-    }
-}
-
-/// Angles θ2 … θ6 and hinge forces of a row, for the first pass of the clearance model.
-///
-/// # Errors
-/// When a column is missing.
-pub fn angles_and_forces(
-    trajectory: &Trajectory,
-    row: usize,
-) -> Result<(Angles, [Vec2; 7]), CaseError> {
-    let instant = Instant::read(&Row {
-        trajectory,
-        row: trajectory.row(row),
-    })?;
-    Ok((instant.angles(), instant.forces))
-}
-
 /// Holds the equations against a run: all of them in the bundled hinge order, eqs 7 and 8 in the other.
 ///
 /// # Errors
@@ -250,10 +102,7 @@ pub fn check(stroke: &Stroke) -> Result<Violations, CaseError> {
     let longest = longest_side(&stroke.model)?;
     let mut before: Option<Instant> = None;
     for (row, found) in stroke.trajectory.rows().zip(&stroke.found) {
-        let instant = Instant::read(&Row {
-            trajectory: &stroke.trajectory,
-            row,
-        })?;
+        let instant = Instant::read(&stroke.trajectory, row)?;
         let force = instant
             .forces
             .iter()

@@ -4,18 +4,14 @@
 //! step, and the paper names none: each statement is tried at every step, and is reproduced when it holds at all of them,
 //! partly when at some.
 
+use super::bounds::{ABRUPT, CLEAR, NEAR, NEAR_OTHER};
 use super::centres::Centres;
 use super::forces::ForceNear;
+use super::judged::{Judged, Reproduced};
 use super::models::{Quantity, RADII, STEPS, Stroke};
 use super::table::{DISTURBED, Deviations, NEAR_CHANGE_POINT, Runs};
-use crate::{Claim, Verdict};
+use crate::Claim;
 
-/// What counts as "near" a position \[deg\].
-pub const NEAR: f64 = 2.5;
-/// The paper's other singular configuration \[deg\].
-pub const NEAR_OTHER: f64 = -40.0;
-/// A change between neighbouring outputs this many times its median counts as abrupt.
-pub const ABRUPT: f64 = 10.0;
 /// Largest change between neighbouring outputs at 0.1° by that at 1° up to which a curve counts as smooth (0.1 when it is
 /// differentiable, 1 when it jumps).
 const SMOOTH: f64 = 0.2;
@@ -25,79 +21,6 @@ const LITTLE: f64 = 0.01;
 const CLEARLY_MORE: f64 = 3.0;
 /// Choices of centres of mass that are named in a claim.
 const MOST_CHOICES: usize = 6;
-/// The part of the stroke that is clear of the change point, for F12 \[deg\].
-pub const CLEAR: f64 = 90.0;
-
-/// How far a claim is reproduced.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Reproduced {
-    Yes,
-    Partly,
-    /// With some of the centres of mass that the paper leaves open.
-    ForSomeCentres,
-    No,
-}
-
-impl Reproduced {
-    /// All, some or none of `tried` statements hold.
-    pub fn of(held: usize, tried: usize) -> Self {
-        match held {
-            0 => Reproduced::No,
-            _ if held == tried => Reproduced::Yes,
-            _ => Reproduced::Partly,
-        }
-    }
-
-    /// The word for it.
-    pub fn word(self) -> &'static str {
-        match self {
-            Reproduced::Yes => "reproduced",
-            Reproduced::Partly => "partly",
-            Reproduced::ForSomeCentres => {
-                "possible for some centres of mass, which the paper does not give"
-            }
-            Reproduced::No => "not",
-        }
-    }
-
-    fn judged(self, what: &str, reference: &str, rule: String, figures: String) -> Judged {
-        Judged {
-            reproduced: self,
-            what: what.into(),
-            reference: reference.into(),
-            rule,
-            figures,
-        }
-    }
-}
-
-/// A claim of the paper, and what its rule says of it.
-#[derive(Debug, Clone)]
-pub struct Judged {
-    pub reproduced: Reproduced,
-    pub what: String,
-    pub reference: String,
-    pub rule: String,
-    pub figures: String,
-}
-
-impl Judged {
-    /// As a claim of the case.
-    pub fn claim(self) -> Claim {
-        Claim {
-            what: self.what,
-            reference: self.reference,
-            ours: format!("{}: {}", self.reproduced.word(), self.figures),
-            difference: format!("rule: {}", self.rule),
-            verdict: match self.reproduced {
-                Reproduced::Yes => Verdict::Agrees,
-                Reproduced::Partly | Reproduced::ForSomeCentres | Reproduced::No => {
-                    Verdict::Finding
-                }
-            },
-        }
-    }
-}
 
 /// C1 to C6: `runs` of the bundled model, `map` of all choices of centres of mass.
 pub fn claims(runs: &Runs, map: &[ForceNear]) -> Vec<Claim> {
@@ -342,14 +265,7 @@ fn little(deviations: &Deviations) -> Judged {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn all_some_and_none() {
-        let words: Vec<&str> = [4, 1, 0]
-            .map(|held| Reproduced::of(held, 4).word())
-            .to_vec();
-        assert_eq!(words, ["reproduced", "partly", "not"]);
-    }
+    use crate::Verdict;
 
     #[test]
     fn steps_that_hold_are_named() {

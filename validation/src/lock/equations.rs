@@ -15,7 +15,8 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::models::{LINKS, broken};
+use super::document::broken;
+use super::models::LINKS;
 use crate::CaseError;
 use linkdyn_linear::math::{Vec2, perp};
 use linkdyn_model::Model;

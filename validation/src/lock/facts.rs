@@ -3,7 +3,8 @@
 
 use serde_json::json;
 
-use super::models::{Quantity, Request, Stroke, broken, run};
+use super::document::broken;
+use super::models::{Quantity, Request, Stroke, run};
 use super::table::NEAR_CHANGE_POINT;
 use crate::table::Table;
 use crate::{CaseError, Claim, Verdict};

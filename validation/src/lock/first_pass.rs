@@ -2,8 +2,8 @@
 //! loops (eqs 11, 12) alone. It needs no velocities, so no output step; what follows from it is the geometry near the change
 //! point: where the lock with clearance can be assembled at all.
 
-use super::checks::angles_and_forces;
 use super::equations::{Lock, Offsets};
+use super::instant::angles_and_forces;
 use super::models::{Request, intervals};
 use crate::CaseError;
 use linkdyn_engine::analysis::Control;

@@ -3,8 +3,8 @@
 //! The reaction passes a least size where its components change sign one after the other; there its direction swings
 //! round. Where over θ6 that happens depends on the centres of mass of links 3 and 4.
 
+use super::bounds::{ABRUPT, CLEAR, NEAR, NEAR_OTHER};
 use super::centres::Centres;
-use super::claims::{ABRUPT, CLEAR, NEAR, NEAR_OTHER};
 use super::models::{Request, STEPS, Stroke};
 use super::reversals::turn;
 use crate::CaseError;

@@ -5,16 +5,21 @@
 //! the paper's own equations on our results) is a fault where it fails; the paper's numbers and claims are findings where
 //! they are not reproduced. What the paper leaves out, and what we chose, stands in `validation/lock/SOURCE.md`.
 
+pub mod bounds;
 pub mod centres;
 pub mod checks;
 pub mod claims;
 pub mod contact;
+pub mod document;
 pub mod equations;
 pub mod facts;
 pub mod figures;
 pub mod files;
 pub mod first_pass;
 pub mod forces;
+pub mod format;
+pub mod instant;
+pub mod judged;
 pub mod models;
 pub mod page;
 pub mod reversals;
@@ -23,10 +28,12 @@ pub mod table;
 use super::{CaseError, CaseReport, Claim, Setting, Verdict};
 use centres::Centres;
 use checks::{TOLERANCE, Violations};
+use document::broken;
 use first_pass::{FirstPass, Sign};
+use format::short;
 use linkdyn_output::Directory;
-use models::{LINKS, Order, Quantity, RADII, Request, STEPS, Stroke, broken};
-use page::{Page, short};
+use models::{LINKS, Order, Quantity, RADII, Request, STEPS, Stroke};
+use page::Page;
 use table::{Deviations, NEAR_CHANGE_POINT, Paper, Runs};
 
 /// A line about the case.

@@ -3,9 +3,9 @@
 use serde_json::{Value, json};
 
 use super::centres::Centres;
+use super::document::{broken, bundled, point};
 use crate::CaseError;
 use linkdyn_engine::analysis::{self, Control};
-use linkdyn_model::bundled;
 use linkdyn_model::error::Complaint;
 use linkdyn_model::{self, Checked};
 use linkdyn_output::{Event, EventKind, Report, Status, Trajectory};
@@ -63,9 +63,7 @@ impl Request {
     /// # Errors
     /// When the bundled model is not what this case edits.
     pub fn document(&self) -> Result<Value, CaseError> {
-        let bundled =
-            bundled::find("watt-i-lock").ok_or_else(|| broken("no bundled model watt-i-lock"))?;
-        let mut document: Value = serde_json::from_str(bundled.text).map_err(broken)?;
+        let mut document = bundled()?;
         self.centres.place(&mut document)?;
         match self.order {
             Order::SixOnThree => {}
@@ -138,16 +136,6 @@ pub fn run(document: &Value, control: &Control) -> Result<(Checked, analysis::Ou
         | Status::Singular
         | Status::TimeLimit => Ok((loaded.model, outcome)),
     }
-}
-
-/// A fault of the case.
-pub fn broken(what: impl std::fmt::Display) -> CaseError {
-    CaseError::Broken(what.to_string())
-}
-
-/// A body's point in the file \[mm\].
-pub fn point(document: &Value, body: &str, name: &str) -> Result<[f64; 2], CaseError> {
-    serde_json::from_value(document["bodies"][body]["points"][name].clone()).map_err(broken)
 }
 
 /// Links 5 and 6 change places between S (hinge f, on link 3) and T (hinge d, on link 4); both keep their direction.

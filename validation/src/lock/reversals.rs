@@ -1,6 +1,7 @@
 //! Where the hinge forces of the ideal lock turn: there a clearance link swings round with them.
 
-use super::models::{JOINTS, Stroke, broken};
+use super::document::broken;
+use super::models::{JOINTS, Stroke};
 use crate::CaseError;
 use linkdyn_linear::math::Vec2;
 

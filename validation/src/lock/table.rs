@@ -1,6 +1,7 @@
 //! The paper's table: absolute deviations from the ideal mechanism over the stroke, at several output steps.
 
-use super::models::{Found, Quantity, RADII, Request, STEPS, Stroke, broken};
+use super::document::broken;
+use super::models::{Found, Quantity, RADII, Request, STEPS, Stroke};
 use crate::CaseError;
 use crate::table::Table;
 use linkdyn_engine::analysis::Control;

@@ -6,7 +6,8 @@
 
 use serde_json::{Value, json};
 
-use super::super::models::{Request, Stroke, broken, run};
+use super::super::document::broken;
+use super::super::models::{Request, Stroke, run};
 use super::super::table::NEAR_CHANGE_POINT;
 use super::strokes::is_whole;
 use crate::CaseError;

@@ -2,8 +2,9 @@
 
 use std::fmt::Write;
 
+use super::super::format::short;
 use super::super::models::{Quantity, RADII, STEPS, Stroke};
-use super::super::page::{Page, short};
+use super::super::page::Page;
 use super::super::table::{DISTURBED, Deviation, Paper, Runs, SETTLED, settles};
 use super::branch::{Branch, OTHER_END};
 use super::convergence::{CLEAR, Convergence, Pair, STATISTICS, Statistic, by_tolerance};

@@ -5,7 +5,8 @@ use std::thread;
 
 use serde_json::{Value, json};
 
-use super::super::models::{JOINTS, RADII, Request, STEPS, Stroke, broken, run};
+use super::super::document::broken;
+use super::super::models::{JOINTS, RADII, Request, STEPS, Stroke, run};
 use crate::CaseError;
 use linkdyn_engine::analysis::Control;
 use linkdyn_output::Status;

@@ -1,223 +1,12 @@
-//! Reference cases: a model, and a table of what it must give.
-//!
-//! `case.json`:
-//!
-//! ```text
-//! about      a line for people
-//! source     who measured, published or computed the reference
-//! model      name of a bundled model, or a model itself
-//! set        overrides of the model, ["analysis.outputs=11"]; may be left out
-//! compare    [{ column, tolerance_relative, tolerance_absolute, verdict }]; may be left out
-//! tolerance  { position, velocity, acceleration, force, effort }, one number for all columns of a kind; may be left out
-//! ```
-//!
-//! `reference.csv` has some of the columns of `results.csv`, under the same names, at some of its instants (equal to 1e-9 s); a
-//! cell left empty is not compared. `column` is a pattern for names with or without `[unit]`; a column belongs to the first entry that matches, one that
-//! none matches is held against [`default_tolerance`]. The tolerance of a value is absolute + relative·max |reference| over its
-//! column, since a relative error of a value that passes zero says nothing. `verdict` says what a larger difference is: `fault` (default) or `finding`.
-//!
-//! A number of `tolerance` is held against columns that no entry of `compare` matches, and means |ours − reference| ≤ tolerance · max(1, max |reference|)
-//! in SI units: `position` for m and rad (values of drivers too), `velocity`, `acceleration`, `force` for joint forces, joint
-//! torques and energies, `effort` for the efforts of drivers.
+//! Results held against a reference, column by column.
 
-use serde::Deserialize;
-use serde_json::Value;
-
-use super::table::Table;
-use super::{CaseError, Claim, Setting, Verdict};
-use linkdyn_engine::analysis;
-use linkdyn_model::bundled;
-use linkdyn_output::matches;
-use linkdyn_output::{Directory, Status, Trajectory, csv};
+use super::words::{Compare, default_tolerance};
+use crate::table::Table;
+use crate::{Claim, Verdict};
+use linkdyn_output::{Trajectory, matches};
 
 /// Largest distance of instants that count as the same \[s\].
 const SAME_INSTANT: f64 = 1e-9;
-
-/// The files of a reference case.
-#[derive(Debug, Clone, Copy)]
-pub struct ReferenceCase {
-    /// Text of `case.json`.
-    pub case: &'static str,
-    /// Text of `reference.csv`.
-    pub reference: &'static str,
-}
-
-/// The words of `case.json`.
-#[derive(Debug, Clone, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct CaseWords {
-    pub about: String,
-    pub source: String,
-    pub model: Value,
-    #[serde(default)]
-    pub set: Vec<String>,
-    #[serde(default)]
-    pub compare: Vec<Compare>,
-    #[serde(default)]
-    pub tolerance: Option<Tolerance>,
-}
-
-impl CaseWords {
-    /// How columns are compared: what `compare` says, then what `tolerance` says.
-    pub fn comparisons(&self) -> Vec<Compare> {
-        let mut entries = self.compare.clone();
-        entries.extend(self.tolerance.iter().flat_map(Tolerance::entries));
-        entries
-    }
-}
-
-/// Tolerances by kind of column, relative to the largest magnitude in the column or 1 SI unit, whichever is more.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Tolerance {
-    pub position: f64,
-    pub velocity: f64,
-    pub acceleration: f64,
-    pub force: f64,
-    pub effort: f64,
-}
-
-impl Tolerance {
-    /// One entry per unit, so that each unit's worst value is told.
-    fn entries(&self) -> Vec<Compare> {
-        let Tolerance {
-            position,
-            velocity,
-            acceleration,
-            force,
-            effort,
-        } = *self;
-        let by_column = [
-            ("driver.*.effort", effort),
-            ("*[m]", position),
-            ("*[rad]", position),
-            ("*[m/s]", velocity),
-            ("*[rad/s]", velocity),
-            ("*[m/s^2]", acceleration),
-            ("*[rad/s^2]", acceleration),
-            ("*[N]", force),
-            ("*[N*m]", force),
-            ("*[J]", force),
-        ];
-        let entry = |(column, tolerance): (&str, f64)| Compare {
-            column: column.into(),
-            tolerance_relative: tolerance,
-            tolerance_absolute: 0.0,
-            scale_at_least: 1.0,
-            verdict: OnDifference::Fault,
-        };
-        by_column.into_iter().map(entry).collect()
-    }
-}
-
-/// How some columns are compared.
-#[derive(Debug, Clone, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Compare {
-    pub column: String,
-    #[serde(default)]
-    pub tolerance_relative: f64,
-    #[serde(default)]
-    pub tolerance_absolute: f64,
-    /// What the relative tolerance is relative to at least \[SI\].
-    #[serde(default)]
-    pub scale_at_least: f64,
-    #[serde(default)]
-    pub verdict: OnDifference,
-}
-
-/// What a difference beyond the tolerance is.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum OnDifference {
-    #[default]
-    Fault,
-    Finding,
-}
-
-impl OnDifference {
-    fn verdict(self) -> Verdict {
-        match self {
-            OnDifference::Fault => Verdict::Fault,
-            OnDifference::Finding => Verdict::Finding,
-        }
-    }
-}
-
-/// Tolerance of columns that a case says nothing about, by their unit: what inverse dynamics and kinematics must reach
-/// against a reference of full double precision.
-pub fn default_tolerance(unit: &str) -> Compare {
-    let absolute = match unit {
-        "m" | "rad" => 1e-9,
-        "m/s" | "rad/s" => 1e-8,
-        // Accelerations, forces, torques, energies.
-        _ => 1e-6,
-    };
-    Compare {
-        column: format!("*[{unit}]"),
-        tolerance_relative: 1e-6,
-        tolerance_absolute: absolute,
-        scale_at_least: 0.0,
-        verdict: OnDifference::Fault,
-    }
-}
-
-impl ReferenceCase {
-    /// The words of the case.
-    ///
-    /// # Errors
-    /// When `case.json` is not what it should be.
-    pub fn read(&self) -> Result<CaseWords, CaseError> {
-        serde_json::from_str(self.case)
-            .map_err(|error| CaseError::Broken(format!("case.json: {error}")))
-    }
-
-    /// Runs the model and compares.
-    ///
-    /// # Errors
-    /// When the case can't be run, or its results can't be written.
-    pub fn run(&self, setting: &Setting) -> Result<Vec<Claim>, CaseError> {
-        let words = self.read()?;
-        let table = Table::parse(self.reference)
-            .map_err(|said| CaseError::Broken(format!("reference.csv: {said}")))?;
-        let broken = |complaints: Vec<linkdyn_model::error::Complaint>| {
-            let complaints: Vec<String> = complaints.iter().map(ToString::to_string).collect();
-            CaseError::Broken(format!("model: {}", complaints.join("; ")))
-        };
-        let loaded =
-            linkdyn_model::load(&model_bytes(&words.model)?, &words.set).map_err(broken)?;
-        let outcome = analysis::run(&loaded.model, &setting.control).map_err(broken)?;
-        if let Some(output) = &setting.output {
-            Directory::open(output)?
-                .write_with("results.csv", |file| csv::write(&outcome.trajectory, file))?;
-        }
-        match outcome.report.status {
-            Status::Interrupted => Err(CaseError::Interrupted),
-            // A run that stopped early is compared too: the missing instants show.
-            Status::Completed
-            | Status::CompletedWithGaps
-            | Status::DeadCentre
-            | Status::AssemblyFailed
-            | Status::StepTooSmall
-            | Status::Singular
-            | Status::TimeLimit => compare(&table, &outcome.trajectory, &words.comparisons())
-                .map_err(CaseError::Broken),
-        }
-    }
-}
-
-/// The text of the case's model.
-fn model_bytes(model: &Value) -> Result<Vec<u8>, CaseError> {
-    match model {
-        Value::String(name) => match bundled::find(name) {
-            Some(bundled) => Ok(bundled.text.as_bytes().to_vec()),
-            None => Err(CaseError::Broken(format!(
-                "case.json: no bundled model {name:?}"
-            ))),
-        },
-        model => Ok(model.to_string().into_bytes()),
-    }
-}
 
 /// Columns that are compared alike, and the worst value among them.
 struct Group {
@@ -386,6 +175,7 @@ impl Group {
 
 #[cfg(test)]
 mod tests {
+    use super::super::words::{OnDifference, Tolerance};
     use super::*;
     use linkdyn_output::Column;
 
@@ -519,30 +309,5 @@ mod tests {
         let claims =
             compare(&table("time[s],a.x[m]\n0,1.5\n"), &results(), &how).expect("compared");
         assert_eq!(claims[0].verdict, Verdict::Fault);
-    }
-
-    #[test]
-    fn the_words_of_a_case_are_read() {
-        let case = r#"{ "about": "a", "source": "s", "model": "four-bar",
-            "compare": [{ "column": "*", "tolerance_relative": 1e-3, "verdict": "finding" }] }"#;
-        let words = ReferenceCase {
-            case,
-            reference: "",
-        }
-        .read()
-        .expect("valid");
-        assert_eq!(words.compare[0].verdict, OnDifference::Finding);
-        assert!(
-            model_bytes(&words.model)
-                .expect("bundled")
-                .starts_with(b"{")
-        );
-        let broken = ReferenceCase {
-            case: r#"{ "abuot": "a" }"#,
-            reference: "",
-        }
-        .read()
-        .expect_err("misspelt");
-        assert!(broken.to_string().contains("abuot"), "{broken}");
     }
 }
