@@ -30,6 +30,9 @@ pub(super) fn free(system: &System, q: &[f64], inputs: &Inputs) -> Option<Vec<f6
     )
 }
 
+/// Largest magnitude of a scaled entry, whose square is still a number: of gear ratios of any size.
+const LARGEST: f64 = 1e150;
+
 /// The first `rows` rows of the scaled Jacobian.
 fn scaled_rows(system: &System, values: &[f64], rows: usize) -> SparseRows {
     let entries: Vec<(usize, usize, f64)> = system
@@ -42,14 +45,15 @@ fn scaled_rows(system: &System, values: &[f64], rows: usize) -> SparseRows {
                 (
                     row,
                     column,
-                    value * system.column_scale(column) / system.row_scale(row),
+                    (value * system.column_scale(column) / system.row_scale(row))
+                        .clamp(-LARGEST, LARGEST),
                 )
             })
         })
         .collect();
     match SparseRows::from_triplets(rows, system.n(), &entries) {
         Ok(rows) => rows,
-        // `assemble` has seen to it that no number overflows.
+        // `assemble` has seen to it that places are finite, and entries are held to `LARGEST`.
         Err(bad) => panic!(
             "the Jacobian's entry at row {}, column {} is not finite",
             bad.row, bad.column
