@@ -1,8 +1,9 @@
 //! Planar multibody engine for linkages: assembly, kinematics and inverse dynamics of driven mechanisms, with ideal
 //! joints or joints with clearance.
 //!
-//! A model file is read into words ([`model`]), compiled into equations (`linkdyn_engine::system`), solved ([`analysis`] by way of
-//! `linkdyn_engine::mechanism`) and left as a table and a report ([`output`]).
+//! A model file is read and checked ([`Mechanism::open`]), run ([`Mechanism::run`]) and left as columns, a report and files
+//! ([`Run`]). Start with the [`prelude`] and the [`guide`]. What stands in the packages `linkdyn-model`, `linkdyn-engine`,
+//! `linkdyn-linear`, `linkdyn-output`, `linkdyn-picture` and `linkdyn-validation` changes without notice.
 //!
 //! | symbol   | code          | meaning                                                | shape, unit            |
 //! | -------- | ------------- | ------------------------------------------------------ | ---------------------- |

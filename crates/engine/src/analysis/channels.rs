@@ -2,7 +2,7 @@
 //!
 //! A channel says whose quantity a column is. [`Channels::new`] lists those of a system in the order of results, and from that
 //! list come the headings, and stretches of channels with one owner. For a row each stretch reads its owner once
-//! ([`super::readings`]) and writes the quantities that it lists.
+//! (`readings`) and writes the quantities that it lists.
 
 use super::readings::{BodyReading, JointReading, PointReading, energy};
 use super::sample::Sample;

@@ -21,7 +21,7 @@ impl Motion<'_> {
     /// The bound of the local error. In a mechanism with contacts lengths are measured against the smallest clearance, or the
     /// smallest depth at which a contact would hold all the kinetic energy of the moment, where that is less: an error of the
     /// penetration is one of the energy, force times error. Rates near zero are measured
-    /// against [`SLOW`].
+    /// against `SLOW`.
     pub fn tolerance(&self, wanted: Wanted) -> Tolerance {
         let f = self.reduced.freedom();
         let dimension = self.dimension();
