@@ -29,6 +29,8 @@ pub(crate) struct Origin<'a> {
 #[derive(Debug, Default)]
 pub(crate) struct Written {
     pub paths: Vec<PathBuf>,
+    /// The text of `summary.json`.
+    pub summary: String,
     pub time: Stage,
 }
 
@@ -41,11 +43,20 @@ pub(crate) fn open_directory(path: &Path) -> Result<Directory, WriteError> {
     Ok(directory)
 }
 
+/// Whether the page `report.html` is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Page {
+    Wanted,
+    /// Not written, and one of an older run removed: it would show other results.
+    Unwanted,
+}
+
 /// Writes all files of a run; the summary comes last, since it tells how long the others took.
 pub(crate) fn write(
     directory: &Directory,
     origin: Origin,
     outcome: &Outcome,
+    page: Page,
 ) -> Result<Written, WriteError> {
     let watch = Stopwatch::start();
     let results = directory.write_with(RESULTS, |file| csv::write(&outcome.trajectory, file))?;
@@ -57,21 +68,32 @@ pub(crate) fn write(
     } else {
         Some(directory.write_with(PEAKS, |file| csv::write(&peaks, file))?)
     };
-    let shape = shape(origin.model, outcome.all());
-    let report = directory.write(REPORT, html(origin, outcome).as_bytes())?;
-    let curves = outcome.curves();
-    let summary = Summary {
-        mechanism: shape.to_json(),
-        drawing: shape.to_drawing(),
-        write: watch.read(),
-        ..origin.summary(outcome, &curves)
+    let report = match page {
+        Page::Wanted => Some(directory.write(REPORT, html(origin, outcome).as_bytes())?),
+        Page::Unwanted => {
+            directory.remove(REPORT)?;
+            None
+        }
     };
-    let text = linkdyn_output::summary::to_text(&summary);
+    let text = summary_text(origin, outcome, watch.read());
     let summary = directory.write(SUMMARY, text.as_bytes())?;
-    let paths = [Some(results), peaks, Some(summary), Some(report)];
+    let paths = [Some(results), peaks, Some(summary), report];
     Ok(Written {
+        summary: text,
         paths: paths.into_iter().flatten().collect(),
         time: watch.read(),
+    })
+}
+
+/// The text of `summary.json`; `write` is the time that the other files took.
+pub(crate) fn summary_text(origin: Origin, outcome: &Outcome, write: Stage) -> String {
+    let shape = shape(origin.model, outcome.all());
+    let curves = outcome.curves();
+    linkdyn_output::summary::to_text(&Summary {
+        mechanism: shape.to_json(),
+        drawing: shape.to_drawing(),
+        write,
+        ..origin.summary(outcome, &curves)
     })
 }
 

@@ -6,6 +6,7 @@ use linkdyn_engine::analysis::Outcome;
 use linkdyn_output::{ColumnId, ColumnView, Event, Report, Status, Trajectory};
 
 use crate::error::Error;
+use crate::files::Page;
 use crate::handles::Column;
 use crate::mechanism::Mechanism;
 
@@ -129,7 +130,8 @@ impl Run {
     /// [`Error::Write`] where the system refuses.
     pub fn write(&self, directory: impl AsRef<Path>) -> Result<Vec<PathBuf>, Error> {
         let directory = crate::files::open_directory(directory.as_ref())?;
-        Ok(crate::files::write(&directory, self.mechanism.origin(), &self.outcome)?.paths)
+        let origin = self.mechanism.origin();
+        Ok(crate::files::write(&directory, origin, &self.outcome, Page::Wanted)?.paths)
     }
 }
 

@@ -27,9 +27,39 @@ pub fn is_set() -> bool {
     watch().load(Ordering::SeqCst)
 }
 
+/// Whether nothing runs that has something to write.
+static WAITING: AtomicBool = AtomicBool::new(false);
+
+/// As long as this lives an interrupt has nothing to write, and says nothing.
+#[derive(Debug)]
+pub struct Waiting(Arc<AtomicBool>);
+
+impl Waiting {
+    /// Begins to wait.
+    pub fn start() -> Self {
+        let flag = watch();
+        WAITING.store(true, Ordering::SeqCst);
+        Waiting(flag)
+    }
+
+    /// Whether Ctrl-C was pressed.
+    pub fn is_interrupted(&self) -> bool {
+        self.0.load(Ordering::SeqCst)
+    }
+}
+
+impl Drop for Waiting {
+    fn drop(&mut self) {
+        WAITING.store(false, Ordering::SeqCst);
+    }
+}
+
 fn handle(flag: &AtomicBool) {
     if flag.swap(true, Ordering::SeqCst) {
         std::process::exit(Exit::Interrupted.code().into());
+    }
+    if WAITING.load(Ordering::SeqCst) {
+        return;
     }
     // over a line of progress, where there may be one
     let back = if io::stderr().is_terminal() { "\r" } else { "" };

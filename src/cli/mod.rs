@@ -10,6 +10,7 @@
 //! | `words`     | status, mobility, equilibrium in words                   |
 //! | `near`      | the name that was probably meant                         |
 //! | `measures`  | options that are numbers with limits                     |
+//! | `watch`     | runs again when a file changes                           |
 //! | `progress`  | the line that tells how far a run has come               |
 //! | `interrupt` | Ctrl-C                                                   |
 //! | `shape`     | the shape of a model, for results that were read         |
@@ -17,8 +18,11 @@
 mod animate;
 mod check;
 mod compare;
+mod completions;
+mod docs;
 mod exit;
 mod interrupt;
+mod man;
 mod measures;
 mod models;
 mod modes;
@@ -35,6 +39,7 @@ mod shape;
 mod streams;
 mod summary;
 mod validate;
+mod watch;
 mod words;
 
 use std::ffi::OsString;
@@ -57,7 +62,8 @@ struct Arguments {
 }
 
 const EXIT_HELP: &str = "Exit status: 0 done, 1 a check or validation found a fault, 2 the input is bad, \
-3 numerics or geometry forbid to go on, 130 interrupted.";
+3 numerics or geometry forbid to go on, 130 interrupted.\n\n\
+Begin with `linkdyn new`. `linkdyn docs tutorial` builds a model step by step; `linkdyn docs messages` explains messages.";
 
 #[derive(Debug, Subcommand)]
 enum Command {
@@ -81,6 +87,12 @@ enum Command {
     Models(models::Options),
     /// Print the JSON Schema of model files
     Schema,
+    /// Print a page of the documentation, or list the pages
+    Docs(docs::Options),
+    /// Print a script that completes commands and options in a shell
+    Completions(completions::Options),
+    /// Print a manual page, or write all of them
+    Man(man::Options),
 }
 
 /// Runs the command that the process was started with.
@@ -110,6 +122,9 @@ fn execute(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Validate(options) => validate::execute(&options),
         Command::Models(options) => models::execute(&options),
         Command::Schema => schema::execute(),
+        Command::Docs(options) => docs::execute(&options),
+        Command::Completions(options) => completions::execute(&options),
+        Command::Man(options) => man::execute(&options),
     };
     let exit = exit.unwrap_or_else(|BadInput(lines)| {
         lines.iter().for_each(|line| complain(line));

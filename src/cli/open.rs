@@ -39,6 +39,11 @@ pub struct Opened {
 }
 
 impl ModelOptions {
+    /// The path or name, as given.
+    pub fn path(&self) -> &Path {
+        &self.model
+    }
+
     /// Reads the model.
     ///
     /// # Errors

@@ -36,9 +36,14 @@ pub fn kept(put: impl FnOnce(&mut Said)) -> bool {
     SAID.with_borrow_mut(|said| said.as_mut().map(put).is_some())
 }
 
-/// Writes one line to standard error; there is nobody to tell if that fails.
+/// Writes a fault to standard error, as one line.
 pub fn complain(line: &str) {
-    let line = format!("error: {}\n", plain(line));
+    remark(&format!("error: {line}"));
+}
+
+/// Writes one line to standard error; there is nobody to tell if that fails.
+pub fn remark(line: &str) {
+    let line = format!("{}\n", plain(line));
     if !kept(|said| said.stderr += &line) {
         let _ = io::stderr().write_all(line.as_bytes());
     }
@@ -46,14 +51,19 @@ pub fn complain(line: &str) {
 
 /// Writes to standard output; a reader that has gone away (`| head`) is no error.
 pub fn print(text: &str) -> io::Result<()> {
-    if kept(|said| said.stdout += text) {
+    print_with(|out| out.write_all(text.as_bytes()))
+}
+
+/// The same for UTF-8 text that is written piece by piece.
+pub fn print_with(mut content: impl FnMut(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    if SAID.with_borrow(Option::is_some) {
+        let mut bytes = Vec::new();
+        content(&mut bytes)?;
+        kept(|said| said.stdout += &String::from_utf8_lossy(&bytes));
         return Ok(());
     }
-    let mut stdout = io::stdout().lock();
-    match stdout
-        .write_all(text.as_bytes())
-        .and_then(|()| stdout.flush())
-    {
+    let mut stdout = io::BufWriter::new(io::stdout().lock());
+    match content(&mut stdout).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
         result => result,
     }

@@ -1,4 +1,4 @@
-//! The guide (`src/guide/*.md`): its models load and run, its commands do what it shows.
+//! The guide (`docs/*.md`): its models load and run, its commands do what it shows.
 //!
 //! In each page, in order: a `json` block with `format` is a model, kept as `file:…` where that is said; one without is a
 //! piece that is put into the last model; a `text` may be kept as a file, too. Of a `console` block each line `$ …` is run, and the lines below it must be
@@ -165,9 +165,9 @@ fn console(block: &Block, folder: &Path, place: &str) -> usize {
 }
 
 fn pages() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/guide");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
     let entries = fs::read_dir(folder)
-        .expect("src/guide")
+        .expect("docs")
         .map(|entry| entry.expect("readable").path());
     let mut pages: Vec<_> = entries
         .filter(|path| path.extension().is_some_and(|extension| extension == "md"))

@@ -6,7 +6,7 @@ use crate::cli::exit::{BadInput, Exit};
 use crate::cli::interrupt;
 use crate::cli::open::ModelOptions;
 use crate::cli::progress::Line;
-use crate::files::{open_directory, write};
+use crate::files::{Page, open_directory, write};
 use crate::questions::deadline;
 use linkdyn_engine::analysis::{self, Control, Outcome};
 use linkdyn_model::error::Complaint;
@@ -56,7 +56,7 @@ pub fn run(
         .splice(0..0, opened.loaded.warnings.iter().cloned());
     if let Some(directory) = directory {
         let directory = open_directory(&directory.path().join(model))?;
-        write(&directory, opened.origin(), &outcome)?;
+        write(&directory, opened.origin(), &outcome, Page::Wanted)?;
     }
     Ok(Ok(outcome))
 }

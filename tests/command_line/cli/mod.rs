@@ -1,7 +1,9 @@
 //! The command as its users meet it: exit statuses, what is told on which stream, files.
 
 mod files;
+mod help;
 mod models;
+mod running;
 mod streams;
 
 use serde_json::Value;

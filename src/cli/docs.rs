@@ -1,0 +1,64 @@
+//! `linkdyn docs`: the book, which is built in.
+
+use clap::Args;
+
+use super::exit::{BadInput, Exit};
+use super::near::did_you_mean;
+use super::page::Page;
+use super::streams::print;
+
+#[derive(Debug, Args)]
+pub struct Options {
+    /// Print this page, as Markdown
+    page: Option<String>,
+}
+
+/// Pages of the book: name, what it is for, text.
+const PAGES: [(&str, &str, &str); 4] = [
+    (
+        "tutorial",
+        "a first model, from an empty file to a study of clearance",
+        include_str!("../../docs/tutorial.md"),
+    ),
+    (
+        "format",
+        "reference of model files",
+        include_str!("../../docs/format.md"),
+    ),
+    (
+        "messages",
+        "what a message means and what to do",
+        include_str!("../../docs/messages.md"),
+    ),
+    (
+        "theory",
+        "equations of every element and method, with signs and sources",
+        include_str!("../../docs/theory.md"),
+    ),
+];
+
+/// Lists the pages, or prints one.
+pub fn execute(options: &Options) -> Result<Exit, BadInput> {
+    let Some(wanted) = &options.page else {
+        let mut list = Page::default();
+        for (name, about, _) in PAGES {
+            list.line(format!("{name:12}{about}"));
+        }
+        list.line("`linkdyn docs PAGE` prints a page.");
+        print(list.text())?;
+        return Ok(Exit::Done);
+    };
+    let name = wanted.strip_suffix(".md").unwrap_or(wanted);
+    let Some((_, _, text)) = PAGES.iter().find(|(known, ..)| *known == name) else {
+        let hint = did_you_mean(
+            name,
+            PAGES.iter().map(|(known, ..)| *known),
+            "`linkdyn docs` lists them",
+        );
+        return Err(BadInput(vec![format!(
+            "{wanted}: no page of that name ({hint})"
+        )]));
+    };
+    print(text)?;
+    Ok(Exit::Done)
+}

@@ -1,0 +1,67 @@
+//! Runs again when a file changes. The file is looked at by its time and length, which works on every file system.
+
+use std::fs;
+use std::path::Path;
+use std::thread::sleep;
+use std::time::{Duration, SystemTime};
+
+use super::exit::{BadInput, Exit};
+use super::interrupt;
+use super::streams::{complain, remark};
+
+/// Between two looks: shorter than a reader waits, longer than an editor writes.
+const INTERVAL: Duration = Duration::from_millis(200);
+
+/// What tells one version of a file from another; none while there is no file, as between two steps of an editor.
+type Version = Option<(SystemTime, u64)>;
+
+fn version(path: &Path) -> Version {
+    let metadata = fs::metadata(path).ok()?;
+    Some((metadata.modified().ok()?, metadata.len()))
+}
+
+/// Runs, and again whenever the file has changed. Faults of the file are told and waited out; an interrupt is the end.
+///
+/// # Errors
+/// When there is no file to watch.
+pub fn watch(
+    path: &Path,
+    mut run: impl FnMut() -> Result<Exit, BadInput>,
+) -> Result<Exit, BadInput> {
+    let label = path.display();
+    if !path.is_file() {
+        return Err(BadInput(vec![format!(
+            "{label}: --watch wants the path of a model file (`linkdyn models NAME > FILE` writes a bundled model)"
+        )]));
+    }
+    loop {
+        let seen = version(path);
+        match run() {
+            Ok(Exit::Interrupted) => return Ok(Exit::Interrupted),
+            Ok(Exit::Done | Exit::Fault | Exit::BadInput | Exit::Stopped) => {}
+            Err(BadInput(lines)) => lines.iter().for_each(|line| complain(line)),
+        }
+        remark(&format!(
+            "watching {label}: save it to run again, Ctrl-C ends; reload report.html in the browser after a run"
+        ));
+        if !changed(path, seen) {
+            return Ok(Exit::Interrupted);
+        }
+    }
+}
+
+/// Waits until the file is another one and rests; false where Ctrl-C comes first.
+fn changed(path: &Path, seen: Version) -> bool {
+    let waiting = interrupt::Waiting::start();
+    let mut last = seen;
+    while !waiting.is_interrupted() {
+        sleep(INTERVAL);
+        let now = version(path);
+        // One more look: an editor may be in the midst of writing.
+        if now.is_some() && now != seen && now == last {
+            return true;
+        }
+        last = now;
+    }
+    false
+}

@@ -1,0 +1,175 @@
+//! `run` for programs and for edits in a loop: JSON, rows on standard output, no report, watching.
+
+use super::*;
+use std::io::{BufRead, BufReader};
+use std::process::{Child, ChildStderr};
+
+#[test]
+fn the_summary_is_told_as_json() {
+    let scratch = Scratch::new("json");
+    let told: Value = serde_json::from_str(&done(&["run", "four-bar", "--json"])).expect("JSON");
+    let out = scratch.path("out");
+    let kept = done(&["run", "four-bar", "--json", "-o", &out]);
+    let file = fs::read_to_string(scratch.0.join("out/summary.json")).expect("written");
+    assert!(kept == file, "{} and {} bytes", kept.len(), file.len());
+    let kept: Value = serde_json::from_str(&kept).expect("JSON");
+    let keys = |value: &Value| {
+        let object = value.as_object().expect("an object");
+        object.keys().cloned().collect::<Vec<_>>()
+    };
+    assert_eq!(keys(&told), keys(&kept));
+    for key in ["status", "extremes", "mechanism", "quality"] {
+        assert_eq!(told[key], kept[key], "{key}");
+    }
+}
+
+#[test]
+fn a_run_that_stops_early_tells_its_json_all_the_same() {
+    let sets = ["--set", "analysis.sample.to=133 deg"];
+    let ran = refused(
+        &[&["run", "lock", "--json"][..], &sets].concat(),
+        3,
+        "error: dead centre",
+    );
+    let told: Value = serde_json::from_str(&ran.stdout).expect("JSON");
+    assert_eq!(told["status"], "dead_centre");
+    assert!(ran.stderr.contains(told["message"].as_str().expect("why")));
+    // Bad input leaves no half of a document.
+    let ran = refused(&["run", "lock", "--json", "--set", "unit=1"], 2, "unknown");
+    assert_eq!(ran.stdout, "");
+}
+
+#[test]
+fn rows_go_to_standard_output() {
+    let scratch = Scratch::new("rows");
+    let told = done(&["run", "four-bar", "-o", "-"]);
+    done(&["run", "four-bar", "-o", &scratch.path("out")]);
+    let file = fs::read_to_string(scratch.0.join("out/results.csv")).expect("written");
+    assert_eq!(told, file);
+    let kept = linkdyn::cli::captured(["linkdyn", "run", "four-bar", "-o", "-"].map(Into::into));
+    assert_eq!((kept.status, kept.stdout), (0, file));
+
+    let ran = linkdyn(&["run", "parallel-crank", "-o", "-"]);
+    assert!(ran.stdout.starts_with("time[s],"), "{ran:?}");
+    assert!(
+        ran.stderr
+            .starts_with("warning: constraints of b are redundant"),
+        "{ran:?}"
+    );
+    for option in ["--json", "--watch"] {
+        refused(
+            &["run", "four-bar", option, "-o", "-"],
+            2,
+            &format!("{option}: not with -o -"),
+        );
+    }
+}
+
+#[test]
+fn without_a_report_there_is_none_of_an_older_run_either() {
+    let scratch = Scratch::new("no-report");
+    let out = scratch.path("out");
+    let run = ["run", "four-bar", "-o", &out];
+    done(&run);
+    let report = scratch.0.join("out/report.html");
+    assert!(report.exists());
+    let told = done(&[&run[..], &["--no-report"]].concat());
+    assert!(told.contains("results.csv") && !told.contains("report.html"));
+    assert!(!report.exists() && scratch.0.join("out/summary.json").exists());
+    refused(&["run", "four-bar", "--no-report"], 2, "--output");
+}
+
+/// A command that watches, ended when it is dropped.
+struct Watching(Child, BufReader<ChildStderr>);
+
+impl Watching {
+    fn start(arguments: &[&str]) -> Self {
+        let mut child = command(arguments)
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the binary runs");
+        let said = BufReader::new(child.stderr.take().expect("piped"));
+        Watching(child, said)
+    }
+
+    /// What it says until it waits.
+    fn until_it_waits(&mut self) -> String {
+        let mut said = String::new();
+        while !said.contains("watching ") {
+            assert_ne!(self.1.read_line(&mut said).expect("UTF-8"), 0, "{said}");
+        }
+        said
+    }
+}
+
+impl Drop for Watching {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+#[test]
+fn a_watched_file_runs_again_when_it_is_saved() {
+    let scratch = Scratch::new("watch");
+    let text = done(&["models", "four-bar"]);
+    let model = scratch.write("mine.json", &text);
+    let out = scratch.path("out");
+    let mut watching = Watching::start(&["run", &model, "-o", &out, "--watch"]);
+    let largest =
+        || json(&scratch.path("out/summary.json"))["extremes"]["crank.omega[rad/s]"]["max"].clone();
+
+    let said = watching.until_it_waits();
+    assert!(
+        said.starts_with("watching ") && said.contains("Ctrl-C"),
+        "{said}"
+    );
+    let first = largest();
+    let results = scratch.0.join("out/results.csv");
+    let rows = |path: &Path| fs::read_to_string(path).expect("written").lines().count();
+    let before = rows(&results);
+
+    // A fault is told and waited out.
+    scratch.write("mine.json", "{");
+    let said = watching.until_it_waits();
+    assert!(
+        said.starts_with("error: ") && said.contains("not JSON"),
+        "{said}"
+    );
+    assert_eq!(rows(&results), before);
+
+    let mut model: Value = serde_json::from_str(&text).expect("JSON");
+    model["analysis"]["outputs"] = 7.into();
+    scratch.write("mine.json", &model.to_string());
+    watching.until_it_waits();
+    assert_eq!((rows(&results), largest()), (8, first));
+}
+
+#[test]
+#[cfg(unix)]
+fn an_interrupt_ends_the_watch_without_a_word() {
+    let scratch = Scratch::new("watch-end");
+    let model = scratch.write("mine.json", &done(&["models", "four-bar"]));
+    let mut watching = Watching::start(&["run", &model, "--watch"]);
+    watching.until_it_waits();
+    // It begins to wait a moment after it has said so.
+    std::thread::sleep(std::time::Duration::from_millis(300));
+    let sent = Command::new("kill")
+        .args(["-INT", &watching.0.id().to_string()])
+        .status();
+    assert!(sent.is_ok_and(|status| status.success()));
+    let mut rest = String::new();
+    std::io::Read::read_to_string(&mut watching.1, &mut rest).expect("UTF-8");
+    let status = watching.0.wait().expect("ends");
+    assert_eq!((status.code(), rest.as_str()), (Some(130), ""));
+}
+
+#[test]
+fn only_a_file_can_be_watched() {
+    refused(
+        &["run", "four-bar", "--watch"],
+        2,
+        "four-bar: --watch wants the path of a model file",
+    );
+}
