@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use linkdyn_model::{Dimension, Powers, Unit};
+use linkdyn_model::{Powers, Unit};
 
 use crate::error::Error;
 
@@ -63,28 +63,7 @@ impl Quantity {
 
     /// Its unit in SI, such as `m` or `N*m/rad`; empty of a plain number.
     pub fn unit(self) -> String {
-        let named = Dimension::NAMED.into_iter().chain([Dimension::Frequency]);
-        if let Some(dimension) = named
-            .into_iter()
-            .find(|dimension| dimension.powers() == self.powers)
-        {
-            return dimension.si().to_owned();
-        }
-        let Powers {
-            length,
-            mass,
-            time,
-            angle,
-        } = self.powers;
-        let factors = [("kg", mass), ("m", length), ("s", time), ("rad", angle)];
-        let factors = factors.iter().filter(|(_, power)| *power != 0);
-        let texts: Vec<String> = factors
-            .map(|(symbol, power)| match power {
-                1 => (*symbol).to_owned(),
-                power => format!("{symbol}^{power}"),
-            })
-            .collect();
-        texts.join("*")
+        self.powers.unit()
     }
 }
 

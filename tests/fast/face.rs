@@ -109,6 +109,22 @@ fn what_can_t_be_done_is_said() {
 }
 
 #[test]
+fn units_are_named_once_and_read_back() {
+    for (given, named) in [
+        ("kN/mm", "N/m"),
+        ("1/min", "Hz"),
+        ("g*mm^2/ms^4", "kg*m^2/s^4"),
+        ("1/(mm*deg)", "1/m/rad"),
+    ] {
+        let quantity = Quantity::new(2.0, given).expect("a unit");
+        assert_eq!(quantity.unit(), named);
+        let again = Quantity::new(quantity.si(), named).expect("a unit");
+        assert_eq!(again, quantity);
+    }
+    assert_eq!(Quantity::from(2.0).unit(), "");
+}
+
+#[test]
 fn a_run_that_ends_early_keeps_what_it_has() {
     // A crank too long to go round.
     let mechanism = four_bar();

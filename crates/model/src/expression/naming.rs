@@ -3,6 +3,13 @@
 use super::quantity::{Quantity, whole};
 use crate::dimension::{Dimension, Powers};
 
+impl Powers {
+    /// Their unit in SI, such as `m` or `N*m/rad`; empty where all are zero.
+    pub fn unit(self) -> String {
+        Quantity::si(1.0, self).unit()
+    }
+}
+
 impl Quantity {
     /// Its dimension, where that has a name.
     pub fn dimension(self) -> Option<Dimension> {
