@@ -1,7 +1,7 @@
 //! The loop over the output instants, and what it reports.
 
 use super::super::channels::Contents;
-use super::super::clearance_link::{ClearanceLinks, Fixpoint, balance, carried};
+use super::super::clearance_link::{ClearanceLinks, Fixpoint, balance, carried, effort_by_power};
 use super::super::control::Control;
 use super::super::instants::OutputInstant;
 use super::super::interval::Interval;
@@ -9,11 +9,12 @@ use super::super::power::Powers;
 use super::super::record::Recorder;
 use super::super::sample::Sample;
 use super::super::words::{locked, unsure_friction};
+use super::bridge::{Bridge, Near};
 use super::passages::{events, range, with_passages};
 use super::words::{describe, limits, stopped};
 use crate::mechanism::continuation::{End, Parameter, Path, Source};
 use crate::mechanism::driven::{Driven, Failure};
-use crate::system::{Inputs, System};
+use crate::system::{DriverId, Inputs, System};
 use linkdyn_output::{Event, EventKind, Report, Status, Trajectory};
 
 /// A joint belongs to a self-stress when its part is above this, relative to the largest.
@@ -21,20 +22,18 @@ const STRESSED: f64 = 1e-6;
 
 /// State of the loop over the outputs.
 pub(super) struct Outputs<'a, 'r> {
-    pub system: &'a System,
-    pub links: Option<ClearanceLinks>,
+    system: &'a System,
+    links: Option<ClearanceLinks>,
     recorder: Recorder,
-    pub inputs: Inputs,
-    pub sample: Sample,
-    pub scratch: Sample,
+    inputs: Inputs,
+    sample: Sample,
+    bridge: Bridge,
     report: &'r mut Report,
     powers: Powers,
     gap: Interval,
     wavering: Interval,
     locking: Interval,
-    /// Joints whose reaction was left out, with the position.
-    pub missing: Vec<String>,
-    pub reactions: bool,
+    reactions: bool,
 }
 
 impl<'a, 'r> Outputs<'a, 'r> {
@@ -50,13 +49,12 @@ impl<'a, 'r> Outputs<'a, 'r> {
             recorder: Recorder::new(system, contents, rows),
             inputs: Inputs::still(system),
             sample: Sample::new(system),
-            scratch: Sample::new(system),
+            bridge: Bridge::new(system),
             report,
             powers: Powers::default(),
             gap: Interval::default(),
             wavering: Interval::default(),
             locking: Interval::default(),
-            missing: Vec::new(),
             reactions,
         }
     }
@@ -159,7 +157,8 @@ impl<'a, 'r> Outputs<'a, 'r> {
                 }
             }
             Source::Bridged { index, distance } => {
-                residual = self.bridged(driven, path, index, distance, [s, rate, bend]);
+                let s = [s, rate, bend];
+                residual = self.bridged(driven, path, Near { index, distance, s });
             }
         }
         let has_locked = driven.dependent_forces.locked().is_some();
@@ -188,6 +187,28 @@ impl<'a, 'r> Outputs<'a, 'r> {
         Ok(())
     }
 
+    /// The smooth branch near a change point; returns the scaled residual.
+    fn bridged(&mut self, driven: &mut Driven, path: &Path, near: Near) -> f64 {
+        let tangent = self.sample.v.clone();
+        let residual = near.settle(driven, &self.inputs, &mut self.sample);
+        if !(self.reactions || self.links.is_some()) {
+            return residual;
+        }
+        if near.is_regular(driven, path, &self.sample.q, &self.inputs) {
+            self.carry(driven);
+        } else {
+            let (inputs, sample) = (&self.inputs, &mut self.sample);
+            let locked = self.bridge.limit(driven, path, near, inputs, sample);
+            self.note_locked(locked);
+        }
+        let sizes = &self.sample.dependent_forces;
+        if path.parameter == Parameter::DriverValue && sizes.iter().all(|size| size.is_finite()) {
+            let row = self.system.driver_row(DriverId(0));
+            self.sample.lambda[row] = effort_by_power(&self.sample.balance, &tangent);
+        }
+        residual
+    }
+
     /// Notes how the clearance links' fixed point came out; whether there is a position to record.
     fn is_met(&mut self, driven: &Driven, outcome: Fixpoint) -> bool {
         let events = &mut self.report.events;
@@ -208,7 +229,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
             Fixpoint::NoSolution { .. } if driven.dependent_forces.locked().is_some() => {
                 self.wavering.close(events);
                 self.gap.close(events);
-                self.note_locked(driven);
+                self.note_locked(driven.dependent_forces.locked());
                 false
             }
             Fixpoint::NoSolution { .. } => {
@@ -224,17 +245,17 @@ impl<'a, 'r> Outputs<'a, 'r> {
     }
 
     /// What the constraints carry, with friction; where a joint locks itself these values do not exist.
-    pub fn carry(&mut self, driven: &mut Driven) {
+    fn carry(&mut self, driven: &mut Driven) {
         if carried(driven, &self.inputs, &mut self.sample).is_err() {
             self.sample.lambda.fill(f64::NAN);
-            self.note_locked(driven);
+            self.note_locked(driven.dependent_forces.locked());
         }
         self.note_not_unique(driven);
     }
 
-    /// An event where forces do not exist because a joint locks itself.
-    pub fn note_locked(&mut self, driven: &Driven) {
-        if let Some(force) = driven.dependent_forces.locked() {
+    /// An event where forces do not exist because a joint locks itself by this friction.
+    fn note_locked(&mut self, force: Option<usize>) {
+        if let Some(force) = force {
             let (time, driver) = (self.inputs.time, self.driver_value());
             self.locking.extend(
                 EventKind::SelfLocking,
@@ -247,7 +268,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
     }
 
     /// Joints whose reactions differ between equilibria.
-    pub fn note_not_unique(&mut self, driven: &mut Driven) {
+    fn note_not_unique(&mut self, driven: &mut Driven) {
         if !driven.is_redundant() {
             return;
         }
@@ -292,10 +313,10 @@ impl<'a, 'r> Outputs<'a, 'r> {
         if self.reactions {
             self.report.quality.power_imbalance = Some(self.powers.relative_imbalance());
         }
-        if !self.missing.is_empty() {
+        if !self.bridge.missing.is_empty() {
             self.report.warnings.push(format!(
                 "at a change point the reactions of {} have no bound and are left out",
-                self.missing.join(", ")
+                self.bridge.missing.join(", ")
             ));
         }
         if !self.report.mobility.redundant.is_empty() && self.reactions {
