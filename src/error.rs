@@ -81,9 +81,3 @@ impl From<Complaints> for Error {
         Error::Model(complaints)
     }
 }
-
-impl From<Vec<Complaint>> for Error {
-    fn from(complaints: Vec<Complaint>) -> Self {
-        Error::Model(complaints.into())
-    }
-}

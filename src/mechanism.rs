@@ -2,10 +2,10 @@
 
 use std::path::Path;
 use std::str::FromStr;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
-use linkdyn_engine::analysis;
-use linkdyn_model::error::Complaint;
+use linkdyn_engine::analysis::Prepared;
+use linkdyn_model::error::Complaints;
 use linkdyn_model::{Checked, Loaded, Model, bundled};
 use linkdyn_output::{ColumnId, Stage, Stopwatch};
 use sha2::{Digest, Sha256};
@@ -50,6 +50,8 @@ pub struct Mechanism {
     /// Parameters that have other values than in `loaded`, by index, in SI.
     given: Vec<(usize, f64)>,
     model: Arc<Checked>,
+    /// The model compiled for its analysis, when that was first needed.
+    prepared: Arc<OnceLock<Prepared>>,
     columns: Arc<Columns>,
     /// Time that reading it took.
     load: Stage,
@@ -147,17 +149,22 @@ impl Mechanism {
     fn load(file: Arc<File>, sets: Vec<String>, given: &[(&str, f64)]) -> Result<Self, Error> {
         let watch = Stopwatch::start();
         let loaded = linkdyn_model::load(&file.text, &sets)?;
-        let place = |complaints: Vec<Complaint>| {
-            let placed = complaints.into_iter().map(|one| loaded.source.place(one));
-            Error::Model(placed.collect::<Vec<_>>().into())
+        let prepared = match loaded.model.analysis {
+            Some(_) => {
+                let prepared = Prepared::new(&loaded.model);
+                Some(prepared.map_err(|found| loaded.source.place_all(found))?)
+            }
+            None => None,
         };
-        let columns = Columns::new(analysis::columns(&loaded.model).map_err(place)?);
+        let columns = prepared.as_ref().map(Prepared::columns);
+        let columns = Columns::new(columns.unwrap_or_default());
         let read = Mechanism {
             file,
             sets,
             given: Vec::new(),
             model: Arc::new(loaded.model.clone()),
             loaded: Arc::new(loaded),
+            prepared: Arc::new(prepared.map_or_else(OnceLock::new, OnceLock::from)),
             columns: Arc::new(columns),
             load: watch.read(),
         };
@@ -266,12 +273,18 @@ impl Mechanism {
         self.columns.mark
     }
 
+    /// The model compiled for its analysis, once for all runs.
+    pub(crate) fn prepared(&self) -> Result<&Prepared, Error> {
+        if let Some(prepared) = self.prepared.get() {
+            return Ok(prepared);
+        }
+        let prepared = Prepared::new(&self.model).map_err(|found| self.place(found))?;
+        Ok(self.prepared.get_or_init(|| prepared))
+    }
+
     /// Complaints that came up after the model was read, with their places.
-    pub(crate) fn place(&self, complaints: Vec<Complaint>) -> Error {
-        let placed = complaints
-            .into_iter()
-            .map(|complaint| self.loaded.source.place(complaint));
-        Error::Model(placed.collect::<Vec<_>>().into())
+    pub(crate) fn place(&self, complaints: Complaints) -> Error {
+        self.loaded.source.place_all(complaints).into()
     }
 
     pub(crate) fn origin(&self) -> Origin<'_> {
@@ -321,6 +334,7 @@ impl Mechanism {
         Ok(Mechanism {
             given,
             model: Arc::new(model),
+            prepared: Arc::default(),
             ..self.clone()
         })
     }

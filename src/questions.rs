@@ -28,7 +28,7 @@ impl Mechanism {
             deadline: [control.deadline, own].into_iter().flatten().min(),
             ..control.clone()
         };
-        let outcome = analysis::run(self.model(), &control);
+        let outcome = self.prepared()?.run(&control);
         let mut outcome = outcome.map_err(|found| self.place(found))?;
         let warnings = self.warnings().iter().cloned();
         outcome.report.warnings.splice(0..0, warnings);
@@ -66,4 +66,29 @@ impl Mechanism {
 pub(crate) fn deadline(model: &Model, started: Instant) -> Option<Instant> {
     let seconds = model.analysis.as_ref()?.solver.max_wall_time?;
     started.checked_add(Duration::try_from_secs_f64(seconds).ok()?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantity::mm;
+    use linkdyn_engine::analysis::Prepared;
+
+    #[test]
+    fn a_mechanism_is_compiled_once() {
+        fn compiled(mechanism: &Mechanism) -> *const Prepared {
+            mechanism.prepared().expect("compiles")
+        }
+        let mechanism = Mechanism::bundled("four-bar").expect("bundled");
+        let before = compiled(&mechanism);
+        mechanism.run().expect("runs");
+        assert_eq!(before, compiled(&mechanism));
+        let crank = mechanism.parameter("crank").expect("there");
+        let longer = mechanism.with([(crank, mm(90.0))]).expect("sound");
+        assert_ne!(before, compiled(&longer), "other numbers");
+        // What is made of it again has the same system, whoever compiled it.
+        let twin = longer.clone();
+        longer.run().expect("runs");
+        assert_eq!(compiled(&longer), compiled(&twin));
+    }
 }

@@ -10,7 +10,7 @@ use super::exit::BadInput;
 use super::near::did_you_mean;
 use crate::files::Origin;
 use linkdyn_model::bundled::{self, NotBundled};
-use linkdyn_model::error::Complaint;
+use linkdyn_model::error::{Complaint, Complaints};
 use linkdyn_model::{self, Loaded};
 use linkdyn_output::{Stage, Stopwatch};
 
@@ -58,7 +58,7 @@ impl ModelOptions {
     ///
     /// # Errors
     /// When there is no such model; inside, its faults.
-    pub fn open_with(&self, more: &[String]) -> Result<Result<Opened, Vec<Complaint>>, BadInput> {
+    pub fn open_with(&self, more: &[String]) -> Result<Result<Opened, Complaints>, BadInput> {
         let watch = Stopwatch::start();
         let label = self.model.display().to_string();
         let bytes = read(&self.model)?;
@@ -109,14 +109,8 @@ impl Opened {
     }
 
     /// Complaints about the model that came up after it was read.
-    pub fn bad_input(&self, complaints: Vec<Complaint>) -> BadInput {
-        bad_input(
-            &self.label,
-            complaints
-                .into_iter()
-                .map(|complaint| self.loaded.source.place(complaint))
-                .collect(),
-        )
+    pub fn bad_input(&self, complaints: Complaints) -> BadInput {
+        bad_input(&self.label, self.loaded.source.place_all(complaints))
     }
 }
 
@@ -124,7 +118,7 @@ impl Opened {
 const MOST_COMPLAINTS: usize = 100;
 
 /// A line per complaint, each with the model's name.
-fn bad_input(label: &str, complaints: Vec<Complaint>) -> BadInput {
+fn bad_input(label: &str, complaints: Complaints) -> BadInput {
     let line = |complaint: &Complaint| format!("{label}: {complaint}");
     // The loader's own list ends with such a count.
     let most = if complaints.len() > MOST_COMPLAINTS + 1 {

@@ -17,7 +17,7 @@ fn file(clearance: &str) -> String {
 fn said(clearance: &str) -> Vec<String> {
     let complaints = match linkdyn_model::load(file(clearance).as_bytes(), &[]) {
         Ok(_) => Vec::new(),
-        Err(complaints) => complaints,
+        Err(complaints) => Vec::from(complaints),
     };
     let text = |complaint: &linkdyn_model::error::Complaint| {
         let place = complaint.place.expect("it stands in the file");

@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 use linkdyn_engine::analysis::{Control, Outcome};
-use linkdyn_model::error::Complaint;
+use linkdyn_model::error::Complaints;
 use linkdyn_output::{Directory, Status, WriteError};
 use reference::ReferenceCase;
 
@@ -228,8 +228,8 @@ fn broken(what: impl Into<String>) -> CaseError {
 }
 
 /// A run that must have come to its end.
-fn finished(run: Result<Outcome, Vec<Complaint>>) -> Result<Outcome, CaseError> {
-    let outcome = run.map_err(|said| broken(format!("{said:?}")))?;
+fn finished(run: Result<Outcome, Complaints>) -> Result<Outcome, CaseError> {
+    let outcome = run.map_err(|said| broken(said.to_string()))?;
     match outcome.report.status {
         Status::Completed => Ok(outcome),
         Status::Interrupted => Err(CaseError::Interrupted),

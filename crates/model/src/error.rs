@@ -119,6 +119,12 @@ impl From<Vec<Complaint>> for Complaints {
     }
 }
 
+impl From<Complaint> for Complaints {
+    fn from(complaint: Complaint) -> Self {
+        Complaints(vec![complaint])
+    }
+}
+
 impl fmt::Display for Complaints {
     /// A line each.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

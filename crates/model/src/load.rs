@@ -40,7 +40,7 @@ pub struct Loaded {
 ///
 /// # Errors
 /// All faults of the file, in the order of the lines.
-pub fn load_file(path: &Path, sets: &[String]) -> Result<Loaded, Vec<Complaint>> {
+pub fn load_file(path: &Path, sets: &[String]) -> Result<Loaded, Complaints> {
     let bytes = read(path).map_err(|complaint| vec![complaint])?;
     load(&bytes, sets)
 }
@@ -92,7 +92,7 @@ fn too_large(length: u64) -> Complaint {
 /// let loaded = linkdyn_model::load(text, &[]).unwrap();
 /// assert_eq!(loaded.model.bodies["bar"].points["A"], [0.005, 0.0]);
 /// ```
-pub fn load(text: &[u8], sets: &[String]) -> Result<Loaded, Vec<Complaint>> {
+pub fn load(text: &[u8], sets: &[String]) -> Result<Loaded, Complaints> {
     let text = decode(text).map_err(|complaint| vec![complaint])?;
     let mut source = Source::new(text, sets);
     let mut complaints = Vec::new();
@@ -105,11 +105,8 @@ pub fn load(text: &[u8], sets: &[String]) -> Result<Loaded, Vec<Complaint>> {
             "a model is an object, {{ … }}, not {}",
             source.root.kind_name()
         );
-        return Err(vec![source.complain(
-            source.root.origin,
-            None,
-            Complaint::new("", message),
-        )]);
+        let complaint = Complaint::new("", message);
+        return Err(vec![source.complain(source.root.origin, None, complaint)].into());
     }
     let uncounted = repeats.len().saturating_sub(MOST_COMPLAINTS);
     for repeat in repeats.into_iter().take(MOST_COMPLAINTS) {
@@ -135,7 +132,8 @@ pub fn load(text: &[u8], sets: &[String]) -> Result<Loaded, Vec<Complaint>> {
     let findings = walk(&source);
     if other_format.is_some() {
         let of_format = |complaint: &Complaint| complaint.path == "format";
-        return Err(findings.complaints.into_iter().filter(of_format).collect());
+        let said = findings.complaints.into_iter().filter(of_format);
+        return Err(Complaints(said.collect()));
     }
     let more = findings.more + uncounted;
     pass(source, sets, findings, complaints, more)
@@ -148,15 +146,15 @@ fn pass(
     findings: Findings,
     mut complaints: Vec<Complaint>,
     more: usize,
-) -> Result<Loaded, Vec<Complaint>> {
+) -> Result<Loaded, Complaints> {
     complaints.extend(findings.complaints);
     let (passed, said) = typed(&source, findings.value, findings.holes, &findings.undotted);
     let model = match passed {
         Ok(model) if complaints.is_empty() => model,
-        Ok(_) => return Err(sorted(complaints, more)),
+        Ok(_) => return Err(sorted(complaints, more).into()),
         Err(said) => {
             complaints.extend(said);
-            return Err(sorted(complaints, more));
+            return Err(sorted(complaints, more).into());
         }
     };
     let mut warnings = findings.warnings;

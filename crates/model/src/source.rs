@@ -3,7 +3,7 @@
 use indexmap::IndexMap;
 
 use super::node::{self, Kind, Member, Node, Origin};
-use crate::error::{Complaint, Place};
+use crate::error::{Complaint, Complaints, Place};
 
 /// A model's text as read, and what `--set` put over it.
 #[derive(Debug, Clone)]
@@ -128,6 +128,12 @@ impl Source {
             .clone()
             .or_else(|| exact.then(|| self.found(node)).flatten());
         self.complain(origin, found, complaint)
+    }
+
+    /// Adds to complaints where their paths are.
+    pub fn place_all(&self, complaints: Complaints) -> Complaints {
+        let placed = complaints.into_iter();
+        Complaints(placed.map(|complaint| self.place(complaint)).collect())
     }
 }
 

@@ -58,7 +58,7 @@ pub fn joints(opened: &Opened, names: &[String]) -> Result<Vec<String>, BadInput
     if complaints.is_empty() {
         Ok(found)
     } else {
-        Err(opened.bad_input(complaints))
+        Err(opened.bad_input(complaints.into()))
     }
 }
 

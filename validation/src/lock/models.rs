@@ -6,7 +6,7 @@ use super::centres::Centres;
 use super::document::{broken, bundled, point};
 use crate::CaseError;
 use linkdyn_engine::analysis::{self, Control};
-use linkdyn_model::error::Complaint;
+use linkdyn_model::error::Complaints;
 use linkdyn_model::{self, Checked};
 use linkdyn_output::{Event, EventKind, Report, Status, Trajectory};
 
@@ -120,7 +120,7 @@ impl Request {
 /// # Errors
 /// When it is refused, or the user interrupts.
 pub fn run(document: &Value, control: &Control) -> Result<(Checked, analysis::Outcome), CaseError> {
-    let refused = |complaints: Vec<Complaint>| {
+    let refused = |complaints: Complaints| {
         let complaints: Vec<String> = complaints.iter().map(ToString::to_string).collect();
         broken(complaints.join("; "))
     };

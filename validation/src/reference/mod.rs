@@ -61,7 +61,7 @@ impl ReferenceCase {
         let words = self.read()?;
         let table = Table::parse(self.reference)
             .map_err(|said| CaseError::Broken(format!("reference.csv: {said}")))?;
-        let broken = |complaints: Vec<linkdyn_model::error::Complaint>| {
+        let broken = |complaints: linkdyn_model::error::Complaints| {
             let complaints: Vec<String> = complaints.iter().map(ToString::to_string).collect();
             CaseError::Broken(format!("model: {}", complaints.join("; ")))
         };

@@ -1,4 +1,4 @@
-//! The one table of result columns of a system and an analysis: headings, rows, gaps and selections come from it.
+//! The one table of result columns of a system and an analysis: headings, rows and gaps come from it.
 //!
 //! A channel says whose quantity a column is. [`Channels::new`] lists those of a system in the order of results, and from that
 //! list come the headings, and stretches of channels with one owner. For a row each stretch reads its owner once
@@ -10,7 +10,7 @@ use crate::element::Measure;
 use crate::system::{Evaluation, Inputs, JointData, System};
 use linkdyn_output::{
     BodyQuantity, Channel, Column, ColumnId, DriverQuantity, EnergyQuantity, JointQuantity,
-    PointQuantity, Selection,
+    PointQuantity,
 };
 use std::sync::Arc;
 
@@ -25,7 +25,7 @@ pub struct Contents {
     pub reactions: bool,
 }
 
-/// The result columns of a system and an analysis, or some of them.
+/// The result columns of a system and an analysis.
 #[derive(Debug, Clone)]
 pub struct Channels {
     columns: Arc<[Column]>,
@@ -63,10 +63,7 @@ const CONTACT: [JointQuantity; 6] = [
 impl Channels {
     /// All columns of a system, in the order of results; nothing is computed for them.
     pub fn new(system: &System, contents: Contents) -> Self {
-        Channels::of(contents.columns(system))
-    }
-
-    fn of(columns: Vec<Column>) -> Self {
+        let columns = contents.columns(system);
         let mut stretches: Vec<Stretch> = Vec::new();
         for channel in columns.iter().filter_map(|column| column.channel) {
             let goes_on = stretches.last_mut().is_some_and(|last| last.take(channel));
@@ -78,16 +75,6 @@ impl Channels {
             columns: columns.into(),
             stretches,
         }
-    }
-
-    /// The columns that `patterns` name, with time (see [`Selection::new`]), and warnings about patterns that name none.
-    pub fn wanted(&self, patterns: &[String]) -> (Channels, Vec<String>) {
-        let Selection {
-            columns: kept,
-            warnings,
-        } = Selection::new(&self.columns, patterns);
-        let kept = kept.iter().map(|id| self.columns[id.index()].clone());
-        (Channels::of(kept.collect()), warnings)
     }
 
     /// Headings: name, unit and channel of each column.

@@ -10,7 +10,8 @@ pub use found::{Check, Lack, Open};
 
 use super::assembly::{Assembled, assemble, check_driven, ranked, topology};
 use super::control::Stop;
-use super::instants::instants;
+use super::instants::{Instants, Sampled};
+use super::question::instants;
 use super::suspicious;
 use super::words::listed;
 use crate::graph::Topology;
@@ -18,8 +19,8 @@ use crate::system::{Evaluation, Inputs, System, compile::compile, compile::compi
 use clearances::{clearances, is_open, journals_move};
 use found::Undriven;
 use lacks::{lacks, missing};
-use linkdyn_model::error::Complaint;
-use linkdyn_model::{AnalysisKind, Checked, Model, Sample};
+use linkdyn_model::error::{Complaint, Complaints};
+use linkdyn_model::{AnalysisKind, Checked, Model};
 use odd::{odd_springs, turned_over};
 use words::{freedom_text, words};
 
@@ -27,7 +28,7 @@ use words::{freedom_text, words};
 ///
 /// # Errors
 /// Faults of the input.
-pub fn check(model: &Checked) -> Result<Check, Vec<Complaint>> {
+pub fn check(model: &Checked) -> Result<Check, Complaints> {
     let system = compile(&model.with_clearances(|_| false), AnalysisKind::Assembly)?;
     let topology = topology(&system);
     let names: Vec<&str> = system
@@ -57,7 +58,7 @@ pub fn check(model: &Checked) -> Result<Check, Vec<Complaint>> {
     let inputs = Inputs::at_time(&system, 0.0);
     let assembled = match assemble(&system, &inputs) {
         Ok(assembled) => assembled,
-        Err(Stop::Input(complaints)) => return Err(complaints),
+        Err(Stop::Input(complaints)) => return Err(complaints.into()),
         Err(Stop::Failed { status, message }) => {
             check.status = status;
             check.mobility = super::assembly::counted(&system);
@@ -133,7 +134,7 @@ fn undriven(system: &System, assembled: &Assembled, inputs: &Inputs) -> Option<U
 
 /// The mechanism with its journals free, at the position that it has with ideal pins, as a run has it. Its motion is
 /// integrated whatever the analysis, so that only too many drivers are in the way.
-fn open(model: &Checked, closed: Assembled) -> Result<(Open, Option<Undriven>), Vec<Complaint>> {
+fn open(model: &Checked, closed: Assembled) -> Result<(Open, Option<Undriven>), Complaints> {
     let system = compile_geometry(&model.with_clearances(is_open))?;
     let inputs = Inputs::at_time(&system, 0.0);
     let assembled = ranked(&system, closed, &inputs);
@@ -153,7 +154,7 @@ fn open(model: &Checked, closed: Assembled) -> Result<(Open, Option<Undriven>), 
 }
 
 /// When the run that the model asks for ends \[s\]; where a driver is sampled, it must pass the first and the last value, in this order.
-fn end_of_run(model: &Model, system: &System) -> Result<Option<f64>, Vec<Complaint>> {
+fn end_of_run(model: &Model, system: &System) -> Result<Option<f64>, Complaints> {
     let Some(analysis) = &model.analysis else {
         return Ok(None);
     };
@@ -163,16 +164,18 @@ fn end_of_run(model: &Model, system: &System) -> Result<Option<f64>, Vec<Complai
     ) {
         return Ok(None);
     }
-    let Some(sample) = &analysis.sample else {
-        return Ok(analysis.end);
+    let ends = match instants(system, analysis)? {
+        Instants::Start | Instants::Equidistant(_) => return Ok(analysis.end),
+        Instants::Sampled(sample) => {
+            let whole = sample.to - sample.from;
+            Instants::Sampled(Sampled {
+                step: if whole == 0.0 { sample.step } else { whole },
+                ..sample
+            })
+        }
     };
-    let mut ends = analysis.clone();
-    let whole = sample.to - sample.from;
-    ends.sample = Some(Sample {
-        step: if whole == 0.0 { sample.step } else { whole },
-        ..sample.clone()
-    });
-    instants(system, &ends).map(|instants| instants.last().map(|last| last.time))
+    let instants = ends.list(system)?;
+    Ok(instants.last().map(|last| last.time))
 }
 
 fn moving_names(system: &System, bodies: &[usize]) -> Vec<String> {

@@ -54,6 +54,12 @@ impl Stop {
     }
 }
 
+impl From<Complaint> for Stop {
+    fn from(complaint: Complaint) -> Self {
+        Stop::Input(vec![complaint])
+    }
+}
+
 /// Complaints, one per line.
 fn sentences(complaints: &[Complaint]) -> String {
     let lines: Vec<String> = complaints.iter().map(Complaint::to_string).collect();

@@ -1,6 +1,7 @@
 //! Quantities that follow from a run's results, row by row, and are no result columns: for the report.
 
 use super::applied::applied;
+use super::question;
 use super::shaking::shaking;
 use super::transmission::transmission;
 use crate::system::compile::compile;
@@ -32,7 +33,7 @@ pub fn derived(model: &Checked, results: &Trajectory) -> (Trajectory, Vec<String
     match analysis
         .transmission
         .as_ref()
-        .map(|wanted| transmission(&system, wanted, results))
+        .map(|wanted| transmission(&system, question::transmission(&system, wanted), results))
     {
         Some(Ok((part, said))) => {
             parts.push(part);

@@ -3,12 +3,13 @@
 use crate::motion::Jet;
 use crate::system::System;
 use linkdyn_model::error::Complaint;
-use linkdyn_model::{Analysis, Sample};
 
 /// One output instant; where outputs are spaced in a driver's value, that value exactly.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OutputInstant {
+    /// When \[s\].
     pub time: f64,
+    /// Number of the driver and its value [rad or m].
     pub exact: Option<(usize, f64)>,
 }
 
@@ -24,54 +25,79 @@ impl OutputInstant {
     }
 }
 
-/// The instants an analysis asks for.
-///
-/// # Errors
-/// A sampled value that the driver does not reach on its first monotone stretch; more outputs than fit.
-pub fn instants(
-    system: &System,
-    analysis: &Analysis,
-) -> Result<Vec<OutputInstant>, Vec<Complaint>> {
-    if let Some(sample) = &analysis.sample {
-        return sampled(system, sample).map_err(|complaint| vec![complaint]);
+/// When there are outputs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Instants {
+    /// At t = 0 alone.
+    Start,
+    /// Equally spaced in time.
+    Equidistant(Equidistant),
+    /// Equally spaced in the value of a driver.
+    Sampled(Sampled),
+}
+
+/// Outputs from 0 to `end`, both included.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Equidistant {
+    /// The last instant \[s\].
+    pub end: f64,
+    /// Their number.
+    pub outputs: usize,
+}
+
+/// Outputs where a driver passes `from`, `from ± step` … `to`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sampled {
+    /// Its number.
+    pub driver: usize,
+    /// First value [rad or m].
+    pub from: f64,
+    /// Last value [rad or m].
+    pub to: f64,
+    /// Distance of two values, of whatever sign [rad or m].
+    pub step: f64,
+}
+
+impl Instants {
+    /// All of them, in the order of outputs.
+    ///
+    /// # Errors
+    /// A sampled value that the driver does not reach on its first monotone stretch; more outputs than fit.
+    pub fn list(&self, system: &System) -> Result<Vec<OutputInstant>, Complaint> {
+        match self {
+            Instants::Start => Ok(vec![OutputInstant {
+                time: 0.0,
+                exact: None,
+            }]),
+            Instants::Equidistant(wanted) => equidistant(*wanted),
+            Instants::Sampled(wanted) => sampled(system, *wanted),
+        }
     }
-    let (Some(end), Some(outputs)) = (analysis.end, analysis.outputs) else {
-        return Ok(vec![OutputInstant {
-            time: 0.0,
-            exact: None,
-        }]);
-    };
+}
+
+fn equidistant(Equidistant { end, outputs }: Equidistant) -> Result<Vec<OutputInstant>, Complaint> {
     if outputs > MOST_OUTPUTS {
         let message = format!("more than {MOST_OUTPUTS} outputs");
-        return Err(vec![
-            Complaint::new("analysis.outputs", message).found(outputs.to_string()),
-        ]);
+        return Err(Complaint::new("analysis.outputs", message).found(outputs.to_string()));
     }
     let last = (outputs - 1) as f64;
-    Ok((0..outputs)
-        .map(|k| OutputInstant {
-            time: if k + 1 == outputs {
-                end
-            } else {
-                end * (k as f64 / last)
-            },
-            exact: None,
-        })
-        .collect())
+    let instant = |k: usize| OutputInstant {
+        time: if k + 1 == outputs {
+            end
+        } else {
+            end * (k as f64 / last)
+        },
+        exact: None,
+    };
+    Ok((0..outputs).map(instant).collect())
 }
 
 /// More rows than anybody can read or store.
 pub(super) const MOST_OUTPUTS: usize = 10_000_000;
 
-fn sampled(system: &System, sample: &Sample) -> Result<Vec<OutputInstant>, Complaint> {
-    let driver = system.drivers.iter().position(|d| d.name == sample.driver);
-    let Some(driver) = driver else {
-        return Err(Complaint::new(
-            "analysis.sample.driver",
-            format!("no driver \"{}\"", sample.driver),
-        ));
-    };
-    let law = &system.drivers[driver].law;
+fn sampled(system: &System, sample: Sampled) -> Result<Vec<OutputInstant>, Complaint> {
+    let driver = sample.driver;
+    let (name, law) = (&system.drivers[driver].name, &system.drivers[driver].law);
     let step = sample.step.abs() * (sample.to - sample.from).signum();
     // `to` is always the last value, also when the step does not divide the range: a remainder below a millionth of a
     // step is round-off.
@@ -97,8 +123,7 @@ fn sampled(system: &System, sample: &Sample) -> Result<Vec<OutputInstant>, Compl
             return Err(Complaint::new(
                 if k == 0 { "analysis.sample.from" } else { "analysis.sample.to" },
                 format!(
-                    "driver \"{}\" does not reach {value} on its first monotone stretch from {start}",
-                    sample.driver
+                    "driver \"{name}\" does not reach {value} on its first monotone stretch from {start}"
                 ),
             )
             .hint("sample within the values the motion passes before it first turns back"));
@@ -112,10 +137,7 @@ fn sampled(system: &System, sample: &Sample) -> Result<Vec<OutputInstant>, Compl
     if instants.windows(2).any(|w| w[1].time < w[0].time) {
         return Err(Complaint::new(
             "analysis.sample",
-            format!(
-                "driver \"{}\" passes the values in the other order",
-                sample.driver
-            ),
+            format!("driver \"{name}\" passes the values in the other order"),
         )
         .hint("exchange from and to"));
     }

@@ -17,7 +17,7 @@ use crate::mechanism::equilibrium::judge;
 use crate::mechanism::held::Held;
 use crate::system::{System, compile::compile};
 use linkdyn_linear::eigen::{EigenFault, Eigenpair, quadratic};
-use linkdyn_model::error::Complaint;
+use linkdyn_model::error::{Complaint, Complaints};
 use linkdyn_model::{AnalysisKind, Checked};
 use linkdyn_output::{Equilibrium, Mobility, Status};
 
@@ -79,11 +79,11 @@ impl Mode {
 ///
 /// # Errors
 /// Faults of the input; everything else ends in the status.
-pub fn modes(model: &Checked, pose: bool, control: &Control) -> Result<Linearised, Vec<Complaint>> {
+pub fn modes(model: &Checked, pose: bool, control: &Control) -> Result<Linearised, Complaints> {
     let system = compile(model, AnalysisKind::Dynamics)?;
     match linearise(&system, pose, control) {
         Ok(found) => Ok(found),
-        Err(Stop::Input(complaints)) => Err(complaints),
+        Err(Stop::Input(complaints)) => Err(complaints.into()),
         Err(Stop::Failed { status, message }) => Ok(Linearised {
             status,
             message: Some(message),

@@ -1,63 +1,171 @@
-//! The words of a question about motion, as the numbers that [`super::dynamics`] takes.
+//! The words of a question (`analysis` of a model) as the numbers that the analyses take. Below this no file names the model.
 
 use super::channels::Contents;
-use super::control::{Control, Stop};
-use super::driven;
-use super::dynamics::{self, Settings, Start, Wanted};
-use super::instants::instants;
+use super::control::Stop;
+use super::instants::{Equidistant, Instants, Sampled};
+use super::transmission::Transmission;
+use super::{driven, dynamics, dynamics::Wanted};
 use crate::integrate::{Method, UnknownMethod};
 use crate::system::System;
 use linkdyn_model::error::Complaint;
-use linkdyn_model::{Analysis, OutputsAt};
-use linkdyn_output::{Report, Trajectory};
+use linkdyn_model::{Analysis, AnalysisKind, OutputsAt, Sample};
 
-/// Runs a motion: the outputs, and rows of peaks between them. Where nothing is free, it is that of the drivers.
-///
-/// # Errors
-/// Faults of the input, and a start that is impossible.
-pub fn run(
-    system: &System,
-    analysis: &Analysis,
-    contents: Contents,
-    control: &Control,
-) -> Result<(Trajectory, Trajectory, Report), Stop> {
-    let start = Start::of(system)?;
-    if start.is_driven(system) {
-        let (trajectory, report) = driven::run(system, analysis, control)?;
-        return Ok((trajectory, Trajectory::default(), report));
-    }
-    let settings = settings(system, analysis, contents)?;
-    dynamics::run(system, start, &settings, control)
+/// What a run is asked for, in numbers.
+#[derive(Debug, Clone)]
+pub(super) struct Question {
+    pub kind: Kind,
+    /// What is computed.
+    pub contents: Contents,
+    /// Patterns of the columns that are wanted; none means all.
+    pub columns: Vec<String>,
+    /// When there are outputs.
+    instants: Instants,
+    /// Located events are outputs, too.
+    at_events: bool,
+    /// A name that no method has is told where a method is needed.
+    method: Result<Method, UnknownMethod>,
+    wanted: Wanted,
+    initial_step: Option<f64>,
+    max_step: Option<f64>,
 }
 
-/// What is asked for, in numbers.
-fn settings(system: &System, analysis: &Analysis, contents: Contents) -> Result<Settings, Stop> {
-    if analysis.sample.is_some() && system.contacts.is_empty() {
-        return Err(Stop::Input(vec![
-            Complaint::new(
-                "analysis.sample",
-                "outputs at driver values need a motion that is prescribed",
-            )
-            .hint("give \"end\" and \"outputs\" instead"),
-        ]));
+/// What has to be found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// A position that closes.
+    Position,
+    /// A motion that the drivers prescribe.
+    Prescribed,
+    /// A motion that has to be integrated, unless nothing is free.
+    Free,
+    /// A position at rest.
+    Rest,
+}
+
+impl Question {
+    /// What a model's analysis asks of the system that it was compiled to.
+    pub fn new(system: &System, analysis: &Analysis) -> Result<Self, Complaint> {
+        let solver = &analysis.solver;
+        Ok(Question {
+            kind: kind(system, analysis.kind),
+            contents: contents(analysis.kind),
+            columns: analysis.columns.clone(),
+            instants: instants(system, analysis)?,
+            at_events: analysis.outputs_at == OutputsAt::Events,
+            method: solver.method.parse(),
+            wanted: Wanted {
+                rtol: solver.rtol,
+                atol: solver.atol,
+            },
+            initial_step: solver.initial_step,
+            max_step: solver.max_step,
+        })
     }
-    let solver = &analysis.solver;
-    let method: Method = solver.method.parse().map_err(|unknown: UnknownMethod| {
-        let path = "analysis.solver.method";
-        Stop::Input(vec![Complaint::new(path, unknown.to_string())])
-    })?;
-    let instants = instants(system, analysis).map_err(Stop::Input)?;
-    Ok(Settings {
-        method,
-        wanted: Wanted {
-            rtol: solver.rtol,
-            atol: solver.atol,
-        },
-        initial_step: solver.initial_step,
-        max_step: solver.max_step,
-        instants: instants.iter().map(|instant| instant.time).collect(),
-        events_are_outputs: analysis.outputs_at == OutputsAt::Events,
-        contents,
-        columns: analysis.columns.clone(),
+
+    /// For a motion that the drivers prescribe.
+    pub fn driven(&self) -> driven::Settings {
+        driven::Settings {
+            instants: self.instants,
+            at_events: self.at_events,
+            reactions: self.contents.reactions,
+        }
+    }
+
+    /// For a motion that is integrated.
+    ///
+    /// # Errors
+    /// Outputs at values of a driver that prescribes nothing, and a name that no method has.
+    pub fn dynamics(&self, system: &System) -> Result<dynamics::Settings, Stop> {
+        if matches!(self.instants, Instants::Sampled(_)) && system.contacts.is_empty() {
+            let message = "outputs at driver values need a motion that is prescribed";
+            let hint = "give \"end\" and \"outputs\" instead";
+            return Err(Complaint::new("analysis.sample", message).hint(hint).into());
+        }
+        let method = self.method.clone().map_err(|unknown| {
+            let path = "analysis.solver.method";
+            Complaint::new(path, unknown.to_string())
+        })?;
+        let instants = self.instants.list(system)?;
+        Ok(dynamics::Settings {
+            method,
+            wanted: self.wanted,
+            initial_step: self.initial_step,
+            max_step: self.max_step,
+            instants: instants.iter().map(|instant| instant.time).collect(),
+            events_are_outputs: self.at_events,
+            contents: self.contents,
+            columns: self.columns.clone(),
+        })
+    }
+}
+
+/// Journals that move freely in their bearings leave the mechanism free to move, however it is driven.
+fn kind(system: &System, kind: AnalysisKind) -> Kind {
+    match kind {
+        AnalysisKind::Assembly => Kind::Position,
+        AnalysisKind::Kinematics | AnalysisKind::InverseDynamics if system.contacts.is_empty() => {
+            Kind::Prescribed
+        }
+        AnalysisKind::Kinematics | AnalysisKind::InverseDynamics | AnalysisKind::Dynamics => {
+            Kind::Free
+        }
+        AnalysisKind::Statics => Kind::Rest,
+    }
+}
+
+/// What an analysis leaves in the results.
+fn contents(kind: AnalysisKind) -> Contents {
+    let (velocities, accelerations, reactions) = match kind {
+        AnalysisKind::Assembly => (true, false, false),
+        AnalysisKind::Kinematics => (true, true, false),
+        AnalysisKind::InverseDynamics | AnalysisKind::Dynamics => (true, true, true),
+        AnalysisKind::Statics => (false, false, true),
+    };
+    Contents {
+        velocities,
+        accelerations,
+        reactions,
+    }
+}
+
+/// When an analysis has outputs: at t = 0 where it does not say.
+pub(super) fn instants(system: &System, analysis: &Analysis) -> Result<Instants, Complaint> {
+    if let Some(sample) = &analysis.sample {
+        return sampled(system, sample).map(Instants::Sampled);
+    }
+    Ok(match (analysis.end, analysis.outputs) {
+        (Some(end), Some(outputs)) => Instants::Equidistant(Equidistant { end, outputs }),
+        _ => Instants::Start,
     })
+}
+
+fn sampled(system: &System, sample: &Sample) -> Result<Sampled, Complaint> {
+    let driver = system.drivers.iter().position(|d| d.name == sample.driver);
+    let driver = driver.ok_or_else(|| {
+        let message = format!("no driver \"{}\"", sample.driver);
+        Complaint::new("analysis.sample.driver", message)
+    })?;
+    Ok(Sampled {
+        driver,
+        from: sample.from,
+        to: sample.to,
+        step: sample.step,
+    })
+}
+
+/// The transmission that an analysis names; none where its driver or body is not there.
+pub(super) fn transmission(
+    system: &System,
+    wanted: &linkdyn_model::Transmission,
+) -> Option<Transmission> {
+    let driver = match &wanted.driver {
+        Some(name) => {
+            let mut drivers = system.drivers.iter();
+            drivers.position(|driver| driver.name == *name)
+        }
+        None => (system.drivers.len() == 1).then_some(0),
+    }?;
+    let mut bodies = system.bodies.iter();
+    let output = bodies.position(|body| body.name == wanted.output)?;
+    Some(Transmission { driver, output })
 }

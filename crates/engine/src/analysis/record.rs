@@ -15,11 +15,7 @@ pub struct Recorder {
 impl Recorder {
     /// Of all channels, with room for `rows` rows.
     pub fn new(system: &System, contents: Contents, rows: usize) -> Self {
-        Recorder::of(Channels::new(system, contents), rows)
-    }
-
-    /// Of these channels alone, with room for `rows` rows.
-    pub fn of(channels: Channels, rows: usize) -> Self {
+        let channels = Channels::new(system, contents);
         let mut trajectory = Trajectory::with_columns(channels.columns());
         trajectory.reserve(rows);
         Recorder {

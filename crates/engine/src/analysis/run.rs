@@ -1,100 +1,146 @@
 //! From a model to a trajectory and a report.
 
-use super::channels::Channels;
-use super::contents::{contents, settings};
+use super::channels::{Channels, Contents};
 use super::control::{Control, Stop};
 use super::outcome::Outcome;
+use super::question::{Kind, Question};
 use super::record::Recorder;
 use super::sample::Sample;
-use super::{assembly, driven, question, statics};
+use super::settings::settings;
+use super::{assembly, driven, dynamics, statics};
 use crate::system::{Evaluation, Inputs, System, compile::compile};
-use linkdyn_model::error::Complaint;
-use linkdyn_model::{AnalysisKind, Checked, unheld};
+use linkdyn_model::error::{Complaint, Complaints};
+use linkdyn_model::{Checked, unheld};
 use linkdyn_output::{Column, Quality, Report, Stopwatch, Trajectory};
+use std::fmt;
 use std::sync::Arc;
 
 /// Runs the model's analysis.
 ///
 /// # Errors
-/// Faults of the input: no analysis, a clearance model that the analysis has no place for, missing data, too few or too
-/// many drivers. Everything else ends in the report's status, with what was computed until then.
-pub fn run(model: &Checked, control: &Control) -> Result<Outcome, Vec<Complaint>> {
-    let Some(analysis) = &model.analysis else {
-        return Err(vec![Complaint::new("analysis", "the model says no analysis to run").hint(
-            "add \"analysis\": { \"type\": \"kinematics\", \"end\": 1, \"outputs\": 101 }, or use `linkdyn check`",
-        )]);
-    };
-    // Data or drivers may be missing only because the fixed body has another name.
-    let loose = |mut complaints: Vec<Complaint>| {
-        complaints.extend(unheld(model));
-        complaints
-    };
-    let system = compile(model, analysis.kind).map_err(loose)?;
-    let without_peaks = |(trajectory, report)| (trajectory, Trajectory::default(), report);
-    let outcome = match analysis.kind {
-        AnalysisKind::Assembly => run_assembly(&system).map(without_peaks),
-        // Journals that move freely in their bearings leave the mechanism free to move, however it is driven.
-        AnalysisKind::Kinematics | AnalysisKind::InverseDynamics if system.contacts.is_empty() => {
-            driven::run(&system, analysis, control).map(without_peaks)
-        }
-        AnalysisKind::Kinematics | AnalysisKind::InverseDynamics | AnalysisKind::Dynamics => {
-            question::run(&system, analysis, contents(analysis.kind), control)
-        }
-        AnalysisKind::Statics => statics::run(&system, control).map(without_peaks),
-    };
-    let (trajectory, peaks, mut report) = match outcome {
-        Ok(found) => found,
-        Err(Stop::Input(complaints)) => return Err(loose(complaints)),
-        Err(Stop::Failed { status, message }) => {
-            let trajectory = Recorder::new(&system, contents(analysis.kind), 0).trajectory;
-            // Of no position there is no residual.
-            let quality = Quality {
-                constraint_residual: f64::NAN,
-                ..Quality::default()
-            };
-            let mobility = assembly::counted(&system);
-            without_peaks((
-                trajectory,
-                Report {
-                    status,
-                    message: Some(message),
-                    mobility,
-                    quality,
-                    ..Report::default()
-                },
-            ))
-        }
-    };
-    let (selected, warnings) = trajectory.select(&analysis.columns);
-    report.warnings.extend(warnings);
-    let (trajectory, complete) = match selected {
-        Some(selected) => (selected, Some(trajectory)),
-        None => (trajectory, None),
-    };
-    Ok(Outcome {
-        trajectory,
-        complete,
-        peaks,
-        report,
-        settings: settings(analysis),
-    })
+/// See [`Prepared::new`] and [`Prepared::run`].
+pub fn run(model: &Checked, control: &Control) -> Result<Outcome, Complaints> {
+    Prepared::new(model)?.run(control)
 }
 
-/// The columns of the results of the model's analysis, without running it; none where it says no analysis.
-///
-/// # Errors
-/// Faults of the input that come up when it is compiled.
-pub fn columns(model: &Checked) -> Result<Arc<[Column]>, Vec<Complaint>> {
-    let Some(analysis) = &model.analysis else {
-        return Ok(Arc::new([]));
-    };
-    let system = compile(model, analysis.kind)?;
-    let channels = Channels::new(&system, contents(analysis.kind));
-    Ok(Arc::clone(channels.columns()))
+/// A model compiled for its own analysis. It runs as often as wanted, from any thread.
+pub struct Prepared {
+    system: System,
+    question: Question,
+    /// The analysis as resolved, for the summary.
+    settings: serde_json::Value,
+    /// Data or drivers may be missing only because the fixed body has another name.
+    unheld: Option<Complaint>,
+}
+
+impl fmt::Debug for Prepared {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut debug = f.debug_struct("Prepared");
+        debug.field("question", &self.question);
+        debug.finish_non_exhaustive()
+    }
+}
+
+impl Prepared {
+    /// Compiles a model for its analysis.
+    ///
+    /// # Errors
+    /// Faults of the input: no analysis, a clearance model that the analysis has no place for, missing data.
+    pub fn new(model: &Checked) -> Result<Self, Complaints> {
+        let Some(analysis) = &model.analysis else {
+            return Err(Complaint::new("analysis", "the model says no analysis to run").hint(
+                "add \"analysis\": { \"type\": \"kinematics\", \"end\": 1, \"outputs\": 101 }, or use `linkdyn check`",
+            ).into());
+        };
+        let unheld = unheld(model);
+        let loose = |complaints| with(complaints, unheld.as_ref());
+        let system = compile(model, analysis.kind).map_err(loose)?;
+        let question = Question::new(&system, analysis);
+        Ok(Prepared {
+            question: question.map_err(|complaint| loose(complaint.into()))?,
+            settings: settings(analysis),
+            system,
+            unheld,
+        })
+    }
+
+    /// The columns of the results.
+    pub fn columns(&self) -> Arc<[Column]> {
+        let channels = Channels::new(&self.system, self.question.contents);
+        Arc::clone(channels.columns())
+    }
+
+    /// Runs the analysis.
+    ///
+    /// # Errors
+    /// Faults of the input: too few or too many drivers, what an analysis has no place for. Everything else ends in the
+    /// report's status, with what was computed until then.
+    pub fn run(&self, control: &Control) -> Result<Outcome, Complaints> {
+        let (trajectory, peaks, mut report) = match self.solve(control) {
+            Ok(found) => found,
+            Err(Stop::Input(complaints)) => {
+                return Err(with(complaints.into(), self.unheld.as_ref()));
+            }
+            Err(Stop::Failed { status, message }) => {
+                let trajectory = Recorder::new(&self.system, self.question.contents, 0).trajectory;
+                // Of no position there is no residual.
+                let quality = Quality {
+                    constraint_residual: f64::NAN,
+                    ..Quality::default()
+                };
+                let report = Report {
+                    status,
+                    message: Some(message),
+                    mobility: assembly::counted(&self.system),
+                    quality,
+                    ..Report::default()
+                };
+                (trajectory, Trajectory::default(), report)
+            }
+        };
+        let (selected, warnings) = trajectory.select(&self.question.columns);
+        report.warnings.extend(warnings);
+        let (trajectory, complete) = match selected {
+            Some(selected) => (selected, Some(trajectory)),
+            None => (trajectory, None),
+        };
+        Ok(Outcome {
+            trajectory,
+            complete,
+            peaks,
+            report,
+            settings: self.settings.clone(),
+        })
+    }
+
+    /// The outputs, rows of peaks between them, and how it went.
+    fn solve(&self, control: &Control) -> Result<(Trajectory, Trajectory, Report), Stop> {
+        let (system, question) = (&self.system, &self.question);
+        let without_peaks = |(trajectory, report)| (trajectory, Trajectory::default(), report);
+        let prescribed = || driven::run(system, question.driven(), control).map(without_peaks);
+        match question.kind {
+            Kind::Position => run_assembly(system, question.contents).map(without_peaks),
+            Kind::Prescribed => prescribed(),
+            Kind::Free => {
+                let start = dynamics::Start::of(system)?;
+                if start.is_driven(system) {
+                    return prescribed();
+                }
+                dynamics::run(system, start, &question.dynamics(system)?, control)
+            }
+            Kind::Rest => statics::run(system, question.contents, control).map(without_peaks),
+        }
+    }
+}
+
+/// Complaints with one more.
+fn with(mut complaints: Complaints, more: Option<&Complaint>) -> Complaints {
+    complaints.0.extend(more.cloned());
+    complaints
 }
 
 /// The position at t = 0, with the velocities of least kinetic energy.
-fn run_assembly(system: &System) -> Result<(Trajectory, Report), Stop> {
+fn run_assembly(system: &System, contents: Contents) -> Result<(Trajectory, Report), Stop> {
     let clock = Stopwatch::start();
     let inputs = Inputs::at_time(system, 0.0);
     let assembled = assembly::assemble(system, &inputs)?;
@@ -105,7 +151,7 @@ fn run_assembly(system: &System) -> Result<(Trajectory, Report), Stop> {
     evaluation.set_position(&sample.q);
     evaluation.set_velocity(&sample.v);
     evaluation.eval_phi(system, &inputs);
-    let mut recorder = Recorder::new(system, contents(AnalysisKind::Assembly), 1);
+    let mut recorder = Recorder::new(system, contents, 1);
     recorder.push(system, &evaluation, &inputs, &sample);
     let mut report = Report {
         mobility: assembled.mobility,

@@ -6,7 +6,7 @@
 
 use super::assembly::{Assembled, assemble, check_driven, ranks};
 use super::branch::{leave, singularity};
-use super::contents::contents;
+use super::channels::Contents;
 use super::control::{Control, Stop};
 use super::in_line::singular_text;
 use super::record::Recorder;
@@ -17,7 +17,6 @@ use crate::mechanism::driven::Failure;
 use crate::mechanism::equilibrium::{Balance, Lost, Stability, find};
 use crate::mechanism::held::Held;
 use crate::system::{Inputs, JointData, System};
-use linkdyn_model::AnalysisKind;
 use linkdyn_model::error::Complaint;
 use linkdyn_output::{Equilibrium, Report, Status, Stopwatch, Trajectory};
 
@@ -25,7 +24,11 @@ use linkdyn_output::{Equilibrium, Report, Status, Stopwatch, Trajectory};
 ///
 /// # Errors
 /// Faults of the input, a singular start, and forces without equilibrium.
-pub fn run(system: &System, control: &Control) -> Result<(Trajectory, Report), Stop> {
+pub fn run(
+    system: &System,
+    contents: Contents,
+    control: &Control,
+) -> Result<(Trajectory, Report), Stop> {
     refuse(system)?;
     let watch = Stopwatch::start();
     let (assembled, mut held) = start(system, false)?;
@@ -38,7 +41,7 @@ pub fn run(system: &System, control: &Control) -> Result<(Trajectory, Report), S
 
     let watch = Stopwatch::start();
     let balance = balance(&mut held, &assembled, control)?;
-    let mut recorder = Recorder::new(system, contents(AnalysisKind::Statics), 1);
+    let mut recorder = Recorder::new(system, contents, 1);
     let mut sample = Sample::new(system);
     sample.q.copy_from_slice(&held.q);
     sample.force.copy_from_slice(&held.force);

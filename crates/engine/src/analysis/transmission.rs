@@ -19,13 +19,21 @@ use crate::element::{BodyId, Kinematics, Measure};
 use crate::mechanism::driven::Driven;
 use crate::system::{Inputs, JointRole, System};
 use linkdyn_linear::math::{Vec2, perp};
-use linkdyn_model::Transmission;
 use linkdyn_output::{Channel, Column, Trajectory, TransmissionQuantity};
 
 /// Forces below this part of the largest are none: round-off of the solve.
 const NO_FORCE: f64 = 1e-9;
 /// Velocities below this part of the mechanism's largest are none, for the same reason.
 const NO_MOTION: f64 = 1e-9;
+
+/// From which driver to which moving body motion and force are transmitted, by number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Transmission {
+    /// The driver.
+    pub driver: usize,
+    /// The driven body.
+    pub output: usize,
+}
 
 /// Coordinate of the output: its angle, or its slide along a direction fixed in the ground.
 #[derive(Debug, Clone, Copy)]
@@ -44,29 +52,21 @@ struct Drawn {
     idle: usize,
 }
 
-/// Columns and rows of the transmission that the analysis names, and what there is to say about empty cells.
+/// Columns and rows of a transmission where its driver and body are known, and what there is to say about empty cells.
 ///
 /// # Errors
 /// Why there is none, in a sentence.
 pub fn transmission(
     system: &System,
-    wanted: &Transmission,
+    wanted: Option<Transmission>,
     table: &Trajectory,
 ) -> Result<(Trajectory, Vec<String>), String> {
     let undetermined = || {
         "the drivers alone do not determine the motion, so that there is no transmission"
             .to_string()
     };
-    let driver = match &wanted.driver {
-        Some(name) => system
-            .drivers
-            .iter()
-            .position(|driver| driver.name == *name),
-        None => (system.drivers.len() == 1).then_some(0),
-    };
-    let (Some(driver), Some(output)) = (driver, output(system, &wanted.output)) else {
-        return Err(undetermined());
-    };
+    let Transmission { driver, output } = wanted.ok_or_else(undetermined)?;
+    let output = Output::of(system, output);
     if system.m() < system.n() {
         return Err(undetermined());
     }
@@ -300,27 +300,30 @@ fn fastest(system: &System, at: &Kinematics) -> f64 {
     joints.chain(turning).fold(0.0, f64::max)
 }
 
-/// The output's coordinate: the slide on ground of a body that a prismatic joint holds there, the angle of any other.
-fn output(system: &System, name: &str) -> Option<Output> {
-    let body = system.bodies.iter().position(|body| body.name == name)?;
-    let own = BodyId(body + 1);
-    let slide = system.joints.iter().find_map(|joint| match joint.role {
-        JointRole::Prismatic { axis, .. } if joint.bodies == [BodyId::GROUND, own] => Some(axis),
-        JointRole::Prismatic { axis, angle } if joint.bodies == [own, BodyId::GROUND] => {
-            // The axis is fixed in the moving body, whose angle is −`angle`; it slides back as its axis goes on.
-            let (sin, cos) = (-angle).sin_cos();
-            Some(-Vec2::new(
-                cos * axis.x - sin * axis.y,
-                sin * axis.x + cos * axis.y,
-            ))
-        }
-        JointRole::Revolute
-        | JointRole::Prismatic { .. }
-        | JointRole::Slot { .. }
-        | JointRole::Gear
-        | JointRole::Fixed => None,
-    });
-    Some(Output { body, slide })
+impl Output {
+    /// The slide on ground of a body that a prismatic joint holds there, the angle of any other.
+    fn of(system: &System, body: usize) -> Self {
+        let own = BodyId(body + 1);
+        let slide = system.joints.iter().find_map(|joint| match joint.role {
+            JointRole::Prismatic { axis, .. } if joint.bodies == [BodyId::GROUND, own] => {
+                Some(axis)
+            }
+            JointRole::Prismatic { axis, angle } if joint.bodies == [own, BodyId::GROUND] => {
+                // The axis is fixed in the moving body, whose angle is −`angle`; it slides back as its axis goes on.
+                let (sin, cos) = (-angle).sin_cos();
+                Some(-Vec2::new(
+                    cos * axis.x - sin * axis.y,
+                    sin * axis.x + cos * axis.y,
+                ))
+            }
+            JointRole::Revolute
+            | JointRole::Prismatic { .. }
+            | JointRole::Slot { .. }
+            | JointRole::Gear
+            | JointRole::Fixed => None,
+        });
+        Output { body, slide }
+    }
 }
 
 fn headings(system: &System, driver: usize, output: Output, drawn: &[Drawn]) -> Vec<Column> {

@@ -7,34 +7,46 @@ mod words;
 
 use super::assembly::{assemble, check_driven};
 use super::clearance_link::forces;
-use super::contents::has_reactions;
 use super::control::{Control, Stop};
-use super::instants::instants;
+use super::instants::Instants;
 use super::sample::Sample;
 use crate::element::Measure;
 use crate::mechanism::continuation::{HALF_TURN, Parameter, Path, follow};
 use crate::mechanism::driven::{Driven, Failure};
 use crate::system::{Inputs, JointData, System};
 use linkdyn_model::error::Complaint;
-use linkdyn_model::{Analysis, OutputsAt};
 use linkdyn_output::{Report, Status, Stopwatch, Trajectory};
 use outputs::Outputs;
 use passages::range;
 
-/// Runs the analysis.
+/// What a prescribed motion is asked for.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Settings {
+    /// When there are outputs.
+    pub instants: Instants,
+    /// Located events are outputs, too.
+    pub at_events: bool,
+    /// Forces in joints and efforts of drivers are wanted.
+    pub reactions: bool,
+}
+
+/// Follows the drivers.
 ///
 /// # Errors
 /// Faults of the input, and failures before the first output.
-pub fn run(
+pub(super) fn run(
     system: &System,
-    analysis: &Analysis,
+    settings: Settings,
     control: &Control,
 ) -> Result<(Trajectory, Report), Stop> {
     let clock = Stopwatch::start();
-    let reactions = has_reactions(analysis.kind);
-    let at_events = analysis.outputs_at == OutputsAt::Events;
+    let Settings {
+        instants,
+        at_events,
+        reactions,
+    } = settings;
     refuse(system, reactions, at_events)?;
-    let instants = instants(system, analysis).map_err(Stop::Input)?;
+    let instants = instants.list(system)?;
     let start = Inputs::at_time(system, 0.0);
     let assembled = assemble(system, &start)?;
     check_driven(system, &assembled, &start)?;

@@ -14,7 +14,7 @@ use super::rows::{reach, size, spread};
 use super::{BodyData, Extent, Mass, Origin, OutputPoint, Scale, System};
 use crate::element::{BodyId, Constraint, Layout, Marker, Pose};
 use linkdyn_linear::math::Vec2;
-use linkdyn_model::error::Complaint;
+use linkdyn_model::error::{Complaint, Complaints};
 use linkdyn_model::{AnalysisKind, Body, Checked, GROUND, Model, PointRef};
 use needs::{Joints, missing};
 use std::collections::HashMap;
@@ -24,7 +24,7 @@ use std::sync::Arc;
 ///
 /// # Errors
 /// Data that the analysis needs and the file lacks, all at once.
-pub fn compile(model: &Checked, analysis: AnalysisKind) -> Result<System, Vec<Complaint>> {
+pub fn compile(model: &Checked, analysis: AnalysisKind) -> Result<System, Complaints> {
     let system = lower(model, missing(model, analysis))?;
     Ok(match analysis {
         AnalysisKind::Assembly => system.closed(),
@@ -39,16 +39,16 @@ pub fn compile(model: &Checked, analysis: AnalysisKind) -> Result<System, Vec<Co
 ///
 /// # Errors
 /// Parameters that its joints need and the file lacks.
-pub fn compile_geometry(model: &Checked) -> Result<System, Vec<Complaint>> {
+pub fn compile_geometry(model: &Checked) -> Result<System, Complaints> {
     lower(model, Vec::new())
 }
 
-fn lower(model: &Model, mut complaints: Vec<Complaint>) -> Result<System, Vec<Complaint>> {
+fn lower(model: &Model, mut complaints: Vec<Complaint>) -> Result<System, Complaints> {
     let joints = Joints::new(model, &mut complaints);
     if complaints.is_empty() {
         Ok(Compiler::new(model, joints).build())
     } else {
-        Err(complaints)
+        Err(complaints.into())
     }
 }
 

@@ -1,31 +1,6 @@
-//! What an analysis leaves: the contents of its results, and its settings as resolved.
+//! The analysis as resolved, for the summary.
 
-use super::channels::Contents;
-use linkdyn_model::{AnalysisKind, OutputsAt};
-
-/// Whether joint forces are among the results.
-pub fn has_reactions(kind: AnalysisKind) -> bool {
-    match kind {
-        AnalysisKind::Assembly | AnalysisKind::Kinematics => false,
-        AnalysisKind::InverseDynamics | AnalysisKind::Dynamics | AnalysisKind::Statics => true,
-    }
-}
-
-/// What an analysis leaves in the results.
-pub fn contents(kind: AnalysisKind) -> Contents {
-    let (velocities, accelerations) = match kind {
-        AnalysisKind::Assembly => (true, false),
-        AnalysisKind::Kinematics | AnalysisKind::InverseDynamics | AnalysisKind::Dynamics => {
-            (true, true)
-        }
-        AnalysisKind::Statics => (false, false),
-    };
-    Contents {
-        velocities,
-        accelerations,
-        reactions: has_reactions(kind),
-    }
-}
+use linkdyn_model::{Analysis, AnalysisKind, OutputsAt};
 
 /// An analysis as the file calls it.
 fn kind_word(kind: AnalysisKind) -> &'static str {
@@ -39,7 +14,7 @@ fn kind_word(kind: AnalysisKind) -> &'static str {
 }
 
 /// The analysis as resolved, for the summary.
-pub fn settings(analysis: &linkdyn_model::Analysis) -> serde_json::Value {
+pub(super) fn settings(analysis: &Analysis) -> serde_json::Value {
     let solver = &analysis.solver;
     let mut json = serde_json::json!({
         "type": kind_word(analysis.kind),
