@@ -5,15 +5,15 @@
 //! not reproduced is a finding; only what must hold and does not is a fault.
 
 mod cases;
-pub mod flores_slider_crank;
-pub mod four_bar_spring;
-pub mod journal_billiard;
-pub mod lock;
+mod flores_slider_crank;
+mod four_bar_spring;
+mod journal_billiard;
+mod lock;
 pub mod reference;
-pub mod restitution;
-pub mod slider_crank_clearance;
+mod restitution;
+mod slider_crank_clearance;
 pub mod table;
-pub mod tolerance_ladder;
+mod tolerance_ladder;
 
 use std::path::{Path, PathBuf};
 
@@ -29,7 +29,9 @@ pub use cases::CASES;
 /// One case.
 #[derive(Debug, Clone, Copy)]
 pub struct Case {
+    /// As `linkdyn validate` calls it.
     pub name: &'static str,
+    /// Where its claims come from.
     pub kind: CaseKind,
 }
 
@@ -38,7 +40,9 @@ pub struct Case {
 pub enum CaseKind {
     /// A function, with a line about it.
     Coded {
+        /// What it shows, in a line.
         about: &'static str,
+        /// The function.
         run: fn(&Setting) -> Result<CaseReport, CaseError>,
     },
     /// A model and a table of what it must give.
@@ -50,6 +54,7 @@ pub enum CaseKind {
 pub struct Setting {
     /// Directory of this case for the files it may write.
     pub output: Option<PathBuf>,
+    /// Interrupts and deadlines.
     pub control: Control,
 }
 
@@ -58,6 +63,7 @@ pub struct Setting {
 pub struct CaseReport {
     /// Tables and words for people, above the claims; may be empty.
     pub text: String,
+    /// What was compared.
     pub claims: Vec<Claim>,
 }
 
@@ -66,15 +72,20 @@ pub struct CaseReport {
 pub struct Claim {
     /// What is compared, with its unit.
     pub what: String,
+    /// Of the source.
     pub reference: String,
+    /// Of linkdyn.
     pub ours: String,
+    /// How far they are apart, beside what is allowed.
     pub difference: String,
+    /// What follows.
     pub verdict: Verdict,
 }
 
 /// What follows from a comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
+    /// Within the tolerance.
     Agrees,
     /// A claim that is not reproduced, without a fault of ours in it.
     Finding,
@@ -145,8 +156,10 @@ pub enum CaseError {
     /// The case itself can't be run: a fault of ours.
     #[error("{0}")]
     Broken(String),
+    /// The user interrupts.
     #[error("interrupted")]
     Interrupted,
+    /// A file can't be written.
     #[error(transparent)]
     Write(#[from] WriteError),
 }

@@ -15,9 +15,9 @@
 
 pub mod analysis;
 pub mod contact;
-pub mod element;
-pub mod graph;
+mod element;
+mod graph;
 pub mod integrate;
 pub mod mechanism;
-pub mod motion;
+mod motion;
 pub mod system;

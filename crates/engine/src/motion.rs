@@ -24,9 +24,13 @@ pub enum Law {
     Polynomial(Vec<f64>),
     /// o + A sin(2π ν t + φ).
     Harmonic {
+        /// o, in the unit of the value.
         offset: f64,
+        /// A, in the unit of the value.
         amplitude: f64,
+        /// ν \[Hz\].
         frequency: f64,
+        /// φ \[rad\].
         phase: f64,
     },
     /// A table.

@@ -34,7 +34,12 @@ pub struct Dense {
 pub enum DenseFault {
     /// An entry is infinite or no number.
     #[error("entry in row {row}, column {column} is not finite")]
-    NotFinite { row: usize, column: usize },
+    NotFinite {
+        /// Its row.
+        row: usize,
+        /// Its column.
+        column: usize,
+    },
     /// The iteration for singular values does not end.
     #[error("singular values did not converge")]
     NoConvergence,

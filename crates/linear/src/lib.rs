@@ -24,14 +24,14 @@ pub mod dense;
 pub mod eigen;
 pub mod hermite;
 pub mod lu;
-pub mod matching;
+mod matching;
 pub mod math;
 pub mod order;
 pub mod pattern;
 pub mod rank;
 pub mod redundancy;
 pub mod small;
-pub mod triangle;
+mod triangle;
 
 #[cfg(test)]
 #[path = "../../../tests/common/linkage.rs"]

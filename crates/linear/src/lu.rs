@@ -101,7 +101,6 @@ pub struct SparseLu {
     permutation_sign: f64,
     factored: bool,
     growth: f64,
-    factorisations: usize,
     fallbacks: usize,
     /// Column being eliminated; zero between uses.
     column: Vec<f64>,
@@ -137,7 +136,6 @@ impl SparseLu {
             permutation_sign: 1.0,
             factored: false,
             growth: 0.0,
-            factorisations: 0,
             fallbacks: 0,
             column: vec![0.0; n],
             vector: vec![0.0; n],
@@ -309,11 +307,6 @@ impl SparseLu {
     /// Largest entry of L in the last factorisation.
     pub fn growth(&self) -> f64 {
         self.growth
-    }
-
-    /// How often pivots were chosen.
-    pub fn factorisations(&self) -> usize {
-        self.factorisations
     }
 
     /// How often a refactorisation found the kept pivots bad.

@@ -33,7 +33,7 @@ pub struct Matching {
 
 impl Matching {
     /// A maximum matching of the pattern, preferring large values.
-    pub fn maximum(pattern: &Pattern, values: &[f64]) -> Self {
+    pub(crate) fn maximum(pattern: &Pattern, values: &[f64]) -> Self {
         let mut matching = Matching::empty(pattern);
         matching.complete(pattern, values);
         matching
@@ -88,30 +88,16 @@ impl Matching {
     }
 
     /// Partner of a column.
-    pub fn row_of(&self, column: usize) -> Option<usize> {
+    pub(crate) fn row_of(&self, column: usize) -> Option<usize> {
         let row = self.row_of_column[column];
         (row != NONE).then_some(row as usize)
-    }
-
-    /// Partner of a row.
-    pub fn column_of(&self, row: usize) -> Option<usize> {
-        let column = self.column_of_row[row];
-        (column != NONE).then_some(column as usize)
-    }
-
-    /// Number of pairs.
-    pub fn structural_rank(&self) -> usize {
-        self.row_of_column
-            .iter()
-            .filter(|&&row| row != NONE)
-            .count()
     }
 
     /// Whether every row and every column has a partner.
     ///
     /// # Errors
     /// The ones without.
-    pub fn check_perfect(&self) -> Result<(), Unmatched> {
+    pub(crate) fn check_perfect(&self) -> Result<(), Unmatched> {
         let lonely = |partners: &[u32]| -> Vec<usize> {
             (0..partners.len())
                 .filter(|&i| partners[i] == NONE)
@@ -247,7 +233,6 @@ mod tests {
         let pattern = Pattern::new(2, vec![0, 2, 3], vec![0, 1, 0]).unwrap();
         let matching = Matching::maximum(&pattern, &[1.0, 0.0, 1.0]);
         assert_eq!((matching.row_of(0), matching.row_of(1)), (Some(1), Some(0)));
-        assert_eq!(matching.column_of(1), Some(0));
         assert_eq!(matching.check_perfect(), Ok(()));
     }
 
@@ -256,7 +241,6 @@ mod tests {
         // Columns 0 and 2 both live on row 1 alone; row 0 is empty.
         let pattern = Pattern::new(3, vec![0, 1, 3, 4], vec![1, 1, 2, 1]).unwrap();
         let matching = Matching::maximum(&pattern, &[1.0; 4]);
-        assert_eq!(matching.structural_rank(), 2);
         assert_eq!(
             matching.check_perfect(),
             Err(Unmatched {

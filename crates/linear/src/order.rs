@@ -2,7 +2,7 @@
 //!
 //! Fill-in is what a factorisation costs. Approximate minimum degree (Amestoy, Davis & Duff, SIAM J. Matrix Anal. Appl.
 //! 17, 1996; faer's implementation) keeps it low when pivots lie on the diagonal. Constraint Jacobians and KKT matrices
-//! have zeros there, so rows are first paired with columns through large entries ([`Matching`]), and the degree is
+//! have zeros there, so rows are first paired with columns through large entries (`matching`), and the degree is
 //! counted on
 //!
 //! ```text
@@ -137,13 +137,8 @@ impl ColumnOrder {
     }
 
     /// Number of columns.
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.columns.len()
-    }
-
-    /// Whether there are no columns.
-    pub fn is_empty(&self) -> bool {
-        self.columns.is_empty()
     }
 
     /// Column eliminated at each step.
@@ -366,10 +361,7 @@ mod tests {
         let pattern = Pattern::new(3, vec![0, 1, 3, 3], vec![0, 1, 2]).unwrap();
         let fault = ColumnOrder::paired(&pattern, &[1.0; 3]).unwrap_err();
         assert_eq!((fault.rows, fault.columns), (vec![2], vec![2]));
-        assert!(
-            ColumnOrder::paired(&Pattern::new(0, vec![0], vec![]).unwrap(), &[])
-                .unwrap()
-                .is_empty()
-        );
+        let empty = Pattern::new(0, vec![0], vec![]).unwrap();
+        assert_eq!(ColumnOrder::paired(&empty, &[]).unwrap().len(), 0);
     }
 }

@@ -25,7 +25,12 @@ pub enum PatternFault {
     Starts,
     /// Rows out of order or range.
     #[error("column {column}: rows must increase strictly and stay below {rows}")]
-    Rows { column: usize, rows: usize },
+    Rows {
+        /// The first such column.
+        column: usize,
+        /// Rows of the pattern.
+        rows: usize,
+    },
     /// Indices of 32 bits are not enough.
     #[error("more than 2^32 - 2 rows, columns or entries")]
     TooLarge,
@@ -124,19 +129,19 @@ impl Pattern {
     }
 
     /// Slots of one column's values.
-    pub fn span(&self, column: usize) -> std::ops::Range<usize> {
+    pub(crate) fn span(&self, column: usize) -> std::ops::Range<usize> {
         self.start[column] as usize..self.start[column + 1] as usize
     }
 
     /// Slot of the entry at (`row`, `column`), where there is one.
-    pub fn slot(&self, row: usize, column: usize) -> Option<usize> {
+    pub(crate) fn slot(&self, row: usize, column: usize) -> Option<usize> {
         let row = u32::try_from(row).ok()?;
         let within = self.column(column).binary_search(&row).ok()?;
         Some(self.start[column] as usize + within)
     }
 
     /// The pattern of the transpose, and for each of its entries the slot here.
-    pub fn transposed(&self) -> (Pattern, Vec<u32>) {
+    pub(crate) fn transposed(&self) -> (Pattern, Vec<u32>) {
         let mut start = vec![0u32; self.rows + 1];
         for &row in &self.row {
             start[row as usize + 1] += 1;
@@ -166,7 +171,7 @@ impl Pattern {
     }
 
     /// result −= A x.
-    pub fn subtract_product(&self, values: &[f64], x: &[f64], result: &mut [f64]) {
+    pub(crate) fn subtract_product(&self, values: &[f64], x: &[f64], result: &mut [f64]) {
         assert_eq!(
             (values.len(), x.len(), result.len()),
             (self.entries(), self.columns(), self.rows)
@@ -180,7 +185,12 @@ impl Pattern {
     }
 
     /// result −= Aᵀ x.
-    pub fn subtract_transposed_product(&self, values: &[f64], x: &[f64], result: &mut [f64]) {
+    pub(crate) fn subtract_transposed_product(
+        &self,
+        values: &[f64],
+        x: &[f64],
+        result: &mut [f64],
+    ) {
         assert_eq!(
             (values.len(), x.len(), result.len()),
             (self.entries(), self.rows, self.columns())

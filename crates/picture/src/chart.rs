@@ -28,6 +28,7 @@ pub struct Axis {
     pub name: String,
     /// Unit as in results, `rad/s`; none for a number without.
     pub unit: String,
+    /// Whether it is logarithmic.
     pub log: bool,
     /// Low and high end; left out: what the values take.
     pub range: Option<[f64; 2]>,
@@ -50,7 +51,9 @@ impl Axis {
 pub struct Curve {
     /// Its text in the legend; curves of the same text in several panels share a style and an entry.
     pub label: String,
+    /// Values along the x axis.
     pub x: Vec<f64>,
+    /// Values along the y axis, one for each of `x`.
     pub y: Vec<f64>,
 }
 
@@ -68,13 +71,16 @@ impl Curve {
 /// Curves over one y axis.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Panel {
+    /// Its y axis.
     pub axis: Axis,
+    /// What is drawn in it.
     pub curves: Vec<Curve>,
 }
 
 /// A thin vertical line through all panels.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mark {
+    /// Where it stands, in the unit of the x axis.
     pub x: f64,
     /// Beside its upper end; may be empty.
     pub label: String,
@@ -83,18 +89,23 @@ pub struct Mark {
 /// A figure of curves.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chart {
+    /// What it shows, above it.
     pub title: String,
     /// Small text below, for what a reader of the figure alone should know.
     pub note: String,
+    /// The axis that all panels share.
     pub x: Axis,
+    /// From above to below.
     pub panels: Vec<Panel>,
+    /// Through all panels.
     pub marks: Vec<Mark>,
+    /// Whether there are lines at the numbers of the axes.
     pub grid: bool,
     /// Width and height of the page \[mm\]; left out: one column wide, higher with more panels and longer legends.
     pub size_mm: [Option<f64>; 2],
-    /// \[pt\]
+    /// Size of the font \[pt\].
     pub font_size: f64,
-    /// \[pt\]
+    /// Width of the curves \[pt\].
     pub line_width: f64,
 }
 

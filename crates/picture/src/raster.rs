@@ -12,7 +12,9 @@ use super::scene::{
 /// A picture, opaque.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Picture {
+    /// Pixels in a row.
     pub width: u32,
+    /// Rows.
     pub height: u32,
     /// Red, green, blue of every pixel, row by row.
     pub rgb: Vec<u8>,

@@ -9,8 +9,9 @@ pub type Place = [f64; 2];
 /// A colour and how much it covers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ink {
+    /// Red, green, blue.
     pub rgb: [u8; 3],
-    /// 0 … 1
+    /// How much it covers, 0 … 1.
     pub alpha: f64,
 }
 
@@ -37,8 +38,9 @@ impl Ink {
 /// How a line is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pen {
+    /// Its colour.
     pub ink: Ink,
-    /// \[pt\]
+    /// Width of the line \[pt\].
     pub width: f64,
     /// Lengths of dashes and gaps in turn, in widths of the line; empty: solid.
     pub dash: &'static [f64],
@@ -58,14 +60,18 @@ impl Pen {
 /// Where a text's place is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {
+    /// At its left end.
     Start,
+    /// In its middle.
     Middle,
+    /// At its right end.
     End,
 }
 
 /// A piece of a text.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Run {
+    /// Its letters.
     pub text: String,
     /// An exponent: smaller and higher.
     pub raised: bool,
@@ -89,38 +95,62 @@ impl Run {
     }
 }
 
-/// Size of a raised run, and how far its baseline lies above, both as parts of the font size.
+/// Size of a raised run, as a part of the font size.
 pub const RAISED_SIZE: f64 = 0.7;
+/// How far the baseline of a raised run lies above, as a part of the font size.
 pub const RAISED_BY: f64 = 0.35;
 
 /// Something on the page; `class` says what it is, to whoever edits or tests the SVG.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Item {
+    /// Straight from place to place.
     Line {
+        /// What it is.
         class: &'static str,
+        /// Its corners.
         places: Vec<Place>,
+        /// How it is drawn.
         pen: Pen,
     },
+    /// What places enclose.
     Area {
+        /// What it is.
         class: &'static str,
+        /// Its corners.
         places: Vec<Place>,
+        /// What it is filled with.
         fill: Option<Ink>,
+        /// How its edge is drawn.
         pen: Option<Pen>,
     },
+    /// A circle.
     Circle {
+        /// What it is.
         class: &'static str,
+        /// Its centre.
         centre: Place,
+        /// Its radius \[pt\].
         radius: f64,
+        /// What it is filled with.
         fill: Option<Ink>,
+        /// How its edge is drawn.
         pen: Option<Pen>,
     },
+    /// A text on one line.
     Label {
+        /// What it is.
         class: &'static str,
+        /// Where its anchor stands.
         at: Place,
+        /// Its pieces, one after the other.
         runs: Vec<Run>,
+        /// Size of the font \[pt\].
         size: f64,
+        /// What stands at its place.
         anchor: Anchor,
+        /// Whether it reads upwards.
         turned: bool,
+        /// Its colour.
         ink: Ink,
     },
 }
@@ -128,12 +158,15 @@ pub enum Item {
 /// A page.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Scene {
-    /// \[pt\]
+    /// Width \[pt\].
     pub width: f64,
+    /// Height \[pt\].
     pub height: f64,
     /// What it shows, for those who can't see it.
     pub title: String,
+    /// What it shows in a sentence or two, for the same readers.
     pub about: String,
+    /// What is drawn, from below to above.
     pub items: Vec<Item>,
 }
 

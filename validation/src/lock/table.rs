@@ -1,7 +1,7 @@
 //! The paper's table: absolute deviations from the ideal mechanism over the stroke, at several output steps.
 
 use super::document::broken;
-use super::models::{Found, Quantity, RADII, Request, STEPS, Stroke};
+use super::models::{Quantity, RADII, Request, STEPS, Stroke};
 use crate::CaseError;
 use crate::table::Table;
 use linkdyn_engine::analysis::Control;
@@ -219,11 +219,6 @@ fn range(ideal: &Stroke, quantity: Quantity) -> f64 {
         },
     );
     high - low
-}
-
-/// Instants of a stroke without assembly, and without a fixed point that was met.
-pub fn left_over(stroke: &Stroke) -> [usize; 2] {
-    [stroke.count(Found::Nothing), stroke.count(Found::LastPass)]
 }
 
 #[cfg(test)]

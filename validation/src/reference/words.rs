@@ -9,13 +9,19 @@ use crate::Verdict;
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CaseWords {
+    /// What it shows, in a line.
     pub about: String,
+    /// Who measured or computed it.
     pub source: String,
+    /// Name of a bundled model, or a model.
     pub model: Value,
+    /// `PATH=VALUE`, put over the model.
     #[serde(default)]
     pub set: Vec<String>,
+    /// How columns are compared, one by one.
     #[serde(default)]
     pub compare: Vec<Compare>,
+    /// How they are compared by their units.
     #[serde(default)]
     pub tolerance: Option<Tolerance>,
 }
@@ -33,10 +39,15 @@ impl CaseWords {
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Tolerance {
+    /// Of lengths and angles.
     pub position: f64,
+    /// Of their rates.
     pub velocity: f64,
+    /// Of the rates of these.
     pub acceleration: f64,
+    /// Of forces, torques and energies.
     pub force: f64,
+    /// Of efforts of drivers.
     pub effort: f64,
 }
 
@@ -77,14 +88,18 @@ impl Tolerance {
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Compare {
+    /// Name of the column, or a pattern with `*`.
     pub column: String,
+    /// Relative to the largest magnitude of the reference [–].
     #[serde(default)]
     pub tolerance_relative: f64,
+    /// Added to it \[SI\].
     #[serde(default)]
     pub tolerance_absolute: f64,
     /// What the relative tolerance is relative to at least \[SI\].
     #[serde(default)]
     pub scale_at_least: f64,
+    /// What a larger difference is.
     #[serde(default)]
     pub verdict: OnDifference,
 }
@@ -93,8 +108,10 @@ pub struct Compare {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum OnDifference {
+    /// What must hold and does not.
     #[default]
     Fault,
+    /// A claim that is not reproduced, without a fault of ours in it.
     Finding,
 }
 

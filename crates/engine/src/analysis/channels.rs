@@ -9,8 +9,7 @@ use super::sample::Sample;
 use crate::element::Measure;
 use crate::system::{Evaluation, Inputs, JointData, System};
 use linkdyn_output::{
-    BodyQuantity, Channel, Column, ColumnId, DriverQuantity, EnergyQuantity, JointQuantity,
-    PointQuantity,
+    BodyQuantity, Channel, Column, DriverQuantity, EnergyQuantity, JointQuantity, PointQuantity,
 };
 use std::sync::Arc;
 
@@ -80,12 +79,6 @@ impl Channels {
     /// Headings: name, unit and channel of each column.
     pub fn columns(&self) -> &Arc<[Column]> {
         &self.columns
-    }
-
-    /// The column of that name, given with or without its `[unit]`.
-    pub fn id(&self, name: &str) -> Option<ColumnId> {
-        let is_it = |column: &Column| column.is_called(name);
-        self.columns.iter().position(is_it).map(ColumnId::at)
     }
 
     /// Appends the row of a sample, at whose position and velocity the evaluation is.

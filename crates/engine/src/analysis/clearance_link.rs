@@ -31,15 +31,19 @@ const SHORTEST: f64 = 1e-8;
 /// How an instant went.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Fixpoint {
+    /// The directions are those of the forces.
     Converged {
+        /// Passes that it took.
         passes: usize,
     },
     /// The last pass moved a coordinate by this much [m or rad].
     NotConverged {
+        /// Largest change of a coordinate [m or rad].
         change: f64,
     },
     /// No assembly on the branch of the ideal mechanism, found in this pass.
     NoSolution {
+        /// Number of the pass.
         pass: usize,
     },
 }

@@ -66,26 +66,46 @@ pub enum Law {
     /// Smooth surfaces.
     None,
     /// μ and v_t.
-    Coulomb { coefficient: f64, threshold: f64 },
+    Coulomb {
+        /// μ [–].
+        coefficient: f64,
+        /// v_t [m/s].
+        threshold: f64,
+    },
     /// μ, v₀ and v₁ > v₀ ≥ 0.
     Ambrosio {
+        /// μ [–].
         coefficient: f64,
+        /// v₀ [m/s].
         lower: f64,
+        /// v₁ [m/s].
         upper: f64,
     },
     /// μ and v_t.
-    Threlfall { coefficient: f64, threshold: f64 },
+    Threlfall {
+        /// μ [–].
+        coefficient: f64,
+        /// v_t [m/s].
+        threshold: f64,
+    },
     /// μ(s), v_t and σ₂.
     Stribeck {
+        /// μ(s).
         decay: Decay,
+        /// v_t [m/s].
         threshold: f64,
+        /// σ₂ [N·s/m].
         viscous: f64,
     },
     /// g(s), σ₀, σ₁ and σ₂.
     Lugre {
+        /// g(s).
         decay: Decay,
+        /// σ₀ [N/m].
         stiffness: f64,
+        /// σ₁ [N·s/m].
         damping: f64,
+        /// σ₂ [N·s/m].
         viscous: f64,
     },
 }

@@ -17,8 +17,8 @@
 //!
 //! No law remembers anything: δ̇₀ and the bristles' deflection belong to whoever integrates.
 
-pub mod friction;
-pub mod impact;
+pub(crate) mod friction;
+pub(crate) mod impact;
 pub mod normal;
 
 /// A normal force with its derivatives.

@@ -86,10 +86,18 @@ pub struct Limits {
 pub enum StepFailure {
     /// The error estimate (or Newton's iteration) rejects even the step h.
     #[error("at t = {t}: the tolerances ask for steps shorter than {h:e}")]
-    TooSmall { t: f64, h: f64 },
+    TooSmall {
+        /// Where the steps end.
+        t: f64,
+        /// The step that was rejected last.
+        h: f64,
+    },
     /// The right-hand side refuses points however close.
     #[error("at t = {t}: the equations can't be evaluated any further")]
-    Refused { t: f64 },
+    Refused {
+        /// Where the steps end.
+        t: f64,
+    },
 }
 
 /// Work since the stepper was made.

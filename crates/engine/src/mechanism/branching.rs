@@ -91,11 +91,6 @@ impl<'s> Singularity<'s> {
         Ok(curved.then_some(here))
     }
 
-    /// Motions that the rows do not forbid at first order.
-    pub fn motions(&self) -> usize {
-        self.motions.len()
-    }
-
     /// The branches, first the one in which most of the scaled direction `wanted` (n) lies; of equal ones that whose bodies
     /// turn most alike.
     pub fn branches(&mut self, wanted: &[f64]) -> Vec<Branch> {

@@ -54,7 +54,10 @@ pub struct Balance {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Lost {
     /// The search ended without; the pull left, relative to the largest force [–].
-    Unbalanced { residual: f64 },
+    Unbalanced {
+        /// The pull left, relative to the largest force [–].
+        residual: f64,
+    },
     /// The forces pull against a position that can't be passed.
     Blocked,
     /// The position can't be solved any more.

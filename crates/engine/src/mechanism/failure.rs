@@ -24,7 +24,7 @@ pub enum Failure {
     /// A force that depends on multipliers grows beyond all bounds with them.
     #[error("force {force} grows beyond all bounds with what it depends on")]
     Locked {
-        /// Index into [`System::dependent_forces`](crate::system::System::dependent_forces).
+        /// Number of the force, among those that depend on constraints.
         force: usize,
     },
 }

@@ -16,16 +16,16 @@
 //! continuation      the path of a driven mechanism, branch-safe, with its singular positions
 //! ```
 
-pub mod branching;
-pub mod closing;
+pub(crate) mod branching;
+pub(crate) mod closing;
 pub mod continuation;
-pub mod dependent_forces;
+pub(crate) mod dependent_forces;
 pub mod driven;
-pub mod equilibrium;
-pub mod failure;
-pub mod held;
-pub mod least_velocity;
-pub mod parts;
-pub mod phases;
+pub(crate) mod equilibrium;
+pub(crate) mod failure;
+pub(crate) mod held;
+pub(crate) mod least_velocity;
+pub(crate) mod parts;
+pub(crate) mod phases;
 mod pins;
 pub mod reduced;

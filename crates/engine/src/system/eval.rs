@@ -2,9 +2,9 @@
 
 use super::System;
 use crate::element::journal::{Contact, ContactId, Reading};
-use crate::element::{Applied, BodyId, Kinematics, Layout, Pose, Twist};
+use crate::element::{Applied, Kinematics, Layout, Pose, Twist};
 use crate::motion::Jet;
-use linkdyn_linear::math::{Vec2, dot};
+use linkdyn_linear::math::Vec2;
 
 /// What is prescribed from outside at an instant: drivers and clearance links, each with two derivatives, and what the
 /// contacts remember.
@@ -13,13 +13,13 @@ pub struct Inputs {
     /// Values of the drivers.
     pub drive: Vec<Jet>,
     /// Offsets of the clearance links [m, m/s, m/s²].
-    pub offset: Vec<[Vec2; 3]>,
+    pub(crate) offset: Vec<[Vec2; 3]>,
     /// What the contacts remember.
-    pub contacts: Vec<Contact>,
+    pub(crate) contacts: Vec<Contact>,
     /// What the forces that depend on multipliers remember.
-    pub memories: Vec<f64>,
+    pub(crate) memories: Vec<f64>,
     /// \[s\]
-    pub time: f64,
+    pub(crate) time: f64,
 }
 
 impl Inputs {
@@ -31,7 +31,7 @@ impl Inputs {
     }
 
     /// Everything zero.
-    pub fn still(system: &System) -> Self {
+    pub(crate) fn still(system: &System) -> Self {
         Inputs {
             drive: vec![[0.0; 3]; system.drivers.len()],
             offset: vec![[Vec2::zeros(); 3]; system.links],
@@ -42,7 +42,7 @@ impl Inputs {
     }
 
     /// Evaluates the drivers' laws.
-    pub fn set_time(&mut self, system: &System, time: f64) {
+    pub(crate) fn set_time(&mut self, system: &System, time: f64) {
         self.time = time;
         for (jet, driver) in self.drive.iter_mut().zip(&system.drivers) {
             *jet = driver.law.jet(time);
@@ -59,7 +59,7 @@ pub struct Evaluation {
     /// φ (m)
     pub phi: Vec<f64>,
     /// Values of [`System::entries`], plus one cell that takes what belongs nowhere.
-    pub jacobian: Vec<f64>,
+    pub(crate) jacobian: Vec<f64>,
 }
 
 impl Evaluation {
@@ -76,7 +76,7 @@ impl Evaluation {
     }
 
     /// What the elements may look at.
-    pub fn kinematics<'a>(&'a self, inputs: &'a Inputs) -> Kinematics<'a> {
+    pub(crate) fn kinematics<'a>(&'a self, inputs: &'a Inputs) -> Kinematics<'a> {
         Kinematics {
             poses: &self.poses,
             twists: &self.twists,
@@ -95,7 +95,7 @@ impl Evaluation {
     }
 
     /// Takes the velocities (n).
-    pub fn set_velocity(&mut self, v: &[f64]) {
+    pub(crate) fn set_velocity(&mut self, v: &[f64]) {
         for (twist, columns) in self.twists[1..].iter_mut().zip(self.layout.bodies()) {
             let [x, y, omega] = columns.read(v);
             *twist = Twist {
@@ -130,7 +130,7 @@ impl Evaluation {
     }
 
     /// φ_t (m).
-    pub fn eval_rate(&self, system: &System, inputs: &Inputs, phi_t: &mut [f64]) {
+    pub(crate) fn eval_rate(&self, system: &System, inputs: &Inputs, phi_t: &mut [f64]) {
         let at = self.kinematics(inputs);
         for block in &system.blocks {
             block
@@ -140,7 +140,7 @@ impl Evaluation {
     }
 
     /// γ (m) at the velocity taken.
-    pub fn eval_gamma(&self, system: &System, inputs: &Inputs, gamma: &mut [f64]) {
+    pub(crate) fn eval_gamma(&self, system: &System, inputs: &Inputs, gamma: &mut [f64]) {
         let at = self.kinematics(inputs);
         for block in &system.blocks {
             block
@@ -150,7 +150,7 @@ impl Evaluation {
     }
 
     /// Q (n): gravity, springs, loads, contacts.
-    pub fn eval_force(&self, system: &System, inputs: &Inputs, q_force: &mut [f64]) {
+    pub(crate) fn eval_force(&self, system: &System, inputs: &Inputs, q_force: &mut [f64]) {
         let gravity = [system.gravity.x, system.gravity.y];
         system.mass.weigh(&system.layout, gravity, q_force);
         let at = self.kinematics(inputs);
@@ -164,12 +164,12 @@ impl Evaluation {
     }
 
     /// A contact at the position and velocity taken.
-    pub fn contact(&self, system: &System, inputs: &Inputs, id: ContactId) -> Reading {
+    pub(crate) fn contact(&self, system: &System, inputs: &Inputs, id: ContactId) -> Reading {
         system.contacts[id.0].read(&self.kinematics(inputs), &inputs.contacts[id.0])
     }
 
     /// Elastic energy of all contacts \[J\].
-    pub fn contact_energy(&self, system: &System, inputs: &Inputs) -> f64 {
+    pub(crate) fn contact_energy(&self, system: &System, inputs: &Inputs) -> f64 {
         let at = self.kinematics(inputs);
         system
             .contacts
@@ -180,18 +180,18 @@ impl Evaluation {
     }
 
     /// Power that force elements bring in beside their potential \[W\].
-    pub fn supplied(&self, system: &System, inputs: &Inputs) -> f64 {
+    pub(crate) fn supplied(&self, system: &System, inputs: &Inputs) -> f64 {
         let at = self.kinematics(inputs);
         system.forces.iter().map(|force| force.supplied(&at)).sum()
     }
 
     /// Kinetic energy ½ vᵀ M v \[J\].
-    pub fn kinetic_energy(&self, system: &System, v: &[f64]) -> f64 {
+    pub(crate) fn kinetic_energy(&self, system: &System, v: &[f64]) -> f64 {
         system.mass.kinetic_energy(v)
     }
 
     /// Potential energy of gravity (zero at the ground's origin) and springs \[J\].
-    pub fn potential_energy(&self, system: &System, inputs: &Inputs) -> f64 {
+    pub(crate) fn potential_energy(&self, system: &System, inputs: &Inputs) -> f64 {
         let at = self.kinematics(inputs);
         let weight: f64 = self.poses[1..]
             .iter()
@@ -206,13 +206,8 @@ impl Evaluation {
                 .sum::<f64>()
     }
 
-    /// Place of a body.
-    pub fn pose(&self, body: BodyId) -> &Pose {
-        &self.poses[body.0]
-    }
-
     /// out = Jᵀ x by the entry list.
-    pub fn transposed_product(&self, system: &System, x: &[f64], out: &mut [f64]) {
+    pub(crate) fn transposed_product(&self, system: &System, x: &[f64], out: &mut [f64]) {
         out.fill(0.0);
         for (entry, value) in system.entries.iter().zip(&self.jacobian) {
             if let Some(column) = entry.column {
@@ -229,10 +224,5 @@ impl Evaluation {
                 out[entry.row as usize] += value * x[column as usize];
             }
         }
-    }
-
-    /// Power of all forces but constraints, Qᵀ v \[W\].
-    pub fn power(q_force: &[f64], v: &[f64]) -> f64 {
-        dot(q_force, v)
     }
 }

@@ -16,42 +16,42 @@ pub struct Mass {
 
 impl Mass {
     /// Adds a rigid body behind those that are there; unknown masses and inertias are zero [kg, kg·m²].
-    pub fn push_rigid(&mut self, mass: f64, inertia: f64) {
+    pub(crate) fn push_rigid(&mut self, mass: f64, inertia: f64) {
         self.diagonal.extend([mass, mass, inertia]);
     }
 
     /// Adds the block that a body has in another matrix.
-    pub fn push_block_of(&mut self, other: &Mass, columns: BodyColumns) {
+    pub(crate) fn push_block_of(&mut self, other: &Mass, columns: BodyColumns) {
         self.diagonal
             .extend_from_slice(&other.diagonal[columns.range()]);
     }
 
     /// Mass of a body \[kg\].
-    pub fn of_body(&self, columns: BodyColumns) -> f64 {
+    pub(crate) fn of_body(&self, columns: BodyColumns) -> f64 {
         self.diagonal[columns.x()]
     }
 
     /// Diagonal of M (n): how heavy each coordinate is.
-    pub fn diagonal(&self) -> &[f64] {
+    pub(crate) fn diagonal(&self) -> &[f64] {
         &self.diagonal
     }
 
     /// out = x − M y (n).
-    pub fn residual(&self, x: &[f64], y: &[f64], out: &mut [f64]) {
+    pub(crate) fn residual(&self, x: &[f64], y: &[f64], out: &mut [f64]) {
         for (((out, x), y), m) in out.iter_mut().zip(x).zip(y).zip(&self.diagonal) {
             *out = x - m * y;
         }
     }
 
     /// out −= M (factor y) (n).
-    pub fn subtract(&self, factor: f64, y: &[f64], out: &mut [f64]) {
+    pub(crate) fn subtract(&self, factor: f64, y: &[f64], out: &mut [f64]) {
         for ((out, y), m) in out.iter_mut().zip(y).zip(&self.diagonal) {
             *out -= m * factor * y;
         }
     }
 
     /// Components of M x that are not zero, with their columns, ascending.
-    pub fn momenta(&self, x: &[f64]) -> impl Iterator<Item = (usize, f64)> {
+    pub(crate) fn momenta(&self, x: &[f64]) -> impl Iterator<Item = (usize, f64)> {
         x.iter()
             .zip(&self.diagonal)
             .enumerate()
@@ -60,7 +60,7 @@ impl Mass {
     }
 
     /// xᵀ M y.
-    pub fn product(&self, x: &[f64], y: &[f64]) -> f64 {
+    pub(crate) fn product(&self, x: &[f64], y: &[f64]) -> f64 {
         x.iter()
             .zip(y)
             .zip(&self.diagonal)
@@ -69,7 +69,7 @@ impl Mass {
     }
 
     /// Kinetic energy ½ vᵀ M v \[J\].
-    pub fn kinetic_energy(&self, v: &[f64]) -> f64 {
+    pub(crate) fn kinetic_energy(&self, v: &[f64]) -> f64 {
         0.5 * v
             .iter()
             .zip(&self.diagonal)
@@ -78,7 +78,7 @@ impl Mass {
     }
 
     /// Gravity's force on every body into `force` (n), no torque [N, N·m].
-    pub fn weigh(&self, layout: &Layout, gravity: [f64; 2], force: &mut [f64]) {
+    pub(crate) fn weigh(&self, layout: &Layout, gravity: [f64; 2], force: &mut [f64]) {
         for columns in layout.bodies() {
             let m = self.of_body(columns);
             columns.write(force, [m * gravity[0], m * gravity[1], 0.0]);

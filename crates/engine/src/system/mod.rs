@@ -56,26 +56,26 @@ pub enum Origin {
 #[derive(Clone)]
 pub struct Block {
     /// The equations.
-    pub constraint: Arc<dyn Constraint>,
+    pub(crate) constraint: Arc<dyn Constraint>,
     /// What they came from.
-    pub origin: Origin,
+    pub(crate) origin: Origin,
     /// First row.
     pub row: usize,
     /// Number of rows.
-    pub rows: usize,
+    pub(crate) rows: usize,
     /// First entry.
-    pub entry: usize,
+    pub(crate) entry: usize,
     /// Number of entries.
-    pub entries: usize,
+    pub(crate) entries: usize,
 }
 
 /// A force that depends on the multipliers of a block.
 #[derive(Clone)]
 pub struct DependentForce {
     /// The force.
-    pub force: Arc<dyn ConstraintDependentForce>,
+    pub(crate) force: Arc<dyn ConstraintDependentForce>,
     /// Index into [`System::blocks`].
-    pub block: usize,
+    pub(crate) block: usize,
 }
 
 /// A moving body's numbers.
@@ -84,11 +84,11 @@ pub struct BodyData {
     /// As the file names it.
     pub name: String,
     /// The frame's origin from the centre of mass, body frame \[m\].
-    pub origin: Vec2,
+    pub(crate) origin: Vec2,
     /// Mass \[kg\] and inertia [kg·m²]; none where the file has none.
-    pub mass: Option<f64>,
+    pub(crate) mass: Option<f64>,
     /// About the centre of mass [kg·m²].
-    pub inertia: Option<f64>,
+    pub(crate) inertia: Option<f64>,
 }
 
 /// A joint's numbers beyond its constraint.
@@ -97,39 +97,39 @@ pub struct JointData {
     /// As the file names it.
     pub name: String,
     /// What kind of joint it is, for results and pictures.
-    pub role: JointRole,
+    pub(crate) role: JointRole,
     /// What it joins.
     pub bodies: [BodyId; 2],
     /// Where it joins them.
-    pub points: [Marker; 2],
+    pub(crate) points: [Marker; 2],
     /// Carries a torque in the results.
-    pub torque: bool,
+    pub(crate) torque: bool,
     /// Its clearance link, where that is its model.
     pub clearance: Option<ClearanceLink>,
     /// Journal and bearing that touch by a contact force.
-    pub contact: Option<ContactId>,
+    pub(crate) contact: Option<ContactId>,
     /// Of a joint with a `clearance` in the file, whatever its model.
-    pub bearing: Option<Bearing>,
+    pub(crate) bearing: Option<Bearing>,
     /// Of an ideal joint that rubs.
-    pub friction: Option<JointFriction>,
+    pub(crate) friction: Option<JointFriction>,
 }
 
 /// Where the friction of an ideal joint stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct JointFriction {
     /// Index into [`System::dependent_forces`].
-    pub force: usize,
+    pub(crate) force: usize,
     /// What it brakes: a slide or a rotation.
-    pub measure: Measure,
+    pub(crate) measure: Measure,
 }
 
 /// A massless equivalent clearance link.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ClearanceLink {
     /// Index into [`Inputs::offset`].
-    pub offset: usize,
+    pub(crate) offset: usize,
     /// Its length: the radial clearance \[m\].
-    pub radius: f64,
+    pub(crate) radius: f64,
 }
 
 /// A driver's numbers beyond its constraint.
@@ -138,11 +138,11 @@ pub struct DriverData {
     /// As the file names it.
     pub name: String,
     /// What it drives, for results and pictures.
-    pub role: DriverRole,
+    pub(crate) role: DriverRole,
     /// Its value over time.
     pub law: Law,
     /// What its value is measured in.
-    pub measure: Measure,
+    pub(crate) measure: Measure,
 }
 
 /// A body point among the results.
@@ -151,7 +151,7 @@ pub struct OutputPoint {
     /// As the file names it.
     pub name: String,
     /// The point.
-    pub marker: Marker,
+    pub(crate) marker: Marker,
 }
 
 /// One entry of J: row and column (global).
@@ -160,7 +160,7 @@ pub struct JacobianEntry {
     /// Row.
     pub row: u32,
     /// None for ground.
-    pub column: Option<u32>,
+    pub(crate) column: Option<u32>,
 }
 
 /// A compiled model. Immutable, shared by analyses and threads.
@@ -175,52 +175,52 @@ pub struct System {
     /// Drivers, in the order of the file.
     pub drivers: Vec<DriverData>,
     /// Points among the results.
-    pub points: Vec<OutputPoint>,
+    pub(crate) points: Vec<OutputPoint>,
     /// Blocks of joints, then of drivers.
     pub blocks: Vec<Block>,
     /// `initial` coordinates, as blocks of their own for the assembly.
-    pub initial: Vec<Block>,
+    pub(crate) initial: Vec<Block>,
     /// `initial` velocities: name, row over the coordinates as (column, factor) at the assembled pose is in `eval`.
-    pub initial_rates: Vec<(String, crate::element::coordinate::Coordinate)>,
+    pub(crate) initial_rates: Vec<(String, crate::element::coordinate::Coordinate)>,
     /// Springs, dampers, loads and torques.
-    pub forces: Vec<Arc<dyn Force>>,
+    pub(crate) forces: Vec<Arc<dyn Force>>,
     /// What each of them is.
-    pub force_data: Vec<ForceData>,
+    pub(crate) force_data: Vec<ForceData>,
     /// Forces that depend on multipliers; no part of [`Evaluation::eval_force`].
-    pub dependent_forces: Vec<DependentForce>,
+    pub(crate) dependent_forces: Vec<DependentForce>,
     /// Joints with clearance by contact force, in the order of the joints.
-    pub contacts: Vec<Journal>,
+    pub(crate) contacts: Vec<Journal>,
     /// Rows that may come into force for each of them.
-    pub contact_rows: Vec<ContactRows>,
+    pub(crate) contact_rows: Vec<ContactRows>,
     /// [m/s²]
-    pub gravity: Vec2,
+    pub(crate) gravity: Vec2,
     /// M; zero where unknown.
-    pub mass: Mass,
+    pub(crate) mass: Mass,
     /// All masses (and inertias) are known.
-    pub masses_known: bool,
+    pub(crate) masses_known: bool,
     /// Where the entries of J stand.
-    pub entries: Vec<JacobianEntry>,
+    pub(crate) entries: Vec<JacobianEntry>,
     /// What each row is measured in (m).
-    pub measures: Vec<Measure>,
+    pub(crate) measures: Vec<Measure>,
     /// Number of massless clearance links.
-    pub links: usize,
+    pub(crate) links: usize,
     /// Guess of the coordinates (n).
     pub guess: Vec<f64>,
     /// Characteristic length of the mechanism \[m\].
-    pub size: f64,
+    pub(crate) size: f64,
     /// Its length, mass and time, by which tolerances are measured.
-    pub scale: Scale,
+    pub(crate) scale: Scale,
     /// How messages speak of it.
-    pub display: DisplayUnits,
+    pub(crate) display: DisplayUnits,
     /// Largest coordinate of a point or centre of mass in the frame of its body \[m\].
-    pub reach: f64,
+    pub(crate) reach: f64,
     /// The same by body, ground first, for systems of some bodies alone.
-    pub extents: Vec<Extent>,
+    pub(crate) extents: Vec<Extent>,
 }
 
 impl System {
     /// Adds the equations of a joint or driver behind those that are there.
-    pub fn push_block(&mut self, constraint: Arc<dyn Constraint>, origin: Origin) {
+    pub(crate) fn push_block(&mut self, constraint: Arc<dyn Constraint>, origin: Origin) {
         let (row, entry) = (self.measures.len(), self.entries.len());
         self.measures.extend_from_slice(constraint.rows());
         for (block_row, body, axis) in constraint.entries() {
@@ -261,12 +261,12 @@ impl System {
     }
 
     /// Rows of driver `id`.
-    pub fn driver_row(&self, id: DriverId) -> usize {
+    pub(crate) fn driver_row(&self, id: DriverId) -> usize {
         self.joint_rows() + id.0
     }
 
     /// A value of driver `id` [rad or m] as messages say it.
-    pub fn driver_value(&self, id: usize, value: f64) -> String {
+    pub(crate) fn driver_value(&self, id: usize, value: f64) -> String {
         match self.drivers[id].measure {
             Measure::Angle => self.display.angle(value),
             Measure::Length => self.display.length(value),
@@ -274,7 +274,7 @@ impl System {
     }
 
     /// The name a row's origin goes by in messages.
-    pub fn origin_name(&self, origin: &Origin) -> String {
+    pub(crate) fn origin_name(&self, origin: &Origin) -> String {
         match origin {
             Origin::Joint(id) => format!("joint \"{}\"", self.joints[id.0].name),
             Origin::Driver(id) => format!("driver \"{}\"", self.drivers[id.0].name),
@@ -283,7 +283,7 @@ impl System {
     }
 
     /// Whether kinetic and potential energy stay constant together: no moving drivers, dampers or loads.
-    pub fn is_conservative(&self) -> bool {
+    pub(crate) fn is_conservative(&self) -> bool {
         self.drivers.iter().all(|driver| driver.law.is_constant())
             && self.contacts.is_empty()
             && self.dependent_forces.is_empty()
@@ -291,19 +291,19 @@ impl System {
     }
 
     /// The block that makes `row`.
-    pub fn block_of_row(&self, row: usize) -> &Block {
+    pub(crate) fn block_of_row(&self, row: usize) -> &Block {
         let k = self.blocks.partition_point(|b| b.row <= row);
         &self.blocks[k - 1]
     }
 
     /// Length scale of a coordinate: size for x and y, 1 for angles; coordinates divided by it are comparable.
-    pub fn column_scale(&self, column: usize) -> f64 {
+    pub(crate) fn column_scale(&self, column: usize) -> f64 {
         let (_, axis) = self.layout.coordinate(column);
         self.axis_scale(axis)
     }
 
     /// The same for any body's coordinate.
-    pub fn axis_scale(&self, axis: Axis) -> f64 {
+    pub(crate) fn axis_scale(&self, axis: Axis) -> f64 {
         match axis {
             Axis::X | Axis::Y => self.size,
             Axis::Theta => 1.0,
@@ -311,7 +311,7 @@ impl System {
     }
 
     /// Multiplies coordinates (n) by their scales.
-    pub fn scale_columns(&self, x: &mut [f64]) {
+    pub(crate) fn scale_columns(&self, x: &mut [f64]) {
         for body in self.layout.bodies() {
             x[body.x()] *= self.size;
             x[body.y()] *= self.size;
@@ -319,12 +319,12 @@ impl System {
     }
 
     /// Scale of a row's residual [m or rad].
-    pub fn row_scale(&self, row: usize) -> f64 {
+    pub(crate) fn row_scale(&self, row: usize) -> f64 {
         self.measure_scale(self.measures[row])
     }
 
     /// Scale of residuals of a measure [m or rad].
-    pub fn measure_scale(&self, measure: Measure) -> f64 {
+    pub(crate) fn measure_scale(&self, measure: Measure) -> f64 {
         match measure {
             Measure::Length => self.size,
             Measure::Angle => 1.0,
@@ -332,7 +332,7 @@ impl System {
     }
 
     /// Largest coordinate, lengths divided by the mechanism's size [–].
-    pub fn scaled_norm(&self, dq: &[f64]) -> f64 {
+    pub(crate) fn scaled_norm(&self, dq: &[f64]) -> f64 {
         let (mut length, mut angle) = (0.0, 0.0);
         for body in self.layout.bodies() {
             let [x, y, theta] = body.read(dq);
@@ -343,7 +343,7 @@ impl System {
     }
 
     /// Largest residual, lengths divided by the mechanism's size [–].
-    pub fn scaled_residual(&self, phi: &[f64]) -> f64 {
+    pub(crate) fn scaled_residual(&self, phi: &[f64]) -> f64 {
         let (mut length, mut angle) = (0.0, 0.0);
         for (&phi, measure) in phi.iter().zip(&self.measures) {
             match measure {
@@ -356,7 +356,7 @@ impl System {
 
     /// The Jacobian's joint and driver rows as a dense row-major matrix (m × n), columns and rows scaled to be comparable:
     /// S_φ⁻¹ J S_q.
-    pub fn dense_scaled(&self, values: &[f64]) -> Vec<f64> {
+    pub(crate) fn dense_scaled(&self, values: &[f64]) -> Vec<f64> {
         let n = self.n();
         let mut dense = vec![0.0; self.m() * n];
         for (entry, value) in self.entries.iter().zip(values) {

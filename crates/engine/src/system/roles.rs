@@ -30,7 +30,7 @@ pub enum JointRole {
 
 impl JointRole {
     /// Direction of the guide in the first body's frame, where there is one.
-    pub fn axis(self) -> Option<Vec2> {
+    pub(crate) fn axis(self) -> Option<Vec2> {
         match self {
             JointRole::Prismatic { axis, .. } | JointRole::Slot { axis } => Some(axis),
             JointRole::Revolute | JointRole::Gear | JointRole::Fixed => None,
@@ -81,7 +81,7 @@ pub enum ForceRole {
 
 impl ForceRole {
     /// The bodies that exert the force on each other; none where it comes from outside.
-    pub fn between(&self) -> Option<[BodyId; 2]> {
+    pub(crate) fn between(&self) -> Option<[BodyId; 2]> {
         match self {
             ForceRole::Spring { between } => Some(*between),
             ForceRole::Torque { between, .. } => *between,
@@ -96,5 +96,5 @@ pub struct ForceData {
     /// Its name in the model.
     pub name: String,
     /// What it is.
-    pub role: ForceRole,
+    pub(crate) role: ForceRole,
 }

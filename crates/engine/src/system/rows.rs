@@ -20,24 +20,24 @@ use std::sync::Arc;
 #[derive(Clone)]
 pub struct ContactRows {
     /// Index into [`System::blocks`].
-    pub block: usize,
+    pub(crate) block: usize,
     /// Those of an ideal pin.
-    pub closed: Arc<dyn Constraint>,
+    pub(crate) closed: Arc<dyn Constraint>,
     /// That of a rigid journal which stays on the surface of its bearing.
-    pub sustained: Arc<dyn Constraint>,
+    pub(crate) sustained: Arc<dyn Constraint>,
     /// Its friction there, where there is some.
-    pub friction: Option<Arc<dyn ConstraintDependentForce>>,
+    pub(crate) friction: Option<Arc<dyn ConstraintDependentForce>>,
 }
 
 /// How far a body reaches in its own frame, and where that is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Extent {
     /// Largest distance of two of its points \[m\].
-    pub spread: f64,
+    pub(crate) spread: f64,
     /// Largest coordinate of a point \[m\].
-    pub reach: f64,
+    pub(crate) reach: f64,
     /// Where the frame is drawn \[m\]; none of a ground that the model does not name.
-    pub origin: Option<Vec2>,
+    pub(crate) origin: Option<Vec2>,
 }
 
 /// Largest distance across points \[m\].
@@ -76,7 +76,7 @@ pub(super) fn reach(extents: &[Extent]) -> f64 {
 impl System {
     /// The system in which the contacts of `sustained` (by contact) are constraints, with their friction behind that of the
     /// joints, and with other constraints in the place of those of some blocks.
-    pub fn with_rows(
+    pub(crate) fn with_rows(
         &self,
         sustained: &[bool],
         exchanged: Vec<(usize, Arc<dyn Constraint>)>,
@@ -97,7 +97,7 @@ impl System {
     }
 
     /// The system in which all contacts are ideal pins.
-    pub fn closed(&self) -> System {
+    pub(crate) fn closed(&self) -> System {
         let mut system = self.clone();
         let pins = self.contact_rows.iter();
         system.exchange(pins.map(|rows| (rows.block, rows.closed.clone())).collect());
@@ -111,7 +111,7 @@ impl System {
 
     /// The system of some moving bodies and joints alone, which hold nothing else: no drivers, forces or initial values. None
     /// where a joint is more than geometry between two bodies.
-    pub fn part(&self, bodies: &[BodyId], joints: &[usize]) -> Option<System> {
+    pub(crate) fn part(&self, bodies: &[BodyId], joints: &[usize]) -> Option<System> {
         let id = |body: BodyId| {
             let index = bodies.iter().position(|own| *own == body);
             index.map_or(BodyId::GROUND, BodyId::moving)

@@ -25,21 +25,21 @@ pub struct Scale {
     /// L \[m\].
     pub length: f64,
     /// M \[kg\].
-    pub mass: f64,
+    pub(crate) mass: f64,
     /// T \[s\].
-    pub time: f64,
+    pub(crate) time: f64,
 }
 
 impl Scale {
     /// Metre, kilogram and second.
-    pub const SI: Scale = Scale {
+    pub(crate) const SI: Scale = Scale {
         length: 1.0,
         mass: 1.0,
         time: 1.0,
     };
 
     /// Those of a system whose length is known.
-    pub fn of(system: &System) -> Self {
+    pub(crate) fn of(system: &System) -> Self {
         Scale {
             length: system.size,
             mass: usable(heaviest(system)),
@@ -48,28 +48,18 @@ impl Scale {
     }
 
     /// L/T [m/s].
-    pub fn velocity(&self) -> f64 {
+    pub(crate) fn velocity(&self) -> f64 {
         self.length / self.time
     }
 
     /// L/T² [m/s²].
-    pub fn acceleration(&self) -> f64 {
+    pub(crate) fn acceleration(&self) -> f64 {
         self.velocity() / self.time
     }
 
     /// M L/T² \[N\].
-    pub fn force(&self) -> f64 {
+    pub(crate) fn force(&self) -> f64 {
         self.mass * self.acceleration()
-    }
-
-    /// M L²/T² [J, N·m].
-    pub fn energy(&self) -> f64 {
-        self.force() * self.length
-    }
-
-    /// M L/T [N·s].
-    pub fn impulse(&self) -> f64 {
-        self.mass * self.velocity()
     }
 }
 
@@ -204,7 +194,5 @@ mod tests {
         close(other.time, 0.003 * one.time);
         close(other.velocity(), 0.001 / 0.003 * one.velocity());
         close(other.force(), 7.0 * 0.001 / 0.003 / 0.003 * one.force());
-        close(other.impulse(), 7.0 * 0.001 / 0.003 * one.impulse());
-        close(other.energy(), other.force() * other.length);
     }
 }

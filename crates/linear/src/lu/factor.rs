@@ -16,7 +16,6 @@ impl SparseLu {
             "one value per entry of the pattern"
         );
         self.factored = false;
-        self.factorisations += 1;
         self.scan(values)?;
         self.start();
         for step in 0..self.inverse_pivot.len() {

@@ -15,7 +15,9 @@ pub struct Wanted {
 /// The question, in numbers.
 #[derive(Debug, Clone)]
 pub struct Settings {
+    /// Method of integration.
     pub method: Method,
+    /// How exact it shall be.
     pub wanted: Wanted,
     /// First step \[s\]; chosen from the motion where not given.
     pub initial_step: Option<f64>,
@@ -25,6 +27,7 @@ pub struct Settings {
     pub instants: Vec<f64>,
     /// Located events are outputs, too.
     pub events_are_outputs: bool,
+    /// What is computed.
     pub contents: Contents,
     /// Patterns of the columns that are wanted; none means all.
     pub columns: Vec<String>,

@@ -27,7 +27,7 @@
 //! **Range.** The formulas take the patch of contact to be narrow against the radii. δ(F) has a maximum at F = Λ/e, beyond
 //! which a larger force would go with less penetration; the slope is infinite there. They are used up to x = e⁻², where
 //! dF/dδ = κ; from there F goes on straight with this slope. That is δ = 0.398 ΔR for Johnson (its half-width, 0.89 √(R_b R_j), is
-//! past what its theory holds for), 1.049 ΔR for Radzimovsky and 0.736 ΔR L²/(R_b R_j) for the third. [`Logarithmic::range`] tells it.
+//! past what its theory holds for), 1.049 ΔR for Radzimovsky and 0.736 ΔR L²/(R_b R_j) for the third. `Logarithmic::range` tells it.
 //!
 //! Pereira, Ramalho and Ambrósio fitted an explicit power law F = K δⁿ to Johnson's curve, in millimetres and newtons,
 //! for 5 µm ≤ ΔR < 10 mm:
@@ -58,7 +58,7 @@ pub struct Logarithmic {
     /// κ [N/m], above 0.
     pub modulus: f64,
     /// Λ \[N\], above 0.
-    pub scale: f64,
+    pub(crate) scale: f64,
 }
 
 /// Journal and bearing.
@@ -110,7 +110,7 @@ impl Pair {
     }
 
     /// K [N/mⁿ] and n of Pereira, Ramalho and Ambrósio; none outside the clearances it was fitted for.
-    pub fn pereira(&self) -> Option<(f64, f64)> {
+    pub(crate) fn pereira(&self) -> Option<(f64, f64)> {
         let millimetres = 1e3 * self.clearance;
         let y = match millimetres {
             0.005..0.34954 => 1.51 * (1e3 * millimetres).ln().powf(-0.151),
@@ -127,12 +127,12 @@ impl Pair {
 
 impl Logarithmic {
     /// Penetration at the end of the published formula's use \[m\].
-    pub fn range(&self) -> f64 {
+    pub(crate) fn range(&self) -> f64 {
         -END * END.exp() * self.scale / self.modulus
     }
 
     /// F and dF/dδ at δ > 0.
-    pub fn force(&self, penetration: f64) -> (f64, f64) {
+    pub(crate) fn force(&self, penetration: f64) -> (f64, f64) {
         let beyond = penetration - self.range();
         if beyond >= 0.0 {
             return (END.exp() * self.scale + self.modulus * beyond, self.modulus);
@@ -142,7 +142,7 @@ impl Logarithmic {
     }
 
     /// ∫₀^δ F dδ \[J\] at δ > 0.
-    pub fn energy(&self, penetration: f64) -> f64 {
+    pub(crate) fn energy(&self, penetration: f64) -> f64 {
         let beyond = (penetration - self.range()).max(0.0);
         let u = if beyond > 0.0 {
             END

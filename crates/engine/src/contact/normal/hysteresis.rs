@@ -46,7 +46,8 @@ pub enum Rule {
 
 impl Rule {
     /// Every rule.
-    pub const ALL: [Rule; 8] = [
+    #[cfg(test)]
+    const ALL: [Rule; 8] = [
         Rule::HuntCrossley,
         Rule::HerbertMcwhannell,
         Rule::LeeWang,
@@ -58,7 +59,7 @@ impl Rule {
     ];
 
     /// Whether e = 0 has no finite χ.
-    pub fn needs_rebound(self) -> bool {
+    pub(crate) fn needs_rebound(self) -> bool {
         match self {
             Rule::Flores | Rule::Gonthier | Rule::HuGuo => true,
             Rule::HuntCrossley

@@ -29,18 +29,33 @@ use cylinder::Logarithmic;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Law {
     /// F = K δⁿ: `stiffness` K [N/mⁿ] above 0, `exponent` n at least 1.
-    Hertz { stiffness: f64, exponent: f64 },
+    Hertz {
+        /// K [N/mⁿ].
+        stiffness: f64,
+        /// n [–].
+        exponent: f64,
+    },
     /// F = K δ + D δ̇: `stiffness` K [N/m] above 0, `damping` D [N·s/m] at least 0.
-    KelvinVoigt { stiffness: f64, damping: f64 },
+    KelvinVoigt {
+        /// K [N/m].
+        stiffness: f64,
+        /// D [N·s/m].
+        damping: f64,
+    },
     /// F = K δⁿ (1 + χ δ̇/δ̇₀): as with Hertz, `hysteresis` χ [–] at least 0.
     Dissipative {
+        /// K [N/mⁿ].
         stiffness: f64,
+        /// n [–].
         exponent: f64,
+        /// χ [–].
         hysteresis: f64,
     },
     /// F = F_e(δ) (1 + χ δ̇/δ̇₀): parallel cylinders, one in the other.
     Cylindrical {
+        /// F_e(δ).
         elastic: Logarithmic,
+        /// χ [–].
         hysteresis: f64,
     },
 }
@@ -85,7 +100,7 @@ impl Law {
     }
 
     /// The formula as it stands also where it pulls, F_e odd in δ: smooth across the end of a contact, for whoever locates it.
-    pub fn continued(&self, penetration: f64, rate: f64, approach: f64) -> f64 {
+    pub(crate) fn continued(&self, penetration: f64, rate: f64, approach: f64) -> f64 {
         let elastic = self.elastic_continued(penetration);
         match *self {
             Law::Hertz { .. } => elastic,
@@ -97,7 +112,7 @@ impl Law {
     }
 
     /// The elastic part of [`Law::continued`].
-    pub fn elastic_continued(&self, penetration: f64) -> f64 {
+    pub(crate) fn elastic_continued(&self, penetration: f64) -> f64 {
         if penetration == 0.0 {
             0.0
         } else {
@@ -106,7 +121,7 @@ impl Law {
     }
 
     /// Above zero as long as the formula presses at δ > 0: K δ + D δ̇ \[N\], or 1 + χ δ̇/δ̇₀ [–].
-    pub fn hold(&self, penetration: f64, rate: f64, approach: f64) -> f64 {
+    pub(crate) fn hold(&self, penetration: f64, rate: f64, approach: f64) -> f64 {
         match *self {
             Law::KelvinVoigt { stiffness, damping } if damping > 0.0 => {
                 stiffness * penetration + damping * rate
@@ -119,7 +134,8 @@ impl Law {
     }
 
     /// The force without damping \[N\]; zero where δ ≤ 0.
-    pub fn elastic_force(&self, penetration: f64) -> f64 {
+    #[cfg(test)]
+    fn elastic_force(&self, penetration: f64) -> f64 {
         if penetration > 0.0 {
             self.elastic(penetration).0
         } else {
@@ -151,7 +167,7 @@ impl Law {
     }
 
     /// Penetration up to which the formula is used as published \[m\]; beyond it the force goes on as the law says there.
-    pub fn range(&self) -> Option<f64> {
+    pub(crate) fn range(&self) -> Option<f64> {
         match self {
             Law::Cylindrical { elastic, .. } => Some(elastic.range()),
             Law::Hertz { .. } | Law::KelvinVoigt { .. } | Law::Dissipative { .. } => None,

@@ -91,9 +91,15 @@ pub enum End {
     /// The range is covered.
     Reached,
     /// A dead centre at s.
-    DeadCentre { s: f64 },
+    DeadCentre {
+        /// Value of the path's parameter [rad, m or s].
+        s: f64,
+    },
     /// No step is small enough at s, and it is no dead centre.
-    Stuck { s: f64 },
+    Stuck {
+        /// Value of the path's parameter [rad, m or s].
+        s: f64,
+    },
     /// Somebody asked to stop.
     Interrupted,
 }

@@ -16,18 +16,18 @@ const MOST_TURNS: i64 = 1000;
 #[derive(Debug, Clone)]
 pub struct Window {
     /// Where the change point lies.
-    pub s: f64,
+    pub(crate) s: f64,
     /// Within this distance the polynomial is used.
-    pub radius: f64,
+    pub(crate) radius: f64,
     /// Half width of the data.
-    pub width: f64,
+    pub(crate) width: f64,
     pub(super) branch: Osculating,
 }
 
 /// The path: nodes in ascending s.
 pub struct Path {
     /// What s is.
-    pub parameter: Parameter,
+    pub(crate) parameter: Parameter,
     pub(super) nodes: Vec<Node>,
     pub(super) windows: Vec<Window>,
     /// Singular positions on the stretch that was followed, by s.
@@ -35,13 +35,13 @@ pub struct Path {
     /// Where the path repeats itself: centre of the stretch that stands for all, and what a turn adds to q (n).
     pub(super) turn: Option<(f64, Vec<f64>)>,
     /// How it ended below.
-    pub low: End,
+    pub(crate) low: End,
     /// How it ended above.
-    pub high: End,
+    pub(crate) high: End,
     /// Steps taken.
-    pub steps: u64,
+    pub(crate) steps: u64,
     /// Steps tried in vain.
-    pub rejected: u64,
+    pub(crate) rejected: u64,
 }
 
 /// The smooth branch across a change point.
@@ -55,7 +55,7 @@ pub struct Branch {
 
 impl Branch {
     /// q_k, q_k′, q_k″ at `s`, of the turn that `s` is in.
-    pub fn jet(&self, k: usize, s: f64) -> [f64; 3] {
+    pub(crate) fn jet(&self, k: usize, s: f64) -> [f64; 3] {
         let Some(shift) = &self.shift else {
             return self.osculating.jet(k, s);
         };
@@ -71,7 +71,12 @@ pub enum Source {
     /// The guess is good to the prediction error; correct it.
     Regular,
     /// On the smooth branch across a change point, at this distance; do not correct it.
-    Bridged { index: usize, distance: f64 },
+    Bridged {
+        /// Number of the window about the change point.
+        index: usize,
+        /// From the change point, in the path's parameter.
+        distance: f64,
+    },
 }
 
 impl Path {
@@ -90,7 +95,7 @@ impl Path {
 
     /// Takes the stretch of a turn around `centre` for all turns, if the parameter is an angle that comes round: after a
     /// whole turn every body is back in its place. Whether it is so.
-    pub fn close_turn(&mut self, system: &System, centre: f64) -> bool {
+    pub(crate) fn close_turn(&mut self, system: &System, centre: f64) -> bool {
         let n = system.n();
         let (mut from, mut to) = (vec![0.0; n], vec![0.0; n]);
         let (mut d, mut dd) = (vec![0.0; n], vec![0.0; n]);
@@ -121,7 +126,7 @@ impl Path {
     }
 
     /// Singular positions in [low, high], by s; of a path that repeats itself, those of every turn.
-    pub fn singular_between(&self, low: f64, high: f64) -> Vec<SingularPosition> {
+    pub(crate) fn singular_between(&self, low: f64, high: f64) -> Vec<SingularPosition> {
         let mut found = Vec::new();
         for position in &self.singular {
             let turns = match &self.turn {
@@ -150,12 +155,12 @@ impl Path {
     }
 
     /// The singular position at `s` on the stretch that was followed.
-    pub fn singular_at(&self, s: f64) -> Option<&SingularPosition> {
+    pub(crate) fn singular_at(&self, s: f64) -> Option<&SingularPosition> {
         self.singular.iter().find(|position| position.s == s)
     }
 
     /// The self-stress of the change point that a window bridges.
-    pub fn self_stress(&self, window: usize) -> &[f64] {
+    pub(crate) fn self_stress(&self, window: usize) -> &[f64] {
         let s = self.windows[window].s;
         let nearest = self
             .singular
@@ -200,12 +205,12 @@ impl Path {
     }
 
     /// The stretch that was followed.
-    pub fn covered(&self) -> (f64, f64) {
+    pub(crate) fn covered(&self) -> (f64, f64) {
         (self.nodes[0].s, self.nodes[self.nodes.len() - 1].s)
     }
 
     /// The window that `s` is in.
-    pub fn window_at(&self, s: f64) -> Option<usize> {
+    pub(crate) fn window_at(&self, s: f64) -> Option<usize> {
         let s = match &self.turn {
             Some((centre, _)) => s - ((s - centre) / TAU).round() * TAU,
             None => s,
@@ -216,13 +221,13 @@ impl Path {
     }
 
     /// Whether `s` is on the stretch that was followed, or on one that repeats it.
-    pub fn holds(&self, s: f64) -> bool {
+    pub(crate) fn holds(&self, s: f64) -> bool {
         let (low, high) = self.covered();
         self.turn.is_some() || (low..=high).contains(&s)
     }
 
     /// The smooth branch across the change point of a window.
-    pub fn branch(&self, window: usize) -> Branch {
+    pub(crate) fn branch(&self, window: usize) -> Branch {
         let Window { s, branch, .. } = &self.windows[window];
         Branch {
             s: *s,
@@ -232,7 +237,7 @@ impl Path {
     }
 
     /// The windows around change points.
-    pub fn windows(&self) -> &[Window] {
+    pub(crate) fn windows(&self) -> &[Window] {
         &self.windows
     }
 }

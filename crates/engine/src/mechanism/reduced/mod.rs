@@ -16,7 +16,7 @@
 //! once around.
 //!
 //! Multipliers are worked out only where they are wanted: for results, and where forces depend on them
-//! ([`super::dependent_forces`]), which then become part of Q. Bodies may lack mass as long as SᵀMS is regular. The choice of u
+//! (`dependent_forces`), which then become part of Q. Bodies may lack mass as long as SᵀMS is regular. The choice of u
 //! is kept while it is good and changed between steps when another coordinate moves more.
 
 mod curve;
