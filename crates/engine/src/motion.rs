@@ -12,7 +12,7 @@
 //! 2001, ch. IV) and goes on as a straight line beyond its ends, so f, f′, f″ are continuous everywhere.
 
 use linkdyn_linear::math::max_abs;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// Value, first and second derivative.
 pub type Jet = [f64; 3];
@@ -161,17 +161,31 @@ impl Law {
         }
     }
 
-    /// Times in (0, end) where f′ changes sign, ascending: f is monotone between them. Each is looked for when it is asked for, since a
-    /// law may have millions.
-    pub fn turning_times(&self, end: f64) -> impl Iterator<Item = f64> {
-        // Between marks f′ has at most a few roots; a fine subdivision of each stretch brackets them.
+    /// Times in (0, end) where f′ changes sign, ascending: f is monotone between them. Each is looked for when it is asked for; of a
+    /// wave there are as many as show all that it does.
+    pub fn turning_times(&self, end: f64) -> Box<dyn Iterator<Item = f64> + '_> {
+        match self {
+            Law::Polynomial(_) => Box::new(self.turns_between([end].into_iter(), end)),
+            Law::Spline(s) => {
+                let knots = s.t.iter().copied().filter(move |&t| t > 0.0 && t < end);
+                Box::new(self.turns_between(knots.chain([end]), end))
+            }
+            Law::Harmonic {
+                frequency, phase, ..
+            } => Box::new(self.turns_of_wave(*frequency, *phase, end)),
+        }
+    }
+
+    /// Turning times in (0, end), of which there are a few at most between two `marks`: a fine subdivision brackets them.
+    fn turns_between(
+        &self,
+        marks: impl Iterator<Item = f64>,
+        end: f64,
+    ) -> impl Iterator<Item = f64> {
         let speed = self.jet(0.0)[1];
         let mut sign = speed.signum() * f64::from(u8::from(speed != 0.0));
         let mut left = 0.0;
-        let pieces = self
-            .marks(end)
-            .chain([end])
-            .flat_map(|mark| (1..=SUBDIVISIONS).map(move |k| (mark, k)));
+        let pieces = marks.flat_map(|mark| (1..=SUBDIVISIONS).map(move |k| (mark, k)));
         let turns = pieces.filter_map(move |(mark, k)| {
             let right = if k == SUBDIVISIONS {
                 mark
@@ -192,24 +206,35 @@ impl Law {
         turns.filter(move |&t| t > 0.0 && t < end)
     }
 
-    /// Natural subdivision of (0, end): knots of a table, quarter periods of a harmonic.
-    fn marks(&self, end: f64) -> Box<dyn Iterator<Item = f64> + '_> {
-        match self {
-            Law::Polynomial(_) => Box::new(std::iter::empty()),
-            Law::Harmonic { frequency, .. } => {
-                let quarters = (end * frequency.abs() * 4.0).ceil().min(MOST_QUARTERS) as u64;
-                Box::new((1..quarters).map(move |k| end * k as f64 / quarters as f64))
-            }
-            Law::Spline(s) => Box::new(s.t.iter().copied().filter(move |&t| t > 0.0 && t < end)),
-        }
+    /// Turning times of a wave in (0, end), at 2π ν t + φ = (n + ½) π. Each of them costs the same, whatever `end`.
+    fn turns_of_wave(&self, frequency: f64, phase: f64, end: f64) -> impl Iterator<Item = f64> {
+        let nu = frequency.abs();
+        // cos is even: a negative frequency turns the phase round. In (−π, π] it is as exact as sine and cosine are.
+        let (sin, cos) = phase.sin_cos();
+        let phase = (sin * frequency.signum()).atan2(cos);
+        let near = move |k: usize| (k as f64 - 1.5 - phase / PI) / (2.0 * nu);
+        let eighth = 0.125 / nu;
+        (0..MOST_TURNS)
+            .map(near)
+            .take_while(move |near| near - eighth < end)
+            .filter_map(move |near| {
+                let (left, right) = ((near - eighth).max(0.0), near + eighth);
+                let sign = self.jet(left)[1].signum();
+                let is_turn = self.jet(left)[1] * sign > 0.0 && self.jet(right)[1] * sign < 0.0;
+                is_turn.then(|| bisect(|t| self.jet(t)[1] * sign, left, right))
+            })
+            .filter(move |&t| t > 0.0 && t < end)
     }
 
-    /// Turning points after which all has been seen that the law does; none of a law that goes on to new values.
-    pub fn repeats_after(&self) -> Option<usize> {
-        match self {
-            Law::Harmonic { .. } => Some(REPEATS),
-            Law::Polynomial(_) | Law::Spline(_) => None,
-        }
+    /// The stretches [from, to] of [0, end] on which f is monotone, ascending; of a wave, as many as show all that it does.
+    pub fn stretches(&self, end: f64) -> impl Iterator<Item = (f64, f64)> {
+        let mut left = 0.0;
+        let most = match self {
+            Law::Harmonic { .. } => REPEATS,
+            Law::Polynomial(_) | Law::Spline(_) => usize::MAX,
+        };
+        let ends = self.turning_times(end).chain([end]).take(most);
+        ends.map(move |right| (std::mem::replace(&mut left, right), right))
     }
 
     /// The first time t in [0, `latest`] with f(t) = `value`, searched on the first monotone stretch; none if it is not
@@ -284,11 +309,11 @@ impl Stretch<'_> {
 /// Stretches a law's natural pieces are cut into when its turning points are looked for.
 const SUBDIVISIONS: usize = 64;
 
-/// More quarter periods can't be told apart by their times.
-const MOST_QUARTERS: f64 = 1e15;
-
-/// Turning points of a harmonic that stand for all: extremes of more of them differ by round-off alone.
+/// Stretches of a wave that stand for all: extremes of more of them differ by round-off alone.
 const REPEATS: usize = 10_000;
+
+/// Turning points of a wave that are looked for: those, and some that may lie before t = 0.
+const MOST_TURNS: usize = REPEATS + 2;
 
 /// The place in [a, b] where `f` goes from positive to not positive.
 pub(crate) fn bisect(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {

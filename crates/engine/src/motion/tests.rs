@@ -118,3 +118,67 @@ fn turning_times_of_a_fast_wave_are_those_of_every_period() {
     }
     assert!((wave.invert(1.0, 1.0).expect("reached") * 1e7 - 1.0 / 12.0).abs() < 1e-12);
 }
+
+/// Waves of any frequency over any time: the work is bounded, and a wave that does not move has no turning points.
+#[test]
+fn turning_times_of_every_wave_end() {
+    let numbers = [0.0, 5e-324, 1e-320, 1e-308, 1e-9, 0.7, 1e16, 1e300, 1.7e308];
+    for amplitude in numbers {
+        for frequency in numbers.map(|number| -number).iter().chain(&numbers) {
+            for end in numbers {
+                for phase in [0.0, -1.0, 1e20, 1.7e308] {
+                    let wave = Law::Harmonic {
+                        offset: 0.0,
+                        amplitude,
+                        frequency: *frequency,
+                        phase,
+                    };
+                    let count = wave.turning_times(end).count();
+                    assert!(count <= MOST_TURNS, "{wave:?} until {end}: {count}");
+                    let is_still = amplitude == 0.0 || *frequency == 0.0 || end == 0.0;
+                    assert!(!is_still || count == 0, "{wave:?} until {end}: {count}");
+                    assert!(wave.stretches(end).count() <= REPEATS);
+                    wave.invert(0.3, end);
+                }
+            }
+        }
+    }
+}
+
+/// A phase of many turns and a frequency below zero turn back where the value is largest or smallest.
+#[test]
+fn turning_times_of_waves_are_where_they_are_extreme() {
+    for (frequency, phase) in [
+        (1.3, 2.9),
+        (-1.3, 2.9),
+        (0.2, -3.1),
+        (-0.2, 41.0),
+        (5.0, PI / 2.0),
+    ] {
+        let wave = Law::Harmonic {
+            offset: 1.0,
+            amplitude: 2.0,
+            frequency,
+            phase,
+        };
+        let turns: Vec<f64> = wave.turning_times(20.0).filter(|&t| t > 1e-9).collect();
+        let expected = 40.0 * f64::abs(frequency);
+        assert!(
+            (turns.len() as f64 - expected).abs() <= 1.0,
+            "{wave:?}: {}",
+            turns.len()
+        );
+        for pair in turns.windows(2) {
+            let [a, b] = [pair[0], pair[1]].map(|t| wave.jet(t)[0] - 1.0);
+            assert!(
+                a * b < 0.0 && (a.abs() - 2.0).abs() < 1e-12,
+                "{wave:?}: {pair:?}"
+            );
+            assert!((b.abs() - 2.0).abs() < 1e-12, "{wave:?}: {pair:?}");
+            assert!(
+                (pair[1] - pair[0] - 0.5 / frequency.abs()).abs() < 1e-12,
+                "{pair:?}"
+            );
+        }
+    }
+}

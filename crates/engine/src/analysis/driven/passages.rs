@@ -13,12 +13,8 @@ pub(super) fn range(system: &System, instants: &[OutputInstant]) -> (f64, f64) {
         Parameter::Time | Parameter::Pin => (0.0, end),
         Parameter::DriverValue => {
             let law = &system.drivers[0].law;
-            let enough = law.repeats_after().unwrap_or(usize::MAX);
-            let turns = law
-                .turning_times(end)
-                .take(enough)
-                .chain([0.0, end])
-                .map(|t| law.jet(t)[0]);
+            let ends = law.stretches(end).map(|(_, right)| right);
+            let turns = ends.chain([0.0, end]).map(|t| law.jet(t)[0]);
             let sampled = instants
                 .iter()
                 .filter_map(|instant| instant.exact.map(|(_, value)| value));
@@ -50,9 +46,7 @@ const MOST_PASSAGES: usize = 1000;
 /// Times in [0, end] at which a law passes a value: at most one on each monotone stretch.
 fn passages(law: &Law, value: f64, end: f64) -> Vec<f64> {
     let mut times: Vec<f64> = Vec::new();
-    let mut left = 0.0;
-    let enough = law.repeats_after().unwrap_or(usize::MAX);
-    for (turn, right) in law.turning_times(end).chain([end]).enumerate() {
+    for (left, right) in law.stretches(end) {
         let (from, to) = (law.jet(left)[0], law.jet(right)[0]);
         let (a, b) = (from - value, to - value);
         let edge = ON_THE_EDGE * (to - from).abs();
@@ -74,10 +68,9 @@ fn passages(law: &Law, value: f64, end: f64) -> Vec<f64> {
         {
             times.push(time);
         }
-        if times.len() >= MOST_PASSAGES || (times.is_empty() && turn > enough) {
+        if times.len() >= MOST_PASSAGES {
             break;
         }
-        left = right;
     }
     times
 }
