@@ -8,7 +8,7 @@ mod words;
 
 pub use found::{Check, Lack, Open};
 
-use super::assembly::{Assembled, assemble, check_driven, ranked, topology};
+use super::assembly::{Assembled, assemble, check_driven, ranked, too_short, topology};
 use super::control::Stop;
 use super::instants::{Instants, Sampled};
 use super::question::instants;
@@ -136,6 +136,9 @@ fn undriven(system: &System, assembled: &Assembled, inputs: &Inputs) -> Option<U
 /// integrated whatever the analysis, so that only too many drivers are in the way.
 fn open(model: &Checked, closed: Assembled) -> Result<(Open, Option<Undriven>), Complaints> {
     let system = compile_geometry(&model.with_clearances(is_open))?;
+    if let Some(complaint) = too_short(&system) {
+        return Err(complaint.into());
+    }
     let inputs = Inputs::at_time(&system, 0.0);
     let assembled = ranked(&system, closed, &inputs);
     let undriven =

@@ -122,6 +122,9 @@ impl Prepared {
             Kind::Position => run_assembly(system, question.contents).map(without_peaks),
             Kind::Prescribed => prescribed(),
             Kind::Free => {
+                if let Some(complaint) = assembly::too_short(system) {
+                    return Err(Stop::Input(vec![complaint]));
+                }
                 let start = dynamics::Start::of(system)?;
                 if start.is_driven(system) {
                     return prescribed();

@@ -354,6 +354,11 @@ impl System {
         larger(length / self.size, angle)
     }
 
+    /// An entry of the Jacobian, row and column measured by their scales [–].
+    pub fn scaled_entry(&self, value: f64, row: usize, column: usize) -> f64 {
+        value * self.column_scale(column) / self.row_scale(row)
+    }
+
     /// The Jacobian's joint and driver rows as a dense row-major matrix (m × n), columns and rows scaled to be comparable:
     /// S_φ⁻¹ J S_q.
     pub(crate) fn dense_scaled(&self, values: &[f64]) -> Vec<f64> {
@@ -362,7 +367,7 @@ impl System {
         for (entry, value) in self.entries.iter().zip(values) {
             if let Some(column) = entry.column {
                 let (row, column) = (entry.row as usize, column as usize);
-                dense[row * n + column] = value * self.column_scale(column) / self.row_scale(row);
+                dense[row * n + column] = self.scaled_entry(*value, row, column);
             }
         }
         dense

@@ -1,13 +1,25 @@
-//! Lengths and angles that can't be computed with.
+//! Numbers that are too large or too small to be computed with.
 
 use crate::system::{Block, Evaluation, Inputs, Origin, System};
 use linkdyn_model::error::Complaint;
 
-/// Lengths up to which squares, and what is made of them, do not overflow \[m\].
+/// Lengths up to which squares, and what is made of them, do not overflow \[m\]; as large angles may be \[rad\], and what a
+/// coordinate changes a residual by, each measured by its scale.
 const LONGEST: f64 = 1e60;
 
-/// Complains of lengths that can't be computed with.
-pub(super) fn too_long(system: &System) -> Option<Complaint> {
+/// Lengths down to which squares, and what is made of them, do not vanish \[m\].
+const SHORTEST: f64 = 1e-60;
+
+/// Complains of what can't be computed with.
+pub(super) fn beyond_numbers(system: &System, inputs: &Inputs) -> Option<Complaint> {
+    too_long(system)
+        .or_else(|| too_short(system))
+        .or_else(|| too_far(system, inputs))
+        .or_else(|| too_steep(system, inputs))
+}
+
+/// Complains of lengths of which the squares overflow.
+fn too_long(system: &System) -> Option<Complaint> {
     let far = system
         .guess
         .iter()
@@ -25,8 +37,30 @@ pub(super) fn too_long(system: &System) -> Option<Complaint> {
     })
 }
 
+/// Complains of a mechanism, or the clearance of a contact, of which the squares vanish.
+pub fn too_short(system: &System) -> Option<Complaint> {
+    let complaint = |path: String, what: &str| {
+        let shortest = system.display.length(SHORTEST);
+        Complaint::new(
+            path,
+            format!("{what} is smaller than {shortest}, where squares of numbers vanish"),
+        )
+        .hint("look for a length with a wrong exponent or unit")
+    };
+    if system.size < SHORTEST {
+        return Some(complaint("bodies".to_owned(), "the mechanism"));
+    }
+    let joint = system.joints.iter().find(|joint| {
+        joint
+            .contact
+            .is_some_and(|id| system.contacts[id.0].clearance < SHORTEST)
+    })?;
+    let path = format!("joints.{}.clearance.radius", joint.name);
+    Some(complaint(path, "the radial clearance"))
+}
+
 /// Complains of a joint, driver or initial value that is further from the drawing than can be computed with.
-pub(super) fn too_far(system: &System, inputs: &Inputs) -> Option<Complaint> {
+fn too_far(system: &System, inputs: &Inputs) -> Option<Complaint> {
     let mut evaluation = Evaluation::new(system);
     evaluation.set_position(&system.guess);
     let at = evaluation.kinematics(inputs);
@@ -36,16 +70,45 @@ pub(super) fn too_far(system: &System, inputs: &Inputs) -> Option<Complaint> {
         phi.iter().any(|x| x.is_nan() || x.abs() > LONGEST)
     };
     let block = system.blocks.iter().chain(&system.initial).find(is_far)?;
-    let path = match &block.origin {
-        Origin::Joint(id) => format!("joints.{}", system.joints[id.0].name),
-        Origin::Driver(id) => format!("drivers.{}", system.drivers[id.0].name),
-        Origin::Initial(name) => format!("initial.{name}"),
-    };
     Some(
         Complaint::new(
-            path,
+            path(system, block),
             format!("it wants bodies further than {LONGEST:e} m or rad from the drawing, where numbers overflow"),
         )
         .hint("look for an angle or a length with a wrong exponent or unit"),
     )
+}
+
+/// Complains of a joint that moves its bodies by more than can be computed with: of a gear ratio.
+fn too_steep(system: &System, inputs: &Inputs) -> Option<Complaint> {
+    let mut evaluation = Evaluation::new(system);
+    evaluation.set_position(&system.guess);
+    evaluation.eval_jacobian(system, inputs);
+    let is_steep = |block: &&Block| {
+        let entries = block.entry..block.entry + block.entries;
+        entries.into_iter().any(|index| {
+            let (entry, value) = (&system.entries[index], evaluation.jacobian[index]);
+            entry.column.is_some_and(|column| {
+                let scaled = system.scaled_entry(value, entry.row as usize, column as usize);
+                scaled.is_nan() || scaled.abs() > LONGEST
+            })
+        })
+    };
+    let block = system.blocks.iter().find(is_steep)?;
+    Some(
+        Complaint::new(
+            path(system, block),
+            format!("it moves one body by more than {LONGEST:e} times as much as another, where numbers overflow"),
+        )
+        .hint("look for a ratio or a length with a wrong exponent or unit"),
+    )
+}
+
+/// Where the model says what a block holds.
+fn path(system: &System, block: &Block) -> String {
+    match &block.origin {
+        Origin::Joint(id) => format!("joints.{}", system.joints[id.0].name),
+        Origin::Driver(id) => format!("drivers.{}", system.drivers[id.0].name),
+        Origin::Initial(name) => format!("initial.{name}"),
+    }
 }

@@ -12,6 +12,7 @@ mod velocities;
 
 pub use assembled::Assembled;
 pub use determined::check_driven;
+pub use limits::too_short;
 pub use mobility::{counted, topology};
 pub use ranks::ranks;
 pub use velocities::{velocities, velocities_near};
@@ -20,7 +21,7 @@ use super::control::Stop;
 use crate::mechanism::closing::close;
 use crate::system::{Block, Inputs, System};
 use diagnosis::diagnose;
-use limits::{too_far, too_long};
+use limits::beyond_numbers;
 use mobility::mobility;
 
 /// Assembles at `inputs` from the model's guess; with `initial` values exact.
@@ -28,7 +29,7 @@ use mobility::mobility;
 /// # Errors
 /// [`Stop::Failed`] with status `assembly_failed` and the loop or the values that do not fit.
 pub fn assemble(system: &System, inputs: &Inputs) -> Result<Assembled, Stop> {
-    if let Some(complaint) = too_long(system).or_else(|| too_far(system, inputs)) {
+    if let Some(complaint) = beyond_numbers(system, inputs) {
         return Err(Stop::Input(vec![complaint]));
     }
     let all: Vec<&Block> = system.blocks.iter().chain(&system.initial).collect();

@@ -30,9 +30,6 @@ pub(super) fn free(system: &System, q: &[f64], inputs: &Inputs) -> Option<Vec<f6
     )
 }
 
-/// Largest magnitude of a scaled entry, whose square is still a number: of gear ratios of any size.
-const LARGEST: f64 = 1e150;
-
 /// The first `rows` rows of the scaled Jacobian.
 fn scaled_rows(system: &System, values: &[f64], rows: usize) -> SparseRows {
     let entries: Vec<(usize, usize, f64)> = system
@@ -41,19 +38,12 @@ fn scaled_rows(system: &System, values: &[f64], rows: usize) -> SparseRows {
         .zip(values)
         .filter_map(|(entry, value)| {
             let (row, column) = (entry.row as usize, entry.column? as usize);
-            (row < rows).then(|| {
-                (
-                    row,
-                    column,
-                    (value * system.column_scale(column) / system.row_scale(row))
-                        .clamp(-LARGEST, LARGEST),
-                )
-            })
+            (row < rows).then(|| (row, column, system.scaled_entry(*value, row, column)))
         })
         .collect();
     match SparseRows::from_triplets(rows, system.n(), &entries) {
         Ok(rows) => rows,
-        // `assemble` has seen to it that places are finite, and entries are held to `LARGEST`.
+        // `assemble` has seen to it that places are finite, and that no entry is too large.
         Err(bad) => panic!(
             "the Jacobian's entry at row {}, column {} is not finite",
             bad.row, bad.column
