@@ -8,7 +8,9 @@
 mod rng;
 
 mod change;
+mod huge;
 mod places;
+mod watch;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
@@ -107,6 +109,16 @@ fn edited_models_are_refused_or_run() {
         number("LINKDYN_EDITS", 2000),
         number("LINKDYN_EDIT_SEED", 7),
     );
+    let passed = watch::in_time(move |begins| edited(count, seed, begins));
+    println!("{count} edits, {passed} passed the gate");
+    assert!(
+        passed > count / 10 && passed < count,
+        "{passed} of {count} passed"
+    );
+}
+
+/// Edits models, and says of each what it is before it begins; how many passed the gate.
+fn edited(count: u64, seed: u64, begins: impl Fn(String)) -> u64 {
     let sources = sources();
     let mut passed = 0;
     for index in 0..count {
@@ -118,17 +130,14 @@ fn edited_models_are_refused_or_run() {
         }
         let kept = model.clone();
         let is_run = rng.once_in(4);
+        begins(format!("edit {index} of seed {seed}"));
         let held = catch_unwind(AssertUnwindSafe(|| holds(loaded, model, is_run)));
         match held {
             Ok(held) => passed += u64::from(held),
             Err(_) => panic!("edit {index} of seed {seed}: {kept:?}"),
         }
     }
-    println!("{count} edits, {passed} passed the gate");
-    assert!(
-        passed > count / 10 && passed < count,
-        "{passed} of {count} passed"
-    );
+    passed
 }
 
 #[test]
