@@ -13,6 +13,7 @@
 //! | `watch`     | runs again when a file changes                           |
 //! | `progress`  | the line that tells how far a run has come               |
 //! | `interrupt` | Ctrl-C                                                   |
+//! | `gallery`   | pictures of the bundled models                           |
 //! | `shape`     | the shape of a model, for results that were read         |
 
 mod animate;
@@ -21,6 +22,7 @@ mod compare;
 mod completions;
 mod docs;
 mod exit;
+mod gallery;
 mod interrupt;
 mod man;
 mod measures;
@@ -83,7 +85,7 @@ enum Command {
     Animate(animate::Options),
     /// Run the bundled validation cases: reference, ours, difference, verdict
     Validate(validate::Options),
-    /// List the bundled models, or print one as JSON
+    /// List the bundled models, print one as JSON, or draw them
     Models(models::Options),
     /// Print the JSON Schema of model files
     Schema,

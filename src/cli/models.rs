@@ -1,13 +1,17 @@
 //! `linkdyn models`: the bundled models.
 
+use std::path::{Path, PathBuf};
+
 use clap::Args;
 use serde_json::Value;
 
 use super::exit::{BadInput, Exit};
+use super::gallery;
 use super::near::did_you_mean;
 use super::page::{Page, wrapped};
 use super::streams::print;
 use linkdyn_model::bundled::{self, Bundled, NotBundled};
+use linkdyn_output::Directory;
 
 #[derive(Debug, Args)]
 pub struct Options {
@@ -16,6 +20,9 @@ pub struct Options {
     /// Number of loops of nfourbar, the model that comes in any size (also a MODEL everywhere: nfourbar:40)
     #[arg(long, value_name = "N", requires = "name")]
     n: Option<String>,
+    /// Draw this one, or all, as PNG into this directory instead
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
 }
 
 /// Width of the list.
@@ -24,7 +31,10 @@ const WIDTH: usize = 110;
 /// Lists the models, or prints one as it is.
 pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let Some(name) = &options.name else {
-        print(&list())?;
+        match &options.output {
+            Some(path) => pictures(bundled::MODELS.iter().map(|model| model.name), path)?,
+            None => print(&list())?,
+        }
         return Ok(Exit::Done);
     };
     if let (Some((stem, size)), Some(n)) = (name.split_once(':'), &options.n) {
@@ -37,13 +47,25 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         .as_ref()
         .map_or_else(|| name.clone(), |n| format!("{name}:{n}"));
     match bundled::text(&sized) {
-        Ok(text) => print(&text)?,
+        Ok(text) => match &options.output {
+            Some(path) => pictures(std::iter::once(sized.as_str()), path)?,
+            None => print(&text)?,
+        },
         Err(NotBundled::Unknown) => return Err(unknown(name)),
         Err(why @ (NotBundled::OneSize(_) | NotBundled::BadSize)) => {
             return Err(BadInput(vec![format!("{sized}: {why}")]));
         }
     }
     Ok(Exit::Done)
+}
+
+/// Draws models and tells the files.
+fn pictures<'a>(names: impl Iterator<Item = &'a str>, path: &Path) -> Result<(), BadInput> {
+    let mut page = Page::default();
+    for written in gallery::draw(names, &Directory::open(path)?)? {
+        page.line(written.display().to_string());
+    }
+    Ok(print(page.text())?)
 }
 
 /// A paragraph per model: name, aliases, what it is.

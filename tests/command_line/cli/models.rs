@@ -151,3 +151,26 @@ fn a_new_model_overwrites_nothing_unasked() {
     );
     assert_eq!(json(&scratch.path("pendulum.json"))["name"], "My pendulum");
 }
+
+#[test]
+fn models_are_drawn() {
+    let scratch = Scratch::new("gallery");
+    let listed = done(&["models", "-o", &scratch.path("all")]);
+    let models = Path::new(env!("CARGO_MANIFEST_DIR")).join("models");
+    let count = fs::read_dir(models).expect("models").count();
+    assert_eq!(listed.lines().count(), count, "{listed}");
+    for path in listed.lines() {
+        let bytes = fs::read(path).expect("written");
+        assert!(
+            bytes.starts_with(b"\x89PNG") && bytes.len() > 3000,
+            "{path}"
+        );
+    }
+    let one = done(&["models", "nfourbar", "--n", "2", "-o", &scratch.path("one")]);
+    assert!(one.trim().ends_with("nfourbar-2.png"), "{one}");
+    refused(
+        &["models", "four-bra", "-o", &scratch.path("none")],
+        2,
+        "four-bar",
+    );
+}
