@@ -14,16 +14,36 @@ pub struct Options {
 }
 
 /// Pages of the book: name, what it is for, text.
-const PAGES: [(&str, &str, &str); 4] = [
+const PAGES: [(&str, &str, &str); 10] = [
     (
         "tutorial",
         "a first model, from an empty file to a study of clearance",
         include_str!("../../docs/tutorial.md"),
     ),
     (
+        "recipes",
+        "points from a drawing, a cylinder, a motor, a suspension, pandas",
+        include_str!("../../docs/recipes.md"),
+    ),
+    (
+        "models",
+        "the bundled models, with a picture of each",
+        include_str!("../../docs/models.md"),
+    ),
+    (
+        "commands",
+        "what each command does, exit statuses, figures",
+        include_str!("../../docs/commands.md"),
+    ),
+    (
         "format",
         "reference of model files",
         include_str!("../../docs/format.md"),
+    ),
+    (
+        "results",
+        "reference of columns, summary, events, the report",
+        include_str!("../../docs/results.md"),
     ),
     (
         "messages",
@@ -34,6 +54,16 @@ const PAGES: [(&str, &str, &str); 4] = [
         "theory",
         "equations of every element and method, with signs and sources",
         include_str!("../../docs/theory.md"),
+    ),
+    (
+        "validation",
+        "answers that are not ours, and how far we are from them",
+        include_str!("../../docs/validation.md"),
+    ),
+    (
+        "performance",
+        "how long things take",
+        include_str!("../../docs/performance.md"),
     ),
 ];
 

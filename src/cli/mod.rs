@@ -45,7 +45,7 @@ mod watch;
 mod words;
 
 use std::ffi::OsString;
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::process::ExitCode;
 
 use clap::error::{ContextKind, ContextValue};
@@ -53,7 +53,7 @@ use clap::{CommandFactory, Parser, Subcommand};
 
 use exit::{BadInput, Exit};
 pub use streams::Said;
-use streams::{complain, kept};
+use streams::{complain, kept, remark};
 
 /// Planar multibody dynamics of linkages: assembly, kinematics, forces, statics, motion.
 #[derive(Debug, Parser)]
@@ -132,7 +132,17 @@ fn execute(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         lines.iter().for_each(|line| complain(line));
         Exit::BadInput
     });
+    if matches!(exit, Exit::BadInput | Exit::Stopped) {
+        advise();
+    }
     exit.code()
+}
+
+/// Tells people, not programs, where messages are explained.
+fn advise() {
+    if !kept(|_| ()) && io::stderr().is_terminal() {
+        remark("`linkdyn docs messages` explains messages");
+    }
 }
 
 /// What clap has to say: a fault of the arguments, or the help or version that was asked for.

@@ -104,6 +104,8 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     page.line(format!("{shown}: {about}; its notes explain it. Next:"));
     page.line(format!("  linkdyn check {file}"));
     page.line(format!("  linkdyn run {file} -o out"));
+    page.line("  linkdyn docs tutorial   tells how a model is made, step by step");
+    page.line("  linkdyn docs format     tells all that may stand in it");
     print(page.text())?;
     Ok(Exit::Done)
 }

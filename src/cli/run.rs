@@ -42,7 +42,7 @@ const HELP: &str = "  linkdyn run four-bar -o out
   linkdyn run four-bar --set parameters.crank=\"120 mm\" --json
   linkdyn run four-bar -o - > results.csv
 
-What a message means: linkdyn docs messages.";
+What the columns mean: linkdyn docs results. What a message means: linkdyn docs messages.";
 
 /// Where the results go.
 enum Target {

@@ -1,12 +1,21 @@
-//! The book `docs/`, for people who design mechanisms. Every model in it is loaded and run by `tests/command_line/guide.rs`, and every
+//! The book `docs/`, for people who design mechanisms. Every model in it is loaded and run by `tests/command_line/book`, and every
 //! command executed, so what it shows is what this version does.
 //!
 //! | page            | for                                                           |
 //! | --------------- | ------------------------------------------------------------- |
 //! | [`tutorial`]    | a first model, from an empty file to a study of clearance     |
+//! | [`recipes`]     | models and numbers that are often wanted                      |
+//! | [`commands`]    | what each command does, exit statuses, figures                |
 //! | [`mod@format`]  | reference of model files, each thing with a piece that runs   |
+//! | [`results`]     | reference of columns, summary, events, the report             |
 //! | [`messages`]    | what a message means and what to do                           |
 //! | [`theory`]      | the equations of every element and method, with their sources |
+//! | [`validation`]  | answers that are not ours, and how far we are from them       |
+//! | [`performance`] | how long things take                                          |
+
+#[doc = include_str!("links.md")]
+#[doc = include_str!("../../docs/commands.md")]
+pub mod commands {}
 
 #[doc = include_str!("links.md")]
 #[doc = include_str!("../../docs/format.md")]
@@ -17,9 +26,25 @@ pub mod format {}
 pub mod messages {}
 
 #[doc = include_str!("links.md")]
+#[doc = include_str!("../../docs/performance.md")]
+pub mod performance {}
+
+#[doc = include_str!("links.md")]
+#[doc = include_str!("../../docs/recipes.md")]
+pub mod recipes {}
+
+#[doc = include_str!("links.md")]
+#[doc = include_str!("../../docs/results.md")]
+pub mod results {}
+
+#[doc = include_str!("links.md")]
 #[doc = include_str!("../../docs/theory.md")]
 pub mod theory {}
 
 #[doc = include_str!("links.md")]
 #[doc = include_str!("../../docs/tutorial.md")]
 pub mod tutorial {}
+
+#[doc = include_str!("links.md")]
+#[doc = include_str!("../../docs/validation.md")]
+pub mod validation {}

@@ -5,15 +5,14 @@ mod browser;
 #[path = "../common/long.rs"]
 mod long;
 
+mod book;
 mod check;
 mod cli;
 mod compare;
 mod figures;
 mod fuzz_finds;
-mod guide;
 mod mistakes;
 mod peaks;
-mod readme;
 mod report;
 #[cfg(unix)]
 mod terminal;

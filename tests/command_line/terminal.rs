@@ -173,6 +173,22 @@ fn a_short_run_on_a_terminal_shows_no_line() {
 }
 
 #[test]
+fn people_are_told_where_messages_are_explained() {
+    let (mut child, mut master) = spawn(&["run", "four-bar", "--set", "unit=1"]);
+    let mut seen = String::new();
+    read(&mut master, &mut seen, |_| false);
+    assert_eq!(child.wait().expect("ends").code(), Some(2), "{seen:?}");
+    let shown = screen(&seen);
+    let lines: Vec<&str> = shown.lines().filter(|line| !line.is_empty()).collect();
+    assert!(
+        lines.len() == 2
+            && lines[0].starts_with("error: four-bar: ")
+            && lines[1] == "`linkdyn docs messages` explains messages",
+        "{shown}"
+    );
+}
+
+#[test]
 fn validation_names_the_case_and_is_interrupted() {
     // long enough together: the line waits for half a second of the command
     let cases = [&["validate", "four-bar"][..], &["tolerance-ladder"; 40]].concat();

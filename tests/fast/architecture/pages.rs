@@ -5,7 +5,8 @@ use std::fs;
 use super::source::root;
 
 /// Where a path of ours begins.
-const BEGINNINGS: [&str; 7] = [
+const BEGINNINGS: [&str; 8] = [
+    "docs/",
     "crates/",
     "src/",
     "tests/",
@@ -27,7 +28,10 @@ fn paths(text: &str) -> impl Iterator<Item = &str> {
 fn pages_name_what_there_is() {
     for (page, fewest) in [
         ("CONTRIBUTING.md", 40),
-        ("README.md", 5),
+        ("README.md", 2),
+        ("docs/validation.md", 8),
+        ("docs/performance.md", 3),
+        ("docs/models.md", 1),
         ("CHANGELOG.md", 0),
     ] {
         let text = fs::read_to_string(root().join(page)).expect(page);
