@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use super::exit::BadInput;
+use super::open::bad_input;
 use crate::files::shape;
 use linkdyn_engine::analysis::{self, Control};
 use linkdyn_model::bundled;
@@ -41,12 +42,9 @@ pub fn draw<'a>(
 fn picture(name: &str) -> Result<Vec<u8>, BadInput> {
     let bad = |why: &dyn std::fmt::Display| BadInput(vec![format!("{name}: {why}")]);
     let text = bundled::text(name).map_err(|why| bad(&why))?;
-    let all = |found: Vec<linkdyn_model::error::Complaint>| {
-        BadInput(found.iter().map(|one| format!("{name}: {one}")).collect())
-    };
-    let model = linkdyn_model::load(text.as_bytes(), &[])
-        .map_err(all)?
-        .model;
+    let all = |found| bad_input(name, found);
+    let loaded = linkdyn_model::load(text.as_bytes(), &[]).map_err(all)?;
+    let model = loaded.model;
     let outcome = analysis::run(&model, &Control::default()).map_err(all)?;
     let results = outcome.all();
     let shape = shape(&model, results);

@@ -118,7 +118,7 @@ impl Opened {
 const MOST_COMPLAINTS: usize = 100;
 
 /// A line per complaint, each with the model's name.
-fn bad_input(label: &str, complaints: Complaints) -> BadInput {
+pub fn bad_input(label: &str, complaints: Complaints) -> BadInput {
     let line = |complaint: &Complaint| format!("{label}: {complaint}");
     // The loader's own list ends with such a count.
     let most = if complaints.len() > MOST_COMPLAINTS + 1 {

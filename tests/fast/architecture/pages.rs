@@ -30,7 +30,7 @@ fn pages_name_what_there_is() {
         ("CONTRIBUTING.md", 40),
         ("README.md", 2),
         ("docs/validation.md", 8),
-        ("docs/performance.md", 3),
+        ("docs/performance.md", 2),
         ("docs/models.md", 1),
         ("CHANGELOG.md", 0),
     ] {
