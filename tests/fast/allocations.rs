@@ -117,7 +117,7 @@ fn start(system: &System) -> (Reduced<'_>, Vec<f64>) {
     let v = assembly::velocities(system, &assembled.q, &inputs).expect("velocities");
     let mut reduced =
         Reduced::new(system, &assembled.all.free_columns, &assembled.q, &v, 0.0).expect("regular");
-    reduced.lag = 1e-8;
+    reduced.set_lag(1e-8);
     let mut y = vec![0.0; 2 * reduced.freedom()];
     reduced.state(&mut y);
     (reduced, y)

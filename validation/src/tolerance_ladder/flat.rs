@@ -34,13 +34,13 @@ pub fn flat_steps(loops: usize, case: &str) -> Result<Claim, CaseError> {
     let v = assembly::velocities(&system, &start.q, &inputs).map_err(|stop| broken(&stop))?;
     let mut reduced = Reduced::new(&system, &start.all.free_columns, &start.q, &v, 0.0)
         .map_err(|failure| broken(&failure))?;
-    reduced.lag = LAG * FLAT;
+    reduced.set_lag(LAG * FLAT);
     let rocker = system
         .bodies
         .iter()
         .position(|body| body.name == "rocker0")
         .ok_or_else(|| broken(&"no rocker0"))?;
-    let height = |reduced: &Reduced| reduced.q[system.layout.moving(rocker).theta()].sin();
+    let height = |reduced: &Reduced| reduced.position()[system.layout.moving(rocker).theta()].sin();
     let begin =
         |reduced: &mut Reduced, t: f64, step: Option<f64>| -> Result<Box<dyn Stepper>, CaseError> {
             let limits = Limits {
@@ -65,7 +65,10 @@ pub fn flat_steps(loops: usize, case: &str) -> Result<Claim, CaseError> {
     let mut stepper = begin(&mut reduced, 0.0, None)?;
     let (mut steps, mut flat, mut before) = (Vec::new(), Vec::new(), height(&reduced));
     while stepper.t() < 20.0 {
-        if reduced.repin().map_err(|failure| broken(&failure))? {
+        if reduced
+            .choose_better()
+            .map_err(|failure| broken(&failure))?
+        {
             let step = stepper.t() - stepper.previous();
             stepper = begin(&mut reduced, stepper.t(), (step > 0.0).then_some(step))?;
         }

@@ -116,7 +116,7 @@ pub struct Counters {
 }
 
 /// An integrator that goes step by step; forwards where end > t, backwards where end < t.
-pub trait Stepper {
+pub trait Stepper: Send {
     /// Starts (again) at (t, y); chooses an initial step where none is given.
     ///
     /// Panics where y or the absolute tolerances don't have the dimension of `ode`.

@@ -1,10 +1,11 @@
 //! Why a run ended before its time, in words and in parts.
 
 use super::fault::Fault;
-use super::motion::Motion;
+use super::flow::Flow;
 use super::words::{culprits, describe, jam, tight};
 use crate::analysis::words::locked;
 use crate::mechanism::driven::Failure;
+use linkdyn_model::display::DisplayUnits;
 use linkdyn_output::{Reason, Status};
 
 /// Why the loop ended before its time.
@@ -18,9 +19,22 @@ pub struct Ended {
 }
 
 impl Ended {
+    /// By the user or the clock, at `time`.
+    pub fn stopped(status: Status, time: f64, display: &DisplayUnits) -> Ended {
+        let why = match status {
+            Status::Interrupted => "interrupted".to_string(),
+            _ => format!("max_wall_time is over at t = {}", display.time(time)),
+        };
+        Ended {
+            status,
+            message: format!("{why}; the rows until then are kept"),
+            reason: None,
+        }
+    }
+
     /// At an output that can't be solved.
-    pub fn at_output(motion: &mut Motion, fault: Fault, time: f64) -> Ended {
-        let system = motion.system();
+    pub fn at_output(flow: &mut Flow, fault: Fault, time: f64) -> Ended {
+        let system = flow.system();
         let when = system.display.time(time);
         let message = match fault {
             Fault::Unsolved(Failure::Locked { force }) => format!(
@@ -36,31 +50,31 @@ impl Ended {
         Ended {
             status: Status::Singular,
             message,
-            reason: Some(Box::new(fault.reason(motion, time))),
+            reason: Some(Box::new(fault.reason(flow, time))),
         }
     }
 
     /// At a step that can't be taken. `ahead` is a force that is about to lock its joint, `jammed` the rigid contacts that no
     /// forces answer.
     pub fn at_step(
-        motion: &mut Motion,
+        flow: &mut Flow,
         fault: Fault,
         now: f64,
         ahead: Option<usize>,
         jammed: &[usize],
     ) -> Ended {
-        let (status, message) = told(motion, fault, now, ahead, jammed);
+        let (status, message) = told(flow, fault, now, ahead, jammed);
         Ended {
             status,
             message,
-            reason: Some(Box::new(fault.reason(motion, now))),
+            reason: Some(Box::new(fault.reason(flow, now))),
         }
     }
 }
 
 /// What a step that can't be taken means.
 fn told(
-    motion: &mut Motion,
+    flow: &mut Flow,
     fault: Fault,
     now: f64,
     ahead: Option<usize>,
@@ -70,29 +84,28 @@ fn told(
         Fault::TooSmall { .. } => false,
         Fault::Indivisible { .. } | Fault::Unsolved(_) => true,
     };
-    let lock = motion
-        .reduced
-        .driven
-        .dependent_forces
+    let lock = flow
+        .equations
+        .dependent_forces()
         .locked()
         .filter(|_| refused)
         .or(ahead);
     if let Some(force) = lock {
-        let who = locked(motion.system(), force);
-        let when = motion.system().display.time(now);
+        let who = locked(flow.system(), force);
+        let when = flow.system().display.time(now);
         return (
             Status::Singular,
             format!("at t = {when} {who}; the rows until there are kept"),
         );
     }
-    let display = &motion.system().display;
+    let display = &flow.system().display;
     if !refused {
         let what = describe(fault, now, "", display);
-        return (Status::StepTooSmall, format!("{what}{}", tight(motion)));
+        return (Status::StepTooSmall, format!("{what}{}", tight(flow)));
     }
     if !jammed.is_empty() {
-        return (Status::Singular, jam(motion, jammed, now));
+        return (Status::Singular, jam(flow, jammed, now));
     }
-    let culprits = culprits(motion);
+    let culprits = culprits(flow);
     (Status::Singular, describe(fault, now, &culprits, display))
 }

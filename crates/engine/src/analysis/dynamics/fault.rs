@@ -1,7 +1,6 @@
 //! Why a motion can't be followed any further, from the solver that finds it up to the report.
 
-use super::motion::Motion;
-use crate::integrate::{Refused, StepFailure};
+use super::flow::Flow;
 use crate::mechanism::failure::Failure;
 use linkdyn_output::Reason;
 use thiserror::Error;
@@ -40,7 +39,7 @@ impl Fault {
     }
 
     /// In parts for the report, of a motion that is known up to `time`.
-    pub fn reason(self, motion: &mut Motion, time: f64) -> Reason {
+    pub fn reason(self, flow: &mut Flow, time: f64) -> Reason {
         let residual = match self {
             Fault::Unsolved(
                 Failure::Diverged { residual } | Failure::Inconsistent { residual },
@@ -49,9 +48,7 @@ impl Fault {
             | Fault::TooSmall { .. }
             | Fault::Indivisible { .. } => None,
         };
-        let system = motion.system();
-        // To look for it is no work of the run.
-        let done = motion.reduced.driven.done;
+        let system = flow.system();
         let rows = match self {
             Fault::Unsolved(Failure::Locked { force }) => {
                 let block = &system.blocks[system.dependent_forces[force].block];
@@ -59,10 +56,9 @@ impl Fault {
             }
             Fault::Unsolved(
                 Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. },
-            ) => motion.reduced.strained_rows(),
+            ) => flow.equations.strained_rows(),
             Fault::TooSmall { .. } | Fault::Indivisible { .. } => Vec::new(),
         };
-        motion.reduced.driven.done = done;
         let owner = |row: &usize| system.origin_name(&system.block_of_row(*row).origin);
         let mut owners: Vec<String> = rows.iter().map(owner).collect();
         owners.dedup();
@@ -73,20 +69,5 @@ impl Fault {
             rows,
             owners,
         }
-    }
-}
-
-impl Motion<'_> {
-    /// What a step that can't be taken means: the stepper knows only that it was refused, the motion why.
-    pub fn stopped(&self, failure: StepFailure) -> Fault {
-        match failure {
-            StepFailure::TooSmall { t, h } => Fault::TooSmall { t, h },
-            StepFailure::Refused { .. } => self.refused(Refused),
-        }
-    }
-
-    /// What a refused point means. Values that are not finite come of singular equations.
-    pub fn refused(&self, _: Refused) -> Fault {
-        Fault::Unsolved(self.refusal.unwrap_or(Failure::Singular))
     }
 }

@@ -1,6 +1,6 @@
 //! How far the friction of ideal joints is from locking them.
 
-use super::motion::Motion;
+use super::flow::Flow;
 use super::words::TIGHT;
 
 /// A lock that lies ahead by less than this many rounding units of the time is where the steps end.
@@ -32,9 +32,9 @@ impl Margins {
     }
 
     /// Notes how far the friction is from locking a joint at `time`, the end of the step just taken.
-    pub fn note(&mut self, motion: &Motion, time: f64) {
-        let dependent = &motion.reduced.driven.dependent_forces;
-        if motion.system().dependent_forces.is_empty() || dependent.locked().is_some() {
+    pub fn note(&mut self, flow: &Flow, time: f64) {
+        let dependent = flow.equations.dependent_forces();
+        if flow.system().dependent_forces.is_empty() || dependent.locked().is_some() {
             return;
         }
         let here = Margin {

@@ -1,40 +1,39 @@
 //! Forward dynamics: the motion that forces and masses bring about, with drivers where there are some.
 //!
-//! Integrated are minimal coordinates (see [`crate::mechanism::reduced`] and [`motion`]), by a method of [`crate::integrate`];
-//! positions and velocities of everything else follow from the constraints at every stage, so nothing drifts. Outputs come
-//! from the method's continuous extension and are put exactly onto the constraints.
+//! A motion is a hybrid system ([`simulation`]):
 //!
-//! Joints with clearance by contact are open: journals fly and press (`contact`), and the instants at which they begin
-//! and cease to are located within the steps (`integration`).
+//! ```text
+//! state         y and its layout: coordinates, bristles, work, sums of contacts
+//! flow          the equations between events, in minimal coordinates (see [`crate::mechanism::reduced`])
+//! steps         a method of [`crate::integrate`] along the flow; the last step as a function of time
+//! modes         phases of contacts, the guards that end them, and what is reset there
+//! events        the first guard that becomes positive within a step
+//! impulses      impacts, sustained contacts and jams at an instant, by one complementarity problem
+//! ledger        episodes, wear and energy of contacts
+//! extremes      peaks of all columns between the outputs
+//! ```
+//!
+//! Positions and velocities of all bodies follow from the constraints at every stage, so nothing drifts. Outputs come from the
+//! method's continuous extension and are put exactly onto the constraints.
 
-mod account;
-mod closer;
-mod contact;
+mod begin;
 mod ended;
-mod episodes;
+mod events;
+mod extremes;
 mod fault;
-mod following;
-mod history;
-mod impact;
-mod integration;
-mod jam;
-mod locate;
-mod look;
-mod looking;
+mod flow;
+mod impulses;
+mod ledger;
 mod margins;
-pub mod motion;
+mod modes;
 mod outputs;
 mod parts;
-mod peaks;
-mod point;
-mod quantities;
 mod sampling;
 mod settings;
-mod settle;
+mod simulation;
 mod start;
-mod tolerance;
-mod watch;
-mod within;
+mod state;
+mod steps;
 mod words;
 
 use super::assembly::Assembled;
@@ -45,13 +44,11 @@ use crate::mechanism::driven::Failure;
 use crate::mechanism::phases::Phases;
 use crate::mechanism::reduced::Reduced;
 use crate::system::System;
-use ended::Ended;
-use integration::Integration;
+use flow::Flow;
 use linkdyn_model::error::Complaint;
 use linkdyn_output::{Report, Status, Stopwatch, Trajectory};
-use looking::Looking;
-use motion::Motion;
 use outputs::Outputs;
+use simulation::Simulation;
 
 pub use settings::{Settings, Wanted};
 pub use start::Start;
@@ -83,7 +80,6 @@ pub fn run(
         parts::parts(system, &assembled.q)
     };
     reduced.cross(&parts, &phases);
-    let mut motion = Motion::new(&phases, reduced);
     let mut report = Report {
         mobility: assembled.mobility,
         warnings: assembled.warnings,
@@ -91,17 +87,15 @@ pub fn run(
     };
     report.assemble = assembling;
     let end = settings.instants.last().copied().unwrap_or(0.0);
-    let mut solver = Integration::new(settings, &mut motion, end)?;
-    if !system.contacts.is_empty() {
-        solver.looking = Some(Box::new(Looking::new(&motion, settings)));
-        solver.watch_from(&mut motion, 0.0);
-    }
+    let flow = Flow::new(&phases, reduced);
+    let mut simulation = Simulation::begin(settings, flow, end)?;
     let rows = settings.instants.len();
     let mut outputs = Outputs::new(system, settings.contents, rows, &mut report);
     for &instant in &settings.instants {
-        let reached = solver.reach(&mut motion, instant, control).and_then(|()| {
-            let recorded = outputs.record(&mut solver, &mut motion, instant);
-            recorded.map_err(|fault| Ended::at_output(&mut motion, fault, instant))
+        let reached = simulation.reach(instant, control).and_then(|()| {
+            let sampled = simulation.output(instant);
+            let recorded = sampled.map(|(flow, energy)| outputs.record(flow, energy));
+            recorded.map_err(|fault| simulation.ended_at(fault, instant))
         });
         if let Err(ended) = reached {
             outputs.report.status = ended.status;
@@ -111,26 +105,12 @@ pub fn run(
         }
     }
     let mut trajectory = outputs.finish();
-    let peaks = solver
-        .looking
-        .take()
-        .map(|looking| looking.finish(&mut trajectory))
-        .unwrap_or_default();
     report.warnings.extend(unsure_friction(
         system,
         &report.mobility.reactions_not_unique,
     ));
-    report.warnings.extend(motion.reduced.passed_change_point().map(|time| {
-        format!(
-            "at t = {} or a little before the motion passes a change point: friction from reactions that have no bound \
-             there may hold or brake the mechanism more than the steps see",
-            system.display.time(time)
-        )
-    }));
-    solver.account(&motion, &mut report);
-    let done = motion.reduced.driven.done;
-    report.statistics.newton_iterations += done.newton_iterations + assembled.iterations;
-    report.statistics.factorisations += done.factorisations;
+    let peaks = simulation.finish(&mut trajectory, &mut report);
+    report.statistics.newton_iterations += assembled.iterations;
     report.solve = watch.read();
     Ok((trajectory, peaks, report))
 }

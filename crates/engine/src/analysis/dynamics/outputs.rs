@@ -1,8 +1,6 @@
 //! The loop's results: rows, and how good they are.
 
-use super::fault::Fault;
-use super::integration::Integration;
-use super::motion::Motion;
+use super::flow::Flow;
 use super::sampling::Sampling;
 use crate::analysis::channels::Contents;
 use crate::analysis::power::Powers;
@@ -45,44 +43,31 @@ impl<'a, 'r> Outputs<'a, 'r> {
         }
     }
 
-    /// A row at `time`, within the last step.
-    ///
-    /// # Errors
-    /// Where the position can't be solved.
-    pub fn record(
-        &mut self,
-        solver: &mut Integration,
-        motion: &mut Motion,
-        time: f64,
-    ) -> Result<(), Fault> {
-        solver.output(motion, time)?;
-        self.sampling.take(motion);
-        let [dissipated, work] = solver.ledger(motion);
-        let reduced = &mut motion.reduced;
-        let system = reduced.own().system;
+    /// A row at the point of the last evaluation, where contacts have dissipated so much, and everything else has done so
+    /// much work \[J\].
+    pub fn record(&mut self, flow: &mut Flow, [dissipated, work]: [f64; 2]) {
+        self.sampling.take(flow);
+        let equations = &mut flow.equations;
+        let system = equations.own_system();
+        let quality = &mut self.report.quality;
+        quality.constraint_residual = quality.constraint_residual.max(equations.residual());
         let Sample {
-            q,
             v,
             a,
             lambda,
             force,
             ..
         } = &self.sampling.sample;
-        let evaluation = &mut reduced.driven.evaluation;
-        evaluation.set_position(q);
-        evaluation.eval_phi(system, &reduced.inputs);
-        let residual = system.scaled_residual(&evaluation.phi);
-        self.report.quality.constraint_residual =
-            self.report.quality.constraint_residual.max(residual);
+        let (evaluation, inputs) = (equations.evaluation(), &equations.inputs);
         let efforts = &lambda[system.joint_rows()..];
         let drivers = efforts
             .iter()
-            .zip(&reduced.inputs.drive)
+            .zip(&inputs.drive)
             .map(|(effort, jet)| (*effort, jet[1]));
         self.powers.note(self.system, [v, a, force], drivers);
         let moving = evaluation.kinetic_energy(self.system, v);
-        let potential = evaluation.potential_energy(self.system, &reduced.inputs);
-        let elastic = evaluation.contact_energy(self.system, &reduced.inputs);
+        let potential = evaluation.potential_energy(self.system, inputs);
+        let elastic = evaluation.contact_energy(self.system, inputs);
         let energy = moving + potential;
         let [least, most, largest] = self.energy.unwrap_or([energy, energy, 0.0]);
         self.energy = Some([least.min(energy), most.max(energy), largest.max(moving)]);
@@ -99,8 +84,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
                 .fold(ledger.largest, f64::max);
         }
         self.sampling.sample.contact_energy = [elastic, dissipated];
-        self.sampling.push(motion);
-        Ok(())
+        self.sampling.push(flow);
     }
 
     /// The rows; what was learnt on the way goes to the report.

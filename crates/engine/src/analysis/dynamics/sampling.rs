@@ -1,7 +1,7 @@
 //! Values and rows of the result columns, from the motion at its last evaluation.
 
-use super::contact::state;
-use super::motion::Motion;
+use super::flow::Flow;
+use super::modes::state;
 use crate::analysis::channels::Contents;
 use crate::analysis::record::Recorder;
 use crate::analysis::sample::{ContactSample, Sample};
@@ -22,16 +22,15 @@ impl Sampling {
     }
 
     /// Motion, forces and contacts of the last evaluation; the energy of contacts is the caller's.
-    pub fn take(&mut self, motion: &mut Motion) {
-        for (contact, journal) in motion.system().contacts.iter().enumerate() {
-            let memory = &motion.reduced.inputs.contacts[contact];
+    pub fn take(&mut self, flow: &mut Flow) {
+        for (contact, journal) in flow.system().contacts.iter().enumerate() {
             self.sample.contacts[contact] = ContactSample {
-                reading: motion.reading(contact),
-                state: state(journal, memory),
+                reading: flow.reading(contact),
+                state: state(journal, &flow.memories()[contact]),
             };
         }
-        let reduced = &mut motion.reduced;
-        let system = reduced.own().system;
+        let equations = &mut flow.equations;
+        let system = equations.own_system();
         let Sample {
             q,
             v,
@@ -42,25 +41,22 @@ impl Sampling {
             ..
         } = &mut self.sample;
         lambda.resize(system.m(), 0.0);
-        q.copy_from_slice(&reduced.q);
-        v.copy_from_slice(&reduced.v);
-        a.copy_from_slice(&reduced.a);
-        force.copy_from_slice(&reduced.force);
-        reduced.reactions(lambda);
-        // Of a journal that follows its bearing the friction is told with the contact.
+        q.copy_from_slice(equations.position());
+        v.copy_from_slice(equations.velocity());
+        a.copy_from_slice(equations.acceleration());
+        force.copy_from_slice(equations.force());
+        equations.reactions(lambda);
+        // Of a sustained contact the friction is told with the contact.
         let told = dependent_forces.len();
-        dependent_forces.copy_from_slice(&reduced.driven.dependent_forces.sizes()[..told]);
+        dependent_forces.copy_from_slice(&equations.dependent_forces().sizes()[..told]);
     }
 
     /// Appends the sample's row.
-    pub fn push(&mut self, motion: &mut Motion) {
-        let reduced = &mut motion.reduced;
-        let system = reduced.own().system;
-        self.recorder.push(
-            system,
-            &reduced.driven.evaluation,
-            &reduced.inputs,
-            &self.sample,
-        );
+    pub fn push(&mut self, flow: &mut Flow) {
+        let equations = &mut flow.equations;
+        let system = equations.own_system();
+        let evaluation = equations.evaluation();
+        self.recorder
+            .push(system, evaluation, &equations.inputs, &self.sample);
     }
 }

@@ -1,7 +1,7 @@
 //! What is said of a run: where it ended and by whose fault, and what to doubt.
 
 use super::fault::Fault;
-use super::motion::Motion;
+use super::flow::Flow;
 use crate::analysis::in_line::singular_text;
 use crate::element::journal::{Journal, Reading, Surface};
 use crate::system::System;
@@ -16,8 +16,8 @@ const DEEP: f64 = 0.1;
 const PENETRATION_DIGITS: usize = 4;
 
 /// Rigid contacts, by number, that no forces answer.
-pub(super) fn jam(motion: &Motion, jammed: &[usize], now: f64) -> String {
-    let joints = motion
+pub(super) fn jam(flow: &Flow, jammed: &[usize], now: f64) -> String {
+    let joints = flow
         .system()
         .joints
         .iter()
@@ -30,7 +30,7 @@ pub(super) fn jam(motion: &Motion, jammed: &[usize], now: f64) -> String {
     format!(
         "at t = {} the journals that slide on their bearings jam in {} {}: with this friction neither normal forces nor \
          impulses answer the motion (Painlevé's paradox); a smaller coefficient, or the model \"contact\", goes on; the rows until there are kept",
-        motion.system().display.time(now),
+        flow.system().display.time(now),
         if jammed.len() == 1 { "joint" } else { "joints" },
         jammed.join(", ")
     )
@@ -87,14 +87,14 @@ pub(super) fn deep_start(system: &System, contact: usize, reading: &Reading) -> 
 }
 
 /// What comes nearest to being singular at the last accepted point: ` (…)`, bodies in line or joints that lose rank.
-pub(super) fn culprits(motion: &mut Motion) -> String {
-    let rows = motion.reduced.strained_rows();
-    singular_text(motion.system(), &rows).map_or_else(String::new, |what| format!(" ({what})"))
+pub(super) fn culprits(flow: &mut Flow) -> String {
+    let rows = flow.equations.strained_rows();
+    singular_text(flow.system(), &rows).map_or_else(String::new, |what| format!(" ({what})"))
 }
 
 /// The joint that is about to lock itself by its friction, where one is.
-pub(super) fn tight(motion: &Motion) -> String {
-    let (system, dependent) = (motion.system(), &motion.reduced.driven.dependent_forces);
+pub(super) fn tight(flow: &Flow) -> String {
+    let (system, dependent) = (flow.system(), flow.equations.dependent_forces());
     if system.dependent_forces.is_empty() || dependent.margin() > TIGHT {
         return String::new();
     }

@@ -1,52 +1,74 @@
-//! A mechanism whose positions are a curve of its one pin.
+//! A mechanism whose positions are a curve of its one independent coordinate.
 
-use super::Reduced;
-use crate::mechanism::continuation::{End, HALF_TURN, Parameter, Source, follow};
-use crate::mechanism::driven::Failure;
+use super::accepted::Accepted;
+use super::extrapolation::Extrapolation;
+use super::place::{Given, Place, Placed};
+use crate::mechanism::continuation::{
+    End, HALF_TURN, Parameter, Path, SingularKind, Source, follow,
+};
+use crate::mechanism::driven::{Driven, Failure};
+use crate::system::Inputs;
 
 /// Farthest point that is looked for from the last accepted one: a stage that lies farther is one of a step that is far too long.
 /// In sizes of the mechanism, or radians.
 const FARTHEST: f64 = 100.0;
 
-impl Reduced<'_> {
-    /// The point at hand on the smooth branch near a change point.
-    pub(super) fn evaluate_bridged(&mut self, time: f64, rate: f64) -> Result<(), Failure> {
-        let system = self.driven.system;
-        for (v, s) in self.v.iter_mut().zip(&self.tangent) {
-            *v = rate * s;
+/// The curve, as far as it was followed.
+pub(super) struct Curve<'s> {
+    path: Option<Path>,
+    /// Where positions come from beyond the curve's ends.
+    pub beyond: Extrapolation<'s>,
+    /// S and S' at the point at hand (n), where that is on the smooth branch.
+    pub tangent: Vec<f64>,
+    pub bend: Vec<f64>,
+}
+
+impl<'s> Curve<'s> {
+    /// Not followed yet; of n coordinates.
+    pub fn new(n: usize, beyond: Extrapolation<'s>) -> Self {
+        Curve {
+            path: None,
+            beyond,
+            tangent: vec![0.0; n],
+            bend: vec![0.0; n],
         }
-        for (a, bend) in self.a.iter_mut().zip(&self.bend) {
-            *a = rate * rate * bend;
-        }
-        self.motions.copy_from_slice(&self.tangent);
-        self.driven.evaluation.set_position(&self.q);
-        self.driven.evaluation.set_velocity(&self.v);
-        self.driven
-            .evaluation
-            .eval_force(system, &self.inputs, &mut self.force);
-        self.eval_balance();
-        self.finish(time)
     }
 
-    /// Position (and on bridged stretches S, S′) at u from the curve, which is followed farther where u needs it.
-    pub(super) fn on_curve(&mut self, u: f64) -> Option<Source> {
+    /// Whether a change point lies between two values of the coordinate.
+    pub fn has_change_point_between(&self, from: f64, to: f64) -> bool {
+        let Some(path) = &self.path else {
+            return false;
+        };
+        let between = path.singular_between(from.min(to), from.max(to));
+        between
+            .iter()
+            .any(|position| position.kind == SingularKind::ChangePoint)
+    }
+
+    /// Position (and on bridged stretches S, S') at u from the curve, which is followed farther where u needs it.
+    fn guess(
+        &mut self,
+        u: f64,
+        (accepted, inputs): (&Accepted, &Inputs),
+        driven: &mut Driven,
+        q: &mut [f64],
+    ) -> Option<Source> {
         for attempt in 0..2 {
-            if let Some(curve) = &self.curve {
-                if let Some(source) = curve.guess(u, &mut self.q, &mut self.tangent, &mut self.bend)
-                {
+            if let Some(path) = &self.path {
+                if let Some(source) = path.guess(u, q, &mut self.tangent, &mut self.bend) {
                     return Some(source);
                 }
-                // Beyond a dead centre of the pin there is no curve to follow.
-                let reached = if u < curve.covered().0 {
-                    curve.low
+                // Beyond a dead centre of the coordinate there is no curve to follow.
+                let reached = if u < path.covered().0 {
+                    path.low
                 } else {
-                    curve.high
+                    path.high
                 };
                 if reached != End::Reached {
                     return None;
                 }
             }
-            if attempt == 0 && !self.follow_curve(u) {
+            if attempt == 0 && !self.follow(u, accepted, inputs, driven) {
                 return None;
             }
         }
@@ -54,10 +76,16 @@ impl Reduced<'_> {
     }
 
     /// Follows the curve around the last accepted point, far enough to hold `u`; whether that was possible.
-    pub(super) fn follow_curve(&mut self, u: f64) -> bool {
-        let system = self.driven.system;
-        let column = self.driven.pins[0].column;
-        let centre = self.here.q[column];
+    fn follow(
+        &mut self,
+        u: f64,
+        accepted: &Accepted,
+        inputs: &Inputs,
+        driven: &mut Driven,
+    ) -> bool {
+        let system = driven.system;
+        let column = driven.pins[0].column;
+        let centre = accepted.here.q[column];
         let angle = system.layout.is_angle(column);
         let unit = if angle { 1.0 } else { system.size };
         let distance = (u - centre).abs();
@@ -65,22 +93,40 @@ impl Reduced<'_> {
             return false;
         }
         let reach = (if angle { HALF_TURN } else { system.size }).max(1.5 * distance);
-        let mut inputs = self.inputs.clone();
+        let mut inputs = inputs.clone();
         inputs.drive.iter_mut().for_each(|jet| jet[1..].fill(0.0));
-        let start = self.here.q.clone();
         let found = follow(
-            &mut self.driven,
+            driven,
             (Parameter::Pin, inputs),
-            (centre, &start),
+            (centre, &accepted.here.q),
             (centre - reach, centre + reach),
             &|_| false,
         );
-        self.curve = found.ok();
-        if let Some(curve) = &mut self.curve
+        self.path = found.ok();
+        if let Some(path) = &mut self.path
             && angle
         {
-            curve.close_turn(system, centre);
+            path.close_turn(system, centre);
         }
-        self.curve.is_some()
+        self.path.is_some()
+    }
+}
+
+impl<'s> Place<'s> for Curve<'s> {
+    fn place(
+        &mut self,
+        given: Given,
+        driven: &mut Driven<'s>,
+        q: &mut [f64],
+    ) -> Result<Placed, Failure> {
+        match self.guess(given.u[0], (given.accepted, given.inputs), driven, q) {
+            Some(Source::Regular) => Ok(Placed::Guess),
+            Some(Source::Bridged { .. }) => Ok(Placed::Smooth),
+            None => self.beyond.place(given, driven, q),
+        }
+    }
+
+    fn forget(&mut self) {
+        self.path = None;
     }
 }

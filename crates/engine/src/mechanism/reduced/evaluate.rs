@@ -1,9 +1,8 @@
 //! Position, velocity and acceleration at one point of the motion.
 
 use super::Reduced;
-use crate::mechanism::continuation::Source;
+use super::place::{Given, Place, Placed};
 use crate::mechanism::driven::Failure;
-use linkdyn_linear::hermite::quintic;
 use linkdyn_linear::small::cholesky_solve;
 
 /// Contraction of Newton above which a point is refused: its branch is not certain.
@@ -12,36 +11,6 @@ const CONTRACTION: f64 = 0.35;
 const FARTHEST: f64 = 0.3;
 
 impl Reduced<'_> {
-    /// Predicts the position at `time` with the pins at their values.
-    fn predict(&mut self, time: f64) {
-        match &self.before {
-            Some(before) if before.s < self.here.s => {
-                quintic(before, &self.here, time, &mut self.q, None)
-            }
-            _ => {
-                let h = time - self.here.s;
-                for (q, ((q0, d), dd)) in self
-                    .q
-                    .iter_mut()
-                    .zip(self.here.q.iter().zip(&self.here.d).zip(&self.here.dd))
-                {
-                    *q = q0 + h * (d + 0.5 * h * dd);
-                }
-            }
-        }
-        let n = self.q.len();
-        for (k, pin) in self.driven.pins.iter().enumerate() {
-            let off = pin.jet[0] - self.q[pin.column];
-            for (q, s) in self
-                .q
-                .iter_mut()
-                .zip(&self.here_motions[k * n..(k + 1) * n])
-            {
-                *q += off * s;
-            }
-        }
-    }
-
     /// q, v, a at (t, (u, u̇)).
     ///
     /// # Errors
@@ -50,29 +19,32 @@ impl Reduced<'_> {
         let system = self.driven.system;
         let f = self.freedom();
         self.at = None;
-        let source = if self.has_curve() {
-            self.on_curve(y[0])
-        } else {
-            None
-        };
         self.inputs.set_time(system, time);
-        for (k, pin) in self.driven.pins.iter_mut().enumerate() {
-            pin.jet = [y[k], y[f + k], 0.0];
+        let (u, rates) = y[..2 * f].split_at(f);
+        let given = Given {
+            time,
+            u,
+            inputs: &self.inputs,
+            accepted: &self.accepted,
+        };
+        let placed = self.chart.place(given, &mut self.driven, &mut self.q)?;
+        for (pin, (u, rate)) in self.driven.pins.iter_mut().zip(u.iter().zip(rates)) {
+            pin.jet = [*u, *rate, 0.0];
         }
-        self.bridged = false;
-        match source {
-            Some(Source::Regular) => {}
-            Some(Source::Bridged { .. }) => {
-                self.bridged = true;
-                return self.evaluate_bridged(time, y[1]);
-            }
-            None => {
-                self.predict(time);
-                if let Some(parts) = &mut self.parts {
-                    parts.enter(&mut self.driven, &self.q, &self.here, &self.inputs)?;
-                }
-            }
+        self.is_smooth = placed == Placed::Smooth;
+        match placed {
+            Placed::Guess => self.solve_constraints(rates)?,
+            Placed::Smooth => self.take_branch(rates[0]),
         }
+        self.driven
+            .evaluation
+            .eval_force(system, &self.inputs, &mut self.force);
+        self.eval_balance();
+        self.finish(time)
+    }
+
+    /// q by Newton from the guess at hand, then S, v and a₀.
+    fn solve_constraints(&mut self, rates: &[f64]) -> Result<(), Failure> {
         let correction = self.driven.correct_by_any_rows(&mut self.q, &self.inputs)?;
         if correction.contraction > CONTRACTION || correction.first_step > FARTHEST {
             return Err(Failure::Diverged {
@@ -84,16 +56,28 @@ impl Reduced<'_> {
         }
         self.eval_motions();
         if self.still {
-            self.combine_motions(&y[f..]);
+            self.combine_motions(rates);
         } else {
             self.driven.velocity(&self.inputs, &mut self.v);
         }
         self.driven.acceleration(&self.inputs, &mut self.a);
-        self.driven
-            .evaluation
-            .eval_force(system, &self.inputs, &mut self.force);
-        self.eval_balance();
-        self.finish(time)
+        Ok(())
+    }
+
+    /// S, v and a₀ of the smooth branch near a change point, on which q is.
+    fn take_branch(&mut self, rate: f64) {
+        let Some(curve) = self.chart.curve() else {
+            return;
+        };
+        for (v, s) in self.v.iter_mut().zip(&curve.tangent) {
+            *v = rate * s;
+        }
+        for (a, bend) in self.a.iter_mut().zip(&curve.bend) {
+            *a = rate * rate * bend;
+        }
+        self.motions.copy_from_slice(&curve.tangent);
+        self.driven.evaluation.set_position(&self.q);
+        self.driven.evaluation.set_velocity(&self.v);
     }
 
     /// v = S u̇, which spares a solution with the factors.
@@ -110,7 +94,7 @@ impl Reduced<'_> {
     }
 
     /// ü, a and the marks of a finished evaluation.
-    pub(super) fn finish(&mut self, time: f64) -> Result<(), Failure> {
+    fn finish(&mut self, time: f64) -> Result<(), Failure> {
         let system = self.driven.system;
         self.solve_freedom()?;
         let n = system.n();

@@ -31,23 +31,20 @@ impl Reduced<'_> {
         Ok(())
     }
 
-    /// Change of the rates u̇ by a generalized impulse P (n) at the point of the last evaluation, SᵀMS Δu̇ = Sᵀ P.
-    pub fn kick(&self, impulse: &[f64], rates: &mut [f64]) {
-        let n = impulse.len();
-        for (rate, motion) in rates.iter_mut().zip(self.motions.chunks_exact(n.max(1))) {
+    /// What a generalized impulse P (n) changes at the point of the last evaluation: the rates u̇ (f), SᵀMS Δu̇ = Sᵀ P, and
+    /// the velocities (n).
+    pub fn impulsive_change(&self, impulse: &[f64], rates: &mut [f64], change: &mut [f64]) {
+        let n = impulse.len().max(1);
+        for (rate, motion) in rates.iter_mut().zip(self.motions.chunks_exact(n)) {
             *rate = linkdyn_linear::math::dot(motion, impulse);
         }
         cholesky_solve(&self.mass, rates);
-    }
-
-    /// Change of the velocities (n) by that of the rates.
-    pub fn spread(&self, rates: &[f64], change: &mut [f64]) {
         change.fill(0.0);
-        for (motion, rate) in self.motions.chunks_exact(change.len().max(1)).zip(rates) {
+        for (motion, rate) in self.motions.chunks_exact(n).zip(rates) {
             change
                 .iter_mut()
                 .zip(motion)
-                .for_each(|(v, s)| *v += rate * s);
+                .for_each(|(v, s)| *v += *rate * s);
         }
     }
 }

@@ -19,36 +19,43 @@
 //! (`dependent_forces`), which then become part of Q. Bodies may lack mass as long as SᵀMS is regular. The choice of u
 //! is kept while it is good and changed between steps when another coordinate moves more.
 
+mod accepted;
+mod chart;
 mod curve;
 mod evaluate;
+mod extrapolation;
 mod mass;
+mod multipliers;
+mod place;
 
-use super::continuation::{Path, SingularKind};
-use super::driven::{Driven, Failure};
+use super::dependent_forces::DependentForces;
+use super::driven::{Driven, Failure, LAST_STEP, Work};
 use super::parts::{Part, Parts};
 use super::phases::Phases;
 use super::pins::better_pin;
-use crate::system::{Inputs, System};
-use linkdyn_linear::hermite::Node;
+use crate::element::Kinematics;
+use crate::system::{Evaluation, Inputs, System};
+use accepted::Accepted;
+use chart::Chart;
+use curve::Curve;
+use extrapolation::Extrapolation;
+use place::Place;
 
 /// A mechanism with freedom left.
 pub struct Reduced<'s> {
     /// Solver of the dependent coordinates.
-    pub driven: Driven<'s>,
+    driven: Driven<'s>,
     /// What is prescribed, and what contacts remember.
     pub inputs: Inputs,
-    /// Position of the last evaluation (n).
-    pub q: Vec<f64>,
-    /// Its velocity (n).
-    pub v: Vec<f64>,
-    /// Its acceleration (n).
-    pub a: Vec<f64>,
-    /// Q (n) and Q − M a (n).
-    pub force: Vec<f64>,
-    /// Q − M a (n).
-    pub balance: Vec<f64>,
+    /// Position, velocity and acceleration of the last evaluation (n).
+    q: Vec<f64>,
+    v: Vec<f64>,
+    a: Vec<f64>,
+    /// Q and Q − M a (n).
+    force: Vec<f64>,
+    balance: Vec<f64>,
     /// Factors whose position is this far from the solution are taken for those of the solution [rad or sizes].
-    pub lag: f64,
+    lag: f64,
     /// S, one motion after the other (f × n).
     motions: Vec<f64>,
     /// SᵀMS (f × f) and its factor; Sᵀ(Q − M a₀) and ü (f).
@@ -56,23 +63,16 @@ pub struct Reduced<'s> {
     rhs: Vec<f64>,
     /// M S of one motion, where it is not zero: column and value.
     momenta: Vec<(usize, f64)>,
-    /// The last accepted points, and S at the later one.
-    here: Node,
-    before: Option<Node>,
-    here_motions: Vec<f64>,
+    /// The last accepted points.
+    accepted: Accepted,
     /// Where q, v, a are.
     at: Option<f64>,
-    /// Positions over the pin, where there is one pin and nothing else moves.
-    curve: Option<Path>,
-    /// Drivers are at rest, so that all motion is that of the pins.
+    /// Where positions come from.
+    chart: Chart<'s>,
+    /// Drivers are at rest, so that all motion is that of the independent coordinates.
     still: bool,
-    /// S and S′ of the curve at the point at hand (n).
-    tangent: Vec<f64>,
-    bend: Vec<f64>,
-    /// The point at hand is on a bridged stretch, where the equations have no trustworthy factors.
-    bridged: bool,
-    /// Parts that have curves of their own, where the whole has none.
-    parts: Option<Parts<'s>>,
+    /// The point at hand is on a smooth branch, where the equations have no trustworthy factors.
+    is_smooth: bool,
     /// When a step first passed a change point with forces that depend on multipliers, which have no bound there.
     passed: Option<f64>,
 }
@@ -93,11 +93,11 @@ impl<'s> Reduced<'s> {
         let driven = Driven::pinned(system, columns, q, &inputs)?;
         let (n, f) = (system.n(), columns.len());
         let zero = vec![0.0; n];
-        let here = Node {
-            s: time,
-            q: q.to_vec(),
-            d: v.to_vec(),
-            dd: zero.clone(),
+        let still = system.drivers.iter().all(|driver| driver.law.is_constant());
+        let chart = if still && f == 1 {
+            Chart::Curve(Curve::new(n, Extrapolation::default()))
+        } else {
+            Chart::Coordinates(Extrapolation::default())
         };
         let mut reduced = Reduced {
             driven,
@@ -112,44 +112,130 @@ impl<'s> Reduced<'s> {
             mass: vec![0.0; f * f],
             rhs: vec![0.0; f],
             momenta: Vec::with_capacity(n),
-            here,
-            before: None,
-            here_motions: vec![0.0; f * n],
+            accepted: Accepted::new(time, q, v, f),
             at: None,
-            curve: None,
-            still: system.drivers.iter().all(|driver| driver.law.is_constant()),
-            tangent: vec![0.0; n],
-            bend: vec![0.0; n],
-            bridged: false,
-            parts: None,
+            chart,
+            still,
+            is_smooth: false,
             passed: None,
         };
         reduced.choose(time)?;
         Ok(reduced)
     }
 
+    /// The equations of the same mechanism with other rows in force, from the position and velocity at hand. Memories, work
+    /// and parts go over to them.
+    ///
+    /// # Errors
+    /// As [`Reduced::new`].
+    pub fn with_rows(
+        &mut self,
+        system: &'s System,
+        columns: &[usize],
+        time: f64,
+        sustained: &[bool],
+    ) -> Result<Self, Failure> {
+        let mut other = Reduced::new(system, columns, &self.q, &self.v, time)?;
+        let (memories, were) = (&mut other.inputs.memories, &self.inputs.memories);
+        memories
+            .iter_mut()
+            .zip(were)
+            .for_each(|(memory, was)| *memory = *was);
+        other.inputs.contacts.clone_from(&self.inputs.contacts);
+        other.lag = self.lag;
+        other.driven.done = self.driven.done;
+        let parts = self.chart.exchange_bridge(None);
+        let parts = parts.map(|parts| parts.with_sustained(sustained));
+        other.chart.exchange_bridge(parts);
+        Ok(other)
+    }
+
     /// Whether the positions are a curve of one coordinate.
     pub fn has_curve(&self) -> bool {
-        self.still && self.freedom() == 1
+        self.chart.curve().is_some()
     }
 
     /// Takes the change points of these parts by their smooth branches.
     pub fn cross(&mut self, parts: &'s [Part], phases: &'s Phases<'s>) {
-        self.parts = (!parts.is_empty()).then(|| Parts::new(parts, phases));
+        let parts = (!parts.is_empty()).then(|| Parts::new(parts, phases));
+        self.chart.exchange_bridge(parts);
     }
 
-    /// Takes over the parts of the mechanism with other contacts as constraints, those of `sustained`.
-    pub fn cross_as(&mut self, other: &mut Reduced<'s>, sustained: &[bool]) {
-        let parts = other.parts.take();
-        self.parts = parts.map(|parts| parts.with_sustained(sustained));
+    /// Factors are kept where the position is this far from theirs [rad or sizes].
+    pub fn set_lag(&mut self, lag: f64) {
+        self.lag = lag;
+    }
+
+    /// The mechanism with the rows in force.
+    pub fn system(&self) -> &'s System {
+        self.driven.system
+    }
+
+    /// Position of the last evaluation (n).
+    pub fn position(&self) -> &[f64] {
+        &self.q
+    }
+
+    /// Its velocity (n).
+    pub fn velocity(&self) -> &[f64] {
+        &self.v
+    }
+
+    /// Its acceleration (n).
+    pub fn acceleration(&self) -> &[f64] {
+        &self.a
+    }
+
+    /// Its force Q, with those that depend on multipliers (n).
+    pub fn force(&self) -> &[f64] {
+        &self.force
+    }
+
+    /// What elements have evaluated there.
+    pub fn evaluation(&self) -> &Evaluation {
+        &self.driven.evaluation
+    }
+
+    /// Places, velocities and inputs there, for elements.
+    pub fn kinematics(&self) -> Kinematics<'_> {
+        self.driven.evaluation.kinematics(&self.inputs)
+    }
+
+    /// The forces that depend on multipliers there.
+    pub fn dependent_forces(&self) -> &DependentForces {
+        &self.driven.dependent_forces
+    }
+
+    /// Work since it was made.
+    pub fn work(&self) -> Work {
+        self.driven.done
+    }
+
+    /// Columns of the independent coordinates.
+    pub fn independent_columns(&self) -> impl Iterator<Item = usize> {
+        self.driven.pins.iter().map(|pin| pin.column)
+    }
+
+    /// Scaled residual of the mechanism's own constraints there [–].
+    pub fn residual(&mut self) -> f64 {
+        let system = self.own().system;
+        let evaluation = &mut self.driven.evaluation;
+        evaluation.set_position(&self.q);
+        evaluation.eval_phi(system, &self.inputs);
+        system.scaled_residual(&evaluation.phi)
     }
 
     /// The solver of the mechanism's own equations.
-    pub fn own(&mut self) -> &mut Driven<'s> {
-        match self.parts.as_mut().and_then(Parts::own) {
+    pub(super) fn own(&mut self) -> &mut Driven<'s> {
+        match self.chart.own() {
             Some(own) => own,
             None => &mut self.driven,
         }
+    }
+
+    /// The mechanism's own rows, where smooth branches of parts stand for some of them.
+    pub fn own_system(&mut self) -> &'s System {
+        self.own().system
     }
 
     /// Degrees of freedom f.
@@ -160,7 +246,7 @@ impl<'s> Reduced<'s> {
     /// Exchanges pins until none moves less than half as much as another coordinate that it determines.
     fn choose(&mut self, time: f64) -> Result<(), Failure> {
         let system = self.driven.system;
-        self.curve = None;
+        self.chart.forget();
         self.inputs.set_time(system, time);
         self.driven.evaluation.set_position(&self.q);
         self.driven.factor(&self.inputs)?;
@@ -186,15 +272,15 @@ impl<'s> Reduced<'s> {
     ///
     /// # Errors
     /// When the coordinates do not determine the rest any more.
-    pub fn repin(&mut self) -> Result<bool, Failure> {
-        if better_pin(&self.driven, &self.here_motions).is_none() {
+    pub fn choose_better(&mut self) -> Result<bool, Failure> {
+        if better_pin(&self.driven, &self.accepted.motions).is_none() {
             return Ok(false);
         }
-        self.q.copy_from_slice(&self.here.q);
-        self.v.copy_from_slice(&self.here.d);
-        let before = self.before.take();
-        self.choose(self.here.s)?;
-        self.before = before;
+        self.q.copy_from_slice(&self.accepted.here.q);
+        self.v.copy_from_slice(&self.accepted.here.d);
+        let before = self.accepted.set_aside();
+        self.choose(self.accepted.here.s)?;
+        self.accepted.take_back(before);
         Ok(true)
     }
 
@@ -215,16 +301,20 @@ impl<'s> Reduced<'s> {
         }
     }
 
-    /// S of the last evaluation, one motion after the other (f × n).
-    pub fn motions(&self) -> &[f64] {
-        &self.motions
-    }
-
     /// Rows (of joints and drivers) that take the largest part in what is nearest to a self-stress at the last accepted
     /// point; none where even that can't be factored.
+    ///
+    /// To look for them is no work of the run.
     pub fn strained_rows(&mut self) -> Vec<usize> {
+        let done = self.driven.done;
+        let rows = self.rows_near_self_stress();
+        self.driven.done = done;
+        rows
+    }
+
+    fn rows_near_self_stress(&mut self) -> Vec<usize> {
         let system = self.driven.system;
-        self.driven.evaluation.set_position(&self.here.q);
+        self.driven.evaluation.set_position(&self.accepted.here.q);
         if self.driven.factor(&self.inputs).is_err() {
             return Vec::new();
         }
@@ -244,48 +334,17 @@ impl<'s> Reduced<'s> {
         &self.rhs
     }
 
-    /// Impulses of the constraints (m) that go with an impulse P and the change of the velocities that it brings about.
-    pub fn impulsive_multipliers(&mut self, impulse: &[f64], change: &[f64], lambda: &mut [f64]) {
-        let mass = &self.driven.system.mass;
-        mass.residual(impulse, change, &mut self.balance);
-        self.driven.multipliers(&self.balance, lambda);
-    }
-
-    /// Multipliers λ (m) of the last evaluation; Q − M a is left in `balance`.
+    /// As [`Reduced::evaluate`], exactly onto the constraints, whatever the tolerance of the integration.
     ///
-    /// Where a part's smooth branch stands for its joints, theirs mean nothing; see [`Reduced::reactions`]. Near a change
-    /// point of the whole, where they can't be computed, they are NaN.
-    pub fn multipliers(&mut self, lambda: &mut [f64]) {
-        if self.bridged {
-            let ready = self.driven.prepare(&self.q, &self.inputs).is_ok()
-                && self.driven.factor(&self.inputs).is_ok();
-            if !ready {
-                lambda.fill(f64::NAN);
-                return;
-            }
-        }
-        self.eval_balance();
-        self.driven.multipliers(&self.balance, lambda);
-    }
-
-    /// The same for all joints; near a change point of a part, where they can't be computed, they are NaN.
-    pub fn reactions(&mut self, lambda: &mut [f64]) {
-        self.eval_balance();
-        let Some(own) = self.parts.as_mut().and_then(Parts::own) else {
-            return self.multipliers(lambda);
-        };
-        own.evaluation.set_position(&self.q);
-        if own.factor(&self.inputs).is_err() {
-            lambda.fill(f64::NAN);
-            return;
-        }
-        own.multipliers(&self.balance, lambda);
-    }
-
-    /// Q − M a.
-    fn eval_balance(&mut self) {
-        let mass = &self.driven.system.mass;
-        mass.residual(&self.force, &self.a, &mut self.balance);
+    /// # Errors
+    /// As there.
+    pub fn evaluate_exactly(&mut self, time: f64, y: &[f64]) -> Result<(), Failure> {
+        let (lag, last_step) = (self.lag, self.driven.last_step);
+        self.lag = 0.0;
+        self.driven.last_step = LAST_STEP;
+        let solved = self.evaluate(time, y);
+        (self.lag, self.driven.last_step) = (lag, last_step);
+        solved
     }
 
     /// (t, (u, u̇)) is the end of an accepted step: it serves for predictions from now on.
@@ -312,26 +371,15 @@ impl<'s> Reduced<'s> {
     fn keep(&mut self, time: f64) {
         if self.passed.is_none()
             && !self.driven.system.dependent_forces.is_empty()
-            && let Some(curve) = &self.curve
+            && let Some(curve) = self.chart.curve()
         {
             let column = self.driven.pins[0].column;
-            let (from, to) = (self.here.q[column], self.q[column]);
-            let between = curve.singular_between(from.min(to), from.max(to));
-            self.passed = between
-                .iter()
-                .any(|position| position.kind == SingularKind::ChangePoint)
-                .then_some(time);
+            let (from, to) = (self.accepted.here.q[column], self.q[column]);
+            self.passed = curve.has_change_point_between(from, to).then_some(time);
         }
-        if self.here.s != time {
-            let before = self.before.get_or_insert_with(|| self.here.clone());
-            std::mem::swap(before, &mut self.here);
-        }
-        self.here.s = time;
-        self.here.q.copy_from_slice(&self.q);
-        self.here.d.copy_from_slice(&self.v);
-        self.here.dd.copy_from_slice(&self.a);
-        self.here_motions.copy_from_slice(&self.motions);
-        if !self.bridged && self.driven.is_redundant() {
+        let point = [&self.q[..], &self.v, &self.a];
+        self.accepted.keep(time, point, &self.motions);
+        if !self.is_smooth && self.driven.is_redundant() {
             // Where that fails, the next evaluation chooses rows anew.
             let _ = self.driven.exchange_rows();
         }

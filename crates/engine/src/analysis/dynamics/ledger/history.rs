@@ -1,5 +1,6 @@
 //! What a contact has done: its episodes, its changes between stick and slip, and its wear.
 
+use crate::analysis::dynamics::state::Sums;
 use crate::element::journal::Reading;
 use linkdyn_output::{Episode, Event, EventKind};
 
@@ -8,26 +9,17 @@ pub const WEAR_BINS: usize = 72;
 /// Episodes, and changes between stick and slip, that are listed at most; all are counted.
 const LISTED: usize = 20_000;
 
-/// Dissipated energy, normal impulse and sliding under load since the start.
+/// A contact at an instant.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Sums {
-    /// Dissipated energy \[J\].
-    pub dissipated: f64,
-    /// Normal impulse \[N·s\].
-    pub impulse: f64,
-    /// Sliding under load \[N·m\].
-    pub sliding: f64,
-}
-
-impl Sums {
-    /// From their components of y.
-    pub fn of(parts: &[f64]) -> Self {
-        Sums {
-            dissipated: parts[0],
-            impulse: parts[1],
-            sliding: parts[2],
-        }
-    }
+pub struct Entry {
+    /// \[s\]
+    pub time: f64,
+    /// Penetration, rates and forces then.
+    pub reading: Reading,
+    /// What it has done until then.
+    pub sums: Sums,
+    /// Its angle in the bearing's body \[rad\].
+    pub angle: f64,
 }
 
 /// Everything that is told of a joint's contact.
@@ -73,30 +65,30 @@ impl History {
     }
 
     /// An episode begins.
-    pub fn begin(&mut self, time: f64, reading: &Reading, sums: Sums, angle: f64) {
+    pub fn begin(&mut self, entry: &Entry) {
         let episode = Episode {
-            start: time,
-            approach_speed: reading.rate,
+            start: entry.time,
+            approach_speed: entry.reading.rate,
             ..Episode::default()
         };
-        self.open = Some((episode, sums));
-        self.last = sums;
-        self.last_angle = angle;
+        self.open = Some((episode, entry.sums));
+        self.last = entry.sums;
+        self.last_angle = entry.angle;
     }
 
     /// The state at a later point of the episode.
-    pub fn go_on(&mut self, reading: &Reading, sums: Sums, angle: f64) {
-        self.peak(reading.penetration, reading.normal);
-        self.wear_between(angle, sums.sliding - self.last.sliding);
-        self.last = sums;
-        self.last_angle = angle;
+    pub fn go_on(&mut self, entry: &Entry) {
+        self.peak(&entry.reading);
+        self.wear_between(entry.angle, entry.sums.sliding - self.last.sliding);
+        self.last = entry.sums;
+        self.last_angle = entry.angle;
     }
 
     /// Larger penetration or force than the episode's so far.
-    pub fn peak(&mut self, penetration: f64, force: f64) {
+    pub fn peak(&mut self, reading: &Reading) {
         if let Some((episode, _)) = &mut self.open {
-            episode.peak_penetration = episode.peak_penetration.max(penetration);
-            episode.peak_force = episode.peak_force.max(force);
+            episode.peak_penetration = episode.peak_penetration.max(reading.penetration);
+            episode.peak_force = episode.peak_force.max(reading.normal);
         }
     }
 
@@ -115,12 +107,12 @@ impl History {
     }
 
     /// The episode ends (for now): the last end counts.
-    pub fn rest(&mut self, time: f64, reading: &Reading, sums: Sums) {
+    pub fn rest(&mut self, entry: &Entry) {
         if let Some((episode, start)) = &mut self.open {
-            episode.end = Some(time);
-            episode.separation_speed = Some(-reading.rate);
-            episode.impulse = sums.impulse - start.impulse;
-            episode.energy_lost = sums.dissipated - start.dissipated;
+            episode.end = Some(entry.time);
+            episode.separation_speed = Some(-entry.reading.rate);
+            episode.impulse = entry.sums.impulse - start.impulse;
+            episode.energy_lost = entry.sums.dissipated - start.dissipated;
         }
     }
 
@@ -159,8 +151,8 @@ impl History {
         }
     }
 
-    /// Impacts have become so low, `height` in words, that the journal follows the surface from now on.
-    pub fn follow(&mut self, time: f64, height: &str) {
+    /// Impacts have become so low, `height` in words, that the contact is sustained from now on.
+    pub fn sustain(&mut self, time: f64, height: &str) {
         let note = format!(
             "impacts lower than {height} would follow: the journal stays on the bearing's surface"
         );
@@ -226,19 +218,24 @@ impl History {
 mod tests {
     use super::*;
 
+    fn at(angle: f64, sliding: f64) -> Entry {
+        let sums = Sums {
+            sliding,
+            ..Sums::default()
+        };
+        Entry {
+            sums,
+            angle,
+            ..Entry::default()
+        }
+    }
+
     #[test]
     fn wear_goes_to_the_bins_passed_the_shorter_way() {
         let mut history = History::new("a");
         let degrees = f64::to_radians;
-        history.begin(0.0, &Reading::default(), Sums::default(), degrees(-2.5));
-        history.go_on(
-            &Reading::default(),
-            Sums {
-                sliding: 3.0,
-                ..Sums::default()
-            },
-            degrees(12.5),
-        );
+        history.begin(&at(degrees(-2.5), 0.0));
+        history.go_on(&at(degrees(12.5), 3.0));
         let bins: Vec<(usize, f64)> = history
             .wear
             .iter()
@@ -259,15 +256,8 @@ mod tests {
     #[test]
     fn wear_at_one_angle_goes_to_one_bin() {
         let mut history = History::new("a");
-        history.begin(0.0, &Reading::default(), Sums::default(), -1e-12);
-        history.go_on(
-            &Reading::default(),
-            Sums {
-                sliding: 1.0,
-                ..Sums::default()
-            },
-            -1e-12,
-        );
+        history.begin(&at(-1e-12, 0.0));
+        history.go_on(&at(-1e-12, 1.0));
         assert_eq!(history.wear[71], 1.0);
     }
 }

@@ -1,4 +1,4 @@
-//! Phases of a contact, and what ends them.
+//! The modes of a contact: its phases, the guards that end them, and what is reset there.
 //!
 //! Each phase has **guards**, functions of the state that become positive where the phase ends:
 //!
@@ -35,7 +35,7 @@ const PAST: f64 = 1e-12;
 const PAST_RIGID: f64 = 1e-4;
 
 /// The largest of a contact's guards, with round-off by the mechanism's own length, mass and time.
-pub fn worst_guard(scale: &Scale, journal: &Journal, memory: &Contact, reading: &Reading) -> f64 {
+pub fn largest_guard(scale: &Scale, journal: &Journal, memory: &Contact, reading: &Reading) -> f64 {
     match (&journal.surface, memory.phase) {
         (Surface::Compliant(_), Phase::Flight) => reading.penetration,
         // On its way out it may still be where it touched.

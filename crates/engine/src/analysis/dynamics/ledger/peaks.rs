@@ -1,12 +1,12 @@
 //! Largest penetration and force of a contact, within the steps.
 
-use super::fault::Fault;
-use super::integration::Integration;
-use super::motion::Motion;
+use super::{Ledger, Listener};
+use crate::analysis::dynamics::fault::Fault;
+use crate::analysis::dynamics::steps::LastStep;
 use crate::element::journal::{Reading, Surface};
 
-/// Parts of a step at whose ends peaks are looked for, and how far inside at those of the step.
-const PEAK_LOOKS: usize = 16;
+/// Parts of a step at whose ends peaks are estimated, and how far inside at those of the step.
+const PEAK_POINTS: usize = 16;
 const RISE: f64 = 1e-3;
 /// Parabolas that follow up a peak, each a tenth as wide as the one before.
 const PEAK_PARABOLAS: usize = 3;
@@ -14,34 +14,32 @@ const PEAK_PARABOLAS: usize = 3;
 /// One number of a reading.
 type Quantity = fn(&Reading) -> f64;
 
-impl Integration {
+impl Ledger {
     /// Peaks of penetration and force within a piece of a step: where a cubic through its ends has them, then on the
     /// continuous extension. Whether that was evaluated.
-    pub(super) fn peaks(
+    pub(super) fn locate_peaks(
         &mut self,
-        motion: &mut Motion,
+        step: &mut LastStep,
         contact: usize,
         end: &Reading,
-        from: f64,
-        to: f64,
+        (from, to): (f64, f64),
+        listener: Listener,
     ) -> Result<bool, Fault> {
-        let Surface::Compliant(laws) = &motion.system().contacts[contact].surface else {
+        let Surface::Compliant(laws) = &step.flow.system().contacts[contact].surface else {
             return Ok(false);
         };
-        let (a, b) = (self.last[contact], end);
-        if self.histories[contact]
-            .deepest()
-            .is_some_and(|deepest| a.penetration.max(b.penetration) < 0.5 * deepest)
-        {
+        let (a, b) = (self.accounts[contact].last, end);
+        let deepest = self.accounts[contact].history.deepest();
+        if deepest.is_some_and(|deepest| a.penetration.max(b.penetration) < 0.5 * deepest) {
             return Ok(false);
         }
-        let approach = motion.reduced.inputs.contacts[contact].approach;
+        let approach = step.flow.memories()[contact].approach;
         let h = to - from;
         // Largest value so far, and where within the piece.
         let mut deepest = (a.penetration.max(b.penetration), None);
         let mut hardest = (a.normal.max(b.normal), None);
-        for k in 0..=PEAK_LOOKS {
-            let part = 1.0 / PEAK_LOOKS as f64;
+        for k in 0..=PEAK_POINTS {
+            let part = 1.0 / PEAK_POINTS as f64;
             // At the ends a little inside, which tells whether it rises from there.
             let s = (k as f64 * part).clamp(RISE, 1.0 - RISE);
             let place = s.clamp(0.5 * part, 1.0 - 0.5 * part);
@@ -60,13 +58,14 @@ impl Integration {
                 }
             }
         }
-        if !self.histories[contact].rises(deepest.0, hardest.0) {
+        if !self.accounts[contact].history.rises(deepest.0, hardest.0) {
             return Ok(false);
         }
         let (depth, force): (Quantity, Quantity) = (|at| at.penetration, |at| at.normal);
         for (time, of) in [(deepest.1, depth), (hardest.1, force)] {
             if let Some(time) = time {
-                self.peak_near(motion, contact, (time, 0.5 * h / PEAK_LOOKS as f64), of)?;
+                let near = (time, 0.5 * h / PEAK_POINTS as f64);
+                self.peak_near(step, contact, near, of, listener)?;
             }
         }
         Ok(deepest.1.is_some() || hardest.1.is_some())
@@ -75,19 +74,20 @@ impl Integration {
     /// A peak near `time`, by parabolas through three points.
     fn peak_near(
         &mut self,
-        motion: &mut Motion,
+        step: &mut LastStep,
         contact: usize,
         (mut time, mut width): (f64, f64),
         of: Quantity,
+        listener: Listener,
     ) -> Result<(), Fault> {
         for _ in 0..PEAK_PARABOLAS {
             let mut values = [0.0; 3];
             for (value, side) in values.iter_mut().zip([-1.0, 0.0, 1.0]) {
                 let at = time + side * width;
-                self.evaluate_at(motion, at)?;
-                let reading = motion.reading(contact);
-                self.histories[contact].peak(reading.penetration, reading.normal);
-                self.watch_peak(motion, contact, reading.normal, at);
+                step.evaluate(at)?;
+                let reading = step.flow.reading(contact);
+                self.history(contact).peak(&reading);
+                listener(self, step, contact, at);
                 *value = of(&reading);
             }
             let [before, here, after] = values;

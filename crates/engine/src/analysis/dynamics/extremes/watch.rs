@@ -2,16 +2,13 @@
 //!
 //! A run with contacts has peaks much shorter than the distance of its outputs. So each step is looked at: its two ends cost
 //! nothing but a row, since the mechanism has been evaluated there; and where three ends in a line, or two slopes, say that
-//! a column may have passed its extreme so far within the step, the step is looked at closely (`closer`).
+//! a column may have passed its extreme so far within the step, the step is looked at closely ([`super`]).
 //!
 //! Rows at the ends are as exact as steps need them, with round-off of some 1e-10 in velocities and forces. They hold an extreme
 //! only until the mechanism is evaluated exactly there.
 
 use super::quantities::{Watched, watched};
-use super::sampling::Sampling;
-use crate::analysis::channels::Contents;
-use crate::system::System;
-use linkdyn_output::Trajectory;
+use linkdyn_output::{Column, Trajectory};
 
 /// An extreme is located to this part of the column's range, and of columns of a joint with contact to less.
 const LOCATED: f64 = 1e-7;
@@ -63,8 +60,6 @@ pub const SIDES: [f64; 2] = [-1.0, 1.0];
 
 /// Extremes of a motion.
 pub struct Watch {
-    /// What fills rows.
-    pub sampling: Sampling,
     watched: Vec<Watched>,
     /// Least and largest, by quantity.
     extremes: Vec<[Extreme; 2]>,
@@ -85,9 +80,7 @@ pub struct Watch {
 
 impl Watch {
     /// Of the columns that `patterns` keep.
-    pub fn new(system: &System, contents: Contents, patterns: &[String]) -> Self {
-        let sampling = Sampling::new(system, contents, 1);
-        let columns = &sampling.recorder.trajectory.columns;
+    pub fn new(columns: &[Column], patterns: &[String]) -> Self {
         let (watched, units) = watched(columns, patterns);
         let none = [f64::INFINITY, f64::NEG_INFINITY].map(|value| Extreme {
             value,
@@ -99,7 +92,6 @@ impl Watch {
             near: vec![0.0; watched.len()],
             spans: vec![0.0; units],
             watched,
-            sampling,
             kept: Vec::new(),
             free: Vec::new(),
             before: Node::default(),
@@ -119,9 +111,10 @@ impl Watch {
         self.extremes[quantity][side].value
     }
 
-    /// Fills a node with the row that was sampled last.
-    pub fn fill(&self, node: &mut Node) {
-        node.row.clone_from(&self.sampling.recorder.trajectory.data);
+    /// Fills a node with a row.
+    pub fn fill(&self, node: &mut Node, row: &[f64]) {
+        node.row.clear();
+        node.row.extend_from_slice(row);
         node.values.clear();
         node.values.extend(
             self.watched

@@ -1,9 +1,9 @@
 //! How exact a step of the motion has to be, component by component of y.
 
-use super::motion::Motion;
-use super::settings::Wanted;
+use super::Flow;
+use crate::analysis::dynamics::settings::Wanted;
 use crate::element::journal::{Journal, Surface};
-use crate::integrate::{Ode, Tolerance};
+use crate::integrate::Tolerance;
 
 /// Rates near zero are measured against this [L/T, 1/T]: slow against the motion, fast against its round-off.
 const SLOW: f64 = 2e-3;
@@ -17,14 +17,14 @@ const LEAST: f64 = 1e-16;
 /// Lengths are measured against no less than this part of a clearance [–].
 const SHALLOW: f64 = 1e-2;
 
-impl Motion<'_> {
+impl Flow<'_> {
     /// The bound of the local error. In a mechanism with contacts lengths are measured against the smallest clearance, or the
     /// smallest depth at which a contact would hold all the kinetic energy of the moment, where that is less: an error of the
     /// penetration is one of the energy, force times error. Rates near zero are measured
     /// against `SLOW`.
     pub fn tolerance(&self, wanted: Wanted) -> Tolerance {
-        let f = self.reduced.freedom();
-        let dimension = self.dimension();
+        let layout = &self.layout;
+        let dimension = layout.dimension();
         let system = self.system();
         let (rtol, atol) = (
             wanted.rtol.max(ROUND_OFF),
@@ -50,7 +50,7 @@ impl Motion<'_> {
         };
         for (force, dependent) in system.dependent_forces.iter().enumerate() {
             if let (Some(component), Some(scale)) =
-                (self.memory(force), dependent.force.memory_scale())
+                (layout.memory(force), dependent.force.memory_scale())
             {
                 tolerance.atol[component] = rtol * scale;
             }
@@ -58,36 +58,34 @@ impl Motion<'_> {
         if !clearance.is_finite() {
             return tolerance;
         }
-        let energy = self
-            .reduced
-            .driven
-            .evaluation
-            .kinetic_energy(system, &self.reduced.v);
+        let evaluation = self.equations.evaluation();
+        let energy = evaluation.kinetic_energy(system, self.equations.velocity());
         let depth = system
             .contacts
             .iter()
             .map(|contact| depth(contact, energy))
             .fold(f64::INFINITY, f64::min);
-        for (k, pin) in self.reduced.driven.pins.iter().enumerate() {
-            let small = depth / system.size * system.column_scale(pin.column);
+        let rates = layout.rates().start;
+        for (k, column) in self.equations.independent_columns().enumerate() {
+            let small = depth / system.size * system.column_scale(column);
             tolerance.cap[k] = small;
             tolerance.atol[k] = atol
                 .min(rtol * small)
-                .max(LEAST * system.column_scale(pin.column));
-            let rate = system.column_scale(pin.column) / system.scale.time;
-            tolerance.atol[f + k] = atol.min(SLOW * rtol * rate);
+                .max(LEAST * system.column_scale(column));
+            let rate = system.column_scale(column) / system.scale.time;
+            tolerance.atol[rates + k] = atol.min(SLOW * rtol * rate);
         }
-        for contact in 0..self.contacts() {
-            if let Some(component) = self.bristle(contact) {
+        for contact in 0..system.contacts.len() {
+            if let Some(component) = layout.bristle(contact) {
                 tolerance.atol[component] = rtol * clearance;
             }
             if energy > 0.0 {
-                tolerance.atol[self.dissipated(contact)] = LEDGER * rtol * energy;
+                tolerance.atol[layout.sums(contact).start] = LEDGER * rtol * energy;
             }
         }
         // Where all is smooth the motion needs no steps as short as the work of its drivers.
         if energy > 0.0 {
-            tolerance.atol[self.work()] = LEDGER * rtol * energy;
+            tolerance.atol[layout.work()] = LEDGER * rtol * energy;
         }
         tolerance
     }

@@ -1,0 +1,88 @@
+//! The beginning of a motion: how exact its steps are, and in which phases its contacts are.
+
+use super::extremes::Extremes;
+use super::flow::Flow;
+use super::impulses::Jams;
+use super::ledger::Ledger;
+use super::margins::Margins;
+use super::modes::first_phase;
+use super::settings::{Settings, Wanted};
+use super::simulation::Simulation;
+use super::state::State;
+use super::steps::Steps;
+use super::words::{deep_start, describe};
+use crate::analysis::control::Stop;
+use crate::element::journal::Surface;
+use linkdyn_output::Status;
+
+/// Newton's step, by rtol, below which the equations are taken for those of its end: a hundredth of what the step's error
+/// may be.
+const LAG: f64 = 1e-2;
+/// The same with contacts, where positions matter by parts of the clearance.
+const CONTACT_LAG: f64 = 1e-10;
+/// With contacts a step's error is bounded by this part of rtol: an impact takes some twenty steps and multiplies what was
+/// wrong before it, and a run has many.
+const IMPACTS: f64 = 1e-2;
+/// No less than this, which is near round-off.
+const FINEST: f64 = 1e-13;
+/// Deepest penetration at the start, in parts of the clearance.
+const DEEPEST_START: f64 = 0.1;
+const DEEPEST_RIGID: f64 = 1e-9;
+
+impl<'s> Simulation<'s> {
+    /// A motion from t = 0, for a run until `end`.
+    ///
+    /// # Errors
+    /// A start with deep penetration, or where the equations can't be evaluated.
+    pub fn begin(settings: &Settings, mut flow: Flow<'s>, end: f64) -> Result<Self, Stop> {
+        let mut ledger = Ledger::new(flow.system());
+        let Wanted { mut rtol, atol } = settings.wanted;
+        flow.equations.set_lag(LAG * rtol);
+        if !ledger.is_empty() {
+            rtol = (IMPACTS * rtol).max(FINEST.min(rtol));
+            flow.equations.set_lag(CONTACT_LAG.min(LAG * rtol));
+        }
+        let mut state = State::new(flow.layout());
+        first_phases(&mut flow, &state, &mut ledger)?;
+        flow.store(&mut state);
+        let started = Steps::new(settings, Wanted { rtol, atol }, (&mut flow, &state), end);
+        let steps = started.map_err(|fault| {
+            let message = describe(fault, 0.0, "", &flow.system().display);
+            Stop::failed(Status::Singular, message)
+        })?;
+        let extremes = (!ledger.is_empty()).then(|| {
+            let mut extremes = Box::new(Extremes::new(flow.system(), settings));
+            extremes.begin_piece(&mut flow, &state, &ledger, 0.0);
+            extremes
+        });
+        Ok(Simulation {
+            flow,
+            state,
+            steps,
+            event: None,
+            ledger,
+            jams: Jams::new(),
+            margins: Margins::new(),
+            extremes,
+        })
+    }
+}
+
+/// The phases in which contacts are at the start.
+fn first_phases(flow: &mut Flow, state: &State, ledger: &mut Ledger) -> Result<(), Stop> {
+    let system = flow.system();
+    for (contact, journal) in system.contacts.iter().enumerate() {
+        let reading = flow.reading(contact);
+        let deepest = match journal.surface {
+            Surface::Compliant(_) => DEEPEST_START,
+            Surface::Rigid(_) => DEEPEST_RIGID,
+        };
+        if reading.penetration > deepest * journal.clearance {
+            return Err(Stop::Input(vec![deep_start(system, contact, &reading)]));
+        }
+        *flow.memory_mut(contact) = first_phase(journal, &reading);
+        let entry = ledger.entry((flow, state), contact, &reading, 0.0);
+        ledger.start(contact, &entry, &flow.reading(contact));
+    }
+    Ok(())
+}

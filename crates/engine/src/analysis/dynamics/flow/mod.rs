@@ -1,0 +1,284 @@
+//! The flow between events: the equations that are integrated, with the memories of contacts and the energy ledger beside them
+//! (see [`super::state`] for y).
+
+mod marks;
+mod sustained;
+mod tolerance;
+
+use super::modes::largest_guard;
+use super::state::{Layout, State};
+use crate::element::journal::{Contact, ContactId, Phase, Reading};
+use crate::integrate::{Ode, Refused};
+use crate::mechanism::driven::Failure;
+use crate::mechanism::phases::Phases;
+use crate::mechanism::reduced::Reduced;
+use crate::system::System;
+use marks::Marks;
+use sustained::Sustained;
+
+/// A mechanism in motion, with the rows of the moment.
+pub struct Flow<'s> {
+    /// Its equations in minimal coordinates.
+    pub(super) equations: Reduced<'s>,
+    /// The mechanism by the rows in force.
+    phases: &'s Phases<'s>,
+    /// Contacts whose journals stay on their bearings, as constraints.
+    sustained: Vec<Option<Sustained>>,
+    layout: Layout,
+    moving_drivers: bool,
+    /// Why the last evaluation for a stepper was refused, where it was.
+    refusal: Option<Failure>,
+    /// Multipliers (m).
+    lambda: Vec<f64>,
+    marks: Marks,
+}
+
+impl<'s> Flow<'s> {
+    /// At the point of these equations, with all contacts in flight.
+    pub fn new(phases: &'s Phases<'s>, equations: Reduced<'s>) -> Self {
+        let system = equations.system();
+        Flow {
+            layout: Layout::new(system, equations.freedom()),
+            equations,
+            phases,
+            sustained: vec![None; system.contacts.len()],
+            moving_drivers: system
+                .drivers
+                .iter()
+                .any(|driver| !driver.law.is_constant()),
+            refusal: None,
+            lambda: vec![0.0; system.m()],
+            marks: Marks::new(),
+        }
+    }
+
+    /// The mechanism with its rows of the moment.
+    pub fn system(&self) -> &'s System {
+        self.equations.system()
+    }
+
+    /// Where the parts of y are.
+    pub fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    /// What contacts remember.
+    pub fn memories(&self) -> &[Contact] {
+        &self.equations.inputs.contacts
+    }
+
+    /// The same, to be changed by events.
+    pub fn memory_mut(&mut self, contact: usize) -> &mut Contact {
+        &mut self.equations.inputs.contacts[contact]
+    }
+
+    /// Whether a contact presses.
+    pub fn is_in_contact(&self, contact: usize) -> bool {
+        self.memories()[contact].phase == Phase::Contact
+    }
+
+    /// Puts the coordinates and rates at hand into y.
+    pub fn store(&self, state: &mut State) {
+        self.equations.state(state.motion_mut());
+    }
+
+    /// A contact at the point of the last evaluation.
+    pub fn reading(&self, contact: usize) -> Reading {
+        let Reduced { inputs, .. } = &self.equations;
+        let evaluation = self.equations.evaluation();
+        let mut reading = evaluation.contact(self.system(), inputs, ContactId(contact));
+        if let Some(sustained) = &self.sustained[contact] {
+            let friction = sustained.friction.map_or(0.0, |force| {
+                self.equations.dependent_forces().sizes()[force]
+            });
+            reading.follow(sustained.normal_force, friction);
+        }
+        reading
+    }
+
+    /// Work that moving drivers do in an impulse that changes the velocities (n) \[J\].
+    pub fn impulsive_work(&mut self, impulse: &[f64], change: &[f64]) -> f64 {
+        if !self.moving_drivers {
+            return 0.0;
+        }
+        self.equations
+            .impulsive_multipliers(impulse, change, &mut self.lambda);
+        self.power_of_efforts()
+    }
+
+    /// Efforts of drivers, which are in the multipliers at hand, times their rates.
+    fn power_of_efforts(&self) -> f64 {
+        let efforts = &self.lambda[self.system().joint_rows()..];
+        efforts
+            .iter()
+            .zip(&self.equations.inputs.drive)
+            .map(|(effort, jet)| effort * jet[1])
+            .sum()
+    }
+
+    /// Angle of a contact in the bearing's body \[rad\].
+    pub fn contact_angle(&self, contact: usize, reading: &Reading) -> f64 {
+        let at = self.equations.kinematics();
+        self.system().contacts[contact].bearing_angle(&at, reading)
+    }
+
+    /// All of the mechanism at (t, y).
+    ///
+    /// # Errors
+    /// Where the position can't be solved on its branch, or the mass matrix is singular.
+    pub fn evaluate(&mut self, t: f64, y: &[f64]) -> Result<(), Failure> {
+        self.take_bristles(y);
+        self.equations.evaluate(t, &y[self.layout.motion()])?;
+        self.eval_normal_forces();
+        Ok(())
+    }
+
+    /// As [`Flow::evaluate`], exactly onto the constraints, whatever the tolerance of the integration.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn evaluate_exactly(&mut self, t: f64, y: &[f64]) -> Result<(), Failure> {
+        self.take_bristles(y);
+        self.equations
+            .evaluate_exactly(t, &y[self.layout.motion()])?;
+        self.eval_normal_forces();
+        Ok(())
+    }
+
+    fn take_bristles(&mut self, y: &[f64]) {
+        let inputs = &mut self.equations.inputs;
+        for (contact, memory) in inputs.contacts.iter_mut().enumerate() {
+            if let Some(component) = self.layout.bristle(contact) {
+                memory.bristle = y[component];
+            }
+        }
+        for force in 0..self.layout.forces() {
+            if let Some(component) = self.layout.memory(force) {
+                inputs.memories[force] = y[component];
+            }
+        }
+    }
+
+    /// The largest of all guards at the point of the last evaluation.
+    pub fn largest_guard(&self) -> f64 {
+        let scale = &self.system().scale;
+        let contacts = self.system().contacts.iter().zip(self.memories());
+        contacts.enumerate().fold(
+            f64::NEG_INFINITY,
+            |largest, (contact, (journal, memory))| {
+                largest.max(largest_guard(
+                    scale,
+                    journal,
+                    memory,
+                    &self.reading(contact),
+                ))
+            },
+        )
+    }
+
+    /// Elastic energy of a contact at the point of the last evaluation, in the phase of `memory` \[J\].
+    pub fn stored(&self, contact: usize, memory: &Contact) -> f64 {
+        self.system().contacts[contact].stored(self.reading(contact).penetration, memory)
+    }
+
+    /// Whether an evaluation within (from, to] has passed an event.
+    pub fn has_passed(&self, from: f64, to: f64) -> bool {
+        self.marks.has_passed(from, to)
+    }
+
+    /// Why the last evaluation for a stepper was refused. Values that are not finite come of singular equations.
+    pub fn refusal(&self) -> Failure {
+        self.refusal.unwrap_or(Failure::Singular)
+    }
+
+    /// Rates of W, D, I, S and of the contacts' bristles.
+    fn eval_ledger(&mut self, t: f64, dy: &mut [f64]) {
+        let system = self.system();
+        let evaluation = self.equations.evaluation();
+        let mut power = evaluation.supplied(system, &self.equations.inputs);
+        if self.moving_drivers {
+            self.equations.multipliers(&mut self.lambda);
+            power += self.power_of_efforts();
+        }
+        let dependent = self.equations.dependent_forces();
+        power += dependent.power(self.equations.velocity());
+        // Of contacts it counts as dissipated there.
+        for (contact, sustained) in self.sustained.iter().enumerate() {
+            if sustained.is_some_and(|sustained| sustained.friction.is_some()) {
+                power += self.reading(contact).dissipation;
+            }
+        }
+        dy[self.layout.work()] = power;
+        let mut largest = f64::NEG_INFINITY;
+        for (contact, journal) in system.contacts.iter().enumerate() {
+            let reading = self.reading(contact);
+            let memory = &self.memories()[contact];
+            largest = largest.max(largest_guard(&system.scale, journal, memory, &reading));
+            let pressed = if memory.phase == Phase::Contact {
+                reading.normal
+            } else {
+                0.0
+            };
+            dy[self.layout.sums(contact)].copy_from_slice(&[
+                reading.dissipation,
+                pressed,
+                pressed * reading.sliding.abs(),
+            ]);
+            if let Some(component) = self.layout.bristle(contact) {
+                dy[component] = reading.bristle_rate;
+            }
+        }
+        self.marks.note(t, largest);
+    }
+}
+
+/// (u̇, ü) of the last evaluation.
+fn rates(equations: &Reduced, y: &[f64], dy: &mut [f64]) {
+    let f = equations.freedom();
+    dy[..f].copy_from_slice(&y[f..2 * f]);
+    dy[f..2 * f].copy_from_slice(equations.accelerations());
+}
+
+impl Ode for Reduced<'_> {
+    fn dimension(&self) -> usize {
+        2 * self.freedom()
+    }
+
+    fn eval(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Refused> {
+        self.evaluate(t, y).map_err(|_| Refused)?;
+        rates(self, y, dy);
+        Ok(())
+    }
+
+    fn accept(&mut self, t: f64, y: &[f64]) {
+        Reduced::accept(self, t, &y[..2 * self.freedom()]);
+    }
+}
+
+impl Ode for Flow<'_> {
+    fn dimension(&self) -> usize {
+        self.layout.dimension()
+    }
+
+    fn eval(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Refused> {
+        let evaluated = self.evaluate(t, y);
+        self.refusal = evaluated.err();
+        evaluated.map_err(|_| Refused)?;
+        rates(&self.equations, y, dy);
+        for (force, dependent) in self.system().dependent_forces.iter().enumerate() {
+            if let Some(component) = self.layout.memory(force) {
+                let at = self.equations.kinematics();
+                let memory = self.equations.inputs.memories[force];
+                dy[component] = dependent.force.memory_rate(&at, memory);
+            }
+        }
+        if !self.sustained.is_empty() {
+            self.eval_ledger(t, dy);
+        }
+        Ok(())
+    }
+
+    fn accept(&mut self, t: f64, y: &[f64]) {
+        Ode::accept(&mut self.equations, t, y);
+    }
+}

@@ -1,0 +1,115 @@
+//! Impacts: the impulses of a journal that strikes its bearing.
+//!
+//! ```text
+//! r_n, r_t          generalized forces of unit forces at the contact, along −n and t on the journal   (n)
+//! SᵀMS Δu̇ = Sᵀ P,   Δv = S Δu̇,   P = p_n r_n + p_t r_t
+//! W = [r_n r_t]ᵀ S (SᵀMS)⁻¹ Sᵀ [r_n r_t]                                                              [1/kg]
+//! ```
+//!
+//! (p_n, p_t) by [`crate::contact::impact`]. Sustained contacts take part as constraints; where the impulse would pull one
+//! of them, they part, and the impulses of all come of one problem (see [`super::touching`]).
+
+use super::point::Point;
+use super::touching::Touching;
+use crate::analysis::dynamics::flow::Flow;
+use crate::analysis::dynamics::state::Sums;
+use crate::contact::impact::resolve;
+use crate::element::journal::{Reading, Rigid};
+
+/// Impulse by which a sustained contact may be pulled, in parts of the impact's, before it parts.
+const PULLED: f64 = 1e-9;
+
+/// What an impact does.
+pub(super) struct Strike {
+    /// \[N·s\]
+    pub impulse: [f64; 2],
+    /// Its energy lost, normal impulse and sliding.
+    pub sums: Sums,
+    /// Sustained contacts part; the impulse is no more than a direction where they leave it no way.
+    pub parts: bool,
+}
+
+impl Strike {
+    /// The impact of a journal with the velocities of `reading`.
+    pub fn new(
+        flow: &mut Flow,
+        contact: usize,
+        point: &Point,
+        law: &Rigid,
+        reading: &Reading,
+    ) -> Self {
+        let velocity = [-reading.rate, reading.sliding];
+        let found = resolve(
+            point.mass,
+            velocity,
+            law.restitution,
+            law.friction,
+            law.sense,
+        );
+        if found.wedged {
+            // Nothing can move between the sustained contacts, or friction holds it there.
+            let ratio = -law.friction
+                * if reading.sliding == 0.0 {
+                    0.0
+                } else {
+                    reading.sliding.signum()
+                };
+            return Strike {
+                impulse: [1.0, ratio],
+                sums: Sums::default(),
+                parts: true,
+            };
+        }
+        let (impulse, change) = (
+            point.sum(&point.forces, found.impulse),
+            point.sum(&point.changes, found.impulse),
+        );
+        let pulled = flow.pulled(&impulse, &change);
+        Strike {
+            impulse: found.impulse,
+            sums: Sums {
+                dissipated: found.loss,
+                impulse: found.impulse[0],
+                sliding: found.sliding,
+            },
+            parts: pulled
+                .is_some_and(|(other, pull)| other != contact && pull < -PULLED * found.impulse[0]),
+        }
+    }
+
+    /// p_t/p_n.
+    pub fn ratio(&self) -> f64 {
+        self.impulse[1] / self.impulse[0]
+    }
+}
+
+/// Impulses of an impact from which sustained contacts part: they and the journal that strikes get p ≥ 0 all at once, so that
+/// δ̇₊ ≤ −e δ̇₋ (e = 0 for all but that journal), and δ̇₊ = −e δ̇₋ where p > 0 (Moreau 1988). `ratio` is p_t/p_n where it strikes.
+pub(super) fn together(
+    flow: &Flow,
+    touching: &Touching,
+    striking: usize,
+    restitution: f64,
+    ratio: f64,
+) -> Option<Vec<[f64; 2]>> {
+    let mut wanted = touching.approaches(flow);
+    let struck = |k: usize| touching.contacts[k] == striking;
+    for (k, rate) in wanted.iter_mut().enumerate() {
+        if struck(k) {
+            *rate *= 1.0 + restitution;
+        }
+    }
+    // With friction there may be no such impulses, or some that give energy; without there are always some that take it.
+    [ratio, 0.0].into_iter().find_map(|ratio| {
+        let ratios: Vec<f64> = (0..touching.len())
+            .map(|k| if struck(k) { ratio } else { 0.0 })
+            .collect();
+        let (_, impulses) = touching.solve(&ratios, &wanted)?;
+        let pushes: Vec<[f64; 2]> = ratios
+            .iter()
+            .zip(&impulses)
+            .map(|(ratio, impulse)| [*impulse, ratio * impulse])
+            .collect();
+        (ratio == 0.0 || touching.work(flow, &pushes) <= 0.0).then_some(pushes)
+    })
+}

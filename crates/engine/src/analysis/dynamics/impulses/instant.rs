@@ -1,0 +1,148 @@
+//! The mechanism at an instant at which contacts act at once: its state, its constraints, and the books on both.
+
+use super::jamming::Jams;
+use super::point::Point;
+use super::touching::Touching;
+use crate::analysis::dynamics::flow::Flow;
+use crate::analysis::dynamics::ledger::{Entry, Ledger};
+use crate::analysis::dynamics::state::{State, Sums};
+use crate::element::journal::{Contact, Phase, Reading, Surface};
+use crate::mechanism::driven::Failure;
+use linkdyn_linear::math::dot;
+
+/// The mechanism at an instant.
+pub struct Instant<'a, 's> {
+    /// \[s\]
+    pub time: f64,
+    /// The mechanism, evaluated at `state`.
+    pub flow: &'a mut Flow<'s>,
+    /// y.
+    pub state: &'a mut State,
+    /// What contacts do.
+    pub ledger: &'a mut Ledger,
+    /// What is known of jams.
+    pub jams: &'a mut Jams,
+}
+
+impl Instant<'_, '_> {
+    /// The mechanism at the state at hand.
+    pub(super) fn evaluate(&mut self) -> Result<(), Failure> {
+        self.flow.evaluate(self.time, self.state.as_slice())
+    }
+
+    /// The same, and whether forces answer the motion where nothing else is wrong.
+    pub(super) fn is_answered(&mut self) -> Result<bool, Failure> {
+        match self.evaluate() {
+            Err(Failure::Locked { .. }) => Ok(false),
+            other => other.map(|()| true),
+        }
+    }
+
+    /// A contact with this reading, for the ledger.
+    pub(super) fn entry(&self, contact: usize, reading: &Reading) -> Entry {
+        self.ledger
+            .entry((self.flow, self.state), contact, reading, self.time)
+    }
+
+    /// Impulses at one contact, which dissipate and slide so much.
+    pub(super) fn push(&mut self, contact: usize, point: &Point, impulse: [f64; 2], sums: Sums) {
+        point.apply(self.state.rates_mut(), impulse);
+        self.count(contact, point, impulse, sums);
+    }
+
+    /// What impulses have done goes into the sums of their contact and the work.
+    pub(super) fn count(&mut self, contact: usize, point: &Point, impulse: [f64; 2], sums: Sums) {
+        self.state.add_sums(contact, sums);
+        let (force, change) = (
+            point.sum(&point.forces, impulse),
+            point.sum(&point.changes, impulse),
+        );
+        self.state
+            .add_work(self.flow.impulsive_work(&force, &change));
+    }
+
+    /// Impulses at several contacts at once.
+    ///
+    /// # Errors
+    /// Where the mechanism can't be evaluated with the velocities after them.
+    pub(super) fn push_all(
+        &mut self,
+        touching: &Touching,
+        pushes: &[[f64; 2]],
+    ) -> Result<(), Failure> {
+        let halfway = touching.halfway(self.flow, pushes);
+        let contacts = touching.contacts.iter().zip(&touching.points);
+        for ((&contact, point), &push) in contacts.zip(pushes) {
+            let sums = Sums {
+                dissipated: -dot(&point.sum(&point.forces, push), &halfway),
+                impulse: push[0],
+                sliding: (push[0] * dot(&point.forces[1], &halfway)).abs(),
+            };
+            self.push(contact, point, push, sums);
+        }
+        self.evaluate()
+    }
+
+    /// The journal is off its bearing again at once after an impact at `angle`.
+    pub(super) fn leave(&mut self, contact: usize, angle: f64) {
+        let entry = Entry {
+            angle,
+            ..self.entry(contact, &self.flow.reading(contact))
+        };
+        let history = self.ledger.history(contact);
+        history.go_on(&entry);
+        history.rest(&entry);
+        history.end();
+    }
+
+    /// No contact is sustained from here; those that were.
+    pub(super) fn release_all(&mut self) -> Result<Vec<bool>, Failure> {
+        let were = self.flow.sustained();
+        self.exchange_rows(&vec![false; were.len()])?;
+        Ok(were)
+    }
+
+    /// The equations with these contacts as constraints, from the position and velocities at hand.
+    fn exchange_rows(&mut self, sustained: &[bool]) -> Result<(), Failure> {
+        if let Err(failure) = self.flow.sustain(sustained, self.time) {
+            if let Failure::Locked { .. } = failure {
+                self.jams.contacts = (0..sustained.len())
+                    .filter(|&contact| sustained[contact])
+                    .collect();
+            }
+            return Err(failure);
+        }
+        self.state.set_freedom(self.flow.layout().freedom());
+        self.flow.store(self.state);
+        self.evaluate()
+    }
+
+    /// These contacts are sustained from here; those that were and are not any more end their episodes.
+    pub(super) fn sustain(&mut self, sustained: &[bool]) -> Result<(), Failure> {
+        self.exchange_rows(sustained)?;
+        for (contact, &stays) in sustained.iter().enumerate() {
+            let Surface::Rigid(rigid) = self.flow.system().contacts[contact].surface else {
+                continue;
+            };
+            let reading = self.flow.reading(contact);
+            let entry = self.entry(contact, &reading);
+            match (self.flow.is_in_contact(contact), stays) {
+                (true, false) => {
+                    let history = self.ledger.history(contact);
+                    history.go_on(&entry);
+                    history.rest(&entry);
+                    history.end();
+                    *self.flow.memory_mut(contact) = Contact::default();
+                }
+                (false, true) => {
+                    self.ledger.history(contact).begin(&entry);
+                    let memory = self.flow.memory_mut(contact);
+                    memory.phase = Phase::Contact;
+                    memory.piece = rigid.friction_law().piece(reading.sliding);
+                }
+                (true, true) | (false, false) => {}
+            }
+        }
+        Ok(())
+    }
+}

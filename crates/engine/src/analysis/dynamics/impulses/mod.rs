@@ -1,0 +1,273 @@
+//! What contacts of rigid surfaces do at an instant: impacts, sustained contacts that begin and end, and jams.
+//!
+//! Several impacts at one instant are taken one after the other until none approaches. An impact whose rebound would come back
+//! after a flight lower than a small part of the clearance, v²/(2 δ̈), is one of infinitely many in a finite time: the journal
+//! loses its normal velocity and stays on the surface, as a sustained contact.
+
+mod impact;
+mod instant;
+mod jamming;
+mod point;
+mod touching;
+
+use super::flow::Flow;
+use super::modes::{largest_guard, lets_go};
+use super::words::TIGHT;
+use crate::element::journal::{Contact, Phase, Reading, Rigid, Surface};
+use crate::mechanism::driven::Failure;
+use impact::Strike;
+use jamming::{Way, rounds};
+use point::{LOWEST, Point, approach_acceleration, at_rest, touches};
+use touching::Touching;
+
+pub use instant::Instant;
+pub use jamming::Jams;
+
+/// Impacts one after the other at one instant after which the rest are one, without rebound.
+const MANY: usize = 100;
+
+/// Resolves what contacts do at an instant.
+pub struct Impulses<'a, 's> {
+    at: Instant<'a, 's>,
+    /// Least height of a rebound, in parts of the clearance.
+    lowest: f64,
+}
+
+impl<'a, 's> Impulses<'a, 's> {
+    /// At an instant of a motion with this relative tolerance.
+    pub fn new(at: Instant<'a, 's>, rtol: f64) -> Self {
+        Impulses {
+            at,
+            lowest: rtol.max(LOWEST),
+        }
+    }
+
+    /// Resolves what rigid contacts do: impacts, and contacts that let go. The mechanism is at the state before and after.
+    ///
+    /// # Errors
+    /// Where no impulses answer the motion.
+    pub fn resolve(&mut self) -> Result<(), Failure> {
+        for round in 0.. {
+            let Some(contact) = acting(self.at.flow) else {
+                break;
+            };
+            if round >= MANY {
+                self.settle(f64::INFINITY)?;
+            } else if self.at.flow.is_in_contact(contact) {
+                self.settle(at_rest(self.at.flow))?;
+            } else {
+                let reading = self.at.flow.reading(contact);
+                self.impact(contact, &reading)?;
+            }
+            if round > 2 * MANY {
+                let flow = &*self.at.flow;
+                let contacts = 0..flow.memories().len();
+                self.at.jams.contacts = contacts
+                    .filter(|&contact| touches(flow, contact, f64::INFINITY))
+                    .filter(|&contact| flow.has_rigid_friction(contact))
+                    .collect();
+                return Err(Failure::Singular);
+            }
+        }
+        Ok(())
+    }
+
+    /// An impact of `contact`, which is in flight, with the velocities of `reading`.
+    fn impact(&mut self, contact: usize, reading: &Reading) -> Result<(), Failure> {
+        let journal = &self.at.flow.system().contacts[contact];
+        let Surface::Rigid(rigid) = journal.surface else {
+            return Ok(());
+        };
+        let point = Point::new(self.at.flow, contact, reading);
+        let entry = self.at.entry(contact, reading);
+        let height = self.lowest * journal.clearance;
+        let mut strike = Strike::new(self.at.flow, contact, &point, &rigid, reading);
+        // Where it comes back at once, it stays.
+        let before = self.at.state.clone();
+        point.apply(self.at.state.rates_mut(), strike.impulse);
+        // Sustained contacts that jam at the new velocities are free again before it goes on.
+        let jams = !self.at.is_answered()?;
+        let after = self.at.flow.reading(contact);
+        let fall = if jams {
+            0.0
+        } else {
+            approach_acceleration(self.at.flow, contact, &point)
+        };
+        let stays = fall > 0.0 && after.rate * after.rate < 2.0 * fall * height;
+        self.at.ledger.history(contact).begin(&entry);
+        if stays || strike.parts {
+            *self.at.state = before;
+            self.at.evaluate()?;
+        }
+        let law = Rigid {
+            restitution: if stays { 0.0 } else { rigid.restitution },
+            ..rigid
+        };
+        if stays {
+            strike = Strike::new(self.at.flow, contact, &point, &law, reading);
+        }
+        if strike.parts {
+            self.strike_together(contact, law.restitution, strike.ratio())?;
+        } else {
+            if stays {
+                point.apply(self.at.state.rates_mut(), strike.impulse);
+                self.at.is_answered()?;
+            }
+            self.at.count(contact, &point, strike.impulse, strike.sums);
+        }
+        if stays {
+            *self.at.flow.memory_mut(contact) = Contact {
+                phase: Phase::Contact,
+                approach: reading.rate,
+                ..Contact::default()
+            };
+        } else {
+            self.at.leave(contact, entry.angle);
+        }
+        if stays || strike.parts || jams {
+            let slow = if stays {
+                (2.0 * fall.max(0.0) * height)
+                    .sqrt()
+                    .max(at_rest(self.at.flow))
+            } else {
+                at_rest(self.at.flow)
+            };
+            self.settle(slow)?;
+            if self.at.flow.sustained()[contact] {
+                self.note_sustained(contact, &rigid, height);
+            }
+        }
+        Ok(())
+    }
+
+    /// The contact is sustained after an impact whose rebound would be lower than `height`.
+    fn note_sustained(&mut self, contact: usize, law: &Rigid, height: f64) {
+        let height = self.at.flow.system().display.length_to(height, 2);
+        let history = self.at.ledger.history(contact);
+        history.sustain(self.at.time, &height);
+        let sliding = self.at.flow.reading(contact).sliding;
+        self.at.flow.memory_mut(contact).piece = law.friction_law().piece(sliding);
+    }
+
+    /// An impact from which sustained contacts part. `ratio` is p_t/p_n where it strikes.
+    fn strike_together(
+        &mut self,
+        contact: usize,
+        restitution: f64,
+        ratio: f64,
+    ) -> Result<(), Failure> {
+        let were = self.at.release_all()?;
+        let contacts = (0..were.len()).filter(|&other| were[other] || other == contact);
+        let touching = Touching::new(self.at.flow, contacts.collect());
+        let pushes = impact::together(self.at.flow, &touching, contact, restitution, ratio);
+        self.at
+            .push_all(&touching, &pushes.ok_or(Failure::Singular)?)
+    }
+
+    /// Journals that touch their bearings with speeds below `slow` lose what brings them nearer, all at once, and of those
+    /// that stay the ones that press are sustained: with p, N ≥ 0 their impulses and normal forces, δ̇ = v − W p ≤ 0 and then
+    /// δ̈ = b − W N − W_t T(N) ≤ 0, in each pair one of the two zero.
+    fn settle(&mut self, slow: f64) -> Result<(), Failure> {
+        let were = self.at.release_all()?;
+        let flow = &*self.at.flow;
+        let contacts = (0..were.len()).filter(|&k| were[k] || touches(flow, k, slow));
+        let touching = Touching::new(flow, contacts.collect());
+        let rates = touching.approaches(flow);
+        let (stays, impulses) = touching
+            .solve(&vec![0.0; touching.len()], &rates)
+            .ok_or(Failure::Singular)?;
+        let pushes: Vec<[f64; 2]> = impulses.iter().map(|&impulse| [impulse, 0.0]).collect();
+        self.at.push_all(&touching, &pushes)?;
+        let flow = &*self.at.flow;
+        let rates = touching.approaches(flow);
+        let free: Vec<f64> = (0..touching.len())
+            .map(|k| {
+                // What an impact has stopped may leave by round-off.
+                let was = were[touching.contacts[k]];
+                let least = if was { slow } else { at_rest(flow) };
+                if stays[k] || rates[k].abs() <= least {
+                    touching.approach_acceleration(flow, k)
+                } else {
+                    f64::NEG_INFINITY
+                }
+            })
+            .collect();
+        let presses = touching.solve(&touching.friction_ratios(flow), &free);
+        let Some((presses, _)) = presses else {
+            return self.end_jam(&touching, 0.0);
+        };
+        let mut sustained = vec![false; were.len()];
+        let contacts = touching.contacts.iter().zip(&presses);
+        contacts.for_each(|(&contact, &presses)| sustained[contact] = presses);
+        match self.at.sustain(&sustained) {
+            // These forces answer the motion, but do not come of those without friction.
+            Err(Failure::Locked { .. }) => self.end_jam(&touching, 0.0),
+            gone => gone,
+        }
+    }
+
+    /// Impulses that stop sliding in a jam, and what comes of them. `loose` is the largest d, in parts of the leader's inverse
+    /// mass.
+    fn end_jam(&mut self, touching: &Touching, loose: f64) -> Result<(), Failure> {
+        self.at.jams.begin(self.at.flow, touching, self.at.time)?;
+        let mut way = Way::find(self.at.flow, touching).ok_or(Failure::Singular)?;
+        let leader = touching.contacts[way.leader];
+        // One contact by itself is an impact from its beginning, and restitution gives back of all that it presses in.
+        let alone = way.margin < 0.0 && way.sizes.iter().filter(|size| **size != 0.0).count() == 1;
+        if alone {
+            self.at
+                .sustain(&vec![false; self.at.flow.memories().len()])?;
+            let mut reading = self.at.flow.reading(leader);
+            reading.rate = 0.0;
+            self.impact(leader, &reading)?;
+        } else {
+            let mut most = loose;
+            for _ in 0..rounds(touching) {
+                if way.margin > most {
+                    break;
+                }
+                let Some(pushes) = way.until_one_stops(self.at.flow, touching) else {
+                    break;
+                };
+                self.at.push_all(touching, &pushes)?;
+                way = Way::find(self.at.flow, touching).ok_or(Failure::Singular)?;
+                most = 0.0;
+            }
+            let pushes = way.come_to_rest(self.at.flow, touching);
+            self.at
+                .push_all(touching, &pushes.ok_or(Failure::Singular)?)?;
+            self.settle(at_rest(self.at.flow))?;
+        }
+        self.at.jams.contacts.clear();
+        Ok(())
+    }
+
+    /// Ends a jam at the last accepted point, where the next step would be none.
+    ///
+    /// # Errors
+    /// Where there is none, or no impulses end it.
+    pub fn loosen(&mut self) -> Result<(), Failure> {
+        self.at.evaluate()?;
+        let were = self.at.release_all()?;
+        let contacts = (0..were.len()).filter(|&contact| were[contact]);
+        let touching = Touching::new(self.at.flow, contacts.collect());
+        self.end_jam(&touching, TIGHT)?;
+        self.resolve()
+    }
+}
+
+/// A rigid contact whose guard is positive.
+fn acting(flow: &Flow) -> Option<usize> {
+    let system = flow.system();
+    (0..system.contacts.len()).find(|&contact| {
+        let journal = &system.contacts[contact];
+        let (memory, reading) = (&flow.memories()[contact], flow.reading(contact));
+        // What friction does asks for no impulse.
+        let guard = if memory.phase == Phase::Contact {
+            lets_go(&system.scale, &reading)
+        } else {
+            largest_guard(&system.scale, journal, memory, &reading)
+        };
+        matches!(journal.surface, Surface::Rigid(_)) && guard > 0.0
+    })
+}

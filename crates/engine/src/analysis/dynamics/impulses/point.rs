@@ -1,0 +1,115 @@
+//! The point at which a rigid journal touches its bearing: what impulses there change, and what friction does there.
+
+use crate::analysis::dynamics::flow::Flow;
+use crate::element::journal::{Reading, Rigid, Surface};
+use crate::element::{Applied, Constraint};
+use linkdyn_linear::math::dot;
+
+/// Least height of a rebound, in parts of the clearance, whatever the tolerance.
+pub(super) const LOWEST: f64 = 1e-9;
+/// Normal speed of a journal that stays where it is [L/T]: above what approaches by round-off.
+const AT_REST: f64 = 1e-9;
+
+/// The same in a motion [m/s].
+pub(super) fn at_rest(flow: &Flow) -> f64 {
+    AT_REST * flow.system().scale.velocity()
+}
+
+/// Directions of an impact and what unit impulses along them change.
+pub(super) struct Point {
+    /// Generalized forces of unit forces there (n).
+    pub(super) forces: [Vec<f64>; 2],
+    rates: [Vec<f64>; 2],
+    /// Changes of the velocities (n).
+    pub(super) changes: [Vec<f64>; 2],
+    /// W \[1/kg\].
+    pub(super) mass: [[f64; 2]; 2],
+}
+
+impl Point {
+    /// Of a contact with this reading, at the last evaluation.
+    pub(super) fn new(flow: &Flow, contact: usize, reading: &Reading) -> Self {
+        let system = flow.system();
+        let at = flow.equations.kinematics();
+        let (n, f) = (system.n(), flow.equations.freedom());
+        let forces = [[1.0, 0.0], [0.0, 1.0]].map(|unit| {
+            let mut force = vec![0.0; n];
+            let mut applied = Applied::to(&mut force, &system.layout);
+            system.contacts[contact].press(&at, reading, unit, &mut applied);
+            force
+        });
+        let [(normal_rates, normal_change), (rates, change)] = forces.each_ref().map(|force| {
+            let (mut rates, mut change) = (vec![0.0; f], vec![0.0; n]);
+            flow.equations
+                .impulsive_change(force, &mut rates, &mut change);
+            (rates, change)
+        });
+        let (rates, changes) = ([normal_rates, rates], [normal_change, change]);
+        let coupling = dot(&forces[1], &changes[0]);
+        let mass = [
+            [dot(&forces[0], &changes[0]), coupling],
+            [coupling, dot(&forces[1], &changes[1])],
+        ];
+        Point {
+            forces,
+            rates,
+            changes,
+            mass,
+        }
+    }
+
+    /// What impulses make of `forces` or `changes`.
+    pub(super) fn sum(&self, parts: &[Vec<f64>; 2], [normal, tangential]: [f64; 2]) -> Vec<f64> {
+        parts[0]
+            .iter()
+            .zip(&parts[1])
+            .map(|(n, t)| normal * n + tangential * t)
+            .collect()
+    }
+
+    /// Changes the rates u̇ by impulses.
+    pub(super) fn apply(&self, rates: &mut [f64], [normal, tangential]: [f64; 2]) {
+        for (k, rate) in rates.iter_mut().enumerate() {
+            *rate += normal * self.rates[0][k] + tangential * self.rates[1][k];
+        }
+    }
+}
+
+/// T/N of a rigid journal that begins to slide on its bearing.
+pub(super) fn friction_ratio(flow: &Flow, contact: usize) -> f64 {
+    match &flow.system().contacts[contact].surface {
+        Surface::Rigid(rigid) => {
+            rigid
+                .friction_law()
+                .force(flow.reading(contact).sliding, 1.0, 0.0)
+                .force
+        }
+        Surface::Compliant(_) => 0.0,
+    }
+}
+
+/// The surfaces of a journal that slides no faster than its threshold, where there is friction.
+pub(super) fn sticking(flow: &Flow, contact: usize) -> Option<Rigid> {
+    let Surface::Rigid(rigid) = flow.system().contacts[contact].surface else {
+        return None;
+    };
+    (rigid.friction > 0.0 && flow.reading(contact).sliding.abs() <= rigid.threshold)
+        .then_some(rigid)
+}
+
+/// Whether a rigid journal is on its bearing's surface, slower than `slow`.
+pub(super) fn touches(flow: &Flow, contact: usize, slow: f64) -> bool {
+    let journal = &flow.system().contacts[contact];
+    let reading = flow.reading(contact);
+    matches!(journal.surface, Surface::Rigid(_))
+        && reading.penetration > -LOWEST * journal.clearance
+        && reading.rate.abs() <= slow
+}
+
+/// δ̈ of a contact at the point of the last evaluation [m/s²].
+pub(super) fn approach_acceleration(flow: &Flow, contact: usize, point: &Point) -> f64 {
+    let following = flow.system().contacts[contact].following();
+    let mut gamma = [0.0];
+    following.gamma(&flow.equations.kinematics(), &mut gamma);
+    -dot(&point.forces[0], flow.equations.acceleration()) - gamma[0]
+}

@@ -1,0 +1,130 @@
+//! The one complementarity problem of an instant: all contacts that touch, and what may not go on between them.
+//!
+//! ```text
+//! p ≥ 0,   w = b − W̃ p ≤ 0,   p_k w_k = 0                                          of all contacts that touch
+//! W̃_ij = n_i·(n_j + ρ_j t_j)    what a push on j does to i; ρ = T/N               (k, k)                [1/kg]
+//!
+//! impact             p impulses, b = (1 + e) δ̇       what approaches rebounds, the others part or stay   [m/s]
+//! rest               p impulses, b = δ̇               the same with e = 0
+//! sustained contact  p normal forces, b = δ̈           of those at rest, what presses stays                [m/s²]
+//! jam                p by unit push on l, b = −W̃_l    what the others do while contact l pushes           [1/kg]
+//! ```
+//!
+//! It is solved on the levels of velocities and accelerations one after the other, since the second's b depends on the
+//! velocities that the first leaves. Only an impact at one point, with nothing else to part, is not one of them: sliding may
+//! change within it, which no linear problem sees (see [`crate::contact::impact`]).
+//!
+//! J. J. Moreau, *Unilateral contact and dry friction in finite freedom dynamics*, 1988; F. Pfeiffer, C. Glocker, *Multibody
+//! Dynamics with Unilateral Contacts*, 1996.
+
+use super::point::{Point, approach_acceleration, friction_ratio};
+use crate::analysis::dynamics::flow::Flow;
+use linkdyn_linear::complementary::complementary;
+use linkdyn_linear::math::dot;
+use nalgebra::DMatrix;
+
+/// Contacts that touch, of which none is sustained in the equations of the moment.
+pub(super) struct Touching {
+    /// By number.
+    pub contacts: Vec<usize>,
+    /// What pushes at them do.
+    pub points: Vec<Point>,
+}
+
+/// Which contacts push, and how much.
+pub(super) type Pushes = (Vec<bool>, Vec<f64>);
+
+impl Touching {
+    /// These contacts as they are at the last evaluation.
+    pub fn new(flow: &Flow, contacts: Vec<usize>) -> Self {
+        let points = contacts.iter();
+        let points = points.map(|&contact| Point::new(flow, contact, &flow.reading(contact)));
+        Touching {
+            points: points.collect(),
+            contacts,
+        }
+    }
+
+    /// Number of contacts.
+    pub fn len(&self) -> usize {
+        self.contacts.len()
+    }
+
+    /// W̃ with these ρ.
+    pub fn inverse_mass(&self, ratios: &[f64]) -> DMatrix<f64> {
+        DMatrix::from_fn(self.len(), self.len(), |i, j| {
+            let [normal, tangential] = self.points[j]
+                .changes
+                .each_ref()
+                .map(|change| dot(&self.points[i].forces[0], change));
+            normal + ratios[j] * tangential
+        })
+    }
+
+    /// p with these ρ and b; none where there is no solution.
+    pub fn solve(&self, ratios: &[f64], free: &[f64]) -> Option<Pushes> {
+        complementary(&self.inverse_mass(ratios), free)
+    }
+
+    /// p of the others while contact `leader` pushes with 1; they come nearer too where there is no solution.
+    pub fn pushed_by(&self, leader: usize, inverse_mass: &DMatrix<f64>) -> Vec<f64> {
+        let others: Vec<usize> = (0..self.len()).filter(|&other| other != leader).collect();
+        let part = DMatrix::from_fn(others.len(), others.len(), |i, j| {
+            inverse_mass[(others[i], others[j])]
+        });
+        let free: Vec<f64> = others
+            .iter()
+            .map(|&other| -inverse_mass[(other, leader)])
+            .collect();
+        let mut sizes = vec![0.0; self.len()];
+        sizes[leader] = 1.0;
+        if let Some((_, answers)) = complementary(&part, &free) {
+            let answers = others.iter().zip(answers);
+            answers.for_each(|(&other, answer)| sizes[other] = answer);
+        }
+        sizes
+    }
+
+    /// δ̇ of each, at the last evaluation [m/s].
+    pub fn approaches(&self, flow: &Flow) -> Vec<f64> {
+        let contacts = self.contacts.iter();
+        contacts
+            .map(|&contact| flow.reading(contact).rate)
+            .collect()
+    }
+
+    /// ρ of each, where it slides as at the last evaluation.
+    pub fn friction_ratios(&self, flow: &Flow) -> Vec<f64> {
+        let contacts = self.contacts.iter();
+        contacts
+            .map(|&contact| friction_ratio(flow, contact))
+            .collect()
+    }
+
+    /// δ̈ of contact k at the last evaluation [m/s²].
+    pub fn approach_acceleration(&self, flow: &Flow, k: usize) -> f64 {
+        approach_acceleration(flow, self.contacts[k], &self.points[k])
+    }
+
+    /// Velocities halfway between those before and after these impulses: work is impulse times that.
+    pub fn halfway(&self, flow: &Flow, pushes: &[[f64; 2]]) -> Vec<f64> {
+        let mut halfway = flow.equations.velocity().to_vec();
+        for (point, &push) in self.points.iter().zip(pushes) {
+            let change = point.sum(&point.changes, push);
+            halfway
+                .iter_mut()
+                .zip(&change)
+                .for_each(|(v, change)| *v += 0.5 * change);
+        }
+        halfway
+    }
+
+    /// Work that these impulses do \[J\].
+    pub fn work(&self, flow: &Flow, pushes: &[[f64; 2]]) -> f64 {
+        let halfway = self.halfway(flow, pushes);
+        let points = self.points.iter().zip(pushes);
+        points
+            .map(|(point, &push)| dot(&point.sum(&point.forces, push), &halfway))
+            .sum()
+    }
+}

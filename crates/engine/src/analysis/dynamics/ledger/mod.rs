@@ -1,0 +1,212 @@
+//! The ledger: what contacts have done, and the energy that went through them.
+
+mod history;
+mod peaks;
+
+use super::fault::Fault;
+use super::flow::Flow;
+use super::modes::{Change, sticks};
+use super::state::{State, Sums};
+use super::steps::LastStep;
+use super::words::beyond_range;
+use crate::element::journal::{Contact, Phase, Reading};
+use crate::system::System;
+use linkdyn_output::{ClearanceSums, Report};
+
+pub use history::{Entry, History};
+
+/// Hears of places where a contact may press most: the step, evaluated there, the contact, and the time.
+pub type Listener<'l> = &'l mut dyn FnMut(&Ledger, &mut LastStep, usize, f64);
+
+/// What every contact has done.
+pub struct Ledger {
+    accounts: Vec<Account>,
+}
+
+/// Of one contact.
+struct Account {
+    history: History,
+    /// At the end of the last piece of a step.
+    last: Reading,
+    /// Elastic energy lost where a contact ended by its law while penetrated \[J\].
+    released: f64,
+}
+
+impl Ledger {
+    /// Before anything has happened.
+    pub fn new(system: &System) -> Self {
+        let joints = system.joints.iter();
+        let accounts = joints
+            .filter(|joint| joint.contact.is_some())
+            .map(|joint| Account {
+                history: History::new(joint.name.as_str()),
+                last: Reading::default(),
+                released: 0.0,
+            });
+        Ledger {
+            accounts: accounts.collect(),
+        }
+    }
+
+    /// Whether there are no contacts.
+    pub fn is_empty(&self) -> bool {
+        self.accounts.is_empty()
+    }
+
+    /// What a contact has done so far.
+    pub fn sums(&self, state: &State, contact: usize) -> Sums {
+        let mut sums = state.sums(contact);
+        sums.dissipated += self.accounts[contact].released;
+        sums
+    }
+
+    /// Energy that contacts have dissipated, and work of everything else \[J\].
+    pub fn energy(&self, state: &State) -> [f64; 2] {
+        if self.is_empty() {
+            return [0.0; 2];
+        }
+        let contacts = 0..self.accounts.len();
+        let dissipated = contacts.map(|contact| self.sums(state, contact).dissipated);
+        [dissipated.sum(), state.work()]
+    }
+
+    /// Episodes and changes between stick and slip so far.
+    pub fn happened(&self) -> u64 {
+        let accounts = self.accounts.iter();
+        accounts
+            .map(|Account { history, .. }| history.episodes + history.switches)
+            .sum()
+    }
+
+    /// A contact with this reading at an instant.
+    pub fn entry(
+        &self,
+        (flow, state): (&Flow, &State),
+        contact: usize,
+        reading: &Reading,
+        time: f64,
+    ) -> Entry {
+        Entry {
+            time,
+            reading: *reading,
+            sums: self.sums(state, contact),
+            angle: flow.contact_angle(contact, reading),
+        }
+    }
+
+    /// The history of a contact.
+    pub fn history(&mut self, contact: usize) -> &mut History {
+        &mut self.accounts[contact].history
+    }
+
+    /// A contact at the start of the run. `entry` is the penetration before its forces act, `reading` the contact after.
+    pub fn start(&mut self, contact: usize, entry: &Entry, reading: &Reading) {
+        let Account { history, last, .. } = &mut self.accounts[contact];
+        if entry.reading.penetration > 0.0 {
+            history.begin(entry);
+        }
+        history.peak(reading);
+        *last = *reading;
+    }
+
+    /// A contact changes as its guards say; `entry` is the contact before, `was` its memory then, `reading` the contact after.
+    pub fn change(
+        &mut self,
+        flow: &Flow,
+        contact: usize,
+        (change, was): (Change, &Contact),
+        entry: &Entry,
+        reading: &Reading,
+    ) {
+        let Account { history, last, .. } = &mut self.accounts[contact];
+        match change {
+            Change::Begin => {
+                history.begin(entry);
+                // The force of some laws begins at once.
+                history.peak(reading);
+            }
+            Change::Release => history.rest(entry),
+            Change::Press => history.press(),
+            Change::End => {
+                if was.phase == Phase::Contact {
+                    history.rest(entry);
+                }
+                history.end();
+            }
+            Change::Piece => {
+                let journal = &flow.system().contacts[contact];
+                let is = sticks(journal, &flow.memories()[contact]);
+                if is != sticks(journal, was) {
+                    history.switch(entry.time, is);
+                }
+            }
+        }
+        *last = *reading;
+    }
+
+    /// Elastic energy of a contact is lost \[J\].
+    pub fn release(&mut self, contact: usize, energy: f64) {
+        self.accounts[contact].released += energy;
+    }
+
+    /// What contacts do from the beginning of the last step to `until`, where the mechanism is evaluated then.
+    ///
+    /// # Errors
+    /// Where the mechanism can't be evaluated within the step.
+    pub fn follow(
+        &mut self,
+        step: &mut LastStep,
+        until: f64,
+        listener: Listener,
+    ) -> Result<(), Fault> {
+        let from = step.from();
+        step.evaluate(until)?;
+        for contact in 0..self.accounts.len() {
+            let reading = step.flow.reading(contact);
+            if step.flow.is_in_contact(contact) {
+                let piece = (from, until);
+                if self.locate_peaks(step, contact, &reading, piece, listener)? {
+                    step.evaluate(until)?;
+                }
+                let entry = self.entry((step.flow, step.state), contact, &reading, until);
+                self.history(contact).go_on(&entry);
+            }
+            self.accounts[contact].last = reading;
+        }
+        Ok(())
+    }
+
+    /// What contacts have done, into the report.
+    pub fn close(&mut self, system: &System, state: &State, time: f64, report: &mut Report) {
+        let joints = system.joints.iter();
+        let joints = joints.filter(|joint| joint.contact.is_some());
+        for (contact, joint) in joints.enumerate() {
+            let sums = self.sums(state, contact);
+            let history = self.history(contact);
+            history.finish(time, sums);
+            report.clearances.push(ClearanceSums {
+                joint: joint.name.clone(),
+                episodes: history.episodes,
+                switches: history.switches,
+                time_in_contact: history.time_in_contact,
+                energy_lost: sums.dissipated,
+                impulse: sums.impulse,
+                wear: std::mem::take(&mut history.wear),
+            });
+            report.warnings.extend(beyond_range(
+                &system.display,
+                joint.name.as_str(),
+                &system.contacts[contact],
+                history.most,
+            ));
+            if history.unlisted > 0 {
+                report.warnings.push(format!(
+                    "joint \"{}\": {} further contacts and changes between stick and slip are counted but not listed",
+                    joint.name, history.unlisted
+                ));
+            }
+            report.events.append(&mut history.events);
+        }
+        report.events.sort_by(|a, b| a.time.total_cmp(&b.time));
+    }
+}

@@ -1,0 +1,285 @@
+//! A motion as a hybrid system: the flow between events, the steps along it, the events that end them, and what happens there.
+//!
+//! ```text
+//! step        the flow is integrated                                   [`super::flow`], [`super::steps`]
+//! locate      the first guard of a contact that becomes positive       [`super::modes`], [`super::events`]
+//! note        what contacts did in the step, extremes of columns       [`super::ledger`], [`super::extremes`]
+//! change      impulses, other constraints, other phases                [`super::impulses`], [`super::modes`]
+//! ```
+
+use super::ended::Ended;
+use super::events::first_event;
+use super::extremes::{Extremes, Piece};
+use super::fault::Fault;
+use super::flow::Flow;
+use super::impulses::{Impulses, Instant, Jams};
+use super::ledger::Ledger;
+use super::margins::Margins;
+use super::modes::{Change, change};
+use super::state::State;
+use super::steps::{LastStep, Steps};
+use crate::analysis::control::Control;
+use crate::element::journal::Phase;
+use crate::mechanism::driven::Failure;
+use linkdyn_output::{Report, Trajectory};
+
+/// How often a step is halved until all within it can be evaluated.
+const HALVINGS: usize = 20;
+/// A motion; it begins in [`super::begin`].
+pub struct Simulation<'s> {
+    /// The equations of the moment, at the point of the last evaluation.
+    pub(super) flow: Flow<'s>,
+    /// That point.
+    pub(super) state: State,
+    pub(super) steps: Steps,
+    /// Where, within the last step, a contact changes its phase.
+    pub(super) event: Option<f64>,
+    pub(super) ledger: Ledger,
+    pub(super) jams: Jams,
+    /// How far the friction of ideal joints was from locking them.
+    pub(super) margins: Margins,
+    /// The extremes of columns, in motions with contacts.
+    pub(super) extremes: Option<Box<Extremes>>,
+}
+
+impl<'s> Simulation<'s> {
+    /// Time up to which the motion is known \[s\].
+    fn reached(&self) -> f64 {
+        self.event.unwrap_or(self.steps.time())
+    }
+
+    /// Steps until `time` lies within the last step, before its event.
+    ///
+    /// # Errors
+    /// Where the motion ends before, or is stopped.
+    pub fn reach(&mut self, time: f64, control: &Control) -> Result<(), Ended> {
+        while self.reached() < time {
+            control.progress.note(self.steps.time(), self.steps.end());
+            if let Some(status) = control.stop() {
+                let display = &self.flow.system().display;
+                return Err(Ended::stopped(status, self.steps.time(), display));
+            }
+            let now = self.reached();
+            if let Err(fault) = self.advance() {
+                let ahead = self.margins.lock_ahead();
+                let jammed = &self.jams.contacts;
+                return Err(Ended::at_step(&mut self.flow, fault, now, ahead, jammed));
+            }
+        }
+        Ok(())
+    }
+
+    /// What happens at the end of the last step, and one step more.
+    fn advance(&mut self) -> Result<(), Fault> {
+        let now = self.reached();
+        if let Some(time) = self.event.take() {
+            self.change(time)?;
+        }
+        if self.flow.equations.choose_better()? {
+            self.state.take(self.flow.layout(), self.steps.y());
+            self.flow.store(&mut self.state);
+            self.steps.begin_again(&mut self.flow, &self.state, now)?;
+        }
+        if let Err(fault) = self.steps.step(&mut self.flow) {
+            if !self.loosen(now) {
+                return Err(fault);
+            }
+            self.steps.begin_again(&mut self.flow, &self.state, now)?;
+            self.steps.step(&mut self.flow)?;
+        }
+        self.margins.note(&self.flow, self.steps.time());
+        if !self.ledger.is_empty() {
+            self.locate()?;
+            let piece = Piece {
+                from: self.steps.previous(),
+                until: self.reached(),
+                has_event: self.event.is_some(),
+            };
+            let (mut step, ledger, extremes) = self.last_step();
+            if let Some(extremes) = extremes {
+                extremes.note_step(&mut step, ledger, piece);
+            }
+        }
+        Ok(())
+    }
+
+    /// The last step, and what is kept of it.
+    fn last_step(&mut self) -> (LastStep<'_, 's>, &mut Ledger, Option<&mut Box<Extremes>>) {
+        let step = LastStep {
+            steps: &mut self.steps,
+            flow: &mut self.flow,
+            state: &mut self.state,
+        };
+        (step, &mut self.ledger, self.extremes.as_mut())
+    }
+
+    /// Locates the first event of the last step; where something within it can't be evaluated, of the first part of it alone,
+    /// which the step then is.
+    fn locate(&mut self) -> Result<(), Fault> {
+        for _ in 0..HALVINGS {
+            if self.try_to_locate().is_ok() {
+                return Ok(());
+            }
+            self.halve(self.steps.time())?;
+        }
+        self.try_to_locate()
+    }
+
+    /// The last step again, to halfway between its beginning and `time`.
+    fn halve(&mut self, time: f64) -> Result<(), Fault> {
+        self.event = None;
+        self.last_step().0.halve(time)
+    }
+
+    /// Locates the first event of the last step, and tells the ledger what came before it. The mechanism is evaluated at the
+    /// event, or the step's end, then.
+    fn try_to_locate(&mut self) -> Result<(), Fault> {
+        let has_passed = {
+            let (from, to) = (self.steps.previous(), self.steps.time());
+            self.flow.has_passed(from, to)
+        };
+        if has_passed {
+            self.event = first_event(&mut self.last_step().0)?;
+        }
+        let memories = self.flow.memories();
+        let touching = memories.iter().any(|memory| memory.phase != Phase::Flight);
+        let until = self.reached();
+        let (mut step, ledger, mut extremes) = self.last_step();
+        if !touching && !has_passed {
+            step.take_end();
+            return Ok(());
+        }
+        ledger.follow(&mut step, until, &mut |ledger, step, contact, time| {
+            if let Some(extremes) = &mut extremes {
+                extremes.note_peak(ledger, step, contact, time);
+            }
+        })
+    }
+
+    /// What acts at an instant.
+    fn impulses(&mut self, time: f64) -> Impulses<'_, 's> {
+        let at = Instant {
+            time,
+            flow: &mut self.flow,
+            state: &mut self.state,
+            ledger: &mut self.ledger,
+            jams: &mut self.jams,
+        };
+        Impulses::new(at, self.steps.wanted().rtol)
+    }
+
+    /// Ends a jam at the last accepted point, where the next step would be none; whether there was one.
+    fn loosen(&mut self, time: f64) -> bool {
+        let sustained = self.flow.sustained();
+        let jams = |contact: usize| sustained[contact] && self.flow.has_rigid_friction(contact);
+        if !(0..sustained.len()).any(jams) {
+            return false;
+        }
+        self.state.take(self.flow.layout(), self.steps.y());
+        self.impulses(time).loosen().is_ok()
+    }
+
+    /// What happens at an event: impulses, then phases that end. The motion starts again from there.
+    fn change(&mut self, time: f64) -> Result<(), Fault> {
+        self.last_step().0.evaluate(time)?;
+        self.impulses(time).resolve()?;
+        let system = self.flow.system();
+        for (contact, journal) in system.contacts.iter().enumerate() {
+            let reading = self.flow.reading(contact);
+            let was = self.flow.memories()[contact];
+            let mut memory = was;
+            let Some(change) = change(&system.scale, journal, &mut memory, &reading) else {
+                continue;
+            };
+            let stored = |memory| self.flow.stored(contact, memory);
+            let released = stored(&was) - stored(&memory);
+            self.ledger.release(contact, released);
+            let at = (&self.flow, &self.state);
+            let entry = self.ledger.entry(at, contact, &reading, time);
+            *self.flow.memory_mut(contact) = memory;
+            let now = self.flow.reading(contact);
+            let told = (change, &was);
+            self.ledger.change(&self.flow, contact, told, &entry, &now);
+            if change == Change::Begin {
+                self.state.straighten_bristle(contact);
+            }
+        }
+        self.steps.begin_again(&mut self.flow, &self.state, time)?;
+        if let Some(extremes) = &mut self.extremes {
+            extremes.begin_piece(&mut self.flow, &self.state, &self.ledger, time);
+        }
+        Ok(())
+    }
+
+    /// The mechanism at an output, within the last step: with the energy that contacts have dissipated and the work of
+    /// everything else \[J\].
+    ///
+    /// # Errors
+    /// Where the position can't be solved.
+    pub fn output(&mut self, time: f64) -> Result<(&mut Flow<'s>, [f64; 2]), Fault> {
+        for _ in 0..HALVINGS {
+            match self.last_step().0.output(time) {
+                // Long steps of smooth motions have stages, or predictions, that are too far from it.
+                Err(Fault::Unsolved(Failure::Singular | Failure::Diverged { .. }))
+                    if time > self.steps.previous() =>
+                {
+                    self.halve(time)?;
+                    if !self.ledger.is_empty() {
+                        self.locate()?;
+                    }
+                    while self.reached() < time {
+                        self.advance()?;
+                    }
+                }
+                result => return result.map(|()| self.sampled()),
+            }
+        }
+        self.last_step().0.output(time)?;
+        Ok(self.sampled())
+    }
+
+    fn sampled(&mut self) -> (&mut Flow<'s>, [f64; 2]) {
+        let energy = self.ledger.energy(&self.state);
+        (&mut self.flow, energy)
+    }
+
+    /// An output at which the position can't be solved.
+    pub fn ended_at(&mut self, fault: Fault, time: f64) -> Ended {
+        Ended::at_output(&mut self.flow, fault, time)
+    }
+
+    /// What was done goes to the report, rows of events to the outputs; the rows of peaks beside them.
+    pub fn finish(mut self, outputs: &mut Trajectory, report: &mut Report) -> Trajectory {
+        let extremes = self.extremes.take();
+        let peaks = extremes.map(|extremes| extremes.finish(outputs));
+        let system = self.flow.system();
+        if let Some(time) = self.flow.equations.passed_change_point() {
+            report.warnings.push(format!(
+                "at t = {} or a little before the motion passes a change point: friction from reactions that have no bound \
+                 there may hold or brake the mechanism more than the steps see",
+                system.display.time(time)
+            ));
+        }
+        let counters = self.steps.counters();
+        report.statistics.steps = counters.steps;
+        report.statistics.rejected = counters.rejected;
+        report.statistics.evaluations = counters.evaluations;
+        self.ledger
+            .close(system, &self.state, self.steps.time(), report);
+        let done = self.flow.equations.work();
+        report.statistics.newton_iterations += done.newton_iterations;
+        report.statistics.factorisations += done.factorisations;
+        peaks.unwrap_or_default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Simulation;
+
+    #[test]
+    fn a_motion_may_go_on_in_another_thread() {
+        fn is_send<T: Send>() {}
+        is_send::<Simulation>();
+    }
+}

@@ -1,0 +1,244 @@
+//! The steps of the integration, and the last of them as a function of time.
+
+use super::fault::Fault;
+use super::flow::Flow;
+use super::settings::{Settings, Wanted};
+use super::state::State;
+use crate::integrate::{Counters, Limits, Method, Refused, StepFailure, Stepper};
+
+/// The stepper at work.
+pub struct Steps {
+    method: Method,
+    wanted: Wanted,
+    max_step: Option<f64>,
+    stepper: Box<dyn Stepper>,
+    /// Work of steppers before.
+    before: Counters,
+    /// Where the run ends \[s\].
+    end: f64,
+}
+
+impl Steps {
+    /// Starts at t = 0.
+    ///
+    /// # Errors
+    /// Where the equations can't be evaluated there.
+    pub fn new(
+        settings: &Settings,
+        wanted: Wanted,
+        (flow, state): (&mut Flow, &State),
+        end: f64,
+    ) -> Result<Self, Fault> {
+        let mut steps = Steps {
+            method: settings.method,
+            wanted,
+            max_step: settings.max_step,
+            stepper: stepper(
+                settings.method,
+                flow,
+                wanted,
+                settings.max_step,
+                settings.initial_step,
+            ),
+            before: Counters::default(),
+            end,
+        };
+        steps.start(flow, 0.0, state.as_slice(), end)?;
+        Ok(steps)
+    }
+
+    fn start(&mut self, flow: &mut Flow, time: f64, y: &[f64], end: f64) -> Result<(), Fault> {
+        let started = self.stepper.start(flow, time, y, end);
+        started.map_err(|failure| flow.stopped(failure))
+    }
+
+    /// Starts again at (time, y), with a first step where one is given, towards `end`.
+    fn restart(
+        &mut self,
+        flow: &mut Flow,
+        (time, y): (f64, &[f64]),
+        step: Option<f64>,
+        end: f64,
+    ) -> Result<(), Fault> {
+        self.before = self.counters();
+        self.stepper = stepper(self.method, flow, self.wanted, self.max_step, step);
+        self.start(flow, time, y, end)
+    }
+
+    /// Starts again at (time, y), with steps as long as the last one was.
+    ///
+    /// # Errors
+    /// Where the equations can't be evaluated there.
+    pub fn begin_again(&mut self, flow: &mut Flow, state: &State, time: f64) -> Result<(), Fault> {
+        let step = (self.time() - self.previous()).abs();
+        let step = (step > 0.0).then_some(step);
+        self.restart(flow, (time, state.as_slice()), step, self.end)
+    }
+
+    /// One step.
+    ///
+    /// # Errors
+    /// Where it can't be taken.
+    pub fn step(&mut self, flow: &mut Flow) -> Result<(), Fault> {
+        let taken = self.stepper.step(flow, self.end);
+        taken.map_err(|failure| flow.stopped(failure))
+    }
+
+    /// End of the last step \[s\].
+    pub fn time(&self) -> f64 {
+        self.stepper.t()
+    }
+
+    /// y there.
+    pub fn y(&self) -> &[f64] {
+        self.stepper.y()
+    }
+
+    /// Its beginning \[s\].
+    pub fn previous(&self) -> f64 {
+        self.stepper.previous()
+    }
+
+    /// Where the run ends \[s\].
+    pub fn end(&self) -> f64 {
+        self.end
+    }
+
+    /// What is wanted of a step's error.
+    pub fn wanted(&self) -> Wanted {
+        self.wanted
+    }
+
+    /// Work done so far.
+    pub fn counters(&self) -> Counters {
+        let now = self.stepper.counters();
+        Counters {
+            steps: self.before.steps + now.steps,
+            rejected: self.before.rejected + now.rejected,
+            evaluations: self.before.evaluations + now.evaluations,
+            jacobians: self.before.jacobians + now.jacobians,
+            factorisations: self.before.factorisations + now.factorisations,
+        }
+    }
+}
+
+fn stepper(
+    method: Method,
+    flow: &Flow,
+    wanted: Wanted,
+    max_step: Option<f64>,
+    initial_step: Option<f64>,
+) -> Box<dyn Stepper> {
+    let limits = Limits {
+        initial_step,
+        max_step,
+        ..Limits::default()
+    };
+    method.stepper(flow.tolerance(wanted), limits)
+}
+
+impl Flow<'_> {
+    /// What a step that can't be taken means: the stepper knows only that it was refused, the flow why.
+    fn stopped(&self, failure: StepFailure) -> Fault {
+        match failure {
+            StepFailure::TooSmall { t, h } => Fault::TooSmall { t, h },
+            StepFailure::Refused { .. } => self.refused(Refused),
+        }
+    }
+
+    fn refused(&self, _: Refused) -> Fault {
+        Fault::Unsolved(self.refusal())
+    }
+}
+
+/// The last step as a function of time, by the method's continuous extension.
+pub struct LastStep<'a, 's> {
+    /// The stepper.
+    pub steps: &'a mut Steps,
+    /// The mechanism, at the time of the last evaluation.
+    pub flow: &'a mut Flow<'s>,
+    /// y there.
+    pub state: &'a mut State,
+}
+
+impl LastStep<'_, '_> {
+    /// Its beginning \[s\].
+    pub fn from(&self) -> f64 {
+        self.steps.previous()
+    }
+
+    /// Its end \[s\].
+    pub fn to(&self) -> f64 {
+        self.steps.time()
+    }
+
+    /// y at a time within the step.
+    fn interpolate(&mut self, time: f64) -> Result<(), Fault> {
+        let stepper = &mut self.steps.stepper;
+        let known = stepper.interpolate(self.flow, time, self.state.as_mut_slice());
+        known.map_err(|refused| self.flow.refused(refused))
+    }
+
+    /// y and the mechanism at a time within the step.
+    ///
+    /// # Errors
+    /// Where the position can't be solved.
+    pub fn evaluate(&mut self, time: f64) -> Result<(), Fault> {
+        self.interpolate(time)?;
+        Ok(self.flow.evaluate(time, self.state.as_slice())?)
+    }
+
+    /// The same, exactly onto the constraints.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn evaluate_exactly(&mut self, time: f64) -> Result<(), Fault> {
+        self.interpolate(time)?;
+        Ok(self.flow.evaluate_exactly(time, self.state.as_slice())?)
+    }
+
+    /// y at its end, where the mechanism was evaluated last.
+    pub fn take_end(&mut self) {
+        self.state.take(self.flow.layout(), self.steps.y());
+    }
+
+    /// The point of an output: y and the mechanism, exactly onto the constraints.
+    ///
+    /// # Errors
+    /// Where the position can't be solved.
+    pub fn output(&mut self, time: f64) -> Result<(), Fault> {
+        self.state.fit(self.flow.layout());
+        if time != self.to() {
+            return self.evaluate_exactly(time);
+        }
+        self.take_end();
+        Ok(self.flow.evaluate_exactly(time, self.state.as_slice())?)
+    }
+
+    /// The same step once more, to `to` within it: a method's continuous extension is less accurate than the ends of its
+    /// steps, and where the motion goes on after an event is such an end.
+    ///
+    /// # Errors
+    /// Where it can't be taken again.
+    pub fn take_again(&mut self, to: f64) -> Result<(), Fault> {
+        let from = self.from();
+        self.state.fit(self.flow.layout());
+        self.interpolate(from)
+            .and_then(|()| {
+                let point = (from, self.state.as_slice());
+                self.steps.restart(self.flow, point, Some(to - from), to)
+            })
+            .map_err(Fault::of_part)?;
+        // Where it is rejected now, a shorter one takes its place.
+        let taken = self.steps.stepper.step(self.flow, to);
+        taken.map_err(|failure| self.flow.stopped(failure).of_part())
+    }
+
+    /// The same step once more, to halfway between its beginning and `time`.
+    ///
+    /// # Errors
+    /// As [`LastStep::take_again`].
+    pub fn halve(&mut self, time: f64) -> Result<(), Fault> {
+        self.take_again(0.5 * (self.from() + time))
+    }
+}

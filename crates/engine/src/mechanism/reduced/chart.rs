@@ -1,0 +1,74 @@
+//! Charts: where a position comes from when the independent coordinates u are given.
+//!
+//! ```text
+//! coordinates   q(u, t) predicted from the accepted points, corrected by Newton         any mechanism
+//! curve         q(u) guessed from a path that was followed once; near change points     one degree of freedom,
+//!               q, S = dq/du and S' on its smooth branch                                drivers at rest
+//! bridge        as coordinates, with the smooth branches of parts in the place of       parts with one degree of
+//!               their joints near those parts' change points                            freedom in a larger mechanism
+//! ```
+//!
+//! A chart says whether its position is a guess, which the constraints still correct, or one of a smooth branch, where the
+//! constraints have no trustworthy factors and the chart has S and S' itself.
+
+use super::curve::Curve;
+use super::extrapolation::Extrapolation;
+use super::place::{Given, Place, Placed};
+use crate::mechanism::driven::{Driven, Failure};
+use crate::mechanism::parts::Parts;
+
+/// The charts there are.
+pub(super) enum Chart<'s> {
+    /// Coordinates, and bridges across parts' change points.
+    Coordinates(Extrapolation<'s>),
+    /// A curve of one coordinate.
+    Curve(Curve<'s>),
+}
+
+impl<'s> Chart<'s> {
+    /// The curve, where there is one.
+    pub fn curve(&self) -> Option<&Curve<'s>> {
+        match self {
+            Chart::Curve(curve) => Some(curve),
+            Chart::Coordinates(_) => None,
+        }
+    }
+
+    fn extrapolation(&mut self) -> &mut Extrapolation<'s> {
+        match self {
+            Chart::Curve(curve) => &mut curve.beyond,
+            Chart::Coordinates(extrapolation) => extrapolation,
+        }
+    }
+
+    /// Exchanges the bridge for another.
+    pub fn exchange_bridge(&mut self, bridge: Option<Parts<'s>>) -> Option<Parts<'s>> {
+        std::mem::replace(&mut self.extrapolation().bridge, bridge)
+    }
+
+    /// The solver of the mechanism's own equations, where that of parts' smooth branches is in use.
+    pub fn own(&mut self) -> Option<&mut Driven<'s>> {
+        self.extrapolation().bridge.as_mut()?.own()
+    }
+}
+
+impl<'s> Place<'s> for Chart<'s> {
+    fn place(
+        &mut self,
+        given: Given,
+        driven: &mut Driven<'s>,
+        q: &mut [f64],
+    ) -> Result<Placed, Failure> {
+        match self {
+            Chart::Coordinates(extrapolation) => extrapolation.place(given, driven, q),
+            Chart::Curve(curve) => curve.place(given, driven, q),
+        }
+    }
+
+    fn forget(&mut self) {
+        match self {
+            Chart::Coordinates(extrapolation) => extrapolation.forget(),
+            Chart::Curve(curve) => curve.forget(),
+        }
+    }
+}

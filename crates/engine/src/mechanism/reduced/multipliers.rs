@@ -1,0 +1,49 @@
+//! Multipliers of the constraints: reactions of joints, efforts of drivers, and what impulses make of them.
+
+use super::Reduced;
+
+impl Reduced<'_> {
+    /// Impulses of the constraints (m) that go with an impulse P and the change of the velocities that it brings about.
+    pub fn impulsive_multipliers(&mut self, impulse: &[f64], change: &[f64], lambda: &mut [f64]) {
+        let mass = &self.driven.system.mass;
+        mass.residual(impulse, change, &mut self.balance);
+        self.driven.multipliers(&self.balance, lambda);
+    }
+
+    /// Multipliers λ (m) of the last evaluation; Q − M a is left in `balance`.
+    ///
+    /// Where a part's smooth branch stands for its joints, theirs mean nothing; see [`Reduced::reactions`]. Near a change
+    /// point of the whole, where they can't be computed, they are NaN.
+    pub fn multipliers(&mut self, lambda: &mut [f64]) {
+        if self.is_smooth {
+            let ready = self.driven.prepare(&self.q, &self.inputs).is_ok()
+                && self.driven.factor(&self.inputs).is_ok();
+            if !ready {
+                lambda.fill(f64::NAN);
+                return;
+            }
+        }
+        self.eval_balance();
+        self.driven.multipliers(&self.balance, lambda);
+    }
+
+    /// The same for all joints; near a change point of a part, where they can't be computed, they are NaN.
+    pub fn reactions(&mut self, lambda: &mut [f64]) {
+        self.eval_balance();
+        let Some(own) = self.chart.own() else {
+            return self.multipliers(lambda);
+        };
+        own.evaluation.set_position(&self.q);
+        if own.factor(&self.inputs).is_err() {
+            lambda.fill(f64::NAN);
+            return;
+        }
+        own.multipliers(&self.balance, lambda);
+    }
+
+    /// Q − M a.
+    pub(super) fn eval_balance(&mut self) {
+        let mass = &self.driven.system.mass;
+        mass.residual(&self.force, &self.a, &mut self.balance);
+    }
+}

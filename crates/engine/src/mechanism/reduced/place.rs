@@ -1,0 +1,44 @@
+//! The question that every chart answers: a position, from the independent coordinates.
+
+use super::accepted::Accepted;
+use crate::mechanism::driven::{Driven, Failure};
+use crate::system::Inputs;
+
+/// The independent coordinates that are given, and when.
+#[derive(Clone, Copy)]
+pub(super) struct Given<'a> {
+    /// \[s\]
+    pub time: f64,
+    /// u (f).
+    pub u: &'a [f64],
+    /// Drivers and memories then.
+    pub inputs: &'a Inputs,
+    /// The points that predict it.
+    pub accepted: &'a Accepted,
+}
+
+/// What a chart's position is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Placed {
+    /// Near the position that is meant: the constraints correct it.
+    Guess,
+    /// On the smooth branch of a curve, whose S and S' hold.
+    Smooth,
+}
+
+/// Where positions come from.
+pub(super) trait Place<'s> {
+    /// Puts `q` at the given coordinates, or near; `driven` becomes the solver to correct it with.
+    ///
+    /// # Errors
+    /// Where such a solver can't be made.
+    fn place(
+        &mut self,
+        given: Given,
+        driven: &mut Driven<'s>,
+        q: &mut [f64],
+    ) -> Result<Placed, Failure>;
+
+    /// Forgets what belongs to other independent coordinates.
+    fn forget(&mut self);
+}
