@@ -255,7 +255,7 @@ fn a_large_mechanism_fits_into_little_memory() {
     let (system, of_system) = bytes(|| compiled(&json));
     let inputs = Inputs::at_time(&system, 0.0);
     let (solver, of_solver) =
-        bytes(|| Driven::pinned(&system, &[2], &system.guess, &inputs).expect("regular"));
+        bytes(|| Driven::with_independent(&system, &[2], &system.guess, &inputs).expect("regular"));
     drop((solver, inputs));
     let (running, of_motion) = bytes(|| {
         let (mut reduced, y) = start(&system);

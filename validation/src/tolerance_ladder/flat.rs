@@ -8,8 +8,8 @@ use crate::{CaseError, Claim, Setting, Verdict};
 use linkdyn_engine::analysis::assembly;
 use linkdyn_engine::integrate::{Limits, Method, Stepper, Tolerance};
 use linkdyn_engine::mechanism::reduced::Reduced;
-use linkdyn_engine::system::Inputs;
 use linkdyn_engine::system::compile::compile;
+use linkdyn_engine::system::{Inputs, System};
 use linkdyn_model::AnalysisKind;
 
 /// Steps over flat positions over the median step [-].
@@ -35,12 +35,8 @@ pub fn flat_steps(loops: usize, case: &str) -> Result<Claim, CaseError> {
     let mut reduced = Reduced::new(&system, &start.all.free_columns, &start.q, &v, 0.0)
         .map_err(|failure| broken(&failure))?;
     reduced.set_lag(LAG * FLAT);
-    let rocker = system
-        .bodies
-        .iter()
-        .position(|body| body.name == "rocker0")
-        .ok_or_else(|| broken(&"no rocker0"))?;
-    let height = |reduced: &Reduced| reduced.position()[system.layout.moving(rocker).theta()].sin();
+    let angle = angle_column(&system, "rocker0").ok_or_else(|| broken(&"no rocker0"))?;
+    let height = |reduced: &Reduced| reduced.position()[angle].sin();
     let begin =
         |reduced: &mut Reduced, t: f64, step: Option<f64>| -> Result<Box<dyn Stepper>, CaseError> {
             let limits = Limits {
@@ -103,6 +99,12 @@ pub fn flat_steps(loops: usize, case: &str) -> Result<Claim, CaseError> {
             Verdict::Fault
         },
     })
+}
+
+/// Column of a body's angle.
+fn angle_column(system: &System, name: &str) -> Option<usize> {
+    let body = system.bodies.iter().position(|body| body.name == name)?;
+    Some(system.layout.moving(body).theta())
 }
 
 /// (c): 200 s of A02, past some two hundred flat positions.

@@ -241,8 +241,8 @@ impl Contents {
         let forces = FORCES.into_iter().filter(move |_| self.reactions);
         let torque = (self.reactions && joint.torque).then_some(JointQuantity::Torque);
         // At rest there is no friction.
-        let rubs = self.reactions && self.velocities && joint.friction.is_some();
-        let friction = rubs.then_some(JointQuantity::Friction);
+        let has_friction = self.reactions && self.velocities && joint.friction.is_some();
+        let friction = has_friction.then_some(JointQuantity::Friction);
         let has_bearing = joint.bearing.is_some();
         let contact_wanted = has_bearing && self.reactions;
         forces

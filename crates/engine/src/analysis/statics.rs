@@ -215,7 +215,7 @@ fn pulled(held: &Held) -> String {
 /// The name of a minimal coordinate.
 fn coordinate(held: &Held, k: usize) -> String {
     let system = held.driven.system;
-    let (body, axis) = system.layout.coordinate(held.driven.pins[k].column);
+    let (body, axis) = system.layout.coordinate(held.driven.independent[k].column);
     let axis = match axis {
         Axis::X => "x",
         Axis::Y => "y",

@@ -34,11 +34,11 @@ pub fn locked(system: &System, force: usize) -> String {
 
 /// What to say of friction from reactions that are not the only ones possible.
 pub fn unsure_friction(system: &System, not_unique: &[String]) -> Option<String> {
-    let rubbing = system
+    let with_friction = system
         .joints
         .iter()
         .filter(|joint| joint.friction.is_some() && not_unique.contains(&joint.name));
-    let names: Vec<&str> = rubbing.map(|joint| joint.name.as_str()).collect();
+    let names: Vec<&str> = with_friction.map(|joint| joint.name.as_str()).collect();
     (!names.is_empty()).then(|| {
         format!(
             "the friction of {} follows from reactions of least norm, which are not the only ones",
@@ -49,11 +49,11 @@ pub fn unsure_friction(system: &System, not_unique: &[String]) -> Option<String>
 
 /// What to say where nothing moves.
 pub fn friction_left_out(system: &System) -> Option<String> {
-    let rubbing = system
+    let with_friction = system
         .joints
         .iter()
         .filter(|joint| joint.friction.is_some());
-    let names: Vec<&str> = rubbing.map(|joint| joint.name.as_str()).collect();
+    let names: Vec<&str> = with_friction.map(|joint| joint.name.as_str()).collect();
     (!names.is_empty()).then(|| {
         format!(
             "the friction of {} is left out: at rest it can hold the mechanism in many positions, this is the one that needs none",

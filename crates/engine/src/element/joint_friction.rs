@@ -19,7 +19,7 @@ use super::{Applied, BodyId, ConstraintDependentForce, Kinematics};
 use crate::contact::friction::Law;
 use linkdyn_linear::math::Vec2;
 
-/// A pin that rubs in its hole.
+/// Friction of a pin in its hole.
 #[derive(Debug, Clone)]
 pub struct PinFriction {
     /// The first body.
@@ -74,7 +74,7 @@ impl ConstraintDependentForce for PinFriction {
     }
 }
 
-/// A slider that rubs on its guide.
+/// Friction of a slider on its guide.
 #[derive(Debug, Clone)]
 pub struct GuideFriction {
     /// The guide.

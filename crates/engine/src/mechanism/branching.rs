@@ -4,7 +4,7 @@
 //! J̃ N = 0,  L̃ᵀ J̃ = 0                N (n, f), L̃ (m, k): both null spaces of the scaled J, orthonormal
 //! q̃ = q̃₀ + ε N u + ε² w + …         φ = 0 at second order: b(u) = 0
 //! b_l(u) = L̃_lᵀ φ̃″(N u, N u)        (k), quadratic; φ″(v, v) = −γ(v) with inputs at rest
-//! C(u) w = ½ (∂b/∂u) w              (k, f); at a root the motions w with C w = 0 stay on its branch
+//! C(u) w = ½ (∂b/∂u) w              (k, f); at a root the tangents w with C w = 0 stay on its branch
 //! ```
 //!
 //! Rows that are redundant everywhere have b ≡ 0, and every motion N u can go on: the position is regular. Otherwise the
@@ -42,7 +42,7 @@ pub struct Singularity<'s> {
     inputs: Inputs,
     evaluation: Evaluation,
     /// N by columns (f × n) and L by columns (k × m), scaled.
-    motions: Vec<Vec<f64>>,
+    tangents: Vec<Vec<f64>>,
     stresses: Vec<Vec<f64>>,
 }
 
@@ -80,10 +80,10 @@ impl<'s> Singularity<'s> {
             system,
             inputs,
             evaluation,
-            motions: columns(&spaces.right_null),
+            tangents: columns(&spaces.right_null),
             stresses: columns(&spaces.left_null),
         };
-        if here.motions.is_empty() || here.stresses.is_empty() {
+        if here.tangents.is_empty() || here.stresses.is_empty() {
             return Ok(None);
         }
         let seeds = here.seeds(&vec![0.0; n]);
@@ -95,9 +95,9 @@ impl<'s> Singularity<'s> {
     /// turn most alike.
     pub fn branches(&mut self, wanted: &[f64]) -> Vec<Branch> {
         let pull: Vec<f64> = self
-            .motions
+            .tangents
             .iter()
-            .map(|motion| dot(motion, wanted))
+            .map(|tangent| dot(tangent, wanted))
             .collect();
         let mut found: Vec<(Branch, f64, Dense)> = Vec::new();
         for seed in self.seeds(wanted) {
@@ -163,8 +163,12 @@ impl<'s> Singularity<'s> {
     /// Directions (f) to look from.
     fn seeds(&self, wanted: &[f64]) -> Vec<Vec<f64>> {
         let n = self.system.n();
-        let onto =
-            |x: &[f64]| -> Vec<f64> { self.motions.iter().map(|motion| dot(motion, x)).collect() };
+        let onto = |x: &[f64]| -> Vec<f64> {
+            self.tangents
+                .iter()
+                .map(|tangent| dot(tangent, x))
+                .collect()
+        };
         let size = dot(wanted, wanted).sqrt();
         let mut seeds = Vec::with_capacity(4 * SEEDS + 1);
         if size > 0.0 {
@@ -269,10 +273,10 @@ impl<'s> Singularity<'s> {
     /// N u (n), scaled.
     fn spread(&self, u: &[f64]) -> Vec<f64> {
         let mut direction = vec![0.0; self.system.n()];
-        for (motion, u) in self.motions.iter().zip(u) {
+        for (tangent, u) in self.tangents.iter().zip(u) {
             direction
                 .iter_mut()
-                .zip(motion)
+                .zip(tangent)
                 .for_each(|(d, x)| *d += u * x);
         }
         direction

@@ -9,10 +9,10 @@
 //! ```
 //!
 //! The second derivatives of q are the accelerations at u̇ = eᵢ ± eⱼ, ü = 0, so the geometric part has no error but
-//! round-off. ∂Q/∂q along a motion is a central difference, extrapolated (Ridders 1982). No mass is divided by.
+//! round-off. ∂Q/∂q along a tangent is a central difference, extrapolated (Ridders 1982). No mass is divided by.
 
 use super::driven::{Driven, Failure};
-use super::pins::better_pin;
+use super::independent::better_coordinate;
 use crate::system::{Evaluation, Inputs, System};
 use linkdyn_linear::math::{dot, max_abs};
 
@@ -39,8 +39,8 @@ pub struct Held<'s> {
     pub q: Vec<f64>,
     /// Q (n).
     pub force: Vec<f64>,
-    /// S, one motion after the other (f × n).
-    motions: Vec<f64>,
+    /// S, one tangent after the other (f × n).
+    tangents: Vec<f64>,
     /// Scaled residual of the constraints [–].
     pub residual: f64,
 }
@@ -56,14 +56,14 @@ impl<'s> Held<'s> {
             .drive
             .iter_mut()
             .for_each(|jet| *jet = [jet[0], 0.0, 0.0]);
-        let driven = Driven::pinned(system, columns, q, &inputs)?;
+        let driven = Driven::with_independent(system, columns, q, &inputs)?;
         let n = system.n();
         let mut held = Held {
             driven,
             inputs,
             q: q.to_vec(),
             force: vec![0.0; n],
-            motions: vec![0.0; columns.len() * n],
+            tangents: vec![0.0; columns.len() * n],
             residual: 0.0,
         };
         held.settle()?;
@@ -73,18 +73,20 @@ impl<'s> Held<'s> {
 
     /// Degrees of freedom f.
     pub fn freedom(&self) -> usize {
-        self.driven.pins.len()
+        self.driven.independent.len()
     }
 
     /// Scale of a minimal coordinate [m or 1].
     pub fn scale(&self, k: usize) -> f64 {
-        self.driven.system.column_scale(self.driven.pins[k].column)
+        self.driven
+            .system
+            .column_scale(self.driven.independent[k].column)
     }
 
     /// ∂q/∂u_k (n).
-    pub fn motion(&self, k: usize) -> &[f64] {
+    pub fn tangent(&self, k: usize) -> &[f64] {
         let n = self.q.len();
-        &self.motions[k * n..(k + 1) * n]
+        &self.tangents[k * n..(k + 1) * n]
     }
 
     /// Σ S_k d_k (n).
@@ -92,7 +94,7 @@ impl<'s> Held<'s> {
         let mut sum = vec![0.0; self.q.len()];
         for (k, d) in d.iter().enumerate() {
             sum.iter_mut()
-                .zip(self.motion(k))
+                .zip(self.tangent(k))
                 .for_each(|(sum, s)| *sum += d * s);
         }
         sum
@@ -101,7 +103,7 @@ impl<'s> Held<'s> {
     /// g (f) [N or N·m].
     pub fn pull(&self) -> Vec<f64> {
         (0..self.freedom())
-            .map(|k| dot(self.motion(k), &self.force))
+            .map(|k| dot(self.tangent(k), &self.force))
             .collect()
     }
 
@@ -130,8 +132,8 @@ impl<'s> Held<'s> {
     pub fn advance(&mut self, d: &[f64]) -> Result<(), Failure> {
         let before = self.q.clone();
         let step = self.along(d);
-        for (pin, d) in self.driven.pins.iter_mut().zip(d) {
-            pin.jet = [before[pin.column] + d, 0.0, 0.0];
+        for (coordinate, d) in self.driven.independent.iter_mut().zip(d) {
+            coordinate.jet = [before[coordinate.column] + d, 0.0, 0.0];
         }
         self.q.iter_mut().zip(&step).for_each(|(q, s)| *q += s);
         let placed = self.place();
@@ -148,12 +150,17 @@ impl<'s> Held<'s> {
     /// When the coordinates do not determine the rest.
     pub fn exchange(&mut self) -> Result<(), Failure> {
         for _ in 0..10 * (self.freedom() + 1) {
-            let Some((k, column)) = better_pin(&self.driven, &self.motions) else {
+            let Some((k, column)) = better_coordinate(&self.driven, &self.tangents) else {
                 break;
             };
-            let mut columns: Vec<usize> = self.driven.pins.iter().map(|pin| pin.column).collect();
+            let mut columns: Vec<usize> = self
+                .driven
+                .independent
+                .iter()
+                .map(|coordinate| coordinate.column)
+                .collect();
             columns[k] = column;
-            self.driven.pin(&columns, &self.inputs)?;
+            self.driven.choose(&columns, &self.inputs)?;
             self.settle()?;
         }
         Ok(())
@@ -161,8 +168,8 @@ impl<'s> Held<'s> {
 
     /// Takes the position at hand, moved onto the constraints.
     fn settle(&mut self) -> Result<(), Failure> {
-        for pin in &mut self.driven.pins {
-            pin.jet = [self.q[pin.column], 0.0, 0.0];
+        for coordinate in &mut self.driven.independent {
+            coordinate.jet = [self.q[coordinate.column], 0.0, 0.0];
         }
         self.place()
     }
@@ -186,7 +193,7 @@ impl<'s> Held<'s> {
             .eval_force(self.driven.system, &self.inputs, &mut self.force);
         for k in 0..self.freedom() {
             self.driven
-                .pin_motion(k, &mut self.motions[k * n..(k + 1) * n]);
+                .tangent(k, &mut self.tangents[k * n..(k + 1) * n]);
         }
         Ok(())
     }
@@ -203,7 +210,7 @@ impl<'s> Held<'s> {
         for j in 0..f {
             let change = self.force_gradient(j);
             for i in 0..f {
-                stiffness[i * f + j] = -dot(self.motion(i), &change);
+                stiffness[i * f + j] = -dot(self.tangent(i), &change);
             }
         }
         for i in 0..f {
@@ -230,14 +237,20 @@ impl<'s> Held<'s> {
 
     /// Q · a at the rates given, ü = 0.
     fn curvature(&mut self, rates: &[(usize, f64)]) -> f64 {
-        self.driven.pins.iter_mut().for_each(|pin| pin.jet[1] = 0.0);
+        self.driven
+            .independent
+            .iter_mut()
+            .for_each(|coordinate| coordinate.jet[1] = 0.0);
         for &(k, rate) in rates {
-            self.driven.pins[k].jet[1] = rate;
+            self.driven.independent[k].jet[1] = rate;
         }
         let mut a = vec![0.0; self.q.len()];
         self.driven.velocity(&self.inputs, &mut a);
         self.driven.acceleration(&self.inputs, &mut a);
-        self.driven.pins.iter_mut().for_each(|pin| pin.jet[1] = 0.0);
+        self.driven
+            .independent
+            .iter_mut()
+            .for_each(|coordinate| coordinate.jet[1] = 0.0);
         dot(&self.force, &a)
     }
 
@@ -248,7 +261,7 @@ impl<'s> Held<'s> {
             return vec![0.0; self.q.len()];
         }
         let scale = self.scale(j);
-        let direction: Vec<f64> = self.motion(j).iter().map(|s| s * scale).collect();
+        let direction: Vec<f64> = self.tangent(j).iter().map(|s| s * scale).collect();
         let mut evaluation = Evaluation::new(system);
         let (mut q, mut force) = (self.q.clone(), self.force.clone());
         let mut at = |h: f64| {
@@ -285,14 +298,14 @@ impl<'s> Held<'s> {
             let scale = self.scale(j);
             for (sign, force) in [(scale, &mut ahead), (-scale, &mut behind)] {
                 v.iter_mut()
-                    .zip(self.motion(j))
+                    .zip(self.tangent(j))
                     .for_each(|(v, s)| *v = sign * s);
                 evaluation.set_velocity(&v);
                 evaluation.eval_force(system, &self.inputs, force);
             }
             for i in 0..f {
                 let change: f64 = self
-                    .motion(i)
+                    .tangent(i)
                     .iter()
                     .zip(ahead.iter().zip(&behind))
                     .map(|(s, (a, b))| s * (a - b))
@@ -307,7 +320,7 @@ impl<'s> Held<'s> {
     pub fn mass(&self) -> Vec<f64> {
         let f = self.freedom();
         let mass = &self.driven.system.mass;
-        let product = |i: usize, j: usize| mass.product(self.motion(i), self.motion(j));
+        let product = |i: usize, j: usize| mass.product(self.tangent(i), self.tangent(j));
         (0..f * f)
             .map(|k| product((k / f).max(k % f), (k / f).min(k % f)))
             .collect()

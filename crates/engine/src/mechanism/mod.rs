@@ -8,7 +8,7 @@
 //! dependent_forces  forces that depend on multipliers, which depend on them: friction
 //! reduced           equations of motion in minimal coordinates
 //! parts             parts with one degree of freedom of a mechanism with more, across their change points
-//! pins              which coordinates determine the rest well
+//! independent       which coordinates determine the rest well
 //! phases            systems by the rows in force
 //! held              the mechanism at rest in minimal coordinates: forces, stiffness, damping and mass
 //! branching         singular positions, and the branches that cross there
@@ -24,8 +24,8 @@ pub mod driven;
 pub(crate) mod equilibrium;
 pub(crate) mod failure;
 pub(crate) mod held;
+mod independent;
 pub(crate) mod least_velocity;
 pub(crate) mod parts;
 pub(crate) mod phases;
-mod pins;
 pub mod reduced;

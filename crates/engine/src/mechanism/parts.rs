@@ -13,15 +13,15 @@
 
 use super::continuation::{Branch, HALF_TURN, Parameter, Path, follow};
 use super::driven::{Driven, Failure};
+use super::independent::better_coordinate;
 use super::phases::{Exchanged, Phases, Windows};
-use super::pins::better_pin;
 use crate::element::{Axis, BodyId, Constraint, Entry, Kinematics, Measure};
 use crate::system::{Inputs, System};
 use linkdyn_linear::hermite::Node;
 use linkdyn_linear::math::Vec2;
 use std::sync::Arc;
 
-/// Exchanges of the pin at a start of the curve; the first nearly always serves.
+/// Exchanges of the independent coordinate at a start of the curve; the first nearly always serves.
 const EXCHANGES: usize = 4;
 /// Largest distance of a point from a curve that it is on: that of the curve's interpolation [rad or sizes].
 const SAME: f64 = 1e-5;
@@ -37,7 +37,7 @@ pub struct Part {
     /// Blocks of its joints in the whole, and their numbers of rows; one less than columns in all.
     pub blocks: Vec<(usize, usize)>,
     /// A column of the part that determines the rest.
-    pub pin: usize,
+    pub independent: usize,
 }
 
 /// Parts of a mechanism, and the solvers of what takes its place near their change points.
@@ -95,28 +95,32 @@ impl<'s> Parts<'s> {
         if self.next == self.now {
             return Ok(());
         }
-        let columns: Vec<usize> = driven.pins.iter().map(|pin| pin.column).collect();
+        let columns: Vec<usize> = driven
+            .independent
+            .iter()
+            .map(|coordinate| coordinate.column)
+            .collect();
         let mut other = match self
             .others
             .iter()
             .position(|(windows, _)| *windows == self.next)
         {
             Some(index) => self.others.swap_remove(index).1,
-            None => Driven::pinned(self.system(), &columns, q, inputs)?,
+            None => Driven::with_independent(self.system(), &columns, q, inputs)?,
         };
         if other
-            .pins
+            .independent
             .iter()
             .zip(&columns)
-            .any(|(pin, column)| pin.column != *column)
+            .any(|(coordinate, column)| coordinate.column != *column)
         {
             other.evaluation.set_position(q);
-            if let Err(failure) = other.pin(&columns, inputs) {
+            if let Err(failure) = other.choose(&columns, inputs) {
                 self.others.push((self.next.clone(), other));
                 return Err(failure);
             }
         }
-        other.pins.copy_from_slice(&driven.pins);
+        other.independent.copy_from_slice(&driven.independent);
         (other.last_step, other.done) = (driven.last_step, driven.done);
         std::mem::swap(&mut other.dependent_forces, &mut driven.dependent_forces);
         std::mem::swap(driven, &mut other);
@@ -154,7 +158,7 @@ struct Followed<'s> {
     part: &'s Part,
     inputs: Inputs,
     driven: Option<Driven<'s>>,
-    /// By one pin or another, none beyond its dead centres.
+    /// By one independent coordinate or another, none beyond its dead centres.
     curves: Vec<Curve>,
     /// The one that holds the point at hand.
     now: Option<usize>,
@@ -165,7 +169,7 @@ struct Followed<'s> {
 struct Curve {
     path: Path,
     /// Column of the part.
-    pin: usize,
+    independent: usize,
     /// Number of windows of the curves before.
     windows_before: usize,
 }
@@ -185,7 +189,8 @@ impl<'s> Followed<'s> {
 
     /// The window, counted over all curves, that `q` is in.
     fn window_at(&mut self, q: &[f64], here: &Node) -> Option<usize> {
-        let holds = |part: &Part, curve: &Curve| curve.path.holds(q[part.columns[curve.pin]]);
+        let holds =
+            |part: &Part, curve: &Curve| curve.path.holds(q[part.columns[curve.independent]]);
         if !self
             .now
             .is_some_and(|now| holds(self.part, &self.curves[now]))
@@ -195,7 +200,9 @@ impl<'s> Followed<'s> {
             self.now = self.find(here).or_else(|| self.follow(here));
         }
         let curve = &self.curves[self.now?];
-        let window = curve.path.window_at(q[self.part.columns[curve.pin]])?;
+        let window = curve
+            .path
+            .window_at(q[self.part.columns[curve.independent]])?;
         Some(curve.windows_before + window)
     }
 
@@ -214,7 +221,7 @@ impl<'s> Followed<'s> {
         self.curves.iter().position(|curve| {
             curve
                 .path
-                .guess(q[curve.pin], &mut found, &mut d, &mut dd)
+                .guess(q[curve.independent], &mut found, &mut d, &mut dd)
                 .is_some()
                 && {
                     found.iter_mut().zip(&q).for_each(|(found, q)| *found -= q);
@@ -229,26 +236,28 @@ impl<'s> Followed<'s> {
         let q = self.positions(here);
         let mut driven = match self.driven.take() {
             Some(driven) => driven,
-            None => Driven::pinned(system, &[self.part.pin], &q, &self.inputs).ok()?,
+            None => {
+                Driven::with_independent(system, &[self.part.independent], &q, &self.inputs).ok()?
+            }
         };
         let mut motion = vec![0.0; system.n()];
         for _ in 0..EXCHANGES {
             driven.evaluation.set_position(&q);
             driven.factor(&self.inputs).ok()?;
-            driven.pin_motion(0, &mut motion);
-            let Some((_, column)) = better_pin(&driven, &motion) else {
+            driven.tangent(0, &mut motion);
+            let Some((_, column)) = better_coordinate(&driven, &motion) else {
                 break;
             };
-            driven.pin(&[column], &self.inputs).ok()?;
+            driven.choose(&[column], &self.inputs).ok()?;
         }
-        let pin = driven.pins[0].column;
-        let angle = system.layout.is_angle(pin);
-        let (centre, reach) = (q[pin], if angle { HALF_TURN } else { system.size });
+        let independent = driven.independent[0].column;
+        let angle = system.layout.is_angle(independent);
+        let (centre, reach) = (q[independent], if angle { HALF_TURN } else { system.size });
         let inputs = self.inputs.clone();
         let range = (centre - reach, centre + reach);
         let found = follow(
             &mut driven,
-            (Parameter::Pin, inputs),
+            (Parameter::Coordinate, inputs),
             (centre, &q),
             range,
             &|_| false,
@@ -265,7 +274,7 @@ impl<'s> Followed<'s> {
             .sum();
         self.curves.push(Curve {
             path,
-            pin,
+            independent,
             windows_before,
         });
         Some(self.curves.len() - 1)
@@ -282,7 +291,7 @@ impl<'s> Followed<'s> {
         };
         let branch = Arc::new(curve.path.branch(window - curve.windows_before));
         let coordinate = |column: usize| self.part.coordinates[column];
-        let mut others = (0..self.part.columns.len()).filter(|column| *column != curve.pin);
+        let mut others = (0..self.part.columns.len()).filter(|column| *column != curve.independent);
         for &(block, rows) in &self.part.blocks {
             let columns: Vec<usize> = others.by_ref().take(rows).collect();
             let coordinates = columns.iter().map(|&column| coordinate(column)).collect();
@@ -293,7 +302,7 @@ impl<'s> Followed<'s> {
                     branch,
                     columns,
                     coordinates,
-                    pin: coordinate(curve.pin),
+                    independent: coordinate(curve.independent),
                 }),
             ));
         }
@@ -307,7 +316,7 @@ struct OnBranch {
     columns: Vec<usize>,
     /// The same in the whole.
     coordinates: Vec<(BodyId, Axis)>,
-    pin: (BodyId, Axis),
+    independent: (BodyId, Axis),
 }
 
 const L: Measure = Measure::Length;
@@ -346,13 +355,16 @@ impl Constraint for OnBranch {
 
     fn entries(&self) -> Vec<Entry> {
         let of = |(k, (body, axis)): (usize, &(BodyId, Axis))| {
-            [(k, *body, *axis), (k, self.pin.0, self.pin.1)]
+            [
+                (k, *body, *axis),
+                (k, self.independent.0, self.independent.1),
+            ]
         };
         self.coordinates.iter().enumerate().flat_map(of).collect()
     }
 
     fn position(&self, at: &Kinematics, phi: &mut [f64]) {
-        let s = value(at, self.pin);
+        let s = value(at, self.independent);
         for ((phi, &column), &coordinate) in
             phi.iter_mut().zip(&self.columns).zip(&self.coordinates)
         {
@@ -361,7 +373,7 @@ impl Constraint for OnBranch {
     }
 
     fn jacobian(&self, at: &Kinematics, values: &mut [f64]) {
-        let s = value(at, self.pin);
+        let s = value(at, self.independent);
         for (values, &column) in values.chunks_exact_mut(2).zip(&self.columns) {
             values.copy_from_slice(&[1.0, -self.branch.jet(column, s)[1]]);
         }
@@ -372,7 +384,7 @@ impl Constraint for OnBranch {
     }
 
     fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
-        let (s, rate) = (value(at, self.pin), rate(at, self.pin));
+        let (s, rate) = (value(at, self.independent), rate(at, self.independent));
         for (gamma, &column) in gamma.iter_mut().zip(&self.columns) {
             *gamma = self.branch.jet(column, s)[2] * rate * rate;
         }

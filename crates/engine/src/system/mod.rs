@@ -110,7 +110,7 @@ pub struct JointData {
     pub(crate) contact: Option<ContactId>,
     /// Of a joint with a `clearance` in the file, whatever its model.
     pub(crate) bearing: Option<Bearing>,
-    /// Of an ideal joint that rubs.
+    /// Of an ideal joint with friction.
     pub(crate) friction: Option<JointFriction>,
 }
 

@@ -179,7 +179,7 @@ pub fn solve_instant(
 ) -> Result<(), Failure> {
     let s = match path.parameter {
         Parameter::DriverValue => inputs.drive[0][0],
-        Parameter::Time | Parameter::Pin => inputs.time,
+        Parameter::Time | Parameter::Coordinate => inputs.time,
     };
     let Sample { q, v, a, .. } = sample;
     path.guess(s, q, v, a);

@@ -89,7 +89,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
             instant.drive(self.system, &mut self.inputs.drive);
             let beyond = !path.holds(match path.parameter {
                 Parameter::DriverValue => self.inputs.drive[0][0],
-                Parameter::Time | Parameter::Pin => instant.time,
+                Parameter::Time | Parameter::Coordinate => instant.time,
             });
             // Between the path's last node and its end nothing is solved.
             if let Some((time, status, message)) = &limit
@@ -133,7 +133,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
         // The path's parameter and its rates.
         let [s, rate, bend] = match path.parameter {
             Parameter::DriverValue => self.inputs.drive[0],
-            Parameter::Time | Parameter::Pin => [self.inputs.time, 1.0, 0.0],
+            Parameter::Time | Parameter::Coordinate => [self.inputs.time, 1.0, 0.0],
         };
         self.inputs
             .offset

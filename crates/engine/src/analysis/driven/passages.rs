@@ -10,7 +10,7 @@ use linkdyn_output::{Event, EventKind};
 pub(super) fn range(system: &System, instants: &[OutputInstant]) -> (f64, f64) {
     let end = instants.last().map_or(0.0, |last| last.time);
     match Parameter::of(system) {
-        Parameter::Time | Parameter::Pin => (0.0, end),
+        Parameter::Time | Parameter::Coordinate => (0.0, end),
         Parameter::DriverValue => {
             let law = &system.drivers[0].law;
             let ends = law.stretches(end).map(|(_, right)| right);
@@ -30,7 +30,7 @@ pub(super) fn range(system: &System, instants: &[OutputInstant]) -> (f64, f64) {
 /// Times in [0, end] at which the path's parameter passes `s`, ascending.
 pub(super) fn times_of(system: &System, s: f64, end: f64) -> Vec<f64> {
     match Parameter::of(system) {
-        Parameter::Time | Parameter::Pin => {
+        Parameter::Time | Parameter::Coordinate => {
             Vec::from_iter((s >= 0.0 && s <= end * (1.0 + ON_THE_EDGE)).then_some(s.min(end)))
         }
         Parameter::DriverValue => passages(&system.drivers[0].law, s, end),

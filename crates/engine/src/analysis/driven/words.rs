@@ -49,7 +49,7 @@ pub(super) fn limits(system: &System, path: &Path, end: f64) -> Option<(f64, Sta
 fn position_text(system: &System, s: f64, time: f64) -> String {
     let time = system.display.time(time);
     match Parameter::of(system) {
-        Parameter::Time | Parameter::Pin => format!("t = {time}"),
+        Parameter::Time | Parameter::Coordinate => format!("t = {time}"),
         Parameter::DriverValue => {
             format!("{}, t = {time}", system.driver_value(0, s))
         }

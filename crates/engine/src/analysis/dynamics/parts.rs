@@ -66,7 +66,7 @@ fn part(system: &System, q: &[f64], joints: &[usize]) -> Option<Part> {
     let alone = system.part(&bodies, &ordered)?;
     let positions: Vec<f64> = columns.iter().map(|&column| q[column]).collect();
     let (_, rank) = ranks(&alone, &positions, &Inputs::at_time(&alone, 0.0));
-    let [pin] = rank.free_columns[..] else {
+    let [independent] = rank.free_columns[..] else {
         return None;
     };
     Some(Part {
@@ -77,6 +77,6 @@ fn part(system: &System, q: &[f64], joints: &[usize]) -> Option<Part> {
             .collect(),
         columns,
         blocks,
-        pin,
+        independent,
     })
 }

@@ -91,7 +91,7 @@ impl Layout {
     }
 
     /// (u, u̇).
-    pub fn motion(&self) -> Range<usize> {
+    pub fn mechanical(&self) -> Range<usize> {
         0..2 * self.freedom
     }
 
@@ -176,8 +176,8 @@ impl State {
     }
 
     /// (u, u̇), to be filled.
-    pub fn motion_mut(&mut self) -> &mut [f64] {
-        &mut self.y[self.layout.motion()]
+    pub fn mechanical_mut(&mut self) -> &mut [f64] {
+        &mut self.y[self.layout.mechanical()]
     }
 
     /// u̇, to be changed by impulses.
@@ -256,7 +256,7 @@ mod tests {
     #[test]
     fn the_parts_of_y_lie_one_after_the_other() {
         let layout = layout(3);
-        assert_eq!((layout.motion(), layout.rates()), (0..6, 3..6));
+        assert_eq!((layout.mechanical(), layout.rates()), (0..6, 3..6));
         assert_eq!((layout.bristle(0), layout.bristle(1)), (None, Some(6)));
         assert_eq!((layout.memory(0), layout.memory(1)), (Some(7), None));
         assert_eq!(layout.work(), 8);
@@ -265,13 +265,13 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_motion_outlives_a_change_of_freedom() {
+    fn what_is_not_mechanical_outlives_a_change_of_freedom() {
         let (three, one) = (layout(3), layout(1));
         let mut state = State::new(&three);
         let y: Vec<f64> = (0..15).map(f64::from).collect();
         state.take(&three, &y);
         state.set_freedom(1);
-        assert_eq!(state.as_slice()[one.motion()], [0.0, 0.0]);
+        assert_eq!(state.as_slice()[one.mechanical()], [0.0, 0.0]);
         assert_eq!(state.as_slice()[2..], y[6..]);
         assert_eq!((state.work(), state.sums(1).impulse), (8.0, 13.0));
         state.set_freedom(3);

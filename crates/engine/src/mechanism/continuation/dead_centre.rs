@@ -17,8 +17,8 @@ impl Walker<'_, '_> {
         direction: f64,
     ) -> Option<f64> {
         let (system, unit) = (self.driven.system, self.unit());
-        // With a pin the path is only wanted as far as the pin is good.
-        let before = before.filter(|_| self.parameter != Parameter::Pin)?;
+        // With an independent coordinate the path is only wanted as far as that is good.
+        let before = before.filter(|_| self.parameter != Parameter::Coordinate)?;
         let scaled = |x: &[f64]| -> Vec<f64> {
             x.iter()
                 .enumerate()

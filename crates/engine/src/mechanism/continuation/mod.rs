@@ -31,8 +31,8 @@ pub enum Parameter {
     DriverValue,
     /// Time \[s\].
     Time,
-    /// The value of the only pin [rad or m], drivers standing still.
-    Pin,
+    /// The value of the only independent coordinate [rad or m], drivers standing still.
+    Coordinate,
 }
 
 impl Parameter {
@@ -50,7 +50,7 @@ impl Parameter {
         match self {
             Parameter::DriverValue => inputs.drive[0] = [s, 1.0, 0.0],
             Parameter::Time => inputs.set_time(driven.system, s),
-            Parameter::Pin => driven.pins[0].jet = [s, 1.0, 0.0],
+            Parameter::Coordinate => driven.independent[0].jet = [s, 1.0, 0.0],
         }
     }
 
@@ -59,7 +59,7 @@ impl Parameter {
     fn prediction(self) -> f64 {
         match self {
             Parameter::DriverValue | Parameter::Time => 1e-6,
-            Parameter::Pin => 1e-7,
+            Parameter::Coordinate => 1e-7,
         }
     }
 }
@@ -81,7 +81,7 @@ pub struct SingularPosition {
     /// Its parameter.
     pub s: f64,
     /// Left null vector over all rows (m): the self-stress whose multipliers have no bound there. Empty at the dead centre of
-    /// a pin, or where it is not known.
+    /// an independent coordinate, or where it is not known.
     pub self_stress: Vec<f64>,
 }
 

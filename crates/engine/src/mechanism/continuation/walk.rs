@@ -59,7 +59,7 @@ impl Walker<'_, '_> {
         let system = self.driven.system;
         match self.parameter {
             Parameter::DriverValue => system.measure_scale(system.drivers[0].measure),
-            Parameter::Pin => system.column_scale(self.driven.pins[0].column),
+            Parameter::Coordinate => system.column_scale(self.driven.independent[0].column),
             Parameter::Time => system.scale.time,
         }
     }
@@ -98,9 +98,9 @@ impl Walker<'_, '_> {
     }
 
     /// The self-stress (m) of the dead centre that a node lies beside, by a solver of its own, so that it moves nothing; empty
-    /// with a pin, or where it can't be had.
+    /// with an independent coordinate, or where it can't be had.
     pub(super) fn self_stress_beside(&mut self, node: &Node) -> Vec<f64> {
-        if self.parameter == Parameter::Pin {
+        if self.parameter == Parameter::Coordinate {
             return Vec::new();
         }
         self.set(node.s);
@@ -196,7 +196,7 @@ impl<'w, 'a, 's> March<'w, 'a, 's> {
     fn cap(&self, d: &[f64]) -> f64 {
         let by_move = LARGEST_MOVE / self.walker.driven.system.scaled_norm(d);
         match self.walker.parameter {
-            Parameter::DriverValue | Parameter::Pin => by_move,
+            Parameter::DriverValue | Parameter::Coordinate => by_move,
             Parameter::Time => by_move.min(self.span.max(f64::MIN_POSITIVE) / LEAST_STEPS),
         }
     }

@@ -19,8 +19,8 @@
 //! much larger than 1; where one is, rows r and a change places, which multiplies |det J_A| by |C_ra| (the volume of the
 //! rows, Goreinov et al. 2010), so that exchanges come to an end.
 //!
-//! A mechanism with freedom left is driven by **pins**: chosen coordinates that are given values, velocities and
-//! accelerations. Pin k adds the row m + k, φ = u_k − q_c, so its multiplier is the effort that holds the coordinate.
+//! A mechanism with freedom left is driven by **independent coordinates**, which are given values, velocities and
+//! accelerations. Coordinate k adds the row m + k, φ = u_k − q_c; its multiplier is the effort that holds it.
 
 mod reactions;
 mod rows;
@@ -66,7 +66,7 @@ const MAX_ITERATIONS: usize = 25;
 
 /// A coordinate that is prescribed: value, velocity, acceleration.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pin {
+pub struct Independent {
     /// Its column.
     pub column: usize,
     /// What it is given.
@@ -87,7 +87,7 @@ pub struct Driven<'s> {
     /// The point at hand.
     pub evaluation: Evaluation,
     /// Coordinates that are prescribed besides its drivers.
-    pub pins: Vec<Pin>,
+    pub independent: Vec<Independent>,
     selection: Selection,
     /// Scale of each active row (n).
     row_scales: Vec<f64>,
@@ -116,14 +116,14 @@ impl<'s> Driven<'s> {
     /// # Errors
     /// When fewer than n rows are independent there.
     pub fn new(system: &'s System, q: &[f64], inputs: &Inputs) -> Result<Self, Failure> {
-        Driven::pinned(system, &[], q, inputs)
+        Driven::with_independent(system, &[], q, inputs)
     }
 
     /// A solver for a mechanism with the coordinates `columns` prescribed besides its drivers.
     ///
     /// # Errors
     /// When fewer than n rows are independent there.
-    pub fn pinned(
+    pub fn with_independent(
         system: &'s System,
         columns: &[usize],
         q: &[f64],
@@ -132,14 +132,14 @@ impl<'s> Driven<'s> {
         let mut evaluation = Evaluation::new(system);
         evaluation.set_position(q);
         evaluation.eval_jacobian(system, inputs);
-        let pins: Vec<Pin> = columns
+        let independent: Vec<Independent> = columns
             .iter()
-            .map(|&column| Pin {
+            .map(|&column| Independent {
                 column,
                 jet: [q[column], 0.0, 0.0],
             })
             .collect();
-        let selection = Driven::select(system, &pins, &evaluation)?;
+        let selection = Driven::select(system, &independent, &evaluation)?;
         let scales = system
             .entries
             .iter()
@@ -150,13 +150,13 @@ impl<'s> Driven<'s> {
             })
             .collect();
         let (n, m) = (system.n(), system.m());
-        let (pattern, slots, values) = Driven::layout(system, &pins, &selection);
+        let (pattern, slots, values) = Driven::layout(system, &independent, &selection);
         let nnz = pattern.entries();
-        let rows = m + pins.len();
+        let rows = m + independent.len();
         let mut driven = Driven {
             system,
             evaluation,
-            pins,
+            independent,
             selection,
             row_scales: Vec::with_capacity(n),
             slots,
@@ -265,7 +265,7 @@ impl<'s> Driven<'s> {
             for (r, phi) in self.rows.iter_mut().zip(&self.evaluation.phi) {
                 *r = -phi;
             }
-            self.pin_rows(|pin| q[pin.column] - pin.jet[0]);
+            self.independent_rows(|coordinate| q[coordinate.column] - coordinate.jet[0]);
             self.solve_rows(step);
             self.done.newton_iterations += 1;
             let size = self.system.scaled_norm(step);
@@ -286,10 +286,13 @@ impl<'s> Driven<'s> {
         })
     }
 
-    /// Right-hand sides of the pins' rows.
-    fn pin_rows(&mut self, value: impl Fn(&Pin) -> f64) {
-        for (row, pin) in self.rows[self.system.m()..].iter_mut().zip(&self.pins) {
-            *row = value(pin);
+    /// Right-hand sides of the independent coordinates' rows.
+    fn independent_rows(&mut self, value: impl Fn(&Independent) -> f64) {
+        for (row, coordinate) in self.rows[self.system.m()..]
+            .iter_mut()
+            .zip(&self.independent)
+        {
+            *row = value(coordinate);
         }
     }
 
@@ -299,7 +302,7 @@ impl<'s> Driven<'s> {
             0.0,
             |largest: f64, (&row, scale)| {
                 let phi = match row.checked_sub(m) {
-                    Some(pin) => self.pins[pin].jet[0] - q[self.pins[pin].column],
+                    Some(k) => self.independent[k].jet[0] - q[self.independent[k].column],
                     None => self.evaluation.phi[row],
                 };
                 let r = phi.abs() / scale;
@@ -318,7 +321,7 @@ impl<'s> Driven<'s> {
         self.evaluation
             .eval_rate(self.system, inputs, &mut self.rows[..m]);
         self.rows.iter_mut().for_each(|r| *r = -*r);
-        self.pin_rows(|pin| -pin.jet[1]);
+        self.independent_rows(|coordinate| -coordinate.jet[1]);
         self.solve_rows(v);
         self.evaluation.set_velocity(v);
     }
@@ -328,12 +331,12 @@ impl<'s> Driven<'s> {
         let m = self.system.m();
         self.evaluation
             .eval_gamma(self.system, inputs, &mut self.rows[..m]);
-        self.pin_rows(|pin| -pin.jet[2]);
+        self.independent_rows(|coordinate| -coordinate.jet[2]);
         self.solve_rows(a);
     }
 
-    /// ∂q/∂u_k (n): the motion that pin k alone makes, at the last factors.
-    pub fn pin_motion(&mut self, k: usize, s: &mut [f64]) {
+    /// ∂q/∂u_k (n): the motion that independent coordinate k alone makes, at the last factors.
+    pub fn tangent(&mut self, k: usize, s: &mut [f64]) {
         self.rows.fill(0.0);
         self.rows[self.system.m() + k] = -1.0;
         self.solve_rows(s);

@@ -5,7 +5,7 @@ use crate::system::Inputs;
 use linkdyn_linear::math::{dot, max_abs};
 
 impl Driven<'_> {
-    /// Multipliers λ (m) with Jᵀ λ = `b` (n), of least norm where not unique; those of pins are left out (they vanish in
+    /// Multipliers λ (m) with Jᵀ λ = `b` (n), of least norm where not unique; those of independent coordinates are left out (they vanish in
     /// free motion).
     pub fn multipliers(&mut self, b: &[f64], lambda: &mut [f64]) {
         let mut g = std::mem::take(&mut self.work);

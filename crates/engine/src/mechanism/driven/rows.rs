@@ -1,6 +1,6 @@
 //! Which rows are independent, and where their entries go in the matrix.
 
-use super::{Correction, Driven, Failure, Pin, Selection};
+use super::{Correction, Driven, Failure, Independent, Selection};
 use crate::system::{Evaluation, Inputs, System};
 use linkdyn_linear::lu::SparseLu;
 use linkdyn_linear::order::ColumnOrder;
@@ -15,22 +15,22 @@ const OUTGROWN: f64 = 2.0;
 impl Driven<'_> {
     pub(super) fn select(
         system: &System,
-        pins: &[Pin],
+        independent: &[Independent],
         evaluation: &Evaluation,
     ) -> Result<Selection, Failure> {
         let n = system.n();
-        let m = system.m() + pins.len();
+        let m = system.m() + independent.len();
         if m == n {
             return Ok(Selection {
                 active: (0..n).collect(),
                 redundant: Vec::new(),
             });
         }
-        // Drivers and pins first: they are what moves the mechanism.
+        // Drivers and independent coordinates first: they are what moves the mechanism.
         let mut dense = system.dense_scaled(&evaluation.jacobian);
         dense.resize(m * n, 0.0);
-        for (k, pin) in pins.iter().enumerate() {
-            dense[(system.m() + k) * n + pin.column] = -1.0;
+        for (k, coordinate) in independent.iter().enumerate() {
+            dense[(system.m() + k) * n + coordinate.column] = -1.0;
         }
         let first: Vec<usize> = (system.joint_rows()..m).collect();
         let mut active = well_conditioned_rows(&dense, m, n, &first);
@@ -45,10 +45,10 @@ impl Driven<'_> {
     }
 
     /// Pattern of the active rows, slot of each system entry (the last cell for what has none), and the values with the
-    /// pins' constant entries in place.
+    /// independent coordinates' constant entries in place.
     pub(super) fn layout(
         system: &System,
-        pins: &[Pin],
+        independent: &[Independent],
         selection: &Selection,
     ) -> (Pattern, Vec<u32>, Vec<f64>) {
         let mut entries = Vec::new();
@@ -62,9 +62,9 @@ impl Driven<'_> {
                 owners.push(k);
             }
         }
-        for (k, pin) in pins.iter().enumerate() {
+        for (k, coordinate) in independent.iter().enumerate() {
             if let Ok(row) = selection.active.binary_search(&(system.m() + k)) {
-                entries.push((row, pin.column));
+                entries.push((row, coordinate.column));
             }
         }
         let (pattern, inner) = square(system.n(), &entries);
@@ -96,7 +96,7 @@ impl Driven<'_> {
             return Ok(());
         }
         self.evaluation.eval_jacobian(self.system, inputs);
-        let selection = Driven::select(self.system, &self.pins, &self.evaluation)?;
+        let selection = Driven::select(self.system, &self.independent, &self.evaluation)?;
         if selection != self.selection {
             self.adopt(selection)
         } else {
@@ -136,7 +136,7 @@ impl Driven<'_> {
         q.copy_from_slice(&self.spare);
         self.evaluation.set_position(q);
         self.evaluation.eval_jacobian(self.system, inputs);
-        let selection = Driven::select(self.system, &self.pins, &self.evaluation)?;
+        let selection = Driven::select(self.system, &self.independent, &self.evaluation)?;
         self.adopt(selection)?;
         self.correct(q, inputs)
     }
@@ -193,7 +193,7 @@ impl Driven<'_> {
     }
 
     fn adopt(&mut self, selection: Selection) -> Result<(), Failure> {
-        let (pattern, slots, values) = Driven::layout(self.system, &self.pins, &selection);
+        let (pattern, slots, values) = Driven::layout(self.system, &self.independent, &selection);
         self.nnz = pattern.entries();
         self.values = values;
         self.selection = selection;
@@ -207,20 +207,20 @@ impl Driven<'_> {
     ///
     /// # Errors
     /// When fewer than n rows are independent there.
-    pub fn pin(&mut self, columns: &[usize], inputs: &Inputs) -> Result<(), Failure> {
-        for (pin, &column) in self.pins.iter_mut().zip(columns) {
-            pin.column = column;
+    pub fn choose(&mut self, columns: &[usize], inputs: &Inputs) -> Result<(), Failure> {
+        for (coordinate, &column) in self.independent.iter_mut().zip(columns) {
+            coordinate.column = column;
         }
         self.evaluation.eval_jacobian(self.system, inputs);
-        let selection = Driven::select(self.system, &self.pins, &self.evaluation)?;
+        let selection = Driven::select(self.system, &self.independent, &self.evaluation)?;
         self.adopt(selection)
     }
 
-    /// Notes the scales of the active rows, pins included.
+    /// Notes the scales of the active rows, those of independent coordinates included.
     pub(super) fn scale_rows(&mut self) {
-        let (system, pins) = (self.system, &self.pins);
+        let (system, independent) = (self.system, &self.independent);
         let scale = |&row: &usize| match row.checked_sub(system.m()) {
-            Some(pin) => system.column_scale(pins[pin].column),
+            Some(k) => system.column_scale(independent[k].column),
             None => system.row_scale(row),
         };
         self.row_scales.clear();

@@ -7,8 +7,8 @@ pub(super) struct Accepted {
     /// The later one: time, position, velocity and acceleration (n).
     pub here: Node,
     before: Option<Node>,
-    /// S there, one motion after the other (f × n).
-    pub motions: Vec<f64>,
+    /// S there, one tangent after the other (f × n).
+    pub tangents: Vec<f64>,
 }
 
 impl Accepted {
@@ -23,7 +23,7 @@ impl Accepted {
                 dd: vec![0.0; n],
             },
             before: None,
-            motions: vec![0.0; freedom * n],
+            tangents: vec![0.0; freedom * n],
         }
     }
 
@@ -45,14 +45,14 @@ impl Accepted {
             }
         }
         let n = q.len();
-        for ((column, value), motion) in independent.zip(self.motions.chunks_exact(n.max(1))) {
+        for ((column, value), tangent) in independent.zip(self.tangents.chunks_exact(n.max(1))) {
             let off = value - q[column];
-            q.iter_mut().zip(motion).for_each(|(q, s)| *q += off * s);
+            q.iter_mut().zip(tangent).for_each(|(q, s)| *q += off * s);
         }
     }
 
     /// Takes a point for the later one from now on; at the same time it takes the place of that.
-    pub fn keep(&mut self, time: f64, [q, v, a]: [&[f64]; 3], motions: &[f64]) {
+    pub fn keep(&mut self, time: f64, [q, v, a]: [&[f64]; 3], tangents: &[f64]) {
         if self.here.s != time {
             let before = self.before.get_or_insert_with(|| self.here.clone());
             std::mem::swap(before, &mut self.here);
@@ -61,7 +61,7 @@ impl Accepted {
         self.here.q.copy_from_slice(q);
         self.here.d.copy_from_slice(v);
         self.here.dd.copy_from_slice(a);
-        self.motions.copy_from_slice(motions);
+        self.tangents.copy_from_slice(tangents);
     }
 
     /// Sets the earlier point aside, for what evaluates the later one anew.

@@ -84,7 +84,7 @@ impl<'s> Curve<'s> {
         driven: &mut Driven,
     ) -> bool {
         let system = driven.system;
-        let column = driven.pins[0].column;
+        let column = driven.independent[0].column;
         let centre = accepted.here.q[column];
         let angle = system.layout.is_angle(column);
         let unit = if angle { 1.0 } else { system.size };
@@ -97,7 +97,7 @@ impl<'s> Curve<'s> {
         inputs.drive.iter_mut().for_each(|jet| jet[1..].fill(0.0));
         let found = follow(
             driven,
-            (Parameter::Pin, inputs),
+            (Parameter::Coordinate, inputs),
             (centre, &accepted.here.q),
             (centre - reach, centre + reach),
             &|_| false,

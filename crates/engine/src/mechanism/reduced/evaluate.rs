@@ -28,8 +28,9 @@ impl Reduced<'_> {
             accepted: &self.accepted,
         };
         let placed = self.chart.place(given, &mut self.driven, &mut self.q)?;
-        for (pin, (u, rate)) in self.driven.pins.iter_mut().zip(u.iter().zip(rates)) {
-            pin.jet = [*u, *rate, 0.0];
+        let given = u.iter().zip(rates);
+        for (coordinate, (u, rate)) in self.driven.independent.iter_mut().zip(given) {
+            coordinate.jet = [*u, *rate, 0.0];
         }
         self.is_smooth = placed == Placed::Smooth;
         match placed {
@@ -54,9 +55,9 @@ impl Reduced<'_> {
         if correction.last_step > self.lag {
             self.driven.factor(&self.inputs)?;
         }
-        self.eval_motions();
+        self.eval_tangents();
         if self.still {
-            self.combine_motions(rates);
+            self.combine_tangents(rates);
         } else {
             self.driven.velocity(&self.inputs, &mut self.v);
         }
@@ -75,19 +76,19 @@ impl Reduced<'_> {
         for (a, bend) in self.a.iter_mut().zip(&curve.bend) {
             *a = rate * rate * bend;
         }
-        self.motions.copy_from_slice(&curve.tangent);
+        self.tangents.copy_from_slice(&curve.tangent);
         self.driven.evaluation.set_position(&self.q);
         self.driven.evaluation.set_velocity(&self.v);
     }
 
     /// v = S u̇, which spares a solution with the factors.
-    fn combine_motions(&mut self, rates: &[f64]) {
+    fn combine_tangents(&mut self, rates: &[f64]) {
         let n = self.v.len();
         self.v.fill(0.0);
-        for (motion, rate) in self.motions.chunks_exact(n.max(1)).zip(rates) {
+        for (tangent, rate) in self.tangents.chunks_exact(n.max(1)).zip(rates) {
             self.v
                 .iter_mut()
-                .zip(motion)
+                .zip(tangent)
                 .for_each(|(v, s)| *v += rate * s);
         }
         self.driven.evaluation.set_velocity(&self.v);
@@ -98,8 +99,8 @@ impl Reduced<'_> {
         let system = self.driven.system;
         self.solve_freedom()?;
         let n = system.n();
-        for (k, s) in self.motions.chunks_exact(n.max(1)).enumerate() {
-            self.driven.pins[k].jet[2] = self.rhs[k];
+        for (k, s) in self.tangents.chunks_exact(n.max(1)).enumerate() {
+            self.driven.independent[k].jet[2] = self.rhs[k];
             for (a, s) in self.a.iter_mut().zip(s) {
                 *a += self.rhs[k] * s;
             }
@@ -120,12 +121,12 @@ impl Reduced<'_> {
         self.multipliers(&mut lambda);
         dependent.eval_units(system, &self.driven.evaluation, &self.inputs);
         for ((unit, response), rates) in dependent.units_responses_and_rates() {
-            for (rate, s) in rates.iter_mut().zip(self.motions.chunks_exact(n)) {
+            for (rate, s) in rates.iter_mut().zip(self.tangents.chunks_exact(n)) {
                 *rate = linkdyn_linear::math::dot(s, unit);
             }
             cholesky_solve(&self.mass, rates);
             self.balance.copy_from_slice(unit);
-            for (rate, s) in rates.iter().zip(self.motions.chunks_exact(n)) {
+            for (rate, s) in rates.iter().zip(self.tangents.chunks_exact(n)) {
                 system.mass.subtract(*rate, s, &mut self.balance);
             }
             self.driven.multipliers(&self.balance, response);
@@ -134,9 +135,9 @@ impl Reduced<'_> {
         if solved.is_ok() {
             dependent.add_forces(&mut self.force);
             for (size, rates) in dependent.sizes_and_rates() {
-                for (k, (rate, s)) in rates.iter().zip(self.motions.chunks_exact(n)).enumerate() {
+                for (k, (rate, s)) in rates.iter().zip(self.tangents.chunks_exact(n)).enumerate() {
                     self.rhs[k] += size * rate;
-                    self.driven.pins[k].jet[2] = self.rhs[k];
+                    self.driven.independent[k].jet[2] = self.rhs[k];
                     self.a
                         .iter_mut()
                         .zip(s)

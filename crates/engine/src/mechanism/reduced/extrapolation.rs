@@ -17,7 +17,10 @@ impl<'s> Place<'s> for Extrapolation<'s> {
         driven: &mut Driven<'s>,
         q: &mut [f64],
     ) -> Result<Placed, Failure> {
-        let columns = driven.pins.iter().map(|pin| pin.column);
+        let columns = driven
+            .independent
+            .iter()
+            .map(|coordinate| coordinate.column);
         let independent = columns.zip(given.u.iter().copied());
         given.accepted.predict(given.time, independent, q);
         if let Some(parts) = &mut self.bridge {

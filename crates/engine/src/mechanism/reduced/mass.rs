@@ -10,13 +10,13 @@ impl Reduced<'_> {
         let mass = &self.driven.system.mass;
         let (n, f) = (self.q.len(), self.freedom());
         for i in 0..f {
-            let si = &self.motions[i * n..(i + 1) * n];
+            let si = &self.tangents[i * n..(i + 1) * n];
             self.rhs[i] = linkdyn_linear::math::dot(si, &self.balance);
             // Motions of few bodies have few components.
             self.momenta.clear();
             self.momenta.extend(mass.momenta(si));
             for j in 0..=i {
-                let sj = &self.motions[j * n..(j + 1) * n];
+                let sj = &self.tangents[j * n..(j + 1) * n];
                 self.mass[i * f + j] = self
                     .momenta
                     .iter()
@@ -35,15 +35,15 @@ impl Reduced<'_> {
     /// the velocities (n).
     pub fn impulsive_change(&self, impulse: &[f64], rates: &mut [f64], change: &mut [f64]) {
         let n = impulse.len().max(1);
-        for (rate, motion) in rates.iter_mut().zip(self.motions.chunks_exact(n)) {
-            *rate = linkdyn_linear::math::dot(motion, impulse);
+        for (rate, tangent) in rates.iter_mut().zip(self.tangents.chunks_exact(n)) {
+            *rate = linkdyn_linear::math::dot(tangent, impulse);
         }
         cholesky_solve(&self.mass, rates);
         change.fill(0.0);
-        for (motion, rate) in self.motions.chunks_exact(n).zip(rates) {
+        for (tangent, rate) in self.tangents.chunks_exact(n).zip(rates) {
             change
                 .iter_mut()
-                .zip(motion)
+                .zip(tangent)
                 .for_each(|(v, s)| *v += *rate * s);
         }
     }

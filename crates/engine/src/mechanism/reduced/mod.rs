@@ -1,13 +1,13 @@
 //! Equations of motion in minimal coordinates, by partitioning (Wehage and Haug 1982).
 //!
-//! f coordinates u of the mechanism are chosen as independent (its pins); at every point they determine the others through
+//! f coordinates u of the mechanism are chosen as independent; at every point they determine the others through
 //! the constraints, so that positions and velocities never drift:
 //!
 //! ```text
 //! q = q(u, t)                   by Newton, branch-safe from the path so far
 //! v = S u̇ + v_t                 S = ∂q/∂u (n, f)
 //! a = S ü + a₀                  a₀: accelerations with ü = 0
-//! SᵀM S ü = Sᵀ (Q − M a₀)       the pins' efforts vanish
+//! SᵀM S ü = Sᵀ (Q − M a₀)       the efforts on u vanish
 //! ```
 //!
 //! With one degree of freedom and drivers at rest the positions are a curve q(u), which the continuation follows once:
@@ -30,9 +30,9 @@ mod place;
 
 use super::dependent_forces::DependentForces;
 use super::driven::{Driven, Failure, LAST_STEP, Work};
+use super::independent::better_coordinate;
 use super::parts::{Part, Parts};
 use super::phases::Phases;
-use super::pins::better_pin;
 use crate::element::Kinematics;
 use crate::system::{Evaluation, Inputs, System};
 use accepted::Accepted;
@@ -56,12 +56,12 @@ pub struct Reduced<'s> {
     balance: Vec<f64>,
     /// Factors whose position is this far from the solution are taken for those of the solution [rad or sizes].
     lag: f64,
-    /// S, one motion after the other (f × n).
-    motions: Vec<f64>,
+    /// S, one tangent after the other (f × n).
+    tangents: Vec<f64>,
     /// SᵀMS (f × f) and its factor; Sᵀ(Q − M a₀) and ü (f).
     mass: Vec<f64>,
     rhs: Vec<f64>,
-    /// M S of one motion, where it is not zero: column and value.
+    /// M S of one tangent, where it is not zero: column and value.
     momenta: Vec<(usize, f64)>,
     /// The last accepted points.
     accepted: Accepted,
@@ -90,7 +90,7 @@ impl<'s> Reduced<'s> {
         time: f64,
     ) -> Result<Self, Failure> {
         let inputs = Inputs::at_time(system, time);
-        let driven = Driven::pinned(system, columns, q, &inputs)?;
+        let driven = Driven::with_independent(system, columns, q, &inputs)?;
         let (n, f) = (system.n(), columns.len());
         let zero = vec![0.0; n];
         let still = system.drivers.iter().all(|driver| driver.law.is_constant());
@@ -108,7 +108,7 @@ impl<'s> Reduced<'s> {
             force: zero.clone(),
             balance: zero,
             lag: 0.0,
-            motions: vec![0.0; f * n],
+            tangents: vec![0.0; f * n],
             mass: vec![0.0; f * f],
             rhs: vec![0.0; f],
             momenta: Vec::with_capacity(n),
@@ -213,7 +213,10 @@ impl<'s> Reduced<'s> {
 
     /// Columns of the independent coordinates.
     pub fn independent_columns(&self) -> impl Iterator<Item = usize> {
-        self.driven.pins.iter().map(|pin| pin.column)
+        self.driven
+            .independent
+            .iter()
+            .map(|coordinate| coordinate.column)
     }
 
     /// Scaled residual of the mechanism's own constraints there [–].
@@ -240,25 +243,30 @@ impl<'s> Reduced<'s> {
 
     /// Degrees of freedom f.
     pub fn freedom(&self) -> usize {
-        self.driven.pins.len()
+        self.driven.independent.len()
     }
 
-    /// Exchanges pins until none moves less than half as much as another coordinate that it determines.
+    /// Exchanges independent coordinates until none moves less than half as much as another coordinate that it determines.
     fn choose(&mut self, time: f64) -> Result<(), Failure> {
         let system = self.driven.system;
         self.chart.forget();
         self.inputs.set_time(system, time);
         self.driven.evaluation.set_position(&self.q);
         self.driven.factor(&self.inputs)?;
-        self.eval_motions();
+        self.eval_tangents();
         for _ in 0..10 * (self.freedom() + 1) {
-            let Some((k, column)) = better_pin(&self.driven, &self.motions) else {
+            let Some((k, column)) = better_coordinate(&self.driven, &self.tangents) else {
                 break;
             };
-            let mut columns: Vec<usize> = self.driven.pins.iter().map(|pin| pin.column).collect();
+            let mut columns: Vec<usize> = self
+                .driven
+                .independent
+                .iter()
+                .map(|coordinate| coordinate.column)
+                .collect();
             columns[k] = column;
-            self.driven.pin(&columns, &self.inputs)?;
-            self.eval_motions();
+            self.driven.choose(&columns, &self.inputs)?;
+            self.eval_tangents();
         }
         let mut state = vec![0.0; 2 * self.freedom()];
         self.state(&mut state);
@@ -267,13 +275,13 @@ impl<'s> Reduced<'s> {
         Ok(())
     }
 
-    /// Chooses other pins at the last accepted point where that is better; true if it was done, and the state vector is
+    /// Chooses other independent coordinates at the last accepted point where that is better; true if it was done, and the state vector is
     /// another one then.
     ///
     /// # Errors
     /// When the coordinates do not determine the rest any more.
     pub fn choose_better(&mut self) -> Result<bool, Failure> {
-        if better_pin(&self.driven, &self.accepted.motions).is_none() {
+        if better_coordinate(&self.driven, &self.accepted.tangents).is_none() {
             return Ok(false);
         }
         self.q.copy_from_slice(&self.accepted.here.q);
@@ -287,17 +295,17 @@ impl<'s> Reduced<'s> {
     /// (u, u̇) of the position and velocity at hand.
     pub fn state(&self, y: &mut [f64]) {
         let f = self.freedom();
-        for (k, pin) in self.driven.pins.iter().enumerate() {
-            y[k] = self.q[pin.column];
-            y[f + k] = self.v[pin.column];
+        for (k, coordinate) in self.driven.independent.iter().enumerate() {
+            y[k] = self.q[coordinate.column];
+            y[f + k] = self.v[coordinate.column];
         }
     }
 
-    fn eval_motions(&mut self) {
+    fn eval_tangents(&mut self) {
         let n = self.driven.system.n();
         for k in 0..self.freedom() {
             self.driven
-                .pin_motion(k, &mut self.motions[k * n..(k + 1) * n]);
+                .tangent(k, &mut self.tangents[k * n..(k + 1) * n]);
         }
     }
 
@@ -354,10 +362,10 @@ impl<'s> Reduced<'s> {
         let there = self.at == Some(time)
             && self
                 .driven
-                .pins
+                .independent
                 .iter()
                 .enumerate()
-                .all(|(k, pin)| pin.jet[0] == y[k] && pin.jet[1] == y[f + k]);
+                .all(|(k, coordinate)| coordinate.jet[0] == y[k] && coordinate.jet[1] == y[f + k]);
         if there || self.evaluate(time, y).is_ok() {
             self.keep(time);
         }
@@ -373,12 +381,12 @@ impl<'s> Reduced<'s> {
             && !self.driven.system.dependent_forces.is_empty()
             && let Some(curve) = self.chart.curve()
         {
-            let column = self.driven.pins[0].column;
+            let column = self.driven.independent[0].column;
             let (from, to) = (self.accepted.here.q[column], self.q[column]);
             self.passed = curve.has_change_point_between(from, to).then_some(time);
         }
         let point = [&self.q[..], &self.v, &self.a];
-        self.accepted.keep(time, point, &self.motions);
+        self.accepted.keep(time, point, &self.tangents);
         if !self.is_smooth && self.driven.is_redundant() {
             // Where that fails, the next evaluation chooses rows anew.
             let _ = self.driven.exchange_rows();

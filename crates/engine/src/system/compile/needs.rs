@@ -72,7 +72,7 @@ fn surfaces<'a>(model: &'a Model, complaints: &mut Vec<Complaint>) -> HashMap<&'
     surfaces
 }
 
-/// Laws of the joints that rub though they are ideal.
+/// Friction laws of ideal joints.
 fn frictions<'a>(
     model: &'a Model,
     complaints: &mut Vec<Complaint>,

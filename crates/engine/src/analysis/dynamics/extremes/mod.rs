@@ -1,6 +1,6 @@
 //! The extremes of all columns in a motion with contacts, and the rows of contacts.
 //!
-//! A step is closely looked at in two rounds: rows at fixed points of it give a polynomial per column ([`within`]); where
+//! A step that may hold an extreme is searched in two rounds: rows at fixed points of it give a polynomial per column ([`within`]); where
 //! that exceeds the extreme so far, the mechanism is evaluated at its top. What counts is always a row that was evaluated.
 
 mod episodes;
@@ -146,7 +146,7 @@ impl Extremes {
         }
     }
 
-    /// Looks at the last step. The mechanism is evaluated at the end of the piece, with its state.
+    /// Searches the last step. The mechanism is evaluated at the end of the piece, with its state.
     pub fn note_step(&mut self, step: &mut LastStep, ledger: &mut Ledger, piece: Piece) {
         let Piece { from, until, .. } = piece;
         let rises = |contact: &usize| {
@@ -181,7 +181,7 @@ impl Extremes {
         }
         if goes_on && until > from {
             // Where the mechanism can't be evaluated, the rows that there are count.
-            let _ = self.look_within(step, ledger, piece);
+            let _ = self.search_within(step, ledger, piece);
         }
     }
 
@@ -194,8 +194,8 @@ impl Extremes {
         Ok(())
     }
 
-    /// Looks within a step where its ends are no reason to leave it.
-    fn look_within(
+    /// Searches within a step where its ends are no reason to leave it.
+    fn search_within(
         &mut self,
         step: &mut LastStep,
         ledger: &mut Ledger,
@@ -255,7 +255,7 @@ impl Extremes {
         if let Some(point) = point {
             std::mem::swap(&mut self.inner[point], &mut self.here);
         }
-        // Of a sustained contact nothing else looks for peaks.
+        // Of a sustained contact nothing else searches for peaks.
         for (contact, journal) in step.flow.system().contacts.iter().enumerate() {
             if matches!(journal.surface, Surface::Rigid(_)) && step.flow.is_in_contact(contact) {
                 ledger.history(contact).peak(&step.flow.reading(contact));

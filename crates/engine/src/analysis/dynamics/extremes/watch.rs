@@ -1,8 +1,8 @@
 //! Least and largest value of every column over the whole motion, and the rows where they are.
 //!
-//! A run with contacts has peaks much shorter than the distance of its outputs. So each step is looked at: its two ends cost
+//! A run with contacts has peaks much shorter than the distance of its outputs. So each step is examined: its two ends cost
 //! nothing but a row, since the mechanism has been evaluated there; and where three ends in a line, or two slopes, say that
-//! a column may have passed its extreme so far within the step, the step is looked at closely ([`super`]).
+//! a column may have passed its extreme so far within the step, the step is searched ([`super`]).
 //!
 //! Rows at the ends are as exact as steps need them, with round-off of some 1e-10 in velocities and forces. They hold an extreme
 //! only until the mechanism is evaluated exactly there.

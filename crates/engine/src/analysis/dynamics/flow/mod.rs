@@ -79,7 +79,7 @@ impl<'s> Flow<'s> {
 
     /// Puts the coordinates and rates at hand into y.
     pub fn store(&self, state: &mut State) {
-        self.equations.state(state.motion_mut());
+        self.equations.state(state.mechanical_mut());
     }
 
     /// A contact at the point of the last evaluation.
@@ -128,7 +128,7 @@ impl<'s> Flow<'s> {
     /// Where the position can't be solved on its branch, or the mass matrix is singular.
     pub fn evaluate(&mut self, t: f64, y: &[f64]) -> Result<(), Failure> {
         self.take_bristles(y);
-        self.equations.evaluate(t, &y[self.layout.motion()])?;
+        self.equations.evaluate(t, &y[self.layout.mechanical()])?;
         self.eval_normal_forces();
         Ok(())
     }
@@ -140,7 +140,7 @@ impl<'s> Flow<'s> {
     pub fn evaluate_exactly(&mut self, t: f64, y: &[f64]) -> Result<(), Failure> {
         self.take_bristles(y);
         self.equations
-            .evaluate_exactly(t, &y[self.layout.motion()])?;
+            .evaluate_exactly(t, &y[self.layout.mechanical()])?;
         self.eval_normal_forces();
         Ok(())
     }
