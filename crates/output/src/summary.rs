@@ -44,6 +44,17 @@ pub fn facts(summary: &Summary) -> Map<String, Value> {
     if let Some(message) = &report.message {
         json.insert("message".into(), message.as_str().into());
     }
+    if let Some(reason) = &report.reason {
+        json.insert(
+            "reason".into(),
+            json!({
+                "time": reason.time,
+                "cause": reason.cause,
+                "residual": reason.residual,
+                "constraints": reason.owners,
+            }),
+        );
+    }
     json.insert("engine".into(), env!("CARGO_PKG_VERSION").into());
     json.insert(
         "model".into(),
@@ -191,7 +202,7 @@ fn extremes(trajectory: &Trajectory) -> Value {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Column, EventKind, Quality};
+    use super::super::{Column, EventKind, Quality, Reason};
     use super::*;
 
     fn example() -> (Report, Trajectory) {
@@ -271,6 +282,43 @@ mod tests {
         assert_eq!(
             json["events"][1],
             json!({"type":"no_solution","time":1.7,"end_time":2.0})
+        );
+    }
+
+    #[test]
+    fn the_reason_of_an_end_stands_behind_its_message() {
+        let (mut report, trajectory) = example();
+        report.message = Some("the motion can't be followed".into());
+        report.reason = Some(Reason {
+            time: 0.25,
+            cause: "the Jacobian is singular".into(),
+            residual: Some(f64::NAN),
+            rows: vec![3],
+            owners: vec!["joint \"b\"".into()],
+        });
+        let stage = Stage::default();
+        let json = to_json(&Summary {
+            report: &report,
+            trajectory: &trajectory,
+            model_name: "",
+            model_sha256: "",
+            settings: &json!({}),
+            mechanism: json!({}),
+            drawing: json!({}),
+            load: stage,
+            write: stage,
+        });
+        let keys = json.as_object().expect("an object").keys();
+        let first: Vec<&str> = keys.take(3).map(String::as_str).collect();
+        assert_eq!(first, ["status", "message", "reason"]);
+        assert_eq!(
+            json["reason"],
+            json!({
+                "time": 0.25,
+                "cause": "the Jacobian is singular",
+                "residual": null,
+                "constraints": ["joint \"b\""],
+            })
         );
     }
 
