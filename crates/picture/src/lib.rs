@@ -19,6 +19,7 @@
 //! | `svg`       | scene → SVG                                                     |
 //! | `raster`    | scene → pixels, PNG                                             |
 //! | `film`      | pixels → GIF                                                    |
+//! | `cut`       | where an axis ends, so that peaks do not flatten the rest       |
 //! | `shape`     | what a mechanism is made of, from a model or a summary          |
 //! | `poses`     | where its bodies are, from a table of results                   |
 //! | `mechanism` | shape and poses → scene                                         |
@@ -27,6 +28,7 @@
 //! | `fault`     | why a figure can't be drawn                                     |
 
 pub mod chart;
+mod cut;
 pub mod film;
 pub mod font;
 pub mod mechanism;
@@ -47,6 +49,7 @@ mod symbols;
 mod trace;
 
 pub use chart::{Axis, Chart, Curve, Mark, Panel};
+pub use cut::Cut;
 pub use fault::{Fault, MOST_CURVES, MOST_FILM_PIXELS, MOST_PIXELS};
 pub use mechanism::Mechanism;
 pub use report::Report;

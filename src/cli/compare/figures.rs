@@ -2,17 +2,12 @@
 
 use linkdyn_output::TIME;
 use linkdyn_output::{Column, Trajectory};
-use linkdyn_picture::{Axis, Chart, Curve, Panel, svg, words};
+use linkdyn_picture::{Axis, Chart, Curve, Cut, Panel, svg, words};
 
 /// Letters of a file's name, without its ending, at most.
 const LONGEST: usize = 100;
 /// Width and height \[mm\]: a page's full width, since curves with impacts are dense.
 const SIZE: [f64; 2] = [180.0, 80.0];
-
-/// Part of all values, at each end, that a few peaks may be.
-const PEAKS: f64 = 0.005;
-/// Peaks are cut off where they would squeeze the rest to less than one part in this many of the axis.
-const SQUEEZED: f64 = 10.0;
 
 /// A file's name and content.
 pub type Figure = (String, String);
@@ -53,21 +48,31 @@ pub fn figures(columns: &[Column], models: &[(&str, Trajectory)]) -> Vec<Figure>
     figures
 }
 
-/// A range that leaves out a few peaks, where they would squeeze the rest, and the range of all values.
+/// A range that leaves out a few peaks, by the rule of all pictures, and the range of all values; none without peaks.
 fn without_peaks(curves: &[Curve]) -> Option<([f64; 2], [f64; 2])> {
-    let mut values: Vec<f64> = curves
-        .iter()
-        .flat_map(|curve| &curve.y)
-        .copied()
-        .filter(|y| y.is_finite())
-        .collect();
-    values.sort_by(f64::total_cmp);
-    let all = [*values.first()?, *values.last()?];
-    let rank = (PEAKS * values.len() as f64) as usize;
-    let [low, high] = [values[rank], values[values.len() - 1 - rank]];
-    let margin = 0.25 * (high - low);
-    (margin > 0.0 && all[1] - all[0] > SQUEEZED * (high - low))
-        .then_some(([low - margin, high + margin], all))
+    let [mut shown, mut all] = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+    let wider = |range: &mut [f64; 2], [low, high]: [f64; 2]| {
+        *range = [range[0].min(low), range[1].max(high)];
+    };
+    let mut is_cut = false;
+    for curve in curves {
+        let values = curve.y.iter().copied();
+        let mut own = [f64::INFINITY, f64::NEG_INFINITY];
+        for value in values.clone().filter(|value| value.is_finite()) {
+            wider(&mut own, [value, value]);
+        }
+        wider(&mut all, own);
+        let cut = Cut::of(values).unwrap_or_default();
+        wider(
+            &mut shown,
+            [cut.low.unwrap_or(own[0]), cut.high.unwrap_or(own[1])],
+        );
+        is_cut |= cut != Cut::default();
+    }
+    let margin = 0.05 * (shown[1] - shown[0]);
+    // What one curve cuts off, another one may show.
+    let hides = shown[0] > all[0] || shown[1] < all[1];
+    (is_cut && hides).then_some(([shown[0] - margin, shown[1] + margin], all))
 }
 
 /// What is told of peaks.
@@ -129,7 +134,7 @@ mod tests {
         (y[500], y[700]) = (1e6, f64::NAN);
         let (range, all) = without_peaks(&[Curve::new("a", times, y)]).expect("a peak");
         assert!(
-            all[1] == 1e6 && range[0] < -1.4 && range[1] > 1.4 && range[1] < 2.0,
+            all[1] == 1e6 && range[0] < -1.0 && range[1] > 1.4 && range[1] < 3.5,
             "{range:?} {all:?}"
         );
         assert_eq!(
