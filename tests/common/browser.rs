@@ -103,21 +103,42 @@ pub fn open(browser: &Path, page: &str, budget: Option<u32>) -> Visit {
 /// The answer of a script that runs behind the page's own and calls `answer(value)`. The page's policy stays in force, with this
 /// script allowed.
 pub fn ask(browser: &Path, page: &str, script: &str, budget: Option<u32>) -> (Value, Visit) {
-    let script = format!(
-        "const answer = (value) => {{ const box = document.createElement('pre'); box.id = 'answer'; \
-         box.textContent = encodeURIComponent(JSON.stringify(value)); document.body.append(box); }};\n{script}"
+    let page = with_script(page, &format!("{WRITE}\n{script}"));
+    told(open(browser, &page, budget))
+}
+
+/// As `ask`, of a page in a window of that width and height \[px\]: a frame, since windows have a least size.
+pub fn ask_in(
+    browser: &Path,
+    page: &str,
+    script: &str,
+    budget: Option<u32>,
+    [width, height]: [u32; 2],
+) -> (Value, Visit) {
+    let send = "const answer = (value) => parent.postMessage(value, '*');";
+    let page = with_script(page, &format!("{send}\n{script}"));
+    let page = page.replace('&', "&amp;").replace('"', "&quot;");
+    let outer = format!(
+        "<!doctype html><body><script>{WRITE} addEventListener('message', (event) => answer(event.data));</script>\
+         <iframe width={width} height={height} style=\"border:0\" srcdoc=\"{page}\"></iframe></body>"
     );
-    let hash = format!(
-        "script-src 'sha256-{}' ",
-        base64(&Sha256::digest(script.as_bytes()))
-    );
-    let page = page.replacen("script-src ", &hash, 1);
+    told(open(browser, &outer, budget))
+}
+
+/// Leaves an answer in the document.
+const WRITE: &str = "const answer = (value) => { const box = document.createElement('pre'); box.id = 'answer'; \
+    box.textContent = encodeURIComponent(JSON.stringify(value)); document.body.append(box); };";
+
+/// A page with one more script, which its policy allows.
+fn with_script(page: &str, script: &str) -> String {
+    let hash = base64(&Sha256::digest(script.as_bytes()));
+    let page = page.replacen("script-src ", &format!("script-src 'sha256-{hash}' "), 1);
     let (before, after) = page.rsplit_once("</body>").expect("a body");
-    let visit = open(
-        browser,
-        &format!("{before}<script>{script}</script></body>{after}"),
-        budget,
-    );
+    format!("{before}<script>{script}</script></body>{after}")
+}
+
+/// The answer that a visit left.
+fn told(visit: Visit) -> (Value, Visit) {
     let text = visit
         .dom
         .split_once("id=\"answer\">")

@@ -49,12 +49,15 @@
   over.dispatchEvent(new PointerEvent("pointermove", { clientX: box.left + box.width / 2, clientY: box.top + 20, pointerType: "mouse", bubbles: true }));
   told.hovered = player.row;
   scrub(linkdyn.rows - 1);
-  told.lines = plots.list.map((plot) => parseFloat(plot.line.style.left) / plot.u.over.clientWidth);
+  told.lines = plots.list.filter((plot) => !plot.across).map((plot) => parseFloat(plot.line.style.left) / plot.u.over.clientWidth);
 
-  // Zoom, and the driver's value as abscissa.
+  // Zoom, and time and the driver's value as abscissa. The path of a point has an axis of its own.
+  const shared = plots.list.filter((plot) => !plot.across);
+  told.over = id("abscissa").selectedOptions[0].textContent;
+  id("abscissa").value = "0"; id("abscissa").dispatchEvent(new Event("change"));
   plots.setZoom([0.2, 0.4]);
   await wait(100);
-  told.zoomed = plots.list.map((plot) => [plot.u.scales.x.min, plot.u.scales.x.max]);
+  told.zoomed = shared.map((plot) => [plot.u.scales.x.min, plot.u.scales.x.max]);
   id("unzoom").click();
   id("abscissa").value = "1"; id("abscissa").dispatchEvent(new Event("change"));
   await wait(200);

@@ -75,6 +75,7 @@ fn the_controls_move_the_mechanism() {
     for range in told["zoomed"].as_array().expect("ranges") {
         assert_eq!(range, &json!([0.2, 0.4]));
     }
+    assert_eq!(told["over"], "motor", "one driver that goes one way");
     // The driver's value in degrees.
     let value = heads
         .iter()
@@ -105,7 +106,7 @@ fn what_stands_beside_the_drawing_can_be_read() {
     fs::write(&path, long.replace("coupler", "left_upper_control_arm")).expect("written");
     let sample = r#"analysis={"type":"inverse_dynamics","sample":{"driver":"motor","from":"60 deg","to":"160 deg","step":"1 deg"}}"#;
     let (page, csv, _) = run(&[path.to_str().expect("UTF-8"), "--set", sample]);
-    let probe = "const boxes = [...document.querySelectorAll('#traces label')].map((label) => label.getBoundingClientRect()); \
+    let probe = "linkdyn.drawer.open = true; const boxes = [...document.querySelectorAll('#traces label')].map((label) => label.getBoundingClientRect()); \
         const units = linkdyn.units, lengths = () => [1e-5, 2e-3, 0.5, 1, 10, 2000].map(units.length); \
         const engineering = lengths(); units.system = 'si'; const si = lengths(); units.system = 'engineering'; \
         const cell = (head) => [...document.querySelectorAll('#tables th')].find((th) => th.textContent === head)?.nextSibling.textContent; \

@@ -3,8 +3,9 @@
 mod drawing;
 mod opened;
 mod page;
+mod screen;
 
-use crate::browser::{Scratch, ask, find, open};
+use crate::browser::{Scratch, ask, ask_in, find, open};
 use linkdyn_output::{BodyQuantity, Channel, Column, Report, Stage, Summary, Trajectory};
 use linkdyn_picture::report::Report as Page;
 use linkdyn_picture::shape::{Body, Joint, JointKind, Shape};

@@ -137,7 +137,7 @@ fn a_page_opens_where_the_run_is_stuck() {
 fn hostile_names_do_nothing() {
     let Some(browser) = find() else { return };
     let probe = "setTimeout(() => answer({ hacked: typeof window.hacked, scripts: document.scripts.length, \
-        odd: document.querySelectorAll('img,svg:not(.chip svg),iframe').length, title: document.title, \
+        odd: document.querySelectorAll('img,svg:not(.chip svg, .icon, #icons),iframe').length, title: document.title, \
         heading: document.getElementById('name').textContent, origin: document.getElementById('origin').textContent, \
         bodies: [...document.querySelectorAll('#poses tbody tr')].map((line) => line.cells[0].textContent), \
         names: linkdyn.plots.shown.length }), 300);";

@@ -1,10 +1,13 @@
 //! The columns of a page, and what each is worth when room is short.
 
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::encode::{Source, Worth};
 use super::template::escaped;
-use linkdyn_output::{BodyQuantity, Channel, Column, DriverQuantity, PointQuantity, Trajectory};
+use crate::cut::{self, Cut};
+use linkdyn_output::{
+    BodyQuantity, Channel, Column, ColumnId, ColumnView, DriverQuantity, PointQuantity, Trajectory,
+};
 
 /// `[name, unit, wanted]`.
 pub fn heading(source: &Source) -> String {
@@ -48,6 +51,40 @@ pub fn sources<'a>(
         })
     });
     results.chain(derived).collect()
+}
+
+/// Columns with peaks beyond these have no cut of their own: a page of so many is about something else.
+const MOST_CUTS: usize = 1000;
+
+/// The values of a column, all rows of it.
+fn values<'a>(source: &Source<'a>) -> ColumnView<'a> {
+    source.table.column(ColumnId::at(source.index))
+}
+
+/// Where the axes of columns are cut, by name: of those that the page offers, and of the magnitudes that it makes of components.
+pub fn cuts(sources: &[Source]) -> Value {
+    let offered = sources.iter().filter(|source| source.wanted);
+    let own = offered.clone().map(|source| {
+        let cut = Cut::of(values(source).iter());
+        (source.column.name.clone(), cut)
+    });
+    let pairs = sources.windows(2).filter(|pair| {
+        pair.iter().all(|source| source.wanted)
+            && pair[0].column.name.strip_suffix("fx") == pair[1].column.name.strip_suffix("fy")
+            && pair[0].column.name.ends_with(".fx")
+    });
+    let magnitudes = pairs.map(|pair| {
+        let name = pair[0].column.name.trim_end_matches('x').to_string();
+        let [fx, fy] = [&pair[0], &pair[1]].map(values);
+        (
+            name,
+            Cut::of(fx.iter().zip(fy.iter()).map(|(x, y)| x.hypot(y))),
+        )
+    });
+    let found = own
+        .chain(magnitudes)
+        .filter_map(|(name, cut)| Some((name, cut?)));
+    cut::to_json(found.take(MOST_CUTS))
 }
 
 /// What a column is worth by what it is.

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::columns::{heading, sources};
+use super::columns::{cuts, heading, sources};
 use super::encode::{Plan, Source, plan, values};
 use super::facts::{cut, facts};
 use super::template::{self, escaped};
@@ -62,9 +62,10 @@ impl<'a> Report<'a> {
         }
         let [about, source] =
             [self.about, self.source].map(|text| escaped(&json!(text.map(cut)).to_string()));
-        let used = [&facts, &shape, &about, &source].map(|text| text.len());
-        let used = template::fixed_length() + used.iter().sum::<usize>() + notes.concat().len();
         let sources = sources(self.summary.trajectory, self.table, self.derived);
+        let cuts = escaped(&cuts(&sources).to_string());
+        let used = [&facts, &shape, &about, &source, &cuts].map(|text| text.len());
+        let used = template::fixed_length() + used.iter().sum::<usize>() + notes.concat().len();
         let rows = self.table.len();
         let room = LIMIT.saturating_sub(used + MARGIN);
         let plan = plan(&sources, rows, room, |source| heading(source).len() + 1);
@@ -81,6 +82,7 @@ impl<'a> Report<'a> {
             ("mechanism", shape),
             ("palette", palette::to_json().to_string()),
             ("notes", escaped(&json!(notes).to_string())),
+            ("cuts", cuts),
             ("rows", plan.rows.len().to_string()),
             ("width", self.summary.trajectory.width().to_string()),
             ("bytes", if plan.binary64 { "8" } else { "4" }.into()),

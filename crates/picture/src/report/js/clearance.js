@@ -1,62 +1,114 @@
 "use strict";
-// Joints with clearance, magnified: bearing and journal, the path of the journal's centre. The journal is drawn so that the
-// radial clearance is a fifth of the bearing.
+// Joints with clearance, magnified: bearing, journal, the orbit of its centre, the force on it, and where the bearing wears. The
+// journal is drawn so that the radial clearance is a part of the bearing that can be seen.
 (() => {
-  const { mechanism, player, units, column, rows, element, drawing } = linkdyn;
-  const SIZE = 112, BEARING = 46, GAP = 11;
+  const { mechanism, shapes, symbols, player, units, column, rows, element, drawing, summary, told } = linkdyn;
+  const SIZE = 250, BEARING = 88, GAP = 34, RIM = 9, WEAR = 18;
+  const sums = summary.clearances || {};
   const insets = mechanism.joints
     .filter(({ clearance }) => clearance && clearance.radius > 0)
-    .map(({ name, clearance }) => ({ name, radius: clearance.radius, ex: column(`joint.${name}.ex`), ey: column(`joint.${name}.ey`) }))
+    .map(({ name, clearance, between }) => ({
+      name, radius: clearance.radius, bearing: between[0][0],
+      ...Object.fromEntries(["ex", "ey", "fx", "fy", "f", "eccentricity"].map((key) => [key, column(`joint.${name}.${key}`)])),
+      wear: Object.hasOwn(sums, name) ? sums[name].wear : undefined,
+      most: 0,
+    }))
     .filter(({ ex, ey }) => ex && ey)
     .slice(0, 24);
 
   for (const inset of insets) {
-    const canvas = element("canvas", { role: "img", "aria-label": `Journal in the bearing of joint ${linkdyn.plain(inset.name)}` });
+    inset.canvas = element("canvas", { role: "img", "aria-label": `Journal in the bearing of joint ${linkdyn.plain(inset.name)}` });
     const ratio = window.devicePixelRatio || 1;
-    canvas.width = canvas.height = SIZE * ratio;
-    inset.pen = canvas.getContext("2d");
+    inset.canvas.width = inset.canvas.height = SIZE * ratio;
+    inset.pen = inset.canvas.getContext("2d");
     inset.pen.scale(ratio, ratio);
     inset.value = element("span", { className: "number" });
-    const caption = element("figcaption", {}, element("span", { text: inset.name, className: "text" }), " ", inset.value);
-    document.getElementById("insets").append(element("figure", { className: "inset" }, canvas, caption));
+    if (inset.f) for (const value of inset.f.values) if (value > inset.most) inset.most = value;
+    const total = (inset.wear || []).reduce((sum, part) => sum + part, 0);
+    const lines = [["eccentricity", inset.value]];
+    inset.force = element("span", { className: "number" });
+    if (inset.f) lines.push(["force on the journal", inset.force], ["largest", element("span", { className: "number", text: units.quantity(inset.most, "N", 4) })]);
+    lines.push(["radial clearance", element("span", { className: "number", text: units.length(inset.radius) })]);
+    if (total > 0) lines.push(["sliding work under load, for wear", element("span", { className: "number", text: units.quantity(total, "J", 4) })]);
+    const legend = element("div", { className: "legend" }, element("h2", { text: inset.name, className: "text" }),
+      ...lines.map(([word, value]) => element("p", {}, element("span", { text: word, className: "muted" }), " ", value)));
+    document.getElementById("insets").append(element("figure", { className: "inset" }, inset.canvas, legend));
   }
   document.getElementById("clearance").hidden = insets.length === 0;
 
+  // Sliding work by angle of the bearing, as bars outside the rim; they turn with the bearing.
+  const wears = (pen, { wear, bearing }, row, colours) => {
+    const pose = shapes.pose(bearing, row), most = wear && Math.max(...wear);
+    if (!pose || !(most > 0)) return;
+    const turn = 2 * Math.PI / wear.length;
+    pen.fillStyle = colours.load;
+    wear.forEach((part, k) => {
+      const from = -(pose[2] + k * turn), to = -(pose[2] + (k + 1) * turn), inner = BEARING + RIM;
+      pen.beginPath(); pen.arc(SIZE / 2, SIZE / 2, inner, from, to, true); pen.arc(SIZE / 2, SIZE / 2, inner + WEAR * part / most, to, from); pen.fill();
+    });
+  };
+
+  const orbit = (pen, at, colours) => {
+    pen.strokeStyle = colours.muted; pen.lineWidth = 1;
+    pen.beginPath();
+    let down = false;
+    for (let k = 0; k < rows; k++) {
+      const p = at(k);
+      if (!p.every(Number.isFinite)) { down = false; continue; }
+      if (down) pen.lineTo(...p); else pen.moveTo(...p);
+      down = true;
+    }
+    pen.stroke();
+  };
+
+  const one = (inset, row, colours) => {
+    const { pen, radius, ex, ey, fx, fy, most } = inset, middle = SIZE / 2;
+    const at = (k) => [middle + ex.values[k] / radius * GAP, middle - ey.values[k] / radius * GAP];
+    pen.clearRect(0, 0, SIZE, SIZE);
+    pen.lineCap = pen.lineJoin = "round";
+    wears(pen, inset, row, colours);
+    pen.fillStyle = colours.line;
+    pen.beginPath(); pen.arc(middle, middle, BEARING + RIM, 0, 2 * Math.PI); pen.arc(middle, middle, BEARING, 0, 2 * Math.PI, true); pen.fill("evenodd");
+    pen.strokeStyle = colours.steel; pen.lineWidth = 1.4;
+    pen.beginPath(); pen.arc(middle, middle, BEARING, 0, 7); pen.stroke();
+    const e = Math.hypot(ex.values[row], ey.values[row]);
+    if (Number.isFinite(e)) {
+      // On the bearing, to the eye: contact.
+      const touches = e > radius * (1 - 1e-6), colour = touches ? colours.force : colours.accent;
+      pen.fillStyle = colour; pen.globalAlpha = 0.2;
+      pen.beginPath(); pen.arc(...at(row), BEARING - GAP, 0, 7); pen.fill();
+      pen.globalAlpha = 1; pen.strokeStyle = colour; pen.lineWidth = 1.6; pen.stroke();
+    }
+    // The circle on which the centre is while the journal touches.
+    pen.strokeStyle = colours.muted; pen.lineWidth = 0.8; pen.setLineDash([2, 3]);
+    pen.beginPath(); pen.arc(middle, middle, GAP, 0, 7); pen.stroke(); pen.setLineDash([]);
+    orbit(pen, at, colours);
+    const f = fx && fy ? [fx.values[row], fy.values[row]] : [0, 0], size = Math.hypot(...f);
+    if (Number.isFinite(e) && size > 0 && most > 0) {
+      // By the root, so that small forces are seen beside the blows.
+      const long = 24 + 60 * Math.sqrt(size / most), from = at(row);
+      pen.strokeStyle = pen.fillStyle = colours.force;
+      symbols.arrow(pen, from, [from[0] + f[0] / size * long, from[1] - f[1] / size * long], 2.6, 11);
+    }
+    if (Number.isFinite(e)) { pen.fillStyle = colours.ink; pen.beginPath(); pen.arc(...at(row), 3.2, 0, 7); pen.fill(); }
+    inset.value.textContent = inset.eccentricity ? told(inset.eccentricity, row, 4) : units.quantity(e, "m", 4);
+    if (inset.f) inset.force.textContent = told(inset.f, row, 4);
+  };
+
   const draw = () => {
     if (!insets.length) return;
-    const colours = drawing.palette(), row = player.row;
-    for (const { pen, radius, ex, ey, value } of insets) {
-      const at = (k) => [SIZE / 2 + ex.values[k] / radius * GAP, SIZE / 2 - ey.values[k] / radius * GAP];
-      pen.clearRect(0, 0, SIZE, SIZE);
-      pen.fillStyle = colours.line;
-      pen.beginPath(); pen.arc(SIZE / 2, SIZE / 2, BEARING + 7, 0, 2 * Math.PI); pen.arc(SIZE / 2, SIZE / 2, BEARING, 0, 2 * Math.PI, true); pen.fill("evenodd");
-      pen.strokeStyle = colours.steel; pen.lineWidth = 1.4;
-      pen.beginPath(); pen.arc(SIZE / 2, SIZE / 2, BEARING, 0, 7); pen.stroke();
-      const e = Math.hypot(ex.values[row], ey.values[row]);
-      if (Number.isFinite(e)) {
-        // On the bearing, to the eye: contact.
-        const touches = e > radius * (1 - 1e-6);
-        pen.fillStyle = touches ? colours.force : colours.accent;
-        pen.globalAlpha = 0.28;
-        pen.beginPath(); pen.arc(...at(row), BEARING - GAP, 0, 7); pen.fill();
-        pen.globalAlpha = 1;
-        pen.strokeStyle = touches ? colours.force : colours.accent;
-        pen.stroke();
-      }
-      pen.strokeStyle = colours.muted; pen.lineWidth = 1;
-      pen.beginPath();
-      let down = false;
-      for (let k = 0; k < rows; k++) {
-        const p = at(k);
-        if (!p.every(Number.isFinite)) { down = false; continue; }
-        if (down) pen.lineTo(...p); else pen.moveTo(...p);
-        down = true;
-      }
-      pen.stroke();
-      if (Number.isFinite(e)) { pen.fillStyle = colours.ink; pen.beginPath(); pen.arc(...at(row), 2.6, 0, 7); pen.fill(); }
-      value.textContent = units.quantity(e, "m", 3);
-    }
+    const colours = drawing.palette(), { row } = player;
+    for (const inset of insets) one(inset, row, colours);
   };
+
+  // Beside the plots there is room below the mechanism; else they stand behind the plots.
+  const wide = matchMedia("(min-width: 1100px)"), section = document.getElementById("clearance");
+  const settle = () => {
+    if (wide.matches) document.getElementById("motion").append(section);
+    else document.getElementById("cards").insertAdjacentElement("afterend", section);
+  };
+  wide.addEventListener("change", settle);
+  settle();
   player.onRow(draw);
   units.onChange(draw);
   linkdyn.clearance = { draw };

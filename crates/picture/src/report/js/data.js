@@ -51,8 +51,21 @@ const linkdyn = {};
   const eventWord = (event) => event.type === "contact" && event.duration === 0 ? "impact" : event.type.replaceAll("_", " ");
   const eventEnd = (event) => event.end_time ?? (event.type === "contact" && rows ? Math.max(event.time, time[rows - 1]) : event.time);
 
+  // Where axes are cut, as the engine's rule for all pictures has it: [low, high] by the name of a column.
+  const uncut = [null, null];
+  const cutOf = (column) => Object.hasOwn(given.cuts, column.name) ? given.cuts[column.name] : uncut;
+
+  // The part of an icon that the page defines.
+  const icon = (name) => {
+    const [svg, use] = ["svg", "use"].map((tag) => document.createElementNS("http://www.w3.org/2000/svg", tag));
+    svg.setAttribute("class", "icon");
+    use.setAttribute("href", `#i-${name}`);
+    svg.append(use);
+    return svg;
+  };
+
   Object.assign(linkdyn, {
-    plain, element, ofContact, eventWord, eventEnd,
+    plain, element, icon, cutOf, ofContact, eventWord, eventEnd,
     summary: given.summary, about: given.about, source: given.source, mechanism: given.mechanism, palette: given.palette, notes: given.notes,
     rows, columns, byName, width: given.width,
     column: (name) => byName.get(name),

@@ -73,5 +73,6 @@
     set repeat(value) { repeat = value; },
     onRow: (listen) => listeners.push(listen),
     onState: (listen) => stateListeners.push(listen),
+    offState: (listen) => { const at = stateListeners.indexOf(listen); if (at >= 0) stateListeners.splice(at, 1); },
   };
 })();

@@ -1,11 +1,12 @@
 "use strict";
-// One plot: curves of columns with at most two units, over time or a driver's value.
+// One plot: curves of columns with at most two units, over what all plots share (time, a driver's value) or a column of its own.
 (() => {
-  const { player, units, element, rows, summary, drawing } = linkdyn;
-  const FOOT = 7;
+  const { player, units, element, icon, rows, drawing, plotMarks } = linkdyn;
+  const HEIGHT = 210;
   const DASHES = [[], [8, 4], [2, 3], [12, 3, 2, 3], [5, 5], [1, 4]];
+  const TURNS = [1, 2, 5, 10, 15, 30, 45, 90, 180, 360, 720, 1800, 3600, 7200, 18000, 36000];
   const { curves } = linkdyn.palette;
-  const stroke = (k) => curves[k % curves.length][linkdyn.theme.dark ? "dark" : "light"];
+  const stroke = (k, dark = linkdyn.theme.dark) => curves[k % curves.length][dark ? "dark" : "light"];
   const times = (values, factor) => Array.from(values, (value) => Number.isFinite(value) ? value * factor : null);
 
   // A curve over values that go to and fro, which uPlot's own paths are not made for.
@@ -22,85 +23,143 @@
     return { stroke: drawn, fill: null, clip: null, band: null, gaps: null, flags: 1 };
   };
 
-  // Ticks as short as can be.
+  // Ticks as short as can be; those of angles are parts of a turn.
   const tick = (u, splits) => splits.map((value) => value === null ? null : units.number(value, 6));
   const tickSize = (u, values) => 26 + 6.4 * Math.max(0, ...(values || []).map((text) => (text || "").length));
+  const ticks = (label) => label === "°" ? { incrs: [...[0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5], ...TURNS] } : {};
+
+  // A little more than what is there; something to see where all is one value.
+  const padded = (low, high) => {
+    if (!Number.isFinite(low) || !Number.isFinite(high)) return [-1, 1];
+    const most = Math.max(Math.abs(low), Math.abs(high));
+    const room = high - low > 1e-9 * most ? (high - low) * 0.07 : most > 0 ? most * 0.1 : 1;
+    return [low - room, high + room];
+  };
+
+  // The end of a long name tells more than its beginning.
+  const short = (name) => { const text = linkdyn.plain(name); return text.length > 26 ? `…${text.slice(-25)}` : text; };
 
   class Plot {
-    constructor(plots, columns) {
+    // `across`: a column of its own to be over, and whether a length has the same size both ways.
+    constructor(plots, columns, { across = null, equal = false } = {}) {
       this.plots = plots;
       this.columns = columns;
+      this.across = across;
+      this.equal = equal;
       this.chips = element("div", { className: "chips" });
       this.holder = element("div", { className: "canvas" });
       this.root = element("section", { className: "card", "aria-label": "Plot" }, this.chips, this.holder);
       this.u = null;
       this.width = 0;
-      new ResizeObserver(() => this.fit()).observe(this.holder);
+      this.height = HEIGHT;
+      this.labels = [];
+      // Not at once: a new height is a change of its own.
+      new ResizeObserver(() => setTimeout(() => this.fit(), 0)).observe(this.holder);
     }
 
     get units() { return [...new Set(this.columns.map((column) => column.unit))]; }
-    takes(column) { return !this.columns.includes(column) && (this.units.includes(column.unit) || this.units.length < 2); }
-    add(column) { this.columns.push(column); this.build(); }
+    get abscissa() { return this.across ? { ...this.across, label: short(this.across.name) } : this.plots.abscissa; }
+    get order() { return this.across ? { monotone: false, reversed: false } : this.plots.order; }
+    get zoom() { return this.across ? null : this.plots.zoom; }
+    takes(column) { return !this.columns.includes(column) && !this.across && (this.units.includes(column.unit) || this.units.length < 2); }
+    add(...columns) { this.columns.push(...columns); this.build(); }
 
     fit(wide) {
       const width = wide || Math.floor(this.holder.clientWidth);
-      if (width < 40 || width === this.width) return;
-      this.width = width;
-      if (this.u) { this.u.setSize({ width, height: 230 }); this.mark(); } else this.build();
+      const height = this.equal ? Math.min(Math.max(Math.round(width * 0.5), HEIGHT), 300) : HEIGHT;
+      if (width < 40 || (width === this.width && height === this.height && this.u)) return;
+      [this.width, this.height] = [width, height];
+      if (this.u) { this.u.setSize({ width, height }); this.u.setData(this.u.data, true); this.mark(); } else this.build();
     }
 
     build() {
       if (this.u) { this.u.destroy(); this.u = null; }
       this.head();
       if (!this.columns.length || this.width < 40) return;
-      const { abscissa } = this.plots, across = units.of(abscissa.unit), order = this.plots.order;
+      const { abscissa, order } = this, across = units.of(abscissa.unit);
       const arrange = (values) => order.reversed ? values.reverse() : values;
       const xs = arrange(times(abscissa.values, across.factor));
       const data = [xs, ...this.columns.map((column) => arrange(times(column.values, units.of(column.unit).factor)))];
       const [ink, grid] = [drawing.colour("muted"), drawing.colour("grid")];
-      const axis = { stroke: ink, grid: { stroke: grid, width: 1 }, ticks: { stroke: grid, width: 1, size: 5 }, font: "11.5px system-ui, sans-serif", labelFont: "12px system-ui, sans-serif" };
-      const whole = this.plots.range(xs);
-      const scales = { x: { time: false, range: (u, low, high) => this.plots.zoom ? this.plots.zoom : whole } };
-      const axes = [{ ...axis, values: tick, label: `${abscissa.label}${across.label === "–" ? "" : ` [${across.label}]`}`, labelSize: 18, size: 30 }];
+      const axis = { stroke: ink, grid: { stroke: grid, width: 1 }, ticks: { stroke: grid, width: 1, size: 5 }, font: "12px system-ui, sans-serif", labelFont: "12px system-ui, sans-serif" };
+      const whole = this.across ? padded(...this.plots.range(xs)) : this.plots.range(xs);
+      const scales = { x: { time: false, range: (u) => this.zoom || (this.equal ? this.even(u, data)[0] : whole) } };
+      const axes = [{ ...axis, ...ticks(across.label), values: tick, label: `${abscissa.label}${across.label === "–" ? "" : ` [${across.label}]`}`, labelSize: 16, size: 28 }];
       this.units.forEach((unit, k) => {
         const label = units.of(unit).label;
-        scales[unit] = { range: () => padded(...this.span(unit, data)) };
-        axes.push({ ...axis, scale: unit, side: k ? 1 : 3, values: tick, size: tickSize, label: `[${label}]`, labelSize: 18, grid: { ...axis.grid, show: k === 0 } });
+        scales[unit] = { range: (u) => this.equal ? this.even(u, data)[1] : padded(...this.span(unit, data)) };
+        axes.push({ ...axis, ...ticks(label), scale: unit, side: k ? 1 : 3, values: tick, size: tickSize, label: this.across ? `${short(this.columns[0].name)} [${label}]` : `[${label}]`, labelSize: 18, grid: { ...axis.grid, show: k === 0 } });
       });
       const series = [{}, ...this.columns.map((column, k) => ({
         scale: column.unit, stroke: stroke(k), width: 1.7, dash: DASHES[k % DASHES.length], spanGaps: false,
         points: { show: rows === 1 || undefined }, ...(order.monotone ? {} : { paths: wandering, points: { show: false } }),
       }))];
       this.u = new uPlot({
-        width: this.width, height: 230, scales, axes, series, legend: { show: false }, pxAlign: 0,
-        padding: [10, this.units.length > 1 ? 4 : 14, 0, 4],
-        cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: false, setScale: false }, bind: { dblclick: () => () => { this.plots.setZoom(null); return null; } } },
-        hooks: { drawClear: [(u) => this.events(u)], draw: [(u) => this.eventWords(u), () => this.mark()], setSelect: [(u) => this.select(u)] },
+        width: this.width, height: this.height, scales, axes, series, legend: { show: false }, pxAlign: 0,
+        padding: [8, this.units.length > 1 ? 4 : 14, 0, 4],
+        cursor: { x: false, y: false, points: { show: false }, drag: { x: !this.across, y: false, setScale: false }, bind: { dblclick: () => () => { this.plots.setZoom(null); return null; } } },
+        hooks: { drawClear: [(u) => plotMarks.events(this, u)], draw: [(u) => plotMarks.words(this, u), () => this.mark()], setSelect: [(u) => this.select(u)] },
       }, data, this.holder);
       this.line = element("div", { className: "now-line" });
       this.dots = this.columns.map((column, k) => { const dot = element("div", { className: "now-dot" }); dot.style.background = stroke(k); return dot; });
       this.u.over.append(this.line, ...this.dots);
-      this.u.over.addEventListener("pointermove", (event) => { if (!player.playing && (event.buttons === 0 || event.pointerType !== "mouse")) this.point(event); });
-      this.u.over.addEventListener("pointerdown", (event) => { if (event.pointerType !== "mouse") { player.pause(); this.point(event); } });
-      this.u.over.addEventListener("click", (event) => this.point(event));
+      if (this.equal) this.u.setData(data, true);
+      this.listen();
       this.mark();
     }
 
-    // Smallest and largest value in view of a unit's curves; without peaks where these would flatten all else.
-    span(unit, data) {
-      const zoom = this.plots.zoom, values = [];
-      this.columns.forEach((column, k) => {
-        if (column.unit === unit) data[k + 1].forEach((value, row) => {
-          const x = data[0][row];
-          if (value !== null && x !== null && !(zoom && (x < zoom[0] || x > zoom[1]))) values.push(value);
-        });
+    listen() {
+      const { over } = this.u;
+      over.addEventListener("pointermove", (event) => {
+        if (player.playing || (event.buttons !== 0 && event.pointerType === "mouse")) return;
+        this.point(event);
+        this.plots.hover(this, event);
       });
-      if (!values.length) return [NaN, NaN];
-      const sorted = Float64Array.from(values).sort(), last = sorted.length - 1;
-      const [low, high] = [sorted[0], sorted[last]];
-      if (!this.plots.cut) return [low, high];
-      const [a, b] = [sorted[Math.floor(last * 0.05)], sorted[Math.ceil(last * 0.95)]], room = 4 * (b - a);
-      return [a - low > room ? a - (b - a) * 0.5 : low, high - b > room ? b + (b - a) * 0.5 : high];
+      over.addEventListener("pointerleave", () => this.plots.leave());
+      over.addEventListener("pointerdown", (event) => { if (event.pointerType !== "mouse") { player.pause(); this.point(event); } });
+      over.addEventListener("click", (event) => this.point(event));
+    }
+
+    // Rows in view.
+    *inView(data) {
+      const { zoom } = this;
+      for (let row = 0; row < data[0].length; row++) {
+        const x = data[0][row];
+        if (x !== null && !(zoom && (x < zoom[0] || x > zoom[1]))) yield row;
+      }
+    }
+
+    // Lowest and highest value to show of a unit's curves: all in view, but for peaks that are cut off.
+    span(unit, data) {
+      let [least, most] = [Infinity, -Infinity];
+      this.columns.forEach((column, k) => {
+        if (column.unit !== unit) return;
+        const { factor } = units.of(unit), ends = this.plots.cut ? linkdyn.cutOf(column) : [null, null];
+        const [low, high] = [ends[0] === null ? -Infinity : ends[0] * factor, ends[1] === null ? Infinity : ends[1] * factor];
+        let [a, b, out, count, lowest, highest] = [Infinity, -Infinity, 0, 0, Infinity, -Infinity];
+        for (const row of this.inView(data)) {
+          const value = data[k + 1][row];
+          if (value === null) continue;
+          count++;
+          lowest = Math.min(lowest, value); highest = Math.max(highest, value);
+          if (value < low || value > high) out++;
+          a = Math.min(a, Math.max(value, low)); b = Math.max(b, Math.min(value, high));
+        }
+        // Who looks at the peak itself sees it.
+        if (out > 0.3 * count) [a, b] = [lowest, highest];
+        [least, most] = [Math.min(least, a), Math.max(most, b)];
+      });
+      return least > most ? [NaN, NaN] : [least, most];
+    }
+
+    // Ranges in which a length is as long across as upright.
+    even(u, data) {
+      const [[left, right], [low, high]] = [this.plots.range(data[0]), this.plots.range(data[1])].map((range) => padded(...range));
+      const [wide, tall] = [u.over ? u.over.clientWidth : 0, u.over ? u.over.clientHeight : 0];
+      if (!(wide > 0 && tall > 0)) return [[left, right], [low, high]];
+      const scale = Math.max((right - left) / wide, (high - low) / tall);
+      const around = (a, b, size) => [(a + b - scale * size) / 2, (a + b + scale * size) / 2];
+      return [around(left, right, wide), around(low, high, tall)];
     }
 
     select(u) {
@@ -110,63 +169,25 @@
       this.plots.setZoom([low, high]);
     }
 
+    // To the instant under the cursor.
     point(event) {
-      const left = event.clientX - this.u.over.getBoundingClientRect().left;
-      player.seek(this.plots.nearest(this.u.posToVal(left, "x") / units.of(this.plots.abscissa.unit).factor));
-    }
-
-    // Events as dashed lines, intervals shaded; those of contacts, which may be many, as marks at the foot.
-    events(u) {
-      const { left, top, height, width } = u.bbox, pen = u.ctx;
-      const colour = drawing.colour("warn");
-      pen.save();
-      pen.beginPath(); pen.rect(left, top, width, height); pen.clip();
-      for (const event of this.plots.events) {
-        const [from, to] = [event.from, event.to].map((value) => u.valToPos(value * units.of(this.plots.abscissa.unit).factor, "x", true));
-        if (!Number.isFinite(from)) continue;
-        pen.strokeStyle = pen.fillStyle = colour;
-        pen.lineWidth = 1.2 * devicePixelRatio;
-        if (event.low) {
-          pen.globalAlpha = event.interval ? 0.5 : 1;
-          pen.fillRect(Math.min(from, to), top + height - FOOT * devicePixelRatio, Math.max(Math.abs(to - from), devicePixelRatio), FOOT * devicePixelRatio);
-          pen.globalAlpha = 1;
-        } else if (event.interval) { pen.globalAlpha = 0.16; pen.fillRect(Math.min(from, to), top, Math.max(Math.abs(to - from), 2), height); pen.globalAlpha = 1; } else {
-          pen.setLineDash([5 * devicePixelRatio, 4 * devicePixelRatio]);
-          pen.beginPath(); pen.moveTo(from, top); pen.lineTo(from, top + height); pen.stroke();
-        }
-      }
-      pen.restore();
-    }
-
-    // Their words where they are few, in front of grid and curves.
-    eventWords(u) {
-      const { left, top, width } = u.bbox, pen = u.ctx, ratio = devicePixelRatio;
-      if (this.plots.events.length > 4) return;
-      pen.save();
-      pen.beginPath(); pen.rect(left, top, width, u.bbox.height); pen.clip();
-      pen.font = `${11 * ratio}px system-ui, sans-serif`;
-      pen.textBaseline = "top"; pen.textAlign = "left";
-      pen.lineWidth = 4 * ratio; pen.lineJoin = "round";
-      pen.strokeStyle = drawing.colour("card"); pen.fillStyle = drawing.colour("warn");
-      for (const [number, event] of this.plots.events.entries()) {
-        const from = u.valToPos(event.from * units.of(this.plots.abscissa.unit).factor, "x", true);
-        if (!Number.isFinite(from) || event.low) continue;
-        const wide = pen.measureText(event.word).width, gap = 4 * ratio;
-        const at = [from + gap + wide > left + width ? from - gap - wide : from + gap, top + (2 + 14 * number) * ratio];
-        pen.strokeText(event.word, ...at); pen.fillText(event.word, ...at);
-      }
-      pen.restore();
+      const box = this.u.over.getBoundingClientRect();
+      const x = this.u.posToVal(event.clientX - box.left, "x") / units.of(this.abscissa.unit).factor;
+      if (!this.across) { player.seek(this.plots.nearest(x)); return; }
+      const [column] = this.columns, y = this.u.posToVal(event.clientY - box.top, column.unit) / units.of(column.unit).factor;
+      const scale = (axis) => Math.abs(this.u.scales[axis].max - this.u.scales[axis].min) || 1;
+      player.seek(this.plots.closest([this.across.values, x, scale("x")], [column.values, y, scale(column.unit)]));
     }
 
     // The instant that is shown.
     mark() {
       const row = player.row;
-      this.values.forEach((node, k) => { node.textContent = units.quantity(this.columns[k].values[row], this.columns[k].unit); });
+      this.values.forEach((node, k) => { node.textContent = linkdyn.told(this.columns[k], row); });
       if (!this.u) return;
-      const across = units.of(this.plots.abscissa.unit).factor;
-      const left = this.u.valToPos(this.plots.abscissa.values[row] * across, "x");
+      const across = units.of(this.abscissa.unit).factor;
+      const left = this.u.valToPos(this.abscissa.values[row] * across, "x");
       const inside = Number.isFinite(left) && left >= -1 && left <= this.u.over.clientWidth + 1;
-      this.line.hidden = !inside;
+      this.line.hidden = !inside || this.across !== null;
       if (inside) this.line.style.left = `${left}px`;
       this.columns.forEach((column, k) => {
         const top = this.u.valToPos(column.values[row] * units.of(column.unit).factor, column.unit);
@@ -192,23 +213,23 @@
         return element("span", { className: "chip" }, swatch(k), element("span", { text: column.name, className: "text" }), value,
           element("button", { type: "button", text: "×", "aria-label": `Take ${linkdyn.plain(column.name)} off`, on: { click: drop } }));
       });
-      const input = element("input", { type: "text", list: "names", placeholder: "+ column", "aria-label": "Add a column to this plot" });
+      const tools = element("div", { className: "tools" });
+      const tool = (name, title, click) => tools.append(element("button", { type: "button", title, "aria-label": title, on: { click } }, icon(name)));
+      if (this.plots.tools) tools.append(this.plots.tools(this));
+      tool("close", "Remove this plot", () => this.plots.remove(this));
+      this.chips.replaceChildren(...chips, ...(this.across ? [] : [this.adder()]), tools);
+      this.mark();
+    }
+
+    // A name, a part of one, or a pattern such as joint.*.f.
+    adder() {
+      const input = element("input", { type: "text", list: "names", placeholder: "+ column", title: "A name, a part of one, or a pattern such as joint.*.f", "aria-label": "Add columns to this plot" });
       input.addEventListener("input", () => this.plots.suggest(input.value));
       input.addEventListener("focus", () => this.plots.suggest(input.value));
-      input.addEventListener("change", () => { const found = this.plots.find(input.value); input.value = ""; if (found) this.plots.add(found, this); });
-      const remove = element("button", { type: "button", className: "remove", text: "✕", title: "Remove this plot", "aria-label": "Remove this plot", on: { click: () => this.plots.remove(this) } });
-      this.chips.replaceChildren(...chips, input, remove);
-      this.mark();
+      input.addEventListener("change", () => { const text = input.value; input.value = ""; this.plots.addAll(this.plots.match(text), this); });
+      return input;
     }
   }
 
-  // A little more than what is there; something to see where all is one value.
-  const padded = (low, high) => {
-    if (!Number.isFinite(low) || !Number.isFinite(high)) return [-1, 1];
-    const most = Math.max(Math.abs(low), Math.abs(high));
-    const room = high - low > 1e-9 * most ? (high - low) * 0.07 : most > 0 ? most * 0.1 : 1;
-    return [low - room, high + room];
-  };
-
-  linkdyn.Plot = Plot;
+  Object.assign(linkdyn, { Plot, curve: { stroke, dashes: (k) => DASHES[k % DASHES.length] } });
 })();

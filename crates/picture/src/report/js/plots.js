@@ -1,9 +1,11 @@
 "use strict";
-// All plots: what they are over, which part is in view, which columns to begin with.
+// All plots: what they are over, which part is in view, which of them take a column.
 (() => {
-  const { Plot, player, units, element, columns, byName, mechanism, summary, time, rows } = linkdyn;
-  const cards = document.getElementById("cards"), names = document.getElementById("plotbar").appendChild(element("datalist", { id: "names" }));
-  const shown = columns.filter((column) => column.wanted && column.name !== "time");
+  const { Plot, player, units, element, byName, mechanism, summary, time, rows, choices } = linkdyn;
+  const { shown, presets, first, oneScale } = choices;
+  const MOST_COLUMNS = 6, MOST_MATCHES = 12;
+  const id = (name) => document.getElementById(name);
+  const cards = id("cards"), names = id("plotbar").appendChild(element("datalist", { id: "names" }));
   const drivers = mechanism.drivers.map(({ name }) => byName.get(`driver.${name}.value`)).filter(Boolean);
   const clock = { name: "time", label: "time", unit: "s", values: time };
   const axes = [clock, ...drivers.map((column) => ({ ...column, label: linkdyn.plain(column.name.slice(7, -6)) }))];
@@ -19,7 +21,7 @@
   };
 
   const plots = {
-    list: [], abscissa: clock, order: orderOf(time), zoom: null, cut: false, events: [], shown,
+    list: [], abscissa: clock, order: orderOf(time), zoom: null, cut: true, events: [], shown, tools: null, hover() {}, leave() {},
 
     range(xs) {
       const real = xs.filter((x) => x !== null);
@@ -29,7 +31,7 @@
     },
     setZoom(zoom) {
       plots.zoom = zoom;
-      document.getElementById("unzoom").disabled = !zoom;
+      id("unzoom").disabled = !zoom;
       for (const { u } of plots.list) if (u) u.setData(u.data, true);
       plots.mark();
     },
@@ -40,32 +42,72 @@
         const k = plots.abscissa === clock ? player.rowAt(value) : lower(values, value);
         return k + 1 < rows && Math.abs(values[k + 1] - value) < Math.abs(values[k] - value) ? k + 1 : k;
       }
-      let [best, least] = [player.row, Infinity];
       const [low, high] = plots.range(Array.from(values));
+      return plots.closest([values, value, high - low]);
+    },
+    // The row nearest in several quantities, each [values, value, size]; a row near the one that is shown is a little nearer.
+    closest(...quantities) {
+      let [best, least] = [player.row, Infinity];
       for (let k = 0; k < rows; k++) {
-        const away = Math.abs(values[k] - value) / (high - low) + 0.02 * Math.abs(k - player.row) / rows;
+        const away = Math.hypot(...quantities.map(([values, value, size]) => (values[k] - value) / size)) + 0.02 * Math.abs(k - player.row) / rows;
         if (away < least) [best, least] = [k, away];
       }
       return best;
     },
-    find: (name) => shown.find((column) => column.name === name.trim()),
+    // All that fit a pattern, the one that has the name, or the first that has it as a part.
+    match(text) {
+      const part = text.trim().toLowerCase();
+      if (!part) return [];
+      if (part.includes("*")) {
+        const parts = part.split("*").map((piece) => piece.replace(/[.+?^${}()|[\]\\]/g, "\\$&"));
+        const pattern = new RegExp(`^${parts.join(".*")}$`);
+        return shown.filter((column) => pattern.test(column.name.toLowerCase())).slice(0, MOST_MATCHES);
+      }
+      const found = shown.find((column) => column.name === text.trim()) || shown.find((column) => column.name.toLowerCase() === part)
+        || shown.find((column) => column.name.toLowerCase().startsWith(part)) || shown.find((column) => column.name.toLowerCase().includes(part));
+      return found ? [found] : [];
+    },
     suggest(text) {
       const part = text.trim().toLowerCase();
       const found = shown.filter((column) => column.name.toLowerCase().includes(part)).slice(0, 300);
       names.replaceChildren(...found.map((column) => element("option", { value: column.name })));
     },
-    // Into a plot that takes it, else into a new one.
+    // Into a plot that takes it, else into a new one; the plot where it is.
     add(column, plot) {
-      const target = plot && plot.takes(column) ? plot : plots.list.find((other) => other !== plot && other.columns.length < 4 && other.units.includes(column.unit) && other.takes(column));
-      if (target) target.add(column); else if (!plots.list.some((other) => other.columns.includes(column))) plots.open([column]);
+      const has = plots.list.find((other) => !other.across && other.columns.includes(column));
+      const target = plot && plot.takes(column) ? plot : has ? null : plots.list.find((other) => other !== plot && other.columns.length < MOST && other.units.includes(column.unit) && other.takes(column));
+      if (target) { target.add(column); return target; }
+      return has || plots.open([column]);
     },
-    open(list) {
-      if (!list.length) return;
-      const plot = new Plot(plots, [...list]);
+    // Several at once: what fits into the plot, up to what can be told apart, and the rest into new ones.
+    addAll(list, plot) {
+      const fitting = list.filter((column) => plot.takes(column)).slice(0, Math.max(MOST_COLUMNS - plot.columns.length, list.length === 1 ? 1 : 0));
+      const kinds = new Set(plot.units);
+      const taken = fitting.filter(({ unit }) => kinds.has(unit) || (kinds.size < 2 && kinds.add(unit)));
+      if (taken.length) plot.add(...taken);
+      let rest = list.filter((column) => !taken.includes(column) && !plot.columns.includes(column));
+      while (rest.length) {
+        const next = oneScale(rest);
+        if (!next.length) return;
+        plots.open(next);
+        rest = rest.filter((column) => !next.includes(column));
+      }
+    },
+    open(list, options) {
+      if (!list.length) return null;
+      const plot = new Plot(plots, [...list], options);
       plots.list.push(plot);
       cards.append(plot.root);
       plot.head();
       plot.fit();
+      return plot;
+    },
+    // Shows a plot that is there.
+    point(plot) {
+      plot.root.scrollIntoView({ block: "nearest" });
+      plot.root.classList.remove("called");
+      void plot.root.offsetWidth;
+      plot.root.classList.add("called");
     },
     remove(plot) {
       if (plot.u) plot.u.destroy();
@@ -75,6 +117,7 @@
     rebuild() { plots.list.forEach((plot) => plot.build()); },
     mark() { plots.list.forEach((plot) => plot.mark()); },
   };
+  const MOST = 4;
   const lower = (values, value) => { let [a, b] = [0, rows - 1]; while (a < b) { const m = Math.ceil((a + b) / 2); if (values[m] <= value) a = m; else b = m - 1; } return a; };
 
   // Events on the abscissa that is chosen; their times are kept for the scrub bar and tables.
@@ -88,67 +131,40 @@
     });
   };
 
-  // What is worth a plot, by kind of quantity.
-  const ending = (pattern, filter = () => true) => shown.filter((column) => pattern.test(column.name) && filter(column));
-  const bodies = new Set(mechanism.bodies.map(({ name }) => name));
-  const ofBody = (column) => bodies.has(column.name.split(".")[0]) && column.name.split(".").length === 2;
-  const presets = [
-    ["Driver efforts", ending(/^driver\..*\.effort$/)],
-    ["Joint forces", ending(/^joint\..*\.f$/)],
-    ["Transmission angles", ending(/^transmission\..*\.angle$/)],
-    ["Velocity ratio, mechanical advantage", ending(/^transmission\.(ratio|advantage)$/)],
-    ["Shaking force", ending(/^shaking\.(fx|fy|f)$/)],
-    ["Shaking moment", ending(/^shaking\.moment$/)],
-    ["Energies", ending(/^energy\./)],
-    ["Angles of bodies", ending(/\.angle$/, ofBody)],
-    ["Angular velocities", ending(/\.omega$/, ofBody)],
-    ["Angular accelerations", ending(/\.alpha$/, ofBody)],
-    ["Eccentricities", ending(/^joint\..*\.(eccentricity|ex|ey)$/)],
-    ["Penetrations", ending(/^joint\..*\.penetration$/)],
-    ["Contact forces", ending(/^joint\..*\.(normal|tangential)_force$/)],
-    ["Points", ending(/\.[xy]$/, (column) => column.name.split(".").length === 3)],
-    ["Applied forces", ending(/^force\..*\.(f|torque)$/)],
-  ].filter(([, list]) => list.length).map(([title, list]) => [title, oneScale(list)]);
-
-  // Columns that change, at most six, of at most two units.
-  function oneScale(list) {
-    const some = list.filter(({ values }) => values.some((value) => Number.isFinite(value)));
-    const lively = some.filter(({ values }) => values.some((value) => Number.isFinite(value) && value !== 0));
-    const kinds = [...new Set((lively.length ? lively : some).map(({ unit }) => unit))].slice(0, 2);
-    return (lively.length ? lively : some).filter(({ unit }) => kinds.includes(unit)).slice(0, 6);
-  }
-  const filled = presets.filter(([, list]) => list.length);
-
-  const choice = document.getElementById("presets");
-  choice.append(element("option", { text: "a plot …", value: "" }), ...filled.map(([title], k) => element("option", { text: title, value: k })));
-  choice.addEventListener("change", () => { if (choice.value !== "") plots.open(filled[Number(choice.value)][1]); choice.value = ""; });
-
-  const across = document.getElementById("abscissa");
-  across.append(...axes.map(({ label }, k) => element("option", { text: label, value: k })));
-  across.addEventListener("change", () => {
-    plots.abscissa = axes[Number(across.value)];
-    plots.order = orderOf(plots.abscissa.values);
-    plots.setZoom(null);
-    place();
-    plots.rebuild();
+  const choice = id("presets");
+  choice.append(element("option", { text: "+ plot", value: "" }), ...presets.map(({ title }, k) => element("option", { text: title, value: k })));
+  choice.addEventListener("change", () => {
+    if (choice.value !== "") { const preset = presets[Number(choice.value)]; plots.point(plots.open(preset.list, preset)); }
+    choice.value = "";
   });
-  document.getElementById("unzoom").addEventListener("click", () => plots.setZoom(null));
 
-  // Near singular positions peaks would hide all else.
-  plots.cut = summary.events.some(({ type }) => type === "change_point" || type === "dead_centre");
-  const cut = document.getElementById("cut");
+  const across = id("abscissa");
+  const over = (number) => {
+    plots.abscissa = axes[number];
+    plots.order = orderOf(plots.abscissa.values);
+    across.value = number;
+    place();
+  };
+  across.append(...axes.map(({ label }, k) => element("option", { text: label, value: k })));
+  across.addEventListener("change", () => { over(Number(across.value)); plots.setZoom(null); plots.rebuild(); });
+  id("unzoom").addEventListener("click", () => plots.setZoom(null));
+
+  const cut = id("cut");
   cut.checked = plots.cut;
+  id("cutting").hidden = !shown.some((column) => choices.lives(column) && linkdyn.cutOf(column).some((end) => end !== null));
   cut.addEventListener("change", () => { plots.cut = cut.checked; plots.setZoom(plots.zoom); });
 
-  place();
+  // An engineer reads over the crank's angle, where it goes one way.
+  const value = rows > 1 && mechanism.drivers.length === 1 && drivers.length === 1 ? drivers[0].values : null;
+  over(value && orderOf(value).monotone && value[0] !== value[rows - 1] ? 1 : 0);
   if (rows > 1) {
-    filled.slice(0, 6).forEach(([, list]) => plots.open(list));
-    if (!filled.length && shown.length) plots.open(oneScale(shown).slice(0, 3));
+    first.forEach((preset) => plots.open(preset.list, preset));
+    if (!first.length && shown.length) plots.open(oneScale(shown).slice(0, 3));
   }
-  document.getElementById("plots").hidden = rows < 2 || !shown.length;
+  id("plots").hidden = rows < 2 || !shown.length;
 
   player.onRow(() => plots.mark());
-  units.onChange(() => { plots.zoom = null; document.getElementById("unzoom").disabled = true; plots.rebuild(); });
+  units.onChange(() => { plots.zoom = null; id("unzoom").disabled = true; plots.rebuild(); });
   linkdyn.theme.onChange(() => plots.rebuild());
   linkdyn.plots = plots;
 })();

@@ -81,6 +81,35 @@
     return [low, high];
   });
 
+  // A driven slide between moving bodies is a cylinder: where barrel and piston are along its axis, from the first and the second
+  // point of the joint \[m\]. Bodies of which all points lie on the axis are drawn as part of it.
+  const inCylinder = mechanism.bodies.map(() => false);
+  const cylinders = mechanism.joints.map((joint, k) => {
+    const driven = mechanism.drivers.some((driver) => driver.type === "translation" && driver.joint === k);
+    const [[first, one], [second, other]] = joint.between;
+    if (!driven || joint.type !== "prismatic" || !joint.axis || first === 0 || second === 0 || !rows) return null;
+    // Along the axis, in the frame of the first body; both bodies keep their angle to each other.
+    const poses = sampled.map((row) => [pose(first, row), pose(second, row)]).find(([a, b]) => a && b);
+    if (!poses) return null;
+    const u = turn(poses[0], ...joint.axis);
+    const along = (body, origin, held) => mechanism.bodies[body].points.map(([, x, y]) => {
+      const from = mechanism.bodies[body].points[origin], [dx, dy] = turn(held, x - from[1], y - from[2]);
+      return [dx * u[0] + dy * u[1], Math.abs(dy * u[0] - dx * u[1])];
+    });
+    const [barrel, rod] = [along(first, one, poses[0]), along(second, other, poses[1])];
+    const [low, high] = strokes[k], ends = (list) => [Math.min(...list.map(([s]) => s)), Math.max(...list.map(([s]) => s))];
+    const [base] = ends(barrel);
+    let [piston, tip] = ends(rod);
+    const stroke = Math.max(high - low, 1e-9), thick = 0.12 * stroke;
+    // A rod of which only the tip is a point reaches back into the barrel.
+    if (tip - piston < stroke) piston = Math.min(piston, tip - stroke - Math.max(low + tip - stroke - base, 0) * 0.7);
+    const start = Math.min(base, low + piston - thick), end = high + piston + thick;
+    const slim = (list) => list.every(([, off]) => off < 1e-6 * (1 + Math.abs(high)));
+    if (slim(barrel)) inCylinder[first] = true;
+    if (slim(rod)) inCylinder[second] = true;
+    return { base: start, end, piston, tip };
+  });
+
   // The box in which everything stays.
   const box = (() => {
     let [left, right, bottom, top] = [Infinity, -Infinity, Infinity, -Infinity];
@@ -103,5 +132,5 @@
     return [...widen(left, right), ...widen(bottom, top)];
   })();
 
-  linkdyn.shapes = { known, pose, place, carry, turn, outlines, strokes, box };
+  linkdyn.shapes = { known, pose, place, carry, turn, outlines, strokes, cylinders, inCylinder, box };
 })();

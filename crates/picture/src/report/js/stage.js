@@ -1,7 +1,7 @@
 "use strict";
-// The canvas: what part of the plane it shows, paths of points, arrows, names.
+// The canvas: what part of the plane it shows, paths of points, forces, names.
 (() => {
-  const { mechanism, shapes, drawing, player, units, column, rows } = linkdyn;
+  const { mechanism, shapes, drawing, symbols, labels, forces, player, units, rows } = linkdyn;
   const canvas = document.getElementById("canvas");
   const pen = canvas.getContext("2d");
   const small = mechanism.bodies.length <= 14;
@@ -11,30 +11,24 @@
   let width = 0, height = 0, colours = null, wanted = false;
   const view = { x: 0, y: 0, scale: 1 };
 
+  // Room around the mechanism \[px\]: names, buttons above, the ruler below.
+  const ROOM = { left: 46, right: 46, top: 56, bottom: 50 };
   const whole = () => {
-    const [left, right, bottom, top] = shapes.box;
-    const margin = Math.min(64, width * 0.12);
-    view.x = (left + right) / 2; view.y = (bottom + top) / 2;
-    view.scale = Math.min(Math.max(width - 2 * margin, 40) / (right - left), Math.max(height - 1.7 * margin, 40) / (top - bottom));
+    const [left, right, bottom, top] = shapes.box, part = Math.min(1, width / 420, height / 260);
+    const room = Object.fromEntries(Object.entries(ROOM).map(([side, size]) => [side, size * part]));
+    view.scale = Math.min(Math.max(width - room.left - room.right, 40) / (right - left), Math.max(height - room.top - room.bottom, 40) / (top - bottom));
+    view.x = (left + right) / 2 + (room.right - room.left) / 2 / view.scale;
+    view.y = (bottom + top) / 2 + (room.top - room.bottom) / 2 / view.scale;
   };
 
-  // A large one of some forces over the run: it gets a fixed length.
-  const pairs = (prefix, things) => things.map(({ name }) => ["fx", "fy"].map((q) => column(`${prefix}.${name}.${q}`)));
-  const jointForces = pairs("joint", mechanism.joints), loadForces = pairs("force", mechanism.loads);
-  const torques = mechanism.loads.map(({ name }) => column(`force.${name}.torque`));
-  const typical = (list) => {
-    const sizes = [];
-    for (const [fx, fy] of list) if (fx && fy) for (let k = 0; k < rows; k++) {
-      const f = Math.hypot(fx.values[k], fy.values[k]);
-      if (f > 0) sizes.push(f);
-    }
-    // Not the largest: poles at singular positions would shrink all others.
-    return sizes.length ? Float64Array.from(sizes).sort()[Math.floor((sizes.length - 1) * 0.85)] : 0;
+  // The height that suits the mechanism at this width; the style sheet keeps it within the window.
+  const fit = () => {
+    const [left, right, bottom, top] = shapes.box, wide = canvas.parentElement.clientWidth - ROOM.left - ROOM.right;
+    const tall = Math.max(wide, 40) * (top - bottom) / (right - left) + ROOM.top + ROOM.bottom;
+    canvas.parentElement.style.setProperty("--fit", `${Math.round(Math.min(Math.max(tall, 220), 900))}px`);
   };
-  let unit = null;
-  const forceUnit = () => unit ??= { joints: typical(jointForces), loads: typical(loadForces) };
 
-  const trace = (end, number) => {
+  const trace = (pen, to, end, number) => {
     pen.beginPath();
     let down = false;
     for (let k = 0; k < rows; k++) {
@@ -50,72 +44,47 @@
 
   const to = ([x, y]) => [width / 2 + (x - view.x) * view.scale, height / 2 - (y - view.y) * view.scale];
 
-  const names = (list) => {
-    const taken = [];
-    // No name of a body covers a joint that is named.
-    const pins = list.filter(({ at, strong }) => at && !strong).map(({ at }) => at);
-    const covers = (x, y, wide) => pins.some((pin) => x - 6 < pin[0] && pin[0] < x + wide + 6 && Math.abs(y - pin[1]) < 13);
-    pen.font = "12px system-ui, sans-serif";
-    pen.textBaseline = "middle";
-    for (const { text, at, colour, strong, beside } of list) {
-      if (!at) continue;
-      const label = linkdyn.plain(text).slice(0, 40), wide = pen.measureText(label).width;
-      const gap = (beside || 6) + 5;
-      const places = strong ? [[-wide / 2, -14], [-wide / 2, 14], [10, -12], [-wide - 10, -12], [10, 14], [-wide - 10, 14], [-wide / 2, -27], [-wide / 2, 27]]
-        : [[gap, -gap], [-gap - wide, -gap], [gap, gap], [-gap - wide, gap], [gap, 0]];
-      const free = places.map(([dx, dy]) => [at[0] + dx, at[1] + dy])
-        .find(([x, y]) => x > 2 && x + wide < width - 46 && y > 9 && y < height - 9 && !(strong && covers(x, y, wide))
-          && !taken.some((t) => x < t[0] + t[2] + 4 && t[0] < x + wide + 4 && Math.abs(y - t[1]) < 14));
-      if (!free) continue;
-      taken.push([...free, wide]);
-      pen.lineWidth = 3.5; pen.strokeStyle = colours.card; pen.strokeText(label, ...free);
-      pen.fillStyle = colour; pen.fillText(label, ...free);
-    }
-  };
-
   // A length that is easy to read, as a bar.
-  const ruler = () => {
+  const ruler = (pen, { width, height }, scale, colours) => {
     const { factor } = units.of("m");
-    const about = Math.min(140, width * 0.25) / view.scale * factor;
+    const about = Math.min(140, width * 0.25) / scale * factor;
     const power = 10 ** Math.floor(Math.log10(about));
     const nice = [5, 2, 1].map((n) => n * power).find((n) => n <= about) || power;
-    const long = nice / factor * view.scale;
+    const long = nice / factor * scale;
+    const text = units.length(nice / factor), tall = 26;
     pen.strokeStyle = pen.fillStyle = colours.muted; pen.lineWidth = 1.4;
-    drawing.path(pen, [[14, height - 20], [14, height - 14], [14 + long, height - 14], [14 + long, height - 20]]);
+    symbols.path(pen, [[14, height - 15], [14, height - 9], [14 + long, height - 9], [14 + long, height - 15]]);
     pen.stroke();
     pen.font = "12px system-ui, sans-serif"; pen.textBaseline = "bottom";
-    pen.fillText(units.length(nice / factor), 20, height - 17);
+    pen.fillText(text, 20, height - 12);
+    return { x: 14, y: height - 9 - tall, wide: Math.max(long, pen.measureText(text).width + 8), tall, text };
   };
 
-  const arrows = (row, px) => {
-    const unit = forceUnit(), long = Math.min(width, height) * 0.25 * 10 ** (options.arrowScale / 2);
-    if (options.arrows && unit.joints > 0) {
-      pen.strokeStyle = pen.fillStyle = colours.force;
-      mechanism.joints.forEach(({ between }, k) => {
-        const [fx, fy] = jointForces[k], place = shapes.place(between[1], row);
-        if (!fx || !fy || !place) return;
-        const f = [fx.values[row], fy.values[row]].map((f) => f / unit.joints * long), from = to(place);
-        if (f.every(Number.isFinite)) drawing.arrow(pen, from, [from[0] + f[0], from[1] - f[1]], 2.4, px * 1.1);
-      });
-    }
-    if (options.loads) mechanism.loads.forEach(({ at, body }, k) => {
-      pen.strokeStyle = pen.fillStyle = colours.load;
-      const [fx, fy] = loadForces[k];
-      const place = at ? shapes.place(at, row) : shapes.place([body, 0], row);
-      if (!place) return;
-      const end = to(place);
-      if (fx && fy && unit.loads > 0) {
-        // Loads push on their point: the head is there.
-        const f = [fx.values[row], fy.values[row]].map((f) => f / unit.loads * long * 0.6);
-        if (!f.every(Number.isFinite)) return;
-        const tail = [end[0] - f[0], end[1] + f[1]];
-        // Where there is no room for the tail the arrow begins at the point.
-        if (tail[0] > 0 && tail[0] < width && tail[1] > 0 && tail[1] < height) drawing.arrow(pen, tail, end, 2.6, px);
-        else drawing.arrow(pen, end, [end[0] + f[0], end[1] - f[1]], 2.6, px);
-      } else if (torques[k] && torques[k].values[row] !== 0) {
-        drawing.round(pen, end, px * 2.4, torques[k].values[row] > 0, 2.6);
-      }
+  // What a cursor is on has a halo.
+  let halo = null;
+  const buttons = () => [...document.querySelectorAll("#view")].map((node) => ({ x: node.offsetLeft, y: node.offsetTop, wide: node.offsetWidth, tall: node.offsetHeight }));
+  let drawn = [];
+
+  // Everything, on any pen; returns the boxes of all texts.
+  const picture = (pen, size, to, scale, row, background, taken, colours) => {
+    const { width, height } = size;
+    const px = Math.min(Math.max(Math.min(width, height) * 0.026, 6.5), 13) * (mechanism.bodies.length > 60 ? 0.5 : 1);
+    const names = drawing.draw(pen, { to, scale, px, row, colours, show });
+    pen.strokeStyle = colours.accent; pen.lineWidth = 1.4;
+    [...options.traces].forEach((key, k) => trace(pen, to, key.split(",").map(Number), k));
+    [...options.traces].forEach((key) => {
+      const at = shapes.place(key.split(",").map(Number), row);
+      if (!at) return;
+      pen.fillStyle = colours.accent; pen.beginPath(); pen.arc(...to(at), 4, 0, 7); pen.fill();
     });
+    const list = names.filter(({ strong }) => !strong || show.bodies);
+    const scales = forces.draw({ pen, to, px, row, width, height, colours, names: list }, options);
+    if (halo) halo({ pen, to, row, px, colours });
+    const foot = rows ? [ruler(pen, size, scale, colours)] : [];
+    foot.push(...forces.legend(pen, scales, foot.length ? foot[0].x + foot[0].wide + 18 : 14, height - 8));
+    // Values and pins before bodies, of which the colours tell as much.
+    list.sort((a, b) => Number(Boolean(a.strong)) - Number(Boolean(b.strong)));
+    return [...foot, ...labels.draw(pen, list, { width, height, taken: [...taken, ...foot], background })];
   };
 
   const paint = () => {
@@ -126,29 +95,21 @@
     if (options.follow) { const at = shapes.place(options.follow, row); if (at) [view.x, view.y] = at; }
     pen.clearRect(0, 0, width, height);
     if (!shapes.known && mechanism.bodies.length > 1) return;
-    const px = Math.min(Math.max(Math.min(width, height) * 0.024, 7), 13) * (mechanism.bodies.length > 60 ? 0.5 : 1);
-    pen.strokeStyle = colours.accent; pen.lineWidth = 1.4;
-    [...options.traces].forEach((key, k) => trace(key.split(",").map(Number), k));
-    const list = drawing.draw(pen, { to, scale: view.scale, px, row, colours, show });
-    [...options.traces].forEach((key) => {
-      const at = shapes.place(key.split(",").map(Number), row);
-      if (!at) return;
-      pen.fillStyle = colours.accent; pen.beginPath(); pen.arc(...to(at), 4, 0, 7); pen.fill();
-    });
-    arrows(row, px);
-    names(list.filter(({ strong }) => !strong || show.bodies));
-    if (rows) ruler();
+    drawn = picture(pen, { width, height }, to, view.scale, row, colours.card, paper ? [] : buttons(), colours);
   };
   const draw = () => { if (!wanted) { wanted = true; requestAnimationFrame(paint); } };
 
-  const resize = (paper) => {
-    const box = paper || canvas.parentElement.getBoundingClientRect();
-    const before = width;
+  let paper = false;
+  const resize = (sheet) => {
+    paper = Boolean(sheet);
+    if (!paper) fit();
+    const box = sheet || canvas.parentElement.getBoundingClientRect();
+    const before = `${width} ${height}`;
     const ratio = window.devicePixelRatio || 1;
     [width, height] = [box.width, box.height];
     canvas.width = Math.round(width * ratio); canvas.height = Math.round(height * ratio);
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-    if (before !== width) whole();
+    if (before !== `${width} ${height}`) whole();
     paint();
   };
 
@@ -161,11 +122,13 @@
 
   // Drag to move, wheel with a key or pinch to zoom: the wheel alone scrolls the page.
   const fingers = new Map();
-  canvas.addEventListener("pointerdown", (event) => { fingers.set(event.pointerId, [event.clientX, event.clientY]); canvas.setPointerCapture(event.pointerId); });
+  let moved = false;
+  canvas.addEventListener("pointerdown", (event) => { moved = false; fingers.set(event.pointerId, [event.clientX, event.clientY]); canvas.setPointerCapture(event.pointerId); });
   canvas.addEventListener("pointermove", (event) => {
     const before = fingers.get(event.pointerId);
     if (!before) return;
     const now = [event.clientX, event.clientY];
+    moved ||= Math.hypot(now[0] - before[0], now[1] - before[1]) > 3;
     const other = [...fingers].find(([id]) => id !== event.pointerId);
     if (other) {
       const far = (p) => Math.hypot(p[0] - other[1][0], p[1] - other[1][1]);
@@ -187,8 +150,15 @@
   player.onRow(draw);
   units.onChange(draw);
   linkdyn.stage = {
-    options, draw, paint, zoom, resize, whole: () => { whole(); draw(); },
+    options, draw, paint, zoom, resize, picture, whole: () => { whole(); draw(); },
     recolour: () => { colours = null; paint(); },
-    hasForces: jointForces.some(([fx]) => fx),
+    hasForces: forces.hasJoints,
+    get labels() { return drawn; },
+    get size() { return { width, height }; },
+    set halo(draws) { halo = draws; draw(); },
+    to: (place) => to(place),
+    // What is shown, on another pen.
+    pose: (pen) => picture(pen, { width, height }, to, view.scale, player.row, "#ffffff", [], drawing.palette()),
+    canvas, moving: () => fingers.size > 0 && moved,
   };
 })();

@@ -5,6 +5,8 @@
     "m": [1e3, "mm"], "m/s": [1e3, "mm/s"], "rad": [180 / Math.PI, "°"], "rad/s": [30 / Math.PI, "rpm"],
     "m/rad": [1e3, "mm/rad"], "rad/m": [1e-3, "rad/mm"], "N/(N*m)": [1e-3, "N/N·mm"], "N*m/N": [1e3, "N·mm/N"],
   };
+  // Large values of these are written in thousands.
+  const thousands = { "N": "kN", "N*m": "kN·m", "W": "kW", "J": "kJ" };
   const pretty = (unit) => unit === "1" ? "–" : unit.replaceAll("*", "·").replace("^2", "²");
   const listeners = [];
   let system = "engineering";
@@ -20,7 +22,8 @@
     if (value === null || value === undefined || !Number.isFinite(value)) return "–";
     if (value === 0) return "0";
     const size = Math.abs(value);
-    const text = size >= 1e6 || size < 1e-3 ? value.toExponential(digits - 1) : value.toPrecision(digits);
+    // Numbers below a million are written out, with no more digits than are known.
+    const text = size >= 1e6 || size < 1e-3 ? value.toExponential(digits - 1) : String(Number(value.toPrecision(digits)));
     const [mantissa, exponent] = text.split("e");
     const short = mantissa.includes(".") ? mantissa.replace(/\.?0+$/, "") : mantissa;
     return (exponent === undefined ? short : `${short}e${Number(exponent)}`).replaceAll("-", "−");
@@ -32,6 +35,7 @@
     // Round-off of lengths and angles is nothing.
     if ((unit === "m" || unit === "rad") && Math.abs(value) < 1e-12) value = 0;
     const { factor, label } = of(unit);
+    if (system === "engineering" && Object.hasOwn(thousands, unit) && Math.abs(value) >= 9999.5) return `${number(value / 1e3, digits)} ${thousands[unit]}`;
     return number(value * factor, digits) + (label === "–" ? "" : label === "°" ? "°" : " " + label);
   };
 

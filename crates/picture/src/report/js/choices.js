@@ -1,0 +1,85 @@
+"use strict";
+// Which columns are worth a plot, and which come first: what the model asks for, then what drives, what carries most, how fast.
+(() => {
+  const { columns, byName, mechanism, summary } = linkdyn;
+  const MOST = 4;
+  const shown = columns.filter((column) => column.wanted && column.name !== "time");
+  const ending = (pattern, filter = () => true) => shown.filter((column) => pattern.test(column.name) && filter(column));
+
+  // The largest size of a column, and of all columns of its unit: what is tiny beside them is round-off.
+  const sizes = new Map();
+  const size = (column) => {
+    if (!sizes.has(column)) {
+      let most = 0;
+      for (const value of column.values) if (Math.abs(value) > most && Number.isFinite(value)) most = Math.abs(value);
+      sizes.set(column, most);
+    }
+    return sizes.get(column);
+  };
+  const ofUnit = new Map();
+  for (const column of columns) ofUnit.set(column.unit, Math.max(ofUnit.get(column.unit) || 0, size(column)));
+  const nothing = (value, unit) => Math.abs(value) <= 1e-11 * (ofUnit.get(unit) || 0);
+  const lives = (column) => size(column) > 0 && !nothing(size(column), column.unit);
+  const varies = (column) => {
+    let [low, high] = [Infinity, -Infinity];
+    for (const value of column.values) if (Number.isFinite(value)) { low = Math.min(low, value); high = Math.max(high, value); }
+    return high - low > 1e-9 * size(column) && high > low;
+  };
+  const largest = (list, most = MOST) => [...list].sort((a, b) => size(b) - size(a)).slice(0, most);
+
+  // Of at most two units, at most six.
+  const oneScale = (list) => {
+    const alive = list.filter(lives), some = alive.length ? alive : list.filter(({ values }) => values.some(Number.isFinite));
+    const kinds = [...new Set(some.map(({ unit }) => unit))].slice(0, 2);
+    return some.filter(({ unit }) => kinds.includes(unit)).slice(0, 6);
+  };
+
+  const bodies = new Set(mechanism.bodies.map(({ name }) => name));
+  const ofBody = (column) => bodies.has(column.name.split(".")[0]) && column.name.split(".").length === 2;
+  const points = mechanism.points.map(([body, number]) => `${mechanism.bodies[body].name}.${mechanism.bodies[body].points[number][0]}`);
+  const both = (name) => ["x", "y"].map((part) => byName.get(`${name}.${part}`)).filter((column) => column && column.wanted);
+
+  const presets = [];
+  const add = (title, list, first, across) => {
+    const usable = across ? list.filter((column) => column && across) : oneScale(list);
+    if (usable.length) presets.push({ title, list: usable, first, ...(across || {}) });
+  };
+  const dynamics = (summary.settings || {}).type === "dynamics", free = dynamics && !mechanism.drivers.length;
+
+  points.forEach((name, k) => add(`Position of ${name}`, both(name).filter(varies), k < 2));
+  points.forEach((name, k) => { const [x, y] = both(name); if (x && y && varies(x) && varies(y)) add(`Path of ${name}`, [y], k < 1, { across: x, equal: true }); });
+  add("Velocity ratio, mechanical advantage", ending(/^transmission\.(ratio|advantage)$/), true);
+  add("Transmission angles", ending(/^transmission\..*\.angle$/), true);
+  add("Driver efforts", ending(/^driver\..*\.effort$/), true);
+  if (free) add("Angles of bodies", largest(ending(/\.angle$/, ofBody).filter(varies)), true);
+  add("Largest joint forces", largest(ending(/^joint\..*\.f$/)), true);
+  add("Contact forces", ending(/^joint\..*\.normal_force$/), dynamics);
+  add("Angular velocities", largest(ending(/\.omega$/, ofBody).filter(varies)), true);
+  if (free) for (const angle of ending(/\.angle$/, ofBody).filter(varies).slice(0, 2)) {
+    const omega = byName.get(angle.name.replace(/angle$/, "omega"));
+    if (omega && omega.wanted) add(`Phase plane of ${angle.name.slice(0, -6)}`, [omega], presets.every(({ title }) => !title.startsWith("Phase")), { across: angle });
+  }
+  add("Energies", ending(/^energy\./), dynamics);
+  add("Eccentricities", ending(/^joint\..*\.eccentricity$/), dynamics);
+  add("Shaking force", ending(/^shaking\.(fx|fy|f)$/), !dynamics);
+  add("Applied forces", ending(/^force\..*\.(f|torque)$/), !dynamics);
+  if (!free) add("Angles of bodies", largest(ending(/\.angle$/, ofBody).filter(varies)), !ending(/^driver\..*\.effort$|^joint\..*\.f$/).length);
+  add("Angular accelerations", largest(ending(/\.alpha$/, ofBody)), false);
+  add("Shaking moment", ending(/^shaking\.moment$/), false);
+  for (const ex of ending(/^joint\..*\.ex$/).slice(0, 8)) {
+    const ey = byName.get(ex.name.replace(/x$/, "y"));
+    if (ey && ey.wanted && (lives(ex) || lives(ey))) add(`Orbit in ${ex.name.slice(6, -3)}`, [ey], false, { across: ex, equal: true });
+  }
+  add("Penetrations", ending(/^joint\..*\.penetration$/), false);
+  add("Friction in contacts", ending(/^joint\..*\.tangential_force$/), false);
+
+  const MOST_FIRST = 8;
+  const first = presets.filter(({ first }) => first).slice(0, MOST_FIRST);
+  // A value as text; round-off beside what others of its unit are is nothing.
+  const told = (column, row, digits) => {
+    const value = column.values[row];
+    return linkdyn.units.quantity(nothing(value, column.unit) ? 0 : value, column.unit, digits);
+  };
+  linkdyn.told = told;
+  linkdyn.choices = { shown, presets, first, oneScale, largest, size, nothing, lives, varies };
+})();

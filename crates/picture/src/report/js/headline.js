@@ -1,0 +1,98 @@
+"use strict";
+// The numbers that a reader looks for first: effort, largest forces, strokes, speeds, contacts.
+(() => {
+  const { mechanism, summary, columns, time, rows, shapes, units, column, choices, plain } = linkdyn;
+  const bodies = new Set(mechanism.bodies.map(({ name }) => name));
+  const MOST = 4;
+
+  // Rows of the smallest and the largest value.
+  const known = new Map();
+  const ends = (column) => {
+    if (!known.has(column)) {
+      let [low, high] = [-1, -1];
+      const { values } = column;
+      for (let k = 0; k < values.length; k++) {
+        if (!Number.isFinite(values[k])) continue;
+        if (low < 0 || values[k] < values[low]) low = k;
+        if (high < 0 || values[k] > values[high]) high = k;
+      }
+      known.set(column, [low, high]);
+    }
+    return known.get(column);
+  };
+  // The row of the value of largest size.
+  const peak = (column) => {
+    const [low, high] = ends(column);
+    return low >= 0 && Math.abs(column.values[low]) > Math.abs(column.values[high]) ? low : high;
+  };
+  const range = (column) => { const [low, high] = ends(column); return low < 0 ? NaN : column.values[high] - column.values[low]; };
+
+  // Root of the mean square over time.
+  const rms = ({ values }) => {
+    let [sum, span] = [0, 0];
+    for (let k = 1; k < rows; k++) {
+      const step = time[k] - time[k - 1], mean = (values[k] ** 2 + values[k - 1] ** 2) / 2;
+      if (Number.isFinite(mean)) { sum += mean * step; span += step; }
+    }
+    return span > 0 ? Math.sqrt(sum / span) : NaN;
+  };
+
+  // How far a block or pin goes along its guide.
+  const stroke = ({ between, axis }) => {
+    let [low, high] = [Infinity, -Infinity];
+    for (let row = 0, step = Math.max(1, Math.ceil(rows / 2000)); row < rows; row += step) {
+      const pose = shapes.pose(between[0][0], row), [a, b] = between.map((end) => shapes.place(end, row));
+      if (!pose || !a || !b) continue;
+      const u = shapes.turn(pose, ...axis), slide = u[0] * (b[0] - a[0]) + u[1] * (b[1] - a[1]);
+      low = Math.min(low, slide); high = Math.max(high, slide);
+    }
+    return high - low;
+  };
+
+  // [what, of what, SI value, unit, row]
+  const list = [];
+  const put = (what, name, value, unit, row, column) => { if (Number.isFinite(value)) list.push({ what, name: plain(name), value: choices.nothing(value, unit) ? 0 : value, unit, row, column }); };
+  const at = (what, name, found, row = peak(found)) => { if (row >= 0) put(what, name, found.values[row], found.unit, row, found); };
+  const wanted = (name) => { const found = column(name); return found && found.wanted ? found : undefined; };
+  const speed = (vx, vy) => {
+    let best = -1, most = -1;
+    for (let k = 0; k < rows; k++) { const v = Math.hypot(vx.values[k], vy.values[k]); if (v > most) [best, most] = [k, v]; }
+    return [most, best];
+  };
+
+  const collect = () => {
+    for (const { name } of mechanism.drivers.slice(0, MOST)) {
+      const effort = wanted(`driver.${name}.effort`);
+      if (!effort) continue;
+      at("Peak effort of", name, effort);
+      if (rows > 2) put("Root mean square effort of", name, rms(effort), effort.unit);
+    }
+    const forces = columns.filter(({ name, wanted }) => wanted && /^joint\..*\.f$/.test(name));
+    for (const found of choices.largest(forces, MOST).filter(choices.lives)) at("Largest force in", found.name.slice(6, -2), found);
+    for (const key of ["ratio", "advantage"]) {
+      const found = wanted(`transmission.${key}`), word = key === "ratio" ? "Velocity ratio" : "Mechanical advantage";
+      if (found && ends(found)[0] >= 0) for (const [k, size] of ["smallest", "largest"].entries()) at(`${word}, ${size}`, "", found, ends(found)[k]);
+    }
+    for (const found of columns.filter(({ name, wanted }) => wanted && /^transmission\..*\.angle$/.test(name)).slice(0, MOST)) at("Smallest transmission angle at", found.name.slice(13, -6), found, ends(found)[0]);
+    if (rows < 2) return;
+    for (const joint of mechanism.joints.filter(({ axis }) => axis).slice(0, MOST)) put("Stroke of", joint.name, stroke(joint), "m");
+    const angles = columns.filter(({ name, wanted }) => wanted && name.endsWith(".angle") && bodies.has(name.slice(0, -6)) && name.split(".").length === 2);
+    for (const found of angles.filter((found) => choices.varies(found) && range(found) < 2 * Math.PI).slice(0, MOST)) put("Swing of", found.name.slice(0, -6), range(found), "rad");
+    for (const [body, number] of mechanism.points.slice(0, MOST)) {
+      const name = `${mechanism.bodies[body].name}.${mechanism.bodies[body].points[number][0]}`;
+      const [x, y, vx, vy] = ["x", "y", "vx", "vy"].map((key) => wanted(`${name}.${key}`));
+      if (x) put("Travel across of", name, range(x), "m");
+      if (y) put("Travel upright of", name, range(y), "m");
+      if (vx && vy) { const [most, row] = speed(vx, vy); put("Highest speed of", name, most, vx.unit, row, vx); }
+    }
+    const omegas = columns.filter(({ name, wanted }) => wanted && name.endsWith(".omega") && bodies.has(name.slice(0, -6)));
+    for (const found of choices.largest(omegas, 2).filter(choices.lives)) at("Highest angular velocity of", found.name.slice(0, -6), found);
+    for (const [joint, sums] of Object.entries(summary.clearances || {}).slice(0, MOST)) {
+      const depth = wanted(`joint.${joint}.penetration`);
+      if (depth) at("Deepest penetration in", joint, depth, ends(depth)[1]);
+      put("Energy lost in contacts of", joint, sums.energy_lost, "J");
+    }
+  };
+  if (rows) collect();
+  linkdyn.headline = { list, ends, peak };
+})();

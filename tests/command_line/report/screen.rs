@@ -1,0 +1,59 @@
+//! What is on the screen: sizes, what stands beside what, what covers what.
+
+use super::*;
+
+/// Sizes of windows: a phone, a tablet, laptops, a desk.
+const SIZES: [[u32; 2]; 5] = [
+    [390, 844],
+    [820, 1180],
+    [1280, 720],
+    [1440, 900],
+    [1920, 1080],
+];
+
+/// What a page looks like in a window.
+fn look(page: &str, size: [u32; 2]) -> Option<Value> {
+    let browser = find()?;
+    let script = include_str!("screen.js");
+    let (told, visit) = ask_in(&browser, page, script, Some(3000), size);
+    assert!(visit.console.is_empty(), "{size:?}: {:#?}", visit.console);
+    Some(told)
+}
+
+/// Of several kinds: inverse dynamics with a declared point, a change point, contact with events, no driver.
+#[test]
+fn mechanism_and_first_plot_are_on_the_first_screen() {
+    for model in [
+        "four-bar",
+        "lock",
+        "slider-crank-clearance",
+        "double-pendulum",
+    ] {
+        let (page, _, _) = run(&[model]);
+        for size in SIZES {
+            let Some(told) = look(&page, size) else {
+                return;
+            };
+            let number = |key: &str| told[key].as_f64().expect("a number");
+            let [width, height] = size.map(f64::from);
+            let of = format!("{model} {size:?}: {told:#}");
+            assert_eq!((number("width"), number("height")), (width, height));
+            assert!(
+                number("scroll_width") <= width,
+                "wider than the window: {of}"
+            );
+            assert!(
+                number("first_bottom") <= height,
+                "the first plot is below the fold: {of}"
+            );
+            assert!(
+                number("first_tall") > 100.0 && number("stage_tall") >= 180.0,
+                "{of}"
+            );
+            assert!(number("stage_bottom") <= height, "{of}");
+            assert_eq!(told["beside"], width >= 1100.0, "{of}");
+            // Whoever reads the last table still sees the mechanism.
+            assert_eq!(told["in_sight_below"], true, "{of}");
+        }
+    }
+}
