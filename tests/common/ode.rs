@@ -85,7 +85,7 @@ pub fn fixed(n: usize, h: f64) -> (Tolerance, Limits) {
         Limits {
             initial_step: Some(h),
             max_step: Some(h),
-            min_step: None,
+            ..Limits::default()
         },
     )
 }

@@ -75,6 +75,7 @@ fn radau5_is_of_order_5_and_its_dense_output_of_3() {
                 initial_step: Some(h),
                 max_step: Some(h),
                 min_step: Some(h),
+                ..Limits::default()
             };
             let mut stepper = Radau5::new(tolerance(n, 1e-3), limits);
             let mut problem = solved.problem();

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! 1. ψ from the ideal forces; 2. positions, velocities, accelerations, forces with these offsets; 3. ψ from these
-//!    forces; repeat from 2 until no body coordinate changes by more than ε.
+//!    forces; repeat from 2 until no body coordinate changes by more than ε, lengths measured by the mechanism's size.
 //!
 //! Positions are reached from the ideal ones by letting the offsets grow from zero (homotopy), so the solution is the one
 //! connected to the ideal branch, and a fold on the way proves that it ends before the clearance is reached.
@@ -19,7 +19,7 @@ use crate::system::{Evaluation, Inputs, System};
 use linkdyn_linear::math::{Vec2, dot, perp};
 use std::f64::consts::{PI, TAU};
 
-/// Largest change of any body coordinate [m, rad] at which the fixed point counts as found.
+/// Largest change of any body coordinate, in rad or mechanism sizes, at which the fixed point counts as found.
 pub const EPSILON: f64 = 1e-10;
 /// Most passes at one instant.
 pub const MOST_PASSES: usize = 50;
@@ -36,7 +36,7 @@ pub enum Fixpoint {
         /// Passes that it took.
         passes: usize,
     },
-    /// The last pass moved a coordinate by this much [m or rad].
+    /// The last pass moved a coordinate by this much, in rad or mechanism sizes.
     NotConverged {
         /// Largest change of a coordinate [m or rad].
         change: f64,
@@ -131,11 +131,8 @@ impl ClearanceLinks {
                 self.before = None;
                 return Fixpoint::NoSolution { pass };
             }
-            let change = sample
-                .q
-                .iter()
-                .zip(&last)
-                .fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()));
+            let moved: Vec<f64> = sample.q.iter().zip(&last).map(|(a, b)| a - b).collect();
+            let change = system.scaled_norm(&moved);
             last.copy_from_slice(&sample.q);
             if pass > 1 && change < EPSILON {
                 outcome = Fixpoint::Converged { passes: pass };

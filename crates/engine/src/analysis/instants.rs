@@ -106,7 +106,8 @@ fn sampled(system: &System, sample: Sampled) -> Result<Vec<OutputInstant>, Compl
         let message = format!("more than {MOST_OUTPUTS} outputs");
         return Err(Complaint::new("analysis.sample.step", message).found(sample.step.to_string()));
     }
-    let latest = horizon(law, &[sample.from, sample.to]);
+    let rate = law.rate(system.measure_scale(system.drivers[driver].measure));
+    let latest = horizon(law, rate, &[sample.from, sample.to]);
     let count = intervals as usize;
     let stretch = latest.map(|latest| law.first_stretch(latest));
     let mut guess = 0.0;
@@ -144,10 +145,24 @@ fn sampled(system: &System, sample: Sampled) -> Result<Vec<OutputInstant>, Compl
     Ok(instants)
 }
 
-/// A time by which the law has passed all `values` or turned back: doubling from 1 ms on.
-fn horizon(law: &crate::motion::Law, values: &[f64]) -> Option<f64> {
+/// Part of the time in which a law moves by a radian or the mechanism's size, in which it has not passed anything yet.
+const SOON: f64 = 1e-6;
+
+/// Doublings of it after which a value is never reached: by then the law would have passed 10¹³ of them.
+const DOUBLINGS: u32 = 64;
+
+/// A time by which the law, of this rate [1/s], has passed all `values` or turned back: by doubling.
+fn horizon(law: &crate::motion::Law, rate: f64, values: &[f64]) -> Option<f64> {
+    let rate = if rate.is_normal() { rate } else { 1.0 };
+    // Among 2ᵏ ms, so that it does not depend on where the search begins.
     let mut end = 1e-3;
-    while end < 1e9 {
+    while end * rate < SOON {
+        end *= 2.0;
+    }
+    while end * rate > SOON {
+        end *= 0.5;
+    }
+    for _ in 0..DOUBLINGS {
         if values.iter().all(|&value| law.invert(value, end).is_some()) {
             return Some(end);
         }

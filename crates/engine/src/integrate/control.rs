@@ -8,6 +8,16 @@ pub(super) const ATTEMPTS: usize = 100;
 /// A step that misses the end by less than this part of itself is stretched.
 const STRETCH: f64 = 1.01;
 
+/// First step where f tells nothing, rates that tell nothing, and second derivatives that are none, all by the unit of a
+/// first step.
+const FIRST: f64 = 1e-6;
+const SLOW: f64 = 1e-5;
+const STRAIGHT: f64 = 1e-15;
+
+/// Units of a first step are powers of this: a first step need be known by its order alone, and steps of motions that last some
+/// milliseconds or some minutes are chosen in seconds.
+const UNITS: f64 = 1_048_576.0;
+
 /// √(Σ (eᵢ wᵢ)² / n) for errors e and weights w.
 pub(super) fn rms(errors: &[f64], weights: &[f64]) -> f64 {
     let sum: f64 = errors
@@ -97,10 +107,25 @@ pub(super) struct Probe<'a> {
     pub dy: &'a mut [f64],
 }
 
+/// The power of [`UNITS`] that is nearest to a pace.
+fn unit(pace: f64) -> f64 {
+    let mut unit = 1.0;
+    if !pace.is_normal() {
+        return unit;
+    }
+    while unit * UNITS.sqrt() < pace {
+        unit *= UNITS;
+    }
+    while unit > pace * UNITS.sqrt() {
+        unit /= UNITS;
+    }
+    unit
+}
+
 /// Length of a first step (Hairer, Nørsett and Wanner, 1993, §II.4).
 ///
-/// An Euler step that changes y by a hundredth gives |y″|; then hᵖ · max(|y′|, |y″|) = 0.01. `dy` is f(t, y); the
-/// second result counts evaluations.
+/// An Euler step that changes y by a hundredth gives |y″|; then hᵖ · max(|y′|, |y″|) = 0.01, where t is measured in units near
+/// the pace of y. `dy` is f(t, y); the second result counts evaluations.
 pub(super) fn first_step(
     ode: &mut dyn Ode,
     t: f64,
@@ -116,9 +141,10 @@ pub(super) fn first_step(
     if let Some(h) = limits.initial_step {
         return (h.abs().min(longest), 0);
     }
+    let unit = unit(limits.pace.unwrap_or(1.0));
     let (size, slope) = (rms(y, probe.weights), rms(dy, probe.weights));
-    let mut h = if size < 1e-5 || slope < 1e-5 {
-        1e-6
+    let mut h = if size < SLOW || slope * unit < SLOW {
+        FIRST * unit
     } else {
         0.01 * size / slope
     };
@@ -136,11 +162,12 @@ pub(super) fn first_step(
             for (next, dy) in probe.dy.iter_mut().zip(dy) {
                 *next -= dy;
             }
-            let steepest = slope.max(rms(probe.dy, probe.weights) / h);
-            let second = if steepest <= 1e-15 {
-                (1e-3 * h).max(1e-6)
+            let change = rms(probe.dy, probe.weights) * unit;
+            let steepest = (slope * unit).max(change / (h / unit));
+            let second = if steepest <= STRAIGHT {
+                (1e-3 * h).max(FIRST * unit)
             } else {
-                (probe.root)(0.01 / steepest)
+                (probe.root)(0.01 / steepest) * unit
             };
             return (second.min(100.0 * h).min(longest), evaluations);
         }

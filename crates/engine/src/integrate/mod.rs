@@ -79,6 +79,9 @@ pub struct Limits {
     pub max_step: Option<f64>,
     /// Where the error asks for less, integration fails; ten rounding units of t where not given.
     pub min_step: Option<f64>,
+    /// In which y changes, in units of t, by its order of magnitude; 1 where not given. Where f tells little about it, a first
+    /// step is chosen by it.
+    pub pace: Option<f64>,
 }
 
 /// Why integration can't go on from `t`.

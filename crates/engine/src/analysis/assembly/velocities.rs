@@ -5,9 +5,12 @@ use crate::mechanism::least_velocity::least_velocity;
 use crate::system::{Inputs, System};
 use linkdyn_output::Status;
 
-/// Initial velocities that miss the constraints by more than this [1/s] conflict with them: values written with eight
-/// digits pass.
+/// Initial velocities that miss the constraints by more than this part of the fastest velocity conflict with them: values
+/// written with eight digits pass.
 const CONFLICT: f64 = 1e-7;
+
+/// The same of the mechanism's own rate, 1/T: what is this slow is round-off of a zero.
+const STILL: f64 = 1e-12;
 
 /// Velocities at an assembled position: those of least kinetic energy that satisfy constraints, drivers and the given
 /// initial velocities; where masses are unknown, of least square (lengths by the mechanism's size).
@@ -32,7 +35,9 @@ pub fn velocities_near(
     let (v, residual) = least_velocity(system, q, inputs, with_initial, near);
     let speed = system.scaled_norm(&v);
     let off = linkdyn_linear::math::max_abs(&residual);
-    if !system.initial_rates.is_empty() && (off.is_nan() || off > CONFLICT * (1.0 + speed)) {
+    if !system.initial_rates.is_empty()
+        && (off.is_nan() || off > CONFLICT * speed + STILL / system.scale.time)
+    {
         let names: Vec<&str> = system
             .initial_rates
             .iter()

@@ -132,6 +132,7 @@ fn stepper(
     let limits = Limits {
         initial_step,
         max_step,
+        pace: Some(flow.system().scale.time),
         ..Limits::default()
     };
     method.stepper(flow.tolerance(wanted), limits)
