@@ -16,6 +16,7 @@ use linkdyn_output::{Mobility, Status};
 const WIDTH: usize = 96;
 
 #[derive(Debug, Args)]
+#[command(after_help = HELP)]
 pub struct Options {
     #[command(flatten)]
     model: ModelOptions,
@@ -23,6 +24,11 @@ pub struct Options {
     #[arg(long)]
     json: bool,
 }
+
+const HELP: &str = "  linkdyn check mine.json
+  linkdyn check lock --json
+
+What a message means, and what to do: linkdyn docs messages.";
 
 /// Diagnoses and tells.
 pub fn execute(options: &Options) -> Result<Exit, BadInput> {

@@ -11,6 +11,7 @@
 //! | `near`      | the name that was probably meant                         |
 //! | `measures`  | options that are numbers with limits                     |
 //! | `watch`     | runs again when a file changes                           |
+//! | `live`      | the page that shows the report of each of these runs     |
 //! | `progress`  | the line that tells how far a run has come               |
 //! | `interrupt` | Ctrl-C                                                   |
 //! | `gallery`   | pictures of the bundled models                           |
@@ -24,6 +25,7 @@ mod docs;
 mod exit;
 mod gallery;
 mod interrupt;
+mod live;
 mod man;
 mod measures;
 mod models;

@@ -14,6 +14,7 @@ use linkdyn_model::bundled::{self, Bundled, NotBundled};
 use linkdyn_output::Directory;
 
 #[derive(Debug, Args)]
+#[command(after_help = HELP)]
 pub struct Options {
     /// Print this one as JSON
     name: Option<String>,
@@ -24,6 +25,12 @@ pub struct Options {
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
 }
+
+const HELP: &str = "  linkdyn models
+  linkdyn models slider-crank > mine.json
+  linkdyn models -o pictures
+
+What each of them is tested against: linkdyn docs models.";
 
 /// Width of the list.
 const WIDTH: usize = 110;

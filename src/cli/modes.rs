@@ -26,6 +26,7 @@ const SHAPE_DIGITS: usize = 3;
 const MOST_SHAPES: usize = 8;
 
 #[derive(Debug, Args)]
+#[command(after_help = HELP)]
 pub struct Options {
     #[command(flatten)]
     model: ModelOptions,
@@ -39,6 +40,11 @@ pub struct Options {
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
 }
+
+const HELP: &str = "  linkdyn modes double-pendulum
+  linkdyn modes scotch-yoke --set \"drivers={}\" -o out
+
+How the equilibrium is found: linkdyn docs theory. What the files hold: linkdyn docs results.";
 
 /// Linearises, writes, tells.
 pub fn execute(options: &Options) -> Result<Exit, BadInput> {

@@ -41,6 +41,7 @@ const TEMPLATES: [(&str, &str, &str); 5] = [
 ];
 
 #[derive(Debug, Args)]
+#[command(after_help = HELP)]
 pub struct Options {
     /// Which starter model: four-bar, slider-crank, pendulum, spring-mass or clearance
     #[arg(default_value = "four-bar")]
@@ -52,6 +53,11 @@ pub struct Options {
     #[arg(long)]
     force: bool,
 }
+
+const HELP: &str = "  linkdyn new -o mine.json
+  linkdyn new clearance -o worn.json
+
+How a model is made, step by step: linkdyn docs tutorial. All that may stand in it: linkdyn docs format.";
 
 /// Writes the model and tells what to type next.
 pub fn execute(options: &Options) -> Result<Exit, BadInput> {

@@ -20,7 +20,7 @@ pub struct ModelOptions {
     /// Path of a model file, or name of a bundled model
     #[arg(value_name = "MODEL")]
     model: PathBuf,
-    /// Override a value of the model; may be given more than once
+    /// Override a value of the model, as in parameters.crank="120 mm"; may be given more than once
     #[arg(long = "set", value_name = "PATH=VALUE")]
     sets: Vec<String>,
 }

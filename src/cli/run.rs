@@ -9,6 +9,7 @@ use crate::files::{self, Written, open_directory, summary_text, write};
 use crate::questions::deadline;
 
 use super::exit::{BadInput, Exit};
+use super::live::Live;
 use super::open::{ModelOptions, Opened};
 use super::progress::Line;
 use super::streams::{complain, print, print_with, remark};
@@ -67,11 +68,24 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     if !clash.is_empty() {
         return Err(BadInput(clash));
     }
-    if options.watch {
-        watch(options.model.path(), || once(options))
-    } else {
-        once(options)
+    if !options.watch {
+        return once(options);
     }
+    let shown = options.output.as_deref().filter(|_| !options.no_report);
+    let mut live = None;
+    watch(options.model.path(), || {
+        let exit = once(options)?;
+        let Some(path) = shown else {
+            return Ok((exit, String::new()));
+        };
+        let live = match &mut live {
+            Some(live) => live,
+            // Its directory is there since the run has written into it.
+            none => none.insert(Live::new(Directory::open(path)?)),
+        };
+        let page = live.show()?;
+        Ok((exit, format!("; {page} shows the report of each run")))
+    })
 }
 
 /// Runs, writes, tells.

@@ -17,6 +17,7 @@ use linkdyn_output::Directory;
 use linkdyn_validation::{CASES, Case, CaseError, Claim, Verdict};
 
 #[derive(Debug, Args)]
+#[command(after_help = HELP)]
 pub struct Options {
     /// Cases to run; all where none is named
     #[arg(value_name = "CASE")]
@@ -25,6 +26,11 @@ pub struct Options {
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
 }
+
+const HELP: &str = "  linkdyn validate lock-ideal
+  linkdyn validate lock -o out
+
+What the cases are, and what is not reproduced: linkdyn docs validation.";
 
 /// Runs the cases and tells.
 pub fn execute(options: &Options) -> Result<Exit, BadInput> {

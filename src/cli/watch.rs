@@ -21,12 +21,13 @@ fn version(path: &Path) -> Version {
 }
 
 /// Runs, and again whenever the file has changed. Faults of the file are told and waited out; an interrupt is the end.
+/// A run returns how it ended, and a word about where to look, if there is one.
 ///
 /// # Errors
 /// When there is no file to watch.
 pub fn watch(
     path: &Path,
-    mut run: impl FnMut() -> Result<Exit, BadInput>,
+    mut run: impl FnMut() -> Result<(Exit, String), BadInput>,
 ) -> Result<Exit, BadInput> {
     let label = path.display();
     if !path.is_file() {
@@ -34,15 +35,16 @@ pub fn watch(
             "{label}: --watch wants the path of a model file (`linkdyn models NAME > FILE` writes a bundled model)"
         )]));
     }
+    let mut look = String::new();
     loop {
         let seen = version(path);
         match run() {
-            Ok(Exit::Interrupted) => return Ok(Exit::Interrupted),
-            Ok(Exit::Done | Exit::Fault | Exit::BadInput | Exit::Stopped) => {}
+            Ok((Exit::Interrupted, _)) => return Ok(Exit::Interrupted),
+            Ok((Exit::Done | Exit::Fault | Exit::BadInput | Exit::Stopped, word)) => look = word,
             Err(BadInput(lines)) => lines.iter().for_each(|line| complain(line)),
         }
         remark(&format!(
-            "watching {label}: save it to run again, Ctrl-C ends; reload report.html in the browser after a run"
+            "watching {label}: save it to run again, Ctrl-C ends{look}"
         ));
         if !changed(path, seen) {
             return Ok(Exit::Interrupted);

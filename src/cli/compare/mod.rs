@@ -49,7 +49,9 @@ pub struct Options {
 
 const HELP: &str = "Only \"model\" of the joints' clearance changes from run to run. joint.NAME.force is the magnitude of a \
 joint's force.\n\nExit status: that of the run that went worst: 3 where one stopped early, 2 where a model asked for by \
---models can't be run; models of the default ladder that can't be run are skipped.";
+--models can't be run; models of the default ladder that can't be run are skipped.
+
+What each model can and can't show: linkdyn docs theory.";
 
 /// Runs all, writes, tells.
 pub fn execute(options: &Options) -> Result<Exit, BadInput> {
