@@ -1,7 +1,8 @@
 //! The systems of one mechanism by the rows in force, each made when it is first wanted.
 //!
 //! They are picked from rows that are compiled already (see [`System::with_rows`]) and stay where they are, so that solvers
-//! may borrow them.
+//! may borrow them. One system with a mask would not do: patterns, scales and eliminations belong to one set of rows, and a
+//! motion comes back to few of them often.
 
 use crate::element::Constraint;
 use crate::system::System;

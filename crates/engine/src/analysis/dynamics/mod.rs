@@ -1,6 +1,6 @@
 //! Forward dynamics: the motion that forces and masses bring about, with drivers where there are some.
 //!
-//! A motion is a hybrid system ([`simulation`]):
+//! A motion is a hybrid system (`simulation`):
 //!
 //! ```text
 //! state         y and its layout: coordinates, bristles, work, sums of contacts

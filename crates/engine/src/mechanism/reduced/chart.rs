@@ -22,7 +22,7 @@ pub(super) enum Chart<'s> {
     /// Coordinates, and bridges across parts' change points.
     Coordinates(Extrapolation<'s>),
     /// A curve of one coordinate.
-    Curve(Curve<'s>),
+    Curve(Box<Curve<'s>>),
 }
 
 impl<'s> Chart<'s> {

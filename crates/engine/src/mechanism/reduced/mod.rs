@@ -95,7 +95,7 @@ impl<'s> Reduced<'s> {
         let zero = vec![0.0; n];
         let still = system.drivers.iter().all(|driver| driver.law.is_constant());
         let chart = if still && f == 1 {
-            Chart::Curve(Curve::new(n, Extrapolation::default()))
+            Chart::Curve(Box::new(Curve::new(n, Extrapolation::default())))
         } else {
             Chart::Coordinates(Extrapolation::default())
         };
