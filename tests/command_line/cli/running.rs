@@ -34,6 +34,9 @@ fn a_run_that_stops_early_tells_its_json_all_the_same() {
     let told: Value = serde_json::from_str(&ran.stdout).expect("JSON");
     assert_eq!(told["status"], "dead_centre");
     assert!(ran.stderr.contains(told["message"].as_str().expect("why")));
+    let rows = linkdyn(&[&["run", "lock", "-o", "-"][..], &sets].concat());
+    assert!(rows.status == Some(3) && rows.stderr.contains("dead centre"));
+    assert!(rows.stdout.starts_with("time[s],") && rows.stdout.lines().count() > 100);
     // Bad input leaves no half of a document.
     let ran = refused(&["run", "lock", "--json", "--set", "unit=1"], 2, "unknown");
     assert_eq!(ran.stdout, "");
