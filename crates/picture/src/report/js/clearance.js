@@ -48,17 +48,17 @@
     });
   };
 
-  const orbit = (pen, at, colours) => {
-    pen.strokeStyle = colours.muted; pen.lineWidth = 1;
-    pen.beginPath();
+  const orbit = (inset, at) => {
+    if (inset.orbit) return inset.orbit;
+    const path = inset.orbit = new Path2D();
     let down = false;
     for (let k = 0; k < rows; k++) {
       const p = at(k);
       if (!p.every(Number.isFinite)) { down = false; continue; }
-      if (down) pen.lineTo(...p); else pen.moveTo(...p);
+      if (down) path.lineTo(...p); else path.moveTo(...p);
       down = true;
     }
-    pen.stroke();
+    return path;
   };
 
   const one = (inset, row, colours) => {
@@ -82,7 +82,7 @@
     // The circle on which the centre is while the journal touches.
     pen.strokeStyle = colours.muted; pen.lineWidth = 0.8; pen.setLineDash([2, 3]);
     pen.beginPath(); pen.arc(middle, middle, GAP, 0, 7); pen.stroke(); pen.setLineDash([]);
-    orbit(pen, at, colours);
+    pen.strokeStyle = colours.muted; pen.lineWidth = 1; pen.stroke(orbit(inset, at));
     const f = fx && fy ? [fx.values[row], fy.values[row]] : [0, 0], size = Math.hypot(...f);
     if (Number.isFinite(e) && size > 0 && most > 0) {
       // By the root, so that small forces are seen beside the blows.

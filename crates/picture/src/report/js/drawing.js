@@ -14,8 +14,14 @@
     const { fill, line } = bodies[(k - 1) % bodies.length];
     return { fill: fill[theme], line: line[theme] };
   };
+  // Kept until the theme changes: to ask for a colour takes longer than to draw with it.
+  const kept = new Map();
   const palette = () => {
     const dark = linkdyn.theme.dark;
+    if (!kept.has(dark)) kept.set(dark, colours(dark));
+    return kept.get(dark);
+  };
+  const colours = (dark) => {
     const names = ["card", "ink", "muted", "steel", "ground", "pin", "force", "load", "accent", "line"];
     const found = Object.fromEntries(names.map((name) => [name, colour(name)]));
     return { ...found, dark, body: (k) => k === 0 ? { fill: found.card, line: found.ground } : body(k, dark ? "dark" : "light") };

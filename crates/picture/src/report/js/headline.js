@@ -81,8 +81,8 @@
     for (const [body, number] of mechanism.points.slice(0, MOST)) {
       const name = `${mechanism.bodies[body].name}.${mechanism.bodies[body].points[number][0]}`;
       const [x, y, vx, vy] = ["x", "y", "vx", "vy"].map((key) => wanted(`${name}.${key}`));
-      if (x) put("Travel across of", name, range(x), "m");
-      if (y) put("Travel upright of", name, range(y), "m");
+      if (x) put("Horizontal travel of", name, range(x), "m");
+      if (y) put("Vertical travel of", name, range(y), "m");
       if (vx && vy) { const [most, row] = speed(vx, vy); put("Highest speed of", name, most, vx.unit, row, vx); }
     }
     const omegas = columns.filter(({ name, wanted }) => wanted && name.endsWith(".omega") && bodies.has(name.slice(0, -6)));

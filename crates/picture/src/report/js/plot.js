@@ -54,6 +54,9 @@
       this.height = HEIGHT;
       this.labels = [];
       // Not at once: a new height is a change of its own.
+      // What is out of sight need not follow.
+      this.seen = true;
+      new IntersectionObserver(([entry]) => { this.seen = entry.isIntersecting; if (this.seen) this.mark(); }).observe(this.root);
       new ResizeObserver(() => setTimeout(() => this.fit(), 0)).observe(this.holder);
     }
 
@@ -76,7 +79,7 @@
       if (this.u) { this.u.destroy(); this.u = null; }
       this.head();
       if (!this.columns.length || this.width < 40) return;
-      const { abscissa, order } = this, across = units.of(abscissa.unit);
+      const { abscissa, order } = this, across = units.of(abscissa.unit), columns = [...this.columns];
       const arrange = (values) => order.reversed ? values.reverse() : values;
       const xs = arrange(times(abscissa.values, across.factor));
       const data = [xs, ...this.columns.map((column) => arrange(times(column.values, units.of(column.unit).factor)))];
@@ -87,18 +90,20 @@
       const axes = [{ ...axis, ...ticks(across.label), values: tick, label: `${abscissa.label}${across.label === "–" ? "" : ` [${across.label}]`}`, labelSize: 16, size: 28 }];
       this.units.forEach((unit, k) => {
         const label = units.of(unit).label;
-        scales[unit] = { range: (u) => this.equal ? this.even(u, data)[1] : padded(...this.span(unit, data)) };
+        scales[unit] = { range: (u) => this.equal ? this.even(u, data)[1] : padded(...this.span(unit, data, columns)) };
         axes.push({ ...axis, ...ticks(label), scale: unit, side: k ? 1 : 3, values: tick, size: tickSize, label: this.across ? `${short(this.columns[0].name)} [${label}]` : `[${label}]`, labelSize: 18, grid: { ...axis.grid, show: k === 0 } });
       });
       const series = [{}, ...this.columns.map((column, k) => ({
         scale: column.unit, stroke: stroke(k), width: 1.7, dash: DASHES[k % DASHES.length], spanGaps: false,
         points: { show: rows === 1 || undefined }, ...(order.monotone ? {} : { paths: wandering, points: { show: false } }),
       }))];
+      // uPlot draws later: a plot that was rebuilt meanwhile has nothing to say.
+      const alive = (act) => (u) => { if (this.u === u) act(u); };
       this.u = new uPlot({
         width: this.width, height: this.height, scales, axes, series, legend: { show: false }, pxAlign: 0,
         padding: [8, this.units.length > 1 ? 4 : 14, 0, 4],
         cursor: { x: false, y: false, points: { show: false }, drag: { x: !this.across, y: false, setScale: false }, bind: { dblclick: () => () => { this.plots.setZoom(null); return null; } } },
-        hooks: { drawClear: [(u) => plotMarks.events(this, u)], draw: [(u) => plotMarks.words(this, u), () => this.mark()], setSelect: [(u) => this.select(u)] },
+        hooks: { drawClear: [alive((u) => plotMarks.events(this, u))], draw: [alive((u) => plotMarks.words(this, u)), alive(() => this.mark())], setSelect: [alive((u) => this.select(u))] },
       }, data, this.holder);
       this.line = element("div", { className: "now-line" });
       this.dots = this.columns.map((column, k) => { const dot = element("div", { className: "now-dot" }); dot.style.background = stroke(k); return dot; });
@@ -130,9 +135,9 @@
     }
 
     // Lowest and highest value to show of a unit's curves: all in view, but for peaks that are cut off.
-    span(unit, data) {
+    span(unit, data, columns) {
       let [least, most] = [Infinity, -Infinity];
-      this.columns.forEach((column, k) => {
+      columns.forEach((column, k) => {
         if (column.unit !== unit) return;
         const { factor } = units.of(unit), ends = this.plots.cut ? linkdyn.cutOf(column) : [null, null];
         const [low, high] = [ends[0] === null ? -Infinity : ends[0] * factor, ends[1] === null ? Infinity : ends[1] * factor];
@@ -186,13 +191,15 @@
       if (!this.u) return;
       const across = units.of(this.abscissa.unit).factor;
       const left = this.u.valToPos(this.abscissa.values[row] * across, "x");
-      const inside = Number.isFinite(left) && left >= -1 && left <= this.u.over.clientWidth + 1;
+      // Sizes that uPlot keeps: to ask the page for them would make it lay itself out for every plot anew.
+      const [wide, tall] = [this.u.bbox.width, this.u.bbox.height].map((size) => size / devicePixelRatio);
+      const inside = Number.isFinite(left) && left >= -1 && left <= wide + 1;
       this.line.hidden = !inside || this.across !== null;
-      if (inside) this.line.style.left = `${left}px`;
+      if (inside) this.line.style.transform = `translateX(${left}px)`;
       this.columns.forEach((column, k) => {
         const top = this.u.valToPos(column.values[row] * units.of(column.unit).factor, column.unit);
-        this.dots[k].hidden = !inside || !Number.isFinite(top) || top < -5 || top > this.u.over.clientHeight + 5;
-        if (!this.dots[k].hidden) { this.dots[k].style.left = `${left}px`; this.dots[k].style.top = `${top}px`; }
+        this.dots[k].hidden = !inside || !Number.isFinite(top) || top < -5 || top > tall + 5;
+        if (!this.dots[k].hidden) this.dots[k].style.transform = `translate(${left}px, ${top}px)`;
       });
     }
 

@@ -163,7 +163,7 @@
   }
   id("plots").hidden = rows < 2 || !shown.length;
 
-  player.onRow(() => plots.mark());
+  player.onRow(() => plots.list.forEach((plot) => { if (plot.seen) plot.mark(); }));
   units.onChange(() => { plots.zoom = null; id("unzoom").disabled = true; plots.rebuild(); });
   linkdyn.theme.onChange(() => plots.rebuild());
   linkdyn.plots = plots;

@@ -63,23 +63,20 @@
   for (let k = 0, step = Math.max(1, Math.ceil(rows / most)); k < rows; k += step) sampled.push(k);
   if (rows > 0 && sampled[sampled.length - 1] !== rows - 1) sampled.push(rows - 1);
 
-  // How far the second point of a guide goes along its axis.
-  const strokes = mechanism.joints.map((joint) => {
-    if (!joint.axis) return null;
-    // A guide on a body reaches to the body's point.
-    let low = 0, high = 0, any = joint.between[0][0] !== 0;
+  // Least and greatest place of the second point of a guide along its axis, of these and the ones that are there.
+  const slides = (joint, low = Infinity, high = -Infinity) => {
     for (const row of sampled) {
       const [a, b] = joint.between.map((end) => place(end, row));
       const at = pose(joint.between[0][0], row);
       if (!a || !b || !at) continue;
       const u = turn(at, joint.axis[0], joint.axis[1]);
       const slide = u[0] * (b[0] - a[0]) + u[1] * (b[1] - a[1]);
-      low = any ? Math.min(low, slide) : slide;
-      high = any ? Math.max(high, slide) : slide;
-      any = true;
+      [low, high] = [Math.min(low, slide), Math.max(high, slide)];
     }
-    return [low, high];
-  });
+    return low > high ? [0, 0] : [low, high];
+  };
+  // How far guides reach; one on a body reaches to the body's point.
+  const strokes = mechanism.joints.map((joint) => !joint.axis ? null : joint.between[0][0] === 0 ? slides(joint) : slides(joint, 0, 0));
 
   // A driven slide between moving bodies is a cylinder: where barrel and piston are along its axis, from the first and the second
   // point of the joint \[m\]. Bodies of which all points lie on the axis are drawn as part of it.
@@ -97,12 +94,13 @@
       return [dx * u[0] + dy * u[1], Math.abs(dy * u[0] - dx * u[1])];
     });
     const [barrel, rod] = [along(first, one, poses[0]), along(second, other, poses[1])];
-    const [low, high] = strokes[k], ends = (list) => [Math.min(...list.map(([s]) => s)), Math.max(...list.map(([s]) => s))];
+    const ends = (list) => [Math.min(...list.map(([s]) => s)), Math.max(...list.map(([s]) => s))];
+    const [low, high] = slides(joint);
     const [base] = ends(barrel);
     let [piston, tip] = ends(rod);
-    const stroke = Math.max(high - low, 1e-9), thick = 0.12 * stroke;
-    // A rod of which only the tip is a point reaches back into the barrel.
-    if (tip - piston < stroke) piston = Math.min(piston, tip - stroke - Math.max(low + tip - stroke - base, 0) * 0.7);
+    const stroke = Math.max(high - low, 1e-9), thick = 0.06 * stroke + 0.02 * Math.abs(low - base);
+    // A rod of which only the tip is a point reaches so far back that the piston stays in a barrel that the tip stays out of.
+    if (tip - piston < 0.5 * stroke) piston = tip - stroke - 3 * thick;
     const start = Math.min(base, low + piston - thick), end = high + piston + thick;
     const slim = (list) => list.every(([, off]) => off < 1e-6 * (1 + Math.abs(high)));
     if (slim(barrel)) inCylinder[first] = true;

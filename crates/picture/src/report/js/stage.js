@@ -28,8 +28,8 @@
     canvas.parentElement.style.setProperty("--fit", `${Math.round(Math.min(Math.max(tall, 220), 900))}px`);
   };
 
-  const trace = (pen, to, end, number) => {
-    pen.beginPath();
+  // The path of a point, on any pen that draws lines.
+  const along = (pen, to, end) => {
     let down = false;
     for (let k = 0; k < rows; k++) {
       const place = shapes.place(end, k);
@@ -37,8 +37,22 @@
       if (down) pen.lineTo(...to(place)); else pen.moveTo(...to(place));
       down = true;
     }
+  };
+  // Kept as long as the view stays: it would take most of the time of a frame.
+  const kept = { view: "", paths: new Map() };
+  const trace = (pen, to, key, number) => {
+    const end = key.split(",").map(Number);
     pen.setLineDash(TRACE_DASHES[number % TRACE_DASHES.length]);
-    pen.stroke();
+    if (pen.canvas === canvas) {
+      const now = [view.x, view.y, view.scale, width, height].join(" ");
+      if (kept.view !== now) { kept.view = now; kept.paths.clear(); }
+      if (!kept.paths.has(key)) { const path = new Path2D(); along(path, to, end); kept.paths.set(key, path); }
+      pen.stroke(kept.paths.get(key));
+    } else {
+      pen.beginPath();
+      along(pen, to, end);
+      pen.stroke();
+    }
     pen.setLineDash([]);
   };
 
@@ -62,7 +76,8 @@
 
   // What a cursor is on has a halo.
   let halo = null;
-  const buttons = () => [...document.querySelectorAll("#view")].map((node) => ({ x: node.offsetLeft, y: node.offsetTop, wide: node.offsetWidth, tall: node.offsetHeight }));
+  let placed = null;
+  const buttons = () => placed ??= [...document.querySelectorAll("#view")].map((node) => ({ x: node.offsetLeft, y: node.offsetTop, wide: node.offsetWidth, tall: node.offsetHeight }));
   let drawn = [];
 
   // Everything, on any pen; returns the boxes of all texts.
@@ -71,7 +86,7 @@
     const px = Math.min(Math.max(Math.min(width, height) * 0.026, 6.5), 13) * (mechanism.bodies.length > 60 ? 0.5 : 1);
     const names = drawing.draw(pen, { to, scale, px, row, colours, show });
     pen.strokeStyle = colours.accent; pen.lineWidth = 1.4;
-    [...options.traces].forEach((key, k) => trace(pen, to, key.split(",").map(Number), k));
+    [...options.traces].forEach((key, k) => trace(pen, to, key, k));
     [...options.traces].forEach((key) => {
       const at = shapes.place(key.split(",").map(Number), row);
       if (!at) return;
@@ -103,6 +118,7 @@
   const resize = (sheet) => {
     paper = Boolean(sheet);
     if (!paper) fit();
+    placed = null;
     const box = sheet || canvas.parentElement.getBoundingClientRect();
     const before = `${width} ${height}`;
     const ratio = window.devicePixelRatio || 1;

@@ -83,7 +83,9 @@
     extremes.addEventListener("toggle", () => { if (extremes.open && !filled) { filled = true; fill(); } });
   }
 
-  player.onRow(values);
+  let seen = true;
+  if (cells.length) new IntersectionObserver(([entry]) => { seen = entry.isIntersecting; if (seen) values(); }).observe(document.getElementById("poses"));
+  player.onRow(() => { if (seen || !player.playing) values(); });
   units.onChange(() => { short(); values(); if (filled) fill(); });
   short();
   values();

@@ -6,12 +6,14 @@
   let chosen = null, paper = false;
   const tell = () => listeners.forEach((listen) => listen());
   system.addEventListener("change", tell);
-  const choose = (name) => { chosen = name; document.documentElement.dataset.theme = name; tell(); };
+  const { dataset } = document.documentElement;
+  const settle = () => { const name = paper ? "light" : chosen; if (name) dataset.theme = name; else delete dataset.theme; tell(); };
+  const choose = (name) => { chosen = name; settle(); };
   linkdyn.theme = {
     get dark() { return !paper && (chosen ? chosen === "dark" : system.matches); },
     toggle: () => choose(linkdyn.theme.dark ? "light" : "dark"),
-    // While printing; the style sheet does the same by itself.
-    set paper(on) { paper = on; tell(); },
+    // While printing, and for pictures to take away.
+    set paper(on) { paper = on; settle(); },
     onChange: (listen) => listeners.push(listen),
   };
 })();
