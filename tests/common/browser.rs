@@ -55,11 +55,8 @@ pub fn find() -> Option<PathBuf> {
     found
 }
 
-/// Opens a page; `budget` milliseconds of virtual time pass, or the page's loading alone where there is none.
-pub fn open(browser: &Path, page: &str, budget: Option<u32>) -> Visit {
-    let scratch = Scratch::new("browser");
-    let file = scratch.0.join("page.html");
-    fs::write(&file, page).expect("written");
+/// The browser, ready to open a file, with a profile of its own in a folder.
+fn command(browser: &Path, folder: &Path) -> Command {
     let mut command = Command::new(browser);
     command.args([
         "--headless",
@@ -73,19 +70,24 @@ pub fn open(browser: &Path, page: &str, budget: Option<u32>) -> Visit {
         "--disable-component-update",
         "--disable-sync",
     ]);
-    command.args([
-        "--enable-logging=stderr",
-        "--window-size=1280,900",
-        "--dump-dom",
-    ]);
+    command.args(["--enable-logging=stderr", "--window-size=1280,900"]);
     command.arg(format!(
         "--user-data-dir={}",
-        scratch.0.join("profile").display()
+        folder.join("profile").display()
     ));
-    command.args(budget.map(|budget| format!("--virtual-time-budget={budget}")));
-    let output = command
+    command.stdin(Stdio::null());
+    command
+}
+
+/// Opens a page; `budget` milliseconds of virtual time pass, or the page's loading alone where there is none.
+pub fn open(browser: &Path, page: &str, budget: Option<u32>) -> Visit {
+    let scratch = Scratch::new("browser");
+    let file = scratch.0.join("page.html");
+    fs::write(&file, page).expect("written");
+    let output = command(browser, &scratch.0)
+        .arg("--dump-dom")
+        .args(budget.map(|budget| format!("--virtual-time-budget={budget}")))
         .arg(format!("file://{}", file.display()))
-        .stdin(Stdio::null())
         .output()
         .expect("it starts");
     let said = String::from_utf8_lossy(&output.stderr);
@@ -98,6 +100,25 @@ pub fn open(browser: &Path, page: &str, budget: Option<u32>) -> Visit {
         dom: String::from_utf8_lossy(&output.stdout).into_owned(),
         console,
     }
+}
+
+/// On how many sheets a page is printed.
+pub fn sheets(browser: &Path, page: &str) -> usize {
+    let scratch = Scratch::new("print");
+    let [file, paper] = ["page.html", "paper.pdf"].map(|name| scratch.0.join(name));
+    fs::write(&file, page).expect("written");
+    let status = command(browser, &scratch.0)
+        .arg("--virtual-time-budget=2000")
+        .arg(format!("--print-to-pdf={}", paper.display()))
+        .arg(format!("file://{}", file.display()))
+        .stderr(Stdio::null())
+        .status();
+    assert!(status.expect("it starts").success(), "not printed");
+    let paper = fs::read(&paper).expect("printed");
+    String::from_utf8_lossy(&paper)
+        .split("/Type /Page\n")
+        .count()
+        - 1
 }
 
 /// The answer of a script that runs behind the page's own and calls `answer(value)`. The page's policy stays in force, with this
@@ -119,7 +140,7 @@ pub fn ask_in(
     let page = with_script(page, &format!("{send}\n{script}"));
     let page = page.replace('&', "&amp;").replace('"', "&quot;");
     let outer = format!(
-        "<!doctype html><body><script>{WRITE} addEventListener('message', (event) => answer(event.data));</script>\
+        "<!doctype html><meta charset=\"utf-8\"><body><script>{WRITE} addEventListener('message', (event) => answer(event.data));</script>\
          <iframe width={width} height={height} style=\"border:0\" srcdoc=\"{page}\"></iframe></body>"
     );
     told(open(browser, &outer, budget))

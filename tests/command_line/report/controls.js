@@ -49,7 +49,7 @@
   over.dispatchEvent(new PointerEvent("pointermove", { clientX: box.left + box.width / 2, clientY: box.top + 20, pointerType: "mouse", bubbles: true }));
   told.hovered = player.row;
   scrub(linkdyn.rows - 1);
-  told.lines = plots.list.filter((plot) => !plot.across).map((plot) => parseFloat(plot.line.style.left) / plot.u.over.clientWidth);
+  told.lines = plots.list.filter((plot) => !plot.across).map((plot) => parseFloat(/translateX\((.*)px/.exec(plot.line.style.transform)[1]) / plot.u.over.clientWidth);
 
   // Zoom, and time and the driver's value as abscissa. The path of a point has an axis of its own.
   const shared = plots.list.filter((plot) => !plot.across);

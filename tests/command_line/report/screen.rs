@@ -57,3 +57,38 @@ fn mechanism_and_first_plot_are_on_the_first_screen() {
         }
     }
 }
+
+#[test]
+fn no_label_covers_another_one() {
+    let Some(browser) = find() else { return };
+    let script = include_str!("labels.js");
+    let pages = [
+        "lock",
+        "jansen-leg",
+        "andrews-squeezer",
+        "slider-crank-clearance",
+    ];
+    let pages = pages.map(|model| (model, run(&[model]).0));
+    for (model, page) in pages.into_iter().chain([("hostile names", hostile())]) {
+        for size in [[1280, 720], [390, 844]] {
+            let (told, visit) = ask_in(&browser, &page, script, Some(4000), size);
+            assert!(visit.console.is_empty(), "{model}: {:#?}", visit.console);
+            assert!(
+                told["drawn"].as_u64() > Some(13 * 3),
+                "{model} {size:?}: {told:#}"
+            );
+            assert_eq!(told["covering"], json!([]), "{model} {size:?}");
+            assert_eq!(told["outside"], json!([]), "{model} {size:?}");
+        }
+    }
+}
+
+/// A report of few bodies fits two or three sheets.
+#[test]
+fn a_report_is_printed_on_three_sheets() {
+    let Some(browser) = find() else { return };
+    for model in ["four-bar", "lock", "slider-crank-clearance"] {
+        let sheets = crate::browser::sheets(&browser, &run(&[model]).0);
+        assert!((1..=3).contains(&sheets), "{model}: {sheets} sheets");
+    }
+}
