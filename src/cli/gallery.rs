@@ -63,11 +63,9 @@ fn picture(name: &str) -> Result<Vec<u8>, BadInput> {
 /// Results as if they had been read from a file.
 fn table(name: &str, results: &Trajectory) -> Table {
     let columns = results.columns.iter().enumerate();
-    let columns = columns.map(|(index, column)| ReadColumn {
-        name: column.name.clone(),
-        unit: column.unit.to_string(),
-        values: results.rows().map(|row| row[index]).collect(),
-        odd: None,
+    let columns = columns.map(|(index, column)| {
+        let values = results.rows().map(|row| row[index]);
+        ReadColumn::new(&column.name, column.unit, values.collect())
     });
     Table {
         path: PathBuf::from(name),

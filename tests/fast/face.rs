@@ -154,3 +154,26 @@ fn columns_of_another_mechanism_are_refused() {
     let run = four_bar().run().expect("runs");
     run.column(column);
 }
+
+/// A file of results is read with the names that were written: each is that of its channel, of every model.
+#[test]
+fn names_of_columns_read_back_as_their_channels() {
+    let mut seen = 0;
+    for bundled in linkdyn_model::bundled::MODELS {
+        let loaded = linkdyn_model::load(bundled.text.as_bytes(), &[]).expect(bundled.name);
+        let prepared = linkdyn_engine::analysis::Prepared::new(&loaded.model).expect(bundled.name);
+        for column in prepared.columns().iter() {
+            let channel = column.channel.expect("a result");
+            let read = linkdyn_output::Channel::read(&column.name);
+            let (found, owner) = read.unwrap_or_else(|| panic!("{}", column.name));
+            assert_eq!(
+                (found, owner),
+                (channel.with_owner(0), column.owner.as_str()),
+                "{}",
+                column.name
+            );
+            seen += 1;
+        }
+    }
+    assert!(seen > 500, "only {seen} columns were found");
+}

@@ -1,7 +1,9 @@
 //! What a column of results is: a quantity of an owner.
 //!
 //! An owner is a number in the order of the model: body 0 is the first that moves, joint 0 the first joint. Whoever looks for a
-//! column asks for its channel; names are for people and files.
+//! column asks for its channel; names are for people and files (`names`).
+
+mod names;
 
 /// What a column of results stands for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -151,24 +153,6 @@ pub enum TransmissionQuantity {
 }
 
 impl Channel {
-    /// The name of the column, `joint.b.fx`; `owner` is the name of its owner, which energy and shaking do not have.
-    pub fn name(self, owner: &str) -> String {
-        match self {
-            Channel::Time => super::TIME.into(),
-            Channel::Body(_, quantity) => format!("{owner}.{}", quantity.name()),
-            Channel::Point(_, quantity) => format!("{owner}.{}", quantity.name()),
-            Channel::Joint(_, quantity) => format!("joint.{owner}.{}", quantity.name()),
-            Channel::Driver(_, quantity) => format!("driver.{owner}.{}", quantity.name()),
-            Channel::Energy(quantity) => format!("energy.{}", quantity.name()),
-            Channel::Load(_, quantity) => format!("force.{owner}.{}", quantity.name()),
-            Channel::Shaking(quantity) => format!("shaking.{}", quantity.name()),
-            Channel::Transmission(TransmissionQuantity::Angle(_)) => {
-                format!("transmission.{owner}.angle")
-            }
-            Channel::Transmission(quantity) => format!("transmission.{}", quantity.name()),
-        }
-    }
-
     /// The channel that is this one's rate of change, where results have one.
     pub fn rate(self) -> Option<Channel> {
         match self {
@@ -186,21 +170,6 @@ impl Channel {
 }
 
 impl BodyQuantity {
-    /// The last word of the column's name.
-    pub fn name(self) -> &'static str {
-        match self {
-            BodyQuantity::X => "x",
-            BodyQuantity::Y => "y",
-            BodyQuantity::Angle => "angle",
-            BodyQuantity::Vx => "vx",
-            BodyQuantity::Vy => "vy",
-            BodyQuantity::Omega => "omega",
-            BodyQuantity::Ax => "ax",
-            BodyQuantity::Ay => "ay",
-            BodyQuantity::Alpha => "alpha",
-        }
-    }
-
     /// The unit of the column.
     pub fn unit(self) -> &'static str {
         match self {
@@ -227,18 +196,13 @@ impl BodyQuantity {
 }
 
 impl PointQuantity {
-    /// The last word of the column's name.
-    pub fn name(self) -> &'static str {
-        self.of_body().name()
-    }
-
     /// The unit of the column.
     pub fn unit(self) -> &'static str {
         self.of_body().unit()
     }
 
     /// The same quantity of a body's frame.
-    fn of_body(self) -> BodyQuantity {
+    pub fn of_body(self) -> BodyQuantity {
         match self {
             PointQuantity::X => BodyQuantity::X,
             PointQuantity::Y => BodyQuantity::Y,
@@ -260,58 +224,7 @@ impl PointQuantity {
     }
 }
 
-impl JointQuantity {
-    /// The last word of the column's name.
-    pub fn name(self) -> &'static str {
-        match self {
-            JointQuantity::Fx => "fx",
-            JointQuantity::Fy => "fy",
-            JointQuantity::Torque => "torque",
-            JointQuantity::Friction => "friction",
-            JointQuantity::Ex => "ex",
-            JointQuantity::Ey => "ey",
-            JointQuantity::Eccentricity => "eccentricity",
-            JointQuantity::Penetration => "penetration",
-            JointQuantity::NormalForce => "normal_force",
-            JointQuantity::TangentialForce => "tangential_force",
-            JointQuantity::SlidingSpeed => "sliding_speed",
-            JointQuantity::State => "state",
-        }
-    }
-}
-
-impl DriverQuantity {
-    /// The last word of the column's name.
-    pub fn name(self) -> &'static str {
-        match self {
-            DriverQuantity::Value => "value",
-            DriverQuantity::Effort => "effort",
-        }
-    }
-}
-
-impl EnergyQuantity {
-    /// The last word of the column's name.
-    pub fn name(self) -> &'static str {
-        match self {
-            EnergyQuantity::Kinetic => "kinetic",
-            EnergyQuantity::Potential => "potential",
-            EnergyQuantity::Contact => "contact",
-            EnergyQuantity::Dissipated => "dissipated",
-        }
-    }
-}
-
 impl LoadQuantity {
-    /// The last word of the column's name.
-    pub fn name(self) -> &'static str {
-        match self {
-            LoadQuantity::Fx => "fx",
-            LoadQuantity::Fy => "fy",
-            LoadQuantity::Torque => "torque",
-        }
-    }
-
     /// The unit of the column.
     pub fn unit(self) -> &'static str {
         match self {
@@ -322,31 +235,11 @@ impl LoadQuantity {
 }
 
 impl ShakingQuantity {
-    /// The last word of the column's name.
-    pub fn name(self) -> &'static str {
-        match self {
-            ShakingQuantity::Fx => "fx",
-            ShakingQuantity::Fy => "fy",
-            ShakingQuantity::Moment => "moment",
-        }
-    }
-
     /// The unit of the column.
     pub fn unit(self) -> &'static str {
         match self {
             ShakingQuantity::Fx | ShakingQuantity::Fy => "N",
             ShakingQuantity::Moment => "N*m",
-        }
-    }
-}
-
-impl TransmissionQuantity {
-    /// The last word of the column's name.
-    pub fn name(self) -> &'static str {
-        match self {
-            TransmissionQuantity::Ratio => "ratio",
-            TransmissionQuantity::Advantage => "advantage",
-            TransmissionQuantity::Angle(_) => "angle",
         }
     }
 }

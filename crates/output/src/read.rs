@@ -1,12 +1,14 @@
 //! `results.csv` read back: columns `name[unit]`, an empty cell is a gap.
 
+use std::collections::HashMap;
 use std::fs::File;
 use std::io::Read;
+use std::mem::{Discriminant, discriminant};
 use std::path::{Path, PathBuf};
 
-use super::TIME;
 use super::read_error::LARGEST;
 pub use super::read_error::ReadError;
+use super::{Channel, TIME};
 
 /// A column that was read.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,6 +17,10 @@ pub struct ReadColumn {
     pub name: String,
     /// Empty where the header gives none.
     pub unit: String,
+    /// What it is, where its name is that of a result; owners are numbered as they come in the file.
+    pub channel: Option<Channel>,
+    /// Name of its owner; empty where it has none.
+    pub owner: String,
     /// NaN where the cell is empty.
     pub values: Vec<f64>,
     /// The first cell that is no number: line and text. Only a fault to who wants the column.
@@ -22,6 +28,19 @@ pub struct ReadColumn {
 }
 
 impl ReadColumn {
+    /// A column of numbers, the first of its kind of owner.
+    pub fn new(name: &str, unit: &str, values: Vec<f64>) -> Self {
+        let (channel, owner) = Channel::read(name.trim()).unzip();
+        ReadColumn {
+            name: name.into(),
+            unit: unit.into(),
+            channel,
+            owner: owner.unwrap_or_default().into(),
+            values,
+            odd: None,
+        }
+    }
+
     /// `name[unit]`, as in the header.
     pub fn label(&self) -> String {
         if self.unit.is_empty() {
@@ -91,6 +110,7 @@ impl Table {
             .from_reader(text.as_bytes());
         let header = reader.headers().map_err(|fault| not_text(&path, fault))?;
         let mut columns: Vec<ReadColumn> = header.iter().map(column).collect();
+        number(&mut columns);
         if let [only] = &columns[..]
             && let Some(separator) = [';', '\t']
                 .into_iter()
@@ -216,11 +236,24 @@ fn column(header: &str) -> ReadColumn {
         .strip_suffix(']')
         .and_then(|rest| rest.rsplit_once('['));
     let (name, unit) = split.unwrap_or((header, ""));
-    ReadColumn {
-        name: name.into(),
-        unit: unit.into(),
-        values: Vec::new(),
-        odd: None,
+    ReadColumn::new(name, unit, Vec::new())
+}
+
+/// Gives owners of one kind their numbers, in the order of the columns.
+fn number(columns: &mut [ReadColumn]) {
+    let mut known: HashMap<(Discriminant<Channel>, &str), usize> = HashMap::new();
+    let mut owners: HashMap<Discriminant<Channel>, usize> = HashMap::new();
+    for column in columns {
+        let Some(channel) = &mut column.channel else {
+            continue;
+        };
+        let kind = discriminant(channel);
+        let next = owners.entry(kind).or_default();
+        let number = *known.entry((kind, &column.owner)).or_insert_with(|| {
+            *next += 1;
+            *next - 1
+        });
+        *channel = channel.with_owner(number);
     }
 }
 
@@ -240,7 +273,7 @@ impl ReadColumn {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Column, Trajectory};
+    use super::super::{BodyQuantity, Column, DriverQuantity, JointQuantity, Trajectory};
     use super::*;
 
     fn parse(text: &str) -> Result<Table, String> {
@@ -274,6 +307,25 @@ mod tests {
                 && read.column("time[s]").is_some()
                 && read.column("time[ms]").is_none()
         );
+    }
+
+    #[test]
+    fn names_are_read_once_with_their_owners() {
+        let header = "time[s],b.x[m],b.y[m],a.x[m],joint.b.fx[N],driver.m.value[rad],else[m]\n";
+        let table = parse(&format!("{header}0,0,0,0,0,0,0\n")).expect("sound");
+        let of = |index: usize| {
+            let column = &table.columns[index];
+            (column.channel, column.owner.as_str())
+        };
+        assert_eq!(of(0), (Some(Channel::Time), ""));
+        assert_eq!(of(2), (Some(Channel::Body(0, BodyQuantity::Y)), "b"));
+        assert_eq!(of(3), (Some(Channel::Body(1, BodyQuantity::X)), "a"));
+        assert_eq!(of(4), (Some(Channel::Joint(0, JointQuantity::Fx)), "b"));
+        assert_eq!(
+            of(5),
+            (Some(Channel::Driver(0, DriverQuantity::Value)), "m")
+        );
+        assert_eq!(of(6), (None, ""));
     }
 
     #[test]

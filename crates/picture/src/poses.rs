@@ -203,11 +203,9 @@ mod tests {
 
     /// A body that turns by t², of which only every full second is known.
     fn table(with_rates: bool) -> Table {
-        let column = |name: &str, value: fn(f64) -> f64| ReadColumn {
-            name: name.into(),
-            unit: "m".into(),
-            values: (0..5).map(|t| value(f64::from(t))).collect(),
-            odd: None,
+        let column = |name: &str, value: fn(f64) -> f64| {
+            let values = (0..5).map(|t| value(f64::from(t)));
+            ReadColumn::new(name, "m", values.collect())
         };
         let mut columns = vec![
             column("time", |t| t),

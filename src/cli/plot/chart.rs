@@ -76,6 +76,7 @@ fn curves(
             found.push(Found {
                 run: index,
                 name: column.name.clone(),
+                channel: column.channel,
                 unit,
                 x: x_values.clone(),
                 y,

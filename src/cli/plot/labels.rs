@@ -1,26 +1,22 @@
 //! Names of axes and of curves.
 
 use super::options::Options;
+use super::panels::Found;
 use super::units::quantity_words;
 use crate::cli::results::Results;
 
 /// The column's name, or what the columns have in common.
-pub fn axis_name(names: &[&str]) -> String {
-    let Some(first) = names.first() else {
+pub fn axis_name(curves: &[&Found]) -> String {
+    let Some(first) = curves.first() else {
         return String::new();
     };
-    if names.iter().all(|name| name == first) {
-        return (*first).to_string();
+    if curves.iter().all(|curve| curve.name == first.name) {
+        return first.name.clone();
     }
-    let words: Vec<&str> = names
-        .iter()
-        .filter_map(|name| name.rsplit('.').next())
-        .map(quantity_words)
-        .collect();
-    if words.iter().all(|word| word == &words[0]) {
-        words[0].to_string()
-    } else {
-        String::new()
+    let mut words = curves.iter().map(|curve| curve.channel.map(quantity_words));
+    match first.channel.map(quantity_words) {
+        Some(word) if words.all(|other| other == Some(word)) => word.to_string(),
+        Some(_) | None => String::new(),
     }
 }
 

@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use super::units::convert_one;
 use crate::cli::results::Results;
-use linkdyn_output::TIME;
+use linkdyn_output::{Channel, DriverQuantity};
 use linkdyn_picture::Mark;
 
 /// Events of a run that are marked, at most.
@@ -26,13 +26,16 @@ pub fn event_marks(run: &Results, x_name: &str, x_unit: &str) -> Vec<Mark> {
     let (Some(events), Some(column)) = (events, column) else {
         return Vec::new();
     };
-    let driver = x_name
-        .strip_prefix("driver.")
-        .and_then(|name| name.strip_suffix(".value"));
+    let is_time = column.channel == Some(Channel::Time);
+    let is_driver = matches!(
+        column.channel,
+        Some(Channel::Driver(_, DriverQuantity::Value))
+    );
+    let driver = is_driver.then_some(column.owner.as_str());
     let many = events.iter().filter(|event| is_contact(event)).count() > MOST_NAMED;
     let mark = |event: &Value| -> Option<Mark> {
         let x = match driver {
-            None if x_name == TIME => event.get("time")?.as_f64()?,
+            None if is_time => event.get("time")?.as_f64()?,
             Some(driver) if event.get("driver")?.as_str()? == driver => {
                 event.get("value")?.as_f64()?
             }

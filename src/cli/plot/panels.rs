@@ -5,6 +5,7 @@ use super::options::Options;
 use crate::cli::exit::BadInput;
 use crate::cli::page::count;
 use crate::cli::results::Results;
+use linkdyn_output::Channel;
 use linkdyn_picture::{Axis, Curve, Panel};
 
 /// A curve before it has a label.
@@ -13,6 +14,8 @@ pub struct Found {
     pub run: usize,
     /// Name of the column.
     pub name: String,
+    /// What it is, where that is known.
+    pub channel: Option<Channel>,
     /// Unit that it is drawn in.
     pub unit: String,
     /// Values of the x axis.
@@ -64,10 +67,9 @@ pub fn panels(
     };
     let panel = |(index, unit): (usize, &&String)| {
         let curves: Vec<&Found> = found.iter().filter(|curve| curve.unit == **unit).collect();
-        let names: Vec<&str> = curves.iter().map(|curve| curve.name.as_str()).collect();
         let name = options.y_label.get(index).cloned();
         let axis = Axis {
-            name: name.unwrap_or_else(|| axis_name(&names)),
+            name: name.unwrap_or_else(|| axis_name(&curves)),
             unit: (*unit).clone(),
             log: options.log_y,
             range: options.y_range.get(index).copied(),

@@ -2,8 +2,11 @@
 
 use crate::cli::exit::BadInput;
 use linkdyn_model::Unit;
-use linkdyn_output::Table;
 use linkdyn_output::read::ReadColumn;
+use linkdyn_output::{
+    BodyQuantity, Channel, DriverQuantity, EnergyQuantity, JointQuantity, LoadQuantity,
+    ShakingQuantity, TIME, Table,
+};
 
 /// A unit that was asked for.
 #[derive(Debug)]
@@ -130,18 +133,34 @@ pub fn convert_one(value: f64, from: &str, to: &str) -> Option<f64> {
     }
 }
 
-/// What a result column's last word stands for.
-pub fn quantity_words(quantity: &str) -> &str {
+/// What a result column shows, in words that columns of several owners share.
+pub fn quantity_words(channel: Channel) -> &'static str {
+    match channel {
+        Channel::Time => TIME,
+        Channel::Body(_, quantity) => motion(quantity),
+        Channel::Point(_, quantity) => motion(quantity.of_body()),
+        Channel::Joint(_, JointQuantity::Fx | JointQuantity::Fy)
+        | Channel::Load(_, LoadQuantity::Fx | LoadQuantity::Fy)
+        | Channel::Shaking(ShakingQuantity::Fx | ShakingQuantity::Fy) => "force",
+        Channel::Joint(_, JointQuantity::Ex | JointQuantity::Ey) => "eccentricity",
+        Channel::Joint(_, other) => other.name(),
+        Channel::Driver(_, DriverQuantity::Value) => "driver value",
+        Channel::Driver(_, DriverQuantity::Effort) => DriverQuantity::Effort.name(),
+        Channel::Energy(EnergyQuantity::Kinetic | EnergyQuantity::Potential) => "energy",
+        Channel::Energy(other) => other.name(),
+        Channel::Load(_, LoadQuantity::Torque) => LoadQuantity::Torque.name(),
+        Channel::Shaking(ShakingQuantity::Moment) => ShakingQuantity::Moment.name(),
+        Channel::Transmission(quantity) => quantity.name(),
+    }
+}
+
+fn motion(quantity: BodyQuantity) -> &'static str {
     match quantity {
-        "x" | "y" => "position",
-        "vx" | "vy" => "velocity",
-        "ax" | "ay" => "acceleration",
-        "omega" => "angular velocity",
-        "alpha" => "angular acceleration",
-        "fx" | "fy" => "force",
-        "ex" | "ey" => "eccentricity",
-        "kinetic" | "potential" => "energy",
-        "value" => "driver value",
-        other => other,
+        BodyQuantity::X | BodyQuantity::Y => "position",
+        BodyQuantity::Angle => BodyQuantity::Angle.name(),
+        BodyQuantity::Vx | BodyQuantity::Vy => "velocity",
+        BodyQuantity::Omega => "angular velocity",
+        BodyQuantity::Ax | BodyQuantity::Ay => "acceleration",
+        BodyQuantity::Alpha => "angular acceleration",
     }
 }

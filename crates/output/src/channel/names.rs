@@ -1,0 +1,386 @@
+//! Names of columns, written and read back.
+//!
+//! ```text
+//! time                    energy.kinetic          transmission.ratio
+//! crank.x                 shaking.fx              transmission.b.angle
+//! crank.A.x               joint.b.fx              driver.motor.effort     force.spring.fx
+//! ```
+//!
+//! Names of owners have no dot, and no quantity of a body or a point is one of what else begins with the same word: the body
+//! `energy` has `energy.x`. So each name is that of one channel.
+
+use super::{
+    BodyQuantity, Channel, DriverQuantity, EnergyQuantity, JointQuantity, LoadQuantity,
+    PointQuantity, ShakingQuantity, TransmissionQuantity,
+};
+use crate::TIME;
+
+impl Channel {
+    /// The name of the column, `joint.b.fx`; `owner` is the name of its owner, which energy and shaking do not have.
+    pub fn name(self, owner: &str) -> String {
+        match self {
+            Channel::Time => TIME.into(),
+            Channel::Body(_, quantity) => format!("{owner}.{}", quantity.name()),
+            Channel::Point(_, quantity) => format!("{owner}.{}", quantity.name()),
+            Channel::Joint(_, quantity) => format!("joint.{owner}.{}", quantity.name()),
+            Channel::Driver(_, quantity) => format!("driver.{owner}.{}", quantity.name()),
+            Channel::Energy(quantity) => format!("energy.{}", quantity.name()),
+            Channel::Load(_, quantity) => format!("force.{owner}.{}", quantity.name()),
+            Channel::Shaking(quantity) => format!("shaking.{}", quantity.name()),
+            Channel::Transmission(TransmissionQuantity::Angle(_)) => {
+                format!("transmission.{owner}.angle")
+            }
+            Channel::Transmission(quantity) => format!("transmission.{}", quantity.name()),
+        }
+    }
+
+    /// The channel that a column's name stands for, of the first owner, and the name of its owner; none of other names.
+    pub fn read(name: &str) -> Option<(Channel, &str)> {
+        if name == TIME {
+            return Some((Channel::Time, ""));
+        }
+        let (owner, word) = name.rsplit_once('.')?;
+        match owner.split_once('.') {
+            None => match of_all(owner, word) {
+                Some(channel) => Some((channel, "")),
+                None => Some((Channel::Body(0, find(&BodyQuantity::ALL, word)?), owner)),
+            },
+            Some((_, rest)) if rest.contains('.') => None,
+            Some((kind, own)) => match of_one(kind, word) {
+                Some(channel) => Some((channel, own)),
+                None => Some((Channel::Point(0, find(&PointQuantity::ALL, word)?), owner)),
+            },
+        }
+    }
+
+    /// The same quantity of the owner with this number; that itself where there is no owner.
+    pub fn with_owner(self, number: usize) -> Channel {
+        match self {
+            Channel::Body(_, quantity) => Channel::Body(number, quantity),
+            Channel::Point(_, quantity) => Channel::Point(number, quantity),
+            Channel::Joint(_, quantity) => Channel::Joint(number, quantity),
+            Channel::Driver(_, quantity) => Channel::Driver(number, quantity),
+            Channel::Load(_, quantity) => Channel::Load(number, quantity),
+            Channel::Transmission(TransmissionQuantity::Angle(_)) => {
+                Channel::Transmission(TransmissionQuantity::Angle(number))
+            }
+            Channel::Time
+            | Channel::Energy(_)
+            | Channel::Shaking(_)
+            | Channel::Transmission(
+                TransmissionQuantity::Ratio | TransmissionQuantity::Advantage,
+            ) => self,
+        }
+    }
+}
+
+/// Channels of the whole mechanism, by the first word and the quantity.
+fn of_all(kind: &str, word: &str) -> Option<Channel> {
+    match kind {
+        "energy" => find(&EnergyQuantity::ALL, word).map(Channel::Energy),
+        "shaking" => find(&ShakingQuantity::ALL, word).map(Channel::Shaking),
+        "transmission" => find(&TransmissionQuantity::OF_ALL, word).map(Channel::Transmission),
+        _ => None,
+    }
+}
+
+/// Channels of one owner, by the first word and the quantity.
+fn of_one(kind: &str, word: &str) -> Option<Channel> {
+    match kind {
+        "joint" => Some(Channel::Joint(0, find(&JointQuantity::ALL, word)?)),
+        "driver" => Some(Channel::Driver(0, find(&DriverQuantity::ALL, word)?)),
+        "force" => Some(Channel::Load(0, find(&LoadQuantity::ALL, word)?)),
+        "transmission" => find(&[TransmissionQuantity::Angle(0)], word).map(Channel::Transmission),
+        _ => None,
+    }
+}
+
+/// A quantity, as the last word of a name says it.
+trait Quantity: Copy {
+    fn word(self) -> &'static str;
+}
+
+fn find<Q: Quantity>(all: &[Q], word: &str) -> Option<Q> {
+    all.iter().copied().find(|quantity| quantity.word() == word)
+}
+
+impl BodyQuantity {
+    /// Every one.
+    const ALL: [BodyQuantity; 9] = [
+        BodyQuantity::X,
+        BodyQuantity::Y,
+        BodyQuantity::Angle,
+        BodyQuantity::Vx,
+        BodyQuantity::Vy,
+        BodyQuantity::Omega,
+        BodyQuantity::Ax,
+        BodyQuantity::Ay,
+        BodyQuantity::Alpha,
+    ];
+
+    /// The last word of the column's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            BodyQuantity::X => "x",
+            BodyQuantity::Y => "y",
+            BodyQuantity::Angle => "angle",
+            BodyQuantity::Vx => "vx",
+            BodyQuantity::Vy => "vy",
+            BodyQuantity::Omega => "omega",
+            BodyQuantity::Ax => "ax",
+            BodyQuantity::Ay => "ay",
+            BodyQuantity::Alpha => "alpha",
+        }
+    }
+}
+
+impl Quantity for BodyQuantity {
+    fn word(self) -> &'static str {
+        self.name()
+    }
+}
+
+impl PointQuantity {
+    /// Every one.
+    const ALL: [PointQuantity; 6] = [
+        PointQuantity::X,
+        PointQuantity::Y,
+        PointQuantity::Vx,
+        PointQuantity::Vy,
+        PointQuantity::Ax,
+        PointQuantity::Ay,
+    ];
+
+    /// The last word of the column's name.
+    pub fn name(self) -> &'static str {
+        self.of_body().name()
+    }
+}
+
+impl Quantity for PointQuantity {
+    fn word(self) -> &'static str {
+        self.name()
+    }
+}
+
+impl JointQuantity {
+    /// Every one.
+    const ALL: [JointQuantity; 12] = [
+        JointQuantity::Fx,
+        JointQuantity::Fy,
+        JointQuantity::Torque,
+        JointQuantity::Friction,
+        JointQuantity::Ex,
+        JointQuantity::Ey,
+        JointQuantity::Eccentricity,
+        JointQuantity::Penetration,
+        JointQuantity::NormalForce,
+        JointQuantity::TangentialForce,
+        JointQuantity::SlidingSpeed,
+        JointQuantity::State,
+    ];
+
+    /// The last word of the column's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            JointQuantity::Fx => "fx",
+            JointQuantity::Fy => "fy",
+            JointQuantity::Torque => "torque",
+            JointQuantity::Friction => "friction",
+            JointQuantity::Ex => "ex",
+            JointQuantity::Ey => "ey",
+            JointQuantity::Eccentricity => "eccentricity",
+            JointQuantity::Penetration => "penetration",
+            JointQuantity::NormalForce => "normal_force",
+            JointQuantity::TangentialForce => "tangential_force",
+            JointQuantity::SlidingSpeed => "sliding_speed",
+            JointQuantity::State => "state",
+        }
+    }
+}
+
+impl Quantity for JointQuantity {
+    fn word(self) -> &'static str {
+        self.name()
+    }
+}
+
+impl DriverQuantity {
+    /// Every one.
+    const ALL: [DriverQuantity; 2] = [DriverQuantity::Value, DriverQuantity::Effort];
+
+    /// The last word of the column's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            DriverQuantity::Value => "value",
+            DriverQuantity::Effort => "effort",
+        }
+    }
+}
+
+impl Quantity for DriverQuantity {
+    fn word(self) -> &'static str {
+        self.name()
+    }
+}
+
+impl EnergyQuantity {
+    /// Every one.
+    const ALL: [EnergyQuantity; 4] = [
+        EnergyQuantity::Kinetic,
+        EnergyQuantity::Potential,
+        EnergyQuantity::Contact,
+        EnergyQuantity::Dissipated,
+    ];
+
+    /// The last word of the column's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            EnergyQuantity::Kinetic => "kinetic",
+            EnergyQuantity::Potential => "potential",
+            EnergyQuantity::Contact => "contact",
+            EnergyQuantity::Dissipated => "dissipated",
+        }
+    }
+}
+
+impl Quantity for EnergyQuantity {
+    fn word(self) -> &'static str {
+        self.name()
+    }
+}
+
+impl LoadQuantity {
+    /// Every one.
+    const ALL: [LoadQuantity; 3] = [LoadQuantity::Fx, LoadQuantity::Fy, LoadQuantity::Torque];
+
+    /// The last word of the column's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            LoadQuantity::Fx => "fx",
+            LoadQuantity::Fy => "fy",
+            LoadQuantity::Torque => "torque",
+        }
+    }
+}
+
+impl Quantity for LoadQuantity {
+    fn word(self) -> &'static str {
+        self.name()
+    }
+}
+
+impl ShakingQuantity {
+    /// Every one.
+    const ALL: [ShakingQuantity; 3] = [
+        ShakingQuantity::Fx,
+        ShakingQuantity::Fy,
+        ShakingQuantity::Moment,
+    ];
+
+    /// The last word of the column's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            ShakingQuantity::Fx => "fx",
+            ShakingQuantity::Fy => "fy",
+            ShakingQuantity::Moment => "moment",
+        }
+    }
+}
+
+impl Quantity for ShakingQuantity {
+    fn word(self) -> &'static str {
+        self.name()
+    }
+}
+
+impl TransmissionQuantity {
+    /// Every one that has no owner.
+    const OF_ALL: [TransmissionQuantity; 2] =
+        [TransmissionQuantity::Ratio, TransmissionQuantity::Advantage];
+
+    /// The last word of the column's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            TransmissionQuantity::Ratio => "ratio",
+            TransmissionQuantity::Advantage => "advantage",
+            TransmissionQuantity::Angle(_) => "angle",
+        }
+    }
+}
+
+impl Quantity for TransmissionQuantity {
+    fn word(self) -> &'static str {
+        self.name()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every channel, each of some owner.
+    fn all() -> Vec<Channel> {
+        let mut all = vec![Channel::Time];
+        all.extend(BodyQuantity::ALL.map(|quantity| Channel::Body(0, quantity)));
+        all.extend(PointQuantity::ALL.map(|quantity| Channel::Point(0, quantity)));
+        all.extend(JointQuantity::ALL.map(|quantity| Channel::Joint(0, quantity)));
+        all.extend(DriverQuantity::ALL.map(|quantity| Channel::Driver(0, quantity)));
+        all.extend(EnergyQuantity::ALL.map(Channel::Energy));
+        all.extend(LoadQuantity::ALL.map(|quantity| Channel::Load(0, quantity)));
+        all.extend(ShakingQuantity::ALL.map(Channel::Shaking));
+        all.extend(TransmissionQuantity::OF_ALL.map(Channel::Transmission));
+        all.push(Channel::Transmission(TransmissionQuantity::Angle(0)));
+        all
+    }
+
+    #[test]
+    fn every_name_reads_back_as_its_channel() {
+        // Owners with names that are words of ours, too.
+        for owner in [
+            "b",
+            "6\" bar",
+            "joint",
+            "energy",
+            "transmission",
+            "angle",
+            "time",
+        ] {
+            for channel in all() {
+                let owner = match channel {
+                    Channel::Point(..) => format!("{owner}.{owner}"),
+                    Channel::Time | Channel::Energy(_) | Channel::Shaking(_) => String::new(),
+                    Channel::Transmission(quantity) if quantity.name() != "angle" => String::new(),
+                    Channel::Body(..)
+                    | Channel::Joint(..)
+                    | Channel::Driver(..)
+                    | Channel::Load(..)
+                    | Channel::Transmission(_) => owner.to_string(),
+                };
+                let name = channel.name(&owner);
+                assert_eq!(
+                    Channel::read(&name),
+                    Some((channel, owner.as_str())),
+                    "{name}"
+                );
+                assert_eq!(channel.with_owner(7).name(&owner), name);
+            }
+        }
+    }
+
+    #[test]
+    fn other_names_are_none_of_ours() {
+        for name in [
+            "",
+            "x",
+            "Time",
+            "crank.",
+            "crank.force",
+            "joint.b",
+            "joint.b.ratio",
+            "a.b.c.x",
+        ] {
+            assert_eq!(Channel::read(name), None, "{name}");
+        }
+    }
+}
