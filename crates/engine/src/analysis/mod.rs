@@ -9,7 +9,7 @@ mod clearance_link;
 mod control;
 pub mod derived;
 pub mod driven;
-pub mod dynamics;
+mod dynamics;
 mod in_line;
 mod instants;
 mod interval;
