@@ -1,4 +1,4 @@
-//! `linkdyn animate`: the mechanism in motion, as a GIF for slides or as poses for a paper.
+//! `linkdyn animate`: the mechanism in motion, as a GIF or an animated PNG for slides, or as poses for a paper.
 
 use std::path::PathBuf;
 
@@ -11,7 +11,7 @@ use super::page::{Page, count, number};
 use super::results::{Results, extension, write_file};
 use super::shape::shape_for;
 use super::streams::print;
-use linkdyn_picture::film::Film;
+use linkdyn_picture::film::{Film, Format, Length};
 use linkdyn_picture::mechanism::{Layout, Mechanism};
 use linkdyn_picture::poses::Poses;
 use linkdyn_picture::{Fault, MOST_FILM_PIXELS, POINTS_PER_MM, Shape, chart, raster, svg};
@@ -21,12 +21,18 @@ const WIDTH: u32 = 480;
 const PIXELS_PER_POINT: f64 = 4.0 / 3.0;
 /// Shortest and longest film where none is asked for \[s\].
 const DURATION: [f64; 2] = [2.0, 12.0];
+/// Time of a film that the tails of points show \[s\].
+const TAIL: f64 = 0.6;
 /// Frames of a film, at most.
 const MOST_FRAMES: f64 = 5000.0;
 /// Frames that the palette is made from.
 const SAMPLES: usize = 8;
 /// Where none is asked for.
 const FPS: f64 = 25.0;
+/// Where none is asked for in an animated PNG, and the most that screens show.
+const SMOOTH_FPS: f64 = 60.0;
+/// Programs that show GIFs slow frames of less than two hundredths of a second down.
+const MOST_GIF_FPS: f64 = 50.0;
 const POSES: usize = 6;
 const DPI: f64 = 300.0;
 
@@ -39,19 +45,19 @@ pub struct Options {
     /// Path or bundled name of the model, for results without summary.json
     #[arg(long, value_name = "MODEL")]
     model: Option<PathBuf>,
-    /// File to write: .gif for a film, .svg or .png for poses
+    /// File to write: .gif or .apng for a film, .svg or .png for poses
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
     /// Width: of a film in pixels, of poses in millimetres
     #[arg(long, value_name = "PX|MM", value_parser = width)]
     width: Option<f64>,
-    /// Frames per second of a film [default: 25]
+    /// Frames per second of a film, 50 at most of a .gif, 60 of an .apng [default: 25 of a .gif, 60 of an .apng]
     #[arg(long, value_name = "N", value_parser = fps)]
     fps: Option<f64>,
     /// Length of a film in seconds; left out: that of the motion, but 2 s at least and 12 s at most
     #[arg(long, value_name = "S", value_parser = duration)]
     duration: Option<f64>,
-    /// Number of poses, equally spaced in time [default: 6]
+    /// Number of poses, equally spaced in the driver's value where there is one driver, else in time [default: 6]
     #[arg(long, value_name = "N")]
     poses: Option<usize>,
     /// Poses side by side instead of over each other
@@ -64,15 +70,16 @@ pub struct Options {
 
 const HELP: &str = "  linkdyn run four-bar -o out
   linkdyn animate out -o motion.gif
+  linkdyn animate out -o smooth.apng --fps 60
   linkdyn animate out --poses 8 --strip --width 180 -o poses.svg";
 
 /// Reads, draws, writes, tells.
 pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let format = extension(&options.output);
     let file = options.output.display();
-    if !["gif", "svg", "png"].contains(&format.as_str()) {
+    if !["gif", "apng", "svg", "png"].contains(&format.as_str()) {
         return Err(BadInput(vec![format!(
-            "{file}: the name of the file must end in .gif, .svg or .png"
+            "{file}: the name of the file must end in .gif, .apng, .svg or .png"
         )]));
     }
     idle(options, &format)?;
@@ -82,7 +89,8 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let poses = Poses::read(&results.table, &shape).map_err(fault)?;
     let mechanism = Mechanism::new(shape, poses).map_err(fault)?;
     let (content, about) = match format.as_str() {
-        "gif" => film_of(options, &mechanism).map_err(fault)?,
+        "gif" => film_of(options, &mechanism, Format::Gif).map_err(fault)?,
+        "apng" => film_of(options, &mechanism, Format::Apng).map_err(fault)?,
         _ => picture_of(options, &mechanism, &format).map_err(fault)?,
     };
     let written = write_file(&options.output, &content)?;
@@ -112,12 +120,24 @@ fn idle(options: &Options, format: &str) -> Result<(), BadInput> {
             &of_poses[..],
             "poses, and a .gif is a film (write .svg or .png)",
         ),
+        "apng" => (
+            &of_poses[..],
+            "poses, and an .apng is a film (write .svg or .png)",
+        ),
         _ => (
             &of_film[..],
             "a film, and this is a picture of poses (write .gif)",
         ),
     };
     let file = options.output.display();
+    let too_fast = options
+        .fps
+        .filter(|fps| format == "gif" && *fps > MOST_GIF_FPS);
+    if let Some(fps) = too_fast {
+        return Err(BadInput(vec![format!(
+            "--fps {fps}: a GIF shows {MOST_GIF_FPS} frames per second at most (write .apng for {SMOOTH_FPS}): {file}"
+        )]));
+    }
     let lines: Vec<String> = given
         .iter()
         .filter(|(_, is_given)| *is_given)
@@ -183,19 +203,34 @@ fn picture_of(
 }
 
 /// A film.
-fn film_of(options: &Options, mechanism: &Mechanism) -> Result<(Vec<u8>, String), Fault> {
+fn film_of(
+    options: &Options,
+    mechanism: &Mechanism,
+    format: Format,
+) -> Result<(Vec<u8>, String), Fault> {
     let [first, last] = mechanism.span();
     let duration = options
         .duration
         .unwrap_or((last - first).clamp(DURATION[0], DURATION[1]));
-    let frames = (duration * options.fps.unwrap_or(FPS)).round().max(1.0);
+    let fps = options.fps.unwrap_or(match format {
+        Format::Gif => FPS,
+        Format::Apng => SMOOTH_FPS,
+    });
+    let frames = (duration * fps).round().max(1.0);
     let width = options.width.unwrap_or(f64::from(WIDTH)).round();
     // A still picture needs one frame.
     let frames = if last > first { frames } else { 1.0 };
+    // Where the end is the beginning it is shown once.
+    let steps = if mechanism.returns() {
+        frames
+    } else {
+        (frames - 1.0).max(1.0)
+    };
+    let tail = TAIL * (last - first) / duration;
     let draw = |frame: f64| {
-        let time = first + (last - first) * frame / (frames - 1.0).max(1.0);
+        let time = first + (last - first) * frame / steps;
         raster::draw(
-            &mechanism.frame(time, width / PIXELS_PER_POINT),
+            &mechanism.frame(time, tail, width / PIXELS_PER_POINT),
             PIXELS_PER_POINT,
         )
     };
@@ -207,16 +242,17 @@ fn film_of(options: &Options, mechanism: &Mechanism) -> Result<(Vec<u8>, String)
     }
     let samples =
         (0..SAMPLES).map(|index| draw((frames - 1.0) * index as f64 / (SAMPLES - 1) as f64));
-    let mut film = Film::new(&samples.collect::<Result<Vec<_>, _>>()?)?;
-    // Delays are whole hundredths; rounding the ends of frames, not their lengths, keeps the film as long as it should be.
-    let end = |frame: f64| (100.0 * frame * duration / frames).round();
-    for index in 0..frames as usize {
-        let frame = index as f64;
-        film.push(
-            draw(frame)?,
-            (end(frame + 1.0) - end(frame)).clamp(2.0, 65535.0) as u16,
-        )?;
+    let samples = samples.collect::<Result<Vec<_>, _>>()?;
+    let length = Length {
+        frames: frames as u32,
+        duration,
+    };
+    let mut file = Vec::new();
+    let mut film = Film::new(&mut file, format, length, &samples)?;
+    for index in 0..length.frames {
+        film.push(draw(f64::from(index))?)?;
     }
+    film.finish()?;
     let speed = (last - first) / duration;
     let about = format!(
         "{w} × {h} pixels, {} in {} s, {} × real time",
@@ -224,16 +260,15 @@ fn film_of(options: &Options, mechanism: &Mechanism) -> Result<(Vec<u8>, String)
         number(duration, 4),
         number(speed, 3)
     );
-    Ok((film.finish()?, about))
+    Ok((file, about))
 }
 
 fn width(text: &str) -> Result<f64, String> {
     number_within(text, [40.0, 4000.0])
 }
 
-/// Programs that show GIFs slow frames of less than two hundredths of a second down.
 fn fps(text: &str) -> Result<f64, String> {
-    number_within(text, [0.1, 50.0])
+    number_within(text, [0.1, SMOOTH_FPS])
 }
 
 fn duration(text: &str) -> Result<f64, String> {

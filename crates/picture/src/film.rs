@@ -1,23 +1,60 @@
-//! Pictures → GIF: one palette for all frames, of each frame only the rectangle that changed.
+//! Pictures → GIF or APNG: one palette for all frames, of each frame only the rectangle that changed.
+//!
+//! A GIF tells time in hundredths of a second, and programs slow frames of less than two of them down: 50 frames per second at most.
+//! An animated PNG (W3C PNG, third edition, 2025) has no such limit.
 
 use std::collections::HashMap;
 
 use color_quant::NeuQuant;
-use gif::{DisposalMethod, Encoder, Frame, Repeat};
+use gif::{DisposalMethod, Frame, Repeat};
 
 use super::fault::Fault;
 use super::raster::Picture;
 
-/// Colours of a palette.
-const COLOURS: usize = 256;
+/// Colours of a palette: one entry says that a pixel stays as it was.
+const COLOURS: usize = 255;
 /// Pixels that the palette is made from, at most.
 const SAMPLE: usize = 400_000;
 
+/// What a film is written as.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// GIF.
+    Gif,
+    /// Animated PNG.
+    Apng,
+}
+
+/// How long a film is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Length {
+    /// Number of frames.
+    pub frames: u32,
+    /// Time from the first frame to the first frame again \[s\].
+    pub duration: f64,
+}
+
 /// Writes frames one by one, so that only two are in memory.
-pub struct Film {
-    encoder: Encoder<Vec<u8>>,
+pub struct Film<'f> {
+    encoder: Encoder<'f>,
     palette: Palette,
+    length: Length,
+    written: u32,
     before: Option<Picture>,
+}
+
+enum Encoder<'f> {
+    Gif(Box<gif::Encoder<&'f mut Vec<u8>>>),
+    Apng(Box<png::Writer<&'f mut Vec<u8>>>),
+}
+
+/// The part of a picture that changed, as numbers of colours.
+struct Patch {
+    corner: [usize; 2],
+    size: [usize; 2],
+    indices: Vec<u8>,
+    /// The number of pixels that stay as they were.
+    unchanged: u8,
 }
 
 /// Colours, and where each is in the palette.
@@ -28,80 +65,173 @@ struct Palette {
     known: HashMap<[u8; 3], u8>,
 }
 
-impl Film {
-    /// A film that runs on and on; `samples` are pictures with all of its colours.
+impl<'f> Film<'f> {
+    /// A film into `file`, which runs on and on; `samples` are pictures with all of its colours.
     ///
     /// # Errors
     /// When the pictures are larger than the format can tell.
-    pub fn new(samples: &[Picture]) -> Result<Self, Fault> {
+    pub fn new(
+        file: &'f mut Vec<u8>,
+        format: Format,
+        length: Length,
+        samples: &[Picture],
+    ) -> Result<Self, Fault> {
         let first = samples
             .first()
             .ok_or_else(|| Fault::Nothing("a film without pictures".into()))?;
-        let size =
-            |pixels: u32| u16::try_from(pixels).map_err(|_| Fault::TooMuchFilm(u64::from(pixels)));
         let palette = Palette::new(samples);
-        let mut encoder = Encoder::new(
-            Vec::new(),
-            size(first.width)?,
-            size(first.height)?,
-            &palette.rgb,
-        )
-        .map_err(encoding)?;
-        encoder.set_repeat(Repeat::Infinite).map_err(encoding)?;
+        let encoder = match format {
+            Format::Gif => Encoder::gif(file, first, &palette.rgb)?,
+            Format::Apng => Encoder::apng(file, first, &palette.rgb, length)?,
+        };
         Ok(Film {
             encoder,
             palette,
+            length,
+            written: 0,
             before: None,
         })
     }
 
-    /// Appends a picture, shown for that many hundredths of a second.
+    /// Appends a picture.
     ///
     /// # Errors
     /// When the encoder refuses.
-    pub fn push(&mut self, picture: Picture, delay: u16) -> Result<(), Fault> {
+    pub fn push(&mut self, picture: Picture) -> Result<(), Fault> {
         let [left, top, right, bottom] = self.before.as_ref().map_or_else(
             || [0, 0, picture.width as usize, picture.height as usize],
             |before| changed(before, &picture),
         );
         let (width, height) = (right - left, bottom - top);
-        let row = |y: usize| &picture.rgb[3 * (y * picture.width as usize + left)..][..3 * width];
-        let mut buffer = Vec::with_capacity(width * height);
+        let mut indices = Vec::with_capacity(width * height);
         for y in top..bottom {
-            buffer.extend(
-                row(y)
-                    .as_chunks::<3>()
-                    .0
-                    .iter()
-                    .map(|pixel| self.palette.index(*pixel)),
-            );
+            let row = 3 * (y * picture.width as usize + left)..;
+            let pixels = picture.rgb[row.clone()].as_chunks::<3>().0.iter();
+            // Long runs of one number are what both formats write shortest.
+            let before = self.before.as_ref();
+            let before = before.map(|before| before.rgb[row].as_chunks::<3>().0);
+            for (x, pixel) in pixels.take(width).enumerate() {
+                let stays = before.is_some_and(|before| before[x] == *pixel);
+                indices.push(match stays {
+                    true => self.palette.unchanged(),
+                    false => self.palette.index(*pixel),
+                });
+            }
         }
-        let frame = Frame {
-            delay,
-            dispose: DisposalMethod::Keep,
-            left: left as u16,
-            top: top as u16,
-            width: width as u16,
-            height: height as u16,
-            buffer: buffer.into(),
-            ..Frame::default()
+        let patch = Patch {
+            corner: [left, top],
+            size: [width, height],
+            indices,
+            unchanged: self.palette.unchanged(),
         };
         self.before = Some(picture);
-        self.encoder.write_frame(&frame).map_err(encoding)
+        let delay = self.length.delay(self.written);
+        self.written += 1;
+        self.encoder.write(patch, delay, self.length.frames > 1)
     }
 
-    /// The bytes of the file.
+    /// Ends the file.
     ///
     /// # Errors
     /// When the encoder refuses.
-    pub fn finish(self) -> Result<Vec<u8>, Fault> {
-        self.encoder
-            .into_inner()
-            .map_err(|error| Fault::Encoding(error.to_string()))
+    pub fn finish(self) -> Result<(), Fault> {
+        match self.encoder {
+            Encoder::Gif(gif) => gif
+                .into_inner()
+                .map(|_| ())
+                .map_err(|error| Fault::Encoding(error.to_string())),
+            Encoder::Apng(apng) => apng.finish().map_err(apng_fault),
+        }
     }
 }
 
-fn encoding(error: gif::EncodingError) -> Fault {
+impl Length {
+    /// How long a GIF shows a frame [1/100 s]. Rounding the ends of frames, not their lengths, keeps the film as long as it should be.
+    fn delay(&self, frame: u32) -> u16 {
+        let end = |frame: u32| {
+            (100.0 * f64::from(frame) * self.duration / f64::from(self.frames)).round()
+        };
+        (end(frame + 1) - end(frame)).clamp(2.0, 65535.0) as u16
+    }
+}
+
+impl<'f> Encoder<'f> {
+    fn gif(file: &'f mut Vec<u8>, first: &Picture, palette: &[u8]) -> Result<Self, Fault> {
+        let size =
+            |pixels: u32| u16::try_from(pixels).map_err(|_| Fault::TooMuchFilm(u64::from(pixels)));
+        let mut encoder = gif::Encoder::new(file, size(first.width)?, size(first.height)?, palette)
+            .map_err(gif_fault)?;
+        encoder.set_repeat(Repeat::Infinite).map_err(gif_fault)?;
+        Ok(Encoder::Gif(Box::new(encoder)))
+    }
+
+    fn apng(
+        file: &'f mut Vec<u8>,
+        first: &Picture,
+        palette: &[u8],
+        length: Length,
+    ) -> Result<Self, Fault> {
+        let mut encoder = png::Encoder::new(file, first.width, first.height);
+        encoder.set_color(png::ColorType::Indexed);
+        encoder.set_depth(png::BitDepth::Eight);
+        encoder.set_palette(palette.to_vec());
+        // All colours cover but the last, which leaves a pixel as it was.
+        let mut covers = vec![255; palette.len() / 3 - 1];
+        covers.push(0);
+        encoder.set_trns(covers);
+        encoder.set_compression(png::Compression::High);
+        if length.frames > 1 {
+            encoder.set_animated(length.frames, 0).map_err(apng_fault)?;
+            // Microseconds of a frame would not fit: the finest fraction of 16 bits that is as long.
+            let per_second = f64::from(length.frames) / length.duration;
+            let whole = (65535.0 / per_second.max(1.0)).floor().max(1.0);
+            let delay = [whole, (whole * per_second).round().max(1.0)].map(|part| part as u16);
+            encoder
+                .set_frame_delay(delay[0], delay[1])
+                .and_then(|()| encoder.set_blend_op(png::BlendOp::Over))
+                .map_err(apng_fault)?;
+        }
+        let writer = encoder.write_header().map_err(apng_fault)?;
+        Ok(Encoder::Apng(Box::new(writer)))
+    }
+
+    /// Writes a frame; `moves`: it is one of several.
+    fn write(&mut self, patch: Patch, delay: u16, moves: bool) -> Result<(), Fault> {
+        let [left, top] = patch.corner;
+        let [width, height] = patch.size;
+        match self {
+            Encoder::Gif(gif) => {
+                let frame = Frame {
+                    delay,
+                    transparent: Some(patch.unchanged),
+                    dispose: DisposalMethod::Keep,
+                    left: left as u16,
+                    top: top as u16,
+                    width: width as u16,
+                    height: height as u16,
+                    buffer: patch.indices.into(),
+                    ..Frame::default()
+                };
+                gif.write_frame(&frame).map_err(gif_fault)
+            }
+            Encoder::Apng(apng) => {
+                if moves {
+                    apng.reset_frame_position()
+                        .and_then(|()| apng.set_frame_dimension(width as u32, height as u32))
+                        .and_then(|()| apng.set_frame_position(left as u32, top as u32))
+                        .map_err(apng_fault)?;
+                }
+                apng.write_image_data(&patch.indices).map_err(apng_fault)
+            }
+        }
+    }
+}
+
+fn gif_fault(error: gif::EncodingError) -> Fault {
+    Fault::Encoding(error.to_string())
+}
+
+fn apng_fault(error: png::EncodingError) -> Fault {
     Fault::Encoding(error.to_string())
 }
 
@@ -145,8 +275,10 @@ impl Palette {
                 .enumerate()
                 .map(|(index, (colour, _))| (*colour, index as u8))
                 .collect();
+            let unchanged = ([0; 3], 0);
+            let colours = colours.into_iter().chain([unchanged]);
             return Palette {
-                rgb: colours.into_iter().flat_map(|(colour, _)| colour).collect(),
+                rgb: colours.flat_map(|(colour, _)| colour).collect(),
                 nearest: None,
                 known,
             };
@@ -162,12 +294,19 @@ impl Palette {
         // The page stays exactly white.
         let page = colours[0].0;
         rgb.extend(page);
+        // The entry for pixels that stay as they were.
+        rgb.extend([0; 3]);
         let known = HashMap::from([(page, (COLOURS - 1) as u8)]);
         Palette {
             rgb,
             nearest: Some(network),
             known,
         }
+    }
+
+    /// The number of pixels that stay as they were: the last.
+    fn unchanged(&self) -> u8 {
+        (self.rgb.len() / 3 - 1) as u8
     }
 
     fn index(&mut self, colour: [u8; 3]) -> u8 {
@@ -177,7 +316,7 @@ impl Palette {
         let [r, g, b] = colour;
         let index = match &self.nearest {
             Some(network) => network.index_of(&[r, g, b, 255]) as u8,
-            None => closest(&self.rgb, colour),
+            None => closest(&self.rgb[..self.rgb.len() - 3], colour),
         };
         self.known.insert(colour, index);
         index

@@ -223,6 +223,34 @@ impl Scene {
         });
     }
 
+    /// Least and greatest x and y of lines, areas and circles with their edges \[pt\]; infinite where there are none.
+    pub fn bounds(&self) -> [Place; 2] {
+        let mut bounds = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+        let mut add = |places: &[Place], room: f64| {
+            for place in places {
+                for axis in 0..2 {
+                    bounds[0][axis] = bounds[0][axis].min(place[axis] - room);
+                    bounds[1][axis] = bounds[1][axis].max(place[axis] + room);
+                }
+            }
+        };
+        let edge = |pen: Option<Pen>| pen.map_or(0.0, |pen| pen.width / 2.0);
+        for item in &self.items {
+            match item {
+                Item::Line { places, pen, .. } => add(places, edge(Some(*pen))),
+                Item::Area { places, pen, .. } => add(places, edge(*pen)),
+                Item::Circle {
+                    centre,
+                    radius,
+                    pen,
+                    ..
+                } => add(&[*centre], radius + edge(*pen)),
+                Item::Label { .. } => {}
+            }
+        }
+        bounds
+    }
+
     /// A text in black.
     pub fn label(
         &mut self,

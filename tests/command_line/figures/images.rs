@@ -74,3 +74,53 @@ fn a_film_has_the_frames_and_delays_asked_for() {
     ]);
     assert_eq!(gif_facts(&scratch.read("b.gif")).1, [10; 20]);
 }
+
+/// An animated PNG tells the length of a frame as a fraction of a second: 60 frames per second exactly, in so many frames.
+#[test]
+fn an_animated_png_is_as_fast_as_asked_for() {
+    let scratch = Scratch::new("apng");
+    scratch.done(&[
+        "run",
+        "four-bar",
+        "--set",
+        "analysis.outputs=41",
+        "-o",
+        "out",
+    ]);
+    let said = scratch.done(&["animate", "out", "-o", "a.apng", "--width", "120"]);
+    assert!(said.contains("120 frames in 2 s, 1 × real time"), "{said}");
+    let bytes = scratch.read("a.apng");
+    let number = |at: usize| u32::from_be_bytes(bytes[at..at + 4].try_into().expect("4 bytes"));
+    let mut at = 8;
+    let (mut frames, mut data) = (0, 0);
+    while at < bytes.len() {
+        let [long, content] = [number(at) as usize, at + 8];
+        match &bytes[at + 4..content] {
+            // Frames, and times that they are shown: again and again.
+            b"acTL" => assert_eq!([number(content), number(content + 4)], [120, 0]),
+            b"fcTL" => {
+                let delay = number(content + 20);
+                assert_eq!((delay >> 16) * 60, delay & 0xffff, "frame {frames}");
+                frames += 1;
+            }
+            b"IDAT" | b"fdAT" => data += 1,
+            _ => {}
+        }
+        at = content + long + 4;
+    }
+    assert_eq!((at, frames), (bytes.len(), 120));
+    assert!(data >= 120, "{data}");
+}
+
+/// A film fits into a mail and a slide: 2 MB at most for each bundled model, by default.
+#[test]
+fn films_of_bundled_models_are_small() {
+    let scratch = Scratch::new("small");
+    for model in linkdyn_model::bundled::names() {
+        scratch.done(&["run", model, "-o", model, "--no-report"]);
+        scratch.done(&["animate", model, "-o", "film.gif"]);
+        let bytes = scratch.read("film.gif");
+        assert!(bytes.len() <= 2_000_000, "{model}: {} bytes", bytes.len());
+        assert!(gif_facts(&bytes).0[0] == 480, "{model}");
+    }
+}

@@ -140,11 +140,25 @@ fn what_can_not_be_animated_is_told() {
         &["-o", "a.gif", "--model", "five-bar"],
         "no bundled model of that name",
     );
-    animate("bare", &["-o", "a.mp4"], "must end in .gif, .svg or .png");
+    animate(
+        "bare",
+        &["-o", "a.mp4"],
+        "must end in .gif, .apng, .svg or .png",
+    );
     animate(
         "bare",
         &["-o", "a.gif", "--fps", "1000"],
-        "a number from 0.1 to 50 is wanted",
+        "a number from 0.1 to 60 is wanted",
+    );
+    animate(
+        "bare",
+        &["-o", "a.gif", "--fps", "60"],
+        "--fps 60: a GIF shows 50 frames per second at most (write .apng for 60): a.gif",
+    );
+    animate(
+        "bare",
+        &["-o", "a.apng", "--strip"],
+        "--strip: only for poses, and an .apng is a film (write .svg or .png): a.apng",
     );
     let ground = r#"{ "format": "linkdyn/1", "units": "SI", "bodies": { "ground": { "points": { "O": [0, 0] } } },
         "analysis": { "type": "kinematics", "end": 1, "outputs": 3 } }"#;

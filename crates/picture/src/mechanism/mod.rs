@@ -2,16 +2,20 @@
 //!
 //! A body is the convex hull of its points with rounded corners; the ground is drawn where something is held by it.
 //!
-//! | file      | does                                                        |
-//! | --------- | ----------------------------------------------------------- |
-//! | `moving`  | a mechanism with its motion: extent, paths, slides          |
-//! | `view`    | the part of a page that shows it                            |
-//! | `pages`   | one pose with its time, several poses over or beside others |
-//! | `pose`    | draws bodies and joints of one pose                         |
-//! | `actions` | draws springs, drivers and loads of one pose                |
-//! | `sketch`  | what all drawing of one pose needs                          |
+//! | file       | does                                                        |
+//! | ---------- | ----------------------------------------------------------- |
+//! | `moving`   | a mechanism with its motion: extent, paths, slides          |
+//! | `instants` | what drivers stand at, and when poses tell most             |
+//! | `cylinder` | which joints are cylinders                                  |
+//! | `view`     | the part of a page that shows it                            |
+//! | `pages`    | one pose with its time, several poses over or beside others |
+//! | `pose`     | draws bodies and joints of one pose                         |
+//! | `actions`  | draws springs, drivers and loads of one pose                |
+//! | `sketch`   | what all drawing of one pose needs                          |
 
 mod actions;
+mod cylinder;
+mod instants;
 mod moving;
 mod pages;
 mod pose;

@@ -1,12 +1,19 @@
 //! A mechanism with its motion: how far it reaches, the paths of its points, how far its slides go.
 
-use super::view::Extent;
+use super::cylinder::Cylinders;
+use super::instants::driver_ranges;
+use super::view::{Extent, Frame, Margins};
 use crate::fault::Fault;
 use crate::poses::{Pose, Poses, global};
-use crate::shape::{Joint, JointKind, PitchCircles, PointId, Shape};
+use crate::shape::{JointKind, PitchCircles, PointId, Shape};
 
 /// Outputs that paths and the extent are taken from, at most.
 const MOST_ROWS: usize = 2000;
+/// Instants whose signs the frame is fitted to.
+const FITTED: usize = 25;
+/// Room around the mechanism, at least, and beyond what is drawn, in bars.
+const LEAST_MARGIN: f64 = 2.2;
+const GAP: f64 = 1.2;
 /// Largest extent, and distance from the origin, of what is drawn \[m\].
 const FARTHEST: f64 = 1e12;
 
@@ -15,11 +22,18 @@ const FARTHEST: f64 = 1e12;
 pub struct Mechanism {
     pub(super) shape: Shape,
     pub(super) poses: Poses,
-    pub(super) extent: Extent,
+    /// What pictures show of the plane.
+    pub(super) frame: Frame,
     /// Paths of the traced points, of each in pieces between gaps.
     pub(super) paths: Vec<Vec<Vec<[f64; 2]>>>,
     /// Least and greatest slide of each joint that has a guide \[m\].
     pub(super) slides: Vec<[f64; 2]>,
+    /// Driven slides that are drawn as cylinders.
+    pub(super) cylinders: Cylinders,
+    /// Least and greatest value of each driver [rad, m].
+    pub(super) driver_ranges: Vec<[f64; 2]>,
+    /// Whether the motion ends as it begins.
+    pub(super) returns: bool,
     /// Magnitude of the largest force among the loads \[N\].
     pub(super) largest_load: f64,
 }
@@ -41,8 +55,14 @@ impl Mechanism {
         let forces = shape.loads.iter().filter(|load| load.at.is_some());
         let mut mechanism = Mechanism {
             paths: Vec::new(),
-            slides: shape.joints.iter().map(first_slide).collect(),
-            extent: Extent::EMPTY,
+            slides: vec![[f64::INFINITY, f64::NEG_INFINITY]; shape.joints.len()],
+            frame: Frame {
+                extent: Extent::EMPTY,
+                margins: Margins::WIDE,
+            },
+            cylinders: Cylinders::default(),
+            returns: false,
+            driver_ranges: driver_ranges(&shape, rows.iter().flatten()),
             largest_load: forces.map(|load| load.largest()).fold(0.0, f64::max),
             shape,
             poses,
@@ -53,12 +73,38 @@ impl Mechanism {
         for pose in rows.iter().flatten() {
             mechanism.include(pose);
         }
+        if let Some(pose) = rows.iter().flatten().next() {
+            mechanism.cylinders = Cylinders::new(&mechanism.shape, pose, &mechanism.slides);
+        }
+        mechanism.reach_guides();
         let points = mechanism.shape.points.iter();
         mechanism.paths = points
             .map(|point| path(&mechanism.shape, *point, &rows))
             .collect();
         mechanism.check_extent()?;
+        let [first, last] = mechanism.span();
+        mechanism.returns = mechanism.is_same(first, last);
+        mechanism.fit_frame();
         Ok(mechanism)
+    }
+
+    /// Whether the motion ends with all bodies where they began, turns aside.
+    pub fn returns(&self) -> bool {
+        self.returns
+    }
+
+    /// Leaves as much room around the mechanism as its signs take over the motion.
+    fn fit_frame(&mut self) {
+        let [first, last] = self.span();
+        let mut margins = [LEAST_MARGIN; 4];
+        for k in 0..FITTED {
+            let time = first + (last - first) * k as f64 / (FITTED - 1) as f64;
+            for (margin, reach) in margins.iter_mut().zip(self.overhang(time)) {
+                // A mechanism without extent has no scale: its signs reach to nowhere.
+                *margin = (reach + GAP).max(*margin).min(Margins::WIDE.0[0]);
+            }
+        }
+        self.frame.margins = Margins(margins);
     }
 
     /// First and last time with a pose \[s\].
@@ -88,11 +134,11 @@ impl Mechanism {
         let shape = &self.shape;
         for (body, pose) in shape.bodies.iter().zip(pose).skip(1) {
             for (_, x, y) in &body.points {
-                self.extent.add(global(*pose, [*x, *y]), 0.0);
+                self.frame.extent.add(global(*pose, [*x, *y]), 0.0);
             }
         }
         for point in shape.springs.iter().flat_map(|spring| spring.between) {
-            self.extent.add(place(shape, pose, point), 0.0);
+            self.frame.extent.add(place(shape, pose, point), 0.0);
         }
         for (joint, slide) in shape.joints.iter().zip(&mut self.slides) {
             let ends = joint.between.map(|end| place(shape, pose, end));
@@ -104,7 +150,7 @@ impl Mechanism {
                 | JointKind::Fixed => [0.0; 2],
             };
             for (end, radius) in ends.into_iter().zip(radii) {
-                self.extent.add(end, radius);
+                self.frame.extent.add(end, radius);
             }
             if let Some(axis) = joint.axis() {
                 let [u, v] = turned(pose[joint.between[0].0], axis);
@@ -114,9 +160,18 @@ impl Mechanism {
         }
     }
 
+    /// A guide on a moving body reaches to the body's point: else it would float beside the body.
+    fn reach_guides(&mut self) {
+        for (joint, slide) in self.shape.joints.iter().zip(&mut self.slides) {
+            if joint.between[0].0 != 0 {
+                *slide = [slide[0].min(0.0), slide[1].max(0.0)];
+            }
+        }
+    }
+
     /// Refuses what has no place on a page.
     fn check_extent(&self) -> Result<(), Fault> {
-        let Extent { low, high } = self.extent;
+        let Extent { low, high } = self.frame.extent;
         if low[0] > high[0] {
             let of_what = if self.shape.bodies.len() < 2 {
                 "no body but the ground"
@@ -125,7 +180,7 @@ impl Mechanism {
             };
             return Err(Fault::Nothing(format!("the model has {of_what}")));
         }
-        let sizes = self.extent.sizes();
+        let sizes = self.frame.extent.sizes();
         let is_drawable = sizes.iter().all(|size| (0.0..FARTHEST).contains(size))
             && low.iter().all(|x| x.abs() < FARTHEST);
         if is_drawable {
@@ -146,15 +201,6 @@ pub fn place(shape: &Shape, pose: &[Pose], point: PointId) -> [f64; 2] {
 /// A direction of a body in global axes.
 pub fn turned([_, _, angle]: Pose, direction: [f64; 2]) -> [f64; 2] {
     global([0.0, 0.0, angle], direction)
-}
-
-/// The slide before any is known. A guide on a moving body reaches to the body's point: else it would float beside the body.
-fn first_slide(joint: &Joint) -> [f64; 2] {
-    if joint.between[0].0 == 0 {
-        [f64::INFINITY, f64::NEG_INFINITY]
-    } else {
-        [0.0, 0.0]
-    }
 }
 
 /// The path of a point, in pieces between gaps.

@@ -1,11 +1,12 @@
 //! Draws bodies and joints of one pose, from the back to the front: wheels and guides of the ground, other guides, bodies,
 //! blocks, pins.
 
+use super::cylinder::Lengths;
 use super::sketch::Sketch;
 use crate::palette;
 use crate::scene::{Ink, Pen, Place, Scene};
 use crate::shape::{Clearance, Joint, JointKind};
-use crate::symbols::{self, Wheel};
+use crate::symbols::{self, Cylinder, Wheel};
 
 /// Radius of a pin, and of the ring that tells of a clearance, in bars.
 const PIN: f64 = 0.62;
@@ -21,9 +22,9 @@ pub fn draw_backdrop(scene: &mut Scene, sketch: &Sketch) {
     for joint in &mechanism.shape.joints {
         draw_wheels(scene, sketch, joint);
     }
-    for (joint, slide) in mechanism.shape.joints.iter().zip(&mechanism.slides) {
+    for (number, joint) in mechanism.shape.joints.iter().enumerate() {
         if joint.between[0].0 == 0 {
-            draw_guide(scene, sketch, joint, *slide);
+            draw_guide(scene, sketch, joint, mechanism.slides[number]);
         }
     }
 }
@@ -31,20 +32,22 @@ pub fn draw_backdrop(scene: &mut Scene, sketch: &Sketch) {
 /// Draws all but the backdrop.
 pub fn draw(scene: &mut Scene, sketch: &Sketch) {
     let shape = &sketch.mechanism.shape;
-    for (joint, slide) in shape.joints.iter().zip(&sketch.mechanism.slides) {
-        if joint.between[0].0 != 0 {
-            draw_guide(scene, sketch, joint, *slide);
+    let (slides, cylinders) = (&sketch.mechanism.slides, &sketch.mechanism.cylinders);
+    for (number, joint) in shape.joints.iter().enumerate() {
+        if joint.between[0].0 != 0 && cylinders.of_joint[number].is_none() {
+            draw_guide(scene, sketch, joint, slides[number]);
         }
     }
-    for number in 1..shape.bodies.len() {
-        let points = 0..shape.bodies[number].points.len();
-        let corners: Vec<Place> = points.map(|point| sketch.at((number, point))).collect();
+    for number in (1..shape.bodies.len()).filter(|number| !cylinders.holds[*number]) {
+        let outline = sketch.outline(number);
         let (fill, pen) = sketch.of_body(number);
-        let outline = symbols::rounded_hull(&corners, sketch.bar());
         scene.area("body", outline, Some(fill), Some(pen));
     }
-    for joint in &shape.joints {
-        draw_block(scene, sketch, joint);
+    for (joint, lengths) in shape.joints.iter().zip(&cylinders.of_joint) {
+        match lengths {
+            Some(lengths) => draw_cylinder(scene, sketch, joint, lengths),
+            None => draw_block(scene, sketch, joint),
+        }
     }
     for joint in &shape.joints {
         draw_pin(scene, sketch, joint);
@@ -96,6 +99,24 @@ fn draw_guide(scene: &mut Scene, sketch: &Sketch, joint: &Joint, [low, high]: [f
         }
         JointKind::Revolute { .. } | JointKind::Gear { .. } | JointKind::Fixed => {}
     }
+}
+
+/// Barrel, rod and piston of a driven slide.
+fn draw_cylinder(scene: &mut Scene, sketch: &Sketch, joint: &Joint, lengths: &Lengths) {
+    let Some(along) = sketch.direction(joint) else {
+        return;
+    };
+    let [[x, y], end] = joint.between.map(|end| sketch.at(end));
+    let slide = along[0] * (end[0] - x) + along[1] * (end[1] - y);
+    let scale = sketch.view.scale;
+    let cylinder = Cylinder {
+        origin: [x, y],
+        along,
+        barrel: lengths.barrel.map(|far| far * scale),
+        rod: lengths.rod.map(|far| slide + far * scale),
+    };
+    let [barrel, rod] = joint.between.map(|(body, _)| sketch.of_body(body));
+    symbols::cylinder(scene, &cylinder, sketch.bar(), barrel, rod);
 }
 
 /// The block of a prismatic joint.

@@ -6,6 +6,7 @@ use crate::palette::{self, Tone};
 use crate::poses::Pose;
 use crate::scene::{Ink, Pen, Place};
 use crate::shape::{Joint, PointId};
+use crate::symbols;
 
 /// Width of outlines, in bars.
 const OUTLINE: f64 = 0.2;
@@ -38,6 +39,19 @@ impl Sketch<'_> {
         }
         let [x, y, _] = self.pose[body];
         self.view.place([x, y])
+    }
+
+    /// The outline of a body. It is found in the body's own frame, so that it has the same corners in every pose.
+    pub fn outline(&self, body: usize) -> Vec<Place> {
+        let [x, y, angle] = self.pose[body];
+        let [left, top] = self.view.place([x, y]);
+        let (sin, cos) = angle.sin_cos();
+        let scale = self.view.scale;
+        let points = self.mechanism.shape.bodies[body].points.iter();
+        let corners: Vec<Place> = points.map(|(_, u, v)| [scale * u, -scale * v]).collect();
+        let outline = symbols::rounded_hull(&corners, self.bar());
+        let on_page = |[u, v]: Place| [left + cos * u + sin * v, top - sin * u + cos * v];
+        outline.into_iter().map(on_page).collect()
     }
 
     /// Direction of a guide on the page, length one.

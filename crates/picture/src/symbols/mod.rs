@@ -1,6 +1,7 @@
 //! Small signs: markers of curves, and the parts of a mechanism. Sizes are told in bars, half the width of a drawn body.
 
 mod arrow;
+mod cylinder;
 mod ground;
 mod hull;
 mod line;
@@ -9,6 +10,7 @@ mod spring;
 mod wheel;
 
 pub use arrow::{arrow, round_arrow};
+pub use cylinder::{Cylinder, cylinder};
 pub use ground::{hatched_line, rails, support};
 pub use hull::rounded_hull;
 pub use line::{block, slot};
