@@ -104,3 +104,16 @@ fn a_page_stays_below_five_megabytes_and_says_what_it_leaves_out() {
         (&json!([]), &json!(50), &json!(8))
     );
 }
+
+/// A strut is a spring with a damper beside it; a spring alone has no word about dampers, as before.
+#[test]
+fn springs_tell_whether_a_damper_stands_beside_them() {
+    let strut = data(&run(&["double-wishbone"]).0);
+    assert_eq!(strut["mechanism"]["springs"][0]["damped"], true);
+    let spring = data(&run(&["andrews-squeezer"]).0);
+    let spring = &spring["mechanism"]["springs"][0];
+    assert!(
+        spring.is_object() && spring.get("damped").is_none(),
+        "{spring}"
+    );
+}

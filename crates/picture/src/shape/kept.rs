@@ -142,6 +142,7 @@ fn of_drawing(drawing: Drawing) -> Result<Shape, Fault> {
             name: String::new(),
             between: pair(*between)?,
             damper: false,
+            damped: false,
         })
     };
     let body = |body: &DrawnBody| Body {

@@ -44,11 +44,15 @@ impl Shape {
         let name = name.to_string();
         match kind {
             ForceKind::Spring {
-                between, stiffness, ..
+                between,
+                stiffness,
+                damping,
+                ..
             } => self.springs.push(Spring {
                 name,
                 between: numbers.ends(between),
                 damper: *stiffness == 0.0,
+                damped: *stiffness != 0.0 && *damping != 0.0,
             }),
             ForceKind::TorsionSpring {
                 between, stiffness, ..

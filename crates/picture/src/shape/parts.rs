@@ -110,6 +110,9 @@ pub struct Spring {
     /// A damper without stiffness.
     #[serde(default)]
     pub damper: bool,
+    /// A spring with a damper beside it.
+    #[serde(default, skip_serializing_if = "is_not")]
+    pub damped: bool,
 }
 
 /// A spring or damper between the angles of two bodies.
@@ -174,6 +177,11 @@ pub enum DriverKind {
         /// The driven joint.
         joint: usize,
     },
+}
+
+/// What is false is left out, as before there was the key.
+fn is_not(value: &bool) -> bool {
+    !value
 }
 
 impl Shape {

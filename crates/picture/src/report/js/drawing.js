@@ -135,7 +135,7 @@
 
   const springs = ({ pen, at, px, row, colours, show, names }) => {
     pen.strokeStyle = colours.ink; pen.lineWidth = 1.5;
-    mechanism.springs.forEach(({ between, damper, name }, number) => {
+    mechanism.springs.forEach(({ between, damper, damped, name }, number) => {
       const [a, b] = between.map(at);
       if (!a || !b) return;
       for (const [k, end] of [a, b].entries()) {
@@ -143,7 +143,7 @@
         const onGround = between[k][0] === 0 && !mechanism.joints.some((joint) => joint.between.some(([body, number]) => body === 0 && number === between[k][1]));
         if (onGround) hatch(pen, [end[0] + px, end[1] + 3], [end[0] - px, end[1] + 3], -1, px * 0.6);
       }
-      spring(pen, a, b, px, damper);
+      spring(pen, a, b, px, damper, damped);
       if (show.joints) names.push({ text: name, at: [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2], colour: colours.ink, beside: px, key: `spring ${number}` });
     });
     mechanism.torsion_springs.forEach(({ bodies, pin, damper, name }, number) => {

@@ -22,7 +22,7 @@
   const loads = mechanism.loads.map(({ name, at, body }) => ({
     name, kind: "load", at: (row) => shapes.place(at || [body, 0], row), columns: list(`force.${name}`, ["f", "fx", "fy", "torque"]), owner: `force.${name}`, plot: ["f", "torque"],
   }));
-  const springs = mechanism.springs.map(({ name, between, damper }) => ({ name, kind: damper ? "damper" : "spring", between, columns: [], plot: [], owner: "" }));
+  const springs = mechanism.springs.map(({ name, between, damper, damped }) => ({ name, kind: damper ? "damper" : damped ? "spring and damper" : "spring", between, columns: [], plot: [], owner: "" }));
   const bodies = mechanism.bodies.map(({ name }, k) => ({ name, kind: "body", body: k, columns: k ? list(name, ["x", "y", "angle", "omega", "alpha"]) : [], owner: name, plot: ["angle", "omega"] }));
   // A driver is told of with the joint that it turns or pushes.
   mechanism.drivers.forEach((driver, k) => {

@@ -63,20 +63,22 @@
   // The strokes of a damper between 0 and 1 along and -1 and 1 across: rod, cup, piston, rod.
   const DASHPOT = [[[0, 0], [0.4, 0]], [[0.7, 1], [0.4, 1], [0.4, -1], [0.7, -1]], [[0.58, 0.7], [0.58, -0.7]], [[0.58, 0], [1, 0]]];
 
-  const spring = (pen, a, b, px, damper) => {
+  // A zigzag, a dashpot, or both side by side between two bars.
+  const spring = (pen, a, b, px, damper, damped) => {
     const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
     if (length < 1) return;
     const u = [(b[0] - a[0]) / length, (b[1] - a[1]) / length], n = [-u[1], u[0]];
     const at = (s, d) => [a[0] + u[0] * s + n[0] * d, a[1] + u[1] * s + n[1] * d];
-    const start = length * 0.15, rest = length * 0.7, wide = px * 0.8;
-    if (damper) {
-      for (const stroke of DASHPOT) { path(pen, stroke.map(([s, d]) => at(s * length, d * wide))); pen.stroke(); }
-      return;
-    }
-    const points = [a, at(start, 0)];
-    for (let k = 0; k < 14; k++) points.push(at(start + rest * (k + 0.5) / 14, (k % 2 ? -1 : 1) * wide));
-    path(pen, [...points, at(start + rest, 0), b]);
-    pen.stroke();
+    const [start, end] = [length * 0.15, length * 0.85], wide = px * 0.8, aside = damped ? px * 1.15 : 0;
+    const dashpot = (from, to, d) => { for (const stroke of DASHPOT) { path(pen, stroke.map(([s, across]) => at(from + s * (to - from), d + across * wide))); pen.stroke(); } };
+    if (damper) { dashpot(0, length, 0); return; }
+    const points = [at(start, -aside)];
+    for (let k = 0; k < 14; k++) points.push(at(start + (end - start) * (k + 0.5) / 14, -aside + (k % 2 ? -1 : 1) * wide));
+    points.push(at(end, -aside));
+    if (!damped) { path(pen, [a, ...points, b]); pen.stroke(); return; }
+    path(pen, points); pen.stroke();
+    dashpot(start, end, aside);
+    for (const [foot, bar] of [[a, start], [b, end]]) { path(pen, [foot, at(bar, 0)]); pen.stroke(); path(pen, [at(bar, -aside), at(bar, aside)]); pen.stroke(); }
   };
 
   // A cylinder from its base on: barrel, piston, rod. Distances along the axis `u` in pixels.
