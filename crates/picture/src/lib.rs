@@ -24,10 +24,13 @@
 //! | `poses`     | where its bodies are, from a table of results                   |
 //! | `mechanism` | shape and poses → scene                                         |
 //! | `report`    | shape, summary and results → `report.html`                      |
+//! | `compare_page` | several runs over each other → `compare.html`                |
+//! | `html`      | parts of a page → one file                                      |
 //! | `words`     | names and units as printed                                      |
 //! | `fault`     | why a figure can't be drawn                                     |
 
 pub mod chart;
+pub mod compare_page;
 mod cut;
 pub mod film;
 pub mod font;
@@ -42,6 +45,7 @@ pub mod svg;
 pub mod words;
 
 mod fault;
+mod html;
 mod layout;
 mod scale;
 mod style;
@@ -49,6 +53,7 @@ mod symbols;
 mod trace;
 
 pub use chart::{Axis, Chart, Curve, Mark, Panel};
+pub use compare_page::{ComparePage, ComparedRun};
 pub use cut::Cut;
 pub use fault::{Fault, MOST_CURVES, MOST_FILM_PIXELS, MOST_PIXELS};
 pub use mechanism::Mechanism;

@@ -4,6 +4,7 @@ mod columns;
 mod figures;
 mod json;
 mod ladder;
+mod page;
 mod question;
 mod report;
 mod table;
@@ -24,6 +25,7 @@ use report::Report;
 
 const TABLE: &str = "compare.csv";
 const SUMMARY: &str = "compare.json";
+const PAGE: &str = "compare.html";
 
 #[derive(Debug, Args)]
 #[command(after_help = HELP)]
@@ -41,8 +43,8 @@ pub struct Options {
     /// the joints, motion of the last body that is not driven]
     #[arg(long, value_name = "PATTERN,…", value_delimiter = ',')]
     columns: Vec<String>,
-    /// Write each model's results into a directory of its name below this one, and compare.csv, compare.json and a figure
-    /// of each column (SVG)
+    /// Write each model's results into a directory of its name below this one, and compare.csv, compare.json, the
+    /// page compare.html and a figure of each column (SVG)
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
 }
@@ -141,15 +143,17 @@ fn open_output(path: &Path) -> Result<Directory, BadInput> {
     let directory = Directory::open(path)?;
     directory.expect_free(TABLE)?;
     directory.expect_free(SUMMARY)?;
+    directory.expect_free(PAGE)?;
     Ok(directory)
 }
 
-/// Writes table, summary and figures.
+/// Writes table, summary, page and figures.
 fn write_all(directory: &Directory, report: &Report) -> Result<Vec<PathBuf>, WriteError> {
     let comparison = report.comparison;
     let table = directory.write_with(TABLE, |file| csv::write(&comparison.curves, file))?;
     let text = format!("{:#}\n", json::json(report));
     let mut written = vec![table, directory.write(SUMMARY, text.as_bytes())?];
+    written.push(directory.write(PAGE, page::html(report).as_bytes())?);
     for (name, figure) in figures::figures(&comparison.columns, report.curves) {
         written.push(directory.write(&name, figure.as_bytes())?);
     }

@@ -98,14 +98,19 @@ fn values(model: &str, numbers: [f64; 4]) -> String {
     )
 }
 
-/// How a run went.
+/// How a run ended and went.
 fn ran(report: &Report, outcome: &Outcome) -> String {
+    let ended = status_words(outcome.report.status);
+    format!("{ended}, {}", went(report, outcome))
+}
+
+/// How a run went.
+pub fn went(report: &Report, outcome: &Outcome) -> String {
     let contacts = report
         .contacts(outcome)
         .map(|n| format!(", {}", count(n as usize, "contact")));
     format!(
-        "{}, {}, {}{}, CPU {}",
-        status_words(outcome.report.status),
+        "{}, {}{}, CPU {}",
         count(outcome.trajectory.len(), "instant"),
         count(outcome.report.statistics.steps as usize, "step"),
         contacts.unwrap_or_default(),

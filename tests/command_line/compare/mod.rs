@@ -1,5 +1,6 @@
 //! `linkdyn compare` as its users meet it: what is run and skipped, differences, files, exit statuses.
 
+mod page;
 mod refused;
 
 use serde_json::Value;

@@ -19,3 +19,6 @@ mod page;
 mod template;
 
 pub use page::{LIMIT, Report};
+
+pub(crate) use encode::base64;
+pub(crate) use template::{LICENCE, PAGE_STYLE, PLOT_LIBRARY, PLOT_STYLE, escaped};

@@ -8,11 +8,11 @@ use super::encode::base64;
 use crate::palette;
 
 const PAGE: &str = include_str!("page.html");
-const PLOT_STYLE: &str = include_str!("vendor/uPlot.min.css");
-const PAGE_STYLE: &str = include_str!("page.css");
-const PLOT_LIBRARY: &str = include_str!("vendor/uPlot.iife.min.js");
+pub(crate) const PLOT_STYLE: &str = include_str!("vendor/uPlot.min.css");
+pub(crate) const PAGE_STYLE: &str = include_str!("page.css");
+pub(crate) const PLOT_LIBRARY: &str = include_str!("vendor/uPlot.iife.min.js");
 /// Its licence asks to stand in every copy.
-const LICENCE: &str = include_str!("vendor/uPlot.LICENSE");
+pub(crate) const LICENCE: &str = include_str!("vendor/uPlot.LICENSE");
 /// In the order in which they build on each other.
 const SCRIPT: &str = concat!(
     include_str!("js/data.js"),

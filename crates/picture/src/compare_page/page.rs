@@ -1,0 +1,151 @@
+//! What the page is made of, and the page.
+
+use serde_json::{Value, json};
+
+use super::facts::{apart_cuts, cuts, differences, events, extremes};
+use super::values::{chosen, encoded};
+use crate::html::{fill, policy};
+use crate::palette;
+use crate::report::{LICENCE, PAGE_STYLE, PLOT_LIBRARY, PLOT_STYLE, escaped};
+use linkdyn_output::comparison::Comparison;
+use linkdyn_output::{Column, Event, Status, Trajectory};
+
+const TEMPLATE: &str = include_str!("page.html");
+const OWN_STYLE: &str = include_str!("page.css");
+/// In the order in which they build on each other.
+const SCRIPT: &str = concat!(
+    include_str!("js/data.js"),
+    include_str!("../report/js/theme.js"),
+    include_str!("../report/js/units.js"),
+    include_str!("js/runs.js"),
+    include_str!("js/marks.js"),
+    include_str!("js/card.js"),
+    include_str!("js/cards.js"),
+    include_str!("js/tables.js"),
+    include_str!("js/head.js"),
+);
+/// More plots can't be looked at, and the page has to stay small.
+const MOST_COLUMNS: usize = 40;
+/// Warnings of a run beyond these are left out.
+const MOST_NOTES: usize = 8;
+
+/// What the page is made of.
+#[derive(Debug)]
+pub struct ComparePage<'a> {
+    /// Name of the model.
+    pub model: &'a str,
+    /// What the model is about.
+    pub about: Option<&'a str>,
+    /// What changes from run to run.
+    pub changes: String,
+    /// The columns that are compared, and how far the runs are apart.
+    pub comparison: &'a Comparison,
+    /// The runs, that which the others are compared with first among those that ran.
+    pub runs: Vec<ComparedRun<'a>>,
+}
+
+/// A run of the comparison.
+#[derive(Debug)]
+pub struct ComparedRun<'a> {
+    /// What it is called.
+    pub name: &'a str,
+    /// How it ended; none where it was not run.
+    pub status: Option<Status>,
+    /// How it ended, in a word.
+    pub ended: String,
+    /// How it went, or why there is none, in a line.
+    pub facts: String,
+    /// What the reader should know.
+    pub notes: &'a [String],
+    /// Its outputs and the peaks between them.
+    pub table: Option<&'a Trajectory>,
+    /// What happened.
+    pub events: &'a [Event],
+}
+
+impl ComparePage<'_> {
+    /// The page as the text of a file, which needs nothing else.
+    pub fn html(&self) -> String {
+        let all = &self.comparison.columns;
+        let columns = &all[..all.len().min(MOST_COLUMNS)];
+        let chosen = chosen(self.comparison, columns, &self.runs);
+        let mut notes = chosen.notes.clone();
+        if columns.len() < all.len() {
+            let (shown, all) = (columns.len(), all.len());
+            notes.push(format!(
+                "The first {shown} of {all} columns are shown; compare.csv and the figures have all."
+            ));
+        }
+        let headings = columns
+            .iter()
+            .map(|Column { name, unit, .. }| json!([name, unit]));
+        let runs = self.runs.iter().zip(&chosen.rows);
+        let data = json!({
+            "engine": env!("CARGO_PKG_VERSION"),
+            "model": self.model,
+            "about": self.about,
+            "changes": self.changes,
+            "columns": headings.collect::<Value>(),
+            "runs": runs.map(|(run, rows)| self.run(run, rows.len(), columns)).collect::<Value>(),
+            "notes": notes,
+            "bytes": if chosen.binary64 { 8 } else { 4 },
+            "palette": palette::to_json(),
+        });
+        let style = [PLOT_STYLE, &palette::style_sheet(), PAGE_STYLE, OWN_STYLE].join("\n");
+        fill(
+            TEMPLATE,
+            &[
+                ("policy", &policy(&[PLOT_LIBRARY, SCRIPT], &style)),
+                ("style", &style),
+                ("data", &escaped(&data.to_string())),
+                ("values", &encoded(&self.runs, columns, &chosen)),
+                ("licence", LICENCE),
+                ("plot_library", PLOT_LIBRARY),
+                ("script", SCRIPT),
+            ],
+        )
+    }
+
+    /// What the page knows of a run, but for its rows.
+    fn run(&self, run: &ComparedRun, rows: usize, columns: &[Column]) -> Value {
+        let sort = match run.status {
+            None => "none",
+            Some(Status::Completed) => "good",
+            Some(Status::CompletedWithGaps) => "warn",
+            Some(_) => "bad",
+        };
+        let columns = || columns.iter();
+        let mut ran = self.runs.iter().filter(|run| run.table.is_some());
+        let reference = ran.next().map_or("", |run| run.name);
+        json!({
+            "name": run.name,
+            "ended": run.ended,
+            "sort": sort,
+            "facts": run.facts,
+            "notes": run.notes.iter().take(MOST_NOTES).collect::<Vec<_>>(),
+            "rows": rows,
+            "events": events(run),
+            "cuts": columns().map(|column| cuts(run, column)).collect::<Value>(),
+            "apart_cuts": columns()
+                .map(|column| apart_cuts(self.comparison, reference, run.name, column))
+                .collect::<Value>(),
+            "extremes": columns().map(|column| extremes(run, column)).collect::<Value>(),
+            "differences": columns().map(|column| differences(self.comparison, run.name, column)).collect::<Value>(),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_scripts_can_stand_in_a_page() {
+        for text in [SCRIPT, PLOT_LIBRARY, OWN_STYLE] {
+            let text = text.to_lowercase();
+            assert!(
+                !text.contains("</script") && !text.contains("<!--") && !text.contains("</style")
+            );
+        }
+    }
+}
