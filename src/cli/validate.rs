@@ -1,6 +1,6 @@
 //! `linkdyn validate`: the bundled cases, each claim as reference, ours, difference, verdict.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
@@ -9,12 +9,13 @@ use clap::Args;
 use super::exit::{BadInput, Exit};
 use super::interrupt;
 use super::near::nearest;
-use super::page::{Page, count};
+use super::page::{Page, count, wrapped};
 use super::progress::Line;
 use super::streams::{complain, print};
 use linkdyn_engine::analysis::Control;
 use linkdyn_output::Directory;
-use linkdyn_validation::{CASES, Case, CaseError, Claim, Verdict};
+use linkdyn_picture::validate_page::{Counts, IndexPage, IndexRow, MEANINGS};
+use linkdyn_validation::{CASES, Case, CaseError, Claim};
 
 #[derive(Debug, Args)]
 #[command(after_help = HELP)]
@@ -22,10 +23,15 @@ pub struct Options {
     /// Cases to run; all where none is named
     #[arg(value_name = "CASE")]
     cases: Vec<String>,
-    /// Write each case's files into a directory of its name below this one
+    /// Write each case's files into a directory of its name below this one, and index.html, a page over the cases
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
 }
+
+/// The page over the cases.
+const INDEX: &str = "index.html";
+/// Letters in a line of words.
+const WIDTH: usize = 100;
 
 const HELP: &str = "  linkdyn validate lock-ideal
   linkdyn validate lock -o out
@@ -43,34 +49,50 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         interrupted: interrupt::watch(),
         ..Control::default()
     };
-    let mut tally = Tally::default();
+    let mut index = IndexPage::default();
     let whole = cases.len();
-    for (index, case) in cases.into_iter().enumerate() {
+    for case in cases {
         if control.interrupted.load(Ordering::SeqCst) {
-            return interrupted(index, whole);
+            return interrupted(index.cases.len(), whole);
         }
         let mut page = Page::default();
         page.line(format!("{}: {}", case.name, case.about()));
-        let share = index as f64 / whole as f64;
+        let share = index.cases.len() as f64 / whole as f64;
         let line = Line::start(started, case.name, move || Some(share));
         let report = case.run(options.output.as_deref(), &control);
         drop(line);
-        match report {
+        let ended = match report {
             Ok(report) => {
                 report.text.lines().for_each(|line| page.line(line));
-                tell(&mut page, &report.claims, &mut tally);
+                Ok(tell(&mut page, &report.claims))
             }
-            Err(CaseError::Interrupted) => return interrupted(index, whole),
+            Err(CaseError::Interrupted) => return interrupted(index.cases.len(), whole),
             Err(CaseError::Write(error)) => return Err(error.into()),
             Err(CaseError::Broken(said)) => {
-                tally.faults += 1;
                 complain(&format!("{}: the case can't be run: {said}", case.name));
+                Err(said)
             }
-        }
+        };
         print(page.text())?;
+        index.cases.push(IndexRow {
+            name: case.name.to_string(),
+            about: case.about(),
+            ended,
+        });
+        // After each case, so that a long run can be looked at, and an interrupted one too.
+        if let Some(output) = &options.output {
+            write(output, &index)?;
+        }
     }
-    print(&tally.text())?;
-    Ok(tally.exit())
+    let tally = tally(&index);
+    print(&text(tally))?;
+    Ok(exit(tally))
+}
+
+/// Writes the page over the cases.
+fn write(output: &Path, index: &IndexPage) -> Result<(), BadInput> {
+    Directory::open(output)?.write(INDEX, index.html().as_bytes())?;
+    Ok(())
 }
 
 /// Tells how many cases are done.
@@ -112,53 +134,56 @@ fn unknown(cases: &[Case], name: &str) -> String {
     format!("{name}: no validation case of that name ({hint})")
 }
 
-/// How many claims ended how.
-#[derive(Debug, Default, PartialEq, Eq)]
-struct Tally {
-    agreed: usize,
-    findings: usize,
-    faults: usize,
+/// How many claims ended how; a case that can't be run is a fault.
+fn tally(index: &IndexPage) -> Counts {
+    let broken = Counts {
+        faults: 1,
+        ..Counts::default()
+    };
+    let counts = index.cases.iter().map(|case| &case.ended);
+    Counts::sum(counts.map(|ended| ended.as_ref().map_or(broken, |counts| *counts)))
 }
 
-impl Tally {
-    fn text(&self) -> String {
-        let Tally {
-            agreed,
-            findings,
-            faults,
-        } = self;
-        format!(
-            "{agreed} agreed, {}, {}\n",
-            count(*findings, "finding"),
-            count(*faults, "fault")
-        )
+fn text(tally: Counts) -> String {
+    let Counts {
+        agreed,
+        findings,
+        faults,
+    } = tally;
+    let line = format!(
+        "{agreed} agreed, {}, {}\n",
+        count(findings, "finding"),
+        count(faults, "fault")
+    );
+    // Who reads "33 findings" thinks of errors.
+    match findings + faults {
+        0 => line,
+        _ => format!("{line}{}\n", wrapped(MEANINGS, WIDTH).join("\n")),
     }
+}
 
-    fn exit(&self) -> Exit {
-        if self.faults > 0 {
-            Exit::Fault
-        } else {
-            Exit::Done
-        }
+fn exit(tally: Counts) -> Exit {
+    if tally.faults > 0 {
+        Exit::Fault
+    } else {
+        Exit::Done
     }
 }
 
 /// The claims, counted.
-fn tell(page: &mut Page, claims: &[Claim], tally: &mut Tally) {
+fn tell(page: &mut Page, claims: &[Claim]) -> Counts {
+    let mut counts = Counts::default();
     for claim in claims {
-        match claim.verdict {
-            Verdict::Agrees => tally.agreed += 1,
-            Verdict::Finding => tally.findings += 1,
-            Verdict::Fault => tally.faults += 1,
-        }
+        counts.add(claim.verdict.into());
         claim.lines().iter().for_each(|line| page.line(line));
     }
+    counts
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use linkdyn_validation::{CaseKind, CaseReport, Setting};
+    use linkdyn_validation::{CaseKind, CaseReport, Setting, Verdict};
 
     fn none(_: &Setting) -> Result<CaseReport, CaseError> {
         Ok(CaseReport::default())
@@ -221,9 +246,27 @@ mod tests {
                 difference: text(),
                 verdict,
             };
-            let mut tally = Tally::default();
-            tell(&mut Page::default(), &[claim], &mut tally);
-            assert_eq!(tally.exit(), exit, "{verdict:?}");
+            let tally = tell(&mut Page::default(), &[claim]);
+            assert_eq!(super::exit(tally), exit, "{verdict:?}");
         }
+    }
+
+    #[test]
+    fn findings_are_explained_beside_their_number() {
+        let counts = |findings| Counts {
+            agreed: 2,
+            findings,
+            faults: 0,
+        };
+        assert_eq!(text(counts(0)), "2 agreed, 0 findings, 0 faults\n");
+        let told = text(counts(1));
+        assert!(
+            told.starts_with("2 agreed, 1 finding, 0 faults\nA finding is"),
+            "{told}"
+        );
+        assert!(
+            told.lines().all(|line| line.chars().count() <= WIDTH),
+            "{told}"
+        );
     }
 }

@@ -16,3 +16,4 @@ mod peaks;
 mod report;
 #[cfg(unix)]
 mod terminal;
+mod validate;

@@ -9,6 +9,7 @@ mod flores_slider_crank;
 mod four_bar_spring;
 mod journal_billiard;
 mod lock;
+mod page;
 pub mod reference;
 mod restitution;
 mod slider_crank_clearance;
@@ -196,6 +197,8 @@ impl Case {
             if !report.text.is_empty() {
                 directory.write("report.md", self.page(&report).as_bytes())?;
             }
+            let page = page::html(self, &report, output);
+            directory.write("report.html", page.as_bytes())?;
         }
         Ok(report)
     }

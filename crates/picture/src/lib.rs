@@ -25,6 +25,7 @@
 //! | `mechanism` | shape and poses → scene                                         |
 //! | `report`    | shape, summary and results → `report.html`                      |
 //! | `compare_page` | several runs over each other → `compare.html`                |
+//! | `validate_page` | claims of validation cases → pages                          |
 //! | `html`      | parts of a page → one file                                      |
 //! | `words`     | names and units as printed                                      |
 //! | `fault`     | why a figure can't be drawn                                     |
@@ -42,6 +43,7 @@ pub mod report;
 pub mod scene;
 pub mod shape;
 pub mod svg;
+pub mod validate_page;
 pub mod words;
 
 mod fault;

@@ -48,7 +48,7 @@
     for (let k = 4 * canvas.width * Math.round(low); k < data.length; k += 4) if (Math.abs(data[k] - red) + Math.abs(data[k + 1] - green) + Math.abs(data[k + 2] - blue) < 12 && data[k + 3] > 250) pixels++;
     return pixels;
   };
-  const foot = ({ u }) => u.bbox.top + u.bbox.height - 8 * devicePixelRatio;
+  const foot = ({ u }) => u.bbox.top + u.bbox.height - 20 * devicePixelRatio;
   const tick = [...document.querySelectorAll("#runs label")].find((label) => label.textContent.includes("contact")).querySelector("input");
   const look = async (state) => {
     await wait(100);
