@@ -1,8 +1,11 @@
 //! `linkdyn check`: reads, assembles and diagnoses a model.
 
+use std::path::PathBuf;
+
 use clap::Args;
 use serde_json::{Map, Value, json};
 
+use super::diagnosis;
 use super::exit::{BadInput, Exit};
 use super::open::{ModelOptions, Opened};
 use super::page::{Page, names, number, shorten, wrapped};
@@ -10,7 +13,7 @@ use super::streams::{complain, print};
 use super::words::{analysis_words, mobility, status_words};
 use linkdyn_engine::analysis::{self, Check, Lack};
 use linkdyn_model::AnalysisKind;
-use linkdyn_output::{Mobility, Status};
+use linkdyn_output::{Directory, Mobility, Status};
 
 /// Width of long texts on the page.
 const WIDTH: usize = 96;
@@ -23,6 +26,9 @@ pub struct Options {
     /// Print the diagnosis as JSON
     #[arg(long)]
     json: bool,
+    /// Write check.html into this directory (made where missing): the model with its names, loops, and what is wrong at its place
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
 }
 
 const HELP: &str = "  linkdyn check mine.json
@@ -33,6 +39,7 @@ What a message means, and what to do: linkdyn docs messages.";
 /// Diagnoses and tells.
 pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let opened = options.model.open()?;
+    let directory = options.output.as_deref().map(Directory::open).transpose()?;
     let mut check =
         analysis::check(&opened.loaded.model).map_err(|complaints| opened.bad_input(complaints))?;
     let suspicious = suspicious(&opened, &mut check);
@@ -40,10 +47,14 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         0..0,
         opened.loaded.warnings.iter().chain(&suspicious).cloned(),
     );
+    let lacks: Vec<String> = check.lacks.iter().map(lack_words).collect();
+    let written = directory
+        .map(|directory| diagnosis::write(&directory, &opened, &check, &verdict(&check), &lacks))
+        .transpose()?;
     print(&if options.json {
         format!("{:#}\n", to_json(&opened, &check, &suspicious))
     } else {
-        page(&opened, &check)
+        page(&opened, &check, written)
     })?;
     check
         .faults
@@ -60,7 +71,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
 }
 
 /// The diagnosis for people.
-fn page(opened: &Opened, check: &Check) -> String {
+fn page(opened: &Opened, check: &Check, written: Option<PathBuf>) -> String {
     let model = &opened.loaded.model;
     let mut page = Page::default();
     page.line(format!(
@@ -122,6 +133,10 @@ fn page(opened: &Opened, check: &Check) -> String {
         folded(check.lacks.iter().map(lack_words).collect()),
     );
     page.rows("warnings", folded(check.warnings.clone()));
+    page.rows(
+        "written",
+        written.iter().map(|path| path.display().to_string()),
+    );
     page.text().to_string()
 }
 

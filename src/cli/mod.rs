@@ -21,6 +21,7 @@ mod animate;
 mod check;
 mod compare;
 mod completions;
+mod diagnosis;
 mod docs;
 mod exit;
 mod gallery;

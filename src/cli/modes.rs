@@ -1,5 +1,7 @@
 //! `linkdyn modes`: natural frequencies, damping and shapes of small motions about the equilibrium.
 
+mod moving;
+
 use std::f64::consts::TAU;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -19,6 +21,7 @@ use linkdyn_output::{Column, Directory, Trajectory, csv, summary};
 
 const TABLE: &str = "modes.csv";
 const SUMMARY: &str = "modes.json";
+const PAGE: &str = "modes.html";
 /// Digits of numbers in the table, and of shapes.
 const DIGITS: usize = 6;
 const SHAPE_DIGITS: usize = 3;
@@ -36,7 +39,7 @@ pub struct Options {
     /// Print everything as JSON
     #[arg(long)]
     json: bool,
-    /// Write modes.csv and modes.json into this directory (made where missing)
+    /// Write modes.csv, modes.json, and modes.html, in which the shapes move, into this directory (made where missing)
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
 }
@@ -66,6 +69,12 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     if let Some(directory) = directory {
         written.push(directory.write_with(TABLE, |file| csv::write(&table(&found), file))?);
         written.push(directory.write(SUMMARY, format!("{json:#}\n").as_bytes())?);
+        written.extend(moving::write(
+            &directory,
+            PAGE,
+            (&opened, options.pose),
+            &found,
+        )?);
     }
     print(&if options.json {
         format!("{json:#}\n")

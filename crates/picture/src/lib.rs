@@ -27,12 +27,17 @@
 //! | `compare_page` | several runs over each other → `compare.html`                |
 //! | `validate_page` | claims of validation cases → pages                          |
 //! | `html`      | parts of a page → one file                                      |
+//! | `played`    | scenes → an SVG that moves                                      |
+//! | `sheet`     | a page without scripts                                          |
+//! | `swing`     | shapes of small motions → a page                                |
+//! | `diagnosis` | a model with its names, loops and faults → a page               |
 //! | `words`     | names and units as printed                                      |
 //! | `fault`     | why a figure can't be drawn                                     |
 
 pub mod chart;
 pub mod compare_page;
 mod cut;
+pub mod diagnosis;
 pub mod film;
 pub mod font;
 pub mod mechanism;
@@ -43,13 +48,16 @@ pub mod report;
 pub mod scene;
 pub mod shape;
 pub mod svg;
+pub mod swing;
 pub mod validate_page;
 pub mod words;
 
 mod fault;
 mod html;
 mod layout;
+mod played;
 mod scale;
+mod sheet;
 mod style;
 mod symbols;
 mod trace;

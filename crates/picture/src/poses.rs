@@ -92,6 +92,18 @@ impl Poses {
         Ok(poses)
     }
 
+    /// The poses of all bodies, the ground first, one row after the other, a second apart.
+    pub fn of(rows: &[Vec<Pose>]) -> Poses {
+        let count = rows.iter().map(Vec::len).min().unwrap_or(0);
+        let of_axis = |body: usize, axis: usize| rows.iter().map(|row| row[body][axis]).collect();
+        Poses {
+            time: (0..rows.len()).map(|row| row as f64).collect(),
+            bodies: (1..count)
+                .map(|body| [0, 1, 2].map(|axis| (of_axis(body, axis), None)))
+                .collect(),
+        }
+    }
+
     /// Makes a gap of each row without a time, between its neighbours; leaves out those at the ends.
     fn empty_rows_without_time(&mut self) {
         let has_time = |time: &f64| time.is_finite();

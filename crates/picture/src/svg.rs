@@ -9,6 +9,23 @@ use super::scene::{
 
 /// The scene as the text of a file.
 pub fn write(scene: &Scene) -> String {
+    let mut text = head(scene);
+    for item in &scene.items {
+        push(&mut text, item);
+    }
+    text.push_str("</svg>\n");
+    text
+}
+
+/// One item.
+pub(crate) fn item(item: &Item) -> String {
+    let mut text = String::new();
+    push(&mut text, item);
+    text
+}
+
+/// All that stands before the items: the opening tag, what the scene shows in words, white paper.
+pub(crate) fn head(scene: &Scene) -> String {
     let mut text = String::new();
     let (width, height) = (scene.width, scene.height);
     let mm = |points: f64| number(points / POINTS_PER_MM);
@@ -32,10 +49,6 @@ pub fn write(scene: &Scene) -> String {
         number(width),
         number(height)
     );
-    for item in &scene.items {
-        push(&mut text, item);
-    }
-    text.push_str("</svg>\n");
     text
 }
 
@@ -130,7 +143,7 @@ fn spans(runs: &[Run], size: f64) -> String {
     text
 }
 
-fn points(places: &[Place]) -> String {
+pub(crate) fn points(places: &[Place]) -> String {
     let places: Vec<String> = places
         .iter()
         .map(|[x, y]| format!("{},{}", number(*x), number(*y)))
@@ -174,7 +187,7 @@ fn stroke(pen: Option<Pen>) -> String {
 }
 
 /// Thousandths of a point, without needless zeros.
-fn number(value: f64) -> String {
+pub(crate) fn number(value: f64) -> String {
     let text = format!("{value:.3}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" {
@@ -185,7 +198,7 @@ fn number(value: f64) -> String {
 }
 
 /// Text that can't end where it stands.
-fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")

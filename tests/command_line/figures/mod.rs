@@ -4,6 +4,7 @@ mod events;
 mod images;
 mod layout;
 mod names;
+mod pages;
 mod poses;
 mod reading;
 mod refused;

@@ -45,6 +45,12 @@ pub fn check(model: &Checked) -> Result<Check, Complaints> {
             .iter()
             .map(|one| moving_names(&system, &one.bodies))
             .collect(),
+        loop_joints: topology
+            .loops()
+            .iter()
+            .map(|one| one.joints.iter().map(|&joint| names[joint].to_string()))
+            .map(Iterator::collect)
+            .collect(),
         ..Check::default()
     };
     check.mobility.grubler = topology.mobility();
@@ -78,6 +84,7 @@ pub fn check(model: &Checked) -> Result<Check, Complaints> {
     check.mobility = assembled.mobility.clone();
     check.warnings.extend(assembled.warnings.iter().cloned());
     let q = assembled.q.clone();
+    check.poses = frames(&system, &q);
     let undriven = if journals_move(model) {
         let (open, undriven) = open(model, assembled)?;
         check.open = Some(open);
@@ -96,6 +103,18 @@ pub fn check(model: &Checked) -> Result<Check, Complaints> {
     check.suspicious.extend(turned_over(model, &system, &q));
     check.suspicious.extend(odd_springs(model, &system, &q));
     Ok(check)
+}
+
+/// Names and places of the moving bodies' frames.
+fn frames(system: &System, q: &[f64]) -> Vec<(String, [f64; 3])> {
+    let bodies = system.bodies.iter().zip(system.layout.bodies());
+    bodies
+        .map(|(body, columns)| {
+            let [x, y, theta] = columns.read(q);
+            let rho = crate::element::Pose::new(x, y, theta).turn(body.origin);
+            (body.name.clone(), [x + rho.x, y + rho.y, theta])
+        })
+        .collect()
 }
 
 /// Bodies that no joint holds.

@@ -1,6 +1,6 @@
 //! Driven slides between moving bodies: hydraulic or pneumatic cylinders.
 
-use super::moving::turned;
+use super::places::turned;
 use crate::poses::Pose;
 use crate::shape::{DriverKind, JointKind, Shape};
 

@@ -1,8 +1,9 @@
 //! What drivers stand at in a pose, and the instants of several poses that tell most about the motion.
 
-use super::moving::{Mechanism, place, turned};
+use super::drivers::driver_value;
+use super::moving::Mechanism;
 use crate::poses::{Pose, Poses};
-use crate::shape::{DriverKind, Shape};
+use crate::shape::DriverKind;
 use crate::words;
 
 /// Outputs among which instants are chosen, at most.
@@ -15,36 +16,6 @@ const MOST_TOLD: usize = 2;
 const SAME: f64 = 1e-3;
 /// A driver that goes less far in all stands still [rad, m].
 const STILL: f64 = 1e-9;
-
-/// Value of a driver: an angle \[rad\], or a slide \[m\].
-pub fn driver_value(shape: &Shape, pose: &[Pose], driver: DriverKind) -> f64 {
-    match driver {
-        DriverKind::Rotation {
-            body, relative_to, ..
-        } => pose[body][2] - pose[relative_to][2],
-        DriverKind::Translation { joint } => {
-            let joint = &shape.joints[joint];
-            let [a, b] = joint.between.map(|end| place(shape, pose, end));
-            let [u, v] = turned(pose[joint.between[0].0], joint.axis().unwrap_or_default());
-            u * (b[0] - a[0]) + v * (b[1] - a[1])
-        }
-    }
-}
-
-/// Least and greatest value of each driver.
-pub fn driver_ranges<'p>(
-    shape: &Shape,
-    poses: impl Iterator<Item = &'p Vec<Pose>>,
-) -> Vec<[f64; 2]> {
-    let mut ranges = vec![[f64::INFINITY, f64::NEG_INFINITY]; shape.drivers.len()];
-    for pose in poses {
-        for (driver, [low, high]) in shape.drivers.iter().zip(&mut ranges) {
-            let value = driver_value(shape, pose, driver.kind);
-            (*low, *high) = (low.min(value), high.max(value));
-        }
-    }
-    ranges
-}
 
 /// Instants on which poses are spread: over `value` from the first to the last one.
 struct Stretch {
@@ -121,8 +92,9 @@ impl Mechanism {
     /// Outputs with poses: their time, and their value as `value` tells it.
     fn rows_with(&self, value: impl Fn(&Poses, usize) -> Option<f64>) -> Vec<Option<[f64; 2]>> {
         let count = self.poses.time.len();
-        let rows = (0..count).step_by(count.div_ceil(MOST_ROWS).max(1));
-        let last = (count - 1) % count.div_ceil(MOST_ROWS).max(1) != 0;
+        let step = count.div_ceil(MOST_ROWS).max(1);
+        let rows = (0..count).step_by(step);
+        let last = !(count - 1).is_multiple_of(step);
         rows.chain(last.then_some(count - 1))
             .map(|row| value(&self.poses, row).map(|value| [self.poses.time[row], value]))
             .collect()

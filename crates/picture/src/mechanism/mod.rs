@@ -5,22 +5,29 @@
 //! | file       | does                                                        |
 //! | ---------- | ----------------------------------------------------------- |
 //! | `moving`   | a mechanism with its motion: extent, paths, slides          |
-//! | `instants` | what drivers stand at, and when poses tell most             |
+//! | `places`   | points and directions in global axes                        |
+//! | `drivers`  | what drivers stand at                                       |
+//! | `instants` | when poses tell most                                        |
 //! | `cylinder` | which joints are cylinders                                  |
 //! | `view`     | the part of a page that shows it                            |
 //! | `pages`    | one pose with its time, several poses over or beside others |
+//! | `plain`    | one pose without words                                      |
 //! | `pose`     | draws bodies and joints of one pose                         |
 //! | `actions`  | draws springs, drivers and loads of one pose                |
 //! | `sketch`   | what all drawing of one pose needs                          |
 
 mod actions;
 mod cylinder;
+mod drivers;
 mod instants;
 mod moving;
 mod pages;
+mod places;
+mod plain;
 mod pose;
 mod sketch;
 mod view;
 
 pub use moving::Mechanism;
 pub use pages::{Layout, MOST_POSES};
+pub use plain::Marks;

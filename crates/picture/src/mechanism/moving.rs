@@ -1,7 +1,8 @@
 //! A mechanism with its motion: how far it reaches, the paths of its points, how far its slides go.
 
 use super::cylinder::Cylinders;
-use super::instants::driver_ranges;
+use super::drivers::driver_ranges;
+use super::places::{place, turned};
 use super::view::{Extent, Frame, Margins};
 use crate::fault::Fault;
 use crate::poses::{Pose, Poses, global};
@@ -32,6 +33,8 @@ pub struct Mechanism {
     pub(super) cylinders: Cylinders,
     /// Least and greatest value of each driver [rad, m].
     pub(super) driver_ranges: Vec<[f64; 2]>,
+    /// Whether pins are drawn once, however far their halves lie apart.
+    pub(super) pins_are_whole: bool,
     /// Whether the motion ends as it begins.
     pub(super) returns: bool,
     /// Magnitude of the largest force among the loads \[N\].
@@ -61,6 +64,7 @@ impl Mechanism {
                 margins: Margins::WIDE,
             },
             cylinders: Cylinders::default(),
+            pins_are_whole: false,
             returns: false,
             driver_ranges: driver_ranges(&shape, rows.iter().flatten()),
             largest_load: forces.map(|load| load.largest()).fold(0.0, f64::max),
@@ -191,16 +195,6 @@ impl Mechanism {
             ))
         }
     }
-}
-
-/// A point in global coordinates. The shape was checked: every point that is named is there.
-pub fn place(shape: &Shape, pose: &[Pose], point: PointId) -> [f64; 2] {
-    global(pose[point.0], shape.point(point).unwrap_or_default())
-}
-
-/// A direction of a body in global axes.
-pub fn turned([_, _, angle]: Pose, direction: [f64; 2]) -> [f64; 2] {
-    global([0.0, 0.0, angle], direction)
 }
 
 /// The path of a point, in pieces between gaps.

@@ -1,6 +1,7 @@
 //! Pages that show a mechanism: one pose with its time, several poses over each other or side by side.
 
-use super::moving::{Mechanism, place};
+use super::moving::Mechanism;
+use super::places::place;
 use super::sketch::Sketch;
 use super::view::View;
 use super::{actions, pose};
@@ -188,13 +189,18 @@ impl Mechanism {
     }
 
     /// What is drawn once for all poses, as it is at a time.
-    fn draw_backdrop(&self, scene: &mut Scene, view: &View, time: f64) {
+    pub(super) fn draw_backdrop(&self, scene: &mut Scene, view: &View, time: f64) {
         if let Some(poses) = self.poses.at(time) {
             pose::draw_backdrop(scene, &self.sketch(view, &poses, 1.0));
         }
     }
 
-    fn sketch<'s>(&'s self, view: &'s View, pose: &'s [Pose], strength: f64) -> Sketch<'s> {
+    pub(super) fn sketch<'s>(
+        &'s self,
+        view: &'s View,
+        pose: &'s [Pose],
+        strength: f64,
+    ) -> Sketch<'s> {
         Sketch {
             mechanism: self,
             view,
@@ -204,7 +210,7 @@ impl Mechanism {
     }
 
     /// Everything else at a time; nothing in a gap. A pose that stands behind others is faded, and tells no actions.
-    fn draw_pose(&self, scene: &mut Scene, view: &View, time: f64, faded: Option<f64>) {
+    pub(super) fn draw_pose(&self, scene: &mut Scene, view: &View, time: f64, faded: Option<f64>) {
         let Some(poses) = self.poses.at(time) else {
             return;
         };

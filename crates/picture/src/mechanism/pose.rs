@@ -172,7 +172,8 @@ fn draw_pin(scene: &mut Scene, sketch: &Sketch, joint: &Joint) {
         JointKind::Revolute { clearance } => {
             support(scene);
             // A clearance that can be seen is seen.
-            if (first[0] - second[0]).hypot(first[1] - second[1]) > APART * bar {
+            let apart = (first[0] - second[0]).hypot(first[1] - second[1]);
+            if apart > APART * bar && !sketch.mechanism.pins_are_whole {
                 pin(scene, first);
             }
             pin(scene, second);

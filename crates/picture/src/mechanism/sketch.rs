@@ -1,6 +1,7 @@
 //! What all drawing of one pose needs.
 
-use super::moving::{Mechanism, place, turned};
+use super::moving::Mechanism;
+use super::places::{place, turned};
 use super::view::View;
 use crate::palette::{self, Tone};
 use crate::poses::Pose;

@@ -19,6 +19,10 @@ pub struct Check {
     pub loops: Vec<String>,
     /// The bodies that each loop goes through, ground left out.
     pub loop_bodies: Vec<Vec<String>>,
+    /// The joints of each loop, in order.
+    pub loop_joints: Vec<Vec<String>>,
+    /// Moving bodies, with x, y, angle of their frames as they assemble [m, m, rad]; none where they do not.
+    pub poses: Vec<(String, [f64; 3])>,
     /// With ideal pins.
     pub mobility: Mobility,
     /// With journals free in their bearings, where some are.

@@ -1,0 +1,336 @@
+//! A model as it stands, with its names, its loops and what is wrong at its place → a page.
+
+use super::fault::Fault;
+use super::font;
+use super::mechanism::{Marks, Mechanism};
+use super::palette;
+use super::poses::{Pose, Poses};
+use super::scene::{Anchor, Ink, Item, Pen, Place, Run, Scene};
+use super::shape::Shape;
+use super::symbols::rounded_hull;
+use super::{sheet, svg, words};
+
+/// Width of the drawing, size of its letters and radius of a number \[pt\].
+const WIDTH: f64 = 640.0;
+const LETTERS: f64 = 9.0;
+const NUMBER: f64 = 7.0;
+/// Loops that are drawn, and bodies up to which names are.
+const MOST_LOOPS: usize = 6;
+const MOST_NAMES: usize = 60;
+/// How far the line of a loop lies inside of it, as a part of the way to its middle.
+const INSIDE: f64 = 0.22;
+/// Directions around a place in which a label is tried \[pt\].
+const AROUND: [[f64; 2]; 8] = [
+    [1.0, -0.9],
+    [-1.0, -0.9],
+    [1.0, 0.9],
+    [-1.0, 0.9],
+    [1.5, 0.0],
+    [-1.5, 0.0],
+    [0.0, -1.7],
+    [0.0, 1.7],
+];
+
+/// How bad something is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Severity {
+    /// It keeps the model from running.
+    Wrong,
+    /// It is allowed, and probably a slip.
+    Doubt,
+    /// It is good to know.
+    Note,
+}
+
+/// What is said of a model.
+#[derive(Debug, Clone)]
+pub struct Finding {
+    /// How bad it is.
+    pub severity: Severity,
+    /// Its text.
+    pub text: String,
+    /// Numbers of the bodies it is about.
+    pub bodies: Vec<usize>,
+    /// Numbers of the joints it is about.
+    pub joints: Vec<usize>,
+    /// Numbers of the loops it is about.
+    pub loops: Vec<usize>,
+}
+
+/// A loop.
+#[derive(Debug, Clone)]
+pub struct Loop {
+    /// Its joints in order.
+    pub joints: Vec<usize>,
+    /// Its joints, and the bodies that it goes through.
+    pub text: String,
+}
+
+/// All that is said of a model.
+#[derive(Debug, Clone, Default)]
+pub struct Diagnosis {
+    /// Name of the model.
+    pub title: String,
+    /// The verdict, mobility.
+    pub facts: Vec<String>,
+    /// Its loops.
+    pub loops: Vec<Loop>,
+    /// What is wrong, the worst first.
+    pub findings: Vec<Finding>,
+}
+
+/// The page of a model in a position of all bodies, the ground first. What can't be drawn is told without a drawing.
+pub fn page(shape: Shape, pose: &[Pose], diagnosis: &Diagnosis) -> String {
+    let drawing = match Mechanism::new(shape, Poses::of(&[pose.to_vec()])) {
+        Ok(mechanism) => svg::write(&draw(&mechanism, diagnosis)),
+        Err(fault) => format!("<p>{}</p>\n", sheet::text(&why(&fault))),
+    };
+    let mut main =
+        format!("<div class=\"beside\">\n<div class=\"card\">\n{drawing}</div>\n<div>\n");
+    main += "<h2>What was found</h2>\n";
+    if diagnosis.findings.is_empty() {
+        main += "<p>Nothing is wrong, and nothing looks like a slip.</p>\n";
+    }
+    for (index, finding) in diagnosis.findings.iter().enumerate() {
+        let class = match finding.severity {
+            Severity::Wrong => "wrong",
+            Severity::Doubt => "doubt",
+            Severity::Note => "note",
+        };
+        main += &format!(
+            "<div class=\"finding {class}\"><span class=\"number\">{}</span><span>{}</span></div>\n",
+            index + 1,
+            long_text(&finding.text)
+        );
+    }
+    if !diagnosis.loops.is_empty() {
+        main += "<h2>Loops</h2>\n";
+    }
+    for (index, one) in diagnosis.loops.iter().enumerate() {
+        let [r, g, b] = colour(index);
+        let key = match index < MOST_LOOPS {
+            true => format!("<span class=\"key\" style=\"background:rgb({r},{g},{b})\"></span>"),
+            false => String::new(),
+        };
+        main += &format!("<p>{key}{}</p>\n", long_text(&one.text));
+    }
+    main += "</div>\n</div>\n";
+    sheet::page(&diagnosis.title, &diagnosis.facts, &main)
+}
+
+/// Text of any length as it may stand in a page: only figures cut theirs.
+fn long_text(text: &str) -> String {
+    let pieces: Vec<char> = text.chars().collect();
+    let pieces = pieces
+        .chunks(200)
+        .map(|piece| piece.iter().collect::<String>());
+    pieces.map(|piece| sheet::text(&piece)).collect()
+}
+
+fn why(fault: &Fault) -> String {
+    format!("There is no drawing: {fault}.")
+}
+
+/// Colour of a loop.
+fn colour(index: usize) -> palette::Rgb {
+    palette::curve(index + 1).light
+}
+
+/// The model with all that is said of it.
+fn draw(mechanism: &Mechanism, diagnosis: &Diagnosis) -> Scene {
+    let mut scene = mechanism.plain(0.0, WIDTH, None);
+    let marks = mechanism.marks(0.0, WIDTH);
+    scene.title = words::printable(&diagnosis.title);
+    for (index, one) in diagnosis.loops.iter().take(MOST_LOOPS).enumerate() {
+        draw_loop(&mut scene, &marks, &one.joints, index);
+    }
+    // Pins whose halves lie apart: what does not close.
+    let gap = Pen {
+        dash: &[2.5, 2.0],
+        ..Pen::new(Ink::new(palette::FORCE.light), 1.6)
+    };
+    for ([first, second], holds) in marks.joints.iter().zip(&marks.holds) {
+        if *holds && (first[0] - second[0]).hypot(first[1] - second[1]) > NUMBER {
+            scene.line("gap", [*first, *second], gap);
+        }
+    }
+    let mut labels = Labels::new(&scene, &marks);
+    for (index, finding) in diagnosis.findings.iter().enumerate() {
+        for place in places(finding, diagnosis, &marks) {
+            labels.number(&mut scene, place, index + 1, finding.severity);
+        }
+    }
+    if marks.body_names.len() <= MOST_NAMES {
+        for (name, at) in &marks.body_names {
+            labels.name(&mut scene, ("body-name", name), *at, palette::INK);
+        }
+        for (name, [_, at]) in marks.joint_names.iter().zip(&marks.joints) {
+            labels.name(&mut scene, ("joint-name", name), *at, palette::STEEL);
+        }
+    }
+    scene
+}
+
+fn middle(places: &[Place]) -> Place {
+    let count = places.len().max(1) as f64;
+    [0, 1].map(|axis| places.iter().map(|place| place[axis]).sum::<f64>() / count)
+}
+
+/// A dashed line inside of the loop.
+fn draw_loop(scene: &mut Scene, marks: &Marks, joints: &[usize], index: usize) {
+    let places: Vec<Place> = joints
+        .iter()
+        .filter_map(|joint| marks.joints.get(*joint))
+        .map(|[at, _]| *at)
+        .collect();
+    if places.len() < 3 {
+        return;
+    }
+    let centre = middle(&places);
+    let inside = |place: &Place| [0, 1].map(|k| place[k] + INSIDE * (centre[k] - place[k]));
+    let line: Vec<Place> = places.iter().map(inside).collect();
+    let pen = Pen {
+        dash: &[4.0, 2.0],
+        ..Pen::new(Ink::new(colour(index)), 1.6)
+    };
+    scene.area("loop", line, None, Some(pen));
+}
+
+/// Where a finding is marked.
+fn places(finding: &Finding, diagnosis: &Diagnosis, marks: &Marks) -> Vec<Place> {
+    let bodies = finding.bodies.iter().filter_map(|body| {
+        let (_, at) = marks.body_names.get(body.checked_sub(1)?)?;
+        Some(*at)
+    });
+    let joints = finding
+        .joints
+        .iter()
+        .filter_map(|joint| marks.joints.get(*joint));
+    let loops = finding.loops.iter().filter_map(|number| {
+        let joints = &diagnosis.loops.get(*number)?.joints;
+        let places = joints.iter().filter_map(|joint| marks.joints.get(*joint));
+        Some(middle(&places.map(|[at, _]| *at).collect::<Vec<_>>()))
+    });
+    bodies
+        .chain(joints.map(|[_, at]| *at))
+        .chain(loops)
+        .collect()
+}
+
+/// A text around a place.
+fn write(scene: &mut Scene, class: &'static str, [x, y]: Place, text: String, ink: Ink) {
+    scene.items.push(Item::Label {
+        class,
+        at: [x, y + 0.35 * LETTERS],
+        runs: vec![Run::plain(text)],
+        size: LETTERS,
+        anchor: Anchor::Middle,
+        turned: false,
+        ink,
+    });
+}
+
+/// Labels that do not cover each other, nor pins.
+struct Labels {
+    /// Left, top, right, bottom.
+    taken: Vec<[f64; 4]>,
+    page: [f64; 2],
+}
+
+impl Labels {
+    fn new(scene: &Scene, marks: &Marks) -> Self {
+        let pin = 5.0;
+        let pins = marks.joints.iter().flatten();
+        Labels {
+            taken: pins
+                .map(|[x, y]| [x - pin, y - pin, x + pin, y + pin])
+                .collect(),
+            page: [scene.width, scene.height],
+        }
+    }
+
+    /// The place near another one where a box of that size covers least; it is taken then.
+    fn near(&mut self, [x, y]: Place, [wide, high]: [f64; 2]) -> Place {
+        let mut best = ([x, y], f64::INFINITY);
+        for (k, far) in [0.0, 1.0, 1.9, 3.0].into_iter().enumerate() {
+            for [u, v] in AROUND {
+                let at = [
+                    x + far * u * (wide / 2.0 + 4.0),
+                    y + far * v * (high / 2.0 + 4.0),
+                ];
+                let bounds = [
+                    at[0] - wide / 2.0,
+                    at[1] - high / 2.0,
+                    at[0] + wide / 2.0,
+                    at[1] + high / 2.0,
+                ];
+                let cost = self.covered(bounds) + 0.5 * k as f64;
+                if cost < best.1 {
+                    best = (at, cost);
+                }
+            }
+        }
+        let [x, y] = best.0;
+        self.taken.push([
+            x - wide / 2.0,
+            y - high / 2.0,
+            x + wide / 2.0,
+            y + high / 2.0,
+        ]);
+        best.0
+    }
+
+    /// How much of other labels a box covers, and of what lies outside of the page.
+    fn covered(&self, [left, top, right, bottom]: [f64; 4]) -> f64 {
+        let over = self.taken.iter().map(|[l, t, r, b]| {
+            (right.min(*r) - left.max(*l)).max(0.0) * (bottom.min(*b) - top.max(*t)).max(0.0)
+        });
+        let outside = (-left).max(0.0)
+            + (-top).max(0.0)
+            + (right - self.page[0]).max(0.0)
+            + (bottom - self.page[1]).max(0.0);
+        over.sum::<f64>() + 100.0 * outside
+    }
+
+    fn name(
+        &mut self,
+        scene: &mut Scene,
+        (class, name): (&'static str, &str),
+        at: Place,
+        tone: palette::Tone,
+    ) {
+        let text = font::fit(&words::printable(name), LETTERS, 140.0);
+        let size = [font::width(&text, LETTERS) + 3.0, LETTERS + 2.0];
+        let [x, y] = self.near(at, size);
+        // White behind the letters keeps them apart from lines.
+        let half = [size[0] / 2.0, size[1] / 2.0];
+        let corners = [
+            [x - half[0], y - half[1]],
+            [x + half[0], y - half[1]],
+            [x + half[0], y + half[1]],
+            [x - half[0], y + half[1]],
+        ];
+        scene.area("halo", corners, Some(Ink::grey(255).faded(0.7)), None);
+        write(scene, class, [x, y], text, Ink::new(tone.light));
+    }
+
+    fn number(&mut self, scene: &mut Scene, at: Place, number: usize, severity: Severity) {
+        let tone = match severity {
+            Severity::Wrong => palette::BAD,
+            Severity::Doubt => palette::WARN,
+            Severity::Note => palette::MUTED,
+        };
+        let [x, y] = self.near(at, [2.0 * NUMBER, 2.0 * NUMBER]);
+        let ink = Ink::new(tone.light);
+        scene.line("leader", [at, [x, y]], Pen::new(ink, 0.8));
+        let disc = rounded_hull(&[[x, y]], NUMBER);
+        scene.area("finding", disc, Some(ink), None);
+        write(
+            scene,
+            "finding-number",
+            [x, y],
+            number.to_string(),
+            Ink::grey(255),
+        );
+    }
+}

@@ -1,0 +1,82 @@
+//! One pose without words, and where its parts are on the page: for pages that say the words themselves.
+
+use super::moving::Mechanism;
+use super::view::View;
+use crate::fault::Fault;
+use crate::poses::Poses;
+use crate::scene::{Place, Scene};
+use crate::shape::{JointKind, Shape};
+
+/// Places and names in a drawing.
+#[derive(Debug, Clone, Default)]
+pub struct Marks {
+    /// Middle of each body, the ground left out, with its name.
+    pub body_names: Vec<(String, Place)>,
+    /// Names of the joints.
+    pub joint_names: Vec<String>,
+    /// Both points of each joint.
+    pub joints: Vec<[Place; 2]>,
+    /// Whether a joint holds its points together.
+    pub holds: Vec<bool>,
+}
+
+impl Mechanism {
+    /// A mechanism in small motions about a position. What is small of second order opens its pins a little, and is not drawn.
+    ///
+    /// # Errors
+    /// When the extent is no number that a picture can have.
+    pub fn of_small_motion(shape: Shape, poses: Poses) -> Result<Self, Fault> {
+        let mut mechanism = Mechanism::new(shape, poses)?;
+        mechanism.pins_are_whole = true;
+        Ok(mechanism)
+    }
+
+    /// One pose on a page of that width \[pt\]; a faded one without what acts.
+    pub fn plain(&self, time: f64, width: f64, faded: Option<f64>) -> Scene {
+        let height = self.frame.height(width);
+        let mut scene = Scene::new(width, height);
+        let view = View::new(&self.frame, [0.0, 0.0], [width, height]);
+        if faded.is_none() {
+            self.draw_backdrop(&mut scene, &view, time);
+        }
+        self.draw_pose(&mut scene, &view, time, faded);
+        scene
+    }
+
+    /// Where the parts of the same pose are.
+    pub fn marks(&self, time: f64, width: f64) -> Marks {
+        let Some(poses) = self.poses.at(time) else {
+            return Marks::default();
+        };
+        let view = View::new(&self.frame, [0.0, 0.0], [width, self.frame.height(width)]);
+        let sketch = self.sketch(&view, &poses, 1.0);
+        let middle = |body: usize| -> Place {
+            let points = 0..self.shape.bodies[body].points.len();
+            let places: Vec<Place> = points.map(|point| sketch.at((body, point))).collect();
+            if places.is_empty() {
+                return sketch.body_at(body);
+            }
+            [0, 1].map(|k| places.iter().map(|at| at[k]).sum::<f64>() / places.len() as f64)
+        };
+        let bodies = self.shape.bodies.iter().enumerate().skip(1);
+        let joints = self.shape.joints.iter();
+        Marks {
+            body_names: bodies
+                .map(|(number, body)| (body.name.clone(), middle(number)))
+                .collect(),
+            joint_names: joints.clone().map(|joint| joint.name.clone()).collect(),
+            holds: joints
+                .clone()
+                .map(|joint| match joint.kind {
+                    JointKind::Revolute { .. } | JointKind::Fixed => true,
+                    JointKind::Prismatic { .. }
+                    | JointKind::Slot { .. }
+                    | JointKind::Gear { .. } => false,
+                })
+                .collect(),
+            joints: joints
+                .map(|joint| joint.between.map(|end| sketch.at(end)))
+                .collect(),
+        }
+    }
+}

@@ -1,0 +1,185 @@
+//! `check -o`: the page that draws a model with what was found in it.
+
+use std::path::PathBuf;
+
+use super::exit::BadInput;
+use super::open::Opened;
+use super::shape::shape_for;
+use super::words::mobility;
+use linkdyn_engine::analysis::Check;
+use linkdyn_model::Checked;
+use linkdyn_output::read::ReadColumn;
+use linkdyn_output::{Directory, Status, Table};
+use linkdyn_picture::Shape;
+use linkdyn_picture::diagnosis::{Diagnosis, Finding, Loop, Severity, page};
+use linkdyn_picture::poses::Pose;
+
+/// The page's name.
+const PAGE: &str = "check.html";
+
+/// Writes the page of a model that was checked; `lacks` says in words what bodies lack.
+///
+/// # Errors
+/// When it can't be written.
+pub fn write(
+    directory: &Directory,
+    opened: &Opened,
+    check: &Check,
+    verdict: &str,
+    lacks: &[String],
+) -> Result<PathBuf, BadInput> {
+    let model = &opened.loaded.model;
+    let pose = pose(model, check);
+    let shape = shape_for(model, &table(model, &pose));
+    let mut found = Finder {
+        shape: &shape,
+        loops: &check.loops,
+        findings: Vec::new(),
+    };
+    check
+        .faults
+        .iter()
+        .for_each(|fault| found.add(Severity::Wrong, fault));
+    if check.status != Status::Completed {
+        let why = check.message.as_deref().unwrap_or(check.status.word());
+        found.add(Severity::Wrong, why);
+    }
+    for warning in &check.warnings {
+        found.add(Severity::Doubt, warning);
+    }
+    found.add_redundant(check);
+    for (lack, words) in check.lacks.iter().zip(lacks) {
+        found.add(Severity::Note, &format!("There is no {words}"));
+        let number = |name: &String| shape.bodies.iter().position(|body| body.name == *name);
+        if let Some(last) = found.findings.last_mut() {
+            last.bodies = lack.bodies.iter().filter_map(number).collect();
+        }
+    }
+    let joint = |name: &String| shape.joints.iter().position(|joint| joint.name == *name);
+    let loops = check.loops.iter().zip(&check.loop_bodies).enumerate();
+    let loops = loops.map(|(k, (text, bodies))| Loop {
+        joints: check.loop_joints[k].iter().filter_map(joint).collect(),
+        text: format!("{text}  (through {})", bodies.join(", ")),
+    });
+    let diagnosis = Diagnosis {
+        title: format!("{}: {verdict}", opened.name),
+        facts: vec![check.words.clone(), mobility(&check.mobility)],
+        loops: loops.collect(),
+        findings: found.findings,
+    };
+    let html = page(shape.clone(), &pose, &diagnosis);
+    Ok(directory.write(PAGE, html.as_bytes())?)
+}
+
+/// Places of all bodies, the ground first: as they assemble, else as they are drawn in the model.
+fn pose(model: &Checked, check: &Check) -> Vec<Pose> {
+    let moving = Shape::of_model(model).bodies.into_iter().skip(1);
+    let of = |name: &str| {
+        let assembled = check.poses.iter().find(|(body, _)| body == name);
+        let drawn = model.bodies.get(name).map(|body| {
+            let [x, y] = body.pose.position;
+            [x, y, body.pose.angle]
+        });
+        assembled
+            .map(|(_, pose)| *pose)
+            .or(drawn)
+            .unwrap_or_default()
+    };
+    let moving = moving.map(|body| of(&body.name));
+    std::iter::once([0.0; 3]).chain(moving).collect()
+}
+
+/// The position as if it had been read from results.
+fn table(model: &Checked, pose: &[Pose]) -> Table {
+    let column = |name: &str, unit: &str, value: f64| ReadColumn::new(name, unit, vec![value]);
+    let mut columns = vec![column("time", "s", 0.0)];
+    let bodies = Shape::of_model(model).bodies;
+    for (body, pose) in bodies.iter().zip(pose).skip(1) {
+        for ((quantity, unit), value) in [("x", "m"), ("y", "m"), ("angle", "rad")].iter().zip(pose)
+        {
+            columns.push(column(&format!("{}.{quantity}", body.name), unit, *value));
+        }
+    }
+    Table {
+        path: PathBuf::new(),
+        columns,
+    }
+}
+
+/// Finds what texts are about.
+struct Finder<'a> {
+    shape: &'a Shape,
+    loops: &'a [String],
+    findings: Vec<Finding>,
+}
+
+impl Finder<'_> {
+    fn add(&mut self, severity: Severity, text: &str) {
+        let bodies = (1..self.shape.bodies.len())
+            .filter(|&body| names(text, "bodies", &self.shape.bodies[body].name));
+        let joints = (0..self.shape.joints.len())
+            .filter(|&joint| names(text, "joints", &self.shape.joints[joint].name));
+        let loops = (0..self.loops.len()).filter(|&one| text.contains(&self.loops[one]));
+        self.findings.push(Finding {
+            severity,
+            text: text.to_string(),
+            bodies: bodies.collect(),
+            joints: joints.collect(),
+            loops: loops.collect(),
+        });
+    }
+
+    /// Joints without which the motion would be the same.
+    fn add_redundant(&mut self, check: &Check) {
+        let redundant = &check.mobility.redundant;
+        if redundant.is_empty() {
+            return;
+        }
+        let loads = &check.mobility.reactions_not_unique;
+        let loads = match loads.is_empty() {
+            true => String::new(),
+            false => format!("; the reactions in {} are not unique", loads.join(", ")),
+        };
+        self.add(
+            Severity::Note,
+            &format!("Redundant: {}{loads}", redundant.join(", ")),
+        );
+        let joint = |name: &String| {
+            let mut joints = self.shape.joints.iter();
+            joints.position(|joint| joint.name == *name)
+        };
+        let joints = redundant.iter().filter_map(joint).collect();
+        if let Some(last) = self.findings.last_mut() {
+            last.joints = joints;
+        }
+    }
+}
+
+/// Whether a text names a thing: by its path `bodies.crank`, or in quotes.
+fn names(text: &str, kind: &str, name: &str) -> bool {
+    let path = format!("{kind}.{name}");
+    let by_path = text.match_indices(&path).any(|(at, _)| {
+        let rest = text[at + path.len()..].chars().next();
+        rest.is_none_or(|c| !c.is_alphanumeric() && c != '_' && c != '-')
+    });
+    by_path || text.contains(&format!("\"{name}\""))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texts_name_what_they_are_about() {
+        for (text, named) in [
+            ("line 3: bodies.rod.points: long", true),
+            ("bodies.rod", true),
+            ("bodies.rod2.points: long", false),
+            ("joints.rod: odd", false),
+            ("\"mass\" of \"rod\" stays", true),
+            ("rod", false),
+        ] {
+            assert_eq!(names(text, "bodies", "rod"), named, "{text}");
+        }
+    }
+}

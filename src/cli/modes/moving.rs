@@ -1,0 +1,92 @@
+//! `modes -o`: the page in which the shapes of modes move.
+
+use std::f64::consts::TAU;
+use std::path::PathBuf;
+
+use super::{DIGITS, about};
+use crate::cli::exit::BadInput;
+use crate::cli::open::Opened;
+use crate::cli::page::number;
+use crate::cli::streams::complain;
+use linkdyn_engine::analysis::{Linearised, Mode};
+use linkdyn_output::Directory;
+use linkdyn_picture::Shape;
+use linkdyn_picture::poses::Pose;
+use linkdyn_picture::swing::{Course, SECONDS, Swing, page};
+
+/// Writes the page; none where there are no modes, or nothing that can be drawn, which is told.
+///
+/// # Errors
+/// When it can't be written.
+pub fn write(
+    directory: &Directory,
+    file: &str,
+    (opened, pose): (&Opened, bool),
+    found: &Linearised,
+) -> Result<Option<PathBuf>, BadInput> {
+    if found.modes.is_empty() {
+        directory.remove(file)?;
+        return Ok(None);
+    }
+    let ground: Pose = [0.0; 3];
+    let bodies = found.bodies.iter().map(|(_, place)| *place);
+    let rest: Vec<Pose> = std::iter::once(ground).chain(bodies).collect();
+    let modes = found.modes.iter().enumerate();
+    let swings: Vec<Swing> = modes.map(|(k, mode)| swing(k, mode)).collect();
+    let facts = [
+        format!("Small motions about the {}.", about(pose)),
+        format!(
+            "The amplitudes are fitted to the drawing. Each motion takes {SECONDS} s here, whatever its frequency."
+        ),
+    ];
+    let shape = Shape::of_model(&opened.loaded.model);
+    let title = format!("{}: modes", opened.name);
+    match page(&title, &facts, (&shape, &rest), &swings) {
+        Ok((html, _)) => Ok(Some(directory.write(file, html.as_bytes())?)),
+        Err(fault) => {
+            complain(&format!("{file}: {fault}"));
+            directory.remove(file)?;
+            Ok(None)
+        }
+    }
+}
+
+/// A mode and what is said of it.
+fn swing(k: usize, mode: &Mode) -> Swing {
+    let [re, im] = mode.eigenvalue;
+    let [hertz, omega] = [mode.frequency() / TAU, mode.frequency()];
+    let time = |rate: f64| number(1.0 / rate.abs(), DIGITS.min(4));
+    let (course, words) = if im != 0.0 {
+        let damping = mode.damping_ratio().unwrap_or(0.0);
+        let mut words = vec![
+            format!("{} Hz", number(hertz, DIGITS)),
+            format!(
+                "ω₀ {} rad/s, damping ratio ζ {}",
+                number(omega, DIGITS),
+                number(damping, DIGITS)
+            ),
+        ];
+        if re > 0.0 {
+            words.push(format!("unstable: it grows by e in {} s", time(re)));
+        }
+        (Course::Swings, words)
+    } else if re < 0.0 {
+        let words = format!("does not swing: it fades by e in {} s", time(re));
+        (Course::Fades, vec![words])
+    } else if re > 0.0 {
+        let words = format!("unstable: it leaves, and grows by e in {} s", time(re));
+        (Course::Leaves, vec![words])
+    } else {
+        (
+            Course::Swings,
+            vec!["moves freely: nothing pulls it back (0 Hz)".into()],
+        )
+    };
+    let title = format!("Mode {}: {}", k + 1, words[0]);
+    let texts = std::iter::once(title).chain(words.into_iter().skip(1));
+    Swing {
+        course,
+        shape: mode.shape.clone(),
+        texts: texts.collect(),
+    }
+}
