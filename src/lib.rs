@@ -49,7 +49,7 @@ pub use handles::{Column, Parameter};
 pub use linkdyn_engine::analysis::{Check, Control, Linearised, Mode};
 pub use linkdyn_model::Model;
 pub use linkdyn_model::error::{Complaint, Complaints, Place};
-pub use linkdyn_output::{Event, Report, Status, Trajectory};
+pub use linkdyn_output::{Event, Report, Status};
 pub use mechanism::Mechanism;
 pub use quantity::{Quantity, deg, kg, m, mm, newton, newton_metre, rad, rpm, s, um};
 pub use run::{Run, Values};

@@ -3,5 +3,5 @@
 pub use crate::quantity::{deg, kg, m, mm, newton, newton_metre, rad, rpm, s, um};
 pub use crate::{
     Check, Column, Complaint, Control, Error, Event, Mechanism, Model, Parameter, Quantity, Report,
-    Run, Status, Trajectory, Values,
+    Run, Status, Values,
 };

@@ -50,14 +50,8 @@ impl Quantity {
     pub fn si(self) -> f64 {
         self.si
     }
-
-    /// Whether it has no dimension.
-    pub fn is_plain(self) -> bool {
-        self.powers == Powers::default()
-    }
-
     /// Whether two quantities can be put for each other.
-    pub fn same_dimension(self, other: Quantity) -> bool {
+    pub(crate) fn same_dimension(self, other: Quantity) -> bool {
         self.powers == other.powers
     }
 

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use linkdyn_engine::analysis::Outcome;
-use linkdyn_output::{ColumnId, ColumnView, Event, Report, Status, Trajectory};
+use linkdyn_output::{ColumnId, ColumnView, Event, Report, Status};
 
 use crate::error::Error;
 use crate::files::Page;
@@ -68,11 +68,6 @@ impl Run {
             rows: self.outcome.all().column(id),
             peaks: self.outcome.peaks.column(id),
         }
-    }
-
-    /// All rows of the columns that the model wants (`analysis.columns`).
-    pub fn trajectory(&self) -> &Trajectory {
-        &self.outcome.trajectory
     }
 
     /// How the run ended.

@@ -22,6 +22,7 @@ impl Model {
     ///
     /// # Errors
     /// No body holds both centres, not the one that the file names, or the centres are one.
+    #[doc(hidden)]
     pub fn carrier(&self, name: &str, joint: &Joint) -> Option<Result<Carrier<'_>, Complaint>> {
         match &joint.kind {
             JointKind::Gear { carrier, .. } => {

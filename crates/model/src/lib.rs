@@ -104,5 +104,6 @@ pub struct Model {
     pub analysis: Option<Analysis>,
     /// How messages speak of it: the units that the file names.
     #[serde(skip)]
+    #[doc(hidden)]
     pub display: DisplayUnits,
 }

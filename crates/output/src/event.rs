@@ -72,6 +72,7 @@ pub struct Event {
 
 impl Event {
     /// Something at an instant, about which nothing else is known.
+    #[doc(hidden)]
     pub fn at(kind: EventKind, time: f64) -> Self {
         Event {
             kind,

@@ -21,6 +21,7 @@ pub struct Control {
 
 impl Control {
     /// The reason to stop now, if there is one.
+    #[doc(hidden)]
     pub fn stop(&self) -> Option<Status> {
         if self.interrupted.load(Ordering::Relaxed) {
             return Some(Status::Interrupted);
