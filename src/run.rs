@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use linkdyn_engine::analysis::Outcome;
-use linkdyn_output::{ColumnId, ColumnView, Event, Report, Status};
+use linkdyn_output::{ColumnId, ColumnView, Report, Status};
 
 use crate::error::Error;
 use crate::files::Page;
@@ -88,12 +88,6 @@ impl Run {
             }),
         }
     }
-
-    /// Events in the order of their times.
-    pub fn events(&self) -> &[Event] {
-        &self.outcome.report.events
-    }
-
     /// Everything but the columns: status, mobility, quality, events, warnings, work done.
     pub fn report(&self) -> &Report {
         &self.outcome.report

@@ -16,7 +16,7 @@
 //!
 //! **Recipe.** A new joint: one file here that implements [`Constraint`], one variant in `model::joint`, the arm the
 //! compiler asks for in `system::compile`, its entry in `tests::all_constraints` (the shared finite-difference check), a
-//! bundled model that uses it, a line in the README.
+//! bundled model that uses it, a row in `docs/format.md`.
 
 pub mod coordinate;
 pub mod coordinates;
