@@ -4,6 +4,7 @@ use super::options::Options;
 use super::panels::Found;
 use super::units::quantity_words;
 use crate::cli::results::Results;
+use linkdyn_output::Channel;
 
 /// The column's name, or what the columns have in common.
 pub fn axis_name(curves: &[&Found]) -> String {
@@ -13,11 +14,27 @@ pub fn axis_name(curves: &[&Found]) -> String {
     if curves.iter().all(|curve| curve.name == first.name) {
         return first.name.clone();
     }
-    let mut words = curves.iter().map(|curve| curve.channel.map(quantity_words));
-    match first.channel.map(quantity_words) {
-        Some(word) if words.all(|other| other == Some(word)) => word.to_string(),
-        Some(_) | None => String::new(),
+    let word = shared_word(first);
+    if curves.iter().all(|curve| shared_word(curve) == word) {
+        word
+    } else {
+        String::new()
     }
+}
+
+/// What a curve shows, in a word that curves of several owners share. A column that is not ours is told by its last word.
+fn shared_word(curve: &Found) -> String {
+    if let Some(channel) = curve.channel {
+        return quantity_words(channel).into();
+    }
+    let last = curve.name.rsplit('.').next().unwrap_or_default();
+    let ours = ["joint.any", "driver.any", "energy"]
+        .into_iter()
+        .find_map(|owner| Channel::read(&format!("{owner}.{last}")).map(|(channel, _)| channel));
+    ours.map_or_else(
+        || last.to_string(),
+        |channel| quantity_words(channel).into(),
+    )
 }
 
 /// What each run is called: as given, else by its directory, its model or its path, the first that tells all apart.

@@ -23,8 +23,10 @@ pub struct Check {
     #[doc(hidden)]
     pub loop_bodies: Vec<Vec<String>>,
     /// The joints of each loop, in order.
+    #[doc(hidden)]
     pub loop_joints: Vec<Vec<String>>,
     /// Moving bodies, with x, y, angle of their frames as they assemble [m, m, rad]; none where they do not.
+    #[doc(hidden)]
     pub poses: Vec<(String, [f64; 3])>,
     /// With ideal pins.
     pub mobility: Mobility,
