@@ -1,33 +1,32 @@
 //! Names of axes and of curves.
 
 use super::options::Options;
-use super::panels::Found;
 use super::units::quantity_words;
 use crate::cli::results::Results;
 use linkdyn_output::Channel;
 
 /// The column's name, or what the columns have in common.
-pub fn axis_name(curves: &[&Found]) -> String {
-    let Some(first) = curves.first() else {
+pub fn axis_name(columns: &[(&str, Option<Channel>)]) -> String {
+    let Some(&first) = columns.first() else {
         return String::new();
     };
-    if curves.iter().all(|curve| curve.name == first.name) {
-        return first.name.clone();
+    if columns.iter().all(|(name, _)| *name == first.0) {
+        return first.0.into();
     }
     let word = shared_word(first);
-    if curves.iter().all(|curve| shared_word(curve) == word) {
+    if columns.iter().all(|&column| shared_word(column) == word) {
         word
     } else {
         String::new()
     }
 }
 
-/// What a curve shows, in a word that curves of several owners share. A column that is not ours is told by its last word.
-fn shared_word(curve: &Found) -> String {
-    if let Some(channel) = curve.channel {
+/// What a column shows, in a word that columns of several owners share. A column that is not ours is told by its last word.
+fn shared_word((name, channel): (&str, Option<Channel>)) -> String {
+    if let Some(channel) = channel {
         return quantity_words(channel).into();
     }
-    let last = curve.name.rsplit('.').next().unwrap_or_default();
+    let last = name.rsplit('.').next().unwrap_or_default();
     let ours = ["joint.any", "driver.any", "energy"]
         .into_iter()
         .find_map(|owner| Channel::read(&format!("{owner}.{last}")).map(|(channel, _)| channel));

@@ -68,8 +68,12 @@ pub fn panels(
     let panel = |(index, unit): (usize, &&String)| {
         let curves: Vec<&Found> = found.iter().filter(|curve| curve.unit == **unit).collect();
         let name = options.y_label.get(index).cloned();
+        let columns: Vec<(&str, Option<Channel>)> = curves
+            .iter()
+            .map(|curve| (curve.name.as_str(), curve.channel))
+            .collect();
         let axis = Axis {
-            name: name.unwrap_or_else(|| axis_name(&curves)),
+            name: name.unwrap_or_else(|| axis_name(&columns)),
             unit: (*unit).clone(),
             log: options.log_y,
             range: options.y_range.get(index).copied(),
