@@ -13,6 +13,7 @@ mod models;
 mod rigid;
 
 // In the order of their names tests are run: those of the lock, which take longest, are not the last.
+mod films;
 mod jams;
 mod lock;
 mod mutants;
