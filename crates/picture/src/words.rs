@@ -44,6 +44,27 @@ pub fn unit(unit: &str) -> String {
     printable(written.trim_end_matches('\n'))
 }
 
+/// Three digits with a unit, in thousands or millions of it where there are many: `1.25 kN`.
+pub fn quantity(value: f64, of: &str) -> String {
+    let size = value.abs();
+    let (part, prefix) = match size {
+        size if size >= 1e6 => (1e-6, "M"),
+        size if size >= 1e3 => (1e-3, "k"),
+        _ => (1.0, ""),
+    };
+    if value == 0.0 {
+        return format!("0 {}", unit(of));
+    }
+    let shown = value * part;
+    let number = if !(1e-3..1e9).contains(&size) {
+        return minus(&format!("{value:.2e} {}", unit(of)));
+    } else {
+        let order = shown.abs().max(1e-3).log10().floor();
+        format!("{shown:.*}", (2.0 - order).clamp(0.0, 5.0) as usize)
+    };
+    minus(&format!("{number} {prefix}{}", unit(of)))
+}
+
 /// A number with a real minus.
 pub fn minus(number: &str) -> String {
     number.replace('-', "−")
@@ -65,6 +86,21 @@ mod tests {
             ("", ""),
         ] {
             assert_eq!(unit(unit_text), written);
+        }
+    }
+
+    #[test]
+    fn quantities_have_three_digits() {
+        for (value, of, written) in [
+            (1250.0, "N", "1.25 kN"),
+            (76129.0, "N", "76.1 kN"),
+            (-2e6, "N*m", "−2.00 MN·m"),
+            (30.0, "N", "30.0 N"),
+            (0.0123, "N", "0.0123 N"),
+            (5e-7, "N", "5.00e−7 N"),
+            (0.0, "N", "0 N"),
+        ] {
+            assert_eq!(quantity(value, of), written);
         }
     }
 

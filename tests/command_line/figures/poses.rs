@@ -274,3 +274,44 @@ fn a_driven_slide_is_a_cylinder() {
         );
     }
 }
+
+/// A spring and the damper beside it, a load with its value.
+const STRUT: &str = r#"{
+  "format": "linkdyn/1", "units": "SI",
+  "bodies": {
+    "ground": { "points": { "O": [0, 0], "F": [0.3, 0] } },
+    "arm": { "points": { "O": [0, 0], "A": [0.4, 0], "B": [0.2, 0.1] }, "mass": 1, "com": [0.2, 0], "inertia": 0.02 }
+  },
+  "joints": { "o": { "type": "revolute", "between": ["ground.O", "arm.O"] } },
+  "forces": {
+    "strut": { "type": "spring", "between": ["ground.F", "arm.B"], "stiffness": 2000, "damping": 30, "free_length": 0.15 },
+    "push": { "type": "force", "at": "arm.A", "vector": [0, -1250] },
+    "twist": { "type": "torque", "body": "arm", "value": 12.5 }
+  },
+  "analysis": { "type": "dynamics", "end": 0.1, "outputs": 11 }
+}"#;
+
+#[test]
+fn struts_and_the_values_of_loads_are_drawn() {
+    let scratch = Scratch::new("struts");
+    let class = |model: &str, class: &str| {
+        scratch.write("m.json", model);
+        scratch.done(&["run", "m.json", "-o", "out", "--no-report"]);
+        scratch.done(&["animate", "out", "-o", "a.svg", "--poses", "1"]);
+        let svg = scratch.text("a.svg");
+        let document = Document::parse(&svg).expect("XML");
+        let found = of_class(&document, class);
+        let texts: Vec<String> = found.iter().map(|node| label(*node)).collect();
+        (found.len(), texts)
+    };
+    // The coils, and two bars with a rod each; the dashpot's four strokes.
+    assert_eq!(class(STRUT, "spring").0, 5);
+    assert_eq!(class(STRUT, "damper").0, 4);
+    let spring = STRUT.replace("\"damping\": 30, ", "");
+    assert_eq!(class(&spring, "spring").0, 1);
+    assert_eq!(class(&spring, "damper").0, 0);
+    let damper = STRUT.replace("\"stiffness\": 2000", "\"stiffness\": 0");
+    assert_eq!(class(&damper, "spring").0, 0);
+    assert_eq!(class(&damper, "damper").0, 4);
+    assert_eq!(class(STRUT, "load-value").1, ["1.25 kN", "12.5 N·m"]);
+}

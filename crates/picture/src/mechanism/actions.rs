@@ -1,10 +1,12 @@
 //! Draws what acts in one pose: springs and dampers, drivers, loads.
 
 use super::sketch::Sketch;
+use super::values::Values;
 use crate::palette;
 use crate::scene::{Pen, Place, Scene};
 use crate::shape::{DriverKind, Spring, TorsionSpring};
 use crate::symbols;
+use crate::words;
 
 /// Radii of the round arrows of drivers and of torques, in bars: a coil has room in them.
 const DRIVER: f64 = 2.7;
@@ -13,6 +15,8 @@ const TORQUE: f64 = 3.6;
 const LARGEST: f64 = 11.0;
 /// Width of arrows, in bars.
 const ARROW: f64 = 0.32;
+/// A force this small beside the largest is none.
+const NONE: f64 = 1e-9;
 /// Radius of the end of a spring, in bars.
 const END: f64 = 0.4;
 
@@ -46,10 +50,10 @@ fn draw_spring(scene: &mut Scene, sketch: &Sketch, spring: &Spring) {
             symbols::hatched_line(scene, line, bar, sketch.pen(palette::GROUND));
         }
     }
-    if spring.damper {
-        symbols::dashpot(scene, ends, bar, pen);
-    } else {
-        symbols::spring(scene, ends, bar, pen);
+    match (spring.damper, spring.damped) {
+        (true, _) => symbols::dashpot(scene, ends, bar, pen),
+        (false, true) => symbols::damped_spring(scene, ends, bar, pen),
+        (false, false) => symbols::spring(scene, ends, bar, pen),
     }
 }
 
@@ -88,30 +92,41 @@ fn draw_driver(scene: &mut Scene, sketch: &Sketch, driver: DriverKind) {
 }
 
 /// Forces with their head at the point they push on, the largest one over time with a fixed length; torques around the body.
+/// Each has its value at its free end.
 fn draw_loads(scene: &mut Scene, sketch: &Sketch, time: f64) {
     let (bar, pen) = (sketch.bar(), arrow_pen(sketch, palette::LOAD));
+    let mut values = Values::new(sketch.view, pen.ink);
     for load in &sketch.mechanism.shape.loads {
         let Some([x, y]) = load.at_time(time) else {
             continue;
         };
         let Some(point) = load.at else {
             if x != 0.0 {
-                let place = (sketch.body_at(load.body), TORQUE);
-                symbols::round_arrow(scene, "load", place, x > 0.0, bar, pen);
+                let centre = sketch.body_at(load.body);
+                symbols::round_arrow(scene, "load", (centre, TORQUE), x > 0.0, bar, pen);
+                let above = [centre[0], centre[1] - TORQUE * bar];
+                values.write(scene, above, [0.0, -1.0], &words::quantity(x, "N*m"));
             }
             continue;
         };
-        let head = sketch.at(point);
-        let per_newton = LARGEST * bar / sketch.mechanism.largest_load.max(f64::MIN_POSITIVE);
+        let size = x.hypot(y);
+        if size <= NONE * sketch.mechanism.largest_load {
+            continue;
+        }
+        let at = sketch.at(point);
+        let per_newton = LARGEST * bar / sketch.mechanism.largest_load;
         let [dx, dy] = [x * per_newton, -y * per_newton];
-        let tail = [head[0] - dx, head[1] - dy];
+        let tail = [at[0] - dx, at[1] - dy];
         // Where there is no room for the tail the arrow begins at the point.
-        let ends = if sketch.view.shows(tail) {
-            [tail, head]
+        let (ends, free, sign) = if sketch.view.shows(tail) {
+            ([tail, at], tail, -1.0)
         } else {
-            [head, [head[0] + dx, head[1] + dy]]
+            let head = [at[0] + dx, at[1] + dy];
+            ([at, head], head, 1.0)
         };
         symbols::arrow(scene, "load", ends, bar, pen);
+        let away = [sign * x / size, -sign * y / size];
+        values.write(scene, free, away, &words::quantity(size, "N"));
     }
 }
 

@@ -14,6 +14,7 @@
 //! | `plain`    | one pose without words                                      |
 //! | `pose`     | draws bodies and joints of one pose                         |
 //! | `actions`  | draws springs, drivers and loads of one pose                |
+//! | `values`   | numbers beside arrows                                       |
 //! | `sketch`   | what all drawing of one pose needs                          |
 
 mod actions;
@@ -26,6 +27,8 @@ mod places;
 mod plain;
 mod pose;
 mod sketch;
+
+mod values;
 mod view;
 
 pub use moving::Mechanism;

@@ -3,6 +3,7 @@
 use super::moving::Mechanism;
 use super::places::place;
 use super::sketch::Sketch;
+use super::values::font_size;
 use super::view::View;
 use super::{actions, pose};
 use crate::fault::Fault;
@@ -139,7 +140,8 @@ impl Mechanism {
 
     /// How far signs reach beyond the points of the mechanism at a time, in bars: left, top, right, bottom.
     pub(super) fn overhang(&self, time: f64) -> [f64; 4] {
-        let side = 1000.0;
+        // That of a film: letters do not shrink with the page.
+        let side = 360.0;
         let view = View::new(&self.frame, [0.0, 0.0], [side, side]);
         let mut scene = Scene::new(side, side);
         self.draw_backdrop(&mut scene, &view, time);
@@ -247,11 +249,6 @@ fn columns(count: usize, height: f64) -> usize {
         Some(columns) => columns,
         None => count.div_ceil(count.div_ceil(most)),
     }
-}
-
-/// Letters that can be read beside a picture of that width \[pt\].
-fn font_size(width: f64) -> f64 {
-    (0.032 * width).clamp(7.0, 14.0)
 }
 
 /// `t = 0.52 s`, as many digits as the span asks for.

@@ -15,5 +15,5 @@ pub use ground::{hatched_line, rails, support};
 pub use hull::rounded_hull;
 pub use line::{block, slot};
 pub use marker::marker;
-pub use spring::{coil, dashpot, round_dashpot, spring};
+pub use spring::{coil, damped_spring, dashpot, round_dashpot, spring};
 pub use wheel::{Wheel, wheel};

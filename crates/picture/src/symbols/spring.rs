@@ -7,6 +7,8 @@ use crate::scene::{Pen, Place, Scene};
 const STROKES: usize = 14;
 /// Half the width of a straight spring or damper, in bars.
 const WIDTH: f64 = 1.2;
+/// How far a spring and the damper beside it lie from the line between their ends, in bars.
+const ASIDE: f64 = 1.6;
 /// Turns of a coil, and its least and greatest radius, in bars.
 const TURNS: f64 = 2.0;
 const COIL: [f64; 2] = [1.1, 2.1];
@@ -18,15 +20,44 @@ pub fn spring(scene: &mut Scene, ends: [Place; 2], bar: f64, pen: Pen) {
     let Some(line) = Line::between(ends) else {
         return;
     };
-    let straight = 0.15 * line.length;
-    let step = (line.length - 2.0 * straight) / STROKES as f64;
-    let mut places = vec![line.at(0.0, 0.0), line.at(straight, 0.0)];
-    for index in 0..STROKES {
-        let side = if index % 2 == 0 { WIDTH } else { -WIDTH };
-        places.push(line.at(straight + (index as f64 + 0.5) * step, side * bar));
+    let [low, high] = coils(&line);
+    let places = [line.at(0.0, 0.0), line.at(low, 0.0)];
+    let places = places.into_iter().chain(strokes(&line, 0.0, bar));
+    let places = places.chain([line.at(high, 0.0), ends[1]]);
+    scene.line("spring", places.collect::<Vec<_>>(), pen);
+}
+
+/// A spring and a damper side by side, between two bars.
+pub fn damped_spring(scene: &mut Scene, ends: [Place; 2], bar: f64, pen: Pen) {
+    let Some(line) = Line::between(ends) else {
+        return;
+    };
+    let [low, high] = coils(&line);
+    let (spring, damper) = (-ASIDE * bar, ASIDE * bar);
+    let places = [line.at(low, spring)].into_iter();
+    let places = places.chain(strokes(&line, spring, bar));
+    let places = places.chain([line.at(high, spring)]);
+    scene.line("spring", places.collect::<Vec<_>>(), pen);
+    draw_dashpot(scene, &line, ([low, high], damper), bar, pen);
+    for (end, at) in ends.into_iter().zip([low, high]) {
+        scene.line("spring", [end, line.at(at, 0.0)], pen);
+        scene.line("spring", [line.at(at, spring), line.at(at, damper)], pen);
     }
-    places.extend([line.at(line.length - straight, 0.0), ends[1]]);
-    scene.line("spring", places, pen);
+}
+
+/// Where the strokes of a spring begin and end along a line \[pt\].
+fn coils(line: &Line) -> [f64; 2] {
+    [0.15 * line.length, 0.85 * line.length]
+}
+
+/// Corners of the strokes of a spring so far to the right of a line \[pt\].
+fn strokes(line: &Line, right: f64, bar: f64) -> impl Iterator<Item = Place> {
+    let [low, high] = coils(line);
+    let step = (high - low) / STROKES as f64;
+    (0..STROKES).map(move |index| {
+        let side = if index % 2 == 0 { WIDTH } else { -WIDTH };
+        line.at(low + (index as f64 + 0.5) * step, right + side * bar)
+    })
 }
 
 /// The strokes of a damper between 0 and 1 along and −1 and 1 across: rod, cup, piston, rod.
@@ -40,12 +71,23 @@ const DASHPOT: [&[[f64; 2]]; 4] = [
 /// A damper.
 pub fn dashpot(scene: &mut Scene, ends: [Place; 2], bar: f64, pen: Pen) {
     if let Some(line) = Line::between(ends) {
-        for stroke in DASHPOT {
-            let places = stroke
-                .iter()
-                .map(|[s, d]| line.at(s * line.length, d * WIDTH * bar));
-            scene.line("damper", places.collect::<Vec<_>>(), pen);
-        }
+        draw_dashpot(scene, &line, ([0.0, line.length], 0.0), bar, pen);
+    }
+}
+
+/// A damper from one place along a line to another, so far to the right of it \[pt\].
+fn draw_dashpot(
+    scene: &mut Scene,
+    line: &Line,
+    ([from, to], right): ([f64; 2], f64),
+    bar: f64,
+    pen: Pen,
+) {
+    for stroke in DASHPOT {
+        let places = stroke
+            .iter()
+            .map(|[s, d]| line.at(from + s * (to - from), right + d * WIDTH * bar));
+        scene.line("damper", places.collect::<Vec<_>>(), pen);
     }
 }
 
