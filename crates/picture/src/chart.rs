@@ -11,6 +11,7 @@
 //! assert!(svg::write(&chart.draw().expect("there are values")).starts_with("<svg"));
 //! ```
 
+use super::cut::Cut;
 use super::fault::{Fault, MOST_CURVES};
 use super::scale;
 use super::scene::POINTS_PER_MM;
@@ -68,6 +69,15 @@ impl Curve {
     }
 }
 
+impl Curve {
+    /// Its places inside a range of the x axis.
+    pub(super) fn within(&self, [low, high]: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
+        let places = self.x.iter().zip(&self.y);
+        let inside = places.filter(move |(x, _)| (low..=high).contains(*x));
+        inside.map(|(x, y)| [*x, *y])
+    }
+}
+
 /// Curves over one y axis.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Panel {
@@ -101,6 +111,8 @@ pub struct Chart {
     pub marks: Vec<Mark>,
     /// Whether there are lines at the numbers of the axes.
     pub grid: bool,
+    /// Whether linear y axes show peaks whole, however flat the rest becomes; else they are cut by the rule of all pictures.
+    pub whole: bool,
     /// Width and height of the page \[mm\]; left out: one column wide, higher with more panels and longer legends.
     pub size_mm: [Option<f64>; 2],
     /// Size of the font \[pt\].
@@ -118,6 +130,7 @@ impl Default for Chart {
             panels: Vec::new(),
             marks: Vec::new(),
             grid: false,
+            whole: false,
             size_mm: [None; 2],
             font_size: 8.0,
             line_width: 1.0,
@@ -199,14 +212,12 @@ impl Chart {
         if let Some(range) = panel.axis.range {
             return Ok(range);
         }
-        let within = |curve: &Curve| -> Vec<f64> {
-            let pairs = curve
-                .x
-                .iter()
-                .zip(&curve.y)
-                .filter(|(x, _)| (low..=high).contains(*x));
-            pairs.map(|(_, y)| *y).collect()
-        };
+        let within =
+            |curve: &Curve| -> Vec<f64> { curve.within([low, high]).map(|[_, y]| y).collect() };
+        let is_cut = !self.whole && !panel.axis.log;
+        if is_cut && let Some(range) = Cut::range(panel.curves.iter().map(within)) {
+            return Ok(range);
+        }
         let values = panel.curves.iter().flat_map(within);
         scale::range(values, panel.axis.log, 0.05).ok_or_else(|| {
             let positive = if panel.axis.log {

@@ -16,6 +16,10 @@ const KEPT: f64 = 1.0;
 const ROUND_OFF: f64 = 1e-9;
 /// Values below which nothing can be said of percentiles.
 const FEW: usize = 20;
+/// Room beyond what an axis shows, as a part of it.
+const MARGIN: f64 = 0.05;
+/// The range of no value.
+const NOTHING: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
 
 /// Where to cut an axis; an end without peak is not cut.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -48,6 +52,31 @@ impl Cut {
         (cut != Cut::default()).then_some(cut)
     }
 
+    /// The range of an axis that leaves out the peaks of some curves; none where all is to be shown.
+    ///
+    /// What one curve cuts off another one may show, so each has its own cut, and the axis the widest.
+    pub fn range(curves: impl Iterator<Item = Vec<f64>>) -> Option<[f64; 2]> {
+        let [mut shown, mut all] = [NOTHING; 2];
+        let wider = |range: &mut [f64; 2], [low, high]: [f64; 2]| {
+            *range = [range[0].min(low), range[1].max(high)];
+        };
+        for values in curves {
+            let mut own = NOTHING;
+            for value in values.iter().filter(|value| value.is_finite()) {
+                wider(&mut own, [*value; 2]);
+            }
+            wider(&mut all, own);
+            let cut = Cut::of(values.into_iter()).unwrap_or_default();
+            wider(
+                &mut shown,
+                [cut.low.unwrap_or(own[0]), cut.high.unwrap_or(own[1])],
+            );
+        }
+        let margin = MARGIN * (shown[1] - shown[0]);
+        let hides = shown[0] > all[0] || shown[1] < all[1];
+        hides.then_some([shown[0] - margin, shown[1] + margin])
+    }
+
     /// `[low, high]`, an end that is not cut as null.
     pub fn to_json(self) -> Value {
         json!([self.low, self.high])
@@ -78,6 +107,20 @@ mod tests {
         assert_eq!(cut.low, None);
         let high = cut.high.expect("cut above");
         assert!((2.5..3.2).contains(&high), "{high}");
+    }
+
+    #[test]
+    fn an_axis_shows_what_any_of_its_curves_keeps() {
+        assert_eq!(Cut::range([sine()].into_iter()), None);
+        let mut peaked = sine();
+        (peaked[500], peaked[700]) = (1e6, f64::NAN);
+        let [low, high] = Cut::range([peaked.clone(), sine()].into_iter()).expect("a peak");
+        assert!(low < -1.0 && (1.4..3.5).contains(&high), "{low} {high}");
+        // Another curve goes on up there.
+        let tall = sine().into_iter().map(|y| 2e6 * y).collect();
+        assert_eq!(Cut::range([peaked, tall].into_iter()), None);
+        assert_eq!(Cut::range([vec![0.0, 1e9]].into_iter()), None);
+        assert_eq!(Cut::range(std::iter::empty()), None);
     }
 
     #[test]

@@ -29,6 +29,7 @@ pub fn chart(options: &Options, runs: &[Results]) -> Result<(Chart, Vec<String>)
         },
         panels: panels(options, runs, &found)?,
         grid: options.grid,
+        whole: options.whole,
         size_mm: page
             .size
             .map_or([page.width, page.height], |size| size.map(Some)),

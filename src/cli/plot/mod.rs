@@ -52,6 +52,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         count(chart.panels.len(), "panel")
     ));
     page.rows("left out", left_out(&chart));
+    page.rows("cut off", chart.cut_off().map_err(fault)?);
     page.rows("units unused", unused);
     print(page.text())?;
     Ok(Exit::Done)

@@ -66,6 +66,9 @@ pub struct Options {
     /// Logarithmic y axes
     #[arg(long)]
     pub log_y: bool,
+    /// Show peaks whole, however flat the rest becomes; else linear y axes end where a few peaks would flatten everything else
+    #[arg(long)]
+    pub whole: bool,
     /// Grid lines
     #[arg(long)]
     pub grid: bool,

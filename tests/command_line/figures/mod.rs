@@ -1,5 +1,6 @@
 //! Figures: numbers can be read back from them, names can't break them, files are what they say.
 
+mod cut;
 mod events;
 mod images;
 mod layout;

@@ -73,6 +73,7 @@ fn chart(runs: &Runs, quantity: Quantity, change_point: Option<f64>) -> (Chart, 
         marks: marks(change_point),
         note,
         size_mm: [None, Some(72.0)],
+        whole: true,
         ..Chart::default()
     };
     (

@@ -25,6 +25,10 @@ pub const X_TICKS: f64 = 4.2;
 pub const Y_TICKS: f64 = 2.2;
 /// Least size of a panel.
 pub const LEAST_PANEL: f64 = 4.0;
+/// Rows of values of peaks above a panel, at most.
+pub const MOST_PEAK_ROWS: usize = 8;
+/// Between a panel and the values of its peaks.
+pub const PEAK_GAP: f64 = 0.15;
 /// Rows of the legend that the usual height of a page has room for.
 pub const USUAL_ROWS: usize = 2;
 /// Largest part of a page of given height that the legend, and the note, may take.

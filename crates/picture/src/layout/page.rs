@@ -4,11 +4,12 @@ use super::axes::{backdrop, marks, x_axis, x_tick_marks, y_axis};
 use super::labels::{axis_label, fit_runs, legend_labels};
 use super::legend::legend;
 use super::measures::{
-    BETWEEN_PANELS, EDGE, GAP, LEAST_PANEL, LINE, LONGEST_LABEL, MOST_OF_PAGE, TICK, USUAL_ROWS,
-    Y_TICKS,
+    BETWEEN_PANELS, EDGE, GAP, LEAST_PANEL, LINE, LONGEST_LABEL, MOST_OF_PAGE, MOST_PEAK_ROWS,
+    PEAK_GAP, TICK, USUAL_ROWS, Y_TICKS,
 };
 use super::note::{note, note_height, note_lines};
 use super::panel::{Frame, curves};
+use super::peaks::Peaks;
 use crate::chart::{Chart, Panel};
 use crate::fault::Fault;
 use crate::font;
@@ -23,17 +24,41 @@ impl Chart {
     /// When there is nothing to draw, no room for it, or no such range.
     pub fn draw(&self) -> Result<Scene, Fault> {
         self.check()?;
+        // Values of peaks are worth a row, but not the figure.
+        for most_rows in [MOST_PEAK_ROWS, 3, 1] {
+            match self.draw_with(most_rows) {
+                Err(Fault::TooSmall) => {}
+                drawn => return drawn,
+            }
+        }
+        self.draw_with(0)
+    }
+
+    /// What its axes cut off, by curve: `driver.motor.effort: 628.6 N·m at 1.748 s`.
+    ///
+    /// # Errors
+    /// As [`Chart::draw`].
+    pub fn cut_off(&self) -> Result<Vec<String>, Fault> {
+        let (_, panels) = ranges(self, 0)?;
+        Ok(panels
+            .iter()
+            .flat_map(|ranged| ranged.peaks.words(&ranged.panel.axis.name))
+            .collect())
+    }
+
+    /// Draws the chart, with values of peaks in so many rows above each panel at most.
+    fn draw_with(&self, most_rows: usize) -> Result<Scene, Fault> {
         let em = self.font_size;
         let mut scene = Scene::new(self.width(), 0.0);
         scene.title = printable(&self.title);
         scene.about = printable(&self.note);
         let labels = legend_labels(self);
-        let [top, bottom] = margins(self, &labels, &mut scene)?;
+        let (x_range, panels) = ranges(self, most_rows)?;
+        let [top, bottom] = margins(self, &labels, &panels, &mut scene)?;
 
         // Heights of the panels give the ticks, their labels the left margin, and that the x axis.
-        let each = panel_height(self, [top, bottom])?;
-        let x_range = self.x_range()?;
-        let frames = frames(self, x_range, top, each)?;
+        let each = panel_height(self, &panels, [top, bottom])?;
+        let frames = frames(self, &panels, top, each);
         let left = left_margin(&frames, em);
         // The last x tick label may stand out by half of its width.
         let right = self.width() - 1.2 * em;
@@ -48,10 +73,17 @@ impl Chart {
         marks(self, &x_scale, [top, bottom], &mut scene);
         for frame in &frames {
             curves(self, frame, &x_scale, &labels, &mut scene);
+            frame.peaks.marks(frame, &x_scale, em, &mut scene);
             y_axis(self, frame, [left, right], &mut scene);
         }
         let last = frames.len() - 1;
         for (index, frame) in frames.iter().enumerate() {
+            let above = match index {
+                0 => labels_of_marks(self) + PEAK_GAP * em,
+                _ => PEAK_GAP * em,
+            };
+            let foot = frame.scale.end - above;
+            frame.peaks.texts(foot, &x_scale, em, &mut scene);
             x_tick_marks(self, &x_scale, &x_ticks, frame, index == last, &mut scene);
         }
         let text = fit_runs(axis_label(&self.x, x_ticks.exponent), em, right - left);
@@ -68,7 +100,12 @@ fn above_foot(em: f64) -> f64 {
 
 /// Places from above title and legend, from below note and x axis, and gives the page its height; between which heights the
 /// panels lie.
-fn margins(chart: &Chart, labels: &[String], scene: &mut Scene) -> Result<[f64; 2], Fault> {
+fn margins(
+    chart: &Chart,
+    labels: &[String],
+    panels: &[Ranged],
+    scene: &mut Scene,
+) -> Result<[f64; 2], Fault> {
     let (em, width) = (chart.font_size, chart.width());
     let mut top = EDGE * em;
     if !chart.title.is_empty() {
@@ -80,15 +117,15 @@ fn margins(chart: &Chart, labels: &[String], scene: &mut Scene) -> Result<[f64; 
     }
     let rows = legend(chart, labels, scene, top);
     top += rows as f64 * LINE * em;
-    if chart.marks.iter().any(|mark| !mark.label.is_empty()) {
-        top += LINE * em;
-    }
-    top += 0.5 * em;
+    top += labels_of_marks(chart) + 0.5 * em;
+    top += panels.first().map_or(0.0, |first| first.above);
     let lines = note_lines(chart, width);
     let foot = EDGE * em + note_height(&lines, em) + above_foot(em);
-    let height = chart
-        .height()
-        .unwrap_or_else(|| default_height(chart, rows, top + foot));
+    let height = chart.height().unwrap_or_else(|| {
+        let peaks: f64 = panels.iter().map(|panel| panel.above).sum();
+        let first = panels.first().map_or(0.0, |first| first.above);
+        default_height(chart, rows, [top + foot + peaks - first, peaks])
+    });
     let most = MOST_OF_PAGE * height;
     let is_full = rows as f64 * LINE * em > most || note_height(&lines, em) > most;
     if chart.height().is_some() && is_full {
@@ -99,14 +136,51 @@ fn margins(chart: &Chart, labels: &[String], scene: &mut Scene) -> Result<[f64; 
     Ok([top, height - foot])
 }
 
-/// Height of each panel \[pt\].
-fn panel_height(chart: &Chart, [top, bottom]: [f64; 2]) -> Result<f64, Fault> {
-    let em = chart.font_size;
+/// A panel with the range of its y axis.
+struct Ranged<'c> {
+    panel: &'c Panel,
+    range: [f64; 2],
+    peaks: Peaks,
+    /// Height of the values of peaks above it \[pt\].
+    above: f64,
+}
+
+/// The range of the x axis, and those of the panels with their peaks.
+fn ranges(chart: &Chart, most_rows: usize) -> Result<([f64; 2], Vec<Ranged<'_>>), Fault> {
     if chart.panels.is_empty() {
         return Err(Fault::Nothing("no curve is given".into()));
     }
-    let count = chart.panels.len() as f64;
-    let each = (bottom - top - (count - 1.0) * BETWEEN_PANELS * em) / count;
+    let x_range = chart.x_range()?;
+    let ranged = |panel| {
+        let range = chart.y_range(panel, x_range)?;
+        let peaks = Peaks::of(chart, panel, [x_range, range], most_rows);
+        Ok(Ranged {
+            panel,
+            range,
+            above: peaks.height(chart.font_size),
+            peaks,
+        })
+    };
+    let panels: Result<Vec<_>, Fault> = chart.panels.iter().map(ranged).collect();
+    Ok((x_range, panels?))
+}
+
+/// Height of the labels of marks above the first panel \[pt\].
+fn labels_of_marks(chart: &Chart) -> f64 {
+    let has_labels = chart.marks.iter().any(|mark| !mark.label.is_empty());
+    if has_labels {
+        LINE * chart.font_size
+    } else {
+        0.0
+    }
+}
+
+/// Height of each panel \[pt\].
+fn panel_height(chart: &Chart, panels: &[Ranged], [top, bottom]: [f64; 2]) -> Result<f64, Fault> {
+    let em = chart.font_size;
+    let count = panels.len() as f64;
+    let further: f64 = panels.iter().skip(1).map(|panel| panel.above).sum();
+    let each = (bottom - top - further - (count - 1.0) * BETWEEN_PANELS * em) / count;
     if each < LEAST_PANEL * em {
         return Err(Fault::TooSmall);
     }
@@ -114,31 +188,37 @@ fn panel_height(chart: &Chart, [top, bottom]: [f64; 2]) -> Result<f64, Fault> {
 }
 
 /// The panels from above, each with that height.
-fn frames<'c>(
-    chart: &'c Chart,
-    x_range: [f64; 2],
+fn frames<'r, 'c>(
+    chart: &Chart,
+    panels: &'r [Ranged<'c>],
     top: f64,
     each: f64,
-) -> Result<Vec<Frame<'c>>, Fault> {
+) -> Vec<Frame<'r, 'c>> {
     let em = chart.font_size;
-    let frame = |(index, panel): (usize, &'c Panel)| {
-        let [low, high] = chart.y_range(panel, x_range)?;
-        let upper = top + index as f64 * (each + BETWEEN_PANELS * em);
+    let mut upper = top;
+    let mut frames = Vec::new();
+    for (index, ranged) in panels.iter().enumerate() {
+        if index > 0 {
+            upper += ranged.above;
+        }
+        let [low, high] = ranged.range;
+        let axis = &ranged.panel.axis;
         let scale = Scale {
             low,
             high,
-            log: panel.axis.log,
+            log: axis.log,
             start: upper + each,
             end: upper,
         };
-        let ticks = scale.ticks(Y_TICKS * em, panel.axis.unit == "deg");
-        Ok(Frame {
-            panel,
+        frames.push(Frame {
+            panel: ranged.panel,
+            peaks: &ranged.peaks,
             scale,
-            ticks,
-        })
-    };
-    chart.panels.iter().enumerate().map(frame).collect()
+            ticks: scale.ticks(Y_TICKS * em, axis.unit == "deg"),
+        });
+        upper += each + BETWEEN_PANELS * em;
+    }
+    frames
 }
 
 /// Where the axes begin: to the right of labels and numbers.
@@ -155,11 +235,12 @@ fn left_margin(frames: &[Frame], em: f64) -> f64 {
 }
 
 /// Height of a page that may have any: many rows of a legend do not take theirs from the curves, and labels of y axes are whole.
-/// `fixed` is what is above and below the panels.
-fn default_height(chart: &Chart, legend_rows: usize, fixed: f64) -> f64 {
+/// `fixed` is what is above, between and below the panels, and `peaks` the part of it for the values of peaks.
+fn default_height(chart: &Chart, legend_rows: usize, [fixed, peaks]: [f64; 2]) -> f64 {
     let em = chart.font_size;
     let count = chart.panels.len().max(1) as f64;
-    let usual = chart.usual_height() + legend_rows.saturating_sub(USUAL_ROWS) as f64 * LINE * em;
+    let usual =
+        chart.usual_height() + legend_rows.saturating_sub(USUAL_ROWS) as f64 * LINE * em + peaks;
     let rest = fixed + (count - 1.0) * BETWEEN_PANELS * em;
     // A power of ten may come to each.
     let label = |panel: &Panel| font::width_of_runs(&axis_label(&panel.axis, -6), em);

@@ -1,5 +1,6 @@
 //! A panel with its scale and ticks; its curves.
 
+use super::peaks::Peaks;
 use crate::chart::{Chart, Panel};
 use crate::scale::{Scale, Ticks};
 use crate::scene::Scene;
@@ -8,9 +9,11 @@ use crate::symbols;
 use crate::trace::trace;
 
 /// A panel in the making.
-pub struct Frame<'a> {
+pub struct Frame<'r, 'c> {
     /// What it shows.
-    pub panel: &'a Panel,
+    pub panel: &'c Panel,
+    /// What it cuts off.
+    pub peaks: &'r Peaks,
     /// Scale of its y axis.
     pub scale: Scale,
     /// Ticks of its y axis.

@@ -50,6 +50,7 @@ pub fn figures(
                 STEPS[CURVES], STEPS[fine]
             ),
             size_mm: [None, Some(112.0)],
+            whole: true,
             ..Chart::default()
         };
         let scene = chart
