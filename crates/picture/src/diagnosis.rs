@@ -109,7 +109,9 @@ pub fn page(shape: Shape, pose: &[Pose], diagnosis: &Diagnosis) -> String {
     for (index, one) in diagnosis.loops.iter().enumerate() {
         let [r, g, b] = colour(index);
         let key = match index < MOST_LOOPS {
-            true => format!("<span class=\"key\" style=\"background:rgb({r},{g},{b})\"></span>"),
+            true => format!(
+                "<svg class=\"key\" viewBox=\"0 0 22 4\"><rect width=\"22\" height=\"4\" rx=\"2\" fill=\"rgb({r},{g},{b})\"/></svg>"
+            ),
             false => String::new(),
         };
         main += &format!("<p>{key}{}</p>\n", long_text(&one.text));

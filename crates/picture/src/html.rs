@@ -1,11 +1,85 @@
-//! A page as one file: a template with its parts put in, and a policy that lets nothing else act.
+//! A page as one file: one frame for all pages, data that can't act, and a policy that lets nothing else act.
+
+use std::fmt::Write as _;
 
 use sha2::{Digest, Sha256};
 
-use super::report::base64;
+use super::base64::base64;
+use super::palette;
+
+const FRAME: &str = include_str!("frame.html");
+const LIVE: &str = include_str!("live.html");
+const PLOT_STYLE: &str = include_str!("report/vendor/uPlot.min.css");
+const PLOT_LIBRARY: &str = include_str!("report/vendor/uPlot.iife.min.js");
+/// Its licence asks to stand in every copy.
+const LICENCE: &str = include_str!("report/vendor/uPlot.LICENSE");
+
+/// A page.
+#[derive(Debug)]
+pub struct Page<'a> {
+    /// What its tab says, as plain text.
+    pub title: &'a str,
+    /// Its rules, in order; they may use the colours of the palette by name.
+    pub styles: &'a [&'a str],
+    /// What stands in it, as HTML.
+    pub body: &'a str,
+    /// Its data and the script that shows them; none in a page that is text and pictures.
+    pub live: Option<Live<'a>>,
+}
+
+/// Data of a page, and what is made of them. Plots are drawn by uPlot.
+#[derive(Debug)]
+pub struct Live<'a> {
+    /// Words and numbers as JSON, made safe by [`escaped`].
+    pub data: &'a str,
+    /// Many numbers in base64.
+    pub values: &'a str,
+    /// What acts, after uPlot.
+    pub script: &'a str,
+}
+
+impl Page<'_> {
+    /// The page as the text of a file, which needs nothing else.
+    pub fn html(&self) -> String {
+        let colours = palette::style_sheet();
+        let mut styles = vec![colours.as_str()];
+        styles.extend(self.styles);
+        let (mut scripts, mut live) = (Vec::new(), String::new());
+        if let Some(Live {
+            data,
+            values,
+            script,
+        }) = self.live
+        {
+            styles.insert(0, PLOT_STYLE);
+            scripts = vec![PLOT_LIBRARY, script];
+            live = fill(
+                LIVE,
+                &[
+                    ("data", data),
+                    ("values", values),
+                    ("licence", LICENCE),
+                    ("plot_library", PLOT_LIBRARY),
+                    ("script", script),
+                ],
+            );
+        }
+        let style = styles.join("\n");
+        fill(
+            FRAME,
+            &[
+                ("policy", &policy(&scripts, &style)),
+                ("title", &text(self.title)),
+                ("style", &style),
+                ("body", self.body),
+                ("live", &live),
+            ],
+        )
+    }
+}
 
 /// A template with its `{{words}}` replaced, in one pass: what is put in is not looked at again.
-pub fn fill(template: &str, parts: &[(&str, &str)]) -> String {
+fn fill(template: &str, parts: &[(&str, &str)]) -> String {
     let room: usize = parts.iter().map(|(_, part)| part.len()).sum();
     let mut text = String::with_capacity(template.len() + room);
     for (index, piece) in template.split("{{").enumerate() {
@@ -21,7 +95,7 @@ pub fn fill(template: &str, parts: &[(&str, &str)]) -> String {
 }
 
 /// Only these scripts, this style and pictures that stand in the page; no network, no forms, no frames.
-pub fn policy(scripts: &[&str], style: &str) -> String {
+fn policy(scripts: &[&str], style: &str) -> String {
     let hash = |text: &str| format!("'sha256-{}'", base64(&Sha256::digest(text.as_bytes())));
     let mut scripts: Vec<String> = scripts.iter().map(|script| hash(script)).collect();
     if scripts.is_empty() {
@@ -32,6 +106,21 @@ pub fn policy(scripts: &[&str], style: &str) -> String {
         scripts.join(" "),
         hash(style)
     )
+}
+
+/// JSON that can stand in a script element: no tag, comment or line separator in it can end or change anything.
+pub fn escaped(json: &str) -> String {
+    let mut text = String::with_capacity(json.len() + json.len() / 16);
+    for c in json.chars() {
+        match c {
+            '<' | '>' | '&' | '\u{2028}' | '\u{2029}' => {
+                // Writing to a String can't fail.
+                let _ = write!(text, "\\u{:04x}", c as u32);
+            }
+            _ => text.push(c),
+        }
+    }
+    text
 }
 
 /// Text that can stand between tags and in attributes.
@@ -51,8 +140,15 @@ pub fn text(plain: &str) -> String {
 }
 
 #[cfg(test)]
+pub fn can_stand_in_a_page(text: &str) -> bool {
+    let text = text.to_lowercase();
+    !text.contains("</script") && !text.contains("<!--") && !text.contains("</style")
+}
+
+#[cfg(test)]
 mod tests {
     use super::*;
+    use serde_json::json;
 
     #[test]
     fn what_is_put_in_is_not_looked_at_again() {
@@ -70,6 +166,58 @@ mod tests {
 
     #[test]
     fn a_page_without_scripts_allows_none() {
-        assert!(policy(&[], "").contains("script-src 'none'; style-src"));
+        let page = Page {
+            title: "<script>",
+            styles: &["p { margin: 0; }"],
+            body: "<p>{{data}}</p>\n",
+            live: None,
+        }
+        .html();
+        assert!(page.contains("script-src 'none'; style-src 'sha256-"));
+        assert!(page.contains("<title>&lt;script&gt;</title>") && !page.contains("<script"));
+        assert!(page.contains("<body>\n<p>{{data}}</p>\n</body>"));
+    }
+
+    #[test]
+    fn a_live_page_holds_its_parts_and_allows_two_scripts() {
+        let page = Page {
+            title: "t",
+            styles: &[],
+            body: "<p>{{values}}</p>\n",
+            live: Some(Live {
+                data: "{\"a\":\"{{script}}\"}",
+                values: "AAAA",
+                script: "acts();",
+            }),
+        }
+        .html();
+        assert!(page.contains("id=\"data\">{\"a\":\"{{script}}\"}</script>"));
+        assert!(page.contains("id=\"values\">AAAA</script>") && page.contains(LICENCE));
+        let (_, rest) = page.split_once("script-src ").expect("a policy");
+        let (sources, _) = rest.split_once(';').expect("an end");
+        assert_eq!(sources.matches("'sha256-").count(), 2, "{sources}");
+        for word in ["policy", "title", "style", "body", "live", "licence"] {
+            assert!(!page.contains(&format!("{{{{{word}}}}}")), "{word}");
+        }
+    }
+
+    #[test]
+    fn json_in_a_script_element_can_not_end_it() {
+        let text = escaped(&json!("</script><!-- & \u{2028}\u{2029} \" ok").to_string());
+        assert!(
+            !text.contains(['<', '>', '&', '\u{2028}', '\u{2029}']),
+            "{text}"
+        );
+        let back: String = serde_json::from_str(&text).expect("still JSON");
+        assert_eq!(back, "</script><!-- & \u{2028}\u{2029} \" ok");
+    }
+
+    #[test]
+    fn the_library_can_stand_in_a_page() {
+        assert!(can_stand_in_a_page(PLOT_LIBRARY) && can_stand_in_a_page(PLOT_STYLE));
+        assert!(
+            !LICENCE.contains("--"),
+            "it would end the comment it stands in"
+        );
     }
 }

@@ -26,7 +26,8 @@
 //! | `report`    | shape, summary and results → `report.html`                      |
 //! | `compare_page` | several runs over each other → `compare.html`                |
 //! | `validate_page` | claims of validation cases → pages                          |
-//! | `html`      | parts of a page → one file                                      |
+//! | `html`      | one frame for all pages; data, scripts and a policy → one file  |
+//! | `base64`    | bytes → text                                                    |
 //! | `played`    | scenes → an SVG that moves                                      |
 //! | `sheet`     | a page without scripts                                          |
 //! | `swing`     | shapes of small motions → a page                                |
@@ -52,6 +53,7 @@ pub mod swing;
 pub mod validate_page;
 pub mod words;
 
+mod base64;
 mod fault;
 mod html;
 mod layout;

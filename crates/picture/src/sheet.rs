@@ -1,10 +1,12 @@
 //! A page without scripts: a title, facts, drawings and texts, in one file.
 
+use super::html::Page;
 use super::svg::escape;
-use super::{palette, words};
+use super::words;
 
 /// The page's own rules; figures are on white paper in both themes.
 const STYLE: &str = "\
+:root { color-scheme: light; }
 * { box-sizing: border-box; }
 body { margin: 0; background: var(--bg); color: var(--ink); font: 15px/1.45 system-ui, sans-serif; }
 header, main { max-width: 1500px; margin: 0 auto; padding: 16px 24px; }
@@ -20,7 +22,7 @@ figcaption { margin-top: 8px; }
 .finding { display: grid; grid-template-columns: 28px 1fr; gap: 8px; padding: 8px 0; border-top: 1px solid var(--line); }
 .number { width: 24px; height: 24px; border-radius: 12px; color: #fff; text-align: center; font-weight: bold; line-height: 24px; }
 .wrong .number { background: var(--bad); } .doubt .number { background: var(--warn); } .note .number { background: var(--muted); }
-.key { display: inline-block; width: 22px; height: 4px; border-radius: 2px; vertical-align: middle; margin-right: 8px; }
+.key { width: 22px; height: 4px; vertical-align: middle; margin-right: 8px; }
 @media (max-width: 900px) { .beside { grid-template-columns: 1fr; } }
 @media print { body { font-size: 11px; } .card { break-inside: avoid; } }
 ";
@@ -32,16 +34,16 @@ pub fn text(plain: &str) -> String {
 
 /// The whole page; `title` and `facts` are plain text, `main` is what stands below.
 pub fn page(title: &str, facts: &[String], main: &str) -> String {
-    let title = text(title);
+    let heading = text(title);
     let facts: String = facts
         .iter()
         .map(|fact| format!("<p class=\"muted\">{}</p>\n", text(fact)))
         .collect();
-    let colours = palette::style_sheet();
-    format!(
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{title}</title>\n\
-         <style>\n{colours}:root {{ color-scheme: light; }}\n{STYLE}</style>\n</head>\n<body>\n\
-         <header>\n<h1>{title}</h1>\n{facts}</header>\n<main>\n{main}</main>\n</body>\n</html>\n"
-    )
+    Page {
+        title: &words::printable(title),
+        styles: &[STYLE],
+        body: &format!("<header>\n<h1>{heading}</h1>\n{facts}</header>\n<main>\n{main}</main>\n"),
+        live: None,
+    }
+    .html()
 }

@@ -4,16 +4,17 @@ use serde_json::{Value, json};
 
 use super::facts::{apart_cuts, cuts, differences, events, extremes};
 use super::values::{chosen, encoded};
-use crate::html::{fill, policy};
+use crate::html::{Live, Page, escaped};
 use crate::palette;
-use crate::report::{LICENCE, PAGE_STYLE, PLOT_LIBRARY, PLOT_STYLE, escaped};
+use crate::report;
 use linkdyn_output::comparison::Comparison;
 use linkdyn_output::{Column, Event, Status, Trajectory};
 
-const TEMPLATE: &str = include_str!("page.html");
+const BODY: &str = include_str!("page.html");
 const OWN_STYLE: &str = include_str!("page.css");
 /// In the order in which they build on each other.
 const SCRIPT: &str = concat!(
+    include_str!("../report/js/embedded.js"),
     include_str!("js/data.js"),
     include_str!("../report/js/theme.js"),
     include_str!("../report/js/units.js"),
@@ -91,19 +92,17 @@ impl ComparePage<'_> {
             "bytes": if chosen.binary64 { 8 } else { 4 },
             "palette": palette::to_json(),
         });
-        let style = [PLOT_STYLE, &palette::style_sheet(), PAGE_STYLE, OWN_STYLE].join("\n");
-        fill(
-            TEMPLATE,
-            &[
-                ("policy", &policy(&[PLOT_LIBRARY, SCRIPT], &style)),
-                ("style", &style),
-                ("data", &escaped(&data.to_string())),
-                ("values", &encoded(&self.runs, columns, &chosen)),
-                ("licence", LICENCE),
-                ("plot_library", PLOT_LIBRARY),
-                ("script", SCRIPT),
-            ],
-        )
+        Page {
+            title: "linkdyn comparison",
+            styles: &[report::STYLE, OWN_STYLE],
+            body: BODY,
+            live: Some(Live {
+                data: &escaped(&data.to_string()),
+                values: &encoded(&self.runs, columns, &chosen),
+                script: SCRIPT,
+            }),
+        }
+        .html()
     }
 
     /// What the page knows of a run, but for its rows.
@@ -141,11 +140,8 @@ mod tests {
 
     #[test]
     fn the_scripts_can_stand_in_a_page() {
-        for text in [SCRIPT, PLOT_LIBRARY, OWN_STYLE] {
-            let text = text.to_lowercase();
-            assert!(
-                !text.contains("</script") && !text.contains("<!--") && !text.contains("</style")
-            );
+        for text in [SCRIPT, OWN_STYLE] {
+            assert!(crate::html::can_stand_in_a_page(text));
         }
     }
 }

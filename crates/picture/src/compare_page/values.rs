@@ -6,7 +6,7 @@
 use std::collections::HashSet;
 
 use super::ComparedRun;
-use crate::report::base64;
+use crate::base64::base64;
 use linkdyn_output::comparison::Comparison;
 use linkdyn_output::{Column, TIME, Trajectory};
 

@@ -3,8 +3,8 @@
 use serde_json::{Value, json};
 
 use super::encode::{Source, Worth};
-use super::template::escaped;
 use crate::cut::{self, Cut};
+use crate::html::escaped;
 use linkdyn_output::{
     BodyQuantity, Channel, Column, ColumnId, ColumnView, DriverQuantity, PointQuantity, Trajectory,
 };

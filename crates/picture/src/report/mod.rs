@@ -1,13 +1,12 @@
 //! `report.html`: the mechanism in motion, plots, tables; one file that needs nothing else and asks the network for nothing.
 //!
-//! The page is `page.html` with styles, scripts and data put in. Names of the model reach it only inside JSON in which `<`, `>` and
-//! `&` are escaped, and get into the page as text alone (`textContent`). A content security policy lets only these scripts and
-//! styles act, named by their SHA-256. Plots are drawn by uPlot (`vendor/`).
+//! The page is `page.html` in the frame of all pages (`html`), with styles, scripts and data put in. Names of the model reach it only
+//! inside JSON in which `<`, `>` and `&` are escaped, and get into the page as text alone (`textContent`). A content security policy
+//! lets only these scripts and styles act, named by their SHA-256. Plots are drawn by uPlot (`vendor/`).
 //!
 //! | file       | does                                                       |
 //! | ---------- | ---------------------------------------------------------- |
 //! | `page`     | what a page is made of; the page                           |
-//! | `template` | `page.html` and what is put into it; escapes               |
 //! | `facts`    | the summary, without what is too long for a page           |
 //! | `columns`  | columns and what they are worth                            |
 //! | `encode`   | columns as compact text, thinned where room is short       |
@@ -16,9 +15,7 @@ mod columns;
 mod encode;
 mod facts;
 mod page;
-mod template;
 
 pub use page::{LIMIT, Report};
 
-pub(crate) use encode::base64;
-pub(crate) use template::{LICENCE, PAGE_STYLE, PLOT_LIBRARY, PLOT_STYLE, escaped};
+pub(crate) use page::STYLE;

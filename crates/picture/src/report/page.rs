@@ -5,11 +5,45 @@ use serde_json::{Value, json};
 use super::columns::{cuts, heading, sources};
 use super::encode::{Plan, Source, plan, values};
 use super::facts::{cut, facts};
-use super::template::{self, escaped};
+use crate::html::{Live, Page, escaped};
 use crate::palette;
 use crate::shape::Shape;
 use linkdyn_model::Model;
 use linkdyn_output::{Summary, Trajectory};
+
+const BODY: &str = include_str!("page.html");
+pub(crate) const STYLE: &str = include_str!("page.css");
+/// In the order in which they build on each other.
+const SCRIPT: &str = concat!(
+    include_str!("js/embedded.js"),
+    include_str!("js/data.js"),
+    include_str!("js/theme.js"),
+    include_str!("js/units.js"),
+    include_str!("js/player.js"),
+    include_str!("js/shapes.js"),
+    include_str!("js/symbols.js"),
+    include_str!("js/drawing.js"),
+    include_str!("js/labels.js"),
+    include_str!("js/forces.js"),
+    include_str!("js/stage.js"),
+    include_str!("js/mini.js"),
+    include_str!("js/choices.js"),
+    include_str!("js/clearance.js"),
+    include_str!("js/plot_marks.js"),
+    include_str!("js/plot.js"),
+    include_str!("js/plots.js"),
+    include_str!("js/hits.js"),
+    include_str!("js/headline.js"),
+    include_str!("js/tables.js"),
+    include_str!("js/diagnosis.js"),
+    include_str!("js/head.js"),
+    include_str!("js/svg_pen.js"),
+    include_str!("js/figure.js"),
+    include_str!("js/take.js"),
+    include_str!("js/transport.js"),
+    include_str!("js/drawer.js"),
+    include_str!("js/keys.js"),
+);
 
 /// Largest size of a page \[bytes\].
 pub const LIMIT: usize = 5_000_000;
@@ -65,7 +99,7 @@ impl<'a> Report<'a> {
         let sources = sources(self.summary.trajectory, self.table, self.derived);
         let cuts = escaped(&cuts(&sources).to_string());
         let used = [&facts, &shape, &about, &source, &cuts].map(|text| text.len());
-        let used = template::fixed_length() + used.iter().sum::<usize>() + notes.concat().len();
+        let used = page("", "").len() + used.iter().sum::<usize>() + notes.concat().len();
         let rows = self.table.len();
         let room = LIMIT.saturating_sub(used + MARGIN);
         let plan = plan(&sources, rows, room, |source| heading(source).len() + 1);
@@ -90,8 +124,23 @@ impl<'a> Report<'a> {
         ];
         let data = parts.map(|(name, json)| format!("{}:{json}", Value::from(name)));
         let data = format!("{{{}}}", data.join(","));
-        template::page(&data, &values(kept.iter().copied(), &plan))
+        page(&data, &values(kept.iter().copied(), &plan))
     }
+}
+
+/// The page with its data, JSON that is escaped, and its values in base64. The script writes the title, since names are data.
+fn page(data: &str, values: &str) -> String {
+    Page {
+        title: "linkdyn report",
+        styles: &[STYLE],
+        body: BODY,
+        live: Some(Live {
+            data,
+            values,
+            script: SCRIPT,
+        }),
+    }
+    .html()
 }
 
 /// What to say about rows, columns and digits that are not in the page.
@@ -118,4 +167,16 @@ fn left_out(plan: &Plan, rows: usize, columns: usize, all_columns: usize) -> Vec
         notes.push("Numbers in this page have 7 digits; results.csv has all 16.".into());
     }
     notes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_scripts_can_stand_in_a_page() {
+        for text in [SCRIPT, STYLE] {
+            assert!(crate::html::can_stand_in_a_page(text));
+        }
+    }
 }

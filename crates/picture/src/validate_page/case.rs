@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 
 use super::frame::page;
 use super::words::{Counts, Judged, MEANINGS};
+use crate::base64::base64;
 use crate::html::text;
-use crate::report::base64;
 
 /// What the page is made of.
 #[derive(Debug, Clone, Default)]

@@ -1,0 +1,36 @@
+"use strict";
+// The one global: every file adds its part. What a page shows comes from two script elements, JSON and base64.
+const linkdyn = {};
+(() => {
+  const text = (id) => document.getElementById(id).textContent;
+  const given = JSON.parse(text("data"));
+
+  // Browsers before 2025 have no decoder of their own for bytes.
+  const decoded = (base64) => {
+    if (Uint8Array.fromBase64) return Uint8Array.fromBase64(base64);
+    const binary = atob(base64), bytes = new Uint8Array(binary.length);
+    for (let k = 0; k < binary.length; k++) bytes[k] = binary.charCodeAt(k);
+    return bytes;
+  };
+  // Little-endian floats; an empty cell is NaN.
+  const Floats = given.bytes === 8 ? Float64Array : Float32Array;
+  const floats = new Floats(decoded(text("values").trim()).buffer);
+
+  // Control characters and those that change the direction of writing, spelt out.
+  const plain = (any) => String(any).replace(/[\u0000-\u001f\u007f-\u009f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]/g,
+    (c) => "\\u{" + c.codePointAt(0).toString(16) + "}");
+
+  // An element with text; names come into the page nowhere else.
+  const element = (tag, options = {}, ...children) => {
+    const made = document.createElement(tag);
+    const { text, className, on, ...rest } = options;
+    if (text !== undefined) made.textContent = plain(text);
+    if (className) made.className = className;
+    for (const [event, act] of Object.entries(on || {})) made.addEventListener(event, act);
+    for (const [key, value] of Object.entries(rest)) made.setAttribute(key, value);
+    made.append(...children);
+    return made;
+  };
+
+  Object.assign(linkdyn, { given, floats, plain, element });
+})();
