@@ -1,7 +1,9 @@
-// Looks at the report as readers do: pictures of it at six sizes, dark and printed, and the times of its frames while it plays.
+// Looks at the report as readers do: pictures of it at six sizes, dark and printed, the times of its frames while it plays, and how
+// long it takes to open.
 //
 //   node benches/report.mjs DIR [LINKDYN]      pictures into DIR
 //   node benches/report.mjs --frames [LINKDYN] times of frames while the lock plays
+//   node benches/report.mjs --open [LINKDYN]   times from opening a page of 2000 rows to its first pose and plots
 //   node benches/report.mjs --page FILE DIR    pictures of a page that is there
 //
 // LINKDYN is the command, else target/debug/linkdyn. Needs Node 18 and Chromium, which it drives through a pipe.
@@ -11,7 +13,8 @@ import { tmpdir } from "node:os";
 import { basename, join, resolve } from "node:path";
 
 const MODELS = ["watt-i-lock", "four-bar", "slider-crank-clearance", "double-pendulum", "double-wishbone", "jansen-leg", "andrews-squeezer", "geared-five-bar"];
-const SIZES = [[1920, 1080], [1440, 900], [1280, 720], [820, 1180], [390, 844]];
+const SIZES = [[1920, 1080], [1440, 900], [1280, 720], [1024, 768], [820, 1180], [390, 844]];
+const LAPTOP = [1280, 720];
 const FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking", "--disable-component-update",
   "--disable-sync", "--hide-scrollbars", "--remote-debugging-pipe"];
 
@@ -60,7 +63,7 @@ async function open() {
   const { sessionId } = await send("Target.attachToTarget", { targetId, flatten: true });
   const say = (method, params) => send(method, params, sessionId);
   for (const domain of ["Page", "Runtime", "Log"]) await say(`${domain}.enable`);
-  listeners.push(({ method, params }) => { if (["Runtime.exceptionThrown", "Log.entryAdded", "Runtime.consoleAPICalled"].includes(method)) console.push(JSON.stringify(params)); });
+  listeners.push(({ method, params }) => { if (["Runtime.exceptionThrown", "Log.entryAdded", "Runtime.consoleAPICalled"].includes(method)) console.push(params.exceptionDetails?.exception?.description || JSON.stringify(params.entry || params.args)); });
   return {
     say, console,
     async go(file) {
@@ -97,18 +100,19 @@ async function shoot(browser, page, folder, name) {
     await browser.ask("scrollTo(0, document.documentElement.scrollHeight); new Promise((done) => setTimeout(done, 300))");
     await shot("-end");
   }
-  await browser.size(SIZES[2], true);
+  await browser.size(LAPTOP, true);
   await browser.go(page);
   save(join(folder, `${name}-dark.png`), (await browser.say("Page.captureScreenshot", { format: "png" })).data);
   save(join(folder, `${name}.pdf`), (await browser.say("Page.printToPDF", { preferCSSPageSize: true })).data);
-  if (browser.console.length) console.log(`${name}: ${browser.console.splice(0).join("\n")}`);
+  // Each complaint once.
+  for (const said of new Set(browser.console.splice(0))) console.log(`${name}: ${said}`);
 }
 
-const run = (command, model, folder) => execFileSync(command, ["run", model, "-o", folder], { stdio: ["ignore", "ignore", "inherit"] });
+const run = (command, model, folder, ...more) => execFileSync(command, ["run", model, "-o", folder, ...more], { stdio: ["ignore", "ignore", "inherit"] });
 
 const [mode, ...more] = process.argv.slice(2);
 if (!mode || (mode === "--page" && more.length < 2)) {
-  console.error("usage: node benches/report.mjs DIR [LINKDYN] | --frames [LINKDYN] | --page FILE DIR");
+  console.error("usage: node benches/report.mjs DIR [LINKDYN] | --frames [LINKDYN] | --open [LINKDYN] | --page FILE DIR");
   process.exit(2);
 }
 const work = mkdtempSync(join(tmpdir(), "report-runs-"));
@@ -116,12 +120,24 @@ const browser = await open();
 try {
   if (mode === "--frames") {
     run(more[0] || "target/debug/linkdyn", "watt-i-lock", work);
-    await browser.size([1280, 720]);
+    await browser.size(LAPTOP);
     await browser.go(join(work, "report.html"));
     const script = "new Promise((done) => { const times = []; let last = performance.now(); document.getElementById('arrows').click(); linkdyn.player.play(); "
       + "const tick = () => { const now = performance.now(); times.push(now - last); last = now; times.length < 400 ? requestAnimationFrame(tick) : done(times.slice(20)); }; requestAnimationFrame(tick); })";
     const times = (await browser.ask(script)).sort((a, b) => a - b), at = (part) => times[Math.floor(part * (times.length - 1))].toFixed(1);
     console.log(`frames of the lock with arrows, 1280 × 720: median ${at(0.5)} ms, p95 ${at(0.95)} ms, longest ${at(1)} ms`);
+  } else if (mode === "--open") {
+    // About as large as reports get: 113 columns, those among them that the page adds.
+    run(more[0] || "target/debug/linkdyn", "andrews-squeezer", work, "--set", "analysis.outputs=2000");
+    await browser.size(LAPTOP);
+    const times = [];
+    for (let visit = 0; visit < 9; visit++) {
+      await browser.go(join(work, "report.html"));
+      times.push(await browser.ask("performance.getEntriesByType('navigation')[0].domContentLoadedEventEnd"));
+    }
+    times.sort((a, b) => a - b);
+    const size = await browser.ask("`${linkdyn.rows} rows, ${linkdyn.columns.length} columns`");
+    console.log(`a page of ${size} has its first pose and plots after ${times[0].toFixed(0)} … ${times[4].toFixed(0)} … ${times[8].toFixed(0)} ms (fastest, median, slowest of ${times.length} visits)`);
   } else if (mode === "--page") {
     mkdirSync(more[1], { recursive: true });
     await shoot(browser, more[0], more[1], basename(more[0], ".html"));

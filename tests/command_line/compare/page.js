@@ -24,6 +24,10 @@
     if (a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 2 && b.top < a.bottom - 2) told.texts_covered.push([one.textContent, other.textContent]);
   }));
 
+  // Texts of a card that touch its frame.
+  told.texts_outside = [...document.querySelectorAll(".value > .text, .value > .number, .card h2 > *")]
+    .filter((node) => box(node).width > 0 && box(node).right > box(node.closest(".card")).right - 4).map((node) => node.textContent);
+
   // Peaks of each plot that lie beyond its axis, and those that the marks tell of; labels that cover each other.
   told.peaks = cards.list.map(({ plots }) => {
     const beyond = [], said = [];
@@ -32,6 +36,9 @@
       const { min, max } = u.scales.y;
       for (const { run, values } of list) for (const out of [(value) => value > max, (value) => value < min]) if (values.some((value) => Number.isFinite(value) && out(value))) beyond.push(run.name);
       said.push(...found.map(({ run }) => run));
+      // Nor do they touch the frame beside them: 4 px are between.
+      const { left, width } = u.bbox, room = 4 * devicePixelRatio;
+      covered += labels.filter(({ x, wide }) => x < left + room || x + wide > left + width - room).length;
       labels.forEach((a, k) => labels.slice(k + 1).forEach((b) => { if (a.x < b.x + b.wide && b.x < a.x + a.wide && a.y < b.y + b.tall && b.y < a.y + a.tall) covered++; }));
     }
     return { beyond: beyond.sort(), told: said.sort(), covered };

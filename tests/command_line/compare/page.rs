@@ -122,6 +122,7 @@ fn the_first_plot_is_on_the_first_screen() {
         assert!(number("first_bottom") <= height, "{size:?}: {found:#}");
         assert!(number("first_tall") > 150.0, "{size:?}: {found:#}");
         assert_eq!(found["texts_covered"], json!([]), "{size:?}");
+        assert_eq!(found["texts_outside"], json!([]), "{size:?}");
     }
 }
 

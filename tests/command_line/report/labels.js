@@ -3,7 +3,9 @@
   const wait = (time) => new Promise((done) => setTimeout(done, time));
   window.requestAnimationFrame = (draw) => setTimeout(() => draw(performance.now()), 16);
   await wait(300);
-  const { stage, plots, player, rows } = linkdyn;
+  // Plots below the first screen come when there is time.
+  while (linkdyn.plots.list.some(({ u }) => !u)) await wait(50);
+  const { stage, plots, player, rows, mechanism, shapes } = linkdyn;
   if (stage.hasForces) document.getElementById("arrows").click();
   const meet = (a, b) => a.x < b.x + b.wide - 0.5 && b.x < a.x + a.wide - 0.5 && a.y < b.y + b.tall - 0.5 && b.y < a.y + a.tall - 0.5;
   const covering = (boxes) => boxes.flatMap((a, k) => boxes.slice(k + 1).filter((b) => meet(a, b)).map((b) => `${a.text} / ${b.text}`));
@@ -16,6 +18,16 @@
     told.covering.push(...covering(stage.labels));
     told.outside.push(...stage.labels.filter(({ x, y, wide, tall }) => x < 0 || y < 0 || x + wide > width || y + tall > height).map(({ text }) => text));
   }
+  // The signs of pivots on the ground, and what stands at the foot of the drawing: ruler, legends of arrows.
+  const px = stage.detail, grounded = mechanism.joints.filter(({ type, between }) => type === "revolute" && between.some(([body]) => body === 0));
+  const signs = grounded.map(({ name, between }) => {
+    const [x, y] = stage.to(shapes.place(between[between[0][0] === 0 ? 0 : 1], 0));
+    return { x: x - 1.6 * 1.25 * px, y, wide: 3.2 * 1.25 * px, tall: 2.5 * px, text: `ground of ${name}` };
+  });
+  told.signs = signs.length;
+  const feet = stage.labels.filter(({ y, tall }) => y + tall > stage.size.height - 10 && tall > 20);
+  told.feet = feet.length;
+  told.covering.push(...signs.flatMap((sign) => feet.filter((foot) => meet(sign, foot)).map((foot) => `${sign.text} / ${foot.text}`)));
   for (const { labels, u } of plots.list) {
     told.plots += labels.length;
     told.covering.push(...covering(labels));

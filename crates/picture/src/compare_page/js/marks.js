@@ -28,9 +28,9 @@
   const placed = (labels, { left, top, width, height }, pen, text, x, y, down, ink) => {
     const ratio = devicePixelRatio;
     const wide = pen.measureText(text).width, tall = (FONT + 3) * ratio, gap = 7 * ratio;
-    for (let line = 0; line < 5; line++) for (const at of [x + gap, x - gap - wide, ...(line ? [Math.min(Math.max(x - wide / 2, left + 2), left + width - wide - 2)] : [])]) {
+    for (let line = 0; line < 5; line++) for (const at of [x + gap, x - gap - wide, ...(line ? [Math.min(Math.max(x - wide / 2, left + EDGE * ratio), left + width - wide - EDGE * ratio)] : [])]) {
       const box = { x: at, y: y + (down ? line : -line) * tall - (down ? 0 : tall), wide, tall, text };
-      if (box.x < left + 1 || box.x + wide > left + width - 1 || box.y < top || box.y + tall > top + height) continue;
+      if (box.x < left + EDGE * ratio || box.x + wide > left + width - EDGE * ratio || box.y < top || box.y + tall > top + height) continue;
       if (labels.some((other) => box.x < other.x + other.wide + 2 * ratio && other.x < box.x + wide + 2 * ratio && box.y < other.y + other.tall && other.y < box.y + tall)) continue;
       labels.push(box);
       pen.strokeStyle = colour("card"); pen.fillStyle = ink;

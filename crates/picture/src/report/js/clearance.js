@@ -102,7 +102,7 @@
   };
 
   // Beside the plots there is room below the mechanism; else they stand behind the plots.
-  const wide = matchMedia("(min-width: 1100px)"), section = document.getElementById("clearance");
+  const wide = matchMedia("(min-width: 1100px), (min-width: 900px) and (orientation: landscape)"), section = document.getElementById("clearance");
   const settle = () => {
     if (wide.matches) document.getElementById("motion").append(section);
     else document.getElementById("cards").insertAdjacentElement("afterend", section);

@@ -11,11 +11,16 @@
   let width = 0, height = 0, colours = null, wanted = false;
   const view = { x: 0, y: 0, scale: 1 };
 
+  // Size of a detail \[px\].
+  const detail = (width, height) => Math.min(Math.max(Math.min(width, height) * 0.026, 6.5), 13) * (mechanism.bodies.length > 60 ? 0.5 : 1);
   // Room around the mechanism \[px\]: names, buttons above, the ruler below.
   const ROOM = { left: 46, right: 46, top: 56, bottom: 50 };
+  // What the ruler and the legends of arrows take, and in details how far the sign of the ground reaches below its pin.
+  const FOOT = 38, SUPPORT = 2.6;
   const whole = () => {
     const [left, right, bottom, top] = shapes.box, part = Math.min(1, width / 420, height / 260);
     const room = Object.fromEntries(Object.entries(ROOM).map(([side, size]) => [side, size * part]));
+    room.bottom = Math.max(room.bottom, FOOT + SUPPORT * detail(width, height));
     view.scale = Math.min(Math.max(width - room.left - room.right, 40) / (right - left), Math.max(height - room.top - room.bottom, 40) / (top - bottom));
     view.x = (left + right) / 2 + (room.right - room.left) / 2 / view.scale;
     view.y = (bottom + top) / 2 + (room.top - room.bottom) / 2 / view.scale;
@@ -83,7 +88,7 @@
   // Everything, on any pen; returns the boxes of all texts.
   const picture = (pen, size, to, scale, row, background, taken, colours) => {
     const { width, height } = size;
-    const px = Math.min(Math.max(Math.min(width, height) * 0.026, 6.5), 13) * (mechanism.bodies.length > 60 ? 0.5 : 1);
+    const px = detail(width, height);
     const names = drawing.draw(pen, { to, scale, px, row, colours, show });
     pen.strokeStyle = colours.accent; pen.lineWidth = 1.4;
     [...options.traces].forEach((key, k) => trace(pen, to, key, k));
@@ -114,18 +119,20 @@
   };
   const draw = () => { if (!wanted) { wanted = true; requestAnimationFrame(paint); } };
 
-  let paper = false;
+  let paper = false, size = "";
   const resize = (sheet) => {
     paper = Boolean(sheet);
     if (!paper) fit();
     placed = null;
     const box = sheet || canvas.parentElement.getBoundingClientRect();
-    const before = `${width} ${height}`;
     const ratio = window.devicePixelRatio || 1;
+    const before = size;
     [width, height] = [box.width, box.height];
+    size = [width, height, ratio, paper].join(" ");
+    if (size === before) return;
     canvas.width = Math.round(width * ratio); canvas.height = Math.round(height * ratio);
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-    if (before !== `${width} ${height}`) whole();
+    whole();
     paint();
   };
 
@@ -171,6 +178,7 @@
     hasForces: forces.hasJoints,
     get labels() { return drawn; },
     get size() { return { width, height }; },
+    get detail() { return detail(width, height); },
     set halo(draws) { halo = draws; draw(); },
     to: (place) => to(place),
     // What is shown, on another pen.

@@ -44,7 +44,14 @@
       this.parts.push(`<text x="${n(x)}" y="${n(y + base * size)}" font-size="${size}" text-anchor="${anchor}"${colours}${turned}>${escaped(text)}</text>`);
     }
     fillText(text, x, y) { this.write(text, x, y, paint("fill", this.fillStyle)); }
-    strokeText(text, x, y) { this.write(text, x, y, ` fill="none"${this.line}`); }
+    // What parts a text from the lines behind it is a plate: as a second text it would be found, read and selected twice.
+    strokeText(text, x, y) {
+      const { fillStyle, globalAlpha } = this, size = Number(/([\d.]+)px/.exec(this.font)[1]), wide = this.measureText(linkdyn.plain(text)).width;
+      const left = { center: wide / 2, right: wide }[this.textAlign] || 0, top = { middle: 0.5, top: 0, bottom: 1 }[this.textBaseline] ?? 0.8;
+      this.fillStyle = this.strokeStyle; this.globalAlpha = 0.75;
+      this.fillRect(x - left - 1, y - top * size - 1, wide + 2, size + 2);
+      Object.assign(this, { fillStyle, globalAlpha });
+    }
     // For upright text alone: what is drawn between comes as text.
     translate(x, y) { this.origin = [x, y]; }
     rotate(angle) { this.turn = angle; }
