@@ -4,6 +4,7 @@ mod drawing;
 mod opened;
 mod page;
 mod screen;
+mod symbols;
 mod touch;
 
 use crate::browser::{Scratch, ask, ask_in, find, open};

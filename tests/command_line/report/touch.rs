@@ -64,6 +64,11 @@ fn things_answer_the_cursor_and_can_be_taken_away() {
         texts(&told["pose_svg"]["texts"]).contains(&"link4"),
         "{told:#}"
     );
+    // Who looks for a name finds it once: text is not laid over itself.
+    for (index, text) in texts(&told["pose_svg"]["texts"]).iter().enumerate() {
+        let rest = &texts(&told["pose_svg"]["texts"])[index + 1..];
+        assert!(!rest.contains(text), "{text} stands twice: {told:#}");
+    }
     // A header, 1751 rows, and what stands behind the last line end.
     assert_eq!(told["csv"], 1753);
     assert!(told["png"].as_u64() > Some(10_000), "{told:#}");
@@ -97,4 +102,25 @@ fn plots_come_in_order(told: &Value) {
     assert_eq!(extremes[0], "driver.motor.effort");
     // 1e-13 N beside 76 kN.
     assert_eq!([&extremes[1][1], &extremes[1][3]], ["0 N", "0 N"]);
+}
+
+/// A film is made by the browser of what the canvas shows: WebM, whose file begins with the mark of EBML (RFC 8794).
+#[test]
+fn a_film_can_be_taken_away() {
+    let Some(browser) = find() else { return };
+    let (page, _, _) = run(&["four-bar"]);
+    let (told, visit) = ask(&browser, &page, include_str!("film.js"), Some(20_000));
+    assert!(visit.console.is_empty(), "{:#?}", visit.console);
+    assert!(text(&told["type"]).starts_with("video/webm"), "{told:#}");
+    assert_eq!(told["head"], json!([0x1a, 0x45, 0xdf, 0xa3]), "{told:#}");
+    assert!(told["webm"] == true && told["video"] == true, "{told:#}");
+    // Pictures that differ: one alone is a few kilobytes.
+    assert!(told["size"].as_u64() > Some(20_000), "{told:#}");
+    assert!(told["clusters"].as_u64() >= Some(1), "{told:#}");
+    // All of the run was played, and the page is as it was.
+    assert!(told["shown"].as_u64() > Some(30), "{told:#}");
+    assert_eq!((&told["row"], &told["repeats"]), (&json!(7), &json!(true)));
+    assert_eq!(told["word"], "Film");
+    assert_eq!(told["given"], "Four-bar.webm", "{told:#}");
+    assert_eq!(told["requests"], 0);
 }
