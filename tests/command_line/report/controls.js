@@ -13,6 +13,8 @@
   };
 
   await wait(300);
+  // Plots below the first screen come when there is time.
+  while (linkdyn.plots.list.some(({ u }) => !u)) await wait(50);
   told.plots = plots.list.map((plot) => ({ built: plot.u !== null, columns: plot.columns.map((column) => column.name) }));
   for (const row of [0, 90, linkdyn.rows - 1]) {
     scrub(row);

@@ -200,36 +200,60 @@ fn foreign_scripts_are_refused() {
     );
 }
 
-/// 2000 instants of 60 columns: the time from opening to a page that can be used. The bound leaves room for a busy machine.
+/// The time from opening to the first drawn pose and plots, which are those on the first screen: the others wait. A busy machine
+/// slows a visit down, so that the fastest of three counts.
 #[test]
-fn a_usual_page_opens_at_once() {
+fn a_usual_page_opens_within_a_second() {
     let Some(browser) = find() else { return };
+    let probe = "addEventListener('DOMContentLoaded', () => answer({ ready: performance.now(), columns: linkdyn.width, rows: linkdyn.rows, \
+        plots: linkdyn.plots.list.length, drawn: linkdyn.plots.list.filter((plot) => plot.u).length, \
+        pose: linkdyn.stage.labels.length, known: linkdyn.shapes.known }));";
     for (what, page, bound) in [
         (
-            "2000 rows, 64 columns",
-            large(7, 2000, |k| format!("body {k}")),
-            3000.0,
+            "2000 rows, 127 columns",
+            large(14, 2000, |k| format!("body {k}")),
+            1000.0,
         ),
         (
             "10 000 bodies",
             large(10_000, 101, |k| format!("body {k}")),
-            20_000.0,
+            10_000.0,
         ),
     ] {
-        let probe = "answer({ ready: performance.now(), plots: linkdyn.plots.list.filter((plot) => plot.u).length, known: linkdyn.shapes.known });";
-        let (told, _) = ask(&browser, &page, probe, None);
-        println!(
-            "{what}: {} bytes, ready after {} ms",
-            page.len(),
-            told["ready"]
-        );
-        assert!(
-            told["ready"].as_f64().expect("a time") < bound,
-            "{what}: {told}"
-        );
-        assert!(
-            told["plots"].as_u64() >= Some(1) && told["known"] == true,
-            "{told}"
-        );
+        let visits = [(); 3].map(|()| ask(&browser, &page, probe, None).0);
+        let times = visits
+            .each_ref()
+            .map(|told| told["ready"].as_f64().expect("a time"));
+        let best = times.into_iter().fold(f64::INFINITY, f64::min);
+        println!("{what}: {} bytes, drawn after {times:?} ms", page.len());
+        assert!(best < bound, "{what}: {times:?} ms, {}", visits[0]);
+        for told in visits {
+            let [drawn, all] = ["drawn", "plots"].map(|key| told[key].as_u64().expect("a number"));
+            assert!((1..=4).contains(&drawn) && drawn <= all, "{told:#}");
+            assert!(
+                told["known"] == true && told["pose"].as_u64() > Some(0),
+                "{told:#}"
+            );
+        }
     }
+}
+
+/// What waited is drawn a moment later, seen or not: whoever scrolls or searches finds it.
+#[test]
+fn plots_below_the_first_screen_are_drawn_after_it() {
+    let Some(browser) = find() else { return };
+    let probe = "addEventListener('DOMContentLoaded', () => { const drawn = () => linkdyn.plots.list.map((plot) => Boolean(plot.u)); \
+        const first = drawn(); const look = () => drawn().every(Boolean) ? answer({ first, later: drawn() }) : setTimeout(look, 50); look(); });";
+    let (page, _, _) = run(&["lock"]);
+    let (told, visit) = ask(&browser, &page, probe, Some(10_000));
+    assert!(visit.console.is_empty(), "{:#?}", visit.console);
+    let count = |key: &str| {
+        let list = told[key].as_array().expect("a list");
+        (
+            list.iter().filter(|drawn| **drawn == true).count(),
+            list.len(),
+        )
+    };
+    let ((first, all), (later, _)) = (count("first"), count("later"));
+    assert!(first >= 1 && first < all && later == all, "{told:#}");
 }

@@ -4,6 +4,8 @@
   const wait = (time) => new Promise((done) => setTimeout(done, time));
   window.requestAnimationFrame = (draw) => setTimeout(() => draw(performance.now()), 16);
   await wait(300);
+  // Plots below the first screen come when there is time.
+  while (linkdyn.plots.list.some(({ u }) => !u)) await wait(50);
   const { stage, plots, player, shapes, mechanism, take, units } = linkdyn;
   const told = { first: plots.list.map((plot) => plot.columns.map(({ name }) => name)), over: plots.abscissa.name };
   told.peaks = plots.list.flatMap(({ labels }) => labels.map(({ text }) => text));

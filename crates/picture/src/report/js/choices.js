@@ -20,10 +20,19 @@
   for (const column of columns) ofUnit.set(column.unit, Math.max(ofUnit.get(column.unit) || 0, size(column)));
   const nothing = (value, unit) => Math.abs(value) <= 1e-11 * (ofUnit.get(unit) || 0);
   const lives = (column) => size(column) > 0 && !nothing(size(column), column.unit);
-  const varies = (column) => {
+  const ends = (column) => {
     let [low, high] = [Infinity, -Infinity];
     for (const value of column.values) if (Number.isFinite(value)) { low = Math.min(low, value); high = Math.max(high, value); }
-    return high - low > 1e-9 * size(column) && high > low;
+    return [low, high];
+  };
+  const varies = (column) => { const [low, high] = ends(column); return high - low > 1e-9 * size(column) && high > low; };
+  // Whether two curves of one unit need an axis each: on a common one the travel of one would be a line to the eye. That holds for
+  // places and angles, whose zero is arbitrary; sizes of forces and speeds are compared on one axis.
+  const LEAST_SHARE = 1 / 8, PLACES = ["m", "rad"];
+  const apart = (columns) => {
+    if (columns.length !== 2 || columns[0].unit !== columns[1].unit || !PLACES.includes(columns[0].unit) || !columns.every(varies)) return false;
+    const [[a, b], [c, d]] = columns.map(ends);
+    return Math.min(b - a, d - c) < LEAST_SHARE * (Math.max(b, d) - Math.min(a, c));
   };
   const largest = (list, most = MOST) => [...list].sort((a, b) => size(b) - size(a)).slice(0, most);
 
@@ -46,14 +55,25 @@
   };
   const dynamics = (summary.settings || {}).type === "dynamics", free = dynamics && !mechanism.drivers.length;
 
-  points.forEach((name, k) => add(`Position of ${name}`, both(name).filter(varies), k < 2));
-  points.forEach((name, k) => { const [x, y] = both(name); if (x && y && varies(x) && varies(y)) add(`Path of ${name}`, [y], k < 1, { across: x, equal: true }); });
+  // A laptop shows two plots at once: where the point goes that the mechanism is built for, and what the motor has to give for it.
+  // How well the motion is passed on and what the joints carry follow; paths stand in the drawing already, and come last.
+  const positions = (list) => list.forEach((name, k) => add(`Position of ${name}`, both(name).filter(varies), k < 1));
+  positions(points.slice(0, 1));
+  // Beside a body that goes round and round those that swing would be flat lines.
+  const angles = (first = true) => {
+    const found = ending(/\.angle$/, ofBody).filter(varies), round = found.filter((column) => { const [low, high] = ends(column); return high - low > 2.1 * Math.PI; });
+    const swing = found.filter((column) => !round.includes(column));
+    add("Angles of bodies", largest(swing), first);
+    add("Angles of bodies that go round", largest(round), first && !swing.length);
+  };
+  add("Driver efforts", ending(/^driver\..*\.effort$/), true);
   add("Velocity ratio, mechanical advantage", ending(/^transmission\.(ratio|advantage)$/), true);
   add("Transmission angles", ending(/^transmission\..*\.angle$/), true);
-  add("Driver efforts", ending(/^driver\..*\.effort$/), true);
-  if (free) add("Angles of bodies", largest(ending(/\.angle$/, ofBody).filter(varies)), true);
+  if (free) angles();
   add("Largest joint forces", largest(ending(/^joint\..*\.f$/)), true);
   add("Contact forces", ending(/^joint\..*\.normal_force$/), dynamics);
+  positions(points.slice(1));
+  points.forEach((name, k) => { const [x, y] = both(name); if (x && y && varies(x) && varies(y)) add(`Path of ${name}`, [y], k < 1, { across: x, equal: true }); });
   add("Angular velocities", largest(ending(/\.omega$/, ofBody).filter(varies)), true);
   if (free) for (const angle of ending(/\.angle$/, ofBody).filter(varies).slice(0, 2)) {
     const omega = byName.get(angle.name.replace(/angle$/, "omega"));
@@ -63,7 +83,7 @@
   add("Eccentricities", ending(/^joint\..*\.eccentricity$/), dynamics);
   add("Shaking force", ending(/^shaking\.(fx|fy|f)$/), !dynamics);
   add("Applied forces", ending(/^force\..*\.(f|torque)$/), !dynamics);
-  if (!free) add("Angles of bodies", largest(ending(/\.angle$/, ofBody).filter(varies)), !ending(/^driver\..*\.effort$|^joint\..*\.f$/).length);
+  if (!free) angles(!ending(/^driver\..*\.effort$|^joint\..*\.f$/).length);
   add("Angular accelerations", largest(ending(/\.alpha$/, ofBody)), false);
   add("Shaking moment", ending(/^shaking\.moment$/), false);
   for (const ex of ending(/^joint\..*\.ex$/).slice(0, 8)) {
@@ -81,5 +101,5 @@
     return linkdyn.units.quantity(nothing(value, column.unit) ? 0 : value, column.unit, digits);
   };
   linkdyn.told = told;
-  linkdyn.choices = { shown, presets, first, oneScale, largest, size, nothing, lives, varies };
+  linkdyn.choices = { shown, presets, first, oneScale, largest, size, nothing, lives, varies, apart };
 })();

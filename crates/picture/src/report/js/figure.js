@@ -25,9 +25,10 @@
   // Ticks and labels as uPlot has laid them out; `at` turns a value of a scale into a place.
   const axes = (pen, plot, frame, at) => {
     const { u } = plot;
-    pen.font = "12px system-ui, sans-serif"; pen.fillStyle = drawing.colour("muted"); pen.strokeStyle = drawing.colour("grid"); pen.lineWidth = 1;
+    pen.font = "12px system-ui, sans-serif"; pen.strokeStyle = drawing.colour("grid"); pen.lineWidth = 1;
     u.axes.forEach((axis, k) => {
       const texts = axis._values || [], far = axis.side === 1;
+      pen.fillStyle = k === 0 ? drawing.colour("muted") : plot.ink(axis.scale);
       (axis._splits || []).forEach((value, number) => {
         if (value === null || !texts[number]) return;
         const place = at(value, axis.scale);
@@ -71,7 +72,7 @@
         const [x, y] = [u.data[0][row], u.data[k + 1][row]];
         if (y === null) { down = false; continue; }
         // Far outside the frame a line is still a line.
-        const place = [at(x, "x"), Math.min(Math.max(at(y, column.unit), -1e5), 1e5)];
+        const place = [at(x, "x"), Math.min(Math.max(at(y, plot.scale(column)), -1e5), 1e5)];
         if (down) pen.lineTo(...place); else pen.moveTo(...place);
         down = true;
       }

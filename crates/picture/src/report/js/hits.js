@@ -132,7 +132,7 @@
     const box = shown.u.over.getBoundingClientRect(), y = event.clientY - box.top, { row } = player;
     let [best, least] = [null, 40];
     shown.columns.forEach((column) => {
-      const far = Math.abs(shown.u.valToPos(column.values[row] * units.of(column.unit).factor, column.unit) - y);
+      const far = Math.abs(shown.u.valToPos(column.values[row] * units.of(column.unit).factor, shown.scale(column)) - y);
       if (far < least) [best, least] = [column, far];
     });
     const where = [["t", `${units.number(linkdyn.time[row], 5)} s`]];

@@ -63,6 +63,7 @@
   };
   if (matchMedia("print").matches) paper(true); else resize();
   new ResizeObserver(() => setTimeout(() => { if (!printing) resize(); }, 0)).observe(id("stage"));
-  lit();
+  clearance.draw();
+  plots.start();
   document.documentElement.dataset.ready = "true";
 })();

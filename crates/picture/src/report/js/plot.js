@@ -46,6 +46,7 @@
       this.columns = columns;
       this.across = across;
       this.equal = equal;
+      this.apart = false;
       this.chips = element("div", { className: "chips" });
       this.holder = element("div", { className: "canvas" });
       this.root = element("section", { className: "card", "aria-label": "Plot" }, this.chips, this.holder);
@@ -53,13 +54,17 @@
       this.width = 0;
       this.height = HEIGHT;
       this.labels = [];
-      // Not at once: a new height is a change of its own.
-      // What is out of sight need not follow.
+      // What is out of sight need not follow, nor be drawn before there is time.
       this.seen = true;
-      new IntersectionObserver(([entry]) => { this.seen = entry.isIntersecting; if (this.seen) this.mark(); }).observe(this.root);
-      new ResizeObserver(() => setTimeout(() => this.fit(), 0)).observe(this.holder);
+      this.awake = false;
+      new IntersectionObserver(([entry]) => { this.seen = entry.isIntersecting; if (this.seen) { this.wake(); this.mark(); } }).observe(this.root);
+      // Not at once: a new height is a change of its own.
+      new ResizeObserver(() => setTimeout(() => { if (this.awake) this.fit(); }, 0)).observe(this.holder);
     }
 
+    // The axis of a curve: that of its unit, or one of its own.
+    scale(column) { return this.apart && column === this.columns[1] ? `${column.unit}, right` : column.unit; }
+    get scales() { return [...new Set(this.columns.map((column) => this.scale(column)))]; }
     get units() { return [...new Set(this.columns.map((column) => column.unit))]; }
     get abscissa() { return this.across ? { ...this.across, label: short(this.across.name) } : this.plots.abscissa; }
     get order() { return this.across ? { monotone: false, reversed: false } : this.plots.order; }
@@ -67,48 +72,55 @@
     takes(column) { return !this.columns.includes(column) && !this.across && (this.units.includes(column.unit) || this.units.length < 2); }
     add(...columns) { this.columns.push(...columns); this.build(); }
 
+    wake() { if (!this.awake) { this.awake = true; this.fit(); } }
     fit(wide) {
       const width = wide || Math.floor(this.holder.clientWidth);
       const height = this.equal ? Math.min(Math.max(Math.round(width * 0.5), HEIGHT), 300) : HEIGHT;
       if (width < 40 || (width === this.width && height === this.height && this.u)) return;
       [this.width, this.height] = [width, height];
-      if (this.u) { this.u.setSize({ width, height }); this.u.setData(this.u.data, true); this.mark(); } else this.build();
+      if (this.u) { this.u.setSize({ width, height }); this.u.setData(this.u.data, true); this.settle(); this.mark(); } else this.build();
+    }
+    // A length is as long both ways only once uPlot knows how much room its axes leave: after it has laid itself out.
+    settle() {
+      const { u } = this;
+      if (this.equal) queueMicrotask(() => { if (this.u === u) u.setData(u.data, true); });
     }
 
     build() {
       if (this.u) { this.u.destroy(); this.u = null; }
       this.head();
       if (!this.columns.length || this.width < 40) return;
+      this.apart = !this.across && linkdyn.choices.apart(this.columns);
       const { abscissa, order } = this, across = units.of(abscissa.unit), columns = [...this.columns];
       const arrange = (values) => order.reversed ? values.reverse() : values;
       const xs = arrange(times(abscissa.values, across.factor));
       const data = [xs, ...this.columns.map((column) => arrange(times(column.values, units.of(column.unit).factor)))];
-      const [ink, grid] = [drawing.colour("muted"), drawing.colour("grid")];
-      const axis = { stroke: ink, grid: { stroke: grid, width: 1 }, ticks: { stroke: grid, width: 1, size: 5 }, font: "12px system-ui, sans-serif", labelFont: "12px system-ui, sans-serif" };
+      const [muted, grid] = [drawing.colour("muted"), drawing.colour("grid")];
+      const axis = { stroke: muted, grid: { stroke: grid, width: 1 }, ticks: { stroke: grid, width: 1, size: 5 }, font: "12px system-ui, sans-serif", labelFont: "12px system-ui, sans-serif" };
       const whole = this.across ? padded(...this.plots.range(xs)) : this.plots.range(xs);
       const scales = { x: { time: false, range: (u) => this.zoom || (this.equal ? this.even(u, data)[0] : whole) } };
       const axes = [{ ...axis, ...ticks(across.label), values: tick, label: `${abscissa.label}${across.label === "–" ? "" : ` [${across.label}]`}`, labelSize: 16, size: 28 }];
-      this.units.forEach((unit, k) => {
-        const label = units.of(unit).label;
-        scales[unit] = { range: (u) => this.equal ? this.even(u, data)[1] : padded(...this.span(unit, data, columns)) };
-        axes.push({ ...axis, ...ticks(label), scale: unit, side: k ? 1 : 3, values: tick, size: tickSize, label: this.across ? `${short(this.columns[0].name)} [${label}]` : `[${label}]`, labelSize: 18, grid: { ...axis.grid, show: k === 0 } });
+      this.scales.forEach((scale, k) => {
+        const own = columns.filter((column) => this.scale(column) === scale), label = units.of(own[0].unit).label;
+        scales[scale] = { range: (u) => this.equal ? this.even(u, data)[1] : padded(...this.span(own, data, columns)) };
+        axes.push({ ...axis, ...ticks(label), scale, side: k ? 1 : 3, stroke: this.ink(scale), values: tick, size: tickSize, label: `${this.axisName(own)}[${label}]`, labelSize: 18, grid: { ...axis.grid, show: k === 0 } });
       });
       const series = [{}, ...this.columns.map((column, k) => ({
-        scale: column.unit, stroke: stroke(k), width: 1.7, dash: DASHES[k % DASHES.length], spanGaps: false,
+        scale: this.scale(column), stroke: stroke(k), width: 1.7, dash: DASHES[k % DASHES.length], spanGaps: false,
         points: { show: rows === 1 || undefined }, ...(order.monotone ? {} : { paths: wandering, points: { show: false } }),
       }))];
       // uPlot draws later: a plot that was rebuilt meanwhile has nothing to say.
       const alive = (act) => (u) => { if (this.u === u) act(u); };
       this.u = new uPlot({
         width: this.width, height: this.height, scales, axes, series, legend: { show: false }, pxAlign: 0,
-        padding: [8, this.units.length > 1 ? 4 : 14, 0, 4],
+        padding: [8, this.scales.length > 1 ? 4 : 14, 0, 4],
         cursor: { x: false, y: false, points: { show: false }, drag: { x: !this.across, y: false, setScale: false }, bind: { dblclick: () => () => { this.plots.setZoom(null); return null; } } },
         hooks: { drawClear: [alive((u) => plotMarks.events(this, u))], draw: [alive((u) => plotMarks.words(this, u)), alive(() => this.mark())], setSelect: [alive((u) => this.select(u))] },
       }, data, this.holder);
       this.line = element("div", { className: "now-line" });
       this.dots = this.columns.map((column, k) => { const dot = element("div", { className: "now-dot" }); dot.style.background = stroke(k); return dot; });
       this.u.over.append(this.line, ...this.dots);
-      if (this.equal) this.u.setData(data, true);
+      this.settle();
       this.listen();
       this.mark();
     }
@@ -134,12 +146,24 @@
       }
     }
 
-    // Lowest and highest value to show of a unit's curves: all in view, but for peaks that are cut off.
-    span(unit, data, columns) {
+    // Of two axes, one that has a single curve has its colour.
+    ink(scale) {
+      const own = this.columns.filter((column) => this.scale(column) === scale);
+      return this.scales.length > 1 && own.length === 1 ? stroke(this.columns.indexOf(own[0])) : drawing.colour("muted");
+    }
+
+    // What an axis says before its unit: the name of its only curve where the curves alone do not tell.
+    axisName(own) {
+      if (this.across) return `${short(own[0].name)} `;
+      return this.apart ? `${short(own[0].name.split(".").at(-1))} ` : "";
+    }
+
+    // Lowest and highest value to show on the axis of some curves: all in view, but for peaks that are cut off.
+    span(own, data, columns) {
       let [least, most] = [Infinity, -Infinity];
       columns.forEach((column, k) => {
-        if (column.unit !== unit) return;
-        const { factor } = units.of(unit), ends = this.plots.cut ? linkdyn.cutOf(column) : [null, null];
+        if (!own.includes(column)) return;
+        const { factor } = units.of(column.unit), ends = this.plots.cut ? linkdyn.cutOf(column) : [null, null];
         const [low, high] = [ends[0] === null ? -Infinity : ends[0] * factor, ends[1] === null ? Infinity : ends[1] * factor];
         let [a, b, out, count, lowest, highest] = [Infinity, -Infinity, 0, 0, Infinity, -Infinity];
         for (const row of this.inView(data)) {
@@ -197,7 +221,7 @@
       this.line.hidden = !inside || this.across !== null;
       if (inside) this.line.style.transform = `translateX(${left}px)`;
       this.columns.forEach((column, k) => {
-        const top = this.u.valToPos(column.values[row] * units.of(column.unit).factor, column.unit);
+        const top = this.u.valToPos(column.values[row] * units.of(column.unit).factor, this.scale(column));
         this.dots[k].hidden = !inside || !Number.isFinite(top) || top < -5 || top > tall + 5;
         if (!this.dots[k].hidden) this.dots[k].style.transform = `translate(${left}px, ${top}px)`;
       });

@@ -2,7 +2,7 @@
 // What stands in a plot besides its curves: events, and the values of peaks that are cut off. No text covers another.
 (() => {
   const { units, time, drawing } = linkdyn;
-  const FOOT = 7, FONT = 11, MOST_EVENTS = 4;
+  const FOOT = 7, FONT = 11, MOST_EVENTS = 4, EDGE = 4;
 
   // Events as dashed lines, intervals shaded; those of contacts, which may be many, as marks at the foot.
   const events = (plot, u, ratio = devicePixelRatio) => {
@@ -34,10 +34,10 @@
   // A text inside the frame where nothing stands yet; none where there is no room. Places are tried from `x`, `y` on.
   const placed = (plot, u, pen, ratio, text, x, y, down, colour) => {
     const { left, top, width, height } = u.bbox;
-    const wide = pen.measureText(text).width, tall = (FONT + 3) * ratio, gap = 5 * ratio;
+    const wide = pen.measureText(text).width, tall = (FONT + 3) * ratio, gap = 8 * ratio;
     for (let line = 0; line < 6; line++) for (const at of [x + gap, x - gap - wide]) {
       const box = { x: at, y: y + (down ? line : -line) * tall - (down ? 0 : tall), wide, tall };
-      if (box.x < left + 1 || box.x + wide > left + width - 1 || box.y < top || box.y + tall > top + height) continue;
+      if (box.x < left + EDGE * ratio || box.x + wide > left + width - EDGE * ratio || box.y < top || box.y + tall > top + height) continue;
       if (plot.labels.some((other) => box.x < other.x + other.wide + 2 * ratio && other.x < box.x + wide + 2 * ratio && box.y < other.y + other.tall && other.y < box.y + tall)) continue;
       plot.labels.push({ ...box, text });
       pen.strokeStyle = drawing.colour("card"); pen.fillStyle = colour;
@@ -49,7 +49,7 @@
 
   // The farthest value beyond each end of a curve's axis.
   const peaks = (plot, u) => plot.columns.flatMap((column, k) => {
-    const { min, max } = u.scales[column.unit], found = [];
+    const { min, max } = u.scales[plot.scale(column)], found = [];
     for (const [sign, end] of [[1, max], [-1, min]]) {
       let best = -1;
       for (const row of plot.inView(u.data)) {

@@ -93,14 +93,25 @@
         rest = rest.filter((column) => !next.includes(column));
       }
     },
-    open(list, options) {
-      if (!list.length) return null;
+    put(list, options) {
       const plot = new Plot(plots, [...list], options);
       plots.list.push(plot);
       cards.append(plot.root);
       plot.head();
-      plot.fit();
       return plot;
+    },
+    open(list, options) {
+      if (!list.length) return null;
+      const plot = plots.put(list, options);
+      plot.wake();
+      return plot;
+    },
+    // Plots on the first screen are drawn at once; the others one by one, so that the page answers meanwhile.
+    start() {
+      const near = plots.list.filter(({ root }) => root.getBoundingClientRect().top < innerHeight);
+      near.forEach((plot) => plot.wake());
+      const next = () => { const plot = plots.list.find(({ awake }) => !awake); if (plot) { plot.wake(); setTimeout(next, 0); } };
+      setTimeout(next, 20);
     },
     // Shows a plot that is there.
     point(plot) {
@@ -158,8 +169,8 @@
   const value = rows > 1 && mechanism.drivers.length === 1 && drivers.length === 1 ? drivers[0].values : null;
   over(value && orderOf(value).monotone && value[0] !== value[rows - 1] ? 1 : 0);
   if (rows > 1) {
-    first.forEach((preset) => plots.open(preset.list, preset));
-    if (!first.length && shown.length) plots.open(oneScale(shown).slice(0, 3));
+    first.forEach((preset) => plots.put(preset.list, preset));
+    if (!first.length && shown.length) plots.put(oneScale(shown).slice(0, 3));
   }
   id("plots").hidden = rows < 2 || !shown.length;
 
