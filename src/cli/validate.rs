@@ -235,7 +235,7 @@ mod tests {
     fn a_fault_and_only_a_fault_is_exit_status_1() {
         for (verdict, exit) in [
             (Verdict::Agrees, Exit::Done),
-            (Verdict::Finding, Exit::Done),
+            (Verdict::Finding("It is known why."), Exit::Done),
             (Verdict::Fault, Exit::Fault),
         ] {
             let text = || "x".to_string();

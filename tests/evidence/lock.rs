@@ -223,7 +223,7 @@ fn the_lock_is_validated_and_written() {
         .expect("judged");
     let said = "possible for some centres of mass, which the paper does not give: 4 of 49 choices";
     assert!(
-        c2.ours.starts_with(said) && c2.verdict == Verdict::Finding,
+        c2.ours.starts_with(said) && c2.verdict.reason().is_some(),
         "{c2:?}"
     );
     let change = report

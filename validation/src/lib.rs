@@ -88,8 +88,8 @@ pub struct Claim {
 pub enum Verdict {
     /// Within the tolerance.
     Agrees,
-    /// A claim that is not reproduced, without a fault of ours in it.
-    Finding,
+    /// A claim that is not reproduced, without a fault of ours in it, and why: a sentence that the case's source bears out.
+    Finding(&'static str),
     /// What must hold and does not.
     Fault,
 }
@@ -99,8 +99,16 @@ impl Verdict {
     pub fn word(self) -> &'static str {
         match self {
             Verdict::Agrees => "agrees",
-            Verdict::Finding => "finding",
+            Verdict::Finding(_) => "finding",
             Verdict::Fault => "FAULT",
+        }
+    }
+
+    /// Why it is a finding.
+    pub fn reason(self) -> Option<&'static str> {
+        match self {
+            Verdict::Finding(reason) => Some(reason),
+            Verdict::Agrees | Verdict::Fault => None,
         }
     }
 }
@@ -109,7 +117,8 @@ impl Verdict {
 const LINE_WIDTH: usize = 120;
 
 impl Claim {
-    /// The claim in lines: what it is about with the verdict, then reference, ours and difference, in one line where they fit.
+    /// The claim in lines: what it is about with the verdict, then reference, ours and difference, in one line where they fit,
+    /// and the reason of a finding.
     pub fn lines(&self) -> Vec<String> {
         let Claim {
             what,
@@ -131,6 +140,9 @@ impl Claim {
             ] {
                 lines.extend(wrap(name, text));
             }
+        }
+        if let Some(reason) = verdict.reason() {
+            lines.extend(wrap("why", reason));
         }
         lines
     }
@@ -219,6 +231,9 @@ impl Case {
     }
 }
 
+/// Reason of a finding whose cause is not known.
+const UNKNOWN: &str = "Why is not known.";
+
 /// A claim that a value does not exceed what is allowed.
 fn at_most(what: String, value: f64, most: f64) -> Claim {
     Claim {
@@ -260,13 +275,17 @@ fn finished(run: Result<Outcome, Complaints>) -> Result<Outcome, CaseError> {
 /// Claims as the text of `claims.json`.
 fn claims_json(claims: &[Claim]) -> String {
     let claim = |claim: &Claim| {
-        serde_json::json!({
+        let mut told = serde_json::json!({
             "what": claim.what,
             "reference": claim.reference,
             "ours": claim.ours,
             "difference": claim.difference,
             "verdict": claim.verdict.word().to_lowercase(),
-        })
+        });
+        if let Some(reason) = claim.verdict.reason() {
+            told["reason"] = reason.into();
+        }
+        told
     };
     format!(
         "{:#}\n",
@@ -285,7 +304,7 @@ mod tests {
             reference: "3.14".into(),
             ours: "3.1416".into(),
             difference: "1.6e-3".into(),
-            verdict: Verdict::Finding,
+            verdict: Verdict::Finding("Three digits are not all of it."),
         };
         Ok(CaseReport {
             text: String::new(),
@@ -312,6 +331,12 @@ mod tests {
         let written = std::fs::read_to_string(output.join("dummy/claims.json")).expect("written");
         let written: serde_json::Value = serde_json::from_str(&written).expect("valid JSON");
         assert_eq!(written[0]["verdict"], "finding");
+        assert_eq!(written[0]["reason"], "Three digits are not all of it.");
+        let lines = report.claims[0].lines();
+        assert_eq!(
+            lines[2],
+            "          why        Three digits are not all of it."
+        );
         std::fs::remove_dir_all(output).expect("removed");
     }
 

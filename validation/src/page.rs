@@ -13,7 +13,7 @@ impl From<Verdict> for Judged {
     fn from(verdict: Verdict) -> Self {
         match verdict {
             Verdict::Agrees => Judged::Agrees,
-            Verdict::Finding => Judged::Finding,
+            Verdict::Finding(_) => Judged::Finding,
             Verdict::Fault => Judged::Fault,
         }
     }
@@ -43,6 +43,7 @@ fn compared(claim: &Claim) -> Compared<'_> {
         ours: &claim.ours,
         difference: &claim.difference,
         judged: claim.verdict.into(),
+        reason: claim.verdict.reason(),
     }
 }
 

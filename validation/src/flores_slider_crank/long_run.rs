@@ -217,7 +217,7 @@ pub fn compare([loose, tight]: &[LongRun; 2], report: &mut CaseReport) -> Result
             verdict: if sigmas <= SIGMAS {
                 Verdict::Agrees
             } else {
-                Verdict::Finding
+                Verdict::Finding("Fifty turns do not determine this mean.")
             },
         });
     }
@@ -240,7 +240,9 @@ fn parting(loose: &LongRun, tight: &LongRun, name: &str) -> Claim {
         verdict: if time.is_none() {
             Verdict::Agrees
         } else {
-            Verdict::Finding
+            Verdict::Finding(
+                "Nearby motions of this mechanism part exponentially, so that no method can tell a single one for long.",
+            )
         },
     }
 }
@@ -262,6 +264,10 @@ pub fn peaks_grow(runs: &[[LongRun; 2]]) -> Claim {
         reference: "above 1, growing with the clearance (as recalled)".into(),
         ours: factors.join(", "),
         difference: String::new(),
-        verdict: if grow { Verdict::Agrees } else { Verdict::Finding },
+        verdict: if grow {
+            Verdict::Agrees
+        } else {
+            Verdict::Finding("What the authors found is recalled, not read; why it differs is not known.")
+        },
     }
 }

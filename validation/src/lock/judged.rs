@@ -1,6 +1,6 @@
 //! A claim of the paper with the verdict of its rule.
 
-use crate::{Claim, Verdict};
+use crate::{Claim, UNKNOWN, Verdict};
 
 /// How far a claim is reproduced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -42,7 +42,15 @@ impl Reproduced {
             reference: reference.into(),
             rule,
             figures,
+            reason: UNKNOWN,
         }
+    }
+}
+
+impl Judged {
+    /// With the reason why it differs, where it does.
+    pub fn because(self, reason: &'static str) -> Judged {
+        Judged { reason, ..self }
     }
 }
 
@@ -54,6 +62,8 @@ pub struct Judged {
     pub reference: String,
     pub rule: String,
     pub figures: String,
+    /// Why it differs, where it does.
+    pub reason: &'static str,
 }
 
 impl Judged {
@@ -67,7 +77,7 @@ impl Judged {
             verdict: match self.reproduced {
                 Reproduced::Yes => Verdict::Agrees,
                 Reproduced::Partly | Reproduced::ForSomeCentres | Reproduced::No => {
-                    Verdict::Finding
+                    Verdict::Finding(self.reason)
                 }
             },
         }

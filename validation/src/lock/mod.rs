@@ -100,7 +100,7 @@ pub fn run(setting: &Setting) -> Result<CaseReport, CaseError> {
     let mut claims: Vec<Claim> = facts.iter().map(facts::Fact::claim).collect();
     claims.extend(equations(&tables)?);
     claims.push(same_angles(angles));
-    claims.extend(figures(&base.deviations, &paper));
+    claims.extend(figures(&base.deviations, &paper, claims::OPEN_STEP));
     claims.push(first_pass_claim(&passes, &paper));
     claims.extend(claims::claims(base, &map));
 
@@ -172,7 +172,7 @@ fn same_angles(difference: f64) -> Claim {
 }
 
 /// The paper's table, a claim per quantity, at the coarsest step, on whose outputs both its singular configurations lie.
-fn figures(deviations: &Deviations, paper: &Paper) -> Vec<Claim> {
+fn figures(deviations: &Deviations, paper: &Paper, reason: &'static str) -> Vec<Claim> {
     let claim = |quantity: Quantity| {
         let (mut printed, mut ours, mut factors) = (Vec::new(), Vec::new(), Vec::new());
         for radius in 0..RADII.len() {
@@ -204,7 +204,7 @@ fn figures(deviations: &Deviations, paper: &Paper) -> Vec<Claim> {
             verdict: if same {
                 Verdict::Agrees
             } else {
-                Verdict::Finding
+                Verdict::Finding(reason)
             },
         }
     };
@@ -245,7 +245,9 @@ fn first_pass_claim(passes: &[FirstPass], paper: &Paper) -> Claim {
         verdict: if pressing.iter().zip(&printed).all(same) {
             Verdict::Agrees
         } else {
-            Verdict::Finding
+            Verdict::Finding(
+                "The paper does not say how its repetition ends; why our first pass has its number at 10 um only is not known.",
+            )
         },
     }
 }

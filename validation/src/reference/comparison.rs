@@ -241,8 +241,11 @@ mod tests {
         ];
         let claims = compare(&reference, &results(), &how).expect("compared");
         assert_eq!(
-            claims.iter().map(|claim| claim.verdict).collect::<Vec<_>>(),
-            [Verdict::Agrees, Verdict::Finding]
+            claims
+                .iter()
+                .map(|claim| claim.verdict.word())
+                .collect::<Vec<_>>(),
+            ["agrees", "finding"]
         );
     }
 

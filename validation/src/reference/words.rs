@@ -119,7 +119,9 @@ impl OnDifference {
     pub(super) fn verdict(self) -> Verdict {
         match self {
             OnDifference::Fault => Verdict::Fault,
-            OnDifference::Finding => Verdict::Finding,
+            OnDifference::Finding => {
+                Verdict::Finding("What explains it stands in the case's SOURCE.md.")
+            }
         }
     }
 }

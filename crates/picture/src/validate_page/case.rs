@@ -37,6 +37,8 @@ pub struct Compared<'a> {
     pub difference: &'a str,
     /// What follows.
     pub judged: Judged,
+    /// Why it differs, where that is explained.
+    pub reason: Option<&'a str>,
 }
 
 /// A figure.
@@ -139,9 +141,13 @@ impl CasePage<'_> {
         for row in rows {
             let _ = write!(
                 content,
-                "<tr><td>{}</td><td data-of=\"reference\">{}</td><td data-of=\"linkdyn\">{}</td><td data-of=\"difference\">{}</td>\
+                "<tr><td>{}{}</td><td data-of=\"reference\">{}</td><td data-of=\"linkdyn\">{}</td><td data-of=\"difference\">{}</td>\
                  <td class=\"verdict {}\">{}</td></tr>",
                 text(row.what),
+                row.reason.map_or(String::new(), |reason| format!(
+                    "<p class=\"reason\">{}</p>",
+                    text(reason)
+                )),
                 text(row.reference),
                 text(row.ours),
                 text(row.difference),
@@ -186,6 +192,7 @@ mod tests {
             ours: "2",
             difference: "<1",
             judged,
+            reason: (judged == Judged::Finding).then_some("It is <open>."),
         };
         let page = CasePage {
             name: "a <b>",
@@ -205,6 +212,7 @@ mod tests {
         assert!(at("What differs, and why") < at("What agrees"));
         assert!(at("<h3>Table</h3><pre> 1 &lt; 2") > at("<pre>First.</pre>"));
         at("a &lt;b&gt;");
+        at("other<p class=\"reason\">It is &lt;open&gt;.</p>");
         at("f.svg: all values</figcaption>");
         at("1 of 2 comparisons agree, 1 differs for a reason that is explained.");
         assert!(!html.contains("<b>") && !html.contains("<script"));

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::super::bounds::{ABRUPT, CLEAR, NEAR};
-use super::super::claims::of_deviations;
+use super::super::claims::{OPEN_STEP, of_deviations};
 use super::super::document::broken;
 use super::super::forces::ForceNear;
 use super::super::judged::{Judged, Reproduced};
@@ -11,6 +11,11 @@ use super::super::models::RADII;
 use super::convergence::{self, Convergence};
 use super::strokes::{Strokes, TOLERANCES};
 use crate::{CaseError, Claim};
+
+/// Reasons why numbers and claims of the paper are not reproduced.
+pub const NO_CONTACT: &str = "The paper's numbers are those of massless links; for contact in the clearances it has no data.";
+const IMPACTS: &str = "The paper's claim is one about massless links; with contact impacts decide, and after the first ones no \
+     tolerance gives the same contacts.";
 
 /// C2 to C6 with contact, at every tolerance; C4 to C6 also on the part of the stroke that is clear of the change point.
 ///
@@ -74,6 +79,7 @@ fn abrupt(forces: &[ForceNear]) -> Judged {
              over -50…{CLEAR}°, at both clearances and every tolerance"
         ),
         figures: figures.join("; "),
+        reason: IMPACTS,
     }
 }
 
@@ -111,6 +117,10 @@ fn joined(all: Vec<Judged>) -> Result<Claim, CaseError> {
         reproduced,
         figures,
         what,
+        reason: match finest.reason {
+            OPEN_STEP => IMPACTS,
+            reason => reason,
+        },
         ..finest
     }
     .claim())
