@@ -5,16 +5,20 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::exit::{BadInput, Exit};
-use super::measures::{dpi, number_within};
+use super::measures::{dpi, mark, number_within};
 use super::open;
 use super::page::{Page, count, number};
+use super::plot::{FilmCurves, film_chart};
 use super::results::{Results, extension, write_file};
 use super::shape::shape_for;
 use super::streams::print;
+use linkdyn_output::TIME;
 use linkdyn_picture::film::{Film, Format, Length};
 use linkdyn_picture::mechanism::{Layout, Mechanism};
 use linkdyn_picture::poses::Poses;
-use linkdyn_picture::{Fault, MOST_FILM_PIXELS, POINTS_PER_MM, Shape, chart, raster, svg};
+use linkdyn_picture::{
+    Fault, MOST_FILM_PIXELS, Mark, MovingChart, POINTS_PER_MM, Shape, Side, chart, raster, svg,
+};
 
 /// Width of a GIF by default \[pixels\]; pixels per point, so that lines and letters have the size of a screen.
 const WIDTH: u32 = 480;
@@ -48,6 +52,21 @@ pub struct Options {
     /// File to write: .gif or .apng for a film, .svg or .png for poses
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
+    /// Columns whose curves stand below the mechanism in a film, with a cursor; * stands for any text, ? for one character
+    #[arg(long, value_name = "COLUMN", num_args = 1..)]
+    y: Vec<String>,
+    /// Column of the x axis of these curves, with or without its [unit]
+    #[arg(long, value_name = "COLUMN", default_value = "time", requires = "y")]
+    x: String,
+    /// Units of these curves, each for all columns that it can measure: deg,mm,rpm,kN
+    #[arg(long, value_name = "UNIT,…", value_delimiter = ',', requires = "y")]
+    units: Vec<String>,
+    /// Thin vertical line at X of these curves, with a text; may be given more than once
+    #[arg(long, value_name = "X[=TEXT]", allow_hyphen_values = true, value_parser = mark, requires = "y")]
+    mark: Vec<Mark>,
+    /// These curves beside the mechanism instead of below
+    #[arg(long, requires = "y")]
+    beside: bool,
     /// Width: of a film in pixels, of poses in millimetres
     #[arg(long, value_name = "PX|MM", value_parser = width)]
     width: Option<f64>,
@@ -71,6 +90,7 @@ pub struct Options {
 const HELP: &str = "  linkdyn run four-bar -o out
   linkdyn animate out -o motion.gif
   linkdyn animate out -o smooth.apng --fps 60
+  linkdyn animate out --y driver.motor.effort -o torque.gif
   linkdyn animate out --poses 8 --strip --width 180 -o poses.svg";
 
 /// Reads, draws, writes, tells.
@@ -89,8 +109,14 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let poses = Poses::read(&results.table, &shape).map_err(fault)?;
     let mechanism = Mechanism::new(shape, poses).map_err(fault)?;
     let (content, about) = match format.as_str() {
-        "gif" => film_of(options, &mechanism, Format::Gif).map_err(fault)?,
-        "apng" => film_of(options, &mechanism, Format::Apng).map_err(fault)?,
+        "gif" => {
+            let curves = curves_of(options)?;
+            film_of(options, &mechanism, curves.as_ref(), Format::Gif).map_err(fault)?
+        }
+        "apng" => {
+            let curves = curves_of(options)?;
+            film_of(options, &mechanism, curves.as_ref(), Format::Apng).map_err(fault)?
+        }
         _ => picture_of(options, &mechanism, &format).map_err(fault)?,
     };
     let written = write_file(&options.output, &content)?;
@@ -109,6 +135,7 @@ fn idle(options: &Options, format: &str) -> Result<(), BadInput> {
     let of_film = [
         ("--fps", options.fps.is_some()),
         ("--duration", options.duration.is_some()),
+        ("--y", !options.y.is_empty()),
     ];
     let of_poses = [
         ("--poses", options.poses.is_some()),
@@ -202,10 +229,45 @@ fn picture_of(
     ))
 }
 
+/// Width of a film \[pixels\].
+fn film_width(options: &Options) -> f64 {
+    options.width.unwrap_or(f64::from(WIDTH)).round()
+}
+
+/// The curves of a film, where some are asked for.
+fn curves_of(options: &Options) -> Result<Option<MovingChart>, BadInput> {
+    if options.y.is_empty() {
+        return Ok(None);
+    }
+    // Peaks between the rows belong to curves, not to poses.
+    let mut results = Results::open(&options.results)?;
+    results.take_peaks();
+    let curves = FilmCurves {
+        x: &options.x,
+        y: &options.y,
+        units: &options.units,
+        marks: &options.mark,
+    };
+    let chart = film_chart(&results, &curves)?;
+    let time = results.columns(TIME).into_iter().next();
+    let time = time.ok_or_else(|| BadInput(vec![results.unknown("--y", TIME)]))?;
+    let time = results.table.values(time)?.to_vec();
+    let side = if options.beside {
+        Side::Right
+    } else {
+        Side::Below
+    };
+    let width = film_width(options) / PIXELS_PER_POINT;
+    MovingChart::new(chart, time, side, width)
+        .map(Some)
+        .map_err(|fault| BadInput(vec![format!("{}: {fault}", options.output.display())]))
+}
+
 /// A film.
 fn film_of(
     options: &Options,
     mechanism: &Mechanism,
+    curves: Option<&MovingChart>,
     format: Format,
 ) -> Result<(Vec<u8>, String), Fault> {
     let [first, last] = mechanism.span();
@@ -217,7 +279,8 @@ fn film_of(
         Format::Apng => SMOOTH_FPS,
     });
     let frames = (duration * fps).round().max(1.0);
-    let width = options.width.unwrap_or(f64::from(WIDTH)).round();
+    let width = film_width(options) / PIXELS_PER_POINT;
+    let own_width = curves.map_or(width, |curves| curves.left_to_mechanism(width));
     // A still picture needs one frame.
     let frames = if last > first { frames } else { 1.0 };
     // Where the end is the beginning it is shown once.
@@ -229,10 +292,12 @@ fn film_of(
     let tail = TAIL * (last - first) / duration;
     let draw = |frame: f64| {
         let time = first + (last - first) * frame / steps;
-        raster::draw(
-            &mechanism.frame(time, tail, width / PIXELS_PER_POINT),
-            PIXELS_PER_POINT,
-        )
+        let scene = mechanism.frame(time, tail, own_width);
+        let scene = match curves {
+            Some(curves) => curves.with(scene, time),
+            None => scene,
+        };
+        raster::draw(&scene, PIXELS_PER_POINT)
     };
     let opening = draw(0.0)?;
     let [w, h] = [opening.width, opening.height].map(u64::from);

@@ -68,6 +68,7 @@ pub use chart::{Axis, Chart, Curve, Mark, Panel};
 pub use compare_page::{ComparePage, ComparedRun};
 pub use cut::Cut;
 pub use fault::{Fault, MOST_CURVES, MOST_FILM_PIXELS, MOST_PIXELS};
+pub use layout::{MovingChart, Side};
 pub use mechanism::Mechanism;
 pub use report::Report;
 pub use scene::{POINTS_PER_MM, Scene};

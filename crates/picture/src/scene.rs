@@ -223,6 +223,23 @@ impl Scene {
         });
     }
 
+    /// Takes all items of another scene, moved so far.
+    pub fn take(&mut self, other: &Scene, [dx, dy]: Place) {
+        let moved = |place: &Place| [place[0] + dx, place[1] + dy];
+        self.items.extend(other.items.iter().map(|item| {
+            let mut item = item.clone();
+            match &mut item {
+                Item::Line { places, .. } | Item::Area { places, .. } => {
+                    places.iter_mut().for_each(|place| *place = moved(place));
+                }
+                Item::Circle { centre: place, .. } | Item::Label { at: place, .. } => {
+                    *place = moved(place);
+                }
+            }
+            item
+        }));
+    }
+
     /// Least and greatest x and y of lines, areas and circles with their edges \[pt\]; infinite where there are none.
     pub fn bounds(&self) -> [Place; 2] {
         let mut bounds = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];

@@ -12,7 +12,7 @@ use super::page::{Page, count, number};
 use super::results::{Results, extension, write_file};
 use super::streams::print;
 use chart::chart;
-use linkdyn_picture::{Chart, POINTS_PER_MM, raster, svg};
+use linkdyn_picture::{Chart, Mark, POINTS_PER_MM, raster, svg};
 pub use options::Options;
 
 /// Reads, draws, writes, tells.
@@ -56,6 +56,44 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     page.rows("units unused", unused);
     print(page.text())?;
     Ok(Exit::Done)
+}
+
+/// What curves a film shows.
+#[derive(Debug)]
+pub struct FilmCurves<'a> {
+    /// Column of the x axis.
+    pub x: &'a str,
+    /// Columns to draw.
+    pub y: &'a [String],
+    /// Units to draw in.
+    pub units: &'a [String],
+    /// Thin vertical lines.
+    pub marks: &'a [Mark],
+}
+
+/// The chart of a film's curves.
+///
+/// # Errors
+/// When a column or a unit is unknown.
+pub fn film_chart(run: &Results, curves: &FilmCurves) -> Result<Chart, BadInput> {
+    let options = Options {
+        x: curves.x.to_string(),
+        y: curves.y.to_vec(),
+        units: curves.units.to_vec(),
+        mark: curves.marks.to_vec(),
+        ..Options::default()
+    };
+    let (chart, unused) = chart(&options, std::slice::from_ref(run))?;
+    if unused.is_empty() {
+        Ok(chart)
+    } else {
+        Err(BadInput(
+            unused
+                .iter()
+                .map(|unit| format!("--units {unit}"))
+                .collect(),
+        ))
+    }
 }
 
 /// What the figure can't show.

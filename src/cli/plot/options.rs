@@ -8,7 +8,7 @@ use crate::cli::measures::{dpi, line_width, mark, millimetres, points, range, si
 use linkdyn_picture::Mark;
 
 /// What to draw, from what, and how.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 #[command(after_help = PLOT_HELP)]
 pub struct Options {
     /// A results.csv, or a directory that holds one; several are drawn over each other
@@ -83,7 +83,7 @@ pub struct Options {
 }
 
 /// Size and resolution.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 pub struct PageOptions {
     /// Width \[mm\]; a journal's column is the default, 180 its full width
     #[arg(long, value_name = "MM", value_parser = millimetres)]

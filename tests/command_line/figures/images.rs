@@ -112,6 +112,57 @@ fn an_animated_png_is_as_fast_as_asked_for() {
     assert!(data >= 120, "{data}");
 }
 
+/// Curves below or beside a mechanism make the film higher, or leave it less room, and stay in its limits.
+#[test]
+fn films_have_curves_with_a_cursor() {
+    let scratch = Scratch::new("curves");
+    scratch.done(&["run", "lock", "-o", "out", "--no-report"]);
+    let film = |more: &[&str]| {
+        scratch.done(&[&["animate", "out", "-o", "a.gif", "--fps", "10"], more].concat());
+        let bytes = scratch.read("a.gif");
+        assert!(bytes.len() <= 2_000_000, "{more:?}: {} bytes", bytes.len());
+        let ([wide, high], delays) = gif_facts(&bytes);
+        (wide, high, delays.len(), bytes)
+    };
+    let alone = film(&[]);
+    let torque = ["--y", "driver.motor.effort"];
+    let below = film(&torque);
+    assert_eq!((below.0, below.2), (alone.0, alone.2));
+    assert!(below.1 > alone.1 + 200, "{} after {}", below.1, alone.1);
+    let beside = film(
+        &[
+            &torque[..],
+            &["--beside", "--x", "driver.motor.value", "--units", "deg"],
+        ]
+        .concat(),
+    );
+    assert!(beside.0 == alone.0 && beside.1 < below.1, "{}", beside.1);
+    let smooth = [
+        "animate", "out", "-o", "a.apng", "--width", "200", "--fps", "5",
+    ];
+    scratch.done(&[&smooth[..], &torque].concat());
+    assert!(scratch.read("a.apng").len() <= 2_000_000);
+    for (more, said) in [
+        (&["--y", "driver.motor.efort"][..], "did you mean"),
+        (
+            &["--y", "driver.motor.effort", "--units", "mm"],
+            "--units mm: no column",
+        ),
+        (&["--x", "time"], "--y"),
+    ] {
+        scratch.refused(&[&["animate", "out", "-o", "b.gif"], more].concat(), said);
+    }
+    let poses = [
+        "animate",
+        "out",
+        "-o",
+        "b.svg",
+        "--y",
+        "driver.motor.effort",
+    ];
+    scratch.refused(&poses, "--y: only for a film");
+}
+
 /// A film fits into a mail and a slide: 2 MB at most, by default. `tests/evidence` tries all bundled models.
 #[test]
 fn films_are_small() {

@@ -3,6 +3,7 @@
 //! Nothing can overlap the curves, since only they, and small marks where a peak leaves the panel, are drawn inside the axes.
 
 mod axes;
+mod cursor;
 mod labels;
 mod legend;
 mod measures;
@@ -10,3 +11,5 @@ mod note;
 mod page;
 mod panel;
 mod peaks;
+
+pub use cursor::{MovingChart, Side};

@@ -23,6 +23,11 @@ impl Chart {
     /// # Errors
     /// When there is nothing to draw, no room for it, or no such range.
     pub fn draw(&self) -> Result<Scene, Fault> {
+        Ok(self.draw_scaled()?.0)
+    }
+
+    /// Draws the chart, and tells its scales.
+    pub(super) fn draw_scaled(&self) -> Result<(Scene, Scales), Fault> {
         self.check()?;
         // Values of peaks are worth a row, but not the figure.
         for most_rows in [MOST_PEAK_ROWS, 3, 1] {
@@ -47,7 +52,7 @@ impl Chart {
     }
 
     /// Draws the chart, with values of peaks in so many rows above each panel at most.
-    fn draw_with(&self, most_rows: usize) -> Result<Scene, Fault> {
+    fn draw_with(&self, most_rows: usize) -> Result<(Scene, Scales), Fault> {
         let em = self.font_size;
         let mut scene = Scene::new(self.width(), 0.0);
         scene.title = printable(&self.title);
@@ -89,8 +94,21 @@ impl Chart {
         let text = fit_runs(axis_label(&self.x, x_ticks.exponent), em, right - left);
         let at = [(left + right) / 2.0, bottom + above_foot(em) - 0.25 * em];
         scene.label("x-label", at, text, em, Anchor::Middle);
-        Ok(scene)
+        let scales = Scales {
+            x: x_scale,
+            y: frames.iter().map(|frame| frame.scale).collect(),
+        };
+        Ok((scene, scales))
     }
+}
+
+/// Scales of a drawn chart.
+#[derive(Debug, Clone)]
+pub struct Scales {
+    /// Of the x axis.
+    pub x: Scale,
+    /// Of each panel.
+    pub y: Vec<Scale>,
 }
 
 /// Height of ticks, numbers and label of the x axis.
