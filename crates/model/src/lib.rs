@@ -10,6 +10,7 @@ pub mod clearance;
 pub mod display;
 pub mod driver;
 pub mod error;
+pub mod fit;
 pub mod force;
 pub mod joint;
 
@@ -44,6 +45,7 @@ pub use clearance::{
 pub use dimension::{Dimension, Powers};
 pub use driver::{Driver, DriverKind, Motion};
 pub use expression::Parameter;
+pub use fit::Fit;
 pub use force::{Force, ForceKind, Frame, Value};
 pub use gate::Checked;
 pub use hold::unheld;
