@@ -138,7 +138,7 @@ pub fn rotate(model: &Model, angle: f64) -> Model {
                 }
                 *relative_angle += relative;
             }
-            JointKind::Slot { axis } => {
+            JointKind::Slot { axis, .. } => {
                 if first {
                     *axis = turned(*axis, angle);
                 }
@@ -256,7 +256,7 @@ pub fn mirror(model: &Model) -> Model {
                 *axis = mirrored(*axis);
                 *angle = -*angle;
             }
-            JointKind::Slot { axis } => *axis = mirrored(*axis),
+            JointKind::Slot { axis, .. } => *axis = mirrored(*axis),
             JointKind::Gear { angle, .. } => *angle = angle.map(|angle| -angle),
             JointKind::Fixed { angle } => *angle = -*angle,
         }

@@ -146,6 +146,7 @@ impl Scale {
                     angle,
                     friction,
                     guide_length,
+                    ..
                 } => {
                     let angle = angle * self.angle;
                     let mut words = json!({ "type": "prismatic", "between": between, "axis": axis, "angle": angle });
@@ -156,13 +157,14 @@ impl Scale {
                     );
                     words
                 }
-                JointKind::Slot { axis } => {
+                JointKind::Slot { axis, .. } => {
                     json!({ "type": "slot", "between": between, "axis": axis })
                 }
                 JointKind::Gear {
                     ratio,
                     carrier,
                     angle,
+                    ..
                 } => {
                     let mut words = json!({ "type": "gear", "between": between, "ratio": ratio });
                     if let Some(carrier) = carrier {

@@ -99,6 +99,37 @@ fn clearances() -> Vec<Value> {
     ]
 }
 
+/// All words of tolerances and of accuracy.
+fn toleranced() -> Value {
+    minimal(&json!({
+        "parameters": {
+            "a": { "value": "5 mm", "tolerance": "0.1 mm", "distribution": "normal", "sigma": 4, "cost": "1 mm", "note": "x" },
+            "b": { "value": "=2*a", "tolerance": ["-1 %", "=a/100"], "distribution": "uniform" },
+            "c": { "value": 3, "tolerance": 0.1, "distribution": "triangular" },
+            "d": { "value": "=a + b + c*1 m", "cost": "=a" }
+        },
+        "bodies": {
+            "ground": { "points": { "O": { "position": [0, "=d"], "tolerance": "0.1 mm", "note": "x" } } },
+            "bar": { "points": { "O": [0, 0], "A": { "position": ["10 cm", 0] } } },
+            "block": { "points": { "C": [0, 0] } }
+        },
+        "joints": {
+            "pin": { "type": "revolute", "between": ["ground.O", "bar.O"],
+                     "clearance": { "model": "ideal", "radius": ["5 um", 1e-5] } },
+            "fitted": { "type": "revolute", "between": ["ground.O", "bar.A"],
+                        "clearance": { "model": "ideal", "fit": "20 H7/g6" } },
+            "slide": { "type": "prismatic", "between": ["bar.O", "block.C"], "axis": [1, 0], "play": "10 um" },
+            "slot": { "type": "slot", "between": ["bar.O", "block.C"], "axis": [0, -2], "play": [0, "10 um"] }
+        },
+        "drivers": { "turn": { "type": "rotation", "body": "bar", "tolerance": "0.1 deg",
+                               "motion": { "type": "polynomial", "coefficients": [0] } } },
+        "accuracy": { "pins": "disc", "outputs": {
+            "height": { "column": "bar.A.y", "at": { "driver": "turn", "value": "5 deg" }, "limits": ["-1 mm", 1] },
+            "gap": { "distance": ["ground.O", "block.C"], "note": "x" }
+        } }
+    }))
+}
+
 fn good() -> Vec<Value> {
     let mut models = vec![
         serde_json::from_str(EXAMPLE).unwrap(),
@@ -151,6 +182,7 @@ fn good() -> Vec<Value> {
         ),
     ];
     models.extend(clearances());
+    models.push(toleranced());
     models[1]["bodies"]["note"] = json!("a remark, not a body");
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("models");
     for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
@@ -196,6 +228,21 @@ fn bad_structure_satisfies_neither() {
         json!({ "parameters": { "a-b": 1 } }),
         json!({ "parameters": { "a": "1" } }),
         json!({ "parameters": { "a": null } }),
+        json!({ "parameters": { "a": { "value": 1, "tolerance": "0.1" } } }),
+        json!({ "parameters": { "a": { "value": 1, "tolerance": [1] } } }),
+        json!({ "parameters": { "a": { "value": 1, "tolerance": 1, "distribution": "gauss" } } }),
+        json!({ "parameters": { "a": { "value": 1, "tolerance": 1, "sigma": 0 } } }),
+        json!({ "parameters": { "a": { "tolerance": 1 } } }),
+        json!({ "bodies": { "bar": { "points": { "A": { "tolerance": 1 } } } } }),
+        json!({ "bodies": { "bar": { "points": { "A": { "position": [0, 0], "tolerance": -1 } } } } }),
+        clearance(&json!({ "model": "ideal", "radius": [0] })),
+        clearance(&json!({ "model": "ideal", "radius": [0, -1] })),
+        clearance(&json!({ "model": "ideal", "radius": 0, "fit": "20 H7/g6" })),
+        json!({ "accuracy": { "pins": "wurst" } }),
+        json!({ "accuracy": { "outputs": { "a": {} } } }),
+        json!({ "accuracy": { "outputs": { "a": { "column": "bar.x", "distance": ["bar.A", "ground.O"] } } } }),
+        json!({ "accuracy": { "outputs": { "a": { "column": "bar.x", "at": { "driver": "turn" } } } } }),
+        json!({ "accuracy": { "outputs": { "a": { "column": "bar.x", "limits": 1 } } } }),
         json!({ "joints": { "mesh": { "type": "gear", "between": ["ground.O", "bar.O"], "ratio": "2" } } }),
         json!({ "gravity": [0] }),
         json!({ "gravity": [0, "9.81"] }),

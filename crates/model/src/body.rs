@@ -1,25 +1,26 @@
 //! Bodies: points, mass, pose guess, and initial values.
 
+mod words;
+
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 /// A rigid body. `ground` has only points.
-#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize)]
+#[serde(from = "words::BodyWords")]
 pub struct Body {
     /// Mass \[kg\].
-    #[serde(default)]
     pub mass: Option<f64>,
     /// Moment of inertia about the centre of mass [kg·m²].
-    #[serde(default)]
     pub inertia: Option<f64>,
     /// Centre of mass in the body's frame \[m\]; has no default where there is mass.
-    #[serde(default)]
     pub com: Option<[f64; 2]>,
     /// Named points in the body's frame \[m\].
-    #[serde(default)]
     pub points: IndexMap<String, [f64; 2]>,
+    /// Diameters of the position tolerance zones of those points that have one \[m\].
+    #[doc(hidden)]
+    pub point_tolerances: IndexMap<String, f64>,
     /// Where the body's frame is guessed to be.
-    #[serde(default)]
     pub pose: Pose,
 }
 

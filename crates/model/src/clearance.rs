@@ -2,7 +2,11 @@
 //!
 //! Parameters that the chosen model does not use are kept, so that one word switches the model.
 
+mod words;
+
 use serde::{Deserialize, Serialize};
+
+use super::fit::Fit;
 
 /// The rung of the ladder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize)]
@@ -22,31 +26,47 @@ pub enum ClearanceModel {
 }
 
 /// Clearance of a revolute joint; parameters of models other than the one in use are kept as written.
-#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize)]
+#[serde(from = "words::ClearanceWords")]
 pub struct Clearance {
     /// How it is modelled.
     pub model: ClearanceModel,
-    /// Radial clearance: bearing radius − journal radius \[m\]; needed by every model but `ideal`.
-    #[serde(default)]
+    /// Radial clearance: bearing radius − journal radius \[m\], the mean of its range; needed by every model but `ideal`.
     pub radius: Option<f64>,
+    /// Least and greatest radial clearance \[m\], where the file says them or a fit; see [`Clearance::limits`].
+    #[doc(hidden)]
+    pub range: Option<[f64; 2]>,
+    /// The fit by ISO 286 from which the range follows, as in `20 H7/g6`.
+    #[doc(hidden)]
+    pub fit: Option<String>,
     /// Radius of the bearing R_b \[m\]; with `elastic` it gives the stiffness.
-    #[serde(default)]
     pub bearing_radius: Option<f64>,
     /// Axial length of the contact \[m\], of the cylindrical laws `johnson`, `radzimovsky`, `dubowsky_freudenstein` and `pereira`.
-    #[serde(default)]
     pub axial_length: Option<f64>,
     /// Normal force of `contact`.
-    #[serde(default)]
     pub normal: Option<Normal>,
     /// Friction of `contact` and `two_state`; left out: none.
-    #[serde(default)]
     pub friction: Option<Friction>,
     /// Linear surface of `two_state`.
-    #[serde(default)]
     pub surface: Option<Surface>,
     /// Impact of `three_state`; what it leaves out: `normal.restitution` and `friction.coefficient`.
-    #[serde(default)]
     pub impact: Option<Impact>,
+}
+
+impl Clearance {
+    /// Least and greatest radial clearance \[m\]; the radius alone where it was changed since the range was given.
+    #[doc(hidden)]
+    pub fn limits(&self) -> Option<[f64; 2]> {
+        let radius = self.radius?;
+        let range = self.range.filter(|range| words::mean(*range) == radius);
+        Some(range.unwrap_or([radius, radius]))
+    }
+
+    /// The limits of the fit, as read; none where there is no fit or it can't be read.
+    #[doc(hidden)]
+    pub fn read_fit(&self) -> Option<Fit> {
+        Fit::parse(self.fit.as_deref()?).ok()
+    }
 }
 
 /// Law of the normal force, F(penetration δ, its rate δ̇) ≥ 0.

@@ -10,6 +10,10 @@ pub struct Driver {
     pub kind: DriverKind,
     /// The law of time that the coordinate follows.
     pub motion: Motion,
+    /// How far the coordinate may be from what the motion says, to either side \[rad or m\].
+    #[serde(default)]
+    #[doc(hidden)]
+    pub tolerance: Option<f64>,
 }
 
 /// Which coordinate is prescribed.

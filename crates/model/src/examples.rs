@@ -7,7 +7,7 @@ pub(super) const UNITS: &str =
 const MOTION: &str = r#""motion": { "type": "constant_velocity", "velocity": "60 rpm" }"#;
 
 /// Keys and how to write them; what is to be said before that.
-const EXAMPLES: [(&str, &str, &str); 41] = [
+const EXAMPLES: [(&str, &str, &str); 46] = [
     ("format", "", r#""format": "linkdyn/1""#),
     ("units", "", UNITS),
     ("gravity", "", r#""gravity": [0, -9.81]"#),
@@ -129,6 +129,11 @@ const EXAMPLES: [(&str, &str, &str); 41] = [
         r#""initial": { "crank": { "angle": "60 deg" } }"#,
     ),
     ("stiffness", "", r#""stiffness": "1e8 N/m""#),
+    ("tolerance", "", r#""tolerance": "0.05 mm""#),
+    ("fit", "", r#""fit": "20 H7/g6""#),
+    ("column", "", r#""column": "rocker.angle""#),
+    ("distance", "", r#""distance": ["ground.O", "coupler.P"]"#),
+    ("limits", "", r#""limits": ["-0.1 deg", "0.1 deg"]"#),
 ];
 
 /// The row of the key at the end of a path.
@@ -141,6 +146,19 @@ fn row(path: &str) -> Option<(&'static str, &'static str)> {
             "bodies" | "joints" | "drivers" | "forces" | "initial" | "parameters",
             _,
         ] => None,
+        ["parameters", _, "value"] => Some(("", r#""value": "5 mm""#)),
+        ["accuracy"] => Some((
+            "",
+            r#""accuracy": { "outputs": { "swing": { "column": "rocker.angle" } } }"#,
+        )),
+        ["accuracy", "outputs"] => Some((
+            "",
+            r#""outputs": { "swing": { "column": "rocker.angle" } }"#,
+        )),
+        ["accuracy", "outputs", _] => Some(("", r#""swing": { "column": "rocker.angle" }"#)),
+        ["accuracy", .., "at"] => Some(("", r#""at": { "driver": "motor", "value": "90 deg" }"#)),
+        ["accuracy", .., "at", "value"] => Some(("", r#""value": "90 deg""#)),
+        ["bodies", _, "points", _, "tolerance"] => Some(("", r#""tolerance": "0.1 mm""#)),
         [.., "points", _] => Some(("", r#""A": [50, 0]"#)),
         ["points"] => Some(("", r#""points": ["coupler.P"]"#)),
         ["bodies", _, "points"] => Some(("", r#""points": { "A": [0, 0], "B": [50, 0] }"#)),

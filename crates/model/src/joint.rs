@@ -5,6 +5,7 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use super::clearance::{Clearance, Friction};
+use super::tolerance::Play;
 
 /// `body.point`, split.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize, Serialize)]
@@ -81,11 +82,17 @@ pub enum JointKind {
         /// Length of the slider on its guide \[m\], centred at the second point: with it the joint's torque presses, too.
         #[serde(default)]
         guide_length: Option<f64>,
+        /// How far the guided point may be off its line, to either side; left out: not at all.
+        #[serde(default)]
+        play: Option<Play>,
     },
     /// The second point stays on the line through the first along `axis` (first body's frame, any length but zero); the bodies may turn against each other.
     Slot {
         /// A direction fixed in the first body; its length does not matter.
         axis: [f64; 2],
+        /// How far the guided point may be off its line, to either side; left out: not at all.
+        #[serde(default)]
+        play: Option<Play>,
     },
     /// Two wheels, each held at its point by a revolute joint to a common carrier, mesh: θ₂ − θ_c = ratio·(θ₁ − θ_c) + angle.
     Gear {
@@ -97,6 +104,9 @@ pub enum JointKind {
         /// θ₂ − θ_c − ratio·(θ₁ − θ_c) \[rad\]; left out: as drawn, that of the angles in `pose`.
         #[serde(default)]
         angle: Option<f64>,
+        /// Arc at the pitch circle \[m\] by which a wheel may turn while the other is held, from flank to flank.
+        #[serde(default)]
+        backlash: Option<f64>,
     },
     /// The points coincide, relative angle fixed \[rad\].
     Fixed {

@@ -3,6 +3,7 @@
 //! This crate knows names, units and places in a file; it knows no equations. The engine compiles a model into numbers.
 //! Part of linkdyn; its items change without notice. Use the package `linkdyn`.
 
+pub mod accuracy;
 pub mod analysis;
 pub mod body;
 pub mod bundled;
@@ -13,6 +14,7 @@ pub mod error;
 pub mod fit;
 pub mod force;
 pub mod joint;
+pub mod tolerance;
 
 mod carrier;
 mod dimension;
@@ -35,6 +37,7 @@ mod units;
 mod walk;
 mod words;
 
+pub use accuracy::{Accuracy, AccuracyOutput, At, Measured, Pins};
 pub use analysis::{Analysis, AnalysisKind, OutputsAt, Sample, Solver, Transmission};
 pub use body::{Body, Initial, Pose};
 pub use carrier::Carrier;
@@ -54,6 +57,7 @@ pub use load::{Loaded, load, load_file};
 pub use schema::schema;
 pub use source::Source;
 pub use suggest::nearest;
+pub use tolerance::{Distribution, Play, Tolerance};
 pub use units::Unit;
 
 use crate::display::DisplayUnits;
@@ -104,6 +108,10 @@ pub struct Model {
     /// What is to be computed.
     #[serde(default)]
     pub analysis: Option<Analysis>,
+    /// What is asked of its accuracy.
+    #[serde(default)]
+    #[doc(hidden)]
+    pub accuracy: Option<Accuracy>,
     /// How messages speak of it: the units that the file names.
     #[serde(skip)]
     #[doc(hidden)]

@@ -3,6 +3,8 @@
 //! Order of keys, units, parameters, expressions and remarks are the file's. A value that was changed is written in SI,
 //! as a plain number where the file's unit is that of SI, else with its unit; what is read of it is the same double.
 
+mod places;
+
 use std::collections::HashMap;
 
 use indexmap::IndexMap;
@@ -188,6 +190,11 @@ impl Printer<'_> {
             (Shape::Pair(of) | Shape::List(of, _), Tree::List(items)) => {
                 self.list(items, |_| **of, written, driven)
             }
+            (Shape::Range(measure, bound), tree) => {
+                let each = Shape::Quantity(*measure, *bound);
+                self.range(tree, &each, written, driven)
+            }
+            (Shape::Place, tree) => self.place(tree, written, driven),
             (Shape::Direction, Tree::List(items)) => {
                 let number = Shape::Number(crate::shape::Bound::Any);
                 self.list(items, |_| number, written, driven)
@@ -280,6 +287,14 @@ impl Printer<'_> {
             Drives::Nothing => driven,
             Drives::Always(dimension) => Driven::Dimension(dimension),
             Drives::Sampled => self.walk.driven_by(tree.get("driver").and_then(Tree::text)),
+            Drives::Posed => match tree.get("driver").and_then(Tree::text) {
+                None => self.walk.driven_alone(),
+                driver => self.walk.driven_by(driver),
+            },
+            Drives::Measured => {
+                let column = tree.get("column").and_then(Tree::text);
+                self.walk.measured(column, tree.get("distance").is_some())
+            }
         };
         let law = tree.get("law").and_then(Tree::text);
         let written = members(written);
@@ -313,8 +328,9 @@ impl Printer<'_> {
                     || other.is_some_and(|(field, value)| !is_default(value, field))
             })
         };
-        let needed = object.either.filter(|keys| !has_either(&out, *keys));
-        let needed = needed.map(|[first, _]| first);
+        let needed = object.either.filter(|either| either.needed.is_some());
+        let needed = needed.filter(|either| !has_either(&out, either.keys));
+        let needed = needed.map(|either| either.keys[0]);
         for field in object.fields.iter().filter(|field| !is_written(field.key)) {
             if let Some(value) = tree.get(field.key)
                 && (needed == Some(field.key) || !is_default(value, field))

@@ -13,6 +13,8 @@
 //! | `x-parameters` | object           | the parameters, which are read before everything else                  |
 //! | `x-refused`   | object            | keys that have a reason of their own for not being allowed             |
 
+mod places;
+
 use serde_json::{Map, Value, json};
 
 use crate::NAME_PATTERN;
@@ -28,9 +30,6 @@ const QUANTITY_PATTERN: &str =
 
 /// An expression.
 const EXPRESSION_PATTERN: &str = r"^\s*=";
-
-/// Name of a parameter.
-const PARAMETER_PATTERN: &str = "^[A-Za-z_][A-Za-z0-9_]*$";
 
 /// Keys of a schema, in the order in which they are printed.
 type Keys = Map<String, Value>;
@@ -126,10 +125,20 @@ fn object(object: &Object, kind: Option<&str>) -> Keys {
         Drives::Sampled => {
             keys.insert("x-driven".into(), "driver of this sample".into());
         }
+        Drives::Posed => {
+            keys.insert("x-driven".into(), "driver of this position".into());
+        }
+        Drives::Measured => {
+            keys.insert("x-driven".into(), "column of this output".into());
+        }
     }
     if let Some(either) = object.either {
-        let either = either.map(|key| json!({ "required": [key] }));
-        keys.insert("anyOf".into(), json!(either));
+        let [first, second] = either.keys.map(|key| json!({ "required": [key] }));
+        match (either.needed, either.exclusive) {
+            (Some(_), false) => keys.insert("anyOf".into(), json!([first, second])),
+            (Some(_), true) => keys.insert("oneOf".into(), json!([first, second])),
+            (None, _) => keys.insert("not".into(), json!({ "required": either.keys })),
+        };
     }
     if !object.refused.is_empty() {
         let refused: Keys = object
@@ -257,8 +266,8 @@ fn at(shape: &Shape, field: Option<&Field>) -> Keys {
         Shape::Choice(choice) => reference(choice.name),
         Shape::Object(object) => reference(object.name),
         Shape::Tagged(tagged) => reference(tagged.name),
-        Shape::Units => units(),
-        Shape::Parameters => return parameters(field),
+        Shape::Units => places::units(),
+        Shape::Parameters => return places::parameters(field),
         Shape::Map(of) => return map(of, field),
         Shape::Bodies => return bodies(field),
         Shape::Text => keys(json!({ "type": "string" })),
@@ -287,6 +296,16 @@ fn at(shape: &Shape, field: Option<&Field>) -> Keys {
             }));
             said(&mut keys, field);
             bounded(&mut keys, Bound::Above(0.0), true);
+            return keys;
+        }
+        Shape::Range(measure, bound) => places::range(&Shape::Quantity(*measure, *bound)),
+        Shape::Place => places::place(),
+        Shape::Nominal => places::value(),
+        Shape::Deviations => places::deviations(),
+        Shape::Alike(bound) => {
+            let mut keys = places::value();
+            said(&mut keys, field);
+            bounded(&mut keys, *bound, true);
             return keys;
         }
         Shape::Direction => {
@@ -351,38 +370,5 @@ fn bodies(field: Option<&Field>) -> Keys {
     }));
     said(&mut keys, field);
     keys.insert("propertyNames".into(), json!({ "pattern": NAME_PATTERN }));
-    keys
-}
-
-fn units() -> Keys {
-    let mut properties = Keys::new();
-    for dimension in Dimension::NAMED {
-        let (name, si) = (dimension.name(), dimension.si());
-        let description = format!("Unit of a plain number for {name}, SI: {si}.");
-        properties.insert(
-            name.into(),
-            json!({ "description": description, "type": "string", "x-unit-of": name }),
-        );
-    }
-    properties.insert("note".into(), note());
-    let named =
-        json!({ "type": "object", "properties": properties, "additionalProperties": false });
-    keys(json!({ "anyOf": [{ "const": "SI" }, named] }))
-}
-
-fn parameters(field: Option<&Field>) -> Keys {
-    let value = json!({
-        "description": "A plain number, text with a unit, or \"=\" and an expression of other parameters.",
-        "type": ["number", "string"], "pattern": QUANTITY_PATTERN
-    });
-    let mut keys = keys(json!({
-        "type": "object", "propertyNames": { "pattern": PARAMETER_PATTERN }, "x-parameters": true,
-        "additionalProperties": value
-    }));
-    said(&mut keys, field);
-    keys.insert(
-        "properties".into(),
-        json!({ "note": { "anyOf": [note(), value] } }),
-    );
     keys
 }

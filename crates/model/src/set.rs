@@ -120,8 +120,87 @@ fn apply_one(root: &mut Node, set: &str, index: usize) -> Result<(), Refusal> {
     };
     let steps = steps(path.trim())?;
     let value = value(text, index)?;
+    let steps = beside_tolerance(root, steps, &value, index);
+    take_other(root, &steps);
     *reach(root, &steps, index)? = value;
     Ok(())
+}
+
+/// Where the value of a parameter and the place of a point stand that may have a tolerance beside: a number alone is put
+/// for the number and leaves the tolerance, and a tolerance is put beside a number that stands alone.
+fn beside_tolerance<'a>(
+    root: &mut Node,
+    mut steps: Vec<Step<'a>>,
+    value: &Node,
+    index: usize,
+) -> Vec<Step<'a>> {
+    let (depth, key) = match steps.as_slice() {
+        [Step::Key("parameters"), Step::Key(_), ..] => (2, "value"),
+        [
+            Step::Key("bodies"),
+            Step::Key(_),
+            Step::Key("points"),
+            Step::Key(_),
+            ..,
+        ] => (4, "position"),
+        _ => return steps,
+    };
+    let Some(found) = existing(root, &steps[..depth]) else {
+        return steps;
+    };
+    let is_object = |node: &Node| matches!(node.kind, Kind::Object(_));
+    match steps.get(depth) {
+        // all of it, or a coordinate
+        None if is_object(found) && !is_object(value) => steps.push(Step::Key(key)),
+        Some(Step::Index(_)) if is_object(found) => steps.insert(depth, Step::Key(key)),
+        Some(Step::Key(_)) if !is_object(found) => {
+            let made = Kind::Object(Box::default());
+            let origin = Origin::Set(index);
+            let alone = std::mem::replace(found, Node { kind: made, origin });
+            if let Kind::Object(members) = &mut found.kind {
+                let member = Member {
+                    key: origin,
+                    node: alone,
+                };
+                members.insert(key.to_owned(), member);
+            }
+        }
+        None | Some(Step::Index(_) | Step::Key(_)) => {}
+    }
+    steps
+}
+
+/// What exists at a path of keys.
+fn existing<'n>(root: &'n mut Node, steps: &[Step<'_>]) -> Option<&'n mut Node> {
+    steps
+        .iter()
+        .try_fold(root, |node, step| match (step, &mut node.kind) {
+            (Step::Key(key), Kind::Object(members)) => {
+                members.get_mut(*key).map(|member| &mut member.node)
+            }
+            (Step::Key(_) | Step::Index(_), _) => None,
+        })
+}
+
+/// The radius of a clearance and its fit exclude each other: the one that is set takes the place of the other.
+fn take_other(root: &mut Node, steps: &[Step<'_>]) {
+    let [
+        Step::Key("joints"),
+        _,
+        Step::Key("clearance"),
+        Step::Key(key),
+    ] = steps
+    else {
+        return;
+    };
+    let other = match *key {
+        "radius" => "fit",
+        "fit" => "radius",
+        _ => return,
+    };
+    if let Some(Kind::Object(members)) = existing(root, &steps[..3]).map(|node| &mut node.kind) {
+        members.shift_remove(other);
+    }
 }
 
 /// JSON where it is JSON, else a string; but what begins as a list or an object must be one.

@@ -80,6 +80,10 @@ pub enum Drives {
     Always(Dimension),
     /// That of the driver that the object names.
     Sampled,
+    /// The same; the only driver, where the object names none.
+    Posed,
+    /// That of the result column that the object names.
+    Measured,
 }
 
 /// What stands at one place.
@@ -101,6 +105,16 @@ pub enum Shape {
     Point,
     /// A number with a dimension.
     Quantity(Measure, Bound),
+    /// A number with a dimension, or its least and greatest value.
+    Range(Measure, Bound),
+    /// Two lengths, or these with a tolerance of their place.
+    Place,
+    /// The value of a parameter, which is read before everything else.
+    Nominal,
+    /// Deviations from the value of the parameter around it.
+    Deviations,
+    /// A number with the dimension of the parameter around it.
+    Alike(Bound),
     /// A number without dimension.
     Number(Bound),
     /// The same; the schema does not say that it is a double.
@@ -187,8 +201,8 @@ pub struct Object {
     pub refused: &'static [(&'static str, &'static str)],
     /// What motions inside of it drive.
     pub drives: Drives,
-    /// Two keys of which it has one at least.
-    pub either: Option<[&'static str; 2]>,
+    /// Two keys that belong together or exclude each other.
+    pub either: Option<Either>,
 }
 
 impl Object {
@@ -196,6 +210,17 @@ impl Object {
     pub fn field(&self, key: &str) -> Option<&'static Field> {
         self.fields.iter().find(|field| field.key == key)
     }
+}
+
+/// Two keys of an object of which one may be needed, or both may be too many.
+#[derive(Debug, Clone, Copy)]
+pub struct Either {
+    /// The keys.
+    pub keys: [&'static str; 2],
+    /// What to say where none is there; nothing: both may be left out.
+    pub needed: Option<&'static str>,
+    /// Whether they exclude each other.
+    pub exclusive: bool,
 }
 
 /// Objects told apart by their `type`.

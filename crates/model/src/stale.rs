@@ -14,8 +14,10 @@ pub(super) fn stale(root: &Node, sets: &[String]) -> Vec<Complaint> {
         return found;
     }
     for (name, body) in members(root.get("bodies")).filter(|(name, _)| *name != GROUND) {
-        let mut moved = members(body.node.get("points"))
-            .filter_map(|(point, at)| Some((point, set_in(&at.node)?)));
+        let mut moved = members(body.node.get("points")).filter_map(|(point, at)| {
+            // a tolerance beside it moves nothing
+            Some((point, set_in(at.node.get("position").unwrap_or(&at.node))?))
+        });
         let Some((_, set)) = moved.find(|(point, _)| is_joined(root, &format!("{name}.{point}")))
         else {
             continue;

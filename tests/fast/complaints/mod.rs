@@ -60,7 +60,7 @@ const GEAR: &str = r#""axis": [1, 0] },
     "g": { "type": "gear", "between": ["crank.O", "rocker.Q"], "ratio": -2 }"#;
 
 /// The bad models by theme.
-const CASES: [&[Case]; 10] = [
+const CASES: [&[Case]; 11] = [
     cases::words::CASES,
     cases::expressions::CASES,
     cases::bodies::CASES,
@@ -69,6 +69,7 @@ const CASES: [&[Case]; 10] = [
     cases::drivers::CASES,
     cases::analysis::CASES,
     cases::syntax::CASES,
+    cases::tolerances::CASES,
     cases::sets::CASES,
     cases::slips::CASES,
 ];

@@ -42,7 +42,7 @@ pub fn numbers(model: &mut Model) -> Vec<&mut f64> {
             JointKind::Prismatic { axis, angle, .. } => {
                 numbers.extend(axis.iter_mut().chain([angle]))
             }
-            JointKind::Slot { axis } => numbers.extend(axis),
+            JointKind::Slot { axis, .. } => numbers.extend(axis),
             JointKind::Gear { ratio, .. } => numbers.push(ratio),
             JointKind::Fixed { angle } => numbers.push(angle),
             JointKind::Revolute { .. } => {}

@@ -21,6 +21,7 @@ pub(super) use naming::with_article;
 pub use parameters::Parameter;
 pub(super) use parameters::{Found, Parameters};
 pub(super) use quantity::{Fault, Pure, Quantity};
+pub(super) use written::quantity;
 
 use parse::Parser;
 

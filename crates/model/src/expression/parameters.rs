@@ -8,6 +8,7 @@ use super::written::{Written, quantity, refused_name};
 use super::{Expression, Fault, Misfit, Quantity, is_expression};
 use crate::dimension::Dimension;
 use crate::error::Complaint;
+use crate::tolerance::Tolerance;
 
 /// Most parameters of a circle that are named.
 const MOST_NAMED: usize = 8;
@@ -25,6 +26,8 @@ pub struct Parameter {
     pub dimension: Option<Dimension>,
     /// What the file says: a number, text with a unit, or an expression.
     pub text: String,
+    /// Its own deviation; what it follows from has that of its own.
+    pub tolerance: Option<Tolerance>,
 }
 
 /// A fault, and the node and byte of its text at which it stands.
@@ -41,6 +44,8 @@ pub struct Parameters {
     places: HashMap<String, usize>,
     written: Vec<Written>,
     values: Vec<Option<Quantity>>,
+    /// Whether the value stands in an object, beside its tolerance.
+    keyed: Vec<bool>,
     /// Values in the place of written ones.
     given: HashMap<usize, f64>,
     used: Vec<bool>,
@@ -58,6 +63,7 @@ impl Parameters {
             places: HashMap::new(),
             written: Vec::new(),
             values: Vec::new(),
+            keyed: Vec::new(),
             given: HashMap::new(),
             used: Vec::new(),
             degrees,
@@ -81,7 +87,9 @@ impl Parameters {
                         .places
                         .insert(key.clone(), parameters.names.len());
                     parameters.names.push(key.clone());
-                    nodes.push(&member.node);
+                    let (node, is_keyed) = nominal(&member.node);
+                    nodes.push(node);
+                    parameters.keyed.push(is_keyed);
                 }
             }
             Some((_, node)) => {
@@ -96,8 +104,8 @@ impl Parameters {
         parameters.used = vec![false; nodes.len()];
         parameters.written = nodes
             .iter()
-            .zip(&parameters.names)
-            .map(|(node, name)| parameters.read_one(node, name, &mut faults))
+            .enumerate()
+            .map(|(index, node)| parameters.read_one(node, index, &mut faults))
             .collect();
         parameters.evaluate_all(&nodes, &mut faults);
         (parameters, faults)
@@ -125,7 +133,7 @@ impl Parameters {
             }
             self.given.insert(place, *value);
         }
-        let found = |name: &String| node.and_then(|node| node.get(name));
+        let found = |name: &String| node.and_then(|node| Some(nominal(node.get(name)?).0));
         let nodes: Vec<&Node> = self.names.iter().filter_map(found).collect();
         let mut faults = Vec::new();
         self.evaluate_all(&nodes, &mut faults);
@@ -136,11 +144,11 @@ impl Parameters {
         }
     }
 
-    fn read_one<'a>(&self, node: &'a Node, name: &str, faults: &mut Vec<Found<'a>>) -> Written {
+    fn read_one<'a>(&self, node: &'a Node, index: usize, faults: &mut Vec<Found<'a>>) -> Written {
         let mut add = |at: Option<usize>, fault: Fault| {
             let complaint = Complaint {
                 hint: fault.hint,
-                ..Complaint::new(path(name), fault.message)
+                ..Complaint::new(self.path(index), fault.message)
             };
             faults.push(Found {
                 node,
@@ -161,6 +169,8 @@ impl Parameters {
             Kind::String(text) => {
                 quantity(text).map_or_else(|fault| add(None, fault), Written::Value)
             }
+            // that its value is missing is complained about with its other keys
+            Kind::Object(_) if !self.keyed[index] => Written::Faulty,
             Kind::Null | Kind::Bool(_) | Kind::Array(_) | Kind::Object(_) => {
                 let message = format!("a number is expected, not {}", node.kind_name());
                 add(
@@ -209,7 +219,7 @@ impl Parameters {
                     .unwrap_or_else(|Misfit { at, fault }| {
                         let complaint = Complaint {
                             hint: fault.hint,
-                            ..Complaint::new(path(&self.names[index]), fault.message)
+                            ..Complaint::new(self.path(index), fault.message)
                         };
                         faults.push(Found {
                             node: nodes[index],
@@ -266,7 +276,7 @@ impl Parameters {
                 "the parameters follow from each other in a circle: {}",
                 names.join(" → ")
             );
-            let complaint = Complaint::new(path(&self.names[closing]), message)
+            let complaint = Complaint::new(self.path(closing), message)
                 .hint("give one of them a value of its own");
             faults.push(Found {
                 node: nodes[closing],
@@ -288,12 +298,27 @@ impl Parameters {
         expression.evaluate(&self.values, self.degrees)
     }
 
+    /// The value of a parameter, where it has one.
+    pub fn value(&self, name: &str) -> Option<Quantity> {
+        *self.values.get(*self.places.get(name)?)?
+    }
+
+    /// Where the value of a parameter stands.
+    fn path(&self, index: usize) -> String {
+        let path = path(&self.names[index]);
+        if self.keyed[index] {
+            format!("{path}.value")
+        } else {
+            path
+        }
+    }
+
     /// All that have a value, as written in a node.
     pub fn resolved(&self, node: Option<&Node>) -> Vec<Parameter> {
         let found = self.names.iter().zip(&self.values);
         let resolved = found.filter_map(|(name, value)| {
             let value = (*value)?;
-            let text = match &node?.get(name)?.kind {
+            let text = match &nominal(node?.get(name)?).0.kind {
                 Kind::Number(number) => number.to_string(),
                 Kind::String(text) => text.clone(),
                 Kind::Null | Kind::Bool(_) | Kind::Array(_) | Kind::Object(_) => return None,
@@ -304,6 +329,7 @@ impl Parameters {
                 unit: value.unit(),
                 dimension: value.dimension(),
                 text,
+                tolerance: None,
             })
         });
         resolved.collect()
@@ -334,6 +360,12 @@ impl Parameters {
         });
         complaints.collect()
     }
+}
+
+/// The node of a parameter's value, and whether it stands in an object.
+fn nominal(node: &Node) -> (&Node, bool) {
+    node.get("value")
+        .map_or((node, false), |value| (value, true))
 }
 
 fn path(name: &str) -> String {

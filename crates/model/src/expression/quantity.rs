@@ -121,6 +121,11 @@ impl Quantity {
         per_radian_left_out || alike(self.exponents, wanted)
     }
 
+    /// Whether it may be added to another one.
+    pub fn is_like(self, other: Self) -> bool {
+        alike(self.exponents, other.exponents)
+    }
+
     pub fn negate(self) -> Self {
         Quantity {
             value: -self.value,

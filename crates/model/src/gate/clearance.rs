@@ -4,6 +4,7 @@
 
 use super::Rules;
 use crate::error::Complaint;
+use crate::fit::Fit;
 use crate::tree::word;
 use crate::{
     Clearance, ClearanceModel, Friction, FrictionLaw, Joint, JointKind, Normal, NormalLaw,
@@ -46,11 +47,14 @@ pub(super) fn joint(rules: &mut Rules<'_>, joint: &Joint, path: &str) {
 /// What the model of a clearance needs.
 fn of_clearance(rules: &mut Rules<'_>, clearance: &Clearance, path: &str) {
     let mut words = Words { rules, path };
+    words.fit(clearance);
     if words.is_hole("model") || clearance.model == ClearanceModel::Ideal {
         return;
     }
     let model = word(&clearance.model);
     match words.number("radius", clearance.radius) {
+        // of a fit that is refused there is no radius
+        None if clearance.fit.is_some() => {}
         None if clearance.radius.is_none() => words.complain(
             "",
             format!("\"radius\" is missing, the model {model:?} needs the radial clearance"),
@@ -113,6 +117,17 @@ impl Words<'_, '_> {
     /// A number, none where it is missing or faulty.
     fn number(&self, key: &str, number: Option<f64>) -> Option<f64> {
         number.filter(|_| !self.is_hole(key))
+    }
+
+    /// A fit is known, and has clearance.
+    fn fit(&mut self, clearance: &Clearance) {
+        let Some(fit) = clearance.fit.as_deref().filter(|_| !self.is_hole("fit")) else {
+            return;
+        };
+        if let Err(fault) = Fit::parse(fit).and_then(|fit| fit.radial()) {
+            let path = format!("{}.fit", self.path);
+            self.rules.complaints.push(Complaint { path, ..fault });
+        }
     }
 
     /// Complains where a value is missing; a faulty one counts as there.

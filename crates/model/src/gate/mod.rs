@@ -3,6 +3,7 @@
 //! Rules on one number come from the descriptions of the [words](crate::words); rules on names, and on values that belong
 //! together, are functions of the typed model. Places in a file are looked up by path afterwards.
 
+mod accuracy;
 mod analysis;
 mod clearance;
 mod drivers;
@@ -18,7 +19,7 @@ pub use ranges::{length_fault, name_fault};
 use std::ops::Deref;
 
 use crate::error::{Complaint, Complaints};
-use crate::{ClearanceModel, JointKind, Model};
+use crate::{ClearanceModel, JointKind, Model, suggest};
 
 /// Complaints after which no more names are looked up.
 const ENOUGH: usize = 200;
@@ -138,6 +139,7 @@ fn inspect(model: &Model, holes: Holes) -> Said {
     names::initial(&mut rules);
     names::wanted_points(&mut rules);
     analysis::analysis(&mut rules);
+    accuracy::accuracy(&mut rules);
     // A gear's carrier is found along joints, which must be whole for that.
     if rules.complaints.is_empty() && rules.holes.is_empty() {
         let joints = model.joints.iter();
@@ -181,10 +183,17 @@ impl Rules<'_> {
                 && known("com")
             {
                 self.complain(
-                    path,
+                    path.clone(),
                     "\"com\" is missing, it has no default where there is mass",
                     "give the centre of mass in the body's frame, as in \"com\": [0, 0]",
                 );
+            }
+            let unknown = |name: &&String| !body.points.contains_key(*name);
+            if let Some(point) = body.point_tolerances.keys().find(unknown) {
+                let message =
+                    format!("the body has no point {point:?} that could have a tolerance");
+                let hint = format!("its points: {}", suggest::list(body.points.keys()));
+                self.complain(format!("bodies.{name}.points"), message, hint);
             }
         }
     }

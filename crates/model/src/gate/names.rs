@@ -45,11 +45,11 @@ pub fn no_point(model: &Model, path: &str, text: &str) -> Complaint {
     Complaint::new(path, "this is no point of a body").hint(hint)
 }
 
-struct Names<'r, 'm> {
-    model: &'m Model,
+pub(super) struct Names<'r, 'm> {
+    pub(super) model: &'m Model,
     /// Names of bodies that are refused for a dot in them.
     dotted: Vec<&'m str>,
-    rules: &'r mut Rules<'m>,
+    pub(super) rules: &'r mut Rules<'m>,
 }
 
 impl Names<'_, '_> {
@@ -82,6 +82,7 @@ impl Names<'_, '_> {
         for (index, point) in model.points.iter().enumerate() {
             self.point(&format!("points[{index}]"), point);
         }
+        self.accuracy();
         let Some(analysis) = &model.analysis else {
             return;
         };
@@ -131,11 +132,11 @@ impl Names<'_, '_> {
     }
 
     /// Whether it is not yet known what is wrong at a path.
-    fn is_open(&self, path: &str) -> bool {
+    pub(super) fn is_open(&self, path: &str) -> bool {
         self.rules.complaints.len() < ENOUGH && !self.rules.holes.has(path)
     }
 
-    fn name(&mut self, path: &str, kind: Named, name: &str) {
+    pub(super) fn name(&mut self, path: &str, kind: Named, name: &str) {
         if !self.is_open(path) {
             return;
         }
@@ -170,7 +171,7 @@ impl Names<'_, '_> {
         Some(Complaint::new(path, format!("there is no {what} {name:?}")).hint(hint))
     }
 
-    fn point(&mut self, path: &str, point: &PointRef) {
+    pub(super) fn point(&mut self, path: &str, point: &PointRef) {
         if self.is_open(path) && !self.rules.holes.has("bodies") {
             let complaint = self.missing_point(path, point);
             self.rules.complaints.extend(complaint);

@@ -4,7 +4,7 @@ use super::holes::Holes;
 use crate::error::Complaint;
 use crate::shape::{Bound, Object, Shape};
 use crate::tree::Tree;
-use crate::words::{BODY, FILE, GROUND, MATERIAL, MOTION, SEPARATE};
+use crate::words::{BODY, FILE, GROUND, LENGTH, MATERIAL, MOTION, PLACE, SEPARATE};
 use crate::{GROUND as FIXED, Model};
 
 /// A name that a file can't hold: what is wrong, and what would be right.
@@ -92,6 +92,9 @@ impl Look<'_> {
                 Shape::Quantity(_, bound) | Shape::Number(bound) | Shape::Coefficient(bound),
                 Tree::Number(number),
             ) => self.number(*number, *bound),
+            (Shape::Range(_, bound), limits) => self.range(limits, *bound),
+            (Shape::Place, Tree::List(items)) => self.list(items, &LENGTH, 0),
+            (Shape::Place, place) => self.object(place, &PLACE),
             (Shape::ContactStiffness, Tree::Number(number)) => {
                 self.number(*number, Bound::Above(0.0));
             }
@@ -139,6 +142,9 @@ impl Look<'_> {
                 Shape::Format
                 | Shape::Units
                 | Shape::Parameters
+                | Shape::Nominal
+                | Shape::Deviations
+                | Shape::Alike(_)
                 | Shape::Text
                 | Shape::Choice(_)
                 | Shape::Name(_)
@@ -165,6 +171,31 @@ impl Look<'_> {
             if !number.is_finite() {
                 complaint.found = Some(number.to_string());
             }
+        }
+    }
+
+    /// A number, or the least and the greatest one.
+    fn range(&mut self, limits: &Tree, bound: Bound) {
+        match limits {
+            Tree::Number(number) => self.number(*number, bound),
+            Tree::List(items) => {
+                for (index, item) in items.iter().enumerate() {
+                    if let Tree::Number(number) = item {
+                        self.enter(format_args!("[{index}]"), |look| {
+                            look.number(*number, bound);
+                        });
+                    }
+                }
+                let is_known = |index| !self.holes.has(&format!("{}[{index}]", self.path));
+                if let [Tree::Number(least), Tree::Number(most)] = items.as_slice()
+                    && least > most
+                    && (0..2).all(is_known)
+                {
+                    self.complain("the range is the wrong way round").hint =
+                        Some("the least value comes first".to_owned());
+                }
+            }
+            Tree::Null | Tree::Count(_) | Tree::Text(_) | Tree::Map(_) => {}
         }
     }
 

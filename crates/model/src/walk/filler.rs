@@ -9,16 +9,19 @@ use crate::words::MATERIAL;
 pub fn filler(shape: &Shape) -> Value {
     match shape {
         Shape::Format | Shape::Text | Shape::Name(_) => Value::from(""),
-        Shape::Units | Shape::Parameters => Value::Null,
+        Shape::Units | Shape::Parameters | Shape::Nominal | Shape::Deviations => Value::Null,
         Shape::Point => Value::from("."),
         Shape::Choice(choice) => Value::from(choice.words.first().map_or("", |word| word.0)),
         Shape::Quantity(..)
+        | Shape::Range(..)
+        | Shape::Alike(_)
         | Shape::Number(_)
         | Shape::Coefficient(_)
         | Shape::ContactStiffness
         | Shape::Varying(_) => Value::from(0.0),
         Shape::Count(least, _) => Value::from(*least),
         Shape::Direction => Value::from(vec![1.0, 0.0]),
+        Shape::Place => Value::from(vec![0.0, 0.0]),
         Shape::Pair(of) => Value::from(vec![filler(of), filler(of)]),
         Shape::List(..) | Shape::Table => Value::Array(Vec::new()),
         Shape::Map(_) | Shape::Bodies => Value::Object(Map::new()),

@@ -8,6 +8,7 @@ use crate::error::Complaint;
 use crate::gate::length_fault;
 use crate::node::{Kind, Node};
 use crate::shape::{Bound, Measure, Shape};
+use crate::words::{LENGTH, PLACE};
 
 /// Least and most entries of a list.
 type Length = (usize, Option<usize>);
@@ -42,6 +43,28 @@ impl Walk<'_> {
             self.value(item, of, &format!("{path}[{index}]"), driven)
         });
         Some(values.collect())
+    }
+
+    /// A number, or its least and its greatest value.
+    pub(super) fn range(
+        &mut self,
+        node: &Node,
+        of: &Shape,
+        path: &str,
+        driven: Driven,
+    ) -> Option<Value> {
+        match node.kind {
+            Kind::Array(_) => self.list(node, of, (2, Some(2)), path, driven),
+            _ => self.read(node, of, path, driven),
+        }
+    }
+
+    /// Two coordinates, or these with a tolerance.
+    pub(super) fn place(&mut self, node: &Node, path: &str, driven: Driven) -> Option<Value> {
+        match node.kind {
+            Kind::Object(_) => self.object(node, &PLACE, None, path, driven),
+            _ => self.list(node, &LENGTH, (2, Some(2)), path, driven),
+        }
     }
 
     /// Points (t, value).

@@ -7,6 +7,7 @@
 mod filler;
 mod lists;
 mod object;
+mod parameter;
 mod quantity;
 mod units;
 
@@ -27,6 +28,7 @@ use crate::node::{Kind, Node, Origin};
 use crate::shape::{Bound, Choice, Measure, Shape, Tagged};
 use crate::source::Source;
 use crate::suggest;
+use crate::tolerance::Tolerance;
 use crate::words::{FILE, MATERIAL, MOTION, SEPARATE};
 
 /// Complaints after which the rest is only counted; placing them takes time.
@@ -105,7 +107,10 @@ fn walk_with(
                 .map(|(complaint, _)| source.place(complaint)),
         );
     }
-    let parameters = walk.parameters.resolved(written);
+    let mut parameters = walk.parameters.resolved(written);
+    for parameter in &mut parameters {
+        parameter.tolerance = walk.tolerances.remove(&parameter.name);
+    }
     Findings {
         value,
         holes: walk.holes,
@@ -144,6 +149,8 @@ pub struct Walk<'a> {
     complaints: Vec<Complaint>,
     more: usize,
     undotted: Vec<Undotted>,
+    /// Of parameters, by their names.
+    tolerances: HashMap<String, Tolerance>,
 }
 
 impl<'a> Walk<'a> {
@@ -163,6 +170,7 @@ impl<'a> Walk<'a> {
             complaints: Vec::new(),
             more: 0,
             undotted: Vec::new(),
+            tolerances: HashMap::new(),
         }
     }
 
@@ -222,8 +230,18 @@ impl<'a> Walk<'a> {
         match shape {
             Shape::Format => self.choice(node, &[crate::FORMAT], path),
             Shape::Units => self.units_of_file(node, path),
-            // they are read already
-            Shape::Parameters => Some(Value::Null),
+            // their values are read already
+            Shape::Parameters => {
+                self.tolerances(node, path);
+                Some(Value::Null)
+            }
+            Shape::Nominal => Some(Value::Null),
+            Shape::Deviations => self.deviations(node, path, driven),
+            Shape::Alike(bound) => self.alike(node, *bound, path, driven),
+            Shape::Range(measure, bound) => {
+                self.range(node, &Shape::Quantity(*measure, *bound), path, driven)
+            }
+            Shape::Place => self.place(node, path, driven),
             Shape::Text | Shape::Name(_) => self.text(node, path).map(Value::from),
             Shape::Point => {
                 let text = self.text(node, path)?;
@@ -356,14 +374,6 @@ impl<'a> Walk<'a> {
             self.complain(node, wrong_kind(path, "text", node));
         }
         text
-    }
-
-    /// `"SI"`, or a unit per dimension.
-    fn units_of_file(&mut self, node: &Node, path: &str) -> Option<Value> {
-        match &node.kind {
-            Kind::Object(members) => self.named_units(members, path),
-            _ => self.choice(node, &["SI"], path),
-        }
     }
 }
 

@@ -5,12 +5,13 @@ use serde_json::{Map, Value};
 
 use super::{Driven, Walk, texts, wrong_kind};
 use crate::GROUND as FIXED;
+use crate::accuracy::Column;
 use crate::dimension::Dimension;
 use crate::error::Complaint;
 use crate::examples;
 use crate::gate::name_fault;
 use crate::node::{Kind, Member, Node, join};
-use crate::shape::{Bound, Drives, Field, Measure, Need, Object, Shape};
+use crate::shape::{Bound, Drives, Either, Field, Measure, Need, Object, Shape};
 use crate::suggest;
 use crate::words::{BODY, GROUND};
 
@@ -25,6 +26,11 @@ impl Object {
     pub fn has(&self, key: &str) -> bool {
         key == NOTE || self.field(key).is_some()
     }
+}
+
+/// The text at a key.
+fn text_of<'m>(members: &'m Members, key: &str) -> Option<&'m str> {
+    members.get(key).and_then(|member| member.node.as_str())
 }
 
 /// What stands at a key; the stiffness of a contact has a unit where its law is linear.
@@ -43,11 +49,13 @@ impl Walk<'_> {
         match object.drives {
             Drives::Nothing => around,
             Drives::Always(dimension) => Driven::Dimension(dimension),
-            Drives::Sampled => {
-                let driver = members
-                    .get("driver")
-                    .and_then(|member| member.node.as_str());
-                self.driven_by(driver)
+            Drives::Sampled => self.driven_by(text_of(members, "driver")),
+            Drives::Posed => match text_of(members, "driver") {
+                None if !members.contains_key("driver") => self.driven_alone(),
+                driver => self.driven_by(driver),
+            },
+            Drives::Measured => {
+                self.measured(text_of(members, "column"), members.contains_key("distance"))
             }
         }
     }
@@ -56,6 +64,31 @@ impl Walk<'_> {
     pub fn driven_by(&self, driver: Option<&str>) -> Driven {
         let found = driver.and_then(|name| self.driven.get(name));
         found.map_or(Driven::Unknown, |&dimension| Driven::Dimension(dimension))
+    }
+
+    /// What the only driver drives.
+    pub fn driven_alone(&self) -> Driven {
+        let mut known = self.driven.values();
+        match (known.next(), known.next()) {
+            (Some(&dimension), None) => Driven::Dimension(dimension),
+            (Some(_), Some(_)) | (None, _) => Driven::Unknown,
+        }
+    }
+
+    /// The dimension of a column of results, or of a distance.
+    pub fn measured(&self, column: Option<&str>, is_distance: bool) -> Driven {
+        let effort = |driver: &str| match self.driven.get(driver)? {
+            Dimension::Length => Some(Dimension::Force),
+            _ => Some(Dimension::Torque),
+        };
+        match column {
+            None if is_distance => Driven::Dimension(Dimension::Length),
+            Some(column) => {
+                let found = Column::read(column).and_then(|column| column.dimension(effort));
+                found.map_or(Driven::Unknown, Driven::Dimension)
+            }
+            None => Driven::Unknown,
+        }
     }
 
     /// An object; with its `type` where it is one of several kinds.
@@ -121,13 +154,31 @@ impl Walk<'_> {
             let value = self.hole(&field.shape, &join(path, field.key));
             out.insert(field.key.to_owned(), value);
         }
-        if let Some([first, second]) = object.either
-            && !out.contains_key(first)
-            && !out.contains_key(second)
-        {
-            let complaint = Complaint::new(path, format!("{first:?} is missing"));
-            let hint = format!("with {second:?} alone it would be a damper");
-            self.complain(node, complaint.hint(hint));
+        if let Some(either) = object.either {
+            self.either(node, either, out, path);
+        }
+    }
+
+    /// Complains where none of two keys is there, or both are and must not be.
+    fn either(&mut self, node: &Node, either: Either, out: &Map<String, Value>, path: &str) {
+        let [first, second] = either.keys;
+        match (out.contains_key(first), out.contains_key(second)) {
+            (false, false) => {
+                if let Some(hint) = either.needed {
+                    let complaint = Complaint::new(path, format!("{first:?} is missing"));
+                    self.complain(node, complaint.hint(hint));
+                    if either.exclusive {
+                        self.holes.add(&join(path, first));
+                    }
+                }
+            }
+            (true, true) if either.exclusive => {
+                let message = format!("{first:?} and {second:?} exclude each other");
+                let complaint = Complaint::new(join(path, second), message);
+                let at = node.get(second).unwrap_or(node);
+                self.complain(at, complaint.hint("keep one of them"));
+            }
+            (true, _) | (_, true) => {}
         }
     }
 
@@ -223,6 +274,14 @@ impl Walk<'_> {
             out.insert(name.clone(), value);
         }
         Some(Value::Object(out))
+    }
+
+    /// `"SI"`, or a unit per dimension.
+    pub(super) fn units_of_file(&mut self, node: &Node, path: &str) -> Option<Value> {
+        match &node.kind {
+            Kind::Object(members) => self.named_units(members, path),
+            _ => self.choice(node, &["SI"], path),
+        }
     }
 
     /// A unit per dimension.

@@ -136,7 +136,7 @@ impl Walk<'_> {
     }
 
     /// What an expression gives, or none and a complaint here or at a parameter.
-    fn expression(&mut self, node: &Node, text: &str, path: &str) -> Option<Quantity> {
+    pub(super) fn expression(&mut self, node: &Node, text: &str, path: &str) -> Option<Quantity> {
         match self.parameters.evaluate(text) {
             Ok(result) => result,
             Err(Misfit { at, fault }) => {

@@ -3,6 +3,7 @@
 use crate::dimension::{Dimension, Powers};
 use crate::display::{DisplayUnits, Shown};
 use crate::error::Complaint;
+use crate::expression::Quantity;
 use crate::node::Node;
 use crate::shape::Measure;
 use crate::source::Source;
@@ -17,6 +18,8 @@ pub enum Driven {
     Dimension(Dimension),
     /// Coefficient of t^order.
     Coefficient(Dimension, usize),
+    /// The value of the parameter around it.
+    Parameter(Quantity),
     /// That fault is complained about elsewhere.
     Unknown,
 }
@@ -26,7 +29,9 @@ impl Driven {
     pub fn derivative(self, order: usize) -> Driven {
         match self {
             Driven::Dimension(dimension) => Driven::Coefficient(dimension, order),
-            Driven::Nothing | Driven::Coefficient(..) | Driven::Unknown => self,
+            Driven::Nothing | Driven::Coefficient(..) | Driven::Parameter(_) | Driven::Unknown => {
+                self
+            }
         }
     }
 }
@@ -167,7 +172,11 @@ impl Units {
                 | Measure::DrivenVelocity
                 | Measure::DrivenAcceleration
                 | Measure::DrivenCoefficient,
-                Driven::Nothing | Driven::Dimension(_) | Driven::Coefficient(..) | Driven::Unknown,
+                Driven::Nothing
+                | Driven::Dimension(_)
+                | Driven::Coefficient(..)
+                | Driven::Parameter(_)
+                | Driven::Unknown,
             ) => None,
         }
     }

@@ -1,7 +1,29 @@
 //! Bodies, poses, initial values.
 
 use crate::dimension::Dimension;
-use crate::shape::{Bound, Default, Drives, Measure, Object, Shape, default, optional, silent};
+use crate::shape::{
+    Bound, Default, Drives, Measure, Object, Shape, default, optional, required, silent,
+};
+
+/// A length.
+pub const LENGTH: Shape = Shape::Quantity(Measure::Of(Dimension::Length), Bound::Any);
+
+/// A point with the tolerance of its place.
+pub static PLACE: Object = Object {
+    name: "Place",
+    about: "A point with the tolerance of its place.",
+    fields: &[
+        required("position", Shape::Pair(&LENGTH), "Its place \\[m\\]."),
+        optional(
+            "tolerance",
+            Shape::Quantity(Measure::Of(Dimension::Length), Bound::AtLeast(0.0)),
+            "Diameter of its position tolerance zone \\[m\\] (ISO 1101): it is at most half of this away from its place.",
+        ),
+    ],
+    refused: &[],
+    drives: Drives::Nothing,
+    either: None,
+};
 
 /// The reserved, fixed body: it has only points.
 pub static GROUND: Object = Object {
@@ -9,10 +31,7 @@ pub static GROUND: Object = Object {
     about: "The reserved, fixed body: it has only points.",
     fields: &[default(
         "points",
-        Shape::Map(&Shape::Pair(&Shape::Quantity(
-            Measure::Of(Dimension::Length),
-            Bound::Any,
-        ))),
+        Shape::Map(&Shape::Place),
         Default::Empty,
         "Named points in global coordinates \\[m\\].",
     )],
@@ -54,10 +73,7 @@ pub static BODY: Object = Object {
         ),
         default(
             "points",
-            Shape::Map(&Shape::Pair(&Shape::Quantity(
-                Measure::Of(Dimension::Length),
-                Bound::Any,
-            ))),
+            Shape::Map(&Shape::Place),
             Default::Empty,
             "Named points in the body's frame \\[m\\].",
         ),

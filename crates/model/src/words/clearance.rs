@@ -3,7 +3,7 @@
 use super::friction::FRICTION;
 use crate::dimension::Dimension;
 use crate::shape::{
-    Bound, Choice, Default, Drives, Measure, Object, Shape, default, optional, required,
+    Bound, Choice, Default, Drives, Either, Measure, Object, Shape, default, optional, required,
 };
 
 /// Clearance of a revolute joint; parameters of models other than the one in use are kept as written.
@@ -14,8 +14,13 @@ pub static CLEARANCE: Object = Object {
         required("model", Shape::Choice(&CLEARANCE_MODEL), ""),
         optional(
             "radius",
-            Shape::Quantity(Measure::Of(Dimension::Length), Bound::AtLeast(0.0)),
-            "Radial clearance: bearing radius − journal radius \\[m\\]; needed by every model but `ideal`.",
+            Shape::Range(Measure::Of(Dimension::Length), Bound::AtLeast(0.0)),
+            "Radial clearance: bearing radius − journal radius \\[m\\], or `[least, most]` of it, whose mean counts but for accuracy; needed by every model but `ideal`.",
+        ),
+        optional(
+            "fit",
+            Shape::Text,
+            "Instead of `radius`: nominal diameter in mm, hole and shaft by ISO 286, as in `20 H7/g6`.",
         ),
         optional(
             "bearing_radius",
@@ -50,7 +55,11 @@ pub static CLEARANCE: Object = Object {
     ],
     refused: &[],
     drives: Drives::Nothing,
-    either: None,
+    either: Some(Either {
+        keys: ["radius", "fit"],
+        needed: None,
+        exclusive: true,
+    }),
 };
 
 /// The rung of the ladder.

@@ -25,6 +25,11 @@ pub static DRIVER: Tagged = Tagged {
                     Shape::Tagged(&MOTION),
                     "The law of time that the coordinate follows.",
                 ),
+                optional(
+                    "tolerance",
+                    Shape::Quantity(Measure::Driven, Bound::AtLeast(0.0)),
+                    "How far the coordinate may be from what the motion says, to either side; for accuracy.",
+                ),
             ],
             refused: &[],
             drives: Drives::Always(Dimension::Angle),
@@ -43,6 +48,11 @@ pub static DRIVER: Tagged = Tagged {
                     "motion",
                     Shape::Tagged(&MOTION),
                     "The law of time that the coordinate follows.",
+                ),
+                optional(
+                    "tolerance",
+                    Shape::Quantity(Measure::Driven, Bound::AtLeast(0.0)),
+                    "How far the coordinate may be from what the motion says, to either side; for accuracy.",
                 ),
             ],
             refused: &[],

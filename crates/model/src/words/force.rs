@@ -2,8 +2,15 @@
 
 use crate::dimension::Dimension;
 use crate::shape::{
-    Bound, Choice, Default, Drives, Measure, Named, Object, Shape, Tagged, default, optional,
-    required, silent,
+    Bound, Choice, Default, Drives, Either, Measure, Named, Object, Shape, Tagged, default,
+    optional, required, silent,
+};
+
+/// A spring may be a damper, and the other way round.
+const DAMPED: Either = Either {
+    keys: ["stiffness", "damping"],
+    needed: Some("with \"damping\" alone it would be a damper"),
+    exclusive: false,
 };
 
 /// A force element.
@@ -41,7 +48,7 @@ pub static FORCE: Tagged = Tagged {
             ],
             refused: &[],
             drives: Drives::Nothing,
-            either: Some(["stiffness", "damping"]),
+            either: Some(DAMPED),
         },
         Object {
             name: "torsion_spring",
@@ -76,7 +83,7 @@ pub static FORCE: Tagged = Tagged {
             ],
             refused: &[],
             drives: Drives::Nothing,
-            either: Some(["stiffness", "damping"]),
+            either: Some(DAMPED),
         },
         Object {
             name: "force",

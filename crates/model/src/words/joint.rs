@@ -62,6 +62,11 @@ pub static JOINT: Tagged = Tagged {
                     Shape::Quantity(Measure::Of(Dimension::Length), Bound::Above(0.0)),
                     "Length of the slider on its guide \\[m\\], centred at the second point: with it the joint's torque presses, too.",
                 ),
+                optional(
+                    "play",
+                    Shape::Range(Measure::Of(Dimension::Length), Bound::AtLeast(0.0)),
+                    "How far the guided point may be off its line to either side \\[m\\], or `[least, most]` of it; for accuracy.",
+                ),
                 required(
                     "between",
                     Shape::Pair(&Shape::Point),
@@ -80,6 +85,11 @@ pub static JOINT: Tagged = Tagged {
                     "axis",
                     Shape::Direction,
                     "A direction fixed in the first body; its length does not matter.",
+                ),
+                optional(
+                    "play",
+                    Shape::Range(Measure::Of(Dimension::Length), Bound::AtLeast(0.0)),
+                    "How far the guided point may be off its line to either side \\[m\\], or `[least, most]` of it; for accuracy.",
                 ),
                 required(
                     "between",
@@ -119,6 +129,11 @@ pub static JOINT: Tagged = Tagged {
                     "angle",
                     Shape::Quantity(Measure::Of(Dimension::Angle), Bound::Any),
                     "θ₂ − θ_c − ratio·(θ₁ − θ_c) \\[rad\\]; left out: as drawn, that of the angles in `pose`.",
+                ),
+                optional(
+                    "backlash",
+                    Shape::Quantity(Measure::Of(Dimension::Length), Bound::AtLeast(0.0)),
+                    "Length of arc at the pitch circle \\[m\\] by which a wheel may turn while the other is held, from flank to flank (ISO 21771); for accuracy.",
                 ),
                 required(
                     "between",

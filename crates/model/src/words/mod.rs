@@ -1,5 +1,6 @@
 //! The words of a model file: what each key means, and what may stand there.
 
+mod accuracy;
 mod analysis;
 mod body;
 mod clearance;
@@ -7,16 +8,19 @@ mod driver;
 mod force;
 mod friction;
 mod joint;
+mod parameter;
 
-pub use body::{BODY, GROUND};
+pub use body::{BODY, GROUND, LENGTH, PLACE};
 pub use clearance::{MATERIAL, SEPARATE};
 pub use driver::MOTION;
+pub use parameter::PARAMETER;
 
 use crate::dimension::Dimension;
 use crate::shape::{
     Bound, Choice, Default, Drives, Measure, Object, Shape, Tagged, default, optional, required,
     silent,
 };
+use accuracy::{ACCURACY, AT, OUTPUT, PINS};
 use analysis::{ANALYSIS, ANALYSIS_KIND, OUTPUTS_AT, SAMPLE, SOLVER, TRANSMISSION};
 use body::{INITIAL, POSE};
 use clearance::{CLEARANCE, CLEARANCE_MODEL, IMPACT, IMPACT_SENSE, NORMAL, NORMAL_LAW, SURFACE};
@@ -24,6 +28,7 @@ use driver::DRIVER;
 use force::{FORCE, FRAME};
 use friction::{FRICTION, FRICTION_LAW};
 use joint::JOINT;
+use parameter::DISTRIBUTION;
 
 /// The whole file.
 pub static FILE: Object = Object {
@@ -90,6 +95,7 @@ pub static FILE: Object = Object {
             "Body points whose motion is wanted among the results.",
         ),
         optional("analysis", Shape::Object(&ANALYSIS), ""),
+        optional("accuracy", Shape::Object(&ACCURACY), ""),
     ],
     refused: &[],
     drives: Drives::Nothing,
@@ -133,7 +139,7 @@ impl Definition {
 }
 
 /// All that the schema defines by a name, in its order.
-pub static DEFINITIONS: [Definition; 28] = [
+pub static DEFINITIONS: [Definition; 35] = [
     Definition::Format(&FORMATS),
     Definition::Object(&GROUND),
     Definition::Object(&BODY),
@@ -162,4 +168,11 @@ pub static DEFINITIONS: [Definition; 28] = [
     Definition::Choice(&OUTPUTS_AT),
     Definition::Object(&SOLVER),
     Definition::Object(&TRANSMISSION),
+    Definition::Object(&PARAMETER),
+    Definition::Choice(&DISTRIBUTION),
+    Definition::Object(&PLACE),
+    Definition::Object(&ACCURACY),
+    Definition::Object(&OUTPUT),
+    Definition::Object(&AT),
+    Definition::Choice(&PINS),
 ];

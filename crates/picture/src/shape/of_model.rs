@@ -143,7 +143,7 @@ fn joint_of(numbers: &Numbers, name: &str, joint: &model::Joint) -> Joint {
             clearance: clearance.as_deref().and_then(clearance_of),
         },
         model::JointKind::Prismatic { axis, .. } => JointKind::Prismatic { axis: *axis },
-        model::JointKind::Slot { axis } => JointKind::Slot { axis: *axis },
+        model::JointKind::Slot { axis, .. } => JointKind::Slot { axis: *axis },
         model::JointKind::Gear { ratio, .. } => JointKind::Gear {
             ratio: *ratio,
             gear: pitch_circles(numbers, name, joint, *ratio),

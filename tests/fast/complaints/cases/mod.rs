@@ -11,4 +11,5 @@ pub mod joints;
 pub mod sets;
 pub mod slips;
 pub mod syntax;
+pub mod tolerances;
 pub mod words;

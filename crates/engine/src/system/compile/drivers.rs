@@ -32,7 +32,7 @@ impl Compiler<'_> {
                 DriverKind::Translation { joint } => {
                     let joint = &self.model.joints[joint];
                     let axis = match &joint.kind {
-                        JointKind::Prismatic { axis, .. } | JointKind::Slot { axis } => {
+                        JointKind::Prismatic { axis, .. } | JointKind::Slot { axis, .. } => {
                             unit(Vec2::from(*axis))
                         }
                         // The loader lets translations drive prismatic joints and slots only.

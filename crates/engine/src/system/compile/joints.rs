@@ -64,7 +64,7 @@ impl Compiler<'_> {
                 let (guide, angle) = (guide(axis), *angle);
                 (Arc::new(Prismatic { guide, angle }), true)
             }
-            JointKind::Slot { axis } => (Arc::new(Slot { guide: guide(axis) }), false),
+            JointKind::Slot { axis, .. } => (Arc::new(Slot { guide: guide(axis) }), false),
             JointKind::Gear { ratio, angle, .. } => {
                 let carrier = &self.joints.carriers[name];
                 (Arc::new(self.gear(points, *ratio, *angle, carrier)), true)

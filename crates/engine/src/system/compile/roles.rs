@@ -14,7 +14,7 @@ pub(super) fn joint_role(kind: &JointKind) -> JointRole {
             axis: unit(Vec2::from(*axis)),
             angle: *angle,
         },
-        JointKind::Slot { axis } => JointRole::Slot {
+        JointKind::Slot { axis, .. } => JointRole::Slot {
             axis: unit(Vec2::from(*axis)),
         },
         JointKind::Gear { .. } => JointRole::Gear,

@@ -1,0 +1,121 @@
+//! Outputs whose accuracy is asked for: their columns, points, positions and limits.
+
+use super::Rules;
+use super::names::Names;
+use crate::accuracy::Column;
+use crate::error::Complaint;
+use crate::shape::Named;
+use crate::{AccuracyOutput, GROUND, Measured, PointRef};
+
+/// All rules of one output but those on names.
+pub(super) fn accuracy(rules: &mut Rules<'_>) {
+    let Some(accuracy) = &rules.model.accuracy else {
+        return;
+    };
+    for (name, output) in &accuracy.outputs {
+        let path = format!("accuracy.outputs.{name}");
+        if rules.holes.has(&path) {
+            continue;
+        }
+        at(rules, output, &path);
+        limits(rules, output, &path);
+        distance(rules, output, &path);
+    }
+}
+
+/// A position is that of one driver.
+fn at(rules: &mut Rules<'_>, output: &AccuracyOutput, path: &str) {
+    let path = format!("{path}.at");
+    let drivers = rules.model.drivers.len();
+    let Some(at) = output.at.as_ref().filter(|_| !rules.holes.has(&path)) else {
+        return;
+    };
+    if at.driver.is_none() && drivers != 1 && !rules.holes.has("drivers") {
+        let message = format!("\"driver\" is missing, the model has {drivers} of them");
+        rules.complain(
+            path,
+            message,
+            "name the driver whose value says the position",
+        );
+    }
+}
+
+/// Limits have a width.
+fn limits(rules: &mut Rules<'_>, output: &AccuracyOutput, path: &str) {
+    let path = format!("{path}.limits");
+    let known = |index: usize| !rules.holes.has(&format!("{path}[{index}]"));
+    let Some([lower, upper]) = output.limits.filter(|_| known(0) && known(1)) else {
+        return;
+    };
+    if lower > upper {
+        let hint = "the lower deviation comes first, as in [-0.1, 0.1]";
+        rules.complain(path, "the limits are the wrong way round", hint);
+    } else if lower == upper {
+        let hint = "as in [-0.1, 0.1]";
+        rules.complain(path, "between these limits there is nothing", hint);
+    }
+}
+
+/// A distance is that of points of two bodies.
+fn distance(rules: &mut Rules<'_>, output: &AccuracyOutput, path: &str) {
+    let Measured::Distance([first, second]) = &output.of else {
+        return;
+    };
+    let known = |index: usize| !rules.holes.has(&format!("{path}.distance[{index}]"));
+    if first.body == second.body && known(0) && known(1) {
+        let message = format!("both points are of {:?}", first.body);
+        let hint = "their distance does not depend on the mechanism";
+        rules.complain(format!("{path}.distance"), message, hint);
+    }
+}
+
+impl Names<'_, '_> {
+    /// Names in outputs.
+    pub(super) fn accuracy(&mut self) {
+        let Some(accuracy) = &self.model.accuracy else {
+            return;
+        };
+        for (name, output) in &accuracy.outputs {
+            let path = format!("accuracy.outputs.{name}");
+            match &output.of {
+                Measured::Column(column) => self.column(&format!("{path}.column"), column),
+                Measured::Distance(points) => {
+                    for (index, point) in points.iter().enumerate() {
+                        self.point(&format!("{path}.distance[{index}]"), point);
+                    }
+                }
+            }
+            if let Some(driver) = output.at.as_ref().and_then(|at| at.driver.as_ref()) {
+                self.name(&format!("{path}.at.driver"), Named::Driver, driver);
+            }
+        }
+    }
+
+    fn column(&mut self, path: &str, column: &str) {
+        if !self.is_open(path) {
+            return;
+        }
+        let complaint = match Column::read(column) {
+            Some(Column::Body(GROUND, _) | Column::Point { body: GROUND, .. }) => {
+                Complaint::new(path, "ground is fixed, it has no error")
+            }
+            Some(Column::Body(body, _)) => return self.name(path, Named::Body, body),
+            Some(Column::Joint(joint, _)) => return self.name(path, Named::Joint, joint),
+            Some(Column::Driver(driver)) => return self.name(path, Named::Driver, driver),
+            Some(Column::Point { body, point }) => {
+                let (body, point) = (body.to_owned(), point.to_owned());
+                return self.point(path, &PointRef { body, point });
+            }
+            None if column.contains('[') => {
+                Complaint::new(path, "the name of a column goes without its unit").hint(format!(
+                    "write {:?}",
+                    column.split('[').next().unwrap_or_default().trim_end()
+                ))
+            }
+            None => Complaint::new(path, "no column of positions or forces is called so").hint(
+                "as in \"rocker.angle\", \"coupler.P.x\", \"joint.b.fx\" or \"driver.motor.effort\"",
+            ),
+        };
+        self.rules.complaints.push(complaint);
+    }
+}

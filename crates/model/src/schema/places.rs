@@ -1,0 +1,69 @@
+//! Units, parameters, ranges and places of the schema.
+
+use serde_json::json;
+
+use super::{Keys, QUANTITY_PATTERN, at, keys, list, note, said, target};
+use crate::dimension::Dimension;
+use crate::shape::{Field, Shape};
+use crate::words::{LENGTH, PARAMETER, PLACE};
+
+/// Name of a parameter.
+const PARAMETER_PATTERN: &str = "^[A-Za-z_][A-Za-z0-9_]*$";
+
+/// `"SI"`, or a unit per dimension.
+pub fn units() -> Keys {
+    let mut properties = Keys::new();
+    for dimension in Dimension::NAMED {
+        let (name, si) = (dimension.name(), dimension.si());
+        let description = format!("Unit of a plain number for {name}, SI: {si}.");
+        properties.insert(
+            name.into(),
+            json!({ "description": description, "type": "string", "x-unit-of": name }),
+        );
+    }
+    properties.insert("note".into(), note());
+    let named =
+        json!({ "type": "object", "properties": properties, "additionalProperties": false });
+    keys(json!({ "anyOf": [{ "const": "SI" }, named] }))
+}
+
+/// A number of any dimension.
+pub fn value() -> Keys {
+    keys(json!({ "type": ["number", "string"], "pattern": QUANTITY_PATTERN }))
+}
+
+/// The parameters, alone or with tolerances.
+pub fn parameters(field: Option<&Field>) -> Keys {
+    let mut plain = keys(json!({
+        "description": "A plain number, text with a unit, or \"=\" and an expression of other parameters."
+    }));
+    plain.extend(value());
+    let value = json!({ "anyOf": [plain, { "$ref": target(PARAMETER.name) }] });
+    let mut keys = keys(json!({
+        "type": "object", "propertyNames": { "pattern": PARAMETER_PATTERN }, "x-parameters": true,
+        "additionalProperties": value
+    }));
+    said(&mut keys, field);
+    keys.insert(
+        "properties".into(),
+        json!({ "note": { "anyOf": [note(), value] } }),
+    );
+    keys
+}
+
+/// A number, or the least and the greatest one.
+pub fn range(each: &Shape) -> Keys {
+    keys(json!({ "anyOf": [at(each, None), list(each, 2, Some(2))] }))
+}
+
+/// Two coordinates, or these with a tolerance.
+pub fn place() -> Keys {
+    keys(json!({ "anyOf": [list(&LENGTH, 2, Some(2)), { "$ref": target(PLACE.name) }] }))
+}
+
+/// A deviation to either side, or both.
+pub fn deviations() -> Keys {
+    keys(json!({ "anyOf": [
+        value(), { "type": "array", "items": value(), "minItems": 2, "maxItems": 2 }
+    ] }))
+}
