@@ -347,6 +347,26 @@ class Worst:
             return out
         return f
 
+    def contributions(self, n, x, driver, fixed):
+        """What a longer offset of each group would do to the output, all times the same determinant."""
+        loops, points = self.loops, self.points[n]
+        theta, alpha, *_ = self.unpack(n, x, driver, fixed)
+        turn = loops.turns(n, theta)
+        rows = [c + [u] for c, u in zip(loops.jacobian(points, turn), loops.gradient(self.output, points, turn))]
+        out = []
+        for group, a in zip(self.groups, alpha):
+            down, side = loops.pin_columns(self.output, group[0], n.cis(a))
+            out.append(eliminate(rows + [down + [side]], [])[1])
+        return out
+
+    def turned(self, x, driver, fixed):
+        """Directions turned round where a group works against the others (it contributed nothing on the way there); None where all agree."""
+        found = self.contributions(FLOAT, x, driver, fixed)
+        lead = max(zip(found, self.groups), key=lambda pair: len(pair[1]) * abs(pair[0]))[0]
+        size = len(self.loops.unknown)
+        against = [size + k for k, v in enumerate(found) if v * lead < 0]
+        return [v + math.pi if i in against else v for i, v in enumerate(x)] if against else None
+
     def start(self, theta, pins):
         """Where nothing has moved yet; the directions are those of the sensitivities, outwards."""
         alpha = [float(mp.arg(pins[g[0]])) for g in self.groups]
@@ -356,34 +376,38 @@ class Worst:
         """The ends of what can be reached from y upwards (side 1) or downwards, for growing clearances.
 
         `x`: angles and directions for c = 0; `first`: about the change of the output for the least clearance; `widest`: largest step. Gives
-        for each clearance its sign (negative where another assembly was passed, or the output falls: directions then point the other way)
-        and doubles to polish.
+        for each clearance its sign (directions may point the other way), doubles to polish, where they lie, and how many other
+        assemblies without clearance were passed, where the needed clearance changes its sign.
         """
         found, todo = [], list(clearances)
         d, y0, step = float(driver), float(y), side * first / 4
-        path = [(0.0, list(x) + [0.0])]  # change of the output, solution with the clearance last
+        path, passed = [(0.0, list(x) + [0.0])], 0  # change of the output, solution with the clearance last
 
         def solve(at, guess):
             x1 = newton(FLOAT, self.equations(FLOAT, d, {"y": y0 + at}), guess, 25, 0.3)
-            return x1 if x1 is not None and max(abs(p - q) for p, q in zip(x1, path[-1][1])) < 0.25 else None
+            if x1 is None or max(abs(p - q) for p, q in zip(x1, guess)) > 0.25:
+                return None
+            better = self.turned(x1, d, {"y": y0 + at})
+            return newton(FLOAT, self.equations(FLOAT, d, {"y": y0 + at}), better, 25, 0.3) if better else x1
 
         def cross(p, q):
             """Where between two points of the path a clearance is used up."""
             while todo and abs(q[1][-1]) >= todo[0]:
                 c = math.copysign(todo.pop(0), q[1][-1])
                 t = (c - p[1][-1]) / (q[1][-1] - p[1][-1])
-                x1 = [a + t * (b - a) for a, b in zip(p[1][:-1], q[1][:-1])]
-                found.append((c, x1 + [y0 + p[0] + t * (q[0] - p[0])], (y0 + p[0], y0 + q[0])))
+                x1 = [a + t * (b - a) if abs(b - a) < 1 else b for a, b in zip(p[1][:-1], q[1][:-1])]
+                found.append((c, x1 + [y0 + p[0] + t * (q[0] - p[0])], (y0 + p[0], y0 + q[0]), passed))
 
         while todo:
             at, x0 = path[-1]
             t = step / (at - path[-2][0]) if len(path) > 1 else 0
-            x1 = solve(at + step, [p + t * (p - q) for p, q in zip(x0, path[-2][1])] if t else x0)
+            x1 = solve(at + step, [p + t * (p - q) if abs(p - q) < 1 else p for p, q in zip(x0, path[-2][1])] if t else x0)
             if x1 is None:
                 step /= 2
                 if abs(step) < 1e-12:
                     raise ArithmeticError("the worst case is lost")
                 continue
+            passed += x0[-1] * x1[-1] < 0
             cross(path[-1], (at + step, x1))
             path.append((at + step, x1))
             if todo and len(path) > 2 and abs(path[-2][1][-1]) > max(abs(path[-1][1][-1]), abs(path[-3][1][-1])):
@@ -405,8 +429,12 @@ class Worst:
 
     def polish(self, driver, y, c, end):
         """The end for a clearance (exact, signed as it was found), with all digits: the output's change and the unknowns."""
-        _, guess, (low, high) = end
+        _, guess, (low, high), _ = end
         x = newton(FLOAT, self.equations(FLOAT, float(driver), {"c": float(c)}), guess, 40)
+        better = x and self.turned(x, float(driver), {"c": float(c)})
+        if better:
+            x = newton(FLOAT, self.equations(FLOAT, float(driver), {"c": float(c)}), better, 40)
+        assert x is not None and not self.turned(x, float(driver), {"c": float(c)}), "a direction is open"
         low, high = sorted((low, high))
         slack = 1e-9 + 0.1 * (high - low)
         assert x is not None and low - slack < x[-1] < high + slack, "another end"
@@ -415,12 +443,12 @@ class Worst:
         return x[-1] - y, x
 
     def ends(self, driver, y, x, clearances, first):
-        """Both ends for each clearance, and whether another assembly was passed on the way down or up."""
+        """Both ends for each clearance, and how many other assemblies were passed on the way down and up."""
         out = []
         for side in (-1, 1):
             way = self.reach(driver, y, x, [float(c) for c in clearances], side, float(first))
-            out.append([(self.polish(driver, y, mpf(c) * (1 if e[0] > 0 else -1), e)[0], e[0]) for c, e in zip(clearances, way)])
-        return [(low[0], high[0]) for low, high in zip(*out)], [(low[1] > 0, high[1] < 0) for low, high in zip(*out)]
+            out.append([(self.polish(driver, y, mpf(c) * (1 if e[0] > 0 else -1), e)[0], e[3]) for c, e in zip(clearances, way)])
+        return [(low[0], high[0]) for low, high in zip(*out)], [(low[1], high[1]) for low, high in zip(*out)]
 
     def outside(self, theta, c, ends, count=400, seed=1):
         """By how much random offsets leave the worst case (negative: they do not), in doubles: all pins at their rims, a direction for
