@@ -7,6 +7,8 @@ use sha2::{Digest, Sha256};
 use super::base64::base64;
 use super::palette;
 
+pub(crate) use super::svg::escape as text;
+
 const FRAME: &str = include_str!("frame.html");
 const LIVE: &str = include_str!("live.html");
 const PLOT_STYLE: &str = include_str!("report/vendor/uPlot.min.css");
@@ -121,22 +123,6 @@ pub fn escaped(json: &str) -> String {
         }
     }
     text
-}
-
-/// Text that can stand between tags and in attributes.
-pub fn text(plain: &str) -> String {
-    let mut safe = String::with_capacity(plain.len());
-    for c in plain.chars() {
-        match c {
-            '<' => safe.push_str("&lt;"),
-            '>' => safe.push_str("&gt;"),
-            '&' => safe.push_str("&amp;"),
-            '"' => safe.push_str("&quot;"),
-            '\'' => safe.push_str("&#39;"),
-            _ => safe.push(c),
-        }
-    }
-    safe
 }
 
 #[cfg(test)]

@@ -1,7 +1,6 @@
 //! A page without scripts: a title, facts, drawings and texts, in one file.
 
-use super::html::Page;
-use super::svg::escape;
+use super::html::{self, Page};
 use super::words;
 
 /// The page's own rules; figures are on white paper in both themes.
@@ -29,7 +28,7 @@ figcaption { margin-top: 8px; }
 
 /// Text as it may stand in a page.
 pub fn text(plain: &str) -> String {
-    escape(&words::printable(plain))
+    html::text(&words::printable(plain))
 }
 
 /// The whole page; `title` and `facts` are plain text, `main` is what stands below.

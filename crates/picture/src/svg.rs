@@ -197,7 +197,7 @@ pub(crate) fn number(value: f64) -> String {
     }
 }
 
-/// Text that can't end where it stands.
+/// Text that can stand between tags and in attributes, of SVG and of HTML.
 pub(crate) fn escape(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")

@@ -82,7 +82,7 @@
   add("Energies", ending(/^energy\./), dynamics);
   add("Eccentricities", ending(/^joint\..*\.eccentricity$/), dynamics);
   add("Shaking force", ending(/^shaking\.(fx|fy|f)$/), !dynamics);
-  add("Applied forces", ending(/^force\..*\.(f|torque)$/), !dynamics);
+  add("Applied forces", ending(/^force\..*\.(f|torque)$/).filter(varies), !dynamics);
   if (!free) angles(!ending(/^driver\..*\.effort$|^joint\..*\.f$/).length);
   add("Angular accelerations", largest(ending(/\.alpha$/, ofBody)), false);
   add("Shaking moment", ending(/^shaking\.moment$/), false);
