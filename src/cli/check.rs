@@ -7,12 +7,14 @@ use serde_json::{Map, Value, json};
 
 use super::diagnosis;
 use super::exit::{BadInput, Exit};
-use super::open::{ModelOptions, Opened};
+use super::open::{ModelOptions, Opened, bad_input};
 use super::page::{Page, names, number, shorten, wrapped};
+use super::refused;
 use super::streams::{complain, print};
 use super::words::{analysis_words, mobility, status_words};
 use linkdyn_engine::analysis::{self, Check, Lack};
 use linkdyn_model::AnalysisKind;
+use linkdyn_model::error::Complaints;
 use linkdyn_output::{Directory, Mobility, Status};
 
 /// Width of long texts on the page.
@@ -38,7 +40,10 @@ What a message means, and what to do: linkdyn docs messages.";
 
 /// Diagnoses and tells.
 pub fn execute(options: &Options) -> Result<Exit, BadInput> {
-    let opened = options.model.open()?;
+    let opened = match options.model.open_with(&[])? {
+        Ok(opened) => opened,
+        Err(complaints) => return refuse(options, complaints),
+    };
     let directory = options.output.as_deref().map(Directory::open).transpose()?;
     let mut check =
         analysis::check(&opened.loaded.model).map_err(|complaints| opened.bad_input(complaints))?;
@@ -68,6 +73,19 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
             Ok(exit)
         }
     }
+}
+
+/// Tells why a model is refused, with a page where one was asked for.
+fn refuse(options: &Options, complaints: Complaints) -> Result<Exit, BadInput> {
+    if let Some(output) = &options.output {
+        let written = refused::write(&Directory::open(output)?, &options.model, &complaints)?;
+        let mut page = Page::default();
+        page.row("written", written.display().to_string());
+        if !options.json {
+            print(page.text())?;
+        }
+    }
+    Err(bad_input(&options.model.label(), complaints))
 }
 
 /// The diagnosis for people.

@@ -13,9 +13,10 @@ use linkdyn_output::{Directory, Status, Table};
 use linkdyn_picture::Shape;
 use linkdyn_picture::diagnosis::{Diagnosis, Finding, Loop, Severity, page};
 use linkdyn_picture::poses::Pose;
+use linkdyn_picture::shape::{DriverKind, PointId};
 
 /// The page's name.
-const PAGE: &str = "check.html";
+pub const PAGE: &str = "check.html";
 
 /// Writes the page of a model that was checked; `lacks` says in words what bodies lack.
 ///
@@ -90,7 +91,7 @@ fn pose(model: &Checked, check: &Check) -> Vec<Pose> {
 }
 
 /// The position as if it had been read from results.
-fn table(model: &Checked, pose: &[Pose]) -> Table {
+pub fn table(model: &Checked, pose: &[Pose]) -> Table {
     let column = |name: &str, unit: &str, value: f64| ReadColumn::new(name, unit, vec![value]);
     let mut columns = vec![column("time", "s", 0.0)];
     let bodies = Shape::of_model(model).bodies;
@@ -107,18 +108,26 @@ fn table(model: &Checked, pose: &[Pose]) -> Table {
 }
 
 /// Finds what texts are about.
-struct Finder<'a> {
-    shape: &'a Shape,
-    loops: &'a [String],
-    findings: Vec<Finding>,
+pub struct Finder<'a> {
+    /// What is drawn.
+    pub shape: &'a Shape,
+    /// Its loops in words.
+    pub loops: &'a [String],
+    /// What was found so far.
+    pub findings: Vec<Finding>,
 }
 
 impl Finder<'_> {
-    fn add(&mut self, severity: Severity, text: &str) {
+    /// Adds a text, with what it names: bodies, joints, loops, and where named forces and drivers act.
+    pub fn add(&mut self, severity: Severity, text: &str) {
         let bodies = (1..self.shape.bodies.len())
             .filter(|&body| names(text, "bodies", &self.shape.bodies[body].name));
         let joints = (0..self.shape.joints.len())
             .filter(|&joint| names(text, "joints", &self.shape.joints[joint].name));
+        let [driven_bodies, driven_joints] = self.driven(text);
+        let (points, pushed) = self.pushed(text);
+        let bodies = bodies.chain(driven_bodies).chain(pushed);
+        let joints = joints.chain(driven_joints);
         let loops = (0..self.loops.len()).filter(|&one| text.contains(&self.loops[one]));
         self.findings.push(Finding {
             severity,
@@ -126,7 +135,51 @@ impl Finder<'_> {
             bodies: bodies.collect(),
             joints: joints.collect(),
             loops: loops.collect(),
+            points,
         });
+    }
+
+    /// Bodies and joints at which the drivers stand that a text names.
+    fn driven(&self, text: &str) -> [Vec<usize>; 2] {
+        let mut found = [Vec::new(), Vec::new()];
+        let drivers = self.shape.drivers.iter();
+        for driver in drivers.filter(|driver| names(text, "drivers", &driver.name)) {
+            match driver.kind {
+                DriverKind::Rotation {
+                    pin: Some(joint), ..
+                }
+                | DriverKind::Translation { joint } => found[1].push(joint),
+                DriverKind::Rotation {
+                    body, pin: None, ..
+                } => found[0].push(body),
+            }
+        }
+        found
+    }
+
+    /// Points and bodies at which the forces act that a text names.
+    fn pushed(&self, text: &str) -> (Vec<PointId>, Vec<usize>) {
+        let is_named = |name: &str| names(text, "forces", name);
+        let Shape {
+            springs,
+            torsion_springs,
+            loads,
+            ..
+        } = self.shape;
+        let springs = springs.iter().filter(|spring| is_named(&spring.name));
+        let loads = || loads.iter().filter(|load| is_named(&load.name));
+        let twisted = torsion_springs
+            .iter()
+            .filter(|spring| is_named(&spring.name));
+        let points = springs.map(|spring| spring.between[1]);
+        let torques = loads().filter(|load| load.at.is_none());
+        (
+            points.chain(loads().filter_map(|load| load.at)).collect(),
+            twisted
+                .map(|spring| spring.bodies[1])
+                .chain(torques.map(|load| load.body))
+                .collect(),
+        )
     }
 
     /// Joints without which the motion would be the same.

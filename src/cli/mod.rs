@@ -37,6 +37,7 @@ mod open;
 mod page;
 mod plot;
 mod progress;
+mod refused;
 mod results;
 mod run;
 mod schema;

@@ -54,6 +54,19 @@ impl ModelOptions {
             .map_err(|complaints| bad_input(&label, complaints))
     }
 
+    /// The text of the model.
+    ///
+    /// # Errors
+    /// When there is no such model.
+    pub fn bytes(&self) -> Result<Vec<u8>, BadInput> {
+        read(&self.model)
+    }
+
+    /// How the command calls the model.
+    pub fn label(&self) -> String {
+        self.model.display().to_string()
+    }
+
     /// Reads the model with more values set, after those of the command.
     ///
     /// # Errors

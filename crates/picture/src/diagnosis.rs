@@ -6,7 +6,7 @@ use super::mechanism::{Marks, Mechanism};
 use super::palette;
 use super::poses::{Pose, Poses};
 use super::scene::{Anchor, Ink, Item, Pen, Place, Run, Scene};
-use super::shape::Shape;
+use super::shape::{PointId, Shape};
 use super::symbols::rounded_hull;
 use super::{sheet, svg, words};
 
@@ -14,8 +14,9 @@ use super::{sheet, svg, words};
 const WIDTH: f64 = 640.0;
 const LETTERS: f64 = 9.0;
 const NUMBER: f64 = 7.0;
-/// Loops that are drawn, and bodies up to which names are.
+/// Loops that are drawn at once, those that are drawn on choice, and bodies up to which names are.
 const MOST_LOOPS: usize = 6;
+const MOST_CHOSEN: usize = 100;
 const MOST_NAMES: usize = 60;
 /// How far the line of a loop lies inside of it, as a part of the way to its middle.
 const INSIDE: f64 = 0.22;
@@ -30,6 +31,10 @@ const AROUND: [[f64; 2]; 8] = [
     [0.0, -1.7],
     [0.0, 1.7],
 ];
+
+/// How lines of a text stand in the page.
+const TEXT_RULE: &str =
+    "pre { margin: 8px 0 0; white-space: pre-wrap; overflow-wrap: anywhere; }\n";
 
 /// How bad something is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,6 +60,8 @@ pub struct Finding {
     pub joints: Vec<usize>,
     /// Numbers of the loops it is about.
     pub loops: Vec<usize>,
+    /// Points it is about.
+    pub points: Vec<PointId>,
 }
 
 /// A loop.
@@ -82,9 +89,32 @@ pub struct Diagnosis {
 /// The page of a model in a position of all bodies, the ground first. What can't be drawn is told without a drawing.
 pub fn page(shape: Shape, pose: &[Pose], diagnosis: &Diagnosis) -> String {
     let drawing = match Mechanism::new(shape, Poses::of(&[pose.to_vec()])) {
-        Ok(mechanism) => svg::write(&draw(&mechanism, diagnosis)),
+        Ok(mechanism) => {
+            let (scene, loops) = draw(&mechanism, diagnosis);
+            numbered(&svg::write(&scene), &loops)
+        }
         Err(fault) => format!("<p>{}</p>\n", sheet::text(&why(&fault))),
     };
+    whole_page(diagnosis, &drawing)
+}
+
+/// The page of what can't be drawn: lines of the text with their numbers, one of them marked, beside what is said of it.
+pub fn page_of_text(
+    diagnosis: &Diagnosis,
+    lines: &[(usize, String)],
+    marked: Option<usize>,
+) -> String {
+    let mut text =
+        String::from("<p>There is no drawing: this can't be read as a model.</p>\n<pre>");
+    for (number, line) in lines {
+        let sign = if marked == Some(*number) { '▸' } else { ' ' };
+        text += &format!("{sign}{number:4}  {}\n", long_text(line));
+    }
+    whole_page(diagnosis, &(text + "</pre>\n"))
+}
+
+/// What is said of a model beside its drawing.
+fn whole_page(diagnosis: &Diagnosis, drawing: &str) -> String {
     let mut main =
         format!("<div class=\"beside\">\n<div class=\"card\">\n{drawing}</div>\n<div>\n");
     main += "<h2>What was found</h2>\n";
@@ -107,17 +137,45 @@ pub fn page(shape: Shape, pose: &[Pose], diagnosis: &Diagnosis) -> String {
         main += "<h2>Loops</h2>\n";
     }
     for (index, one) in diagnosis.loops.iter().enumerate() {
-        let [r, g, b] = colour(index);
-        let key = match index < MOST_LOOPS {
-            true => format!(
-                "<svg class=\"key\" viewBox=\"0 0 22 4\"><rect width=\"22\" height=\"4\" rx=\"2\" fill=\"rgb({r},{g},{b})\"/></svg>"
-            ),
-            false => String::new(),
+        main += &match index < MOST_CHOSEN {
+            true => choice(index, &one.text),
+            false => format!("<p>{}</p>\n", long_text(&one.text)),
         };
-        main += &format!("<p>{key}{}</p>\n", long_text(&one.text));
     }
     main += "</div>\n</div>\n";
-    sheet::page(&diagnosis.title, &diagnosis.facts, &main)
+    let loops = 0..diagnosis.loops.len().min(MOST_CHOSEN);
+    let rules = loops
+        .map(shown_on_choice)
+        .fold(TEXT_RULE.into(), |all: String, rule| all + &rule);
+    sheet::styled_page(&diagnosis.title, &diagnosis.facts, &main, &rules)
+}
+
+/// A loop in words, with a box that shows it in the drawing; pointing at the words shows it too.
+fn choice(index: usize, text: &str) -> String {
+    let [r, g, b] = colour(index);
+    let checked = if index < MOST_LOOPS { " checked" } else { "" };
+    format!(
+        "<p class=\"of-{index}\"><label><input type=\"checkbox\" id=\"show-{index}\"{checked}> \
+         <svg class=\"key\" viewBox=\"0 0 22 4\"><rect width=\"22\" height=\"4\" rx=\"2\" fill=\"rgb({r},{g},{b})\"/></svg>{}</label></p>\n",
+        long_text(text)
+    )
+}
+
+/// The rule that hides a loop until its box or its words ask for it.
+fn shown_on_choice(index: usize) -> String {
+    format!(
+        "main:not(:has(#show-{index}:checked,.of-{index}:hover)) #loop-{index}{{display:none}}\n"
+    )
+}
+
+/// The drawing with a name for each loop.
+fn numbered(svg: &str, loops: &[usize]) -> String {
+    let mut parts = svg.split("class=\"loop\"");
+    let mut text = parts.next().unwrap_or_default().to_string();
+    for (part, index) in parts.zip(loops) {
+        text += &format!("class=\"loop\" id=\"loop-{index}\"{part}");
+    }
+    text
 }
 
 /// Text of any length as it may stand in a page: only figures cut theirs.
@@ -138,13 +196,14 @@ fn colour(index: usize) -> palette::Rgb {
     palette::curve(index + 1).light
 }
 
-/// The model with all that is said of it.
-fn draw(mechanism: &Mechanism, diagnosis: &Diagnosis) -> Scene {
+/// The model with all that is said of it, and the numbers of the loops that are drawn.
+fn draw(mechanism: &Mechanism, diagnosis: &Diagnosis) -> (Scene, Vec<usize>) {
     let mut scene = mechanism.plain(0.0, WIDTH, None);
     let marks = mechanism.marks(0.0, WIDTH);
     scene.title = words::printable(&diagnosis.title);
-    for (index, one) in diagnosis.loops.iter().take(MOST_LOOPS).enumerate() {
-        draw_loop(&mut scene, &marks, &one.joints, index);
+    let mut drawn = Vec::new();
+    for (index, one) in diagnosis.loops.iter().take(MOST_CHOSEN).enumerate() {
+        drawn.extend(draw_loop(&mut scene, &marks, &one.joints, index).then_some(index));
     }
     // Pins whose halves lie apart: what does not close.
     let gap = Pen {
@@ -170,7 +229,7 @@ fn draw(mechanism: &Mechanism, diagnosis: &Diagnosis) -> Scene {
             labels.name(&mut scene, ("joint-name", name), *at, palette::STEEL);
         }
     }
-    scene
+    (scene, drawn)
 }
 
 fn middle(places: &[Place]) -> Place {
@@ -178,15 +237,15 @@ fn middle(places: &[Place]) -> Place {
     [0, 1].map(|axis| places.iter().map(|place| place[axis]).sum::<f64>() / count)
 }
 
-/// A dashed line inside of the loop.
-fn draw_loop(scene: &mut Scene, marks: &Marks, joints: &[usize], index: usize) {
+/// A dashed line inside of the loop, where it has an inside.
+fn draw_loop(scene: &mut Scene, marks: &Marks, joints: &[usize], index: usize) -> bool {
     let places: Vec<Place> = joints
         .iter()
         .filter_map(|joint| marks.joints.get(*joint))
         .map(|[at, _]| *at)
         .collect();
     if places.len() < 3 {
-        return;
+        return false;
     }
     let centre = middle(&places);
     let inside = |place: &Place| [0, 1].map(|k| place[k] + INSIDE * (centre[k] - place[k]));
@@ -196,6 +255,7 @@ fn draw_loop(scene: &mut Scene, marks: &Marks, joints: &[usize], index: usize) {
         ..Pen::new(Ink::new(colour(index)), 1.6)
     };
     scene.area("loop", line, None, Some(pen));
+    true
 }
 
 /// Where a finding is marked.
@@ -213,8 +273,13 @@ fn places(finding: &Finding, diagnosis: &Diagnosis, marks: &Marks) -> Vec<Place>
         let places = joints.iter().filter_map(|joint| marks.joints.get(*joint));
         Some(middle(&places.map(|[at, _]| *at).collect::<Vec<_>>()))
     });
+    let points = finding.points.iter().filter_map(|(body, point)| {
+        let points = marks.points.get(*body)?;
+        points.get(*point).copied()
+    });
     bodies
         .chain(joints.map(|[_, at]| *at))
+        .chain(points)
         .chain(loops)
         .collect()
 }

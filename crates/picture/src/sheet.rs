@@ -33,6 +33,11 @@ pub fn text(plain: &str) -> String {
 
 /// The whole page; `title` and `facts` are plain text, `main` is what stands below.
 pub fn page(title: &str, facts: &[String], main: &str) -> String {
+    styled_page(title, facts, main, "")
+}
+
+/// The same with rules of its own.
+pub fn styled_page(title: &str, facts: &[String], main: &str, rules: &str) -> String {
     let heading = text(title);
     let facts: String = facts
         .iter()
@@ -40,7 +45,7 @@ pub fn page(title: &str, facts: &[String], main: &str) -> String {
         .collect();
     Page {
         title: &words::printable(title),
-        styles: &[STYLE],
+        styles: &[STYLE, rules],
         body: &format!("<header>\n<h1>{heading}</h1>\n{facts}</header>\n<main>\n{main}</main>\n"),
         live: None,
     }

@@ -211,3 +211,131 @@ fn hostile_names_stay_text_on_pages() {
         }
     }
 }
+
+/// A model that is refused is drawn without what is wrong in it, and broken text is shown.
+#[test]
+fn what_is_refused_is_drawn_as_far_as_it_goes() {
+    let scratch = Scratch::new("check-refused");
+    let crank = |joint: &str, force: &str| {
+        format!(
+            r#"{{ "format": "linkdyn/1", "units": "SI",
+  "bodies": {{ "ground": {{ "points": {{ "O": [0, 0] }} }},
+             "crank": {{ "points": {{ "O": [0, 0], "A": [0.1, 0] }} }},
+             "rod": {{ "points": {{ "A": [0, 0], "B": [0.2, 0] }}, "pose": {{ "position": [0.1, 0] }} }} }},
+  "joints": {{ "a": {{ "type": "revolute", "between": ["ground.O", "crank.O"] }},
+             "b": {{ "type": "revolute", "between": ["{joint}", "rod.A"] }} }},
+  "forces": {{ "push": {{ "type": "force", "at": "{force}", "vector": [1, 0] }} }} }}"#
+        )
+    };
+    let page = |model: &str, said: &str| {
+        scratch.write("m.json", model);
+        scratch.refused(&["check", "m.json", "-o", "out"], said);
+        let html = scratch.text("out/check.html");
+        assert_alone(&html);
+        html
+    };
+    let html = page(&crank("crank.Q", "rod.Z"), "has no point \"Q\"");
+    let (found, text) = drawings(&html);
+    assert!(
+        text.contains("has no point &quot;Q&quot;") || text.contains("has no point \"Q\""),
+        "{text}"
+    );
+    let document = Document::parse(&found[0]).expect("XML");
+    let names: Vec<String> = of_class(&document, "body-name")
+        .into_iter()
+        .map(label)
+        .collect();
+    assert_eq!(names, ["crank", "rod"]);
+    let joints: Vec<String> = of_class(&document, "joint-name")
+        .into_iter()
+        .map(label)
+        .collect();
+    assert_eq!(joints, ["a"], "the joint that is wrong is left out");
+    let numbers: Vec<String> = of_class(&document, "finding-number")
+        .into_iter()
+        .map(label)
+        .collect();
+    assert!(
+        ["1", "2"]
+            .iter()
+            .all(|number| numbers.contains(&number.to_string())),
+        "{numbers:?}"
+    );
+    let html = page(
+        &crank("crank.A", "rod.B").replace("\"joints\": {", "\"joints\": {,"),
+        "not JSON",
+    );
+    let marked = html
+        .lines()
+        .find(|line| line.contains('▸'))
+        .expect("the line");
+    assert!(
+        marked.contains("joints") && html.contains("There is no drawing"),
+        "{marked}"
+    );
+}
+
+/// All loops can be seen, six of them at once.
+#[test]
+fn many_loops_are_drawn_on_choice() {
+    let scratch = Scratch::new("check-loops");
+    let points = |y: f64| -> String {
+        let all: Vec<String> = (0..9).map(|k| format!("\"P{k}\": [{k}, {y}]")).collect();
+        all.join(", ")
+    };
+    let bars: String = (0..9)
+        .map(|k| {
+            format!(", \"l{k}\": {{ \"points\": {{ \"A\": [0, 0], \"B\": [0, 1] }}, \"pose\": {{ \"position\": [{k}, 0] }} }}")
+        })
+        .collect();
+    let joints: Vec<String> = (0..9)
+        .flat_map(|k| {
+            [("a", format!("ground.P{k}"), "A"), ("b", format!("top.P{k}"), "B")].map(|(name, at, end)| {
+                format!("\"{name}{k}\": {{ \"type\": \"revolute\", \"between\": [\"{at}\", \"l{k}.{end}\"] }}")
+            })
+        })
+        .collect();
+    let model = format!(
+        "{{ \"format\": \"linkdyn/1\", \"units\": \"SI\", \"bodies\": {{ \"ground\": {{ \"points\": {{ {} }} }}, \
+         \"top\": {{ \"points\": {{ {} }}, \"pose\": {{ \"position\": [0, 1] }} }}{bars} }}, \"joints\": {{ {} }} }}",
+        points(0.0),
+        points(0.0),
+        joints.join(", ")
+    );
+    scratch.write("m.json", &model);
+    scratch.linkdyn(&["check", "m.json", "-o", "out"]);
+    let html = scratch.text("out/check.html");
+    let (found, _) = drawings(&html);
+    let document = Document::parse(&found[0]).expect("XML");
+    let loops = of_class(&document, "loop");
+    let names: Vec<&str> = loops
+        .iter()
+        .filter_map(|node| node.attribute("id"))
+        .collect();
+    assert_eq!(names.len(), 8, "{names:?}");
+    for (index, name) in names.iter().enumerate() {
+        assert_eq!(*name, format!("loop-{index}"));
+        assert!(html.contains(&format!("#{name}{{display:none}}")), "{name}");
+        let shown = format!("id=\"show-{index}\" checked>");
+        assert_eq!(html.contains(&shown), index < 6, "{name}");
+    }
+}
+
+/// Forces and drivers that a message names have its number where they act.
+#[test]
+fn findings_stand_at_forces_and_drivers() {
+    let scratch = Scratch::new("check-forces");
+    let model = r#"{ "format": "linkdyn/1", "units": { "length": "mm", "angle": "deg" },
+  "bodies": { "ground": { "points": { "O": [0, 0], "F": [0, 300] } },
+              "arm": { "points": { "O": [0, 0], "A": [400, 0] }, "mass": 1, "inertia": 1, "com": [200, 0] } },
+  "joints": { "o": { "type": "revolute", "between": ["ground.O", "arm.O"] } },
+  "forces": { "strut": { "type": "spring", "between": ["ground.F", "arm.A"], "stiffness": 2000, "free_length": 500000 } },
+  "analysis": { "type": "dynamics", "end": 1, "outputs": 11 } }"#;
+    scratch.write("m.json", model);
+    scratch.linkdyn(&["check", "m.json", "-o", "out"]);
+    let html = scratch.text("out/check.html");
+    let (found, text) = drawings(&html);
+    assert!(text.contains("forces.strut"), "{text}");
+    let document = Document::parse(&found[0]).expect("XML");
+    assert!(!of_class(&document, "finding-number").is_empty(), "{text}");
+}

@@ -12,6 +12,8 @@ use crate::shape::{JointKind, Shape};
 pub struct Marks {
     /// Middle of each body, the ground left out, with its name.
     pub body_names: Vec<(String, Place)>,
+    /// Points of each body, the ground first.
+    pub points: Vec<Vec<Place>>,
     /// Names of the joints.
     pub joint_names: Vec<String>,
     /// Both points of each joint.
@@ -60,7 +62,13 @@ impl Mechanism {
         };
         let bodies = self.shape.bodies.iter().enumerate().skip(1);
         let joints = self.shape.joints.iter();
+        let points = |(number, body): (usize, &crate::shape::Body)| {
+            (0..body.points.len())
+                .map(|point| sketch.at((number, point)))
+                .collect()
+        };
         Marks {
+            points: self.shape.bodies.iter().enumerate().map(points).collect(),
             body_names: bodies
                 .map(|(number, body)| (body.name.clone(), middle(number)))
                 .collect(),
