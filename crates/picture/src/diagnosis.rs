@@ -1,6 +1,5 @@
 //! A model as it stands, with its names, its loops and what is wrong at its place → a page.
 
-use super::fault::Fault;
 use super::font;
 use super::mechanism::{Marks, Mechanism};
 use super::palette;
@@ -93,7 +92,10 @@ pub fn page(shape: Shape, pose: &[Pose], diagnosis: &Diagnosis) -> String {
             let (scene, loops) = draw(&mechanism, diagnosis);
             numbered(&svg::write(&scene), &loops)
         }
-        Err(fault) => format!("<p>{}</p>\n", sheet::text(&why(&fault))),
+        Err(fault) => format!(
+            "<p>There is no drawing: {}.</p>\n",
+            sheet::text(&fault.to_string())
+        ),
     };
     whole_page(diagnosis, &drawing)
 }
@@ -185,10 +187,6 @@ fn long_text(text: &str) -> String {
         .chunks(200)
         .map(|piece| piece.iter().collect::<String>());
     pieces.map(|piece| sheet::text(&piece)).collect()
-}
-
-fn why(fault: &Fault) -> String {
-    format!("There is no drawing: {fault}.")
 }
 
 /// Colour of a loop.
