@@ -146,9 +146,7 @@ fn whole_page(diagnosis: &Diagnosis, drawing: &str) -> String {
     }
     main += "</div>\n</div>\n";
     let loops = 0..diagnosis.loops.len().min(MOST_CHOSEN);
-    let rules = loops
-        .map(shown_on_choice)
-        .fold(TEXT_RULE.into(), |all: String, rule| all + &rule);
+    let rules = TEXT_RULE.to_string() + &loops.map(shown_on_choice).collect::<String>();
     sheet::styled_page(&diagnosis.title, &diagnosis.facts, &main, &rules)
 }
 
