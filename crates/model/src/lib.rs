@@ -17,6 +17,7 @@ pub mod joint;
 pub mod tolerance;
 
 mod carrier;
+mod derive;
 mod dimension;
 mod examples;
 mod expression;
@@ -47,7 +48,7 @@ pub use clearance::{
 };
 pub use dimension::{Dimension, Powers};
 pub use driver::{Driver, DriverKind, Motion};
-pub use expression::Parameter;
+pub use expression::{Derivatives, Interval, Leaf, Parameter};
 pub use fit::Fit;
 pub use force::{Force, ForceKind, Frame, Value};
 pub use gate::Checked;

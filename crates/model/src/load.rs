@@ -11,7 +11,7 @@ use super::node::{self, Kind, Node};
 use super::set;
 use super::source::Source;
 use super::stale;
-use super::walk::{Findings, Undotted, display, walk, walk_given};
+use super::walk::{Findings, Undotted, display, walk};
 use super::{FORMAT, ForceKind, Model, hold};
 use crate::error::{Complaint, Complaints};
 use serde_json::Value;
@@ -174,7 +174,7 @@ fn pass(
 }
 
 /// A typed model from its value in SI units, passed by the gate; complaints with their places, and warnings.
-fn typed(
+pub(super) fn typed(
     source: &Source,
     value: Value,
     holes: Holes,
@@ -199,37 +199,6 @@ fn typed(
         placed.map(|complaint| source.place(complaint)).collect()
     });
     (passed, warnings)
-}
-
-impl Source {
-    /// The model with other values of parameters \[SI\], each in the dimension that it has; no number is printed or read
-    /// on the way.
-    ///
-    /// # Errors
-    /// A name that no parameter has, and all faults of the model with these values.
-    ///
-    /// # Examples
-    /// ```
-    /// let text = br#"{ "format": "linkdyn/1", "units": "SI", "parameters": { "l": "5 mm" },
-    ///     "bodies": { "bar": { "points": { "A": ["=2*l", 0] } } } }"#;
-    /// let loaded = linkdyn_model::load(text, &[]).unwrap();
-    /// let longer = loaded.source.with_parameters(&[("l", 0.006)]).unwrap();
-    /// assert_eq!(longer.bodies["bar"].points["A"], [0.012, 0.0]);
-    /// ```
-    pub fn with_parameters(&self, values: &[(&str, f64)]) -> Result<Checked, Complaints> {
-        let place = |complaint| self.place(complaint);
-        let findings = walk_given(self, values)
-            .map_err(|said| Complaints(said.into_iter().map(place).collect()))?;
-        let (passed, _) = typed(self, findings.value, findings.holes, &findings.undotted);
-        match passed {
-            Ok(model) if findings.complaints.is_empty() => Ok(model),
-            Ok(_) => Err(Complaints(sorted(findings.complaints, findings.more))),
-            Err(said) => {
-                let said = findings.complaints.into_iter().chain(said).collect();
-                Err(Complaints(sorted(said, findings.more)))
-            }
-        }
-    }
 }
 
 /// Warnings as they are told, as many as anybody reads.
@@ -280,7 +249,7 @@ fn syntax(source: &Source, fault: &json::Fault) -> Complaint {
 }
 
 /// In the order of the lines, what has none last; not more than anybody reads.
-fn sorted(mut complaints: Vec<Complaint>, more: usize) -> Vec<Complaint> {
+pub(super) fn sorted(mut complaints: Vec<Complaint>, more: usize) -> Vec<Complaint> {
     complaints.sort_by_key(|complaint| (complaint.place.is_none(), complaint.place));
     let more = more + complaints.len().saturating_sub(MOST_COMPLAINTS);
     if more > 0 {

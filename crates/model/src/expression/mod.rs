@@ -11,19 +11,29 @@
 //! A unit stands behind a number and holds on to it: `1/2 mm` is 1/(2 mm). The text becomes a list of steps on a stack, so
 //! that evaluation neither recurses nor reads the text again; names are known or refused while it is read.
 
+mod derivatives;
+mod dual;
+mod interval;
 mod naming;
+mod number;
 mod parameters;
 mod parse;
 mod quantity;
 mod written;
 
+pub(super) use derivatives::Recorded;
+pub use derivatives::{Derivatives, Leaf};
+pub use interval::Interval;
 pub(super) use naming::with_article;
+pub(super) use number::Real;
 pub use parameters::Parameter;
 pub(super) use parameters::{Found, Parameters};
 pub(super) use quantity::{Fault, Pure, Quantity};
 pub(super) use written::quantity;
 
+use number::Number;
 use parse::Parser;
+use quantity::Outcome;
 
 /// Longest text of an expression in characters.
 const LONGEST: usize = 4096;
@@ -138,18 +148,18 @@ impl Expression {
     ///
     /// # Errors
     /// Dimensions that do not go together, division by zero, and the like.
-    pub fn evaluate(
+    pub fn evaluate<N: Number>(
         &self,
-        values: &[Option<Quantity>],
+        values: &[Option<Quantity<N>>],
         degrees: bool,
-    ) -> Result<Option<Quantity>, Misfit> {
-        let mut stack: Vec<Quantity> = Vec::new();
+    ) -> Result<Option<Quantity<N>>, Misfit> {
+        let mut stack: Vec<Quantity<N>> = Vec::new();
         for &(at, step) in &self.0 {
             if let Step::Parameter(index) = step {
-                let Some(value) = values[index] else {
+                let Some(value) = &values[index] else {
                     return Ok(None);
                 };
-                stack.push(value);
+                stack.push(value.clone());
                 continue;
             }
             let taken = match step {
@@ -168,47 +178,49 @@ impl Expression {
 }
 
 /// One step but `Parameter`, with the values that it takes.
-fn apply(step: Step, values: &[Quantity], degrees: bool) -> quantity::Outcome {
+fn apply<N: Number>(step: Step, values: &[Quantity<N>], degrees: bool) -> Outcome<N> {
     match (step, values) {
-        (Step::Push(value), _) => Ok(value),
-        (Step::Negate, &[value]) => Ok(value.negate()),
-        (Step::Add, &[left, right]) => left.add(right),
-        (Step::Subtract, &[left, right]) => left.subtract(right),
-        (Step::Multiply, &[left, right]) => left.multiply(right),
-        (Step::Divide, &[left, right]) => left.divide(right),
-        (Step::Power, &[left, right]) => left.power(right),
-        (Step::Call(function, _), &[first, ref rest @ ..]) => call(function, first, rest, degrees),
+        (Step::Push(value), _) => Ok(value.with_value(N::of(value.value))),
+        (Step::Negate, [value]) => Ok(value.negate()),
+        (Step::Add, [left, right]) => left.add(right),
+        (Step::Subtract, [left, right]) => left.subtract(right),
+        (Step::Multiply, [left, right]) => left.multiply(right),
+        (Step::Divide, [left, right]) => left.divide(right),
+        (Step::Power, [left, right]) => left.power(right),
+        (Step::Call(function, _), [first, rest @ ..]) => call(function, first, rest, degrees),
         (_, _) => Err(Fault::new("values are missing")),
     }
 }
 
-fn call(
+fn call<N: Number>(
     function: Function,
-    first: Quantity,
-    rest: &[Quantity],
+    first: &Quantity<N>,
+    rest: &[Quantity<N>],
     degrees: bool,
-) -> quantity::Outcome {
-    let second = rest.first().copied().unwrap_or(first);
+) -> Outcome<N> {
+    let second = rest.first().unwrap_or(first);
     match function {
-        Function::Sin => first.circular("sin", degrees, f64::sin),
-        Function::Cos => first.circular("cos", degrees, f64::cos),
-        Function::Tan => first.circular("tan", degrees, f64::tan),
-        Function::Asin => first.inverse_circular("asin", true, f64::asin),
-        Function::Acos => first.inverse_circular("acos", true, f64::acos),
-        Function::Atan => first.inverse_circular("atan", false, f64::atan),
+        Function::Sin => first.circular("sin", degrees, N::sin),
+        Function::Cos => first.circular("cos", degrees, N::cos),
+        Function::Tan => first.circular("tan", degrees, N::tan),
+        Function::Asin => first.inverse_circular("asin", true, N::asin),
+        Function::Acos => first.inverse_circular("acos", true, N::acos),
+        Function::Atan => first.inverse_circular("atan", false, N::atan),
         Function::Atan2 => first.atan2(second),
         Function::Sqrt => first.sqrt(),
         Function::Abs => Ok(first.abs()),
         Function::Min => rest
             .iter()
-            .try_fold(first, |least, value| least.min(*value)),
-        Function::Max => rest.iter().try_fold(first, |most, value| most.max(*value)),
+            .try_fold(first.clone(), |least, value| least.min(value)),
+        Function::Max => rest
+            .iter()
+            .try_fold(first.clone(), |most, value| most.max(value)),
         Function::Hypot => first.hypot(second),
-        Function::Exp => first.function("exp", f64::exp),
+        Function::Exp => first.function("exp", N::exp),
         Function::Ln => first.ln(),
-        Function::Floor => first.function("floor", f64::floor),
-        Function::Ceil => first.function("ceil", f64::ceil),
-        Function::Round => first.function("round", f64::round),
+        Function::Floor => first.function("floor", N::floor),
+        Function::Ceil => first.function("ceil", N::ceil),
+        Function::Round => first.function("round", N::round),
     }
 }
 

@@ -1,5 +1,6 @@
 //! What quantities are called in messages.
 
+use super::number::Number;
 use super::quantity::{Quantity, whole};
 use crate::dimension::{Dimension, Powers};
 
@@ -10,9 +11,9 @@ impl Powers {
     }
 }
 
-impl Quantity {
+impl<N: Number> Quantity<N> {
     /// Its dimension, where that has a name.
-    pub fn dimension(self) -> Option<Dimension> {
+    pub fn dimension(&self) -> Option<Dimension> {
         let named = Dimension::NAMED.into_iter().chain([Dimension::Frequency]);
         named
             .into_iter()
@@ -20,7 +21,7 @@ impl Quantity {
     }
 
     /// Its unit in SI; empty where it is pure.
-    pub fn unit(self) -> String {
+    pub fn unit(&self) -> String {
         if let Some(dimension) = self.dimension() {
             return dimension.si().to_owned();
         }
@@ -49,7 +50,7 @@ impl Quantity {
     }
 
     /// What it is, in words: `a length [m]`, `a plain number`.
-    pub fn words(self) -> String {
+    pub fn words(&self) -> String {
         if self.is_pure() {
             return "a plain number".into();
         }
@@ -60,7 +61,7 @@ impl Quantity {
     }
 
     /// The factor, a power of the radian, with which it would fit.
-    pub fn radians_to(self, wanted: Powers) -> Option<String> {
+    pub fn radians_to(&self, wanted: Powers) -> Option<String> {
         let wanted = whole(wanted);
         let lacking = f64::from(wanted[3] - self.exponents[3]) / 12.0;
         (self.exponents[..3] == wanted[..3] && !self.is_pure()).then(|| match lacking {

@@ -1,17 +1,16 @@
 //! The parameters of a model: read, put in the order in which they follow from each other, evaluated.
 
+mod circles;
+
 use std::collections::HashMap;
 
-use super::super::node::{Kind, Node, Origin, excerpt};
+use super::super::node::{Kind, Node, Origin};
 use super::super::suggest;
 use super::written::{Written, quantity, refused_name};
 use super::{Expression, Fault, Misfit, Quantity, is_expression};
 use crate::dimension::Dimension;
 use crate::error::Complaint;
 use crate::tolerance::Tolerance;
-
-/// Most parameters of a circle that are named.
-const MOST_NAMED: usize = 8;
 
 /// A parameter as resolved.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,17 +39,19 @@ pub struct Found<'a> {
 
 /// All parameters.
 pub struct Parameters {
-    names: Vec<String>,
+    pub(super) names: Vec<String>,
     places: HashMap<String, usize>,
-    written: Vec<Written>,
+    pub(super) written: Vec<Written>,
     values: Vec<Option<Quantity>>,
     /// Whether the value stands in an object, beside its tolerance.
     keyed: Vec<bool>,
     /// Values in the place of written ones.
     given: HashMap<usize, f64>,
+    /// Own deviations, on top of what they are without.
+    deviations: HashMap<usize, f64>,
     used: Vec<bool>,
     /// Whether plain numbers of angles are in another unit than radians.
-    degrees: bool,
+    pub(super) degrees: bool,
 }
 
 impl Parameters {
@@ -65,6 +66,7 @@ impl Parameters {
             values: Vec::new(),
             keyed: Vec::new(),
             given: HashMap::new(),
+            deviations: HashMap::new(),
             used: Vec::new(),
             degrees,
         };
@@ -120,6 +122,25 @@ impl Parameters {
         node: Option<&Node>,
         values: &[(&str, f64)],
     ) -> Result<(), Vec<Complaint>> {
+        self.given = self.by_place(values)?;
+        self.again(node)
+    }
+
+    /// Lets parameters deviate \[SI\], on top of the values that they have or follow from.
+    ///
+    /// # Errors
+    /// As [`Parameters::give`].
+    pub fn deviate(
+        &mut self,
+        node: Option<&Node>,
+        deviations: &[(&str, f64)],
+    ) -> Result<(), Vec<Complaint>> {
+        self.deviations = self.by_place(deviations)?;
+        self.again(node)
+    }
+
+    fn by_place(&self, values: &[(&str, f64)]) -> Result<HashMap<usize, f64>, Vec<Complaint>> {
+        let mut places = HashMap::new();
         for (name, value) in values {
             let Some(&place) = self.places.get(*name) else {
                 let complaint =
@@ -131,8 +152,12 @@ impl Parameters {
                 let complaint = Complaint::new(path(name), "a finite number is expected");
                 return Err(vec![complaint.found(value.to_string())]);
             }
-            self.given.insert(place, *value);
+            places.insert(place, *value);
         }
+        Ok(places)
+    }
+
+    fn again(&mut self, node: Option<&Node>) -> Result<(), Vec<Complaint>> {
         let found = |name: &String| node.and_then(|node| Some(nominal(node.get(name)?).0));
         let nodes: Vec<&Node> = self.names.iter().filter_map(found).collect();
         let mut faults = Vec::new();
@@ -182,41 +207,33 @@ impl Parameters {
         }
     }
 
-    fn parse(&self, text: &str) -> Result<Expression, Misfit> {
+    pub(super) fn parse(&self, text: &str) -> Result<Expression, Misfit> {
         Expression::parse(text, &|name| self.places.get(name).copied(), &self.names)
     }
 
     /// Evaluates each after those that it names, and complains about circles.
     fn evaluate_all<'a>(&mut self, nodes: &[&'a Node], faults: &mut Vec<Found<'a>>) {
-        let written = &self.written;
-        let nominal = std::mem::replace(&mut self.values, vec![None; written.len()]);
-        let mut followers: Vec<Vec<usize>> = vec![Vec::new(); written.len()];
-        let mut waits = vec![0_usize; written.len()];
-        for (index, written) in written.iter().enumerate() {
-            let Written::Expression(expression) = written else {
-                continue;
-            };
-            for named in expression.parameters() {
-                self.used[named] = true;
-                followers[named].push(index);
-                waits[index] += 1;
+        let nominal = std::mem::replace(&mut self.values, vec![None; self.written.len()]);
+        for written in &self.written {
+            if let Written::Expression(expression) = written {
+                expression
+                    .parameters()
+                    .for_each(|named| self.used[named] = true);
             }
         }
-        let mut ready: Vec<usize> = (0..written.len())
-            .filter(|&index| waits[index] == 0)
-            .collect();
-        while let Some(index) = ready.pop() {
+        let (order, waits) = self.order();
+        for index in order {
             let given = self
                 .given
                 .get(&index)
                 .zip(nominal.get(index).copied().flatten());
-            self.values[index] = match &written[index] {
+            let value = match &self.written[index] {
                 _ if given.is_some() => given.map(|(&value, nominal)| nominal.with_value(value)),
                 Written::Value(value) => Some(*value),
                 Written::Faulty => None,
-                Written::Expression(expression) => expression
-                    .evaluate(&self.values, self.degrees)
-                    .unwrap_or_else(|Misfit { at, fault }| {
+                Written::Expression(expression) => {
+                    let value = expression.evaluate(&self.values, self.degrees);
+                    value.unwrap_or_else(|Misfit { at, fault }| {
                         let complaint = Complaint {
                             hint: fault.hint,
                             ..Complaint::new(self.path(index), fault.message)
@@ -227,8 +244,36 @@ impl Parameters {
                             complaint,
                         });
                         None
-                    }),
+                    })
+                }
             };
+            self.values[index] = match self.deviations.get(&index) {
+                Some(deviation) => value.map(|one| one.with_value(one.value + deviation)),
+                None => value,
+            };
+        }
+        self.circles(nodes, &waits, faults);
+    }
+
+    /// Each after those that it names, and how many each one still waits for.
+    pub(super) fn order(&self) -> (Vec<usize>, Vec<usize>) {
+        let written = &self.written;
+        let mut followers: Vec<Vec<usize>> = vec![Vec::new(); written.len()];
+        let mut waits = vec![0_usize; written.len()];
+        for (index, written) in written.iter().enumerate() {
+            if let Written::Expression(expression) = written {
+                for named in expression.parameters() {
+                    followers[named].push(index);
+                    waits[index] += 1;
+                }
+            }
+        }
+        let mut ready: Vec<usize> = (0..written.len())
+            .filter(|&index| waits[index] == 0)
+            .collect();
+        let mut order = Vec::with_capacity(written.len());
+        while let Some(index) = ready.pop() {
+            order.push(index);
             for &follower in &followers[index] {
                 waits[follower] -= 1;
                 if waits[follower] == 0 {
@@ -236,54 +281,7 @@ impl Parameters {
                 }
             }
         }
-        self.circles(nodes, &waits, faults);
-    }
-
-    /// Complains about each circle among those that still wait.
-    fn circles<'a>(&self, nodes: &[&'a Node], waits: &[usize], faults: &mut Vec<Found<'a>>) {
-        // walk number in which one was met
-        let mut met = vec![None; waits.len()];
-        for start in (0..waits.len()).filter(|&index| waits[index] > 0) {
-            let mut walk = Vec::new();
-            let mut next = Some(start);
-            while let Some(index) = next.filter(|&index| met[index].is_none()) {
-                met[index] = Some(start);
-                walk.push(index);
-                next = match &self.written[index] {
-                    Written::Expression(expression) => {
-                        expression.parameters().find(|&named| waits[named] > 0)
-                    }
-                    Written::Value(_) | Written::Faulty => None,
-                };
-            }
-            let Some(closing) = next.filter(|&index| met[index] == Some(start)) else {
-                continue;
-            };
-            let circle: Vec<usize> = walk
-                .into_iter()
-                .skip_while(|&index| index != closing)
-                .collect();
-            let mut names: Vec<String> = circle
-                .iter()
-                .take(MOST_NAMED)
-                .map(|&index| excerpt(&self.names[index]))
-                .collect();
-            if circle.len() > MOST_NAMED {
-                names.push("…".into());
-            }
-            names.push(excerpt(&self.names[closing]));
-            let message = format!(
-                "the parameters follow from each other in a circle: {}",
-                names.join(" → ")
-            );
-            let complaint = Complaint::new(self.path(closing), message)
-                .hint("give one of them a value of its own");
-            faults.push(Found {
-                node: nodes[closing],
-                at: None,
-                complaint,
-            });
-        }
+        (order, waits)
     }
 
     /// The value of an expression somewhere in the model; none where a parameter has none.

@@ -4,6 +4,7 @@
 //! as a dimension, so that Hz is not rad/s; where lengths or masses are about, one radian too many is dropped, as in r·ω.
 
 use super::super::dimension::Powers;
+use super::number::Number;
 
 /// One whole power.
 const WHOLE: i32 = 12;
@@ -25,9 +26,9 @@ pub enum Pure {
 
 /// A number with its dimension.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Quantity {
+pub struct Quantity<N = f64> {
     /// In SI.
-    pub value: f64,
+    pub value: N,
     /// Twelfths of the exponents of length, mass, time, angle.
     pub(super) exponents: [i32; 4],
     /// Where it comes from.
@@ -56,7 +57,7 @@ impl Fault {
 }
 
 /// What an operation gives.
-pub type Outcome = Result<Quantity, Fault>;
+pub type Outcome<N = f64> = Result<Quantity<N>, Fault>;
 
 pub(super) fn whole(powers: Powers) -> [i32; 4] {
     [powers.length, powers.mass, powers.time, powers.angle].map(|power| power.saturating_mul(WHOLE))
@@ -87,14 +88,20 @@ impl Quantity {
             pure: Pure::Ratio,
         }
     }
+}
 
+impl<N: Number> Quantity<N> {
     /// Another number of the same dimension.
-    pub fn with_value(self, value: f64) -> Self {
-        Quantity { value, ..self }
+    pub fn with_value<M>(&self, value: M) -> Quantity<M> {
+        Quantity {
+            value,
+            exponents: self.exponents,
+            pure: self.pure,
+        }
     }
 
     /// A number made of others.
-    fn made(value: f64, exponents: [i32; 4], pure: Pure) -> Outcome {
+    fn made(value: N, exponents: [i32; 4], pure: Pure) -> Outcome<N> {
         if !value.is_finite() {
             return Err(Fault::new("the result is too large for a double"));
         }
@@ -109,12 +116,12 @@ impl Quantity {
     }
 
     /// Whether it has no dimension.
-    pub fn is_pure(self) -> bool {
+    pub fn is_pure(&self) -> bool {
         self.exponents == [0; 4]
     }
 
     /// Whether it may stand where a quantity of these powers is wanted.
-    pub fn fits(self, wanted: Powers) -> bool {
+    pub fn fits(&self, wanted: Powers) -> bool {
         let wanted = whole(wanted);
         let per_radian_left_out =
             wanted[3] < 0 && self.exponents[3] == 0 && self.exponents[..3] == wanted[..3];
@@ -122,19 +129,16 @@ impl Quantity {
     }
 
     /// Whether it may be added to another one.
-    pub fn is_like(self, other: Self) -> bool {
+    pub fn is_like(&self, other: &Self) -> bool {
         alike(self.exponents, other.exponents)
     }
 
-    pub fn negate(self) -> Self {
-        Quantity {
-            value: -self.value,
-            ..self
-        }
+    pub fn negate(&self) -> Self {
+        self.with_value(self.value.negate())
     }
 
     /// The dimension that both have, for what `verb` does.
-    fn common(self, other: Self, verb: &str) -> Result<[i32; 4], Fault> {
+    fn common(&self, other: &Self, verb: &str) -> Result<[i32; 4], Fault> {
         if alike(self.exponents, other.exponents) {
             let radians = self.exponents[3].min(other.exponents[3]);
             return Ok([
@@ -161,63 +165,67 @@ impl Quantity {
         })
     }
 
-    pub fn add(self, other: Self) -> Outcome {
+    pub fn add(&self, other: &Self) -> Outcome<N> {
         let exponents = self.common(other, "added")?;
         Self::made(
-            self.value + other.value,
+            self.value.add(&other.value),
             exponents,
             self.pure.max(other.pure),
         )
     }
 
-    pub fn subtract(self, other: Self) -> Outcome {
+    pub fn subtract(&self, other: &Self) -> Outcome<N> {
         let exponents = self.common(other, "subtracted")?;
         Self::made(
-            self.value - other.value,
+            self.value.subtract(&other.value),
             exponents,
             self.pure.max(other.pure),
         )
     }
 
-    pub fn multiply(self, other: Self) -> Outcome {
+    pub fn multiply(&self, other: &Self) -> Outcome<N> {
         let exponents = std::array::from_fn(|index| self.exponents[index] + other.exponents[index]);
         Self::made(
-            self.value * other.value,
+            self.value.multiply(&other.value),
             exponents,
             self.pure.max(other.pure),
         )
     }
 
-    pub fn divide(self, other: Self) -> Outcome {
-        if other.value == 0.0 {
+    pub fn divide(&self, other: &Self) -> Outcome<N> {
+        if other.value.is_zero() {
             return Err(Fault::new("this divides by zero"));
         }
         let exponents = std::array::from_fn(|index| self.exponents[index] - other.exponents[index]);
         Self::made(
-            self.value / other.value,
+            self.value.divide(&other.value),
             exponents,
             self.pure.max(other.pure),
         )
     }
 
-    pub fn power(self, exponent: Self) -> Outcome {
+    pub fn power(&self, exponent: &Self) -> Outcome<N> {
         if !exponent.is_pure() {
             return Err(Fault::new(format!(
                 "an exponent is a plain number, not {}",
                 exponent.words()
             )));
         }
-        if self.value < 0.0 && exponent.value.fract() != 0.0 {
+        if self.value.is_negative() && !is_whole(&exponent.value) {
             return Err(Fault::new(
                 "a negative number has no power that is not whole",
             ));
         }
-        if self.value == 0.0 && exponent.value < 0.0 {
+        if self.value.is_zero() && exponent.value.is_negative() {
             return Err(Fault::new("this divides by zero"));
         }
         let mut exponents = [0; 4];
         for (power, own) in exponents.iter_mut().zip(self.exponents) {
-            let scaled = f64::from(own) * exponent.value;
+            let Some(by) = exponent.value.nearly().or((own == 0).then_some(0.0)) else {
+                let message = format!("the exponent of {} must not change", self.words());
+                return Err(Fault::new(message));
+            };
+            let scaled = f64::from(own) * by;
             if scaled.abs() > f64::from(MOST) {
                 return Err(Fault::new("the power of a unit gets too high"));
             }
@@ -232,118 +240,120 @@ impl Quantity {
             *power = scaled.round() as i32;
         }
         Self::made(
-            self.value.powf(exponent.value),
+            self.value.power(&exponent.value),
             exponents,
             self.pure.max(exponent.pure),
         )
     }
 
-    pub fn sqrt(self) -> Outcome {
-        if self.value < 0.0 {
+    pub fn sqrt(&self) -> Outcome<N> {
+        if self.value.is_negative() {
             return Err(Fault::new("a negative number has no square root"));
         }
         let half = Quantity {
+            value: N::of(0.5),
+            exponents: [0; 4],
             pure: self.pure,
-            ..Quantity::plain(0.5)
         };
-        Ok(Quantity {
-            value: self.value.sqrt(),
-            ..self.power(half)?
-        })
+        Ok(self.power(&half)?.with_value(self.value.sqrt()))
     }
 
-    pub fn abs(self) -> Self {
-        Quantity {
-            value: self.value.abs(),
-            ..self
-        }
+    pub fn abs(&self) -> Self {
+        self.with_value(self.value.abs())
     }
 
-    pub fn min(self, other: Self) -> Outcome {
+    pub fn min(&self, other: &Self) -> Outcome<N> {
         let exponents = self.common(other, "compared")?;
         Self::made(
-            self.value.min(other.value),
+            self.value.min(&other.value),
             exponents,
             self.pure.max(other.pure),
         )
     }
 
-    pub fn max(self, other: Self) -> Outcome {
+    pub fn max(&self, other: &Self) -> Outcome<N> {
         let exponents = self.common(other, "compared")?;
         Self::made(
-            self.value.max(other.value),
+            self.value.max(&other.value),
             exponents,
             self.pure.max(other.pure),
         )
     }
 
-    pub fn hypot(self, other: Self) -> Outcome {
+    pub fn hypot(&self, other: &Self) -> Outcome<N> {
         let exponents = self.common(other, "the sides of one triangle")?;
         Self::made(
-            self.value.hypot(other.value),
+            self.value.hypot(&other.value),
             exponents,
             self.pure.max(other.pure),
         )
     }
 
     /// The angle of a vector, from its y and x.
-    pub fn atan2(self, x: Self) -> Outcome {
+    pub fn atan2(&self, x: &Self) -> Outcome<N> {
         self.common(x, "the components of one vector")?;
-        Self::angle(self.value.atan2(x.value))
+        Self::angle(self.value.atan2(&x.value))
     }
 
-    fn angle(value: f64) -> Outcome {
+    fn angle(value: N) -> Outcome<N> {
         Self::made(value, ANGLE, Pure::Ratio)
     }
 
     /// A function of an angle; of plain numbers where these can only be radians.
-    pub fn circular(self, name: &str, degrees: bool, function: fn(f64) -> f64) -> Outcome {
+    pub fn circular(&self, name: &str, degrees: bool, function: fn(&N) -> N) -> Outcome<N> {
         if self.exponents != ANGLE && !self.is_pure() {
             return Err(Fault::new(format!(
                 "{name} takes an angle, not {}",
                 self.words()
             )));
         }
-        if self.is_pure() && self.pure == Pure::Plain && degrees && self.value != 0.0 {
+        if self.is_pure() && self.pure == Pure::Plain && degrees && self.value.shown() != 0.0 {
             let message =
                 format!("{name} of a plain number, although the file's angles are not in radians");
             return Err(Fault::new(message).hint("give it a unit, as in 30 deg or 0.5 rad"));
         }
-        Self::made(function(self.value), [0; 4], Pure::Ratio)
+        Self::made(function(&self.value), [0; 4], Pure::Ratio)
     }
 
     /// An inverse function of an angle, of what lies within −1 … 1 where `bounded`.
-    pub fn inverse_circular(self, name: &str, bounded: bool, function: fn(f64) -> f64) -> Outcome {
+    pub fn inverse_circular(&self, name: &str, bounded: bool, function: fn(&N) -> N) -> Outcome<N> {
         self.expect_pure(name)?;
-        if bounded && self.value.abs() > 1.0 {
-            return Err(Fault::new(format!(
-                "{name} takes numbers from -1 to 1, this is {}",
-                self.value
-            )));
+        if bounded && self.value.exceeds_one() {
+            let found = match self.value.single() {
+                Some(value) => format!("this is {value}"),
+                None => "and these go beyond".to_owned(),
+            };
+            let message = format!("{name} takes numbers from -1 to 1, {found}");
+            return Err(Fault::new(message));
         }
-        Self::angle(function(self.value))
+        Self::angle(function(&self.value))
     }
 
     /// A function of a plain number.
-    pub fn function(self, name: &str, function: fn(f64) -> f64) -> Outcome {
+    pub fn function(&self, name: &str, function: fn(&N) -> N) -> Outcome<N> {
         self.expect_pure(name)?;
-        Self::made(function(self.value), [0; 4], self.pure)
+        Self::made(function(&self.value), [0; 4], self.pure)
     }
 
-    pub fn ln(self) -> Outcome {
-        if self.is_pure() && self.value <= 0.0 {
+    pub fn ln(&self) -> Outcome<N> {
+        if self.is_pure() && (self.value.is_negative() || self.value.is_zero()) {
             return Err(Fault::new("ln takes numbers greater than zero"));
         }
-        self.function("ln", f64::ln)
+        self.function("ln", N::ln)
     }
 
-    fn expect_pure(self, name: &str) -> Result<(), Fault> {
+    fn expect_pure(&self, name: &str) -> Result<(), Fault> {
         if self.is_pure() {
             return Ok(());
         }
         let fault = Fault::new(format!("{name} takes a plain number, not {}", self.words()));
         Err(fault.hint(format!("divide it by 1 {}", self.unit())))
     }
+}
+
+/// Whether it is a whole number.
+fn is_whole<N: Number>(number: &N) -> bool {
+    number.single().is_some_and(|number| number.fract() == 0.0)
 }
 
 /// Whether two are of one dimension; beside lengths and masses radians may be dropped, where none divides.

@@ -7,12 +7,14 @@
 mod filler;
 mod lists;
 mod object;
+mod otherwise;
 mod parameter;
 mod quantity;
 mod units;
 
 pub use lists::{COLUMNS, entry_driven};
 pub use object::{NOTE, shape_of};
+pub use otherwise::{recorded, walk_deviating, walk_given};
 pub use units::{Driven, Units, display};
 
 use std::collections::HashMap;
@@ -22,7 +24,7 @@ use serde_json::Value;
 use crate::dimension::Dimension;
 use crate::error::Complaint;
 use crate::examples;
-use crate::expression::{Found, Parameter, Parameters};
+use crate::expression::{Found, Parameter, Parameters, Recorded};
 use crate::gate::Holes;
 use crate::node::{Kind, Node, Origin};
 use crate::shape::{Bound, Choice, Measure, Shape, Tagged};
@@ -66,18 +68,6 @@ pub fn walk(source: &Source) -> Findings {
     let written = source.root.get("parameters");
     let (parameters, faults) = Parameters::read(written, !units.in_radians());
     walk_with(source, units, parameters, faults)
-}
-
-/// Reads the whole file with other values of parameters.
-///
-/// # Errors
-/// A value that no parameter can have.
-pub fn walk_given(source: &Source, given: &[(&str, f64)]) -> Result<Findings, Vec<Complaint>> {
-    let units = Units::read(source.root.get("units"));
-    let written = source.root.get("parameters");
-    let (mut parameters, faults) = Parameters::read(written, !units.in_radians());
-    parameters.give(written, given)?;
-    Ok(walk_with(source, units, parameters, faults))
 }
 
 fn walk_with(
@@ -151,6 +141,8 @@ pub struct Walk<'a> {
     undotted: Vec<Undotted>,
     /// Of parameters, by their names.
     tolerances: HashMap<String, Tolerance>,
+    /// The expressions that were met, where that is asked for.
+    record: Option<Vec<Recorded>>,
 }
 
 impl<'a> Walk<'a> {
@@ -171,6 +163,7 @@ impl<'a> Walk<'a> {
             more: 0,
             undotted: Vec::new(),
             tolerances: HashMap::new(),
+            record: None,
         }
     }
 

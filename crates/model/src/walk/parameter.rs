@@ -192,7 +192,7 @@ impl Walk<'_> {
             return None;
         };
         // nothing is nothing in any unit
-        if found.is_like(nominal) || (found.is_pure() && found.value == 0.0) {
+        if found.is_like(&nominal) || (found.is_pure() && found.value == 0.0) {
             return Some(found.value);
         }
         let message = format!(

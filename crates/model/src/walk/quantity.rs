@@ -5,7 +5,7 @@ use super::units::{Driven, Wanted};
 use super::{Walk, wrong_kind};
 use crate::dimension::Dimension;
 use crate::error::Complaint;
-use crate::expression::{Misfit, Pure, Quantity, is_expression, with_article};
+use crate::expression::{Misfit, Pure, Quantity, Recorded, is_expression, with_article};
 use crate::node::{Kind, Node, excerpt};
 use crate::shape::Measure;
 use crate::units::{Unit, UnitFault, split_quantity, with_decimal_point};
@@ -27,7 +27,13 @@ impl Walk<'_> {
             }
             Kind::String(text) if is_expression(text) => {
                 let result = self.expression(node, text, path)?;
-                self.fit(node, result, &wanted?, path)
+                let wanted = wanted?;
+                let value = self.fit(node, result, &wanted, path)?;
+                self.record(text, path, || match result.is_pure() {
+                    true => wanted.plain.to_si("1"),
+                    false => 1.0,
+                });
+                Some(value)
             }
             Kind::String(text) => {
                 if self.decimal_comma(node, text, path) {
@@ -62,6 +68,7 @@ impl Walk<'_> {
             Kind::String(text) if is_expression(text) => {
                 let result = self.expression(node, text, path)?;
                 if result.is_pure() {
+                    self.record(text, path, || 1.0);
                     return Some(result.value);
                 }
                 let complaint = Complaint::new(
@@ -147,6 +154,17 @@ impl Walk<'_> {
                 self.complain_at(node, Some(at), complaint);
                 None
             }
+        }
+    }
+
+    /// Keeps an expression and where it stands, if that is asked for.
+    fn record(&mut self, text: &str, path: &str, factor: impl FnOnce() -> f64) {
+        if let Some(record) = &mut self.record {
+            record.push(Recorded {
+                path: path.to_owned(),
+                text: text.to_owned(),
+                factor: factor(),
+            });
         }
     }
 
