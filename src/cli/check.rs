@@ -11,6 +11,7 @@ use super::open::{ModelOptions, Opened, bad_input};
 use super::page::{Page, names, number, shorten, wrapped};
 use super::refused;
 use super::streams::{complain, print};
+use super::tolerances;
 use super::words::{analysis_words, mobility, status_words};
 use linkdyn_engine::analysis::{self, Check, Lack};
 use linkdyn_model::AnalysisKind;
@@ -146,6 +147,7 @@ fn page(opened: &Opened, check: &Check, written: Option<PathBuf>) -> String {
         "parameters",
         resolved.map(|text| text.trim_end().to_string()),
     );
+    tolerances::rows(&mut page, &opened.loaded);
     page.rows(
         "lacking",
         folded(check.lacks.iter().map(lack_words).collect()),
@@ -216,8 +218,7 @@ fn verdict(check: &Check) -> String {
 fn to_json(opened: &Opened, check: &Check, suspicious: &[String]) -> Value {
     let model = &opened.loaded.model;
     let parameters = opened.loaded.parameters.iter();
-    let parameters =
-        parameters.map(|p| (p.name.clone(), json!({ "value": p.value, "unit": p.unit })));
+    let parameters = parameters.map(|p| (p.name.clone(), tolerances::to_json(p)));
     let words = |kind: AnalysisKind| analysis_words(kind).replace(' ', "_");
     let missing = check
         .missing

@@ -44,6 +44,7 @@ mod schema;
 mod shape;
 mod streams;
 mod summary;
+mod tolerances;
 mod validate;
 mod watch;
 mod words;

@@ -3,8 +3,8 @@
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
-use super::PointRef;
 use super::dimension::Dimension;
+use super::{DriverKind, Model, PointRef};
 
 /// What is asked of the mechanism's accuracy.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
@@ -53,6 +53,20 @@ pub enum Measured {
     Column(String),
     /// The distance of two points.
     Distance([PointRef; 2]),
+}
+
+impl Measured {
+    /// Its dimension; none of a column that no model can have.
+    pub fn dimension(&self, model: &Model) -> Option<Dimension> {
+        let effort = |driver: &str| match model.drivers.get(driver)?.kind {
+            DriverKind::Rotation { .. } => Some(Dimension::Torque),
+            DriverKind::Translation { .. } => Some(Dimension::Force),
+        };
+        match self {
+            Measured::Column(column) => Column::read(column)?.dimension(effort),
+            Measured::Distance(_) => Some(Dimension::Length),
+        }
+    }
 }
 
 /// A position of the mechanism.

@@ -3,6 +3,7 @@
 mod large;
 mod mobility;
 mod slips;
+mod tolerances;
 
 use linkdyn_model::bundled;
 use serde_json::{Map, Value, json};
