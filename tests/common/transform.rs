@@ -2,11 +2,14 @@
 //!
 //! Each function changes the words of a model so that its results must change in a known way.
 
+mod rename;
+
 use indexmap::IndexMap;
 use linkdyn_model::{
-    Driver, DriverKind, Force, ForceKind, Frame, GROUND, Joint, JointKind, Model, Motion, PointRef,
-    Value,
+    Driver, DriverKind, Force, ForceKind, Frame, GROUND, Joint, JointKind, Model, Motion, Value,
 };
+
+pub use rename::{rename_and_reverse, renamed};
 
 /// A plane vector turned by an angle.
 pub fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
@@ -280,78 +283,6 @@ pub fn mirror(model: &Model) -> Model {
         }
     }
     model
-}
-
-/// A name no model has.
-pub fn renamed(name: &str) -> String {
-    if name == GROUND {
-        name.to_string()
-    } else {
-        format!("{name} ♣")
-    }
-}
-
-/// Every name changed, everything in the opposite order.
-pub fn rename_and_reverse(model: &Model) -> Model {
-    let mut model = model.clone();
-    let reference = |point: &mut PointRef| {
-        point.body = renamed(&point.body);
-        point.point = renamed(&point.point);
-    };
-    model.bodies = reversed(model.bodies);
-    for body in model.bodies.values_mut() {
-        body.points = reversed(std::mem::take(&mut body.points));
-    }
-    model.joints = reversed(model.joints);
-    for joint in model.joints.values_mut() {
-        joint.between.iter_mut().for_each(reference);
-        if let JointKind::Gear { carrier, .. } = &mut joint.kind {
-            *carrier = carrier.as_deref().map(renamed);
-        }
-    }
-    model.drivers = reversed(model.drivers);
-    for driver in model.drivers.values_mut() {
-        match &mut driver.kind {
-            DriverKind::Rotation { body, relative_to } => {
-                *body = renamed(body);
-                *relative_to = relative_to.as_deref().map(renamed);
-            }
-            DriverKind::Translation { joint } => *joint = renamed(joint),
-        }
-    }
-    model.forces = reversed(model.forces);
-    for force in model.forces.values_mut() {
-        match &mut force.kind {
-            ForceKind::Spring { between, .. } => between.iter_mut().for_each(reference),
-            ForceKind::TorsionSpring { between, .. } => {
-                between.iter_mut().for_each(|body| *body = renamed(body));
-            }
-            ForceKind::Load { at, .. } => reference(at),
-            ForceKind::Torque {
-                body, relative_to, ..
-            } => {
-                *body = renamed(body);
-                *relative_to = relative_to.as_deref().map(renamed);
-            }
-        }
-    }
-    model.points.reverse();
-    model.points.iter_mut().for_each(reference);
-    if let Some(sample) = model
-        .analysis
-        .as_mut()
-        .and_then(|analysis| analysis.sample.as_mut())
-    {
-        sample.driver = renamed(&sample.driver);
-    }
-    model
-}
-
-fn reversed<T>(map: IndexMap<String, T>) -> IndexMap<String, T> {
-    map.into_iter()
-        .rev()
-        .map(|(name, value)| (renamed(&name), value))
-        .collect()
 }
 
 /// First and second body of every revolute and fixed joint and of every gear exchanged.

@@ -213,3 +213,28 @@ fn runs_repeat_to_the_last_bit() {
         assert_eq!(first.report.events, second.report.events, "{name}");
     }
 }
+
+#[test]
+fn outputs_are_renamed_with_what_they_name() {
+    let text = linkdyn_model::bundled::text("four-bar").expect("bundled");
+    let sets = [
+        r#"accuracy.outputs={ "swing": { "column": "rocker.angle", "at": { "driver": "motor", "value": 1 } },
+                              "P": { "column": "coupler.P.x" }, "f": { "column": "joint.b.fx" },
+                              "gap": { "distance": ["crank.A", "ground.O4"] } }"#,
+        "bodies.crank.points.A.tolerance=10 um",
+    ];
+    let loaded = linkdyn_model::load(text.as_bytes(), &sets.map(str::to_owned)).expect("legal");
+    let renamed = rename_and_reverse(&loaded.model).check();
+    let renamed = renamed.unwrap_or_else(|said| panic!("{said}"));
+    let printed = renamed.to_json();
+    let outputs = &printed["accuracy"]["outputs"];
+    assert_eq!(outputs["swing"]["column"], "rocker ♣.angle");
+    assert_eq!(outputs["swing"]["at"]["driver"], "motor ♣");
+    assert_eq!(outputs["P"]["column"], "coupler ♣.P ♣.x");
+    assert_eq!(outputs["f"]["column"], "joint.b ♣.fx");
+    assert_eq!(outputs["gap"]["distance"][1], "ground.O4 ♣");
+    assert_eq!(
+        printed["bodies"]["crank ♣"]["points"]["A ♣"]["tolerance"],
+        1e-5
+    );
+}
