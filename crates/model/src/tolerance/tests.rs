@@ -1,5 +1,7 @@
 //! Tolerances, ranges, fits, play and accuracy: read, printed back, and set.
 
+mod mutants;
+
 use super::*;
 use crate::{At, JointKind, Loaded, Measured, Pins, load};
 use serde_json::{Value, json};
