@@ -1,6 +1,7 @@
 //! Derivatives against closed forms and central differences, and enclosures against numbers inside.
 
 mod boxes;
+mod bundled;
 
 use super::*;
 use crate::{Leaf, Loaded, load};
