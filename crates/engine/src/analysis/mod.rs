@@ -1,5 +1,6 @@
 //! The analyses: from a model to a trajectory and a report.
 
+pub mod accuracy;
 mod applied;
 pub mod assembly;
 mod branch;

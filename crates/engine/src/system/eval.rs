@@ -18,6 +18,8 @@ pub struct Inputs {
     pub(crate) contacts: Vec<Contact>,
     /// What the forces that depend on multipliers remember.
     pub(crate) memories: Vec<f64>,
+    /// What is added to φ (m) [m or rad]: gaps that joints are given; empty where there are none.
+    pub(crate) gaps: Vec<f64>,
     /// \[s\]
     pub(crate) time: f64,
 }
@@ -37,6 +39,7 @@ impl Inputs {
             offset: vec![[Vec2::zeros(); 3]; system.links],
             contacts: vec![Contact::default(); system.contacts.len()],
             memories: vec![0.0; system.dependent_forces.len()],
+            gaps: Vec::new(),
             time: 0.0,
         }
     }
@@ -114,6 +117,9 @@ impl Evaluation {
                 .constraint
                 .position(&at, &mut phi[block.row..block.row + block.rows]);
         }
+        phi.iter_mut()
+            .zip(&inputs.gaps)
+            .for_each(|(phi, gap)| *phi += gap);
         self.phi = phi;
     }
 

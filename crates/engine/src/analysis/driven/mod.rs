@@ -17,7 +17,7 @@ use crate::system::{Inputs, JointData, System};
 use linkdyn_model::error::Complaint;
 use linkdyn_output::{Report, Status, Stopwatch, Trajectory};
 use outputs::Outputs;
-use passages::range;
+pub(super) use passages::{passages, range};
 
 /// What a prescribed motion is asked for.
 #[derive(Debug, Clone, Copy)]
@@ -133,7 +133,7 @@ fn refuse(system: &System, reactions: bool, at_events: bool) -> Result<(), Stop>
 }
 
 /// The path over `range`: of a crank that goes round more than once and comes back, one turn stands for all.
-fn path(
+pub(super) fn path(
     driven: &mut Driven,
     start: (f64, &[f64]),
     range: (f64, f64),

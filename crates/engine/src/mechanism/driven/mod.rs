@@ -222,6 +222,13 @@ impl<'s> Driven<'s> {
         self.system.scale_columns(x);
     }
 
+    /// x (n) with J_A x = `rows` (m) at the last factors, without independent coordinates.
+    pub(crate) fn answer(&mut self, rows: &[f64], x: &mut [f64]) {
+        self.rows[..rows.len()].copy_from_slice(rows);
+        self.rows[rows.len()..].fill(0.0);
+        self.solve_rows(x);
+    }
+
     /// Moves `q` onto the constraints.
     ///
     /// # Errors

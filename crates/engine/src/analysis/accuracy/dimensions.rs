@@ -1,0 +1,316 @@
+//! The dimensions of a mechanism, and what the equations say of each.
+//!
+//! ```text
+//! point P of a body       ∂φ/∂s = ∂φ/∂P·A            A the rotation of the body, s in its frame
+//! direction of a guide    ∂φ/∂α = u·d, of a driver along it −n·d
+//! angle between bodies    ∂φ/∂β = 1
+//! ratio of a gear         ∂φ/∂r = θ₁ − θ_c − (θ₁ − θ_c as drawn, where its angle is that of the drawing)
+//! motion of a driver      ∂φ/∂f = 1
+//! ```
+//!
+//! All but the direction of a guide stand in φ linearly, so that what is off by a finite step is off by ∂φ times the step.
+
+use super::grip::{Grip, driver_block};
+use super::output::{Load, Output};
+use crate::element::{BodyId, Kinematics, Marker};
+use crate::system::{Evaluation, JointRole, System};
+use linkdyn_linear::math::{Vec2, perp};
+use std::collections::HashMap;
+
+/// Number of a point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct PointId(pub usize);
+
+/// A point of a body, and the equations that hold on to it.
+#[derive(Debug, Clone)]
+pub(super) struct Point {
+    pub body: BodyId,
+    pub grips: Vec<Grip>,
+}
+
+/// One number of the geometry.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Dimension {
+    /// A coordinate of a point in the frame of its body \[m\]: 0 along x, 1 along y.
+    Point(PointId, usize),
+    /// Direction of the guide of a joint \[rad\].
+    Direction { joint: usize, driver: Option<usize> },
+    /// An angle that stands alone in a row \[rad\].
+    Angle { row: usize },
+    /// The ratio of a gear [–], in its row; what ∂φ/∂r is where the bodies stand as drawn.
+    Ratio {
+        joint: usize,
+        carrier: BodyId,
+        drawn: f64,
+    },
+    /// What a driver's motion takes from one of its numbers: factor by time.
+    Motion { driver: usize, number: MotionNumber },
+}
+
+impl Dimension {
+    /// Whether it is a multiple of what the file says, and φ of it.
+    pub fn is_linear(&self) -> bool {
+        match self {
+            Dimension::Point(..) | Dimension::Angle { .. } | Dimension::Ratio { .. } => true,
+            Dimension::Direction { .. } => false,
+            Dimension::Motion { number, .. } => match number {
+                MotionNumber::Power { .. }
+                | MotionNumber::Amplitude { .. }
+                | MotionNumber::Value(_) => true,
+                MotionNumber::Phase { .. } | MotionNumber::Frequency { .. } => false,
+            },
+        }
+    }
+}
+
+/// A number of a driver's motion f(t).
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum MotionNumber {
+    /// ∂f = tᵏ/k! or tᵏ.
+    Power { exponent: i32, factor: f64 },
+    /// ∂f = sin(2π ν t + φ).
+    Amplitude { frequency: f64, phase: f64 },
+    /// ∂f = A cos(2π ν t + φ).
+    Phase {
+        amplitude: f64,
+        frequency: f64,
+        phase: f64,
+    },
+    /// ∂f = 2π t A cos(2π ν t + φ).
+    Frequency {
+        amplitude: f64,
+        frequency: f64,
+        phase: f64,
+    },
+    /// A value of a table: ∂f is the spline through 1 there and 0 elsewhere.
+    Value(crate::motion::Law),
+}
+
+impl MotionNumber {
+    /// ∂f at a time.
+    pub fn rate(&self, t: f64) -> f64 {
+        let angle = |frequency: f64, phase: f64| std::f64::consts::TAU * frequency * t + phase;
+        match self {
+            MotionNumber::Power { exponent, factor } => factor * t.powi(*exponent),
+            MotionNumber::Amplitude { frequency, phase } => angle(*frequency, *phase).sin(),
+            MotionNumber::Phase {
+                amplitude,
+                frequency,
+                phase,
+            } => amplitude * angle(*frequency, *phase).cos(),
+            MotionNumber::Frequency {
+                amplitude,
+                frequency,
+                phase,
+            } => std::f64::consts::TAU * t * amplitude * angle(*frequency, *phase).cos(),
+            MotionNumber::Value(law) => law.jet(t)[0],
+        }
+    }
+}
+
+/// All dimensions.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Dimensions {
+    pub points: Vec<Point>,
+    pub all: Vec<Dimension>,
+    /// By the path of a quantity in the file: the dimensions that follow from it, each with the factor.
+    pub by_path: HashMap<String, Vec<(usize, f64)>>,
+}
+
+/// A position at which the equations were evaluated, φ and J.
+#[derive(Clone, Copy)]
+pub(super) struct Here<'a> {
+    pub system: &'a System,
+    pub evaluation: &'a Evaluation,
+    pub at: Kinematics<'a>,
+    /// \[s\]
+    pub time: f64,
+    /// The driver whose value says which pose is meant; its motion has no influence there.
+    pub held: Option<usize>,
+}
+
+impl Dimensions {
+    /// ∂y/∂(dimension) of all under a load on the output.
+    pub fn influences(&self, here: Here<'_>, output: &Output, load: &Load) -> Vec<f64> {
+        let lambda = &load.lambda;
+        let mut of_point: Vec<Vec2> = self
+            .points
+            .iter()
+            .map(|point| -point.pull(here, lambda))
+            .collect();
+        for (place, pull) in output.pulls(&here.at).into_iter().flatten() {
+            if let Some(PointId(point)) = place.point {
+                of_point[point] += pull * load.size;
+            }
+        }
+        self.all
+            .iter()
+            .map(|dimension| match dimension {
+                Dimension::Point(id, axis) => {
+                    let pose = &here.at.poses[self.points[id.0].body.0];
+                    let along = pose.turn(unit(*axis));
+                    along.dot(&of_point[id.0])
+                }
+                Dimension::Direction { joint, driver } => {
+                    let (slide, across) = guide(here, *joint);
+                    let own = lambda[here.system.blocks[*joint].row] * slide;
+                    let driven = driver.map_or(0.0, |id| {
+                        lambda[driver_block(here.system, id).row] * -across
+                    });
+                    -(own + driven)
+                }
+                Dimension::Angle { row } => -lambda[*row],
+                Dimension::Ratio { joint, .. } => {
+                    -lambda[here.system.blocks[*joint].row] * ratio_rate(here, dimension)
+                }
+                Dimension::Motion { driver, number } if here.held != Some(*driver) => {
+                    -lambda[driver_block(here.system, *driver).row] * number.rate(here.time)
+                }
+                Dimension::Motion { .. } => 0.0,
+            })
+            .collect()
+    }
+
+    /// Adds to the rows what φ gains where dimensions are off by `steps`.
+    pub fn push(&self, here: Here<'_>, steps: &[f64], rows: &mut [f64]) {
+        for (dimension, &step) in self.all.iter().zip(steps) {
+            if step == 0.0 {
+                continue;
+            }
+            match dimension {
+                Dimension::Point(id, axis) => {
+                    let point = &self.points[id.0];
+                    let pose = &here.at.poses[point.body.0];
+                    let off = pose.turn(unit(*axis)) * step;
+                    for grip in &point.grips {
+                        grip.push(&here.evaluation.jacobian, off, rows);
+                    }
+                }
+                Dimension::Direction { joint, driver } => {
+                    // u and n turn by the step: φ = −n·d, and −u·d of a driver.
+                    let (slide, across) = guide(here, *joint);
+                    let (sin, versed) = (step.sin(), 2.0 * (0.5 * step).sin().powi(2));
+                    rows[here.system.blocks[*joint].row] += sin * slide + versed * across;
+                    if let Some(id) = driver {
+                        rows[driver_block(here.system, *id).row] += versed * slide - sin * across;
+                    }
+                }
+                Dimension::Angle { row } => rows[*row] += step,
+                Dimension::Ratio { joint, .. } => {
+                    rows[here.system.blocks[*joint].row] += step * ratio_rate(here, dimension);
+                }
+                Dimension::Motion { driver, number } => {
+                    if here.held != Some(*driver) {
+                        rows[driver_block(here.system, *driver).row] +=
+                            step * number.rate(here.time);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Adds to the rows by how much [`Dimensions::push`] can change where the coordinates are off by `x` (n), and what of a
+    /// step's square it leaves out.
+    pub fn push_change(&self, here: Here<'_>, steps: &[f64], x: &[f64], rows: &mut [f64]) {
+        let turned = |body: BodyId| {
+            let columns = here.system.layout.columns(body);
+            columns.map_or(0.0, |columns| x[columns.theta()])
+        };
+        let total: f64 = here
+            .system
+            .layout
+            .bodies()
+            .map(|c| x[c.theta()])
+            .fold(0.0, f64::max);
+        for (dimension, &step) in self.all.iter().zip(steps) {
+            let step = step.abs();
+            match dimension {
+                Dimension::Point(id, _) => {
+                    // ∂φ/∂P turns with the body of the guide, the point with its own.
+                    let turn = turned(self.points[id.0].body) + total;
+                    for grip in &self.points[id.0].grips {
+                        grip.push_size(step * turn, rows);
+                    }
+                }
+                Dimension::Direction { joint, driver } => {
+                    let joint_data = &here.system.joints[*joint];
+                    let moved: f64 = joint_data
+                        .points
+                        .iter()
+                        .map(|marker| spread(here, marker, x))
+                        .sum();
+                    let (slide, across) = guide(here, *joint);
+                    let turn = turned(joint_data.points[0].body);
+                    let gap = moved + (slide.abs() + across.abs()) * (turn + step);
+                    rows[here.system.blocks[*joint].row] += step * gap;
+                    if let Some(id) = driver {
+                        rows[driver_block(here.system, *id).row] += step * gap;
+                    }
+                }
+                Dimension::Ratio { joint, carrier, .. } => {
+                    let [first, _] = here.system.joints[*joint].bodies;
+                    rows[here.system.blocks[*joint].row] +=
+                        step * (turned(first) + turned(*carrier));
+                }
+                Dimension::Angle { .. } | Dimension::Motion { .. } => {}
+            }
+        }
+    }
+}
+
+impl Point {
+    /// λᵀ ∂φ/∂P of all that holds on to it.
+    pub fn pull(&self, here: Here<'_>, lambda: &[f64]) -> Vec2 {
+        let pulls = self.grips.iter();
+        pulls
+            .map(|grip| grip.pull(&here.evaluation.jacobian, lambda))
+            .sum()
+    }
+}
+
+/// How far a point may be off where the coordinates are off by `x` \[m\].
+fn spread(here: Here<'_>, marker: &Marker, x: &[f64]) -> f64 {
+    let columns = here.system.layout.columns(marker.body);
+    columns.map_or(0.0, |c| {
+        x[c.x()].hypot(x[c.y()]) + marker.s.norm() * x[c.theta()]
+    })
+}
+
+fn unit(axis: usize) -> Vec2 {
+    match axis {
+        0 => Vec2::new(1.0, 0.0),
+        _ => Vec2::new(0.0, 1.0),
+    }
+}
+
+/// u·d and n·d of the guide of a joint \[m\].
+fn guide(here: Here<'_>, joint: usize) -> (f64, f64) {
+    let data = &here.system.joints[joint];
+    let Some(axis) = data.role.axis() else {
+        return (0.0, 0.0);
+    };
+    let [first, second] = &data.points;
+    let u = here.at.poses[first.body.0].turn(axis);
+    let d = second.place(&here.at) - first.place(&here.at);
+    (u.dot(&d), perp(u).dot(&d))
+}
+
+/// ∂φ/∂r of a gear.
+fn ratio_rate(here: Here<'_>, dimension: &Dimension) -> f64 {
+    match dimension {
+        Dimension::Ratio {
+            joint,
+            carrier,
+            drawn,
+        } => {
+            debug_assert!(here.system.joints[*joint].role == JointRole::Gear);
+            let [first, _] = here.system.joints[*joint].bodies;
+            let theta = |body: BodyId| here.at.poses[body.0].theta;
+            theta(first) - theta(*carrier) - drawn
+        }
+        Dimension::Point(..)
+        | Dimension::Direction { .. }
+        | Dimension::Angle { .. }
+        | Dimension::Motion { .. } => 0.0,
+    }
+}

@@ -1,0 +1,62 @@
+//! How the equations of a joint or driver hold on to the points of its two bodies.
+
+use crate::element::{Axis, BodyId};
+use crate::system::{Block, System};
+use linkdyn_linear::math::Vec2;
+
+/// The entries of J that say how rows change as a point moves: those of its body's place, for ∂φ/∂P = ∂φ/∂r.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Grip {
+    /// (row, index among the entries of J).
+    x: Vec<(usize, usize)>,
+    y: Vec<(usize, usize)>,
+}
+
+impl Grip {
+    /// Of a block on the point that it has on a body.
+    pub fn of(block: &Block, body: BodyId) -> Grip {
+        let mut grip = Grip::default();
+        let entries = block.constraint.entries();
+        for (index, (row, own, axis)) in entries.into_iter().enumerate() {
+            let entry = (block.row + row, block.entry + index);
+            match axis {
+                Axis::X if own == body => grip.x.push(entry),
+                Axis::Y if own == body => grip.y.push(entry),
+                Axis::X | Axis::Y | Axis::Theta => {}
+            }
+        }
+        grip
+    }
+
+    /// λᵀ ∂φ/∂P, in global axes.
+    pub fn pull(&self, jacobian: &[f64], lambda: &[f64]) -> Vec2 {
+        let sum = |entries: &[(usize, usize)]| -> f64 {
+            entries
+                .iter()
+                .map(|&(row, entry)| lambda[row] * jacobian[entry])
+                .sum()
+        };
+        Vec2::new(sum(&self.x), sum(&self.y))
+    }
+
+    /// Adds ∂φ/∂P·d to the rows.
+    pub fn push(&self, jacobian: &[f64], d: Vec2, rows: &mut [f64]) {
+        for (entries, d) in [(&self.x, d.x), (&self.y, d.y)] {
+            for &(row, entry) in entries {
+                rows[row] += jacobian[entry] * d;
+            }
+        }
+    }
+
+    /// Adds a length to all rows that hold on to the point; |∂φ/∂P| is at most 1 in each.
+    pub fn push_size(&self, length: f64, rows: &mut [f64]) {
+        for &(row, _) in self.x.iter().chain(&self.y) {
+            rows[row] += length;
+        }
+    }
+}
+
+/// The block of driver `id`.
+pub(super) fn driver_block(system: &System, id: usize) -> &Block {
+    &system.blocks[system.joints.len() + id]
+}

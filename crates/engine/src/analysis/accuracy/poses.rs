@@ -1,0 +1,153 @@
+//! Positions of the poses that are asked about, on the branch that the drawing is on.
+
+use super::displaced::Stand;
+use crate::analysis::assembly::{assemble, check_driven};
+use crate::analysis::control::{Control, Stop};
+use crate::analysis::driven::{passages, path, range};
+use crate::analysis::instants::OutputInstant;
+use crate::mechanism::continuation::{Parameter, Path, Source};
+use crate::mechanism::driven::{Driven, Failure};
+use crate::system::{Inputs, System};
+use linkdyn_model::error::Complaint;
+use linkdyn_output::Status;
+
+/// A correction beside a change point may move a coordinate by this much, in radians or sizes, and is round-off.
+const NEAR: f64 = 1e-6;
+
+/// Within this part of a window's width a pose is at the change point.
+const AT_ONE: f64 = 1e-8;
+/// A joint belongs to a self-stress when its part is above this.
+const STRESSED: f64 = 1e-9;
+
+/// The way of a driven mechanism.
+pub(super) struct Way<'s> {
+    pub driven: Driven<'s>,
+    path: Path,
+    /// Coordinates at t = 0 (n).
+    start: Vec<f64>,
+    /// The last instant \[s\].
+    end: f64,
+}
+
+impl<'s> Way<'s> {
+    /// Follows the drivers over all instants.
+    ///
+    /// # Errors
+    /// No assembly, freedom that nothing drives, a start that is singular.
+    pub fn new(
+        system: &'s System,
+        instants: &[OutputInstant],
+        control: &Control,
+    ) -> Result<Self, Stop> {
+        let start = Inputs::at_time(system, 0.0);
+        let assembled = assemble(system, &start)?;
+        check_driven(system, &assembled, &start)?;
+        let singular = |_: Failure| {
+            Stop::failed(
+                Status::Singular,
+                "the start is a singular position of the mechanism; start a little beside it"
+                    .into(),
+            )
+        };
+        let mut driven = Driven::new(system, &assembled.q, &start).map_err(singular)?;
+        let mut q = assembled.q;
+        driven.correct(&mut q, &start).map_err(singular)?;
+        let first = match Parameter::of(system) {
+            Parameter::DriverValue => start.drive[0][0],
+            Parameter::Time | Parameter::Coordinate => 0.0,
+        };
+        let range = range(system, instants);
+        let path = path(&mut driven, (first, &q), range, control).map_err(singular)?;
+        Ok(Way {
+            driven,
+            path,
+            start: q,
+            end: instants.last().map_or(0.0, |last| last.time),
+        })
+    }
+
+    /// A solver of its own at the start.
+    ///
+    /// # Errors
+    /// Joints that hold the same freedom: their influences are not unique.
+    pub fn another(&self) -> Result<Driven<'s>, Stop> {
+        let system = self.driven.system;
+        let start = Inputs::at_time(system, 0.0);
+        let mut driven = Driven::new(system, &self.start, &start).map_err(|_| {
+            Stop::failed(Status::Singular, "the start is a singular position".into())
+        })?;
+        if !driven.is_redundant() {
+            return Ok(driven);
+        }
+        driven.factor(&start).map_err(|_| {
+            Stop::failed(Status::Singular, "the start is a singular position".into())
+        })?;
+        let mut names: Vec<&str> = Vec::new();
+        for stress in driven.self_stress() {
+            for (row, _) in stress
+                .iter()
+                .enumerate()
+                .filter(|(_, z)| z.abs() > STRESSED)
+            {
+                if let crate::system::Origin::Joint(id) = &system.block_of_row(row).origin
+                    && !names.contains(&system.joints[id.0].name.as_str())
+                {
+                    names.push(&system.joints[id.0].name);
+                }
+            }
+        }
+        let message = format!(
+            "joints {} hold the same freedom more than once, so what each clearance does is not unique",
+            names.join(", ")
+        );
+        let hint = "take a joint or body out that only repeats what others do";
+        Err(Stop::Input(vec![
+            Complaint::new("joints", message).hint(hint),
+        ]))
+    }
+
+    /// Time at which a driver has a value, first of all; none where it has it at no time.
+    pub fn time_of(&self, driver: usize, value: f64) -> Option<f64> {
+        let law = &self.driven.system.drivers[driver].law;
+        passages(law, value, self.end).first().copied()
+    }
+
+    /// The pose at an instant; `held` where the value of a driver says which is meant. None where the mechanism has none.
+    pub fn stand(&mut self, instant: &OutputInstant, held: Option<usize>) -> Option<Stand> {
+        let system = self.driven.system;
+        let n = system.n();
+        let mut inputs = Inputs::at_time(system, instant.time);
+        instant.drive(system, &mut inputs.drive);
+        let s = match self.path.parameter {
+            Parameter::DriverValue => inputs.drive[0][0],
+            Parameter::Time | Parameter::Coordinate => instant.time,
+        };
+        if !self.path.holds(s) {
+            return None;
+        }
+        let (mut q, mut d, mut dd) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
+        let source = self.path.guess(s, &mut q, &mut d, &mut dd)?;
+        let smooth = q.clone();
+        let corrected = self.driven.prepare(&q, &inputs).is_ok()
+            && self.driven.correct(&mut q, &inputs).is_ok();
+        let self_stress = match source {
+            Source::Regular if corrected => None,
+            Source::Regular => return None,
+            Source::Bridged { index, distance } => {
+                let far = distance.abs() > AT_ONE * self.path.windows()[index].width;
+                let moved: Vec<f64> = q.iter().zip(&smooth).map(|(a, b)| a - b).collect();
+                let near = far && corrected && system.scaled_norm(&moved) <= NEAR;
+                if !near {
+                    q = smooth;
+                }
+                (!near).then(|| self.path.self_stress(index).to_vec())
+            }
+        };
+        Some(Stand {
+            q,
+            inputs,
+            held,
+            self_stress,
+        })
+    }
+}

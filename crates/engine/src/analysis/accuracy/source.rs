@@ -1,0 +1,138 @@
+//! Where deviations come from, and how far each can carry an output.
+//!
+//! With g = ∂y/∂e of the gap e that a source makes (for a joint −λ, the reaction under a unit load on the output):
+//!
+//! ```text
+//! pin, clearance c                      |e| ≤ c                          reach c|g|                e = c g/|g|
+//! zone about a point, diameter t        |d| ≤ t/2                        t/2·|g|
+//! slot, slide without length, play c    |e| ≤ c                          c|g|
+//! slide of length L on its guide        |e| + |γ| L/2 ≤ c                c·max(|g_e|, 2|g_γ|/L)
+//! gear, backlash j                      |e| ≤ j/2 along the pitch circle  j/2·|g|/R₂
+//! driver, tolerance t                   |e| ≤ t                          t|g|
+//! parameter, from l to u                l ≤ p ≤ u                        max(l g, u g)
+//! ```
+
+use super::dimensions::{Dimensions, Here, PointId};
+use super::output::{Load, Output};
+use super::statistics::Scatter;
+use linkdyn_linear::math::Vec2;
+
+/// What makes a deviation.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Play {
+    /// A journal in its bearing: any gap up to the clearance in two rows from `row` on.
+    Pin { row: usize, clearance: [f64; 2] },
+    /// To either side in one row [m or rad].
+    Sides { row: usize, half: [f64; 2] },
+    /// A slider of a length on its guide: rows of the gap and of the turn.
+    Guided {
+        row: usize,
+        half: [f64; 2],
+        length: f64,
+    },
+    /// A driver that is off its value.
+    Driver { row: usize, half: f64 },
+    /// A point anywhere in its zone.
+    Zone { point: PointId, radius: f64 },
+    /// A parameter: what a unit of it changes in the dimensions.
+    Parameter {
+        lower: f64,
+        upper: f64,
+        scatter: Scatter,
+        steps: Vec<(usize, f64)>,
+    },
+}
+
+/// g of a source: one or two numbers.
+pub(super) type Influence = [f64; 2];
+
+impl Play {
+    /// Whether it lets anything be off.
+    pub fn is_off(&self) -> bool {
+        match self {
+            Play::Pin {
+                clearance: most, ..
+            }
+            | Play::Sides { half: most, .. }
+            | Play::Guided { half: most, .. } => most[1] > 0.0,
+            Play::Driver { half: most, .. } | Play::Zone { radius: most, .. } => *most > 0.0,
+            Play::Parameter { lower, upper, .. } => *lower != 0.0 || *upper != 0.0,
+        }
+    }
+
+    /// g, from the multipliers of a load on the output and what it says of the dimensions.
+    pub fn influence(
+        &self,
+        here: Here<'_>,
+        output: &Output,
+        dimensions: &Dimensions,
+        load: &Load,
+        of_dimensions: &[f64],
+    ) -> Influence {
+        let lambda = &load.lambda;
+        match self {
+            Play::Pin { row, .. } | Play::Guided { row, .. } => [-lambda[*row], -lambda[row + 1]],
+            Play::Sides { row, .. } | Play::Driver { row, .. } => [-lambda[*row], 0.0],
+            Play::Zone { point, .. } => {
+                let own = output.pulls(&here.at).into_iter().flatten();
+                let own: Vec2 = own
+                    .filter(|(place, _)| place.point == Some(*point))
+                    .map(|(_, pull)| pull)
+                    .sum();
+                let g = own * load.size - dimensions.points[point.0].pull(here, lambda);
+                [g.x, g.y]
+            }
+            Play::Parameter { steps, .. } => {
+                let sum = steps.iter().map(|&(k, by)| by * of_dimensions[k]);
+                [sum.sum(), 0.0]
+            }
+        }
+    }
+
+    /// Greatest g·e over all e that the source allows, and least: how far it carries the output up and down.
+    pub fn reach(&self, g: Influence) -> [f64; 2] {
+        let both = |reach: f64| [-reach, reach];
+        match self {
+            Play::Pin { clearance, .. } => both(clearance[1] * g[0].hypot(g[1])),
+            Play::Sides { half, .. } => both(half[1] * g[0].abs()),
+            Play::Driver { half, .. } => both(half * g[0].abs()),
+            Play::Guided { half, length, .. } => {
+                both(half[1] * g[0].abs().max(2.0 * g[1].abs() / length))
+            }
+            Play::Zone { radius, .. } => both(radius * g[0].hypot(g[1])),
+            Play::Parameter { lower, upper, .. } => {
+                let (a, b) = (lower * g[0], upper * g[0]);
+                [a.min(b), a.max(b)]
+            }
+        }
+    }
+
+    /// The e with the greatest g·e, times `side` (±1) the least.
+    pub fn extreme(&self, g: Influence, side: f64) -> Influence {
+        let one = |half: f64| [half * side * g[0].signum(), 0.0];
+        let disc = |radius: f64| {
+            let size = g[0].hypot(g[1]);
+            if size > 0.0 {
+                [radius * side * g[0] / size, radius * side * g[1] / size]
+            } else {
+                [0.0, 0.0]
+            }
+        };
+        match self {
+            Play::Pin { clearance, .. } => disc(clearance[1]),
+            Play::Zone { radius, .. } => disc(*radius),
+            Play::Sides { half, .. } => one(half[1]),
+            Play::Driver { half, .. } => one(*half),
+            Play::Guided { half, length, .. } => {
+                if g[0].abs() >= 2.0 * g[1].abs() / length {
+                    one(half[1])
+                } else {
+                    [0.0, side * g[1].signum() * 2.0 * half[1] / length]
+                }
+            }
+            Play::Parameter { lower, upper, .. } => {
+                [if side * g[0] >= 0.0 { *upper } else { *lower }, 0.0]
+            }
+        }
+    }
+}

@@ -1,0 +1,13 @@
+//! The words of a question about accuracy as numbers. No other file of `accuracy` names the model.
+//!
+//! ```text
+//! names        points, columns and dimensions of a model by name
+//! parameters   what parameters do to the dimensions
+//! question     what may be off, and what is asked about
+//! ```
+
+mod names;
+mod parameters;
+mod question;
+
+pub use question::{Deviating, Parameters, Refusal, accuracy};

@@ -1,0 +1,345 @@
+//! Points, columns and dimensions of a model by name.
+
+use super::super::dimensions::{Dimension, Dimensions, MotionNumber, Point, PointId};
+use super::super::grip::{Grip, driver_block};
+use super::super::output::{Output, Place};
+use crate::element::{BodyId, Kinematics, Marker, Pose, Twist};
+use crate::motion::Law;
+use crate::system::{DriverRole, JointRole, System};
+use linkdyn_linear::math::Vec2;
+use linkdyn_model::{GROUND, JointKind, Model, Motion};
+use std::collections::HashMap;
+
+/// Bodies and points of a model by name, with their numbers.
+pub(in crate::analysis::accuracy) struct Names<'a> {
+    bodies: HashMap<&'a str, BodyId>,
+    points: HashMap<(&'a str, &'a str), (PointId, Marker)>,
+}
+
+impl<'a> Names<'a> {
+    /// Those of a model; markers are measured from the centre of mass, as everywhere.
+    pub fn new(model: &'a Model) -> Self {
+        let mut bodies = HashMap::from([(GROUND, BodyId::GROUND)]);
+        let mut points = HashMap::new();
+        for name in model.bodies.keys().filter(|name| *name != GROUND) {
+            bodies.insert(name.as_str(), BodyId::moving(bodies.len() - 1));
+        }
+        for (name, body) in &model.bodies {
+            let com = body.com.filter(|_| name != GROUND).unwrap_or_default();
+            for (point, place) in &body.points {
+                let marker = Marker {
+                    body: bodies[name.as_str()],
+                    s: Vec2::from(*place) - Vec2::from(com),
+                };
+                points.insert(
+                    (name.as_str(), point.as_str()),
+                    (PointId(points.len()), marker),
+                );
+            }
+        }
+        Names { bodies, points }
+    }
+
+    fn place(&self, body: &str, point: &str) -> Option<Place> {
+        let (point, marker) = self.points.get(&(body, point))?;
+        Some(Place {
+            marker: *marker,
+            point: Some(*point),
+        })
+    }
+
+    /// The output that a column's name stands for; none where no position has it.
+    pub fn column(&self, system: &System, name: &str) -> Option<Output> {
+        let (owner, quantity) = name.rsplit_once('.')?;
+        let along = match quantity {
+            "x" => Vec2::new(1.0, 0.0),
+            "y" => Vec2::new(0.0, 1.0),
+            "angle" => {
+                return self
+                    .bodies
+                    .get(owner)
+                    .filter(|_| owner != GROUND)
+                    .map(|&body| Output::Angle(body));
+            }
+            _ => return None,
+        };
+        let place = match owner.split_once('.') {
+            Some((body, point)) => self.place(body, point)?,
+            None => {
+                let body = *self.bodies.get(owner).filter(|_| owner != GROUND)?;
+                Place {
+                    marker: Marker {
+                        body,
+                        s: system.bodies[body.index()?].origin,
+                    },
+                    point: None,
+                }
+            }
+        };
+        Some(Output::Coordinate(place, along))
+    }
+
+    /// The distance of two points.
+    pub fn distance(&self, [from, to]: [(&str, &str); 2]) -> Option<Output> {
+        Some(Output::Distance(
+            self.place(from.0, from.1)?,
+            self.place(to.0, to.1)?,
+        ))
+    }
+
+    /// The number of a point.
+    pub fn point(&self, body: &str, point: &str) -> Option<PointId> {
+        self.points.get(&(body, point)).map(|(id, _)| *id)
+    }
+}
+
+/// All dimensions of a model, and where in the file they stand.
+pub(in crate::analysis::accuracy) fn dimensions(
+    model: &Model,
+    names: &Names,
+    system: &System,
+) -> Dimensions {
+    let mut found = Dimensions::default();
+    add_points(&mut found, model, names, system);
+    add_joints(&mut found, model, system);
+    add_motions(&mut found, model);
+    found
+}
+
+impl Dimensions {
+    fn add(&mut self, dimension: Dimension) -> usize {
+        self.all.push(dimension);
+        self.all.len() - 1
+    }
+
+    fn tell(&mut self, path: String, of: usize, factor: f64) {
+        self.by_path.entry(path).or_default().push((of, factor));
+    }
+}
+
+fn add_points(found: &mut Dimensions, model: &Model, names: &Names, system: &System) {
+    for (body, data) in &model.bodies {
+        for point in data.points.keys() {
+            let id = PointId(found.points.len());
+            found.points.push(Point {
+                body: names.bodies[body.as_str()],
+                grips: Vec::new(),
+            });
+            for axis in 0..2 {
+                let dimension = found.add(Dimension::Point(id, axis));
+                found.tell(
+                    format!("bodies.{body}.points.{point}[{axis}]"),
+                    dimension,
+                    1.0,
+                );
+            }
+        }
+    }
+    for (index, joint) in model.joints.values().enumerate() {
+        if let JointKind::Gear { .. } = joint.kind {
+            // Its line of centres goes along with the points that bear the wheels.
+            continue;
+        }
+        let mut blocks = vec![&system.blocks[index]];
+        blocks.extend(driver_of(system, index).map(|id| driver_block(system, id)));
+        for end in &joint.between {
+            let Some((id, marker)) = names.points.get(&(end.body.as_str(), end.point.as_str()))
+            else {
+                continue;
+            };
+            let grips = blocks.iter().map(|block| Grip::of(block, marker.body));
+            found.points[id.0].grips.extend(grips);
+        }
+    }
+}
+
+/// The driver that moves along the guide of a joint.
+fn driver_of(system: &System, joint: usize) -> Option<usize> {
+    let of =
+        |role: DriverRole| matches!(role, DriverRole::Translation { joint: own } if own.0 == joint);
+    system.drivers.iter().position(|driver| of(driver.role))
+}
+
+fn add_joints(found: &mut Dimensions, model: &Model, system: &System) {
+    for (index, (name, joint)) in model.joints.iter().enumerate() {
+        let row = system.blocks[index].row;
+        let angle = |found: &mut Dimensions, row: usize| {
+            let dimension = found.add(Dimension::Angle { row });
+            found.tell(format!("joints.{name}.angle"), dimension, 1.0);
+        };
+        match &joint.kind {
+            JointKind::Prismatic { axis, .. } | JointKind::Slot { axis, .. } => {
+                let dimension = found.add(Dimension::Direction {
+                    joint: index,
+                    driver: driver_of(system, index),
+                });
+                let square = axis[0] * axis[0] + axis[1] * axis[1];
+                found.tell(
+                    format!("joints.{name}.axis[0]"),
+                    dimension,
+                    -axis[1] / square,
+                );
+                found.tell(
+                    format!("joints.{name}.axis[1]"),
+                    dimension,
+                    axis[0] / square,
+                );
+                if let JointKind::Prismatic { .. } = joint.kind {
+                    angle(found, row + 1);
+                }
+            }
+            JointKind::Fixed { .. } => angle(found, row + 2),
+            JointKind::Gear { angle: own, .. } => {
+                let Some(carrier) = carrier(system, index) else {
+                    continue;
+                };
+                let drawn = |body: BodyId| {
+                    let columns = system.layout.columns(body);
+                    columns.map_or(0.0, |columns| system.guess[columns.theta()])
+                };
+                let [first, _] = system.joints[index].bodies;
+                let as_drawn = drawn(first) - drawn(carrier);
+                let dimension = found.add(Dimension::Ratio {
+                    joint: index,
+                    carrier,
+                    drawn: if own.is_none() { as_drawn } else { 0.0 },
+                });
+                found.tell(format!("joints.{name}.ratio"), dimension, 1.0);
+                if own.is_some() {
+                    angle(found, row);
+                }
+            }
+            JointKind::Revolute { .. } => {}
+        }
+    }
+}
+
+/// |1/R₂| of a gear [1/m]: an arc at the pitch circle times it is an angle of the second wheel.
+pub(in crate::analysis::accuracy) fn gear_curvature(system: &System, joint: usize) -> f64 {
+    let block = &system.blocks[joint];
+    let still = vec![Pose::GROUND; system.bodies.len() + 1];
+    let twists = vec![Twist::default(); still.len()];
+    let at = Kinematics {
+        poses: &still,
+        twists: &twists,
+        drive: &[],
+        offset: &[],
+        time: 0.0,
+    };
+    let mut values = vec![0.0; block.entries];
+    block.constraint.jacobian(&at, &mut values);
+    // k t stands in the entries of the second centre.
+    values[3].hypot(values[4])
+}
+
+/// The values of all dimensions of a model, in the order of [`dimensions`]; of motions the numbers that stand in the file.
+pub(in crate::analysis::accuracy) fn dimension_values(model: &Model, system: &System) -> Vec<f64> {
+    let mut values = Vec::new();
+    for data in model.bodies.values() {
+        values.extend(data.points.values().flatten());
+    }
+    for (index, joint) in model.joints.values().enumerate() {
+        match &joint.kind {
+            JointKind::Prismatic { axis, angle, .. } => {
+                values.extend([axis[1].atan2(axis[0]), *angle]);
+            }
+            JointKind::Slot { axis, .. } => values.push(axis[1].atan2(axis[0])),
+            JointKind::Fixed { angle } => values.push(*angle),
+            JointKind::Gear { ratio, angle, .. } => {
+                if carrier(system, index).is_some() {
+                    values.push(*ratio);
+                    values.extend(angle);
+                }
+            }
+            JointKind::Revolute { .. } => {}
+        }
+    }
+    for data in model.drivers.values() {
+        match &data.motion {
+            Motion::Polynomial { coefficients } => values.extend(coefficients),
+            Motion::ConstantVelocity { start, velocity } => values.extend([start, velocity]),
+            Motion::ConstantAcceleration {
+                start,
+                velocity,
+                acceleration,
+            } => values.extend([start, velocity, acceleration]),
+            Motion::Harmonic {
+                offset,
+                amplitude,
+                frequency,
+                phase,
+            } => values.extend([offset, amplitude, phase, frequency]),
+            Motion::Table { points } => values.extend(points.iter().map(|point| point[1])),
+        }
+    }
+    values
+}
+
+/// The body that bears both wheels of a gear.
+fn carrier(system: &System, joint: usize) -> Option<BodyId> {
+    debug_assert!(system.joints[joint].role == JointRole::Gear);
+    let entries = system.blocks[joint].constraint.entries();
+    entries.last().map(|(_, body, _)| *body)
+}
+
+fn add_motions(found: &mut Dimensions, model: &Model) {
+    for (driver, (name, data)) in model.drivers.iter().enumerate() {
+        let mut add = |key: &str, number: MotionNumber| {
+            let dimension = found.add(Dimension::Motion { driver, number });
+            found.tell(format!("drivers.{name}.motion.{key}"), dimension, 1.0);
+        };
+        let power = |exponent: i32, factor: f64| MotionNumber::Power { exponent, factor };
+        match &data.motion {
+            Motion::Polynomial { coefficients } => {
+                for k in 0..coefficients.len() {
+                    add(&format!("coefficients[{k}]"), power(k as i32, 1.0));
+                }
+            }
+            Motion::ConstantVelocity { .. } => {
+                add("start", power(0, 1.0));
+                add("velocity", power(1, 1.0));
+            }
+            Motion::ConstantAcceleration { .. } => {
+                add("start", power(0, 1.0));
+                add("velocity", power(1, 1.0));
+                add("acceleration", power(2, 0.5));
+            }
+            &Motion::Harmonic {
+                amplitude,
+                frequency,
+                phase,
+                ..
+            } => {
+                add("offset", power(0, 1.0));
+                add("amplitude", MotionNumber::Amplitude { frequency, phase });
+                add(
+                    "phase",
+                    MotionNumber::Phase {
+                        amplitude,
+                        frequency,
+                        phase,
+                    },
+                );
+                add(
+                    "frequency",
+                    MotionNumber::Frequency {
+                        amplitude,
+                        frequency,
+                        phase,
+                    },
+                );
+            }
+            Motion::Table { points } => {
+                for index in 0..points.len() {
+                    let unit: Vec<[f64; 2]> = points
+                        .iter()
+                        .enumerate()
+                        .map(|(k, [t, _])| [*t, f64::from(u8::from(k == index))])
+                        .collect();
+                    let law = Law::Spline(crate::motion::Spline::natural(&unit));
+                    add(&format!("points[{index}][1]"), MotionNumber::Value(law));
+                }
+            }
+        }
+    }
+}

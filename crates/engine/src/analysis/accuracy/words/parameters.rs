@@ -1,0 +1,107 @@
+//! What parameters do to the dimensions of a mechanism.
+
+use super::super::dimensions::Dimensions;
+use super::question::Parameters;
+use linkdyn_model::error::Complaint;
+
+/// Parameters that dimensions follow from, each with what a unit of it changes in them.
+pub(super) fn with_influence<'a>(
+    all: &'a Dimensions,
+    parameters: &'a Parameters,
+) -> impl Iterator<Item = (usize, Vec<(usize, f64)>)> + 'a {
+    (0..parameters.all.len()).filter_map(|index| {
+        let mut steps: Vec<(usize, f64)> = Vec::new();
+        for leaf in &parameters.derivatives.leaves {
+            let Some(of) = all.by_path.get(&leaf.path) else {
+                continue;
+            };
+            let Some((_, by)) = leaf.gradient.iter().find(|(own, _)| *own == index) else {
+                continue;
+            };
+            for &(dimension, factor) in of {
+                match steps.iter_mut().find(|(own, _)| *own == dimension) {
+                    Some((_, step)) => *step += by * factor,
+                    None => steps.push((dimension, by * factor)),
+                }
+            }
+        }
+        steps.retain(|(_, by)| *by != 0.0);
+        (!steps.is_empty()).then_some((index, steps))
+    })
+}
+
+/// Bounds of what the steps of the parameters leave out, by dimension: the mean of a derivative along the way is within its
+/// enclosure. None where there is no enclosure, or a dimension is no multiple of what the file says.
+pub(super) fn slack(all: &Dimensions, parameters: &Parameters) -> Option<Vec<f64>> {
+    let mut by_dimension = vec![0.0; all.all.len()];
+    let leaves = parameters
+        .derivatives
+        .leaves
+        .iter()
+        .zip(&parameters.enclosed.leaves);
+    for (leaf, enclosed) in leaves {
+        let Some(of) = all.by_path.get(&leaf.path) else {
+            continue;
+        };
+        let mut slack = 0.0;
+        let mut is_off = false;
+        for ((index, slope), (_, within)) in leaf.gradient.iter().zip(&enclosed.gradient) {
+            let Some(tolerance) = &parameters.all[*index].tolerance else {
+                continue;
+            };
+            let most = tolerance.lower.abs().max(tolerance.upper.abs());
+            let beyond = (within.most - slope).max(slope - within.least);
+            slack += beyond * most * (1.0 + 1e-12);
+            is_off |= most > 0.0;
+        }
+        if is_off && enclosed.fault.is_some() {
+            return None;
+        }
+        for &(dimension, factor) in of {
+            if is_off && !all.all[dimension].is_linear() {
+                return None;
+            }
+            by_dimension[dimension] += slack * factor.abs();
+        }
+    }
+    by_dimension
+        .iter()
+        .all(|slack| slack.is_finite())
+        .then_some(by_dimension)
+}
+
+/// Complaints about tolerances of parameters that no dimension follows from.
+pub(super) fn idle(all: &Dimensions, parameters: &Parameters) -> Vec<Complaint> {
+    let used: Vec<usize> = with_influence(all, parameters)
+        .map(|(index, _)| index)
+        .collect();
+    let idle = parameters
+        .all
+        .iter()
+        .enumerate()
+        .filter(|(index, parameter)| parameter.tolerance.is_some() && !used.contains(index));
+    idle.map(|(_, parameter)| {
+        let path = format!("parameters.{}.tolerance", parameter.name);
+        Complaint::new(
+            path,
+            "no point, axis, angle or ratio of the mechanism follows from this parameter",
+        )
+        .hint("take the tolerance away, or use the parameter in a dimension")
+    })
+    .collect()
+}
+
+/// Complaints about dimensions that have no derivative.
+pub(super) fn kinks(all: &Dimensions, parameters: &Parameters) -> Vec<Complaint> {
+    let leaves = parameters.derivatives.leaves.iter();
+    let faults = leaves.filter(|leaf| all.by_path.contains_key(&leaf.path));
+    faults
+        .filter_map(|leaf| {
+            let fault = leaf.fault.as_ref()?;
+            Some(Complaint::new(
+                leaf.path.clone(),
+                format!("this dimension has no derivative here: {fault}"),
+            ))
+        })
+        .collect()
+}
