@@ -17,6 +17,7 @@
 //! | `gallery`   | pictures of the bundled models                           |
 //! | `shape`     | the shape of a model, for results that were read         |
 
+mod accuracy;
 mod animate;
 mod check;
 mod compare;
@@ -82,6 +83,8 @@ enum Command {
     Check(check::Options),
     /// Run a model with each model of a joint's clearance, and compare
     Compare(compare::Options),
+    /// What tolerances and clearances do to outputs: first order, worst found, certified
+    Accuracy(accuracy::Options),
     /// Natural frequencies, damping ratios and shapes of small motions about the equilibrium
     Modes(modes::Options),
     /// Draw result columns as a figure
@@ -123,6 +126,7 @@ fn execute(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Run(options) => run::execute(&options),
         Command::Check(options) => check::execute(&options),
         Command::Compare(options) => compare::execute(&options),
+        Command::Accuracy(options) => accuracy::execute(&options),
         Command::Modes(options) => modes::execute(&options),
         Command::Plot(options) => plot::execute(&options),
         Command::Animate(options) => animate::execute(&options),

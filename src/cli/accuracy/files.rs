@@ -1,0 +1,162 @@
+//! Accuracy as files: a table of poses, a table of contributions, and everything for programs.
+
+use std::path::PathBuf;
+
+use serde_json::{Value, json};
+
+use super::super::open::Opened;
+use linkdyn_engine::analysis::accuracy::{Accuracy, OutputAccuracy, PoseAccuracy};
+use linkdyn_output::{Directory, WriteError};
+
+const TABLE: &str = "accuracy.csv";
+const CONTRIBUTIONS: &str = "contributions.csv";
+const SUMMARY: &str = "accuracy.json";
+
+/// Writes all files.
+///
+/// # Errors
+/// When a file can't be written.
+pub fn write(
+    directory: &Directory,
+    found: &Accuracy,
+    json: &Value,
+) -> Result<Vec<PathBuf>, WriteError> {
+    Ok(vec![
+        directory.write(TABLE, table(found).as_bytes())?,
+        directory.write(CONTRIBUTIONS, contributions(found).as_bytes())?,
+        directory.write(SUMMARY, format!("{json:#}\n").as_bytes())?,
+    ])
+}
+
+/// A number, or nothing where there is none.
+fn cell(value: Option<f64>) -> String {
+    value
+        .filter(|value| value.is_finite())
+        .map_or(String::new(), |value| format!("{value}"))
+}
+
+/// Text in a table of commas.
+fn quoted(text: &str) -> String {
+    if text.contains([',', '"', '\n']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.to_owned()
+    }
+}
+
+/// A row per output and pose.
+fn table(found: &Accuracy) -> String {
+    let mut text = String::from(
+        "output,unit,time[s],driver,nominal,first.minus,first.plus,found.minus,found.plus,certified.minus,certified.plus,mean,sigma,pressed,lower,upper,within,cp,cpk\n",
+    );
+    for output in &found.outputs {
+        for pose in &output.poses {
+            let pair = |pair: Option<[f64; 2]>| {
+                [
+                    cell(pair.map(|pair| pair[0])),
+                    cell(pair.map(|pair| pair[1])),
+                ]
+                .join(",")
+            };
+            let capability = pose.capability.as_ref();
+            let cells = [
+                quoted(&output.name),
+                output.unit.to_owned(),
+                cell(Some(pose.time)),
+                cell(pose.drivers.first().copied()),
+                cell(Some(pose.nominal)),
+                pair(pose.first),
+                [cell(pose.found[0]), cell(pose.found[1])].join(","),
+                pair(pose.certified),
+                pair(pose.moments),
+                cell(pose.pressed),
+                pair(output.limits),
+                cell(capability.map(|c| c.within)),
+                cell(capability.map(|c| c.cp)),
+                cell(capability.map(|c| c.cpk)),
+            ];
+            text += &cells.join(",");
+            text.push('\n');
+        }
+    }
+    text
+}
+
+/// A row per output, pose and source.
+fn contributions(found: &Accuracy) -> String {
+    let mut text = String::from(
+        "output,time[s],driver,source,sensitivity,carries.minus,carries.plus,worst_share,variance_share\n",
+    );
+    for output in &found.outputs {
+        for pose in &output.poses {
+            let shares = pose.shares();
+            for ((source, by), share) in found.sources.iter().zip(&pose.contributions).zip(&shares)
+            {
+                let cells = [
+                    quoted(&output.name),
+                    cell(Some(pose.time)),
+                    cell(pose.drivers.first().copied()),
+                    quoted(source),
+                    cell(Some(by.sensitivity)),
+                    cell(Some(by.reach[0])),
+                    cell(Some(by.reach[1])),
+                    cell(Some(share[0])),
+                    cell(Some(share[1])),
+                ];
+                text += &cells.join(",");
+                text.push('\n');
+            }
+        }
+    }
+    text
+}
+
+/// Everything, for programs.
+pub fn json(opened: &Opened, found: &Accuracy) -> Value {
+    json!({
+        "engine": env!("CARGO_PKG_VERSION"),
+        "model": { "name": opened.name, "sha256": opened.sha256 },
+        "outputs": found.outputs.iter().map(|output| (output.name.clone(), of_output(found, output))).collect::<serde_json::Map<_, _>>(),
+        "warnings": opened.loaded.warnings,
+    })
+}
+
+fn of_output(found: &Accuracy, output: &OutputAccuracy) -> Value {
+    json!({
+        "of": output.of,
+        "unit": output.unit,
+        "limits": output.limits,
+        "poses": output.poses.iter().map(|pose| of_pose(found, pose)).collect::<Vec<_>>(),
+    })
+}
+
+fn of_pose(found: &Accuracy, pose: &PoseAccuracy) -> Value {
+    let shares = pose.shares();
+    let contributions = found.sources.iter().zip(&pose.contributions).zip(&shares);
+    let contributions: serde_json::Map<String, Value> = contributions
+        .map(|((source, by), share)| {
+            let value = json!({
+                "sensitivity": by.sensitivity,
+                "carries": by.reach,
+                "worst_share": share[0],
+                "variance_share": share[1],
+            });
+            (source.clone(), value)
+        })
+        .collect();
+    json!({
+        "time": pose.time,
+        "drivers": pose.drivers,
+        "nominal": pose.nominal,
+        "first": pose.first,
+        "found": pose.found,
+        "certified": pose.certified,
+        "mean": pose.moments.map(|moments| moments[0]),
+        "sigma": pose.moments.map(|moments| moments[1]),
+        "pressed": pose.pressed,
+        "within": pose.capability.map(|capability| capability.within),
+        "cp": pose.capability.map(|capability| capability.cp),
+        "cpk": pose.capability.map(|capability| capability.cpk),
+        "contributions": contributions,
+    })
+}

@@ -1,0 +1,105 @@
+//! `linkdyn accuracy`: what tolerances and clearances do to the outputs of a mechanism.
+
+mod files;
+mod text;
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use clap::Args;
+
+use super::exit::{BadInput, Exit};
+use super::interrupt;
+use super::open::{ModelOptions, Opened};
+use super::progress::Line;
+use super::streams::{complain, print};
+use linkdyn_engine::analysis::Control;
+use linkdyn_engine::analysis::accuracy::{Accuracy, Parameters, Refusal, accuracy};
+use linkdyn_model::Checked;
+use linkdyn_output::Directory;
+
+#[derive(Debug, Args)]
+#[command(after_help = HELP)]
+pub struct Options {
+    #[command(flatten)]
+    model: ModelOptions,
+    /// An output of the model's `accuracy`, instead of all; may be given more than once
+    #[arg(long = "output", value_name = "NAME")]
+    outputs: Vec<String>,
+    /// Print everything as JSON
+    #[arg(long)]
+    json: bool,
+    /// Write accuracy.csv, contributions.csv and accuracy.json into this directory (made where missing)
+    #[arg(short = 'o', value_name = "DIR")]
+    directory: Option<PathBuf>,
+}
+
+const HELP: &str = "  linkdyn accuracy lock
+  linkdyn accuracy lock --output closed -o out
+
+What the levels mean: linkdyn docs theory. What the files hold: linkdyn docs results.";
+
+/// Asks, writes, tells.
+pub fn execute(options: &Options) -> Result<Exit, BadInput> {
+    let opened = options.model.open()?;
+    let directory = options
+        .directory
+        .as_deref()
+        .map(Directory::open)
+        .transpose()?;
+    let control = Control {
+        interrupted: interrupt::watch(),
+        ..Control::default()
+    };
+    let line = Line::start(Instant::now(), &opened.name, || None);
+    let found = ask(&opened, &options.outputs, &control);
+    drop(line);
+    let found = match found {
+        Ok(found) => found,
+        Err(Refusal::Input(complaints)) => return Err(opened.bad_input(complaints)),
+        Err(Refusal::Failed(message)) => {
+            complain(&message);
+            return Ok(Exit::Stopped);
+        }
+    };
+    let json = files::json(&opened, &found);
+    let mut written = Vec::new();
+    if let Some(directory) = directory {
+        written = files::write(&directory, &found, &json)?;
+    }
+    print(&if options.json {
+        format!("{json:#}\n")
+    } else {
+        text::page(&opened, &found, &written)
+    })?;
+    Ok(Exit::Done)
+}
+
+/// The answer of the engine, with all that follows from the parameters.
+fn ask(opened: &Opened, only: &[String], control: &Control) -> Result<Accuracy, Refusal> {
+    let loaded = &opened.loaded;
+    let known = &loaded.parameters;
+    let limits: Vec<[f64; 2]> = known
+        .iter()
+        .map(|parameter| {
+            let tolerance = parameter.tolerance.as_ref();
+            tolerance.map_or([0.0; 2], |tolerance| {
+                [tolerance.lower.min(0.0), tolerance.upper.max(0.0)]
+            })
+        })
+        .collect();
+    let with = |by: &[(usize, f64)]| -> Option<Checked> {
+        let named: Vec<(&str, f64)> = by
+            .iter()
+            .map(|&(index, by)| (known[index].name.as_str(), by))
+            .collect();
+        loaded.source.with_deviations(&named).ok()
+    };
+    let parameters = Parameters {
+        all: known,
+        derivatives: &loaded.source.derivatives(),
+        enclosed: &loaded.source.derivatives_within(&limits),
+        with: &with,
+    };
+    accuracy(&loaded.model, &parameters, only, control)
+}
