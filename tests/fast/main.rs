@@ -23,6 +23,7 @@ mod transform;
 #[path = "../common/write.rs"]
 mod write;
 
+mod accuracy;
 mod allocations;
 mod architecture;
 mod assembly;

@@ -1,0 +1,34 @@
+//! What tolerances and clearances do to outputs: against references with 40 digits, and by laws that hold for all models.
+
+mod references;
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+use linkdyn::cli::captured;
+use serde_json::Value;
+
+/// Path of a file of the repository.
+fn file(path: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(path)
+}
+
+/// `linkdyn accuracy MODEL --json` with values set.
+fn asked(model: &str, sets: &[String]) -> Value {
+    let mut words: Vec<OsString> = ["linkdyn", "accuracy", model, "--json"]
+        .map(Into::into)
+        .into();
+    for set in sets {
+        words.extend(["--set".into(), set.into()]);
+    }
+    let said = captured(words);
+    assert_eq!(said.status, 0, "{model} {sets:?}: {}", said.stderr);
+    serde_json::from_str(&said.stdout).expect("JSON")
+}
+
+/// A clearance of radius c \[m\] in joints.
+fn clearances<'a>(joints: impl IntoIterator<Item = &'a String>, c: f64) -> Vec<String> {
+    let set =
+        |joint| format!("joints.{joint}.clearance={{\"model\":\"ideal\",\"radius\":\"{c:e} m\"}}");
+    joints.into_iter().map(set).collect()
+}
