@@ -14,7 +14,7 @@ pub struct Options {
 }
 
 /// Pages of the book: name, what it is for, text.
-const PAGES: [(&str, &str, &str); 10] = [
+const PAGES: [(&str, &str, &str); 11] = [
     (
         "tutorial",
         "a first model, from an empty file to a study of clearance",
@@ -24,6 +24,11 @@ const PAGES: [(&str, &str, &str); 10] = [
         "recipes",
         "points from a drawing, a cylinder, a motor, a suspension, pandas",
         include_str!("../../docs/recipes.md"),
+    ),
+    (
+        "accuracy",
+        "what tolerances and clearances do, and how tight they must be",
+        include_str!("../../docs/accuracy.md"),
     ),
     (
         "models",

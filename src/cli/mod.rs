@@ -18,6 +18,7 @@
 //! | `shape`     | the shape of a model, for results that were read         |
 
 mod accuracy;
+mod allocate;
 mod animate;
 mod check;
 mod compare;
@@ -85,6 +86,8 @@ enum Command {
     Compare(compare::Options),
     /// What tolerances and clearances do to outputs: first order, worst found, certified
     Accuracy(accuracy::Options),
+    /// The cheapest tolerances that keep the limits of outputs
+    Allocate(allocate::Options),
     /// Natural frequencies, damping ratios and shapes of small motions about the equilibrium
     Modes(modes::Options),
     /// Draw result columns as a figure
@@ -127,6 +130,7 @@ fn execute(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Check(options) => check::execute(&options),
         Command::Compare(options) => compare::execute(&options),
         Command::Accuracy(options) => accuracy::execute(&options),
+        Command::Allocate(options) => allocate::execute(&options),
         Command::Modes(options) => modes::execute(&options),
         Command::Plot(options) => plot::execute(&options),
         Command::Animate(options) => animate::execute(&options),

@@ -5,6 +5,7 @@
 //! | --------------- | ------------------------------------------------------------- |
 //! | [`tutorial`]    | a first model, from an empty file to a study of clearance     |
 //! | [`recipes`]     | models and numbers that are often wanted                      |
+//! | [`accuracy`]    | what tolerances and clearances do                             |
 //! | [`commands`]    | what each command does, exit statuses, figures                |
 //! | [`mod@format`]  | reference of model files, each thing with a piece that runs   |
 //! | [`results`]     | reference of columns, summary, events, the report             |
@@ -12,6 +13,10 @@
 //! | [`theory`]      | the equations of every element and method, with their sources |
 //! | [`validation`]  | answers that are not ours, and how far we are from them       |
 //! | [`performance`] | how long things take                                          |
+
+#[doc = include_str!("links.md")]
+#[doc = include_str!("../../docs/accuracy.md")]
+pub mod accuracy {}
 
 #[doc = include_str!("links.md")]
 #[doc = include_str!("../../docs/commands.md")]

@@ -24,6 +24,7 @@ mod transform;
 mod write;
 
 mod accuracy;
+mod allocate;
 mod allocations;
 mod architecture;
 mod assembly;

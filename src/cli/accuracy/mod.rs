@@ -52,15 +52,11 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         ..Control::default()
     };
     let line = Line::start(Instant::now(), &opened.name, || None);
-    let found = ask(&opened, &options.outputs, &control);
+    let found = answer(&opened, &options.outputs, &control);
     drop(line);
     let found = match found {
         Ok(found) => found,
-        Err(Refusal::Input(complaints)) => return Err(opened.bad_input(complaints)),
-        Err(Refusal::Failed(message)) => {
-            complain(&message);
-            return Ok(Exit::Stopped);
-        }
+        Err(refusal) => return refuse(&opened, refusal),
     };
     let json = files::json(&opened, &found);
     let mut written = Vec::new();
@@ -75,8 +71,22 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     Ok(Exit::Done)
 }
 
+/// Why there is no answer.
+pub fn refuse(opened: &Opened, refusal: Refusal) -> Result<Exit, BadInput> {
+    match refusal {
+        Refusal::Input(complaints) => Err(opened.bad_input(complaints)),
+        Refusal::Failed(message) => {
+            complain(&message);
+            Ok(Exit::Stopped)
+        }
+    }
+}
+
 /// The answer of the engine, with all that follows from the parameters.
-fn ask(opened: &Opened, only: &[String], control: &Control) -> Result<Accuracy, Refusal> {
+///
+/// # Errors
+/// Why there is none.
+pub fn answer(opened: &Opened, only: &[String], control: &Control) -> Result<Accuracy, Refusal> {
     let loaded = &opened.loaded;
     let known = &loaded.parameters;
     let limits: Vec<[f64; 2]> = known

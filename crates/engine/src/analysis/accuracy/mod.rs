@@ -24,12 +24,14 @@ mod grip;
 mod output;
 mod poses;
 mod reach;
+mod rooms;
 mod source;
 mod statistics;
 mod words;
 mod worst;
 
 pub use allocate::{Room, Sum, Unallocated, allocate};
+pub use rooms::Limited;
 pub use statistics::{Capability, Pins, Scatter};
 pub use words::{Deviating, Parameters, Refusal, accuracy};
 

@@ -279,7 +279,12 @@ fn sources(
     faults.extend(idle(all, parameters));
     faults.extend(kinks(all, parameters));
     let off = |named: &Named| named.play.is_off();
-    if faults.is_empty() && !sources.iter().any(off) {
+    // A tolerance of zero is one that is still to be chosen.
+    let is_said = parameters
+        .all
+        .iter()
+        .any(|parameter| parameter.tolerance.is_some());
+    if faults.is_empty() && !is_said && !sources.iter().any(off) {
         let message = "nothing may be off: no parameter has a tolerance, and no joint a clearance";
         let hint = "as in \"parameters\": { \"rod\": { \"value\": \"200 mm\", \"tolerance\": \"0.05 mm\" } }, or \"clearance\": { \"model\": \"ideal\", \"radius\": \"10 um\" } of a joint";
         faults.push(Complaint::new("parameters", message).hint(hint));
