@@ -368,7 +368,12 @@ def main():
     spec = model()
     machine, loops = Mechanism(spec), Loops(spec)
     path = branch(loops)
-    (CASES.parent / "models" / "watt-i-lock.json").write_text(planar.text(spec) + "\n", encoding="utf-8")
+    bundled = json.loads(json.dumps(spec))
+    bundled["drivers"]["motor"] |= {"tolerance": "0.05 deg", "note": "its tolerance: our choice"}
+    bundled["accuracy"] = {"outputs": {
+        "closed": {"column": "link2.angle", "at": {"value": "125 deg"}, "limits": ["-0.5 deg", "0.5 deg"]},
+        "travel": {"column": "link2.angle"}}}
+    (CASES.parent / "models" / "watt-i-lock.json").write_text(planar.text(bundled) + "\n", encoding="utf-8")
     known = facts(loops, path, machine)
 
     near = json.loads(json.dumps(spec))

@@ -76,7 +76,7 @@ fn programs_get_limits_in_si() {
 
 #[test]
 fn models_without_such_words_show_none() {
-    let (_, stdout, _) = linkdyn(&["check", "lock"]);
+    let (_, stdout, _) = linkdyn(&["check", "four-bar"]);
     let labels = ["tolerances", "clearances", "accuracy"];
     assert!(
         labels

@@ -5,6 +5,7 @@
 //! the paper's own equations on our results) is a fault where it fails; the paper's numbers and claims are findings where
 //! they are not reproduced. What the paper leaves out, and what we chose, stands in `validation/lock/SOURCE.md`.
 
+pub mod accuracy;
 pub mod bounds;
 pub mod centres;
 pub mod checks;
@@ -102,6 +103,7 @@ pub fn run(setting: &Setting) -> Result<CaseReport, CaseError> {
     claims.push(same_angles(angles));
     claims.extend(figures(&base.deviations, &paper, claims::OPEN_STEP));
     claims.push(first_pass_claim(&passes, &paper));
+    claims.extend(accuracy::claims(&paper, control)?);
     claims.extend(claims::claims(base, &map));
 
     if let Some(output) = &setting.output {

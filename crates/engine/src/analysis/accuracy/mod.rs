@@ -304,11 +304,9 @@ impl Asked<'_> {
         let is_certain = pose.certified.is_some();
         let found = [-1.0, 1.0].map(|side| {
             // Where nothing is certified, only what is reached step by step belongs to this position.
-            if is_certain {
-                mechanism.farthest(stand, output, &load, side)
-            } else {
-                mechanism.reach(stand, output, load.times(side), side)
-            }
+            let near = is_certain.then(|| mechanism.farthest(stand, output, &load, side));
+            near.flatten()
+                .or_else(|| mechanism.reach(stand, output, load.times(side), side))
         });
         pose.take(self.system, found);
         pose
