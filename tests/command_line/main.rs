@@ -5,6 +5,7 @@ mod browser;
 #[path = "../common/long.rs"]
 mod long;
 
+mod accuracy;
 mod book;
 mod check;
 mod cli;

@@ -24,6 +24,7 @@
 //! | `poses`     | where its bodies are, from a table of results                   |
 //! | `mechanism` | shape and poses → scene                                         |
 //! | `report`    | shape, summary and results → `report.html`                      |
+//! | `accuracy_page` | levels, contributions, worst configurations → `report.html` of accuracy |
 //! | `compare_page` | several runs over each other → `compare.html`                |
 //! | `validate_page` | claims of validation cases → pages                          |
 //! | `html`      | one frame for all pages; data, scripts and a policy → one file  |
@@ -35,6 +36,7 @@
 //! | `words`     | names and units as printed                                      |
 //! | `fault`     | why a figure can't be drawn                                     |
 
+pub mod accuracy_page;
 pub mod chart;
 pub mod compare_page;
 mod cut;
@@ -64,6 +66,7 @@ mod style;
 mod symbols;
 mod trace;
 
+pub use accuracy_page::AccuracyPage;
 pub use chart::{Axis, Chart, Curve, Mark, Panel};
 pub use compare_page::{ComparePage, ComparedRun};
 pub use cut::Cut;

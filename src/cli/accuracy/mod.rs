@@ -1,6 +1,7 @@
 //! `linkdyn accuracy`: what tolerances and clearances do to the outputs of a mechanism.
 
 mod files;
+mod page;
 mod text;
 
 use std::path::PathBuf;
@@ -18,6 +19,8 @@ use linkdyn_engine::analysis::accuracy::{Accuracy, Parameters, Refusal, accuracy
 use linkdyn_model::Checked;
 use linkdyn_output::Directory;
 
+const PAGE: &str = "report.html";
+
 #[derive(Debug, Args)]
 #[command(after_help = HELP)]
 pub struct Options {
@@ -29,7 +32,7 @@ pub struct Options {
     /// Print everything as JSON
     #[arg(long)]
     json: bool,
-    /// Write accuracy.csv, contributions.csv and accuracy.json into this directory (made where missing)
+    /// Write accuracy.csv, contributions.csv, accuracy.json and report.html into this directory (made where missing)
     #[arg(short = 'o', value_name = "DIR")]
     directory: Option<PathBuf>,
 }
@@ -62,6 +65,8 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let mut written = Vec::new();
     if let Some(directory) = directory {
         written = files::write(&directory, &found, &json)?;
+        let page = page::html(&opened, &found, text::assumed(&opened));
+        written.push(directory.write(PAGE, page.as_bytes())?);
     }
     print(&if options.json {
         format!("{json:#}\n")

@@ -50,7 +50,7 @@ pub fn page(opened: &Opened, found: &Accuracy, written: &[PathBuf]) -> String {
 }
 
 /// What the numbers assume of pins and parameters.
-fn assumed(opened: &Opened) -> String {
+pub fn assumed(opened: &Opened) -> String {
     let pins = opened
         .loaded
         .model

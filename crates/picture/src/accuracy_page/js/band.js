@@ -1,0 +1,164 @@
+"use strict";
+// The deviation over the stroke, and the pose that is chosen on it.
+(() => {
+  if (!linkdyn.outputs.length) return;
+  const { choice, element, file, drawing, marks, theme, palette, plain } = linkdyn;
+  const id = (name) => document.getElementById(name);
+  const holder = id("plot"), TALL = 250, FONT = "12px system-ui, sans-serif";
+  const tick = (u, splits) => splits.map((value) => value === null ? null : file.number(value, 6));
+  // Limits that are farther than this many heights of the curves do not widen the axis.
+  const FAR = 8;
+  const tone = (k) => palette.curves[k][theme.dark ? "dark" : "light"];
+  const TONES = { certified: 1, found: 2, sigma: 3, moved: 4 };
+  // What is shown about the chosen pose, as a part of the stroke.
+  const NEAR = 0.06;
+  let u = null, width = 0, line = null, peaks = [], closer = false;
+
+  const curve = (output, values, size) => Array.from(values.subarray(0, output.rows), (value) => Number.isFinite(value) ? value / size : null);
+
+  // First and last place on the axis to show, in SI.
+  const ends = ({ x, rows }) => {
+    const [a, b] = [x.values[0], x.values[rows - 1]].sort((a, b) => a - b);
+    if (!closer) return [a, b];
+    const middle = x.values[choice.detail.row], half = (b - a) * NEAR / 2;
+    return [Math.max(a, middle - half), Math.min(b, middle + half)];
+  };
+
+  // Least and greatest deviation to show, in SI: all that is in view, but for peaks where the whole stroke is.
+  const span = (output) => {
+    const { band, x, limits } = output, range = closer ? null : output.range, [from, to] = ends(output);
+    let [low, high] = range || [0, 0];
+    const add = (value) => { if (Number.isFinite(value)) [low, high] = [Math.min(low, value), Math.max(high, value)]; };
+    for (let row = 0; !range && row < output.rows; row++) {
+      if (x.values[row] < from || x.values[row] > to) continue;
+      for (const name of ["found_low", "found_high", "certified_low", "certified_high"]) add(band[name][row]);
+      // Beside a change point the spread to first order grows without bound, and would hide the rest.
+      for (const sign of closer ? [] : [-3, 3]) add(band.mean[row] + sign * band.sigma[row]);
+    }
+    if (choice.isMoved) for (const detail of output.details) {
+      const { row } = detail, by = choice.shift(detail), at = x.values[row];
+      if (at >= from && at <= to) for (const value of [by, by + band.found_low[row], by + band.found_high[row]]) if (!range || Math.abs(value) < FAR * (range[1] - range[0])) add(value);
+    }
+    const tall = high - low;
+    for (const limit of limits || []) if (limit - high < FAR * tall && low - limit < FAR * tall) add(limit);
+    const room = (high - low || 1e-9) * 0.08;
+    return [low - room, high + room];
+  };
+
+  const swatch = (kind, ink) => {
+    const make = (tag, rest) => { const made = document.createElementNS("http://www.w3.org/2000/svg", tag); for (const [key, value] of Object.entries(rest)) made.setAttribute(key, value); return made; };
+    const svg = make("svg", { width: 20, height: 10, "aria-hidden": "true" });
+    if (kind === "area") svg.append(make("rect", { width: 20, height: 10, fill: ink, "fill-opacity": 0.3, stroke: ink }));
+    else if (kind === "hatch") for (let x = -4; x < 20; x += 6) svg.append(make("line", { x1: x, y1: 10, x2: x + 10, y2: 0, stroke: ink }));
+    else svg.append(make("line", { x1: 0, x2: 20, y1: 5, y2: 5, stroke: ink, "stroke-width": 2, "stroke-dasharray": kind === "dash" ? "6 3" : "" }));
+    return svg;
+  };
+  const legend = (output) => {
+    const part = (kind, ink, text) => element("span", {}, swatch(kind, ink), element("span", { text }));
+    const open = output.certified < output.poses;
+    id("legend").replaceChildren(
+      ...(output.certified ? [part("area", tone(TONES.certified), "certified")] : []), part("line", tone(TONES.found), "worst found"), part("dash", tone(TONES.sigma), "±3σ"),
+      ...(output.limits ? [part("line", drawing.colour("bad"), "limits")] : []),
+      ...(open ? [part("hatch", drawing.colour("warn"), "nothing certified")] : []),
+      ...(choice.isMoved ? [part("line", tone(TONES.moved), "what if, and the worst along with it")] : []));
+  };
+
+  // The change by the sliders, and the worst that moves along with it, at the poses that can be chosen.
+  const moved = (output, size) => {
+    const lines = [0, 1, 2].map(() => new Array(output.rows).fill(undefined));
+    if (!choice.isMoved) return lines;
+    for (const detail of output.details) {
+      const by = choice.shift(detail), { row } = detail;
+      [by, by + output.band.found_low[row], by + output.band.found_high[row]].forEach((value, k) => { lines[k][row] = Number.isFinite(value) ? value / size : null; });
+    }
+    return lines;
+  };
+
+  const data = (output, size) => {
+    const { band, x } = output, xs = file.of(x.unit).size;
+    const sigma = (sign) => Array.from(band.sigma, (value, row) => Number.isFinite(value) ? (band.mean[row] + sign * 3 * value) / size : null);
+    const list = [curve(output, x.values, xs), curve(output, band.found_low, size), curve(output, band.found_high, size), sigma(-1), sigma(1), ...moved(output, size)];
+    // The plot wants its axis ascending.
+    return turned(output) ? list.map((values) => values.reverse()) : list;
+  };
+  const turned = ({ x, rows }) => x.values[rows - 1] < x.values[0];
+
+  const build = () => {
+    const output = choice.output;
+    const { symbol, size } = file.of(output.unit), x = file.of(output.x.unit);
+    id("band_title").textContent = `Deviation of ${plain(output.name)} over the stroke`;
+    id("band_unit").textContent = `[${symbol}]`;
+    id("band").hidden = output.alone;
+    document.documentElement.dataset.alone = output.alone;
+    if (u) { u.destroy(); u = null; }
+    if (output.alone || width < 40) return;
+    legend(output);
+    const [ink, grid] = [drawing.colour("muted"), drawing.colour("grid")];
+    const axis = { stroke: ink, grid: { stroke: grid, width: 1 }, ticks: { stroke: grid, width: 1, size: 5 }, font: FONT, labelFont: FONT };
+    const [first, last] = ends(output).map((value) => value / x.size);
+    const series = (stroke, rest) => ({ scale: "y", stroke, width: 1.5, spanGaps: false, points: { show: false }, ...rest });
+    const [found, sigma, moving] = [TONES.found, TONES.sigma, TONES.moved].map(tone);
+    const xs = Array.from(output.x.values, (value) => value / x.size);
+    const atX = { ...output, x: { ...output.x, values: xs } };
+    const spread = (sign) => output.band.mean.map((mean, row) => mean + sign * 3 * output.band.sigma[row]);
+    const told = [
+      { name: "worst found", ink: found, values: [output.band.found_low, output.band.found_high] },
+      { name: "certified", ink: tone(TONES.certified), values: [output.band.certified_low, output.band.certified_high] },
+      { name: "±3σ", ink: sigma, values: [spread(-1), spread(1)] },
+    ];
+    u = new uPlot({
+      width, height: TALL, pxAlign: 0, legend: { show: false }, padding: [8, 14, 0, 0],
+      scales: { x: { time: false, range: [first, last] }, y: { range: () => span(output).map((value) => value / size) } },
+      axes: [{ ...axis, values: tick, label: `${plain(output.x.label)} [${x.symbol}]`, labelSize: 16, size: 28 }, { ...axis, values: tick, size: 72, space: 34 }],
+      series: [{}, series(found), series(found), series(sigma, { dash: [7, 4] }), series(sigma, { dash: [7, 4] }),
+        series(moving, { width: 2.2, spanGaps: true }), series(moving, { dash: [3, 3], spanGaps: true }), series(moving, { dash: [3, 3], spanGaps: true })],
+      cursor: { x: false, y: false, points: { show: false }, drag: { x: false, y: false, setScale: false } },
+      hooks: {
+        drawClear: [(u) => marks.certified(u, atX, size, tone(TONES.certified))],
+        draw: [(u) => { marks.limits(u, output, size); peaks = marks.peaks(u, atX, x.symbol, size, told); mark(); }],
+      },
+    }, data(output, size), holder);
+    line = element("div", { className: "now-line" });
+    u.over.append(line);
+    const seek = (event) => nearest(u.posToVal(event.clientX - u.over.getBoundingClientRect().left, "x") * x.size);
+    u.over.addEventListener("pointerdown", (event) => { seek(event); if (event.pointerType === "mouse") u.over.setPointerCapture(event.pointerId); });
+    u.over.addEventListener("pointermove", (event) => { if (event.buttons & 1) seek(event); });
+    mark();
+  };
+
+  // The pose that can be chosen nearest to a place on the axis.
+  const nearest = (value) => {
+    const { details, x } = choice.output;
+    let best = 0;
+    details.forEach(({ row }, k) => { if (Math.abs(x.values[row] - value) < Math.abs(x.values[details[best].row] - value)) best = k; });
+    choice.seek(best);
+  };
+
+  const mark = () => {
+    const { output, detail } = choice, x = file.of(output.x.unit);
+    if (u && line) line.style.left = `${u.valToPos(output.x.values[detail.row] / x.size, "x")}px`;
+    id("pose").max = output.details.length - 1;
+    id("pose").value = choice.number;
+    id("pose_at").textContent = plain(choice.where());
+    id("pose").setAttribute("aria-valuetext", plain(choice.where()));
+    const open = output.poses - output.certified;
+    const cut = peaks.length ? " Peaks are cut off; triangles tell their values." : "";
+    id("band_note").textContent = (open ? `Nothing is certified at ${open} of ${output.poses} poses: no bound could be proved there, as beside a change point or a dead centre.` : "") + cut;
+  };
+
+  new ResizeObserver(() => setTimeout(() => { const now = Math.floor(holder.clientWidth); if (now !== width) { width = now; build(); } }, 0)).observe(holder);
+  width = Math.floor(holder.clientWidth);
+  id("pose").addEventListener("input", () => choice.seek(Number(id("pose").value)));
+  const look = () => { closer = !closer; id("closer").setAttribute("aria-pressed", closer); build(); };
+  id("closer").addEventListener("click", look);
+  id("farthest").addEventListener("click", () => choice.seek(choice.output.worst));
+  choice.onChange((what) => {
+    if (what === "output") { build(); mark(); }
+    else if (what === "pose") { if (closer) build(); else mark(); }
+    else if (what === "moved" && u) { legend(choice.output); u.setData(data(choice.output, file.of(choice.output.unit).size)); }
+  });
+  theme.onChange(build);
+  build();
+  mark();
+  linkdyn.bandPlot = { get u() { return u; }, get peaks() { return peaks; }, look, build };
+})();

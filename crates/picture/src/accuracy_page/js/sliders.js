@@ -1,0 +1,63 @@
+"use strict";
+// What if: parameters moved by hand, to first order, and the worst along with them.
+(() => {
+  if (!linkdyn.outputs.length) return;
+  const { choice, sources, element, file } = linkdyn;
+  const id = (name) => document.getElementById(name);
+  const STEPS = 100;
+  const moving = sources.map(({ name, slider }, source) => ({ name: name.replace(/^parameters\./, ""), slider, source })).filter(({ slider }) => slider);
+
+  const inputs = moving.map(({ name, slider, source }) => {
+    const input = element("input", { type: "range", min: slider.range[0] < 0 ? -STEPS : 0, max: slider.range[1] > 0 ? STEPS : 0, step: 1, "aria-label": linkdyn.plain(name) });
+    input.value = 0;
+    const output = element("span", { className: "number" });
+    const say = () => {
+      const by = choice.delta[source], range = file.both(...slider.range, slider.unit, 3);
+      output.replaceChildren(element("span", { text: file.value(slider.value + by, slider.unit, 7) }), element("small", { text: by ? file.signed(by, slider.unit, 3) : slider.is_tolerance ? range : "no tolerance" }));
+    };
+    input.addEventListener("input", () => {
+      const part = Number(input.value) / STEPS;
+      choice.move(source, part < 0 ? -part * slider.range[0] : part * slider.range[1]);
+    });
+    say();
+    id("sliders").append(element("label", { className: "slider" }, element("span", { text: name, className: "text" }), input, output));
+    return { input, say, source };
+  });
+
+  const gauge = () => {
+    const { output } = choice, by = choice.shift(choice.detail), at = (name) => choice.at(name);
+    const moved = Number.isFinite(by) ? by : 0;
+    const ends = [at("found_low"), at("found_high"), at("certified_low"), at("certified_high")];
+    const all = [0, moved, ...ends.map((end) => end + moved), ...(output.limits || [])].filter(Number.isFinite);
+    const [low, high] = [Math.min(...all), Math.max(...all)], wide = (high - low) * 1.1 || 1;
+    const place = (value) => 100 * (value - (low + high) / 2) / wide + 50;
+    const mark = (className, from, to) => {
+      if (!Number.isFinite(from) || (to !== undefined && !Number.isFinite(to))) return [];
+      const made = element("i", { className });
+      made.style.left = `${place(from)}%`;
+      if (to !== undefined) made.style.width = `${place(to) - place(from)}%`;
+      return [made];
+    };
+    id("gauge").replaceChildren(...mark("bound", ends[2] + moved, ends[3] + moved), ...mark("reach", ends[0] + moved, ends[1] + moved),
+      ...mark("zero", 0), ...(output.limits || []).flatMap((limit) => mark("limit", limit)), ...mark("now", moved));
+  };
+
+  const fill = () => {
+    const { output, detail } = choice, { unit } = output, nominal = choice.at("nominal"), by = choice.shift(detail);
+    const worst = file.both(by + choice.at("found_low"), by + choice.at("found_high"), unit);
+    id("moved").textContent = !Number.isFinite(by) ? "No first order exists at this pose."
+      : `${linkdyn.plain(output.name)} = ${file.value(nominal + by, unit, 7)} (${by === 0 ? "nominal" : file.signed(by, unit)})${worst ? `, worst ${worst}` : ""}`;
+    const colours = ["blue: worst found", ...(Number.isFinite(choice.at("certified_low")) ? ["light: certified"] : []), ...(output.limits ? ["red: limits"] : [])];
+    const free = inputs.length && moving.some(({ slider }) => !slider.is_tolerance) ? " Parameters without tolerance move by ±1 %." : "";
+    id("gauge_note").textContent = `${colours.join(", ")}.${free}`;
+    id("gauge").setAttribute("aria-label", id("moved").textContent);
+    id("reset").disabled = !choice.isMoved;
+    inputs.forEach(({ say }) => say());
+    gauge();
+  };
+  id("reset").addEventListener("click", () => { inputs.forEach(({ input }) => { input.value = 0; }); choice.reset(); });
+  id("reset").hidden = !inputs.length;
+  if (!inputs.length) id("sliders").append(element("p", { className: "muted", text: "No length of this model is a parameter, so there is nothing to move." }));
+  choice.onChange(fill);
+  fill();
+})();
