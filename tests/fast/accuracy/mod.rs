@@ -1,6 +1,9 @@
 //! What tolerances and clearances do to outputs: against references with 40 digits, and by laws that hold for all models.
 
+mod complaints;
 mod references;
+mod sensitivities;
+mod told;
 
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -31,4 +34,20 @@ fn clearances<'a>(joints: impl IntoIterator<Item = &'a String>, c: f64) -> Vec<S
     let set =
         |joint| format!("joints.{joint}.clearance={{\"model\":\"ideal\",\"radius\":\"{c:e} m\"}}");
     joints.into_iter().map(set).collect()
+}
+
+/// Exit status of `linkdyn accuracy` on a model of this text, and what it complains of.
+fn asked_in_vain(number: usize, text: &str, options: &[&str]) -> (u8, String) {
+    let name = format!("linkdyn-accuracy-{}-{number}.json", std::process::id());
+    let path = std::env::temp_dir().join(name);
+    std::fs::write(&path, text).expect("a file");
+    let mut words: Vec<OsString> = ["linkdyn", "accuracy"].map(Into::into).into();
+    words.push(path.clone().into());
+    words.extend(options.iter().map(Into::into));
+    let said = captured(words);
+    std::fs::remove_file(&path).expect("a file");
+    let own = format!("error: {}: ", path.display());
+    let lines = said.stderr.lines().map(|line| line.replace(&own, ""));
+    let lines: Vec<String> = lines.collect();
+    (said.status, lines.join("\n"))
 }

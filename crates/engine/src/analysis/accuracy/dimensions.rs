@@ -26,6 +26,8 @@ pub(super) struct PointId(pub usize);
 pub(super) struct Point {
     pub body: BodyId,
     pub grips: Vec<Grip>,
+    /// Whether the line of centres of a gear goes along with it, which φ does not follow in a straight line.
+    pub bears_wheel: bool,
 }
 
 /// One number of the geometry.
@@ -37,6 +39,8 @@ pub(super) enum Dimension {
     Direction { joint: usize, driver: Option<usize> },
     /// An angle that stands alone in a row \[rad\].
     Angle { row: usize },
+    /// The angle at which wheels mesh as drawn \[rad\]: it follows from angles of bodies and from the ratio.
+    Mesh { row: usize },
     /// The ratio of a gear [–], in its row; what ∂φ/∂r is where the bodies stand as drawn.
     Ratio {
         joint: usize,
@@ -52,7 +56,8 @@ impl Dimension {
     pub fn is_linear(&self) -> bool {
         match self {
             Dimension::Point(..) | Dimension::Angle { .. } | Dimension::Ratio { .. } => true,
-            Dimension::Direction { .. } => false,
+            // What poses and ratio do together is left out.
+            Dimension::Direction { .. } | Dimension::Mesh { .. } => false,
             Dimension::Motion { number, .. } => match number {
                 MotionNumber::Power { .. }
                 | MotionNumber::Amplitude { .. }
@@ -159,7 +164,7 @@ impl Dimensions {
                     });
                     -(own + driven)
                 }
-                Dimension::Angle { row } => -lambda[*row],
+                Dimension::Angle { row } | Dimension::Mesh { row } => -lambda[*row],
                 Dimension::Ratio { joint, .. } => {
                     -lambda[here.system.blocks[*joint].row] * ratio_rate(here, dimension)
                 }
@@ -195,7 +200,7 @@ impl Dimensions {
                         rows[driver_block(here.system, *id).row] += versed * slide - sin * across;
                     }
                 }
-                Dimension::Angle { row } => rows[*row] += step,
+                Dimension::Angle { row } | Dimension::Mesh { row } => rows[*row] += step,
                 Dimension::Ratio { joint, .. } => {
                     rows[here.system.blocks[*joint].row] += step * ratio_rate(here, dimension);
                 }
@@ -252,7 +257,7 @@ impl Dimensions {
                     rows[here.system.blocks[*joint].row] +=
                         step * (turned(first) + turned(*carrier));
                 }
-                Dimension::Angle { .. } | Dimension::Motion { .. } => {}
+                Dimension::Angle { .. } | Dimension::Mesh { .. } | Dimension::Motion { .. } => {}
             }
         }
     }
@@ -311,6 +316,7 @@ fn ratio_rate(here: Here<'_>, dimension: &Dimension) -> f64 {
         Dimension::Point(..)
         | Dimension::Direction { .. }
         | Dimension::Angle { .. }
+        | Dimension::Mesh { .. }
         | Dimension::Motion { .. } => 0.0,
     }
 }

@@ -5,8 +5,12 @@ use crate::system::{Block, System};
 use linkdyn_linear::math::Vec2;
 
 /// The entries of J that say how rows change as a point moves: those of its body's place, for ∂φ/∂P = ∂φ/∂r.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub(super) struct Grip {
+    /// 1; −1 of the point on a carrier along which the line of centres of a gear goes.
+    sign: f64,
+    /// Bound of |∂φ/∂P| in a row [1 or 1/m].
+    most: f64,
     /// (row, index among the entries of J).
     x: Vec<(usize, usize)>,
     y: Vec<(usize, usize)>,
@@ -15,7 +19,12 @@ pub(super) struct Grip {
 impl Grip {
     /// Of a block on the point that it has on a body.
     pub fn of(block: &Block, body: BodyId) -> Grip {
-        let mut grip = Grip::default();
+        let mut grip = Grip {
+            sign: 1.0,
+            most: 1.0,
+            x: Vec::new(),
+            y: Vec::new(),
+        };
         let entries = block.constraint.entries();
         for (index, (row, own, axis)) in entries.into_iter().enumerate() {
             let entry = (block.row + row, block.entry + index);
@@ -28,6 +37,15 @@ impl Grip {
         grip
     }
 
+    /// Of a gear on the centre of a wheel: on the wheel, or on its carrier, where the line of centres follows it.
+    pub fn of_gear(block: &Block, wheel: BodyId, on_carrier: bool, curvature: f64) -> Grip {
+        Grip {
+            sign: if on_carrier { -1.0 } else { 1.0 },
+            most: curvature,
+            ..Grip::of(block, wheel)
+        }
+    }
+
     /// λᵀ ∂φ/∂P, in global axes.
     pub fn pull(&self, jacobian: &[f64], lambda: &[f64]) -> Vec2 {
         let sum = |entries: &[(usize, usize)]| -> f64 {
@@ -36,22 +54,22 @@ impl Grip {
                 .map(|&(row, entry)| lambda[row] * jacobian[entry])
                 .sum()
         };
-        Vec2::new(sum(&self.x), sum(&self.y))
+        self.sign * Vec2::new(sum(&self.x), sum(&self.y))
     }
 
     /// Adds ∂φ/∂P·d to the rows.
     pub fn push(&self, jacobian: &[f64], d: Vec2, rows: &mut [f64]) {
         for (entries, d) in [(&self.x, d.x), (&self.y, d.y)] {
             for &(row, entry) in entries {
-                rows[row] += jacobian[entry] * d;
+                rows[row] += self.sign * jacobian[entry] * d;
             }
         }
     }
 
-    /// Adds a length to all rows that hold on to the point; |∂φ/∂P| is at most 1 in each.
+    /// Adds what a length can do to all rows that hold on to the point.
     pub fn push_size(&self, length: f64, rows: &mut [f64]) {
         for &(row, _) in self.x.iter().chain(&self.y) {
-            rows[row] += length;
+            rows[row] += self.most * length;
         }
     }
 }

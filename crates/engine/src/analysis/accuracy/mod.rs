@@ -36,7 +36,7 @@ pub use statistics::{Capability, Pins, Scatter};
 pub use words::{Deviating, Parameters, Refusal, accuracy};
 
 use super::clearance_link::forces;
-use super::control::{Control, Stop};
+use super::control::Control;
 use super::instants::OutputInstant;
 use super::sample::Sample;
 use crate::element::{BodyColumns, Measure, Pose};
@@ -44,7 +44,7 @@ use crate::system::{BodyData, System};
 use dimensions::Dimensions;
 use displaced::{Corners, Mechanism, Stand};
 use output::{Load, Output};
-use poses::Way;
+use poses::{Halt, Way};
 use source::Play;
 use statistics::{capability, moments};
 use worst::Farthest;
@@ -187,20 +187,30 @@ pub struct Contribution {
 /// Asks the question.
 ///
 /// # Errors
-/// Faults of the input; no assembly; a start that is singular.
-fn run(system: &System, question: &Question, control: &Control) -> Result<Accuracy, Stop> {
+/// Faults of the input; no assembly; a start that is singular; poses that the motion does not have.
+fn run(system: &System, question: &Question, control: &Control) -> Result<Accuracy, Halt> {
     let mut way = Way::new(system, &question.instants, control)?;
-    let plays: Vec<Play> = question
-        .sources
-        .iter()
-        .map(|named| named.play.clone())
-        .collect();
+    let named = question.sources.iter();
+    let plays: Vec<Play> = named.map(|named| named.play.clone()).collect();
     let mechanism = Mechanism::new(
         way.another()?,
         &question.dimensions,
         &plays,
         question.corners,
     );
+    let (mut stands, mut unreached) = (Vec::new(), Vec::new());
+    for (index, wanted) in question.outputs.iter().enumerate() {
+        match wanted.at {
+            None => stands.push(None),
+            Some((driver, value)) => match way.stand_at(driver, value) {
+                Ok(stand) => stands.push(Some(stand)),
+                Err(outside) => unreached.push((index, outside)),
+            },
+        }
+    }
+    if !unreached.is_empty() {
+        return Err(Halt::Unreached(unreached));
+    }
     let mut asked = Asked {
         system,
         question,
@@ -208,33 +218,26 @@ fn run(system: &System, question: &Question, control: &Control) -> Result<Accura
         mechanism,
     };
     let mut outputs = Vec::with_capacity(question.outputs.len());
-    for wanted in &question.outputs {
-        let instants = match wanted.at {
-            None => question.instants.clone(),
-            Some((driver, value)) => {
-                let time = way.time_of(driver, value).into_iter();
-                let exact = Some((driver, value));
-                time.map(|time| OutputInstant { time, exact }).collect()
+    for (wanted, stand) in question.outputs.iter().zip(stands) {
+        let poses = match stand {
+            Some(stand) => vec![asked.pose(wanted, &stand)],
+            None => {
+                let stands = question.instants.iter();
+                let stands = stands.filter_map(|instant| way.stand(instant, None));
+                stands.map(|stand| asked.pose(wanted, &stand)).collect()
             }
         };
-        let held = wanted.at.map(|(driver, _)| driver);
-        let stands = instants
-            .iter()
-            .filter_map(|instant| way.stand(instant, held));
         outputs.push(OutputAccuracy {
             name: wanted.name.clone(),
             of: wanted.of.clone(),
             unit: if wanted.output.is_angle() { "rad" } else { "m" },
             limits: wanted.limits,
-            poses: stands.map(|stand| asked.pose(wanted, &stand)).collect(),
+            poses,
         });
     }
+    let named = question.sources.iter();
     Ok(Accuracy {
-        sources: question
-            .sources
-            .iter()
-            .map(|named| named.name.clone())
-            .collect(),
+        sources: named.map(|named| named.name.clone()).collect(),
         outputs,
     })
 }

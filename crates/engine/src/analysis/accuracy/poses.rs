@@ -5,7 +5,7 @@ use crate::analysis::assembly::{assemble, check_driven};
 use crate::analysis::control::{Control, Stop};
 use crate::analysis::driven::{passages, path, range};
 use crate::analysis::instants::OutputInstant;
-use crate::mechanism::continuation::{Parameter, Path, Source};
+use crate::mechanism::continuation::{End, Parameter, Path, Source};
 use crate::mechanism::driven::{Driven, Failure};
 use crate::system::{Inputs, System};
 use linkdyn_model::error::Complaint;
@@ -18,6 +18,31 @@ const NEAR: f64 = 1e-6;
 const AT_ONE: f64 = 1e-8;
 /// A joint belongs to a self-stress when its part is above this.
 const STRESSED: f64 = 1e-9;
+
+/// A value that a driver does not have anywhere on the way.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Unreached {
+    /// Number of the driver.
+    pub driver: usize,
+    /// Least and greatest value that it has [rad or m].
+    pub range: [f64; 2],
+    /// Whether the mechanism goes less far than the driver would take it.
+    pub is_stopped: bool,
+}
+
+/// Why a question has no answer.
+pub(super) enum Halt {
+    /// As any analysis.
+    Stop(Stop),
+    /// Outputs with a pose that the motion does not have.
+    Unreached(Vec<(usize, Unreached)>),
+}
+
+impl From<Stop> for Halt {
+    fn from(stop: Stop) -> Self {
+        Halt::Stop(stop)
+    }
+}
 
 /// The way of a driven mechanism.
 pub(super) struct Way<'s> {
@@ -106,10 +131,47 @@ impl<'s> Way<'s> {
         ]))
     }
 
-    /// Time at which a driver has a value, first of all; none where it has it at no time.
-    pub fn time_of(&self, driver: usize, value: f64) -> Option<f64> {
+    /// The pose where a driver has a value, first of all.
+    ///
+    /// # Errors
+    /// How far the driver goes, where it has the value nowhere.
+    pub fn stand_at(&mut self, driver: usize, value: f64) -> Result<Stand, Unreached> {
         let law = &self.driven.system.drivers[driver].law;
-        passages(law, value, self.end).first().copied()
+        let time = passages(law, value, self.end).first().copied();
+        let instant = time.map(|time| OutputInstant {
+            time,
+            exact: Some((driver, value)),
+        });
+        instant
+            .and_then(|instant| self.stand(&instant, Some(driver)))
+            .ok_or_else(|| self.unreached(driver))
+    }
+
+    /// How far a driver goes.
+    fn unreached(&self, driver: usize) -> Unreached {
+        let law = &self.driven.system.drivers[driver].law;
+        let values = |end: f64| {
+            let ends = law.stretches(end).into_iter();
+            let values = ends.flat_map(|(left, right)| [law.jet(left)[0], law.jet(right)[0]]);
+            values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+                [low.min(value), high.max(value)]
+            })
+        };
+        let wanted = values(self.end);
+        let (low, high) = self.path.covered();
+        let range = match self.path.parameter {
+            _ if self.path.turn.is_some() => wanted,
+            Parameter::DriverValue => [wanted[0].max(low), wanted[1].min(high)],
+            Parameter::Time | Parameter::Coordinate => values(self.end.min(high)),
+        };
+        let is_stopped = [&self.path.low, &self.path.high]
+            .iter()
+            .any(|end| !matches!(end, End::Reached));
+        Unreached {
+            driver,
+            range,
+            is_stopped,
+        }
     }
 
     /// The pose at an instant; `held` where the value of a driver says which is meant. None where the mechanism has none.

@@ -33,7 +33,7 @@ pub struct Path {
     /// Singular positions on the stretch that was followed, by s.
     pub(super) singular: Vec<SingularPosition>,
     /// Where the path repeats itself: centre of the stretch that stands for all, and what a turn adds to q (n).
-    pub(super) turn: Option<(f64, Vec<f64>)>,
+    pub(crate) turn: Option<(f64, Vec<f64>)>,
     /// How it ended below.
     pub(crate) low: End,
     /// How it ended above.

@@ -3,16 +3,17 @@
 use super::super::dimensions::{Dimension, Dimensions, MotionNumber, Point, PointId};
 use super::super::grip::{Grip, driver_block};
 use super::super::output::{Output, Place};
-use crate::element::{BodyId, Kinematics, Marker, Pose, Twist};
+use super::gears::{add_mesh, add_wheels, carrier, drawn, mesh};
+use crate::element::{BodyId, Marker};
 use crate::motion::Law;
-use crate::system::{DriverRole, JointRole, System};
+use crate::system::{DriverRole, System};
 use linkdyn_linear::math::Vec2;
 use linkdyn_model::{GROUND, JointKind, Model, Motion};
 use std::collections::HashMap;
 
 /// Bodies and points of a model by name, with their numbers.
 pub(in crate::analysis::accuracy) struct Names<'a> {
-    bodies: HashMap<&'a str, BodyId>,
+    pub(super) bodies: HashMap<&'a str, BodyId>,
     points: HashMap<(&'a str, &'a str), (PointId, Marker)>,
 }
 
@@ -107,12 +108,12 @@ pub(in crate::analysis::accuracy) fn dimensions(
 }
 
 impl Dimensions {
-    fn add(&mut self, dimension: Dimension) -> usize {
+    pub(super) fn add(&mut self, dimension: Dimension) -> usize {
         self.all.push(dimension);
         self.all.len() - 1
     }
 
-    fn tell(&mut self, path: String, of: usize, factor: f64) {
+    pub(super) fn tell(&mut self, path: String, of: usize, factor: f64) {
         self.by_path.entry(path).or_default().push((of, factor));
     }
 }
@@ -124,20 +125,21 @@ fn add_points(found: &mut Dimensions, model: &Model, names: &Names, system: &Sys
             found.points.push(Point {
                 body: names.bodies[body.as_str()],
                 grips: Vec::new(),
+                bears_wheel: false,
             });
             for axis in 0..2 {
                 let dimension = found.add(Dimension::Point(id, axis));
-                found.tell(
-                    format!("bodies.{body}.points.{point}[{axis}]"),
-                    dimension,
-                    1.0,
-                );
+                // With a tolerance a point is an object.
+                for own in ["", ".position"] {
+                    let path = format!("bodies.{body}.points.{point}{own}[{axis}]");
+                    found.tell(path, dimension, 1.0);
+                }
             }
         }
     }
     for (index, joint) in model.joints.values().enumerate() {
         if let JointKind::Gear { .. } = joint.kind {
-            // Its line of centres goes along with the points that bear the wheels.
+            add_wheels(found, model, names, (system, index));
             continue;
         }
         let mut blocks = vec![&system.blocks[index]];
@@ -193,43 +195,22 @@ fn add_joints(found: &mut Dimensions, model: &Model, system: &System) {
                 let Some(carrier) = carrier(system, index) else {
                     continue;
                 };
-                let drawn = |body: BodyId| {
-                    let columns = system.layout.columns(body);
-                    columns.map_or(0.0, |columns| system.guess[columns.theta()])
-                };
-                let [first, _] = system.joints[index].bodies;
-                let as_drawn = drawn(first) - drawn(carrier);
+                let bodies = system.joints[index].bodies;
+                let as_drawn = drawn(system, bodies[0]) - drawn(system, carrier);
                 let dimension = found.add(Dimension::Ratio {
                     joint: index,
                     carrier,
                     drawn: if own.is_none() { as_drawn } else { 0.0 },
                 });
                 found.tell(format!("joints.{name}.ratio"), dimension, 1.0);
-                if own.is_some() {
-                    angle(found, row);
+                match own {
+                    Some(_) => angle(found, row),
+                    None => add_mesh(found, model, joint, (row, carrier)),
                 }
             }
             JointKind::Revolute { .. } => {}
         }
     }
-}
-
-/// |1/R₂| of a gear [1/m]: an arc at the pitch circle times it is an angle of the second wheel.
-pub(in crate::analysis::accuracy) fn gear_curvature(system: &System, joint: usize) -> f64 {
-    let block = &system.blocks[joint];
-    let still = vec![Pose::GROUND; system.bodies.len() + 1];
-    let twists = vec![Twist::default(); still.len()];
-    let at = Kinematics {
-        poses: &still,
-        twists: &twists,
-        drive: &[],
-        offset: &[],
-        time: 0.0,
-    };
-    let mut values = vec![0.0; block.entries];
-    block.constraint.jacobian(&at, &mut values);
-    // k t stands in the entries of the second centre.
-    values[3].hypot(values[4])
 }
 
 /// The values of all dimensions of a model, in the order of [`dimensions`]; of motions the numbers that stand in the file.
@@ -246,9 +227,9 @@ pub(in crate::analysis::accuracy) fn dimension_values(model: &Model, system: &Sy
             JointKind::Slot { axis, .. } => values.push(axis[1].atan2(axis[0])),
             JointKind::Fixed { angle } => values.push(*angle),
             JointKind::Gear { ratio, angle, .. } => {
-                if carrier(system, index).is_some() {
+                if let Some(carrier) = carrier(system, index) {
                     values.push(*ratio);
-                    values.extend(angle);
+                    values.push(angle.unwrap_or_else(|| mesh(model, system, index, carrier)));
                 }
             }
             JointKind::Revolute { .. } => {}
@@ -273,13 +254,6 @@ pub(in crate::analysis::accuracy) fn dimension_values(model: &Model, system: &Sy
         }
     }
     values
-}
-
-/// The body that bears both wheels of a gear.
-fn carrier(system: &System, joint: usize) -> Option<BodyId> {
-    debug_assert!(system.joints[joint].role == JointRole::Gear);
-    let entries = system.blocks[joint].constraint.entries();
-    entries.last().map(|(_, body, _)| *body)
 }
 
 fn add_motions(found: &mut Dimensions, model: &Model) {

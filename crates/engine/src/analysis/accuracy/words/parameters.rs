@@ -1,6 +1,6 @@
 //! What parameters do to the dimensions of a mechanism.
 
-use super::super::dimensions::Dimensions;
+use super::super::dimensions::{Dimension, Dimensions};
 use super::question::Parameters;
 use linkdyn_model::error::Complaint;
 
@@ -58,7 +58,7 @@ pub(super) fn slack(all: &Dimensions, parameters: &Parameters) -> Option<Vec<f64
             return None;
         }
         for &(dimension, factor) in of {
-            if is_off && !all.all[dimension].is_linear() {
+            if is_off && !(all.all[dimension].is_linear() && is_straight(all, dimension)) {
                 return None;
             }
             by_dimension[dimension] += slack * factor.abs();
@@ -70,10 +70,25 @@ pub(super) fn slack(all: &Dimensions, parameters: &Parameters) -> Option<Vec<f64
         .then_some(by_dimension)
 }
 
+/// Whether φ of a point's coordinate is a straight line.
+fn is_straight(all: &Dimensions, dimension: usize) -> bool {
+    match &all.all[dimension] {
+        Dimension::Point(id, _) => !all.points[id.0].bears_wheel,
+        Dimension::Direction { .. }
+        | Dimension::Angle { .. }
+        | Dimension::Mesh { .. }
+        | Dimension::Ratio { .. }
+        | Dimension::Motion { .. } => true,
+    }
+}
+
 /// Complaints about tolerances of parameters that no dimension follows from.
 pub(super) fn idle(all: &Dimensions, parameters: &Parameters) -> Vec<Complaint> {
-    let used: Vec<usize> = with_influence(all, parameters)
-        .map(|(index, _)| index)
+    // A direction that lies along x follows from its x, too, though to first order not at all.
+    let leaves = parameters.derivatives.leaves.iter();
+    let leaves = leaves.filter(|leaf| all.by_path.contains_key(&leaf.path));
+    let used: Vec<usize> = leaves
+        .flat_map(|leaf| leaf.gradient.iter().map(|(index, _)| *index))
         .collect();
     let idle = parameters
         .all
@@ -102,6 +117,25 @@ pub(super) fn kinks(all: &Dimensions, parameters: &Parameters) -> Vec<Complaint>
                 leaf.path.clone(),
                 format!("this dimension has no derivative here: {fault}"),
             ))
+        })
+        .collect()
+}
+
+/// Complaints about times of tables that follow from parameters with a tolerance: what a time does is not differentiated.
+pub(super) fn times(parameters: &Parameters) -> Vec<Complaint> {
+    let leaves = parameters.derivatives.leaves.iter();
+    let is_time = |path: &str| path.contains(".motion.points[") && path.ends_with("][0]");
+    let off = |leaf: &&linkdyn_model::Leaf| {
+        let mut gradient = leaf.gradient.iter();
+        gradient.any(|(index, by)| *by != 0.0 && parameters.all[*index].tolerance.is_some())
+    };
+    leaves
+        .filter(|leaf| leaf.path.starts_with("drivers.") && is_time(&leaf.path))
+        .filter(off)
+        .map(|leaf| {
+            let message = "a tolerance of the times of a table is not followed";
+            Complaint::new(leaf.path.clone(), message)
+                .hint("give the values of the table the tolerance, or take another law of motion")
         })
         .collect()
 }

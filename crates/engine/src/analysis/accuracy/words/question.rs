@@ -1,18 +1,20 @@
 //! A model and its parameters as a question in numbers: what may be off, and what is asked about.
 
 use super::super::dimensions::Dimensions;
+use super::super::poses::{Halt, Unreached};
 use super::super::source::Play;
 use super::super::statistics::{Pins, Scatter};
 use super::super::{Accuracy, Named, Question, Wanted, run};
-use super::names::{Names, dimension_values, dimensions, gear_curvature};
-use super::parameters::{idle, kinks, slack, with_influence};
+use super::gears::gear_curvature;
+use super::names::{Names, dimension_values, dimensions};
+use super::parameters::{idle, kinks, slack, times, with_influence};
 use crate::analysis::control::{Control, Stop};
 use crate::analysis::question::instants;
 use crate::system::{System, compile::compile_geometry};
 use linkdyn_model::error::{Complaint, Complaints};
 use linkdyn_model::{
-    AccuracyOutput, Checked, Derivatives, Distribution, Interval, JointKind, Measured, Model,
-    Parameter, nearest,
+    AccuracyOutput, Checked, Derivatives, Distribution, DriverKind, Interval, JointKind, Measured,
+    Model, Parameter, nearest,
 };
 
 /// The model with parameters that deviate (index, SI); none where that is no legal model.
@@ -104,8 +106,11 @@ pub fn accuracy(
         Some(steps(dimension_values(&varied, &system)))
     };
     let instants = instants(&system, analysis)?.list(&system)?;
+    let zone_bears_wheel = sources.iter().any(
+        |named| matches!(named.play, Play::Zone { point, .. } if all.points[point.0].bears_wheel),
+    );
     let question = Question {
-        slack: slack(&all, parameters),
+        slack: slack(&all, parameters).filter(|_| !zone_bears_wheel),
         outputs,
         sources,
         dimensions: all,
@@ -113,7 +118,36 @@ pub fn accuracy(
         instants,
         corners: &corners,
     };
-    Ok(run(&system, &question, control)?)
+    run(&system, &question, control).map_err(|halt| match halt {
+        Halt::Stop(stop) => stop.into(),
+        Halt::Unreached(all) => {
+            let faults = all.iter();
+            let faults = faults.map(|(output, by)| outside(&ideal, &question.outputs[*output], by));
+            Refusal::Input(Complaints(faults.collect()))
+        }
+    })
+}
+
+/// What is said of a pose that the motion does not have.
+fn outside(model: &Model, wanted: &Wanted, by: &Unreached) -> Complaint {
+    let (name, driver) = model.drivers.get_index(by.driver).expect("a driver");
+    let text = |value: f64| match driver.kind {
+        DriverKind::Rotation { .. } => model.display.angle_to(value, 6),
+        DriverKind::Translation { .. } => model.display.length_to(value, 6),
+    };
+    let [low, high] = by.range.map(text);
+    let message = if by.is_stopped {
+        format!("the mechanism locks before {name:?} has this value")
+    } else {
+        format!("{name:?} does not have this value in its motion")
+    };
+    let value = wanted.at.map_or(f64::NAN, |(_, value)| value);
+    Complaint::new(
+        format!("accuracy.outputs.{}.at.value", wanted.name),
+        message,
+    )
+    .found(text(value))
+    .hint(format!("it goes from {low} to {high}"))
 }
 
 /// How the pins are taken.
@@ -252,7 +286,6 @@ fn sources(
                 }),
         );
     }
-    let mut faults = Vec::new();
     for (index, steps) in with_influence(all, parameters) {
         let parameter = &parameters.all[index];
         let (lower, upper, scatter) = match &parameter.tolerance {
@@ -276,8 +309,23 @@ fn sources(
             },
         });
     }
-    faults.extend(idle(all, parameters));
+    let faults = faults(&sources, all, parameters);
+    if faults.is_empty() {
+        Ok(sources)
+    } else {
+        Err(Complaints(faults))
+    }
+}
+
+/// What is wrong with the parameters as sources.
+fn faults(sources: &[Named], all: &Dimensions, parameters: &Parameters) -> Vec<Complaint> {
+    let mut faults = Vec::new();
     faults.extend(kinks(all, parameters));
+    faults.extend(times(parameters));
+    if faults.is_empty() {
+        // Behind a kink nothing is known to follow.
+        faults.extend(idle(all, parameters));
+    }
     let off = |named: &Named| named.play.is_off();
     // A tolerance of zero is one that is still to be chosen.
     let is_said = parameters
@@ -289,11 +337,7 @@ fn sources(
         let hint = "as in \"parameters\": { \"rod\": { \"value\": \"200 mm\", \"tolerance\": \"0.05 mm\" } }, or \"clearance\": { \"model\": \"ideal\", \"radius\": \"10 um\" } of a joint";
         faults.push(Complaint::new("parameters", message).hint(hint));
     }
-    if faults.is_empty() {
-        Ok(sources)
-    } else {
-        Err(Complaints(faults))
-    }
+    faults
 }
 
 /// Zones of points.
