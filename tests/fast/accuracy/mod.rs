@@ -1,7 +1,10 @@
 //! What tolerances and clearances do to outputs: against references with 40 digits, and by laws that hold for all models.
 
 mod complaints;
+mod laws;
+mod newton;
 mod references;
+mod samples;
 mod sensitivities;
 mod told;
 

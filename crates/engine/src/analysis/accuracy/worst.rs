@@ -67,8 +67,13 @@ impl Mechanism<'_> {
         let mut gradient = vec![0.0; n];
         let mut right = vec![0.0; m];
         let (mut deviation, mut size, mut slow) = (f64::INFINITY, f64::INFINITY, 0);
-        for _ in 0..MOST_PASSES {
-            let g = self.influences(stand, output, &load);
+        let mut kept = None;
+        for pass in 0..MOST_PASSES {
+            // What has hardly an influence flickers from side to side; then all keep theirs.
+            let g = match &kept {
+                Some(kept) => Vec::clone(kept),
+                None => self.influences(stand, output, &load),
+            };
             if !self.deviate(stand, &g, side) {
                 return None;
             }
@@ -95,8 +100,11 @@ impl Mechanism<'_> {
                 return Some(Farthest { deviation: now, q });
             }
             slow = if shrunk > SLOW * size { slow + 1 } else { 0 };
-            if slow > 2 {
+            if slow > 2 && kept.is_some() {
                 return None;
+            }
+            if slow > 2 || (pass == MOST_PASSES / 3 && kept.is_none()) {
+                (kept, slow) = (Some(g), 0);
             }
             (deviation, size) = (now, shrunk);
         }
