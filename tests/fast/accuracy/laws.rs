@@ -350,7 +350,7 @@ fn levels(name: &str, column: &str, c: f64, degree: f64) -> [Option<f64>; 2] {
 
 #[test]
 fn at_the_change_point_the_reach_goes_with_the_root_of_the_clearance() {
-    const CHANGE_POINT: f64 = 117.512206516641085;
+    const CHANGE_POINT: f64 = 117.512_206_516_641_08;
     let model = models::load_bundled("watt-i-lock", &[]);
     let reach = |c: f64| {
         let mut json = bare(&model, INSTANTS);

@@ -6,9 +6,11 @@ use linkdyn_model::{DriverKind, GROUND, JointKind, Measured, Model, PointRef};
 pub struct Newton<'m> {
     pub model: &'m Model,
     bodies: Vec<&'m str>,
-    /// Of gears: line of centres in the carrier, angle of the mesh.
-    gears: Vec<Option<([f64; 2], f64, f64, String)>>,
+    gears: Vec<Option<Mesh>>,
 }
+
+/// Of a gear: line of centres in the carrier and its length, angle of the mesh, name of the carrier.
+type Mesh = ([f64; 2], f64, f64, String);
 
 /// What is off: two gaps by joint, one by driver.
 pub struct Gaps {

@@ -151,7 +151,7 @@ impl<'s> Way<'s> {
     fn unreached(&self, driver: usize) -> Unreached {
         let law = &self.driven.system.drivers[driver].law;
         let values = |end: f64| {
-            let ends = law.stretches(end).into_iter();
+            let ends = law.stretches(end);
             let values = ends.flat_map(|(left, right)| [law.jet(left)[0], law.jet(right)[0]]);
             values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
                 [low.min(value), high.max(value)]
