@@ -183,7 +183,7 @@ fn of_output(
         "certified",
         match worst.certified {
             Some(bound) => both(display, unit, bound),
-            None => "can't be certified: too near a singular position for these deviations".into(),
+            None => "no bound could be proved here (near a singular position, or an axis or gear centre has a tolerance)".into(),
         },
     );
     if let Some([mean, sigma]) = worst.moments {
