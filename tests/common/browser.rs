@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
 
 use serde_json::Value;
 use sha2::{Digest, Sha256};
@@ -84,22 +85,47 @@ pub fn open(browser: &Path, page: &str, budget: Option<u32>) -> Visit {
     let scratch = Scratch::new("browser");
     let file = scratch.0.join("page.html");
     fs::write(&file, page).expect("written");
-    let output = command(browser, &scratch.0)
-        .arg("--dump-dom")
-        .args(budget.map(|budget| format!("--virtual-time-budget={budget}")))
-        .arg(format!("file://{}", file.display()))
-        .output()
-        .expect("it starts");
-    let said = String::from_utf8_lossy(&output.stderr);
-    let console = said
-        .lines()
-        .filter(|line| line.contains("CONSOLE"))
-        .map(String::from)
-        .collect();
-    Visit {
-        dom: String::from_utf8_lossy(&output.stdout).into_owned(),
-        console,
+    for _ in 0..ATTEMPTS {
+        let mut command = command(browser, &scratch.0);
+        command
+            .arg("--dump-dom")
+            .args(budget.map(|budget| format!("--virtual-time-budget={budget}")))
+            .arg(format!("file://{}", file.display()));
+        if let Some([dom, said]) = finished(command, &scratch.0) {
+            let console = said.lines().filter(|line| line.contains("CONSOLE"));
+            let console = console.map(String::from).collect();
+            return Visit { dom, console };
+        }
     }
+    panic!("the browser stood still {ATTEMPTS} times");
+}
+
+/// A browser under virtual time stands still for ever now and then, mostly while it records a film: then it is asked again.
+const ATTEMPTS: usize = 3;
+/// How long a visit may take.
+const LONGEST: Duration = Duration::from_secs(60);
+
+/// What a command printed, and what it complained of; none where it had to be stopped.
+fn finished(mut command: Command, folder: &Path) -> Option<[String; 2]> {
+    let files = ["printed", "said"].map(|name| folder.join(name));
+    let [printed, said] = files
+        .clone()
+        .map(|file| fs::File::create(file).expect("made"));
+    let mut child = command
+        .stdout(printed)
+        .stderr(said)
+        .spawn()
+        .expect("it starts");
+    let begun = Instant::now();
+    while child.try_wait().expect("it can be asked").is_none() {
+        if begun.elapsed() > LONGEST {
+            child.kill().expect("it can be stopped");
+            child.wait().expect("it ends");
+            return None;
+        }
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    Some(files.map(|file| String::from_utf8_lossy(&fs::read(file).expect("there")).into_owned()))
 }
 
 /// On how many sheets a page is printed.
