@@ -197,6 +197,9 @@ impl Program {
 mod tests {
     use super::*;
 
+    /// The cost is flat at its minimum: a relative gap of 1e-11 leaves tolerances open by the root of that.
+    const FLAT: f64 = 3e-6;
+
     /// V1 of `validation/accuracy-four-bar`: ±0.05°, all costs 1.
     #[test]
     fn one_limit_has_a_closed_form() {
@@ -222,7 +225,7 @@ mod tests {
             });
             for (found, exact) in found.iter().zip(exact) {
                 assert!(
-                    (found / exact - 1.0).abs() < 1e-7,
+                    (found / exact - 1.0).abs() < FLAT,
                     "{sum:?}: {found} {exact}"
                 );
             }
