@@ -17,6 +17,7 @@
 //! ```
 
 mod allocate;
+mod answer;
 mod dimensions;
 mod displaced;
 mod enclosure;
@@ -31,6 +32,7 @@ mod words;
 mod worst;
 
 pub use allocate::{Room, Sum, Unallocated, allocate};
+pub use answer::{Accuracy, Contribution, OutputAccuracy, PoseAccuracy};
 pub use rooms::Limited;
 pub use statistics::{Capability, Pins, Scatter};
 pub use words::{Deviating, Parameters, Refusal, accuracy};
@@ -39,15 +41,13 @@ use super::clearance_link::forces;
 use super::control::Control;
 use super::instants::OutputInstant;
 use super::sample::Sample;
-use crate::element::{BodyColumns, Measure, Pose};
-use crate::system::{BodyData, System};
+use crate::system::System;
 use dimensions::Dimensions;
 use displaced::{Corners, Mechanism, Stand};
 use output::{Load, Output};
 use poses::{Halt, Way};
 use source::Play;
 use statistics::{capability, moments};
-use worst::Farthest;
 
 /// What is asked of a system.
 struct Question<'q> {
@@ -77,111 +77,6 @@ struct Wanted {
 struct Named {
     pub name: String,
     pub play: Play,
-}
-
-/// What tolerances and clearances do to the outputs.
-#[derive(Debug, Clone)]
-pub struct Accuracy {
-    /// What deviates: joints, points, drivers, parameters.
-    pub sources: Vec<String>,
-    /// By output.
-    pub outputs: Vec<OutputAccuracy>,
-}
-
-/// One output at its poses.
-#[derive(Debug, Clone)]
-pub struct OutputAccuracy {
-    /// As the file names it.
-    pub name: String,
-    /// What it is: a column, or a distance.
-    pub of: String,
-    /// `rad` or `m`.
-    pub unit: &'static str,
-    /// Allowed deviations [rad or m].
-    pub limits: Option<[f64; 2]>,
-    /// One, or one per instant.
-    pub poses: Vec<PoseAccuracy>,
-}
-
-/// Deviations of an output at a pose [rad or m], to the lower and the upper side.
-#[derive(Debug, Clone)]
-pub struct PoseAccuracy {
-    /// \[s\]
-    pub time: f64,
-    /// Values of the drivers [rad or m].
-    pub drivers: Vec<f64>,
-    /// `rad` or `m` of each.
-    pub driver_units: Vec<&'static str>,
-    /// The output [rad or m].
-    pub nominal: f64,
-    /// To first order; none where it does not exist.
-    pub first: Option<[f64; 2]>,
-    /// Worst found; none where none was.
-    pub found: [Option<f64>; 2],
-    /// Frames of the moving bodies, x, y \[m\] and angle \[rad\], in the order of the file.
-    pub position: Vec<[f64; 3]>,
-    /// The same where the output is carried farthest, to the lower and the upper side.
-    pub displaced: [Option<Vec<[f64; 3]>>; 2],
-    /// A bound that nothing exceeds; none where none can be certified.
-    pub certified: Option<[f64; 2]>,
-    /// Mean and standard deviation.
-    pub moments: Option<[f64; 2]>,
-    /// Shares within the limits.
-    pub capability: Option<Capability>,
-    /// Deviation with every pin where the loads press it; twice its size is lost as they reverse.
-    pub pressed: Option<f64>,
-    /// By source; empty where no first order exists.
-    pub contributions: Vec<Contribution>,
-}
-
-/// Frames of the moving bodies, x, y \[m\] and angle \[rad\].
-fn frames(system: &System, q: &[f64]) -> Vec<[f64; 3]> {
-    let bodies = system.bodies.iter().zip(system.layout.bodies());
-    let frame = |(body, columns): (&BodyData, BodyColumns)| {
-        let [x, y, theta] = columns.read(q);
-        let pose = Pose::new(x, y, theta);
-        let origin = pose.r + pose.turn(body.origin);
-        [origin.x, origin.y, theta]
-    };
-    bodies.map(frame).collect()
-}
-
-impl PoseAccuracy {
-    fn take(&mut self, system: &System, found: [Option<Farthest>; 2]) {
-        for (side, found) in found.into_iter().enumerate() {
-            if let Some(Farthest { deviation, q }) = found {
-                self.found[side] = Some(deviation);
-                self.displaced[side] = Some(frames(system, &q));
-            }
-        }
-    }
-
-    /// Shares of the contributions in the worst case and in the variance; each sums to 1, or to 0 where nothing contributes.
-    pub fn shares(&self) -> Vec<[f64; 2]> {
-        let of = |by: &Contribution| [by.reach[1] - by.reach[0], by.variance];
-        let mut total = [0.0; 2];
-        for by in &self.contributions {
-            let [worst, variance] = of(by);
-            total = [total[0] + worst, total[1] + variance];
-        }
-        let part = |part: f64, whole: f64| if whole > 0.0 { part / whole } else { 0.0 };
-        let shares = self.contributions.iter().map(|by| {
-            let [worst, variance] = of(by);
-            [part(worst, total[0]), part(variance, total[1])]
-        });
-        shares.collect()
-    }
-}
-
-/// What one source does.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Contribution {
-    /// ∂y/∂(deviation), of a pin its size.
-    pub sensitivity: f64,
-    /// How far it carries the output down and up.
-    pub reach: [f64; 2],
-    /// Variance of the output by it.
-    pub variance: f64,
 }
 
 /// Asks the question.
@@ -257,29 +152,8 @@ impl Asked<'_> {
         let mechanism = &mut self.mechanism;
         mechanism.shifts.fill(linkdyn_linear::math::Vec2::zeros());
         mechanism.take(&stand.q, stand);
-        let mut pose = PoseAccuracy {
-            time: stand.inputs.time,
-            drivers: stand.inputs.drive.iter().map(|jet| jet[0]).collect(),
-            driver_units: self
-                .system
-                .drivers
-                .iter()
-                .map(|driver| match driver.measure {
-                    Measure::Angle => "rad",
-                    Measure::Length => "m",
-                })
-                .collect(),
-            nominal: mechanism.value(stand, output, 0.0),
-            first: None,
-            found: [None; 2],
-            position: frames(self.system, &stand.q),
-            displaced: [None, None],
-            certified: None,
-            moments: None,
-            capability: None,
-            pressed: None,
-            contributions: Vec::new(),
-        };
+        let nominal = mechanism.value(stand, output, 0.0);
+        let mut pose = PoseAccuracy::at(self.system, stand, nominal);
         let load = if stand.self_stress.is_none() {
             mechanism.load(stand, output)
         } else {
