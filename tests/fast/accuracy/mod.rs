@@ -2,11 +2,15 @@
 
 mod complaints;
 mod laws;
+#[path = "../../common/accuracy/newton.rs"]
 mod newton;
 mod references;
+#[path = "../../common/accuracy/samples.rs"]
 mod samples;
 mod sensitivities;
+#[path = "../../common/accuracy/told.rs"]
 mod told;
+mod within;
 
 use std::ffi::OsString;
 use std::path::PathBuf;

@@ -6,16 +6,47 @@ use linkdyn_model::{DriverKind, GROUND, JointKind, Measured, Model, PointRef};
 pub struct Newton<'m> {
     pub model: &'m Model,
     bodies: Vec<&'m str>,
-    gears: Vec<Option<Mesh>>,
+    joints: Vec<Joint>,
+    drivers: Vec<Driver>,
 }
-
-/// Of a gear: line of centres in the carrier and its length, angle of the mesh, name of the carrier.
-type Mesh = ([f64; 2], f64, f64, String);
 
 /// What is off: two gaps by joint, one by driver.
 pub struct Gaps {
     pub joints: Vec<[f64; 2]>,
     pub drivers: Vec<f64>,
+}
+
+/// A point of a body, by the body's number; none of the ground.
+struct End {
+    body: Option<usize>,
+    own: [f64; 2],
+}
+
+struct Joint {
+    ends: [End; 2],
+    kind: Kind,
+}
+
+enum Kind {
+    Revolute,
+    /// Unit vector along the guide, and the angle that is held.
+    Prismatic([f64; 2], f64),
+    Slot([f64; 2]),
+    Fixed(f64),
+    Gear {
+        ratio: f64,
+        mesh: f64,
+        /// In the carrier, over its length's square.
+        line: [f64; 2],
+        carrier: Option<usize>,
+    },
+}
+
+enum Driver {
+    /// Angle of a body relative to another.
+    Rotation(Option<usize>, Option<usize>),
+    /// Along the guide of a joint, a unit vector.
+    Translation(usize, [f64; 2]),
 }
 
 fn turn([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
@@ -31,19 +62,37 @@ fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
 
+fn unit([x, y]: [f64; 2]) -> [f64; 2] {
+    [x / x.hypot(y), y / x.hypot(y)]
+}
+
+fn frame(body: Option<usize>, q: &[[f64; 3]]) -> [f64; 3] {
+    body.map_or([0.0; 3], |body| q[body])
+}
+
+fn place(end: &End, q: &[[f64; 3]]) -> [f64; 2] {
+    let [x, y, angle] = frame(end.body, q);
+    let [u, v] = turn(end.own, angle);
+    [x + u, y + v]
+}
+
 impl<'m> Newton<'m> {
     /// Of a model whose bodies stand at `start` (x, y, angle) without gaps.
     pub fn new(model: &'m Model, start: &[[f64; 3]]) -> Self {
         let names = model.bodies.keys().map(String::as_str);
-        let bodies = names.filter(|name| *name != GROUND).collect();
         let mut newton = Newton {
             model,
-            bodies,
-            gears: Vec::new(),
+            bodies: names.filter(|name| *name != GROUND).collect(),
+            joints: Vec::new(),
+            drivers: Vec::new(),
         };
-        let mut gears = Vec::new();
         for (name, joint) in &model.joints {
-            gears.push(match &joint.kind {
+            let ends = [0, 1].map(|k: usize| newton.end(&joint.between[k]));
+            let kind = match &joint.kind {
+                JointKind::Revolute { .. } => Kind::Revolute,
+                JointKind::Prismatic { axis, angle, .. } => Kind::Prismatic(unit(*axis), *angle),
+                JointKind::Slot { axis, .. } => Kind::Slot(unit(*axis)),
+                JointKind::Fixed { angle } => Kind::Fixed(*angle),
                 JointKind::Gear { ratio, angle, .. } => {
                     let carrier = model.carrier(name, joint).expect("a gear");
                     let carrier = carrier.expect("a carrier").body.to_owned();
@@ -53,78 +102,88 @@ impl<'m> Newton<'m> {
                     };
                     let [first, second] =
                         [0, 1].map(|k: usize| drawn(&joint.between[k].body) - drawn(&carrier));
-                    let mesh = angle.unwrap_or(second - ratio * first);
-                    let [from, to] = [0, 1].map(|k: usize| newton.place(&joint.between[k], start));
-                    let line = turn(minus(to, from), -newton.frame(&carrier, start)[2]);
-                    Some((line, dot(line, line).sqrt(), mesh, carrier))
+                    let carrier = newton.number(&carrier);
+                    let span = minus(place(&ends[1], start), place(&ends[0], start));
+                    let line = turn(span, -frame(carrier, start)[2]);
+                    Kind::Gear {
+                        ratio: *ratio,
+                        mesh: angle.unwrap_or(second - ratio * first),
+                        line: line.map(|part| part / dot(line, line)),
+                        carrier,
+                    }
                 }
-                JointKind::Revolute { .. }
-                | JointKind::Prismatic { .. }
-                | JointKind::Slot { .. }
-                | JointKind::Fixed { .. } => None,
+            };
+            newton.joints.push(Joint { ends, kind });
+        }
+        for driver in model.drivers.values() {
+            newton.drivers.push(match &driver.kind {
+                DriverKind::Rotation { body, relative_to } => Driver::Rotation(
+                    newton.number(body),
+                    relative_to.as_deref().and_then(|to| newton.number(to)),
+                ),
+                DriverKind::Translation { joint } => {
+                    let index = model.joints.get_index_of(joint).expect("a joint");
+                    match &newton.joints[index].kind {
+                        Kind::Prismatic(axis, _) | Kind::Slot(axis) => {
+                            Driver::Translation(index, *axis)
+                        }
+                        Kind::Revolute | Kind::Fixed(_) | Kind::Gear { .. } => panic!("no guide"),
+                    }
+                }
             });
         }
-        newton.gears = gears;
         newton
     }
 
-    fn frame(&self, body: &str, q: &[[f64; 3]]) -> [f64; 3] {
-        let index = self.bodies.iter().position(|own| *own == body);
-        index.map_or([0.0; 3], |index| q[index])
+    fn number(&self, body: &str) -> Option<usize> {
+        self.bodies.iter().position(|own| *own == body)
     }
 
-    fn place(&self, point: &PointRef, q: &[[f64; 3]]) -> [f64; 2] {
-        let [x, y, angle] = self.frame(&point.body, q);
-        let [u, v] = turn(self.model.bodies[&point.body].points[&point.point], angle);
-        [x + u, y + v]
+    fn end(&self, point: &PointRef) -> End {
+        End {
+            body: self.number(&point.body),
+            own: self.model.bodies[&point.body].points[&point.point],
+        }
     }
 
     /// What the equations lack.
     fn lack(&self, drive: &[f64], gaps: &Gaps, q: &[[f64; 3]]) -> Vec<f64> {
-        let mut rows = Vec::new();
-        for (index, joint) in self.model.joints.values().enumerate() {
-            let [first, second] = &joint.between;
-            let d = minus(self.place(second, q), self.place(first, q));
-            let [a, b] = [first, second].map(|end| self.frame(&end.body, q)[2]);
-            let [e, f] = gaps.joints[index];
+        let mut rows = Vec::with_capacity(3 * q.len());
+        for (joint, [e, f]) in self.joints.iter().zip(&gaps.joints) {
+            let [first, second] = &joint.ends;
+            let d = minus(place(second, q), place(first, q));
+            let [a, b] = [first, second].map(|end| frame(end.body, q)[2]);
             let across = |axis: [f64; 2]| {
                 let [x, y] = turn(axis, a);
-                dot([-y, x], d) / axis[0].hypot(axis[1])
+                dot([-y, x], d)
             };
             match &joint.kind {
-                JointKind::Revolute { .. } => rows.extend([d[0] + e, d[1] + f]),
-                JointKind::Prismatic { axis, angle, .. } => {
+                Kind::Revolute => rows.extend([d[0] + e, d[1] + f]),
+                Kind::Prismatic(axis, angle) => {
                     rows.extend([across(*axis) + e, b - a - angle + f]);
                 }
-                JointKind::Slot { axis, .. } => rows.push(across(*axis) + e),
-                JointKind::Fixed { angle } => rows.extend([d[0], d[1], b - a - angle]),
-                JointKind::Gear { ratio, .. } => {
-                    let (line, length, mesh, carrier) = self.gears[index].as_ref().expect("a gear");
-                    let c = self.frame(carrier, q)[2];
+                Kind::Slot(axis) => rows.push(across(*axis) + e),
+                Kind::Fixed(angle) => rows.extend([d[0], d[1], b - a - angle]),
+                Kind::Gear {
+                    ratio,
+                    mesh,
+                    line,
+                    carrier,
+                } => {
+                    let c = frame(*carrier, q)[2];
                     let [x, y] = turn(*line, c);
-                    let leaned = c + dot([-y, x], d) / (length * length);
+                    let leaned = c + dot([-y, x], d);
                     rows.push(mesh + ratio * a + (1.0 - ratio) * leaned - b + e);
                 }
             }
         }
-        for (index, driver) in self.model.drivers.values().enumerate() {
-            let value = match &driver.kind {
-                DriverKind::Rotation { body, relative_to } => {
-                    let relative = relative_to
-                        .as_deref()
-                        .map_or(0.0, |to| self.frame(to, q)[2]);
-                    self.frame(body, q)[2] - relative
-                }
-                DriverKind::Translation { joint } => {
-                    let joint = &self.model.joints[joint];
-                    let (JointKind::Prismatic { axis, .. } | JointKind::Slot { axis, .. }) =
-                        &joint.kind
-                    else {
-                        panic!("no guide")
-                    };
-                    let [first, second] = &joint.between;
-                    let d = minus(self.place(second, q), self.place(first, q));
-                    dot(turn(*axis, self.frame(&first.body, q)[2]), d) / axis[0].hypot(axis[1])
+        for (index, driver) in self.drivers.iter().enumerate() {
+            let value = match *driver {
+                Driver::Rotation(body, to) => frame(body, q)[2] - frame(to, q)[2],
+                Driver::Translation(joint, axis) => {
+                    let [first, second] = &self.joints[joint].ends;
+                    let d = minus(place(second, q), place(first, q));
+                    dot(turn(axis, frame(first.body, q)[2]), d)
                 }
             };
             rows.push(value - drive[index] - gaps.drivers[index]);
@@ -166,18 +225,19 @@ impl<'m> Newton<'m> {
     pub fn value(&self, of: &Measured, q: &[[f64; 3]]) -> f64 {
         match of {
             Measured::Distance([from, to]) => {
-                let [x, y] = minus(self.place(to, q), self.place(from, q));
+                let [from, to] = [from, to].map(|point| place(&self.end(point), q));
+                let [x, y] = minus(to, from);
                 x.hypot(y)
             }
             Measured::Column(column) => {
                 let parts: Vec<&str> = column.split('.').collect();
                 match parts[..] {
-                    [body, "x"] => self.frame(body, q)[0],
-                    [body, "y"] => self.frame(body, q)[1],
-                    [body, "angle"] => self.frame(body, q)[2],
+                    [body, "x"] => frame(self.number(body), q)[0],
+                    [body, "y"] => frame(self.number(body), q)[1],
+                    [body, "angle"] => frame(self.number(body), q)[2],
                     [body, point, axis] => {
                         let (body, point) = (body.to_owned(), point.to_owned());
-                        self.place(&PointRef { body, point }, q)[usize::from(axis == "y")]
+                        place(&self.end(&PointRef { body, point }), q)[usize::from(axis == "y")]
                     }
                     _ => panic!("{column}"),
                 }

@@ -1,0 +1,236 @@
+//! What `accuracy` costs beside the run of the same mechanism, and random deviations against what it certifies:
+//! `cargo bench --bench accuracy -- --samples 100000 --seed 1 --only NAME --details`.
+//!
+//! `--only` takes the mechanisms whose name has this in it; `--details` prints every output.
+//!
+//! Costs are those of library calls in one process, in turn, medians; all joints have clearances and all numbers of the
+//! geometry tolerances. Then each case is solved `--samples` times with random deviations, and as many times again with
+//! deviations that climb from the farthest ones on. Exit status 1 where one left a certified bound.
+
+// The tests use the rest.
+#[allow(dead_code)]
+#[path = "../tests/common/accuracy/newton.rs"]
+mod newton;
+#[allow(dead_code)]
+#[path = "../tests/common/accuracy/samples.rs"]
+mod samples;
+#[allow(dead_code)]
+#[path = "../tests/common/accuracy/told.rs"]
+mod told;
+
+use std::hint::black_box;
+use std::process::ExitCode;
+use std::time::Instant;
+
+use linkdyn_engine::analysis::{Control, run};
+use samples::{Case, DEGREE, Sampler, case, read};
+use serde_json::{Value, json};
+use told::{Random, Told, bare, parametric, spoil, tolerate};
+
+/// V1 to V4 of the references, and the random linkages of `validation/`, each at three positions.
+const CASES: &[Case] = &[
+    case("four-bar", 60.0 * DEGREE, 5e-5, 0.0, true),
+    case("four-bar", 60.0 * DEGREE, 5e-4, 1e-4, true),
+    case("four-bar", 60.0 * DEGREE, 2e-3, 1e-4, true),
+    case("slider-crank", 90.0 * DEGREE, 5e-5, 0.0, true),
+    case("slider-crank", 60.0 * DEGREE, 5e-5, 0.0, true),
+    case("watt-i-lock", -46.0 * DEGREE, 1e-5, 1e-6, true),
+    case("watt-i-lock", 0.0, 1e-5, 1e-6, true),
+    case("watt-i-lock", 60.0 * DEGREE, 1e-5, 1e-6, true),
+    case("watt-i-lock", 90.0 * DEGREE, 1e-5, 1e-6, true),
+    case("watt-i-lock", 105.0 * DEGREE, 1e-5, 0.0, true),
+    case("watt-i-lock", 114.0 * DEGREE, 1e-5, 0.0, true),
+    case("watt-i-lock", 116.0 * DEGREE, 1e-5, 0.0, true),
+    case("watt-i-lock", CHANGE_POINT, 1e-5, 0.0, false),
+    case("watt-i-lock", CHANGE_POINT, 1e-4, 0.0, false),
+    case("accuracy-random-1", -60.4 * DEGREE, 1e-5, 1e-5, true),
+    case("accuracy-random-1", -40.4 * DEGREE, 1e-4, 1e-5, true),
+    case("accuracy-random-1", -20.4 * DEGREE, 1e-5, 1e-5, true),
+    case("accuracy-random-2", -89.7 * DEGREE, 1e-5, 1e-5, true),
+    case("accuracy-random-2", -69.7 * DEGREE, 1e-4, 1e-5, true),
+    case("accuracy-random-2", -49.7 * DEGREE, 1e-5, 1e-5, true),
+    case("accuracy-random-3", 26.9 * DEGREE, 1e-5, 1e-5, true),
+    case("accuracy-random-3", 46.9 * DEGREE, 2e-5, 1e-5, true),
+    case("accuracy-random-3", 66.9 * DEGREE, 1e-5, 1e-5, true),
+];
+
+/// Of the lock.
+const CHANGE_POINT: f64 = 117.512206516644 * DEGREE;
+/// A worst case that was found is exceeded by more than this.
+const PAST: f64 = 1.0 + 1e-9;
+/// Instants of the runs that costs are measured on.
+const INSTANTS: usize = 201;
+/// Pairs of runs.
+const PAIRS: usize = 21;
+
+struct Options {
+    samples: usize,
+    seed: u64,
+    only: Option<String>,
+    details: bool,
+}
+
+fn options() -> Result<Options, String> {
+    let mut options = Options {
+        samples: 100_000,
+        seed: 1,
+        only: None,
+        details: false,
+    };
+    let mut words = std::env::args().skip(1);
+    while let Some(word) = words.next() {
+        let mut value = || words.next().ok_or(format!("{word} wants a value"));
+        let number = |text: String| {
+            text.parse::<u64>()
+                .map_err(|error| format!("{text}: {error}"))
+        };
+        match word.as_str() {
+            // Cargo says that this is a benchmark.
+            "--bench" => {}
+            "--samples" => options.samples = number(value()?)? as usize,
+            "--seed" => options.seed = number(value()?)?,
+            "--only" => options.only = Some(value()?),
+            "--details" => options.details = true,
+            other => return Err(format!("there is no option {other}")),
+        }
+    }
+    Ok(options)
+}
+
+fn median(times: &mut [f64]) -> f64 {
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2]
+}
+
+/// Asks for the angle of a body, under as many names as outputs are wanted.
+fn ask(json: &Value, column: &str, outputs: usize) -> Told {
+    let mut json = json.clone();
+    let names = (0..outputs).map(|k| (format!("o{k}"), json!({ "column": column })));
+    let outputs: serde_json::Map<String, Value> = names.collect();
+    json["accuracy"] = json!({ "outputs": outputs });
+    Told::read(&json).expect("legal")
+}
+
+/// Times of a kinematic run and of accuracy for one output and for five, over the same instants.
+fn cost(name: &str, column: &str) {
+    let model = read(name);
+    let plain = Told::read(&bare(&model, INSTANTS)).expect("legal");
+    let mut json = parametric(&model, INSTANTS);
+    spoil(&mut json, 1e-5);
+    tolerate(&mut json, 1e-6);
+    let (one, five) = (ask(&json, column, 1), ask(&json, column, 5));
+    let answer = one.answer();
+    let poses = &answer.outputs[0].poses;
+    let certified = poses.iter().filter(|pose| pose.certified.is_some()).count();
+    let mut works: [(Vec<f64>, &dyn Fn()); 3] = [
+        (Vec::new(), &|| {
+            black_box(run(&plain.loaded.model, &Control::default()).expect("runs"));
+        }),
+        (Vec::new(), &|| {
+            black_box(one.answer());
+        }),
+        (Vec::new(), &|| {
+            black_box(five.answer());
+        }),
+    ];
+    for _ in 0..PAIRS {
+        for (times, work) in &mut works {
+            let start = Instant::now();
+            work();
+            times.push(start.elapsed().as_secs_f64());
+        }
+    }
+    let [run, one, five] = works.map(|(mut times, _)| median(&mut times));
+    println!(
+        "{name:18} {:3} bodies, {:3} sources, {:3} poses, {certified:3} certified: run {:8.3} ms, accuracy of one output {:8.3} ms = {:6.2} runs, \
+         of each further one {:6.2} runs",
+        model.bodies.len() - 1,
+        answer.sources.len(),
+        poses.len(),
+        run * 1e3,
+        one * 1e3,
+        one / run,
+        (five - one) / 4.0 / run
+    );
+}
+
+/// Tries a case; whether nothing left its bounds.
+fn sample(case: &Case, options: &Options) -> bool {
+    let start = Instant::now();
+    let mut sampler = Sampler::new(case);
+    let mut random = Random(options.seed);
+    sampler.run(options.samples, &mut random);
+    let tried = &sampler.tried;
+    let [solved, tries] = tried.solved;
+    let [bounded, outputs] = tried.bounded;
+    println!(
+        "{} at {:.3} deg, c {:e}, t {:e}: {solved} of {tries} solved, {bounded} of {outputs} outputs bounded, {:.1} s",
+        case.name,
+        case.at / DEGREE,
+        case.c,
+        case.t,
+        start.elapsed().as_secs_f64()
+    );
+    if bounded > 0 {
+        let (most, of) = &tried.certified;
+        println!("    closest to a certified bound: {most:.9} of it ({of})");
+    }
+    let (most, of) = &tried.found;
+    println!(
+        "    worst found: exceeded by more than 1e-9 of it on {} of {} sides; farthest 1 {:+.1e} ({of})",
+        tried
+            .sides
+            .iter()
+            .filter(|(_, _, part)| *part > PAST)
+            .count(),
+        2 * outputs,
+        most - 1.0
+    );
+    if options.details {
+        for (of, found, part) in &tried.sides {
+            println!("    {of:24} {found:+.9e}: {part:.9}");
+        }
+    }
+    for beyond in &tried.beyond {
+        println!("    BEYOND {beyond}");
+    }
+    let is_whole = !case.is_certain || (bounded == outputs && solved == tries);
+    if !is_whole {
+        println!("    NOT ALL certified and solved");
+    }
+    tried.beyond.is_empty() && is_whole
+}
+
+fn main() -> ExitCode {
+    let options = match options() {
+        Ok(options) => options,
+        Err(fault) => {
+            eprintln!("error: {fault}");
+            return ExitCode::from(2);
+        }
+    };
+    let wanted = |name: &str| {
+        options
+            .only
+            .as_deref()
+            .is_none_or(|only| name.contains(only))
+    };
+    let costs = [
+        ("four-bar", "rocker.angle"),
+        ("slider-crank", "piston.x"),
+        ("watt-i-lock", "link2.angle"),
+        ("accuracy-random-3", "bar12.angle"),
+    ];
+    for (name, column) in costs.iter().filter(|(name, _)| wanted(name)) {
+        cost(name, column);
+    }
+    let mut is_within = true;
+    for case in CASES.iter().filter(|case| wanted(case.name)) {
+        is_within &= sample(case, &options);
+    }
+    if is_within {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    }
+}
