@@ -151,6 +151,7 @@ fn of_pose(found: &Accuracy, pose: &PoseAccuracy) -> Value {
         "first": pose.first,
         "found": pose.found,
         "certified": pose.certified,
+        "needed": pose.needed,
         "mean": pose.moments.map(|moments| moments[0]),
         "sigma": pose.moments.map(|moments| moments[1]),
         "pressed": pose.pressed,

@@ -104,6 +104,7 @@ fn pose(pose: &PoseAccuracy) -> Pose<'_> {
         first: pose.first,
         found: pose.found,
         certified: pose.certified,
+        needed: [&pose.needed[0], &pose.needed[1]],
         moments: pose.moments,
         capability: capability.map(|found| [found.within, found.cp, found.cpk]),
         pressed: pose.pressed,

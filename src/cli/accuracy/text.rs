@@ -12,6 +12,8 @@ use linkdyn_model::{Distribution, Pins};
 const DIGITS: usize = 5;
 /// Contributions that are printed of one output.
 const MOST: usize = 12;
+/// Shares of the clearances and tolerances whose reach is printed where nothing is certified.
+const SHARES: [f64; 3] = [0.1, 0.5, 1.0];
 /// Poses of a stroke that are printed.
 const POSES: usize = 9;
 
@@ -186,6 +188,7 @@ fn of_output(
             None => "no bound could be proved here (near a singular position, or an axis or gear centre has a tolerance)".into(),
         },
     );
+    page.rows("allowed by", allowed(display, unit, worst));
     if let Some([mean, sigma]) = worst.moments {
         let mean = if mean == 0.0 {
             String::new()
@@ -214,6 +217,28 @@ fn of_output(
         page.rows("stroke", stroke(display, unit, drivers, output));
     }
     page.rows("contributions", contributions(display, unit, found, worst));
+}
+
+/// How far parts of all clearances and tolerances let the output go, where nothing is certified: beside a change point a part
+/// of them allows more than that part of the deviation.
+fn allowed(display: &DisplayUnits, unit: &str, pose: &PoseAccuracy) -> Vec<String> {
+    let at = |side: usize, share: f64| {
+        let points = pose.needed[side].iter();
+        points
+            .clone()
+            .find(|[_, needed]| *needed == share)
+            .map(|[by, _]| *by)
+    };
+    let row = |share: f64| {
+        let by = match [at(0, share), at(1, share)] {
+            [None, None] => return None,
+            [Some(low), Some(high)] => both(display, unit, [low, high]),
+            [Some(by), None] | [None, Some(by)] => signed(display, unit, by),
+        };
+        let part = number(100.0 * share, 3);
+        Some(format!("{part} % of all clearances and tolerances: {by}"))
+    };
+    SHARES.iter().filter_map(|share| row(*share)).collect()
 }
 
 fn of_limits(display: &DisplayUnits, unit: &str, limits: [f64; 2], pose: &PoseAccuracy) -> String {

@@ -17,6 +17,8 @@
     open: outputs.map((output) => marks.runs(output).filter(([, , certified]) => !certified).map(([from, to]) => to - from + 1)),
     details: outputs.map(({ details }) => details.length), foot: id("foot").textContent,
     sides: [...document.querySelectorAll("#sides button")].map((node) => node.textContent), factor: worst.factor, factor_told: id("factor_is").textContent,
+    needed: { hidden: id("needed").hidden, note: id("needed_note").textContent, ends: [...document.querySelectorAll("#needed_plot circle")].map((dot) => Number(dot.getAttribute("cx"))),
+      curves: [...document.querySelectorAll("#needed_plot polyline")].map((line) => line.getAttribute("points").split(" ").map((point) => point.split(",").map(Number))) },
     sliders: [...document.querySelectorAll(".slider > .text")].map((node) => node.textContent),
   };
   told.texts_outside = [...document.querySelectorAll(".card :is(span, p, button), .output span")].filter((node) => box(node).width > 0 && box(node).right > innerWidth - 6).map((node) => node.textContent);

@@ -102,6 +102,8 @@ fn the_page_shows_what_the_files_hold() {
         found["third"],
         json!({ "name": "set", "band_hidden": true, "shares": 2 })
     );
+    // All of it is certified.
+    assert_eq!(found["needed"]["hidden"], true);
 }
 
 #[test]
@@ -180,9 +182,37 @@ fn what_is_not_certified_is_told() {
             .any(|peak| peak["name"] == "worst found" && peak["value"] == json!(end));
         assert!(told, "{end}: {peaks:?}");
     }
+    needs(&found["needed"]);
     // The worst configuration is displaced by so much that it can be seen.
     assert!(number(&found["factor"]) >= 2.0, "{found:#}");
     assert_eq!(found["factor_told"], format!("× {}", found["factor"]));
+}
+
+/// The page draws what a deviation needs: two curves from nothing at the nominal output to the worst found.
+fn needs(needed: &Value) {
+    assert_eq!(needed["hidden"], false);
+    let note = needed["note"].as_str().expect("text");
+    for share in ["10 % of them", "50 % of them", "100 % of them"] {
+        assert!(note.contains(share), "{note}");
+    }
+    let curves = needed["curves"].as_array().expect("curves");
+    assert_eq!(curves.len(), 2);
+    for (curve, end) in curves.iter().zip(needed["ends"].as_array().expect("dots")) {
+        let points: Vec<[f64; 2]> = curve
+            .as_array()
+            .expect("points")
+            .iter()
+            .map(|point| [0, 1].map(|k: usize| number(&point[k])))
+            .collect();
+        // On paper y goes down as the share rises.
+        assert!(
+            points.windows(2).all(|pair| pair[1][1] <= pair[0][1]),
+            "{points:?}"
+        );
+        assert!((points[60][0] - number(end)).abs() < 0.01, "{points:?}");
+        let tall = points[0][1] - points[60][1];
+        assert!((tall - 146.0).abs() < 0.01, "{points:?}");
+    }
 }
 
 #[test]

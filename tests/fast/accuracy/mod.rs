@@ -2,6 +2,7 @@
 
 mod complaints;
 mod laws;
+mod needed;
 #[path = "../../common/accuracy/newton.rs"]
 mod newton;
 mod references;

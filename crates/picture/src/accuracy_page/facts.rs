@@ -18,6 +18,7 @@ pub fn of_output(page: &AccuracyPage, output: &Output, chosen: &Chosen) -> Value
         "rows": chosen.rows.len(),
         "details": chosen.details,
         "contributes": chosen.details.iter().map(|&row| !output.poses[chosen.rows[row]].contributions.is_empty()).collect::<Vec<_>>(),
+        "needed": needed(output, chosen),
         "worst": chosen.worst,
         "along_driver": is_along_driver(output),
         "certified": output.poses.iter().filter(|pose| pose.certified.is_some()).count(),
@@ -28,6 +29,25 @@ pub fn of_output(page: &AccuracyPage, output: &Output, chosen: &Chosen) -> Value
         "least_within_at": at(least_within(output)),
         "range": range(output),
     })
+}
+
+/// Of each pose that can be chosen what a deviation needs, as [[deviation, share], …] to either side; null where that is not
+/// known.
+fn needed(output: &Output, chosen: &Chosen) -> Value {
+    let digits = |value: f64| format!("{value:.5e}").parse().unwrap_or(value);
+    let side = |points: &[[f64; 2]]| -> Value {
+        let points = points.iter();
+        points.map(|point| json!(point.map(digits))).collect()
+    };
+    let poses = chosen
+        .details
+        .iter()
+        .map(|&row| &output.poses[chosen.rows[row]]);
+    let of = |pose: &Pose| match pose.needed {
+        [[], []] => Value::Null,
+        [low, high] => json!([side(low), side(high)]),
+    };
+    poses.map(of).collect()
 }
 
 /// Values of the drivers at a pose.

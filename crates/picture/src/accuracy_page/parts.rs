@@ -89,6 +89,8 @@ pub struct Pose<'a> {
     pub found: [Option<f64>; 2],
     /// A bound that nothing exceeds.
     pub certified: Option<[f64; 2]>,
+    /// Deviations, the least first, each with the share of all clearances and tolerances that it needs.
+    pub needed: [&'a [[f64; 2]]; 2],
     /// Mean and standard deviation.
     pub moments: Option<[f64; 2]>,
     /// Share within the limits, Cp, Cpk.

@@ -49,6 +49,9 @@ pub struct PoseAccuracy {
     pub position: Vec<[f64; 3]>,
     /// The same where the output is carried farthest, to the lower and the upper side.
     pub displaced: [Option<Vec<[f64; 3]>>; 2],
+    /// Deviations to the lower and the upper side, the least first, each with the share of all clearances and tolerances that
+    /// it needs; empty where a bound is certified, or nothing was found.
+    pub needed: [Vec<[f64; 2]>; 2],
     /// A bound that nothing exceeds; none where none can be certified.
     pub certified: Option<[f64; 2]>,
     /// Mean and standard deviation.
@@ -89,6 +92,7 @@ impl PoseAccuracy {
             found: [None; 2],
             position: frames(system, &stand.q),
             displaced: [None, None],
+            needed: [Vec::new(), Vec::new()],
             certified: None,
             moments: None,
             capability: None,
@@ -100,7 +104,13 @@ impl PoseAccuracy {
     /// Takes where the output is carried farthest.
     pub(super) fn take(&mut self, system: &System, found: [Option<Farthest>; 2]) {
         for (side, found) in found.into_iter().enumerate() {
-            if let Some(Farthest { deviation, q }) = found {
+            if let Some(Farthest {
+                deviation,
+                q,
+                needed,
+            }) = found
+            {
+                self.needed[side] = needed;
                 self.found[side] = Some(deviation);
                 self.displaced[side] = Some(frames(system, &q));
             }

@@ -11,6 +11,7 @@
 //! ```text
 //! first order      Σ reach of each source with the influences at the nominal position             `source`
 //! worst found      stationary under all sources, at the displaced position                        `worst`, near change points `reach`
+//! needed           the share of all sources that a deviation needs                                `needed`
 //! certified        a bound that nothing exceeds, where an interval Newton step contracts          `enclosure`
 //! spread           standard deviation, capability                                                 `statistics`
 //! least cost       tolerances that keep limits                                                    `allocate`
@@ -22,6 +23,7 @@ mod dimensions;
 mod displaced;
 mod enclosure;
 mod grip;
+mod needed;
 mod output;
 mod poses;
 mod reach;

@@ -13,6 +13,7 @@
 use super::displaced::{Mechanism, Stand};
 use super::output::{Load, Output};
 use super::worst::Farthest;
+use crate::system::System;
 use linkdyn_linear::small::SmallLu;
 
 /// First deviations that are tried, in radians or sizes: with too small a one the gaps are round-off.
@@ -38,19 +39,19 @@ const MOST_FLIPS: usize = 4;
 
 /// A displaced mechanism.
 #[derive(Debug, Clone)]
-struct Displaced {
-    q: Vec<f64>,
+pub(super) struct Displaced {
+    pub q: Vec<f64>,
     /// Share of the deviations.
-    c: f64,
+    pub c: f64,
     /// Deviation of the output.
-    y: f64,
+    pub y: f64,
     /// The load that presses the deviations.
-    load: Load,
+    pub load: Load,
 }
 
 /// What is held while the rest is solved for.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Held {
+pub(super) enum Held {
     /// The deviation of the output.
     Output(f64),
     /// The share of the deviations.
@@ -64,7 +65,7 @@ struct Border {
 }
 
 /// Equations with their border.
-struct Bordered<'a, 'm> {
+pub(super) struct Bordered<'a, 'm> {
     mechanism: &'a mut Mechanism<'m>,
     stand: &'a Stand,
     output: &'a Output,
@@ -123,15 +124,24 @@ impl Bordered<'_, '_> {
 
     /// On from the nominal position until c = 1: all that lies before is reached with less.
     fn march(&mut self, start: Displaced, first: f64) -> Option<Farthest> {
-        let (mut now, mut before) = (start, None::<Displaced>);
+        let (mut now, mut trail) = (start, Vec::new());
         let mut step = first;
         for _ in 0..MOST_STEPS {
             let target = Held::Output(now.y + self.side * step);
-            match self.solve(&now, before.as_ref(), target) {
-                Some(next) if next.c >= 1.0 => return self.close(now, next),
+            match self.solve(&now, trail.last(), target) {
+                Some(next) if next.c >= 1.0 => {
+                    let reached = self.close(now.clone(), next)?;
+                    trail.extend([now, reached.clone()]);
+                    let needed = self.needed(&trail);
+                    return Some(Farthest {
+                        deviation: reached.y,
+                        q: reached.q,
+                        needed,
+                    });
+                }
                 // Beside a change point c falls again towards the other branch, which the clearance then lets in.
                 Some(next) => {
-                    before = Some(std::mem::replace(&mut now, next));
+                    trail.push(std::mem::replace(&mut now, next));
                     step = (2.0 * step).min(LARGEST * self.unit);
                 }
                 None if now.c == 0.0 => return None,
@@ -148,7 +158,7 @@ impl Bordered<'_, '_> {
     }
 
     /// Where c = 1 between two displaced positions.
-    fn close(&mut self, mut low: Displaced, mut high: Displaced) -> Option<Farthest> {
+    fn close(&mut self, mut low: Displaced, mut high: Displaced) -> Option<Displaced> {
         for _ in 0..60 {
             // c is a line or a parabola of y: a root in between by the mean of both.
             let part = (1.0 - low.c) / (high.c - low.c);
@@ -156,11 +166,7 @@ impl Bordered<'_, '_> {
             let near = if part < 0.5 { &low } else { &high };
             let found = self.solve(&near.clone(), None, Held::Output(middle))?;
             if (found.c - 1.0).abs() < 0.05 {
-                let done = self.solve(&found, None, Held::Share(1.0))?;
-                return Some(Farthest {
-                    deviation: done.y,
-                    q: done.q,
-                });
+                return self.solve(&found, None, Held::Share(1.0));
             }
             if found.c < 1.0 {
                 low = found;
@@ -172,7 +178,7 @@ impl Bordered<'_, '_> {
     }
 
     /// Newton on the equations with their border, from a displaced position, or from the line through it and the one before.
-    fn solve(
+    pub(super) fn solve(
         &mut self,
         from: &Displaced,
         before: Option<&Displaced>,
@@ -281,17 +287,8 @@ impl Bordered<'_, '_> {
         let n = system.n();
         let width = n + 1;
         let values = self.lu.values();
-        values.fill(0.0);
-        for (entry, value) in system
-            .entries
-            .iter()
-            .zip(&self.mechanism.driven.evaluation.jacobian)
-        {
-            if let Some(column) = entry.column {
-                let (row, column) = (entry.row as usize, column as usize);
-                values[column * width + row] += system.scaled_entry(*value, row, column);
-            }
-        }
+        let jacobian = &self.mechanism.driven.evaluation.jacobian;
+        scatter(system, jacobian, values, |row, column| column * width + row);
         for row in 0..n {
             values[n * width + row] = self.mechanism.rows[row] / system.row_scale(row) / self.gap;
             values[row * width + n] = border.gradient[row];
@@ -321,17 +318,8 @@ impl Bordered<'_, '_> {
         let n = system.n();
         let width = n + 1;
         let values = self.forward.values();
-        values.fill(0.0);
-        for (entry, value) in system
-            .entries
-            .iter()
-            .zip(&self.mechanism.driven.evaluation.jacobian)
-        {
-            if let Some(column) = entry.column {
-                let (row, column) = (entry.row as usize, column as usize);
-                values[row * width + column] += system.scaled_entry(*value, row, column);
-            }
-        }
+        let jacobian = &self.mechanism.driven.evaluation.jacobian;
+        scatter(system, jacobian, values, |row, column| row * width + column);
         for row in 0..n {
             values[row * width + n] = self.mechanism.rows[row] / system.row_scale(row);
         }
@@ -360,5 +348,21 @@ impl Bordered<'_, '_> {
             }
             Held::Share(c) => c - at.c,
         };
+    }
+}
+
+/// Writes J, scaled, into a matrix of zeros; `place` says where an entry stands.
+fn scatter(
+    system: &System,
+    jacobian: &[f64],
+    values: &mut [f64],
+    place: impl Fn(usize, usize) -> usize,
+) {
+    values.fill(0.0);
+    for (entry, value) in system.entries.iter().zip(jacobian) {
+        if let Some(column) = entry.column {
+            let (row, column) = (entry.row as usize, column as usize);
+            values[place(row, column)] += system.scaled_entry(*value, row, column);
+        }
     }
 }

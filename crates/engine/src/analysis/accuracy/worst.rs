@@ -29,6 +29,8 @@ pub(super) struct Farthest {
     pub deviation: f64,
     /// Coordinates there (n).
     pub q: Vec<f64>,
+    /// On the way there: deviations with the share of the sources that each needs; empty where they were not followed.
+    pub needed: Vec<[f64; 2]>,
 }
 
 impl Mechanism<'_> {
@@ -97,7 +99,11 @@ impl Mechanism<'_> {
             let shrunk = system.scaled_norm(&step);
             let stalled = shrunk <= STALLED && shrunk > 0.3 * size;
             if moved <= STILL * now.abs() + round_off || stalled {
-                return Some(Farthest { deviation: now, q });
+                return Some(Farthest {
+                    deviation: now,
+                    q,
+                    needed: Vec::new(),
+                });
             }
             slow = if shrunk > SLOW * size { slow + 1 } else { 0 };
             if slow > 2 && kept.is_some() {

@@ -19,7 +19,7 @@
       frames.push(position);
       const known = (found) => bodies > 0 && found.every(Number.isFinite) ? found : null;
       return {
-        row, by, contributes: output.contributes[k], frame: frames.length - 1, position, displaced: [known(low), known(high)],
+        row, by, contributes: output.contributes[k], needed: output.needed[k], frame: frames.length - 1, position, displaced: [known(low), known(high)],
         sensitivity: (source) => by[4 * source], reach: (source) => [by[4 * source + 1], by[4 * source + 2]], variance: (source) => by[4 * source + 3],
       };
     });

@@ -1,0 +1,53 @@
+//! How far the output goes with a part of all deviations: the curve c(y) on the way to the reach.
+//!
+//! Beside a change point c goes with y², elsewhere with y. Shares that go with squares are dense enough for both.
+
+use super::reach::{Bordered, Displaced, Held};
+
+/// Shares are (k/PARTS)².
+const PARTS: usize = 8;
+/// Shares that people ask for.
+const ROUND: [f64; 2] = [0.1, 0.5];
+
+impl Bordered<'_, '_> {
+    /// Deviations of the output, each with the share of all deviations that reaches it first, the least first; from displaced
+    /// positions on the way from the nominal one (c = 0) to the reach (c = 1). A share at which nothing is found is left out.
+    pub(super) fn needed(&mut self, trail: &[Displaced]) -> Vec<[f64; 2]> {
+        let mut shares: Vec<f64> = (1..PARTS)
+            .map(|k| (k as f64 / PARTS as f64).powi(2))
+            .collect();
+        shares.extend(ROUND);
+        shares.sort_by(f64::total_cmp);
+        let mut curve = Vec::with_capacity(shares.len() + 1);
+        for share in shares {
+            curve.extend(self.at_share(trail, share).map(|y| [y, share]));
+        }
+        curve.extend(trail.last().map(|reached| [reached.y, 1.0]));
+        curve
+    }
+
+    /// The deviation of the output where the share is first reached.
+    fn at_share(&mut self, trail: &[Displaced], share: f64) -> Option<f64> {
+        let [from, to] = trail
+            .windows(2)
+            .find(|pair| pair[1].c >= share)
+            .and_then(|pair| <&[Displaced; 2]>::try_from(pair).ok())?;
+        let part = (share.sqrt() - from.c.sqrt()) / (to.c.sqrt() - from.c.sqrt());
+        let between = |a: f64, b: f64| a + part * (b - a);
+        let start = Displaced {
+            q: from
+                .q
+                .iter()
+                .zip(&to.q)
+                .map(|(a, b)| between(*a, *b))
+                .collect(),
+            c: share,
+            y: between(from.y, to.y),
+            load: to.load.clone(),
+        };
+        let found = self.solve(&start, None, Held::Share(share))?;
+        // Where c falls and rises again another position may have the same share.
+        let (low, high) = (from.y.min(to.y), from.y.max(to.y));
+        (low..=high).contains(&found.y).then_some(found.y)
+    }
+}
