@@ -40,6 +40,7 @@ mod page;
 mod plot;
 mod progress;
 mod refused;
+mod replaced;
 mod results;
 mod run;
 mod schema;

@@ -14,7 +14,7 @@ use super::open::{ModelOptions, Opened};
 use super::progress::Line;
 use super::streams::{complain, print, print_with, remark};
 use super::watch::watch;
-use super::{interrupt, summary};
+use super::{interrupt, replaced, summary};
 use linkdyn_engine::analysis::{self, Control, Outcome};
 use linkdyn_output::{Directory, Stage, csv};
 
@@ -102,11 +102,12 @@ fn once(options: &Options) -> Result<Exit, BadInput> {
     let origin = opened.origin();
     let written = match &target {
         Target::Directory(directory) => {
-            let page = if options.no_report {
-                files::Page::Unwanted
+            let (page, does) = if options.no_report {
+                (files::Page::Unwanted, "removed")
             } else {
-                files::Page::Wanted
+                (files::Page::Wanted, "replaced")
             };
+            replaced::tell(directory.path(), "run", does);
             write(directory, origin, &outcome, page)?
         }
         Target::Nowhere | Target::Stream => Written::default(),

@@ -13,6 +13,7 @@ use super::exit::{BadInput, Exit};
 use super::interrupt;
 use super::open::{ModelOptions, Opened};
 use super::progress::Line;
+use super::replaced;
 use super::streams::{complain, print};
 use linkdyn_engine::analysis::Control;
 use linkdyn_engine::analysis::accuracy::{Accuracy, Parameters, Refusal, accuracy};
@@ -64,6 +65,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let json = files::json(&opened, &found);
     let mut written = Vec::new();
     if let Some(directory) = directory {
+        replaced::tell(directory.path(), "accuracy", "replaced");
         written = files::write(&directory, &found, &json)?;
         let page = page::html(&opened, &found, text::assumed(&opened));
         written.push(directory.write(PAGE, page.as_bytes())?);

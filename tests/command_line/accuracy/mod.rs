@@ -1,5 +1,6 @@
 //! `linkdyn accuracy -o DIR`: its page, and what a browser makes of it.
 
+mod one_directory;
 mod page;
 
 use crate::browser::Scratch;

@@ -19,6 +19,7 @@
     sides: [...document.querySelectorAll("#sides button")].map((node) => node.textContent), factor: worst.factor, factor_told: id("factor_is").textContent,
     needed: { hidden: id("needed").hidden, note: id("needed_note").textContent, ends: [...document.querySelectorAll("#needed_plot circle")].map((dot) => Number(dot.getAttribute("cx"))),
       curves: [...document.querySelectorAll("#needed_plot polyline")].map((line) => line.getAttribute("points").split(" ").map((point) => point.split(",").map(Number))) },
+    names_broken: [...document.querySelectorAll(".shares > .text")].map((node) => node.querySelectorAll("wbr").length),
     sliders: [...document.querySelectorAll(".slider > .text")].map((node) => node.textContent),
   };
   told.texts_outside = [...document.querySelectorAll(".card :is(span, p, button), .output span")].filter((node) => box(node).width > 0 && box(node).right > innerWidth - 6).map((node) => node.textContent);
@@ -70,7 +71,16 @@
     input.dispatchEvent(new Event("input"));
     await wait(50);
     told.moved = { time: choice.at("time"), shift: choice.shift(choice.detail), delta: choice.delta[source], text: id("moved").textContent, plot: bandPlot.u && band() !== plot,
-      expected: file.signed(choice.shift(choice.detail), choice.output.unit) };
+      expected: file.signed(choice.shift(choice.detail), choice.output.unit), level: id("what_level").textContent, corner: choice.corner };
+    // All at their worst: the value and the drawing are the worst found.
+    const [low, high] = document.querySelectorAll("#corners button"), at = () => ({ corner: choice.corner, side: choice.side, level: id("what_level").textContent, text: id("moved").textContent, inputs: [...document.querySelectorAll("#sliders input")].map(({ value }) => Number(value)) });
+    low.click();
+    told.lowest = { ...at(), expected: file.signed(choice.at("found_low"), choice.output.unit) };
+    high.click();
+    told.highest = { ...at(), expected: file.signed(choice.at("found_high"), choice.output.unit) };
+    input.value = input.max / 2;
+    input.dispatchEvent(new Event("input"));
+    told.between = { ...at(), note: id("worst_note").textContent };
     id("reset").click();
     await wait(50);
     told.reset = id("moved").textContent === nominal && Number(input.value) === 0 && !choice.isMoved && (!bandPlot.u || band() === plot);

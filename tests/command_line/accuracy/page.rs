@@ -140,6 +140,34 @@ fn what_is_pressed_acts() {
     );
     assert_eq!(moved["plot"], true);
     assert_eq!(found["reset"], true);
+    corners(&found, by);
+    // Names break at their dots.
+    assert_eq!(found["names_broken"], json!([1, 1]));
+}
+
+/// With all parameters at their worst the page shows the worst found, in between the first order.
+fn corners(found: &Value, by: &Value) {
+    for (name, side) in [("lowest", 0), ("highest", 1)] {
+        let at = &found[name];
+        assert_eq!(at["corner"], side, "{at}");
+        assert_eq!(at["side"], side, "{at}");
+        assert_eq!(at["level"], "worst found", "{at}");
+        let text = at["text"].as_str().expect("text");
+        let expected = at["expected"].as_str().expect("text");
+        assert!(
+            text.contains(expected) && text.contains("worst found"),
+            "{text}"
+        );
+        // Only `base` has a tolerance.
+        let is_up = (number(&by["sensitivity"]) > 0.0) == (side == 1);
+        let end = if is_up { 100 } else { -100 };
+        assert_eq!(at["inputs"], json!([end, 0, 0, 0]), "{at}");
+    }
+    let between = &found["between"];
+    assert_eq!(between["corner"], Value::Null, "{between}");
+    assert_eq!(between["level"], "to first order", "{between}");
+    let note = between["note"].as_str().expect("text");
+    assert!(note.contains("not this drawing"), "{note}");
 }
 
 /// Beside the change point of the lock nothing is certified: the band is open there, says so, and its peaks are told.

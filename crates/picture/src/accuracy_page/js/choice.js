@@ -25,8 +25,27 @@
       poses[outputs.indexOf(output)] = number;
       tell("pose");
     },
-    move(source, by) { delta[source] = by; tell("moved"); },
+    move(source, by) { delta[source] = by; side = choice.corner ?? side; tell("moved"); },
     reset() { delta.fill(0); tell("moved"); },
+    // Deviations of the parameters that carry the output farthest to a side at the chosen pose; null where none is known to.
+    worst(side) {
+      const { detail } = choice, found = new Float64Array(sources.length);
+      if (!detail.contributes || !detail.displaced[side]) return null;
+      sources.forEach(({ slider }, source) => {
+        const slope = detail.sensitivity(source);
+        if (slider?.is_tolerance && slope !== 0) found[source] = slider.range[(slope > 0) === (side === 1) ? 1 : 0];
+      });
+      return found.some((by) => by !== 0) ? found : null;
+    },
+    // The side to which all parameters are at their worst; null in between.
+    get corner() { return [0, 1].find((side) => choice.isMoved && choice.worst(side)?.every((by, source) => by === delta[source])) ?? null; },
+    toWorst(chosen) {
+      const wanted = choice.worst(chosen);
+      if (!wanted) return;
+      delta.set(wanted);
+      side = chosen;
+      tell("moved");
+    },
     get isMoved() { return delta.some((by) => by !== 0); },
     // Deviation of the output by the sliders, to first order; not a number where there is none.
     shift(detail) {

@@ -17,5 +17,7 @@
     const [below, above] = [value(-low, unit, digits), value(high, unit, digits)];
     return below === above ? `±${above}` : `${signed(low, unit, digits)} / ${signed(high, unit, digits)}`;
   };
+  // Long names break at their dots.
+  linkdyn.dotted = (name) => linkdyn.plain(name).split(/(?<=\.)/).flatMap((part, k) => k ? [document.createElement("wbr"), part] : [part]);
   linkdyn.file = { of, value, signed, both, number };
 })();

@@ -25,7 +25,7 @@
       const bar = element("i"), place = (value) => 50 + 50 * value / most;
       bar.style.left = `${place(low)}%`;
       bar.style.width = `${place(high) - place(low)}%`;
-      return [element("span", { text: name, className: "text" }), element("span", { className: "bar", "aria-hidden": "true" }, bar),
+      return [element("span", { className: "text" }, ...linkdyn.dotted(name)), element("span", { className: "bar", "aria-hidden": "true" }, bar),
         ...[file.both(low, high, output.unit), share(high - low, total), share(variance, spread)].map((text) => element("span", { text, className: "number" }))];
     });
     const more = list.length > MOST ? [element("button", { type: "button", text: all ? "The greatest only" : `All ${list.length}`, on: { click: () => { all = !all; fill(); } } })] : [];

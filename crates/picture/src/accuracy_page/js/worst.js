@@ -106,7 +106,7 @@
     id("fit").disabled = chosen === null;
     id("enlarging").hidden = !drawn || !detail.displaced[choice.side];
     id("worst_note").textContent = detail.displaced[choice.side]
-      ? `Grey: nominal. In colour: ${linkdyn.plain(output.name)} carried to its ${choice.side ? "highest" : "lowest"}, displacements × ${file.number(factor, 3)}. Gaps at pins are clearances and deviations of lengths, enlarged alike.`
+      ? `Grey: nominal. In colour: ${linkdyn.plain(output.name)} carried to its ${choice.side ? "highest" : "lowest"}, displacements × ${file.number(factor, 3)}. Gaps at pins are clearances and deviations of lengths, enlarged alike.${choice.isMoved && choice.corner === null ? " The sliders below move the value, not this drawing, until all are at their worst." : ""}`
       : "Grey: nominal. To this side no worst configuration was found at this pose.";
     if (drawn) draw();
   };
@@ -119,7 +119,7 @@
   id("fit").addEventListener("click", () => { chosen = null; fill(); });
   const measure = () => { [width, height] = [stage.clientWidth, stage.clientHeight]; if (width > 0) fill(); };
   new ResizeObserver(() => setTimeout(measure, 0)).observe(stage);
-  choice.onChange((what) => { if (what !== "moved") fill(); });
+  choice.onChange(fill);
   theme.onChange(fill);
   measure();
   linkdyn.worst = { get factor() { return factor; }, GHOST, draw };
