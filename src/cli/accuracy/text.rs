@@ -12,6 +12,8 @@ use linkdyn_model::{Distribution, Pins};
 const DIGITS: usize = 5;
 /// Contributions that are printed of one output.
 const MOST: usize = 12;
+const NO_FIRST: &str =
+    "does not exist: a change point, where accuracy goes with the root of the clearance";
 /// Shares of the clearances and tolerances whose reach is printed where nothing is certified.
 const SHARES: [f64; 3] = [0.1, 0.5, 1.0];
 /// Poses of a stroke that are printed.
@@ -161,13 +163,9 @@ fn of_output(
     page.row("nominal", value(display, unit, worst.nominal));
     page.row(
         "first order",
-        match worst.first {
-            Some(first) => both(display, unit, first),
-            None => {
-                "does not exist: a change point, where accuracy goes with the root of the clearance"
-                    .into()
-            }
-        },
+        worst
+            .first
+            .map_or(NO_FIRST.into(), |first| both(display, unit, first)),
     );
     page.row(
         "worst found",
