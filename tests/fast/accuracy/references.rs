@@ -195,3 +195,43 @@ fn worst_cases_agree() {
         assert!(worst.0 <= most, "{}: {}", worst.1, worst.0);
     }
 }
+
+/// V5: with tolerances of its three lengths the clutch has the worst cases and the root sum of squares of the reference.
+#[test]
+fn tolerances_of_the_clutch_add_up() {
+    let case = Case::read("clutch");
+    let output = &list(&case.poses[0], "outputs")[0];
+    let expected = &output["tolerances"];
+    let named = map(expected, "half_widths").iter();
+    let mut sets: Vec<String> = named
+        .map(|(name, half)| format!("{name}.tolerance=\"{} m\"", half.as_str().expect("digits")))
+        .collect();
+    sets.push(format!(
+        "accuracy={}",
+        json!({ "outputs": { "phi": { "column": output["column"] } } })
+    ));
+    let found = asked(&case.model, &sets);
+    let own = &found["outputs"]["phi"]["poses"][0];
+    let mut worst = Worst::default();
+    let mut take = |found: f64, key: &str| {
+        let off = (found / number(&expected[key]) - 1.0).abs();
+        worst.take(off, || key.to_owned());
+    };
+    let digits = |value: &Value| value.as_f64().unwrap_or(f64::NAN);
+    take(digits(&own["first"][1]), "worst_first_order");
+    take(digits(&own["found"][0]), "minus");
+    take(digits(&own["found"][1]), "plus");
+    take(3.0 * digits(&own["sigma"]), "rss");
+    for (name, share) in map(expected, "shares_of_worst") {
+        let found = &own["contributions"][name];
+        worst.take(off(&found["worst_share"], number(share), 0.0), || {
+            name.clone()
+        });
+        let share = &expected["shares_of_variance"][name];
+        worst.take(off(&found["variance_share"], number(share), 0.0), || {
+            name.clone()
+        });
+    }
+    println!("{} {}", worst.0, worst.1);
+    assert!(worst.0 <= 1e-12, "{}: {}", worst.1, worst.0);
+}

@@ -136,3 +136,49 @@ impl Play {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of all gaps and turns that |e| + |γ| L/2 ≤ c allows the extreme one carries the output farthest, as far as the reach says.
+    #[test]
+    fn a_guided_slider_goes_to_a_corner_of_its_room() {
+        let (c, length) = (0.03, 0.4);
+        let play = Play::Guided {
+            row: 0,
+            half: [0.01, c],
+            length,
+        };
+        // By the gap, by the turn, both alike, either sign.
+        let cases = [
+            ([2.0, 0.1], c * 2.0),
+            ([-0.3, 0.5], c * 2.5),
+            ([1.0, -0.2], c * 1.0),
+            ([0.0, 0.0], 0.0),
+        ];
+        for (g, reach) in cases {
+            let [down, up] = play.reach(g);
+            assert!(
+                (up - reach).abs() < 1e-16 && down == -up,
+                "{g:?}: {up} {reach}"
+            );
+            for side in [-1.0, 1.0] {
+                let [e, turn] = play.extreme(g, side);
+                let used = e.abs() + 0.5 * length * turn.abs();
+                assert!((used - c).abs() < 1e-17 || reach == 0.0, "{e} {turn}");
+                let carried = g[0] * e + g[1] * turn;
+                assert!((carried - side * up).abs() < 1e-16, "{g:?}: {carried}");
+            }
+            let mut most = 0.0_f64;
+            for k in 0..=100 {
+                let part = 0.01 * f64::from(k);
+                for (a, b) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
+                    let (e, turn) = (a * c * part, b * 2.0 * c * (1.0 - part) / length);
+                    most = most.max(g[0] * e + g[1] * turn);
+                }
+            }
+            assert!((most - up).abs() < 1e-16, "{g:?}: {most} {up}");
+        }
+    }
+}
