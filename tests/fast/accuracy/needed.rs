@@ -3,8 +3,8 @@
 use super::{asked, clearances};
 use serde_json::Value;
 
-/// The lock's change point, and a place beside it where nothing is certified.
-const AT: [&str; 2] = ["117.512206516644 deg", "117 deg"];
+/// The lock's change point, and a place close beside it, where nothing is certified.
+const AT: [&str; 2] = ["117.512206516644 deg", "117.4 deg"];
 const JOINTS: [&str; 7] = ["a", "b", "c", "d", "e", "f", "g"];
 
 /// Deviations of the lock's first link with clearances of a radius \[m\] at a value of its driver.

@@ -50,7 +50,7 @@ pub struct PoseAccuracy {
     /// The same where the output is carried farthest, to the lower and the upper side.
     pub displaced: [Option<Vec<[f64; 3]>>; 2],
     /// Deviations to the lower and the upper side, the least first, each with the share of all clearances and tolerances that
-    /// it needs; empty where a bound is certified, or nothing was found.
+    /// it needs; empty where a bound is certified, nothing was found, or the deviation goes with the share.
     pub needed: [Vec<[f64; 2]>; 2],
     /// A bound that nothing exceeds; none where none can be certified.
     pub certified: Option<[f64; 2]>,

@@ -6,13 +6,19 @@ use super::reach::{Bordered, Displaced, Held};
 
 /// Shares are (k/PARTS)².
 const PARTS: usize = 8;
+/// A reach that is off the straight line by less than this part needs no curve.
+const STRAIGHT: f64 = 0.01;
 /// Shares that people ask for.
 const ROUND: [f64; 2] = [0.1, 0.5];
 
 impl Bordered<'_, '_> {
     /// Deviations of the output, each with the share of all deviations that reaches it first, the least first; from displaced
-    /// positions on the way from the nominal one (c = 0) to the reach (c = 1). A share at which nothing is found is left out.
+    /// positions on the way from the nominal one (c = 0) to the reach (c = 1). A share at which nothing is found is left out;
+    /// all are where the output goes with the share.
     pub(super) fn needed(&mut self, trail: &[Displaced]) -> Vec<[f64; 2]> {
+        if is_straight(trail) {
+            return Vec::new();
+        }
         let mut shares: Vec<f64> = (1..PARTS)
             .map(|k| (k as f64 / PARTS as f64).powi(2))
             .collect();
@@ -49,5 +55,15 @@ impl Bordered<'_, '_> {
         // Where c falls and rises again another position may have the same share.
         let (low, high) = (from.y.min(to.y), from.y.max(to.y));
         (low..=high).contains(&found.y).then_some(found.y)
+    }
+}
+
+/// Whether the reach is what the first position on the way says, to first order.
+fn is_straight(trail: &[Displaced]) -> bool {
+    match trail {
+        [_, first, .., reached] => {
+            (first.y / first.c / (reached.y / reached.c) - 1.0).abs() < STRAIGHT
+        }
+        _ => true,
     }
 }
