@@ -15,6 +15,7 @@ const PACKAGES: &[(&str, &[&str])] = &[
             "output",
             "model",
             "linear",
+            "study",
         ],
     ),
     // The cases: what the engine is held against.
@@ -31,6 +32,8 @@ const PACKAGES: &[(&str, &[&str])] = &[
     ("model", &[]),
     // Matrices, no mechanism.
     ("linear", &[]),
+    // Samples, summaries and files of many variants, whatever they are variants of.
+    ("study", &[]),
 ];
 
 /// Packages that only the command may name.
