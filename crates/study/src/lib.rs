@@ -1,4 +1,4 @@
-//! Numerics of studies: random numbers and distributions. It knows no mechanism.
+//! Numerics of studies: random numbers and lists of variants. It knows no mechanism.
 //!
 //! Part of linkdyn; its items change without notice. Use the package `linkdyn`.
 //!
@@ -6,11 +6,13 @@
 //! random        Philox4x64-10: random numbers by their number, the same as those of numpy
 //! normal        normal distribution function and its inverse
 //! distribution  how one value scatters between its limits: quantiles and moments
+//! design        the list of variants as a function of (design, seed): any row by its number
 //! ```
 //!
 //! What a design gives for a seed is fixed forever: tests hold the digits. Functions like exp and log come from `libm`, so that they
 //! do not depend on the machine.
 
+pub mod design;
 pub mod distribution;
 pub mod normal;
 pub mod random;
