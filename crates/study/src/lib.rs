@@ -1,4 +1,4 @@
-//! Numerics of studies: random numbers and lists of variants. It knows no mechanism.
+//! Numerics of studies: random numbers, lists of variants and summaries. It knows no mechanism.
 //!
 //! Part of linkdyn; its items change without notice. Use the package `linkdyn`.
 //!
@@ -7,6 +7,7 @@
 //! normal        normal distribution function and its inverse
 //! distribution  how one value scatters between its limits: quantiles and moments
 //! design        the list of variants as a function of (design, seed): any row by its number
+//! summary       moments, quantiles, histograms, capability, yields, Sobol indices, in one pass
 //! ```
 //!
 //! What a design gives for a seed is fixed forever: tests hold the digits. Functions like exp and log come from `libm`, so that they
@@ -16,3 +17,4 @@ pub mod design;
 pub mod distribution;
 pub mod normal;
 pub mod random;
+pub mod summary;
