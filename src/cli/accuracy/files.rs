@@ -155,6 +155,7 @@ fn of_pose(found: &Accuracy, pose: &PoseAccuracy) -> Value {
         "mean": pose.moments.map(|moments| moments[0]),
         "sigma": pose.moments.map(|moments| moments[1]),
         "pressed": pose.pressed,
+        "missing": pose.missing,
         "within": pose.capability.map(|capability| capability.within),
         "cp": pose.capability.map(|capability| capability.cp),
         "cpk": pose.capability.map(|capability| capability.cpk),

@@ -1,6 +1,7 @@
 //! `linkdyn accuracy`: what tolerances and clearances do to the outputs of a mechanism.
 
 mod files;
+mod levels;
 mod page;
 mod text;
 

@@ -3,19 +3,14 @@
 use std::path::PathBuf;
 
 use super::super::open::Opened;
-use super::super::page::{Page, number};
+use super::super::page::Page;
+use super::levels::{allowed, both, certified, first_of, found_of, of_limits, signed, value};
 use linkdyn_engine::analysis::accuracy::{Accuracy, OutputAccuracy, PoseAccuracy};
 use linkdyn_model::display::DisplayUnits;
 use linkdyn_model::{Distribution, Pins};
 
-/// Digits of deviations and of sensitivities.
-const DIGITS: usize = 5;
 /// Contributions that are printed of one output.
 const MOST: usize = 12;
-const NO_FIRST: &str =
-    "does not exist: a change point, where accuracy goes with the root of the clearance";
-/// Shares of the clearances and tolerances whose reach is printed where nothing is certified.
-const SHARES: [f64; 3] = [0.1, 0.5, 1.0];
 /// Poses of a stroke that are printed.
 const POSES: usize = 9;
 
@@ -90,33 +85,6 @@ pub fn assumed(opened: &Opened) -> String {
     }
 }
 
-/// A value in the units of the file.
-fn value(display: &DisplayUnits, unit: &str, value: f64) -> String {
-    match unit {
-        "rad" => display.angle_to(value, DIGITS),
-        _ => display.length_to(value, DIGITS),
-    }
-}
-
-/// `±a`, or `-a / +b`.
-fn both(display: &DisplayUnits, unit: &str, [low, high]: [f64; 2]) -> String {
-    let [below, above] = [-low, high].map(|by| value(display, unit, by));
-    if below == above {
-        format!("±{above}")
-    } else {
-        format!(
-            "{} / {}",
-            signed(display, unit, low),
-            signed(display, unit, high)
-        )
-    }
-}
-
-fn signed(display: &DisplayUnits, unit: &str, by: f64) -> String {
-    let sign = if by < 0.0 { "-" } else { "+" };
-    format!("{sign}{}", value(display, unit, by.abs()))
-}
-
 /// How far a pose lets the output go, by the best that is known of it.
 fn extent(pose: &PoseAccuracy) -> f64 {
     let found = pose
@@ -160,33 +128,26 @@ fn of_output(
         ),
     };
     page.line(format!("{} = {}, {where_}", output.name, output.of));
-    page.row("nominal", value(display, unit, worst.nominal));
-    page.row(
-        "first order",
-        worst
-            .first
-            .map_or(NO_FIRST.into(), |first| both(display, unit, first)),
-    );
-    page.row(
-        "worst found",
-        match worst.found {
-            [Some(low), Some(high)] => both(display, unit, [low, high]),
-            [low, high] => {
-                let side = |by: Option<f64>| {
-                    by.map_or("not found".to_owned(), |by| signed(display, unit, by))
-                };
-                format!("{} / {}", side(low), side(high))
-            }
-        },
-    );
-    page.row(
-        "certified",
-        match worst.certified {
-            Some(bound) => both(display, unit, bound),
-            None => "no bound could be proved here (near a singular position, or an axis or gear centre has a tolerance)".into(),
-        },
-    );
+    if worst.nominal.is_finite() {
+        page.row("nominal", value(display, unit, worst.nominal));
+    }
+    page.row("first order", first_of(display, unit, worst));
+    if worst.missing.is_none() {
+        page.row("worst found", found_of(display, unit, worst));
+        page.row("certified", certified(display, output, worst));
+    }
     page.rows("allowed by", allowed(display, unit, worst));
+    if output.is_force()
+        && found
+            .sources
+            .iter()
+            .any(|source| source.starts_with("joints."))
+    {
+        page.row(
+            "pins",
+            "here pressed by the load, from their least to their greatest clearance",
+        );
+    }
     if let Some([mean, sigma]) = worst.moments {
         let mean = if mean == 0.0 {
             String::new()
@@ -211,59 +172,23 @@ fn of_output(
     if let Some(limits) = output.limits {
         page.row("limits", of_limits(display, unit, limits, worst));
     }
+    page.rows("without", without(display, drivers, output));
     if output.poses.len() > 1 {
         page.rows("stroke", stroke(display, unit, drivers, output));
     }
     page.rows("contributions", contributions(display, unit, found, worst));
 }
 
-/// How far parts of all clearances and tolerances let the output go, where nothing is certified: beside a change point a part
-/// of them allows more than that part of the deviation.
-fn allowed(display: &DisplayUnits, unit: &str, pose: &PoseAccuracy) -> Vec<String> {
-    let at = |side: usize, share: f64| {
-        let points = pose.needed[side].iter();
-        points
-            .clone()
-            .find(|[_, needed]| *needed == share)
-            .map(|[by, _]| *by)
+/// The first of a stroke's poses at which there is no force, or none of its levels.
+fn without(display: &DisplayUnits, drivers: &[&str], output: &OutputAccuracy) -> Option<String> {
+    let mut poses = output.poses.iter().filter(|pose| pose.missing.is_some());
+    let first = poses.next().filter(|_| output.poses.len() > 1)?;
+    let more = match poses.count() {
+        0 => String::new(),
+        count => format!(" (and {count} more)"),
     };
-    let row = |share: f64| {
-        let by = match [at(0, share), at(1, share)] {
-            [None, None] => return None,
-            [Some(low), Some(high)] => both(display, unit, [low, high]),
-            [Some(by), None] | [None, Some(by)] => signed(display, unit, by),
-        };
-        let part = number(100.0 * share, 3);
-        Some(format!("{part} % of all clearances and tolerances: {by}"))
-    };
-    SHARES.iter().filter_map(|share| row(*share)).collect()
-}
-
-fn of_limits(display: &DisplayUnits, unit: &str, limits: [f64; 2], pose: &PoseAccuracy) -> String {
-    let allowed = both(display, unit, limits);
-    let held = |bound: Option<[f64; 2]>| {
-        bound.is_some_and(|bound| bound[0] >= limits[0] && bound[1] <= limits[1])
-    };
-    let found = match pose.found {
-        [Some(low), Some(high)] => Some([low, high]),
-        _ => None,
-    };
-    let verdict = if held(pose.certified) {
-        "always kept (certified)"
-    } else if found.is_some_and(|found| found[0] < limits[0] || found[1] > limits[1]) {
-        "exceeded by the worst found"
-    } else {
-        "kept by the worst found, not certified"
-    };
-    match &pose.capability {
-        Some(capability) => format!(
-            "{allowed}: {verdict}; {} % within, Cp {}, Cpk {}",
-            number(100.0 * capability.within, 6),
-            number(capability.cp, 4),
-            number(capability.cpk, 4)
-        ),
-        None => format!("{allowed}: {verdict}"),
-    }
+    let missing = first.missing.as_deref()?;
+    Some(format!("{}{more}: {missing}", at(display, drivers, first)))
 }
 
 /// Some poses along the stroke.
@@ -285,7 +210,12 @@ fn stroke(
             let certified = pose.certified.map_or("not certified".into(), |bound| {
                 format!("certified {}", both(display, unit, bound))
             });
-            format!("{}: {found}, {certified}", at(display, drivers, pose))
+            let said = match &pose.missing {
+                Some(missing) => missing.clone(),
+                None if output.is_force() => found,
+                None => format!("{found}, {certified}"),
+            };
+            format!("{}: {said}", at(display, drivers, pose))
         })
         .collect()
 }
@@ -311,15 +241,23 @@ fn contributions(
         .max()
         .unwrap_or(0)
         .max(6);
+    let shown = order.iter().take(MOST);
+    let carried = shown.map(|&k| (k, both(display, unit, pose.contributions[k].reach)));
+    let carried: Vec<(usize, String)> = carried.collect();
+    let wide = carried
+        .iter()
+        .map(|(_, by)| by.chars().count())
+        .max()
+        .unwrap_or(0)
+        .max(18);
     let mut rows = vec![format!(
-        "{:width$}  {:>18}  {:>10}  {:>10}",
+        "{:width$}  {:>wide$}  {:>10}  {:>10}",
         "source", "carries it by", "worst case", "variance"
     )];
-    for &k in order.iter().take(MOST) {
-        let by = both(display, unit, pose.contributions[k].reach);
+    for (k, by) in carried {
         let [worst, variance] = shares[k].map(|share| format!("{:.2} %", 100.0 * share));
         rows.push(format!(
-            "{:width$}  {by:>18}  {worst:>10}  {variance:>10}",
+            "{:width$}  {by:>wide$}  {worst:>10}  {variance:>10}",
             found.sources[k]
         ));
     }

@@ -42,3 +42,35 @@ fn accuracy(arguments: &[&str]) -> (String, String, Value) {
     let told = String::from_utf8(output.stdout).expect("UTF-8");
     (told, page, json)
 }
+
+/// An effort over the stroke is printed, written and drawn in its unit, and where it does not exist no number stands.
+#[test]
+fn efforts_are_told_in_their_unit() {
+    let effort =
+        r#"accuracy={"outputs":{"closing":{"column":"driver.motor.effort","limits":[-1,1]}}}"#;
+    let sample = r#"analysis.sample={"driver":"motor","from":"60 deg","to":"117.512206516644 deg","step":"20 deg"}"#;
+    let (told, page, json) = accuracy(&["lock", "--set", effort, "--set", sample]);
+    for line in [
+        "closing = driver.motor.effort, over 4 poses; farthest at motor = 80°",
+        "  certified     no bound is proved for forces; the worst found is a corner of all that may be off",
+        "  pins          here pressed by the load, from their least to their greatest clearance",
+        "  without       motor = 117.51°: does not exist: in a singular position (",
+        "  limits        ±1 N·m: kept by the worst found, not certified",
+    ] {
+        assert!(told.contains(line), "{told}\nlacks {line}");
+    }
+    assert!(page.contains("driver.motor.effort") && page.contains("N*m"));
+    let output = &json["outputs"]["closing"];
+    let poses = output["poses"].as_array().expect("poses");
+    assert_eq!((output["unit"].as_str(), poses.len()), (Some("N*m"), 4));
+    assert!(
+        poses[3]["nominal"].is_null() && poses[3]["missing"].is_string(),
+        "{}",
+        poses[3]
+    );
+    assert!(
+        poses[0]["missing"].is_null() && poses[0]["found"][0].is_f64(),
+        "{}",
+        poses[0]
+    );
+}

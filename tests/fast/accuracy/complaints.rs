@@ -101,13 +101,18 @@ const CASES: &[Case] = &[
         edits: &[("rocker.angle", "joint.b.fx")],
         options: &[],
         status: 2,
-        says: r#"line 25, column 26: accuracy.outputs.swing.column: "joint.b.fx": accuracy is that of positions: angles of bodies, x and y of bodies and of points, distances (forces and efforts are not differentiated yet)"#,
+        says: r#"line 10, column 14: bodies.crank: inverse dynamics needs the mass of body "crank" (give "mass"; 0 is allowed where the joints determine its motion)
+line 10, column 14: bodies.crank: inverse dynamics needs the inertia of body "crank" (give "inertia"; 0 is allowed where the joints determine its motion)
+line 11, column 16: bodies.coupler: inverse dynamics needs the mass of body "coupler" (give "mass"; 0 is allowed where the joints determine its motion)
+line 11, column 16: bodies.coupler: inverse dynamics needs the inertia of body "coupler" (give "inertia"; 0 is allowed where the joints determine its motion)
+line 12, column 15: bodies.rocker: inverse dynamics needs the mass of body "rocker" (give "mass"; 0 is allowed where the joints determine its motion)
+line 12, column 15: bodies.rocker: inverse dynamics needs the inertia of body "rocker" (give "inertia"; 0 is allowed where the joints determine its motion)"#,
     },
     Case {
-        edits: &[("rocker.angle", "driver.motor.effort")],
+        edits: &[("rocker.angle", "joint.b.torque")],
         options: &[],
         status: 2,
-        says: r#"line 25, column 26: accuracy.outputs.swing.column: "driver.motor.effort": accuracy is that of positions: angles of bodies, x and y of bodies and of points, distances (forces and efforts are not differentiated yet)"#,
+        says: r#"line 25, column 26: accuracy.outputs.swing.column: "joint.b.torque": the results have no such column of a position, an effort or a joint force (there are joint.b.fx, joint.b.fy)"#,
     },
     Case {
         edits: &[(

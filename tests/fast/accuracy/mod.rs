@@ -1,6 +1,7 @@
 //! What tolerances and clearances do to outputs: against references with 40 digits, and by laws that hold for all models.
 
 mod complaints;
+mod forces;
 mod laws;
 mod needed;
 #[path = "../../common/accuracy/newton.rs"]

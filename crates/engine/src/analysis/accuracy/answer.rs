@@ -22,15 +22,15 @@ pub struct OutputAccuracy {
     pub name: String,
     /// What it is: a column, or a distance.
     pub of: String,
-    /// `rad` or `m`.
+    /// `rad` or `m`, of forces `N` or `N*m`.
     pub unit: &'static str,
-    /// Allowed deviations [rad or m].
+    /// Allowed deviations, in this unit.
     pub limits: Option<[f64; 2]>,
     /// One, or one per instant.
     pub poses: Vec<PoseAccuracy>,
 }
 
-/// Deviations of an output at a pose [rad or m], to the lower and the upper side.
+/// Deviations of an output at a pose, in its unit, to the lower and the upper side.
 #[derive(Debug, Clone)]
 pub struct PoseAccuracy {
     /// \[s\]
@@ -39,7 +39,7 @@ pub struct PoseAccuracy {
     pub drivers: Vec<f64>,
     /// `rad` or `m` of each.
     pub driver_units: Vec<&'static str>,
-    /// The output [rad or m].
+    /// The output; NaN of a force that does not exist there.
     pub nominal: f64,
     /// To first order; none where it does not exist.
     pub first: Option<[f64; 2]>,
@@ -60,6 +60,8 @@ pub struct PoseAccuracy {
     pub capability: Option<Capability>,
     /// Deviation with every pin where the loads press it; twice its size is lost as they reverse.
     pub pressed: Option<f64>,
+    /// Why a force has no first order, or no value, here.
+    pub missing: Option<String>,
     /// By source; empty where no first order exists.
     pub contributions: Vec<Contribution>,
 }
@@ -74,6 +76,13 @@ fn frames(system: &System, q: &[f64]) -> Vec<[f64; 3]> {
         [origin.x, origin.y, theta]
     };
     bodies.map(frame).collect()
+}
+
+impl OutputAccuracy {
+    /// Whether it is a force or a torque.
+    pub fn is_force(&self) -> bool {
+        self.unit.starts_with('N')
+    }
 }
 
 impl PoseAccuracy {
@@ -97,6 +106,7 @@ impl PoseAccuracy {
             moments: None,
             capability: None,
             pressed: None,
+            missing: None,
             contributions: Vec::new(),
         }
     }
@@ -119,7 +129,9 @@ impl PoseAccuracy {
 
     /// Shares of the contributions in the worst case and in the variance; each sums to 1, or to 0 where nothing contributes.
     pub fn shares(&self) -> Vec<[f64; 2]> {
-        let of = |by: &Contribution| [by.reach[1] - by.reach[0], by.variance];
+        // What is pressed to one side goes there from the nominal value.
+        let span = |reach: [f64; 2]| reach[1].max(0.0) - reach[0].min(0.0);
+        let of = |by: &Contribution| [span(by.reach), by.variance];
         let mut total = [0.0; 2];
         for by in &self.contributions {
             let [worst, variance] = of(by);

@@ -13,6 +13,7 @@
 //! worst found      stationary under all sources, at the displaced position                        `worst`, near change points `reach`
 //! needed           the share of all sources that a deviation needs                                `needed`
 //! certified        a bound that nothing exceeds, where an interval Newton step contracts          `enclosure`
+//! forces           efforts and joint forces, from statics or inverse dynamics                     `forces`
 //! spread           standard deviation, capability                                                 `statistics`
 //! least cost       tolerances that keep limits                                                    `allocate`
 //! ```
@@ -22,6 +23,7 @@ mod answer;
 mod dimensions;
 mod displaced;
 mod enclosure;
+mod forces;
 mod grip;
 mod needed;
 mod output;
@@ -39,7 +41,7 @@ pub use rooms::Limited;
 pub use statistics::{Capability, Pins, Scatter};
 pub use words::{Deviating, Parameters, Refusal, accuracy};
 
-use super::clearance_link::forces;
+use super::clearance_link;
 use super::control::Control;
 use super::instants::OutputInstant;
 use super::sample::Sample;
@@ -47,15 +49,16 @@ use crate::system::System;
 use dimensions::Dimensions;
 use displaced::{Corners, Mechanism, Stand};
 use output::{Load, Output};
-use poses::{Halt, Way};
+use poses::{Halt, Unmet, Way};
 use source::Play;
 use statistics::{capability, moments};
 
 /// What is asked of a system.
 struct Question<'q> {
-    pub outputs: Vec<Wanted>,
+    pub outputs: Vec<Wanted<Output>>,
+    pub forces: forces::Question<'q>,
     pub sources: Vec<Named>,
-    pub dimensions: Dimensions,
+    pub dimensions: &'q Dimensions,
     pub pins: Pins,
     pub instants: Vec<OutputInstant>,
     /// Bounds of what the steps of parameters leave out (dimensions); none where they are not known.
@@ -65,13 +68,13 @@ struct Question<'q> {
 }
 
 /// An output that is wanted.
-struct Wanted {
+struct Wanted<Of> {
     pub name: String,
     pub of: String,
-    pub output: Output,
+    pub output: Of,
     /// Driver and its value [rad or m] at the pose; none: all instants.
     pub at: Option<(usize, f64)>,
-    /// Allowed deviations [rad or m].
+    /// Allowed deviations, in the unit of the output.
     pub limits: Option<[f64; 2]>,
 }
 
@@ -91,20 +94,28 @@ fn run(system: &System, question: &Question, control: &Control) -> Result<Accura
     let plays: Vec<Play> = named.map(|named| named.play.clone()).collect();
     let mechanism = Mechanism::new(
         way.another()?,
-        &question.dimensions,
+        question.dimensions,
         &plays,
         question.corners,
     );
-    let (mut stands, mut unreached) = (Vec::new(), Vec::new());
-    for (index, wanted) in question.outputs.iter().enumerate() {
-        match wanted.at {
-            None => stands.push(None),
-            Some((driver, value)) => match way.stand_at(driver, value) {
-                Ok(stand) => stands.push(Some(stand)),
-                Err(outside) => unreached.push((index, outside)),
-            },
-        }
-    }
+    let mut unreached = Vec::new();
+    let mut stand_of = |name: &str, at: Option<(usize, f64)>| {
+        let (driver, value) = at?;
+        let stand = way.stand_at(driver, value);
+        stand
+            .map_err(|by| {
+                unreached.push(Unmet {
+                    output: name.to_owned(),
+                    value,
+                    by,
+                })
+            })
+            .ok()
+    };
+    let wanted = question.outputs.iter();
+    let stands: Vec<Option<Stand>> = wanted.map(|own| stand_of(&own.name, own.at)).collect();
+    let wanted = question.forces.outputs.iter();
+    let held: Vec<Option<Stand>> = wanted.map(|(_, own)| stand_of(&own.name, own.at)).collect();
     if !unreached.is_empty() {
         return Err(Halt::Unreached(unreached));
     }
@@ -132,6 +143,10 @@ fn run(system: &System, question: &Question, control: &Control) -> Result<Accura
             poses,
         });
     }
+    let poses = forces::poses(&question.forces, held, &question.instants, &mut way);
+    for (place, answer) in forces::answer(system, question, &poses) {
+        outputs.insert(place, answer);
+    }
     let named = question.sources.iter();
     Ok(Accuracy {
         sources: named.map(|named| named.name.clone()).collect(),
@@ -149,7 +164,7 @@ struct Asked<'a> {
 
 impl Asked<'_> {
     /// All levels at one pose.
-    fn pose(&mut self, wanted: &Wanted, stand: &Stand) -> PoseAccuracy {
+    fn pose(&mut self, wanted: &Wanted<Output>, stand: &Stand) -> PoseAccuracy {
         let output = &wanted.output;
         let mechanism = &mut self.mechanism;
         mechanism.shifts.fill(linkdyn_linear::math::Vec2::zeros());
@@ -194,7 +209,7 @@ impl Asked<'_> {
     /// Influences, shares and spread.
     fn first_order(
         &mut self,
-        wanted: &Wanted,
+        wanted: &Wanted<Output>,
         stand: &Stand,
         load: &Load,
         pose: &mut PoseAccuracy,
@@ -241,7 +256,7 @@ impl Asked<'_> {
         self.sample.q.copy_from_slice(&stand.q);
         let driven = &mut self.mechanism.driven;
         driven.evaluation.set_position(&stand.q);
-        forces(driven, &stand.inputs, &mut self.sample).ok()?;
+        clearance_link::forces(driven, &stand.inputs, &mut self.sample).ok()?;
         let mut deviation = 0.0;
         for (named, g) in self.question.sources.iter().zip(influences) {
             if let Play::Pin { row, clearance } = named.play {

@@ -30,12 +30,21 @@ pub(super) struct Unreached {
     pub is_stopped: bool,
 }
 
+/// An output with a pose that the motion does not have.
+pub(super) struct Unmet {
+    /// Its name.
+    pub output: String,
+    /// The value that was asked for [rad or m].
+    pub value: f64,
+    pub by: Unreached,
+}
+
 /// Why a question has no answer.
 pub(super) enum Halt {
     /// As any analysis.
     Stop(Stop),
     /// Outputs with a pose that the motion does not have.
-    Unreached(Vec<(usize, Unreached)>),
+    Unreached(Vec<Unmet>),
 }
 
 impl From<Stop> for Halt {

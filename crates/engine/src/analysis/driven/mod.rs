@@ -92,7 +92,10 @@ pub(super) fn run(
 }
 
 /// What a prescribed motion can't do.
-fn refuse(system: &System, reactions: bool, at_events: bool) -> Result<(), Stop> {
+///
+/// # Errors
+/// Rows at events with clearance links, and friction with a history where forces are wanted.
+pub(super) fn refuse(system: &System, reactions: bool, at_events: bool) -> Result<(), Stop> {
     if at_events && system.links > 0 {
         return Err(Stop::Input(vec![
             Complaint::new(

@@ -2,14 +2,21 @@
 //!
 //! ```text
 //! gears        what gears take from a model
+//! forces       what a question about forces needs, and what it is refused for
 //! names        points, columns and dimensions of a model by name
+//! outputs      what is asked about
 //! parameters   what parameters do to the dimensions
-//! question     what may be off, and what is asked about
+//! question     all of it put together
+//! sources      what may be off
 //! ```
 
+mod forces;
 mod gears;
 mod names;
+mod outputs;
 mod parameters;
 mod question;
+mod sources;
 
-pub use question::{Deviating, Parameters, Refusal, accuracy};
+pub use parameters::{Deviating, Parameters};
+pub use question::{Refusal, accuracy};

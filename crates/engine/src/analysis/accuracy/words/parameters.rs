@@ -1,15 +1,76 @@
 //! What parameters do to the dimensions of a mechanism.
 
 use super::super::dimensions::{Dimension, Dimensions};
-use super::question::Parameters;
 use linkdyn_model::error::Complaint;
+use linkdyn_model::{Checked, Derivatives, Interval, Leaf, Parameter};
+use std::collections::HashMap;
+
+/// The model with parameters that deviate (index, SI); none where that is no legal model.
+pub type Deviating<'p> = dyn Fn(&[(usize, f64)]) -> Option<Checked> + 'p;
+
+/// The parameters of a model: what follows from them, and the model with other values of theirs.
+pub struct Parameters<'p> {
+    /// As resolved, in the order of the file.
+    pub all: &'p [Parameter],
+    /// What every quantity of the file takes from them.
+    pub derivatives: &'p Derivatives,
+    /// The same, enclosed for all parameters within their tolerances.
+    pub enclosed: &'p Derivatives<Interval>,
+    /// The model with deviations of theirs.
+    pub with: &'p Deviating<'p>,
+}
+
+/// What is followed of the parameters.
+pub(super) struct Followed<'a> {
+    dimensions: &'a Dimensions,
+    /// Masses, springs, loads and laws are, too.
+    forces: bool,
+    /// Parameters that something follows from, each with what a unit of it changes in the dimensions.
+    pub parameters: Vec<(usize, Vec<(usize, f64)>)>,
+}
+
+impl<'a> Followed<'a> {
+    /// What positions follow from, or also what forces do.
+    pub fn new(dimensions: &'a Dimensions, parameters: &Parameters, forces: bool) -> Self {
+        let mut followed = Followed {
+            dimensions,
+            forces,
+            parameters: Vec::new(),
+        };
+        let mut with_steps = with_influence(dimensions, parameters);
+        for index in 0..parameters.all.len() {
+            let steps = with_steps.remove(&index);
+            let bears = |leaf: &Leaf| {
+                let mut own = leaf.gradient.iter();
+                followed.bears(&leaf.path) && own.any(|(of, by)| *of == index && *by != 0.0)
+            };
+            if steps.is_some() || (forces && parameters.derivatives.leaves.iter().any(bears)) {
+                followed.parameters.push((index, steps.unwrap_or_default()));
+            }
+        }
+        followed
+    }
+
+    /// Whether an output may follow from a quantity of the file.
+    fn bears(&self, path: &str) -> bool {
+        let (section, rest) = path.split_once('.').unwrap_or((path, ""));
+        let of_forces = match section {
+            "forces" => true,
+            "bodies" => !rest.contains(".pose.") && !rest.ends_with(".tolerance"),
+            "joints" => {
+                rest.contains(".friction.")
+                    || rest.ends_with(".pin_radius")
+                    || rest.ends_with(".guide_length")
+            }
+            other => other.starts_with("gravity"),
+        };
+        self.dimensions.by_path.contains_key(path) || (self.forces && of_forces)
+    }
+}
 
 /// Parameters that dimensions follow from, each with what a unit of it changes in them.
-pub(super) fn with_influence<'a>(
-    all: &'a Dimensions,
-    parameters: &'a Parameters,
-) -> impl Iterator<Item = (usize, Vec<(usize, f64)>)> + 'a {
-    (0..parameters.all.len()).filter_map(|index| {
+fn with_influence(all: &Dimensions, parameters: &Parameters) -> HashMap<usize, Vec<(usize, f64)>> {
+    let followed = (0..parameters.all.len()).filter_map(|index| {
         let mut steps: Vec<(usize, f64)> = Vec::new();
         for leaf in &parameters.derivatives.leaves {
             let Some(of) = all.by_path.get(&leaf.path) else {
@@ -27,7 +88,8 @@ pub(super) fn with_influence<'a>(
         }
         steps.retain(|(_, by)| *by != 0.0);
         (!steps.is_empty()).then_some((index, steps))
-    })
+    });
+    followed.collect()
 }
 
 /// Bounds of what the steps of the parameters leave out, by dimension: the mean of a derivative along the way is within its
@@ -83,10 +145,10 @@ fn is_straight(all: &Dimensions, dimension: usize) -> bool {
 }
 
 /// Complaints about tolerances of parameters that no dimension follows from.
-pub(super) fn idle(all: &Dimensions, parameters: &Parameters) -> Vec<Complaint> {
+pub(super) fn idle(followed: &Followed, parameters: &Parameters) -> Vec<Complaint> {
     // A direction that lies along x follows from its x, too, though to first order not at all.
     let leaves = parameters.derivatives.leaves.iter();
-    let leaves = leaves.filter(|leaf| all.by_path.contains_key(&leaf.path));
+    let leaves = leaves.filter(|leaf| followed.bears(&leaf.path));
     let used: Vec<usize> = leaves
         .flat_map(|leaf| leaf.gradient.iter().map(|(index, _)| *index))
         .collect();
@@ -97,25 +159,37 @@ pub(super) fn idle(all: &Dimensions, parameters: &Parameters) -> Vec<Complaint> 
         .filter(|(index, parameter)| parameter.tolerance.is_some() && !used.contains(index));
     idle.map(|(_, parameter)| {
         let path = format!("parameters.{}.tolerance", parameter.name);
-        Complaint::new(
-            path,
-            "no point, axis, angle or ratio of the mechanism follows from this parameter",
-        )
-        .hint("take the tolerance away, or use the parameter in a dimension")
+        let (message, hint) = if followed.forces {
+            (
+                "no dimension, mass, spring, load or law of the mechanism follows from this parameter",
+                "take the tolerance away, or use the parameter",
+            )
+        } else {
+            (
+                "no point, axis, angle or ratio of the mechanism follows from this parameter",
+                "take the tolerance away, or use the parameter in a dimension",
+            )
+        };
+        Complaint::new(path, message).hint(hint)
     })
     .collect()
 }
 
 /// Complaints about dimensions that have no derivative.
-pub(super) fn kinks(all: &Dimensions, parameters: &Parameters) -> Vec<Complaint> {
+pub(super) fn kinks(followed: &Followed, parameters: &Parameters) -> Vec<Complaint> {
     let leaves = parameters.derivatives.leaves.iter();
-    let faults = leaves.filter(|leaf| all.by_path.contains_key(&leaf.path));
+    let faults = leaves.filter(|leaf| followed.bears(&leaf.path));
     faults
         .filter_map(|leaf| {
             let fault = leaf.fault.as_ref()?;
+            let what = if followed.dimensions.by_path.contains_key(&leaf.path) {
+                "dimension"
+            } else {
+                "quantity"
+            };
             Some(Complaint::new(
                 leaf.path.clone(),
-                format!("this dimension has no derivative here: {fault}"),
+                format!("this {what} has no derivative here: {fault}"),
             ))
         })
         .collect()
