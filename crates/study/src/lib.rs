@@ -1,4 +1,4 @@
-//! Numerics of studies: random numbers, lists of variants and summaries. It knows no mechanism.
+//! Numerics of studies: random numbers, lists of variants, summaries and chunks. It knows no mechanism.
 //!
 //! Part of linkdyn; its items change without notice. Use the package `linkdyn`.
 //!
@@ -8,11 +8,13 @@
 //! distribution  how one value scatters between its limits: quantiles and moments
 //! design        the list of variants as a function of (design, seed): any row by its number
 //! summary       moments, quantiles, histograms, capability, yields, Sobol indices, in one pass
+//! chunks        rows in files that are the same bytes whoever computes them; resuming, sharing out, joining
 //! ```
 //!
 //! What a design gives for a seed is fixed forever: tests hold the digits. Functions like exp and log come from `libm`, so that they
 //! do not depend on the machine.
 
+pub mod chunks;
 pub mod design;
 pub mod distribution;
 pub mod normal;
