@@ -111,9 +111,11 @@ impl Quantiles {
         let quantile = |p: &f64| {
             let place = p * last as f64;
             let rank = (place as u64).min(last);
-            let low = order(rank);
-            let high = order((rank + 1).min(last));
-            low + (place - rank as f64) * (high - low)
+            let (low, part) = (order(rank), place - rank as f64);
+            if part == 0.0 {
+                return low;
+            }
+            low * (1.0 - part) + order((rank + 1).min(last)) * part
         };
         Some(p.iter().map(quantile).collect())
     }
@@ -322,6 +324,11 @@ mod tests {
     fn extreme_values_have_their_cells() {
         let all = of(0, &[f64::MAX, f64::MIN, -5e-324, 0.0, 5e-324]);
         assert_eq!(all.at(&[0.0, 1.0]), Some(vec![f64::MIN, f64::MAX]));
+        let far = of(2, &[f64::MAX, f64::MIN]);
+        assert_eq!(
+            far.at(&[0.0, 0.5, 1.0]),
+            Some(vec![f64::MIN, 0.0, f64::MAX])
+        );
         let same = of(0, &[0.1; 9]);
         assert_eq!(same.at(&P), Some(vec![0.1; 3]));
         assert_eq!(Quantiles::new(3).at(&P), None);
