@@ -277,6 +277,42 @@ impl SparseLu {
         }
     }
 
+    /// A⁻¹ (n, n) by columns: column r stands at r·n. All right-hand sides go through the factors together.
+    ///
+    /// # Panics
+    /// Without factors, or when `columns` has not n² numbers.
+    pub fn inverse(&self, columns: &mut [f64]) {
+        let n = self.inverse_pivot.len();
+        assert!(
+            self.factored && columns.len() == n * n,
+            "an inverse wants a successful factorisation before it, and n² numbers"
+        );
+        // Aᵀ Y = I: row r of Y is column r of A⁻¹. Rows stand in pivot order until the end.
+        let mut y = vec![0.0; n * n];
+        for (j, &column) in self.order.columns().iter().enumerate() {
+            y[j * n + column as usize] = 1.0;
+        }
+        for j in 0..n {
+            let (done, rest) = y.split_at_mut(j * n);
+            let row = &mut rest[..n];
+            for u in self.upper.column(j as u32) {
+                subtract(row, u.value, &done[u.row as usize * n..][..n]);
+            }
+            let inverse = self.inverse_pivot[j];
+            row.iter_mut().for_each(|y| *y *= inverse);
+        }
+        for j in (0..n).rev() {
+            let (head, done) = y.split_at_mut((j + 1) * n);
+            let row = &mut head[j * n..];
+            for l in self.lower.column(j as u32) {
+                subtract(row, l.value, &done[(l.row as usize - j - 1) * n..][..n]);
+            }
+        }
+        for (&at, column) in self.position.iter().zip(columns.chunks_exact_mut(n.max(1))) {
+            column.copy_from_slice(&y[at as usize * n..][..n]);
+        }
+    }
+
     fn assert_ready(&self, b: &[f64]) {
         assert!(
             self.factored,
@@ -313,6 +349,11 @@ impl SparseLu {
     pub fn fallbacks(&self) -> usize {
         self.fallbacks
     }
+}
+
+/// a −= factor·b.
+fn subtract(a: &mut [f64], factor: f64, b: &[f64]) {
+    a.iter_mut().zip(b).for_each(|(a, b)| *a -= factor * b);
 }
 
 /// Bits of the absolute value: ordered like it, and above infinity for NaN, so that a maximum never loses one.

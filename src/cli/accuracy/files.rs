@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
 use super::super::open::Opened;
@@ -19,12 +20,12 @@ const SUMMARY: &str = "accuracy.json";
 pub fn write(
     directory: &Directory,
     found: &Accuracy,
-    json: &Value,
+    json: &str,
 ) -> Result<Vec<PathBuf>, WriteError> {
     Ok(vec![
         directory.write(TABLE, table(found).as_bytes())?,
         directory.write(CONTRIBUTIONS, contributions(found).as_bytes())?,
-        directory.write(SUMMARY, format!("{json:#}\n").as_bytes())?,
+        directory.write(SUMMARY, json.as_bytes())?,
     ])
 }
 
@@ -112,53 +113,114 @@ fn contributions(found: &Accuracy) -> String {
 }
 
 /// Everything, for programs.
-pub fn json(opened: &Opened, found: &Accuracy) -> Value {
-    json!({
-        "engine": env!("CARGO_PKG_VERSION"),
-        "model": { "name": opened.name, "sha256": opened.sha256 },
-        "outputs": found.outputs.iter().map(|output| (output.name.clone(), of_output(found, output))).collect::<serde_json::Map<_, _>>(),
-        "warnings": opened.loaded.warnings,
-    })
+pub fn json(opened: &Opened, found: &Accuracy) -> String {
+    let outputs = found.outputs.iter();
+    let document = Document {
+        engine: env!("CARGO_PKG_VERSION"),
+        model: json!({ "name": opened.name, "sha256": opened.sha256 }),
+        outputs: Named(outputs.map(|output| (output.name.as_str(), of_output(found, output)))),
+        warnings: &opened.loaded.warnings,
+    };
+    let text = serde_json::to_string_pretty(&document).expect("numbers and texts");
+    text + "\n"
 }
 
-fn of_output(found: &Accuracy, output: &OutputAccuracy) -> Value {
-    json!({
-        "of": output.of,
-        "unit": output.unit,
-        "limits": output.limits,
-        "poses": output.poses.iter().map(|pose| of_pose(found, pose)).collect::<Vec<_>>(),
-    })
+#[derive(Serialize)]
+struct Document<'a, O: Serialize> {
+    engine: &'a str,
+    model: Value,
+    outputs: O,
+    warnings: &'a [String],
 }
 
-fn of_pose(found: &Accuracy, pose: &PoseAccuracy) -> Value {
-    let shares = pose.shares();
-    let contributions = found.sources.iter().zip(&pose.contributions).zip(&shares);
-    let contributions: serde_json::Map<String, Value> = contributions
-        .map(|((source, by), share)| {
-            let value = json!({
-                "sensitivity": by.sensitivity,
-                "carries": by.reach,
-                "worst_share": share[0],
-                "variance_share": share[1],
-            });
-            (source.clone(), value)
-        })
-        .collect();
-    json!({
-        "time": pose.time,
-        "drivers": pose.drivers,
-        "nominal": pose.nominal,
-        "first": pose.first,
-        "found": pose.found,
-        "certified": pose.certified,
-        "needed": pose.needed,
-        "mean": pose.moments.map(|moments| moments[0]),
-        "sigma": pose.moments.map(|moments| moments[1]),
-        "pressed": pose.pressed,
-        "missing": pose.missing,
-        "within": pose.capability.map(|capability| capability.within),
-        "cp": pose.capability.map(|capability| capability.cp),
-        "cpk": pose.capability.map(|capability| capability.cpk),
-        "contributions": contributions,
-    })
+#[derive(Serialize)]
+struct Asked<'a, P: Serialize> {
+    of: &'a str,
+    unit: &'a str,
+    limits: Option<[f64; 2]>,
+    poses: P,
+}
+
+#[derive(Serialize)]
+struct Pose<'a, C: Serialize> {
+    time: f64,
+    drivers: &'a [f64],
+    nominal: f64,
+    first: Option<[f64; 2]>,
+    found: [Option<f64>; 2],
+    certified: Option<[f64; 2]>,
+    needed: &'a [Vec<[f64; 2]>; 2],
+    mean: Option<f64>,
+    sigma: Option<f64>,
+    pressed: Option<f64>,
+    missing: Option<&'a str>,
+    within: Option<f64>,
+    cp: Option<f64>,
+    cpk: Option<f64>,
+    contributions: C,
+}
+
+#[derive(Serialize)]
+struct Share {
+    sensitivity: f64,
+    carries: [f64; 2],
+    worst_share: f64,
+    variance_share: f64,
+}
+
+/// An object of pairs that are made as they are written.
+struct Named<I>(I);
+
+impl<'a, T: Serialize, I: Iterator<Item = (&'a str, T)> + Clone> Serialize for Named<I> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.clone())
+    }
+}
+
+/// An array of what is made as it is written.
+struct Listed<I>(I);
+
+impl<T: Serialize, I: Iterator<Item = T> + Clone> Serialize for Listed<I> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.0.clone())
+    }
+}
+
+fn of_output<'a>(found: &'a Accuracy, output: &'a OutputAccuracy) -> impl Serialize + 'a {
+    Asked {
+        of: &output.of,
+        unit: output.unit,
+        limits: output.limits,
+        poses: Listed(output.poses.iter().map(|pose| of_pose(found, pose))),
+    }
+}
+
+fn of_pose<'a>(found: &'a Accuracy, pose: &'a PoseAccuracy) -> impl Serialize + 'a {
+    let by = found.sources.iter().zip(&pose.contributions);
+    let contributions = by.zip(pose.shares()).map(|((source, by), share)| {
+        let share = Share {
+            sensitivity: by.sensitivity,
+            carries: by.reach,
+            worst_share: share[0],
+            variance_share: share[1],
+        };
+        (source.as_str(), share)
+    });
+    Pose {
+        time: pose.time,
+        drivers: &pose.drivers,
+        nominal: pose.nominal,
+        first: pose.first,
+        found: pose.found,
+        certified: pose.certified,
+        needed: &pose.needed,
+        mean: pose.moments.map(|moments| moments[0]),
+        sigma: pose.moments.map(|moments| moments[1]),
+        pressed: pose.pressed,
+        missing: pose.missing.as_deref(),
+        within: pose.capability.map(|capability| capability.within),
+        cp: pose.capability.map(|capability| capability.cp),
+        cpk: pose.capability.map(|capability| capability.cpk),
+        contributions: Named(contributions),
+    }
 }

@@ -63,16 +63,15 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         Ok(found) => found,
         Err(refusal) => return refuse(&opened, refusal),
     };
-    let json = files::json(&opened, &found);
     let mut written = Vec::new();
     if let Some(directory) = directory {
         replaced::tell(directory.path(), "accuracy", "replaced");
-        written = files::write(&directory, &found, &json)?;
+        written = files::write(&directory, &found, &files::json(&opened, &found))?;
         let page = page::html(&opened, &found, text::assumed(&opened));
         written.push(directory.write(PAGE, page.as_bytes())?);
     }
     print(&if options.json {
-        format!("{json:#}\n")
+        files::json(&opened, &found)
     } else {
         text::page(&opened, &found, &written)
     })?;

@@ -376,3 +376,25 @@ fn empty_and_single() {
     assert_eq!((b, lu.determinant().0), ([-0.5], -1.0));
     assert!(lu.refactor(&[0.0]).is_err());
 }
+
+proptest! {
+    #[test]
+    fn inverse_is_that_of_the_matrix(n in 1usize..40, seed in any::<u64>()) {
+        let matrix = random_matrix(n, seed);
+        let (mut lu, values) = paired(&matrix);
+        let condition = dense(lu.pattern(), &values).singular_values();
+        prop_assume!(condition.min() > 1e-7 * condition.max());
+        lu.refactor(&values).unwrap();
+        let mut columns = vec![0.0; n * n];
+        lu.inverse(&mut columns);
+        for (r, column) in columns.chunks_exact(n).enumerate() {
+            let mut unit = vec![0.0; n];
+            unit[r] = 1.0;
+            lu.solve(&mut unit);
+            let size = unit.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+            for (a, b) in column.iter().zip(&unit) {
+                prop_assert!((a - b).abs() <= 1e-7 * size, "{a} {b}");
+            }
+        }
+    }
+}

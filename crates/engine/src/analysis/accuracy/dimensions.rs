@@ -135,88 +135,126 @@ pub(super) struct Here<'a> {
 }
 
 impl Dimensions {
-    /// ∂y/∂(dimension) of all under a load on the output.
-    pub fn influences(&self, here: Here<'_>, output: &Output, load: &Load) -> Vec<f64> {
+    /// ∂y/∂(dimension) of those in `used` under a load on the output; the others are left as they are.
+    pub fn influences(
+        &self,
+        here: Here<'_>,
+        output: &Output,
+        load: &Load,
+        used: &[usize],
+        influences: &mut [f64],
+    ) {
+        for &k in used {
+            influences[k] = self.influence(here, output, load, &self.all[k]);
+        }
+    }
+
+    fn influence(
+        &self,
+        here: Here<'_>,
+        output: &Output,
+        load: &Load,
+        dimension: &Dimension,
+    ) -> f64 {
         let lambda = &load.lambda;
-        let mut of_point: Vec<Vec2> = self
-            .points
-            .iter()
-            .map(|point| -point.pull(here, lambda))
-            .collect();
-        for (place, pull) in output.pulls(&here.at).into_iter().flatten() {
-            if let Some(PointId(point)) = place.point {
-                of_point[point] += pull * load.size;
+        match dimension {
+            Dimension::Point(id, axis) => {
+                let pose = &here.at.poses[self.points[id.0].body.0];
+                let along = pose.turn(unit(*axis));
+                along.dot(&self.of_point(here, output, load, *id))
             }
+            Dimension::Direction { joint, driver } => {
+                let (slide, across) = guide(here, *joint);
+                let own = lambda[here.system.blocks[*joint].row] * slide;
+                let driven = driver.map_or(0.0, |id| {
+                    lambda[driver_block(here.system, id).row] * -across
+                });
+                -(own + driven)
+            }
+            Dimension::Angle { row } | Dimension::Mesh { row } => -lambda[*row],
+            Dimension::Ratio { joint, .. } => {
+                -lambda[here.system.blocks[*joint].row] * ratio_rate(here, dimension)
+            }
+            Dimension::Motion { driver, number } if here.held != Some(*driver) => {
+                -lambda[driver_block(here.system, *driver).row] * number.rate(here.time)
+            }
+            Dimension::Motion { .. } => 0.0,
         }
-        self.all
-            .iter()
-            .map(|dimension| match dimension {
-                Dimension::Point(id, axis) => {
-                    let pose = &here.at.poses[self.points[id.0].body.0];
-                    let along = pose.turn(unit(*axis));
-                    along.dot(&of_point[id.0])
-                }
-                Dimension::Direction { joint, driver } => {
-                    let (slide, across) = guide(here, *joint);
-                    let own = lambda[here.system.blocks[*joint].row] * slide;
-                    let driven = driver.map_or(0.0, |id| {
-                        lambda[driver_block(here.system, id).row] * -across
-                    });
-                    -(own + driven)
-                }
-                Dimension::Angle { row } | Dimension::Mesh { row } => -lambda[*row],
-                Dimension::Ratio { joint, .. } => {
-                    -lambda[here.system.blocks[*joint].row] * ratio_rate(here, dimension)
-                }
-                Dimension::Motion { driver, number } if here.held != Some(*driver) => {
-                    -lambda[driver_block(here.system, *driver).row] * number.rate(here.time)
-                }
-                Dimension::Motion { .. } => 0.0,
-            })
-            .collect()
     }
 
-    /// Adds to the rows what φ gains where dimensions are off by `steps`.
-    pub fn push(&self, here: Here<'_>, steps: &[f64], rows: &mut [f64]) {
-        for (dimension, &step) in self.all.iter().zip(steps) {
-            if step == 0.0 {
-                continue;
-            }
-            match dimension {
-                Dimension::Point(id, axis) => {
-                    let point = &self.points[id.0];
-                    let pose = &here.at.poses[point.body.0];
-                    let off = pose.turn(unit(*axis)) * step;
-                    for grip in &point.grips {
-                        grip.push(&here.evaluation.jacobian, off, rows);
-                    }
-                }
-                Dimension::Direction { joint, driver } => {
-                    // u and n turn by the step: φ = −n·d, and −u·d of a driver.
-                    let (slide, across) = guide(here, *joint);
-                    let (sin, versed) = (step.sin(), 2.0 * (0.5 * step).sin().powi(2));
-                    rows[here.system.blocks[*joint].row] += sin * slide + versed * across;
-                    if let Some(id) = driver {
-                        rows[driver_block(here.system, *id).row] += versed * slide - sin * across;
-                    }
-                }
-                Dimension::Angle { row } | Dimension::Mesh { row } => rows[*row] += step,
-                Dimension::Ratio { joint, .. } => {
-                    rows[here.system.blocks[*joint].row] += step * ratio_rate(here, dimension);
-                }
-                Dimension::Motion { driver, number } => {
-                    if here.held != Some(*driver) {
-                        rows[driver_block(here.system, *driver).row] +=
-                            step * number.rate(here.time);
-                    }
+    /// ∂y/∂P of a point under a load on the output, in global axes: its own, and by what holds on to it.
+    pub fn of_point(&self, here: Here<'_>, output: &Output, load: &Load, id: PointId) -> Vec2 {
+        let own = output.pulls(&here.at).into_iter().flatten();
+        let own = own.filter(|(place, _)| place.point == Some(id));
+        let own: Vec2 = own.map(|(_, pull)| pull).sum();
+        own * load.size - self.points[id.0].pull(here, &load.lambda)
+    }
+
+    /// Adds to `turned` (n) what the Lagrangian y − λᵀφ gains as bodies turn whose points are off by `steps`: λ follows the
+    /// displaced points.
+    pub fn turn(
+        &self,
+        here: Here<'_>,
+        output: &Output,
+        load: &Load,
+        (used, steps): (&[usize], &[f64]),
+        turned: &mut [f64],
+    ) {
+        for &k in used.iter().filter(|k| steps[**k] != 0.0) {
+            if let Dimension::Point(id, axis) = &self.all[k] {
+                let body = self.points[id.0].body;
+                if let Some(columns) = here.system.layout.columns(body) {
+                    let off = here.at.poses[body.0].turn(unit(*axis)) * steps[k];
+                    let pull = self.of_point(here, output, load, *id);
+                    turned[columns.theta()] += pull.dot(&perp(off));
                 }
             }
         }
     }
 
-    /// Adds to the rows by how much [`Dimensions::push`] can change where the coordinates are off by `x` (n), and what of a
-    /// step's square it leaves out.
-    pub fn push_change(&self, here: Here<'_>, steps: &[f64], x: &[f64], rows: &mut [f64]) {
+    /// Adds to the rows what φ gains where the dimensions in `used` are off by `steps`.
+    pub fn push(&self, here: Here<'_>, used: &[usize], steps: &[f64], rows: &mut [f64]) {
+        for &k in used.iter().filter(|k| steps[**k] != 0.0) {
+            self.push_one(here, k, steps[k], rows);
+        }
+    }
+
+    /// Adds to the rows what φ gains where one dimension is off by a step.
+    pub fn push_one(&self, here: Here<'_>, k: usize, step: f64, rows: &mut [f64]) {
+        let dimension = &self.all[k];
+        match dimension {
+            Dimension::Point(id, axis) => {
+                let point = &self.points[id.0];
+                let pose = &here.at.poses[point.body.0];
+                let off = pose.turn(unit(*axis)) * step;
+                for grip in &point.grips {
+                    grip.push(&here.evaluation.jacobian, off, rows);
+                }
+            }
+            Dimension::Direction { joint, driver } => {
+                // u and n turn by the step: φ = −n·d, and −u·d of a driver.
+                let (slide, across) = guide(here, *joint);
+                let (sin, versed) = (step.sin(), 2.0 * (0.5 * step).sin().powi(2));
+                rows[here.system.blocks[*joint].row] += sin * slide + versed * across;
+                if let Some(id) = driver {
+                    rows[driver_block(here.system, *id).row] += versed * slide - sin * across;
+                }
+            }
+            Dimension::Angle { row } | Dimension::Mesh { row } => rows[*row] += step,
+            Dimension::Ratio { joint, .. } => {
+                rows[here.system.blocks[*joint].row] += step * ratio_rate(here, dimension);
+            }
+            Dimension::Motion { driver, number } => {
+                if here.held != Some(*driver) {
+                    rows[driver_block(here.system, *driver).row] += step * number.rate(here.time);
+                }
+            }
+        }
+    }
+
+    /// Adds to the rows by how much [`Dimensions::push`] can change where dimensions are off by `steps` (number, size) and the
+    /// coordinates by `x` (n), and what of a step's square it leaves out.
+    pub fn push_change(&self, here: Here<'_>, steps: &[(usize, f64)], x: &[f64], rows: &mut [f64]) {
         let turned = |body: BodyId| {
             let columns = here.system.layout.columns(body);
             columns.map_or(0.0, |columns| x[columns.theta()])
@@ -227,9 +265,8 @@ impl Dimensions {
             .bodies()
             .map(|c| x[c.theta()])
             .fold(0.0, f64::max);
-        for (dimension, &step) in self.all.iter().zip(steps) {
-            let step = step.abs();
-            match dimension {
+        for &(k, step) in steps {
+            match &self.all[k] {
                 Dimension::Point(id, _) => {
                     // ∂φ/∂P turns with the body of the guide, the point with its own.
                     let turn = turned(self.points[id.0].body) + total;

@@ -1,6 +1,7 @@
 //! A mechanism with its sources off by given amounts: the gaps of its rows, and where its output is then.
 
-use super::dimensions::{Dimensions, Here, PointId};
+use super::dimensions::{Dimension, Dimensions, Here, PointId};
+use super::enclosure::Extents;
 use super::output::{Load, Output};
 use super::source::{Influence, Play};
 use crate::mechanism::driven::Driven;
@@ -31,8 +32,17 @@ pub(super) struct Mechanism<'m> {
     pub dimensions: &'m Dimensions,
     pub plays: &'m [Play],
     pub corners: &'m Corners<'m>,
+    /// How far dimensions and points can be off; none where it is not known.
+    pub extents: Option<Extents>,
+    /// Dimensions that parameters step.
+    used: Vec<usize>,
+    /// ∂y/∂(dimension), and the e that carry farthest, as last asked for.
+    of_dimensions: Vec<f64>,
+    extremes: Vec<Influence>,
     /// What corners gave, by the bits of the deviations.
     known: HashMap<Vec<u64>, Option<Vec<f64>>>,
+    /// The deviations whose steps are in `steps`.
+    stepped: Vec<f64>,
     /// Gaps of the rows (m).
     pub rows: Vec<f64>,
     /// Steps of the dimensions.
@@ -47,8 +57,25 @@ impl<'m> Mechanism<'m> {
         dimensions: &'m Dimensions,
         plays: &'m [Play],
         corners: &'m Corners<'m>,
+        slack: Option<&[f64]>,
     ) -> Self {
+        let steps = plays.iter().flat_map(|play| match play {
+            Play::Parameter { steps, .. } => steps.as_slice(),
+            Play::Pin { .. }
+            | Play::Sides { .. }
+            | Play::Guided { .. }
+            | Play::Driver { .. }
+            | Play::Zone { .. } => &[],
+        });
+        let mut used: Vec<usize> = steps.map(|&(k, _)| k).collect();
+        used.sort_unstable();
+        used.dedup();
         Mechanism {
+            extents: slack.map(|slack| Extents::new(plays, dimensions, slack)),
+            used,
+            of_dimensions: vec![0.0; dimensions.all.len()],
+            extremes: vec![[0.0; 2]; plays.len()],
+            stepped: Vec::new(),
             rows: vec![0.0; driven.system.m()],
             steps: vec![0.0; dimensions.all.len()],
             shifts: vec![Vec2::zeros(); dimensions.points.len()],
@@ -79,38 +106,63 @@ impl<'m> Mechanism<'m> {
         self.driven.evaluation.eval_jacobian(system, &stand.inputs);
     }
 
+    /// Takes the nominal position of a pose: φ, and J with its factors. Whether J has an inverse.
+    pub fn stand(&mut self, stand: &Stand) -> bool {
+        self.driven.evaluation.set_position(&stand.q);
+        let system = self.driven.system;
+        self.driven.evaluation.eval_phi(system, &stand.inputs);
+        self.shifts.fill(Vec2::zeros());
+        self.driven.factor(&stand.inputs).is_ok()
+    }
+
     /// g of all plays at the position last taken.
-    pub fn influences(&self, stand: &Stand, output: &Output, load: &Load) -> Vec<Influence> {
+    pub fn influences(
+        &mut self,
+        stand: &Stand,
+        output: &Output,
+        load: &Load,
+        influences: &mut [Influence],
+    ) {
+        let mut of_dimensions = std::mem::take(&mut self.of_dimensions);
         let here = self.here(stand);
-        let of_dimensions = self.dimensions.influences(here, output, load);
-        let of = |play: &Play| play.influence(here, output, self.dimensions, load, &of_dimensions);
-        self.plays.iter().map(of).collect()
+        self.dimensions
+            .influences(here, output, load, &self.used, &mut of_dimensions);
+        for (g, play) in influences.iter_mut().zip(self.plays) {
+            *g = play.influence(here, output, self.dimensions, load, &of_dimensions);
+        }
+        self.of_dimensions = of_dimensions;
     }
 
     /// Sets gaps, steps and shifts for the deviations that carry the output farthest to a side. Whether the model can be had
     /// with them.
     pub fn deviate(&mut self, stand: &Stand, influences: &[Influence], side: f64) -> bool {
-        let extremes: Vec<Influence> = self
-            .plays
-            .iter()
-            .zip(influences)
-            .map(|(play, g)| play.extreme(*g, side))
-            .collect();
+        let mut extremes = std::mem::take(&mut self.extremes);
+        for ((extreme, play), g) in extremes.iter_mut().zip(self.plays).zip(influences) {
+            *extreme = play.extreme(*g, side);
+        }
+        let is_had = self.set(stand, &extremes);
+        self.extremes = extremes;
+        is_had
+    }
+
+    /// Sets gaps, steps and shifts for deviations of the plays. Whether the model can be had with them.
+    fn set(&mut self, stand: &Stand, extremes: &[Influence]) -> bool {
         self.rows.fill(0.0);
         self.shifts.fill(Vec2::zeros());
-        if !self.step_parameters(&extremes) {
+        if !self.step_parameters(extremes) {
             return false;
         }
         let mut rows = std::mem::take(&mut self.rows);
         let mut shifts = std::mem::take(&mut self.shifts);
         let here = self.here(stand);
-        self.dimensions.push(here, &self.steps, &mut rows);
-        for (k, dimension) in self.dimensions.all.iter().enumerate() {
-            if let super::dimensions::Dimension::Point(PointId(point), axis) = dimension {
+        self.dimensions
+            .push(here, &self.used, &self.steps, &mut rows);
+        for &k in &self.used {
+            if let Dimension::Point(PointId(point), axis) = &self.dimensions.all[k] {
                 shifts[*point][*axis] += self.steps[k];
             }
         }
-        for (play, e) in self.plays.iter().zip(&extremes) {
+        for (play, e) in self.plays.iter().zip(extremes) {
             match play {
                 Play::Pin { row, .. } | Play::Guided { row, .. } => {
                     rows[*row] += e[0];
@@ -139,16 +191,13 @@ impl<'m> Mechanism<'m> {
 
     /// Sets the steps of the dimensions for the parameters' deviations.
     fn step_parameters(&mut self, extremes: &[Influence]) -> bool {
-        let deviations: Vec<f64> = self
-            .plays
-            .iter()
-            .zip(extremes)
-            .filter(|(play, _)| matches!(play, Play::Parameter { .. }))
-            .map(|(_, e)| e[0])
-            .collect();
-        if deviations.is_empty() {
+        let asked = self.plays.iter().zip(extremes);
+        let asked = asked.filter(|(play, _)| matches!(play, Play::Parameter { .. }));
+        let asked = asked.map(|(_, e)| e[0]);
+        if asked.clone().eq(self.stepped.iter().copied()) {
             return true;
         }
+        let deviations: Vec<f64> = asked.collect();
         let key = deviations.iter().map(|d| d.to_bits()).collect();
         let corners = self.corners;
         let steps = self
@@ -158,6 +207,7 @@ impl<'m> Mechanism<'m> {
         match steps {
             Some(steps) => {
                 self.steps.copy_from_slice(steps);
+                self.stepped = deviations;
                 true
             }
             None => false,
@@ -168,6 +218,20 @@ impl<'m> Mechanism<'m> {
     pub fn value(&self, stand: &Stand, output: &Output, part: f64) -> f64 {
         let at = self.driven.evaluation.kinematics(&stand.inputs);
         output.value(&at, &|PointId(point)| self.shifts[point] * part)
+    }
+
+    /// ∂y − Jᵀ λ (n) at the position last taken, with the points where the steps of the parameters put them.
+    pub fn unbalanced(&self, stand: &Stand, output: &Output, load: &Load, out: &mut [f64]) {
+        let here = self.here(stand);
+        let system = self.driven.system;
+        output.gradient(&here.at, &system.layout, out);
+        for (entry, value) in system.entries.iter().zip(&here.evaluation.jacobian) {
+            if let Some(column) = entry.column {
+                out[column as usize] -= value * load.lambda[entry.row as usize];
+            }
+        }
+        let steps = (self.used.as_slice(), self.steps.as_slice());
+        self.dimensions.turn(here, output, load, steps, out);
     }
 
     /// ∂y/∂q (n) at the position last taken.

@@ -25,6 +25,7 @@ mod displaced;
 mod enclosure;
 mod forces;
 mod grip;
+mod levels;
 mod needed;
 mod output;
 mod poses;
@@ -41,17 +42,15 @@ pub use rooms::Limited;
 pub use statistics::{Capability, Pins, Scatter};
 pub use words::{Deviating, Parameters, Refusal, accuracy};
 
-use super::clearance_link;
 use super::control::Control;
 use super::instants::OutputInstant;
-use super::sample::Sample;
 use crate::system::System;
 use dimensions::Dimensions;
 use displaced::{Corners, Mechanism, Stand};
-use output::{Load, Output};
+use levels::Asked;
+use output::Output;
 use poses::{Halt, Unmet, Way};
 use source::Play;
-use statistics::{capability, moments};
 
 /// What is asked of a system.
 struct Question<'q> {
@@ -97,6 +96,7 @@ fn run(system: &System, question: &Question, control: &Control) -> Result<Accura
         question.dimensions,
         &plays,
         question.corners,
+        question.slack.as_deref(),
     );
     let mut unreached = Vec::new();
     let mut stand_of = |name: &str, at: Option<(usize, f64)>| {
@@ -119,29 +119,25 @@ fn run(system: &System, question: &Question, control: &Control) -> Result<Accura
     if !unreached.is_empty() {
         return Err(Halt::Unreached(unreached));
     }
-    let mut asked = Asked {
-        system,
-        question,
-        sample: Sample::new(system),
-        mechanism,
-    };
-    let mut outputs = Vec::with_capacity(question.outputs.len());
-    for (wanted, stand) in question.outputs.iter().zip(stands) {
-        let poses = match stand {
-            Some(stand) => vec![asked.pose(wanted, &stand)],
-            None => {
-                let stands = question.instants.iter();
-                let stands = stands.filter_map(|instant| way.stand(instant, None));
-                stands.map(|stand| asked.pose(wanted, &stand)).collect()
+    let mut asked = Asked::new(system, question, mechanism);
+    let mut outputs: Vec<OutputAccuracy> = question.outputs.iter().map(blank).collect();
+    let along: Vec<usize> = (0..outputs.len())
+        .filter(|&index| stands[index].is_none())
+        .collect();
+    for (index, stand) in stands.iter().enumerate() {
+        if let Some(stand) = stand {
+            outputs[index].poses = asked.poses(&[index], stand);
+        }
+    }
+    if !along.is_empty() {
+        for instant in &question.instants {
+            if let Some(stand) = way.stand(instant, None) {
+                let poses = asked.poses(&along, &stand);
+                for (&index, pose) in along.iter().zip(poses) {
+                    outputs[index].poses.push(pose);
+                }
             }
-        };
-        outputs.push(OutputAccuracy {
-            name: wanted.name.clone(),
-            of: wanted.of.clone(),
-            unit: if wanted.output.is_angle() { "rad" } else { "m" },
-            limits: wanted.limits,
-            poses,
-        });
+        }
     }
     let poses = forces::poses(&question.forces, held, &question.instants, &mut way);
     for (place, answer) in forces::answer(system, question, &poses) {
@@ -154,130 +150,13 @@ fn run(system: &System, question: &Question, control: &Control) -> Result<Accura
     })
 }
 
-/// A question on its way through the poses.
-struct Asked<'a> {
-    system: &'a System,
-    question: &'a Question<'a>,
-    mechanism: Mechanism<'a>,
-    sample: Sample,
-}
-
-impl Asked<'_> {
-    /// All levels at one pose.
-    fn pose(&mut self, wanted: &Wanted<Output>, stand: &Stand) -> PoseAccuracy {
-        let output = &wanted.output;
-        let mechanism = &mut self.mechanism;
-        mechanism.shifts.fill(linkdyn_linear::math::Vec2::zeros());
-        mechanism.take(&stand.q, stand);
-        let nominal = mechanism.value(stand, output, 0.0);
-        let mut pose = PoseAccuracy::at(self.system, stand, nominal);
-        let load = if stand.self_stress.is_none() {
-            mechanism.load(stand, output)
-        } else {
-            None
-        };
-        let Some(load) = load else {
-            // The self-stress is the load that the equations balance without any on the output.
-            let found = [-1.0, 1.0].map(|side| {
-                let lambda = stand
-                    .self_stress
-                    .clone()
-                    .filter(|stress| !stress.is_empty())?;
-                mechanism.reach(stand, output, Load { lambda, size: 0.0 }, side)
-            });
-            pose.take(self.system, found);
-            return pose;
-        };
-        self.first_order(wanted, stand, &load, &mut pose);
-        let mechanism = &mut self.mechanism;
-        if let Some(slack) = &self.question.slack {
-            mechanism.take(&stand.q, stand);
-            let inverse = mechanism.inverse();
-            pose.certified = mechanism.enclosure(stand, output, &load, &inverse, slack);
-        }
-        let is_certain = pose.certified.is_some();
-        let found = [-1.0, 1.0].map(|side| {
-            // Where nothing is certified, only what is reached step by step belongs to this position.
-            let near = is_certain.then(|| mechanism.farthest(stand, output, &load, side));
-            near.flatten()
-                .or_else(|| mechanism.reach(stand, output, load.times(side), side))
-        });
-        pose.take(self.system, found);
-        pose
-    }
-
-    /// Influences, shares and spread.
-    fn first_order(
-        &mut self,
-        wanted: &Wanted<Output>,
-        stand: &Stand,
-        load: &Load,
-        pose: &mut PoseAccuracy,
-    ) {
-        let pins = self.question.pins;
-        let influences = self.mechanism.influences(stand, &wanted.output, load);
-        let (mut first, mut mean, mut variance) = ([0.0; 2], 0.0, 0.0);
-        for (named, g) in self.question.sources.iter().zip(&influences) {
-            let reach = named.play.reach(*g);
-            let [middle, square] = moments(&named.play, *g, pins);
-            first = [first[0] + reach[0], first[1] + reach[1]];
-            mean += middle;
-            variance += square;
-            let sensitivity = match named.play {
-                Play::Pin { .. } | Play::Zone { .. } => g[0].hypot(g[1]),
-                Play::Sides { .. }
-                | Play::Guided { .. }
-                | Play::Driver { .. }
-                | Play::Parameter { .. } => g[0],
-            };
-            pose.contributions.push(Contribution {
-                sensitivity,
-                reach,
-                variance: square,
-            });
-        }
-        pose.first = Some(first);
-        pose.pressed = self.pressed(stand, &influences);
-        if let (Pins::Load, Some(pressed)) = (pins, pose.pressed) {
-            mean += pressed;
-        }
-        let sigma = variance.sqrt();
-        pose.moments = Some([mean, sigma]);
-        pose.capability = wanted
-            .limits
-            .and_then(|limits| capability(limits, mean, sigma));
-    }
-
-    /// Deviation with the journals where the loads of the motion press them; none without masses or friction's history.
-    fn pressed(&mut self, stand: &Stand, influences: &[source::Influence]) -> Option<f64> {
-        if !self.system.masses_known {
-            return None;
-        }
-        self.sample.q.copy_from_slice(&stand.q);
-        let driven = &mut self.mechanism.driven;
-        driven.evaluation.set_position(&stand.q);
-        clearance_link::forces(driven, &stand.inputs, &mut self.sample).ok()?;
-        let mut deviation = 0.0;
-        for (named, g) in self.question.sources.iter().zip(influences) {
-            if let Play::Pin { row, clearance } = named.play {
-                let (fx, fy) = (self.sample.lambda[row], self.sample.lambda[row + 1]);
-                let size = fx.hypot(fy);
-                if size > 0.0 {
-                    // The journal presses the bearing against the force that it feels.
-                    deviation -= clearance[1] * (g[0] * fx + g[1] * fy) / size;
-                }
-            }
-        }
-        deviation.is_finite().then_some(deviation)
-    }
-}
-
-impl Load {
-    /// The load times a number.
-    fn times(&self, factor: f64) -> Load {
-        Load {
-            lambda: self.lambda.iter().map(|l| l * factor).collect(),
-            size: self.size * factor,
-        }
+/// An output without poses.
+fn blank(wanted: &Wanted<Output>) -> OutputAccuracy {
+    OutputAccuracy {
+        name: wanted.name.clone(),
+        of: wanted.of.clone(),
+        unit: if wanted.output.is_angle() { "rad" } else { "m" },
+        limits: wanted.limits,
+        poses: Vec::new(),
     }
 }

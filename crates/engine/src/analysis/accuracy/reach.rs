@@ -30,6 +30,8 @@ const MOST_STEPS: usize = 400;
 const MOST_PASSES: usize = 40;
 /// Corrections below this, in radians or sizes, are round-off.
 const DONE: f64 = 1e-14;
+/// On the way corrections below this are enough.
+const NEAR: f64 = 1e-9;
 /// Corrections below this that do not shrink any more are round-off, too: gaps of a tiny clearance hardly say where.
 const STALLED: f64 = 1e-10;
 /// A correction longer than this, in radians or sizes, is lost.
@@ -227,7 +229,8 @@ impl Bordered<'_, '_> {
             }
             let stalled = size <= STALLED && size > 0.3 * last;
             calm = if size <= DONE || stalled { calm + 1 } else { 0 };
-            if calm == 2 {
+            let is_on_the_way = matches!(held, Held::Output(_)) && size <= NEAR;
+            if calm == 2 || is_on_the_way {
                 self.mechanism.take(&at.q, self.stand);
                 at.y = self.mechanism.value(self.stand, self.output, at.c) - self.nominal;
                 return Some(at);
@@ -239,8 +242,10 @@ impl Bordered<'_, '_> {
 
     /// The load that the deviations balance at the position taken, and gaps and shifts that it asks for.
     fn aim(&mut self, at: &mut Displaced) -> Option<()> {
+        let mut g = vec![[0.0; 2]; self.mechanism.plays.len()];
         for pass in 0..2 {
-            let g = self.mechanism.influences(self.stand, self.output, &at.load);
+            self.mechanism
+                .influences(self.stand, self.output, &at.load, &mut g);
             if !self.mechanism.deviate(self.stand, &g, 1.0) {
                 return None;
             }

@@ -15,7 +15,6 @@
 use super::dimensions::{Dimensions, Here, PointId};
 use super::output::{Load, Output};
 use super::statistics::Scatter;
-use linkdyn_linear::math::Vec2;
 
 /// What makes a deviation.
 #[derive(Debug, Clone, PartialEq)]
@@ -74,12 +73,7 @@ impl Play {
             Play::Pin { row, .. } | Play::Guided { row, .. } => [-lambda[*row], -lambda[row + 1]],
             Play::Sides { row, .. } | Play::Driver { row, .. } => [-lambda[*row], 0.0],
             Play::Zone { point, .. } => {
-                let own = output.pulls(&here.at).into_iter().flatten();
-                let own: Vec2 = own
-                    .filter(|(place, _)| place.point == Some(*point))
-                    .map(|(_, pull)| pull)
-                    .sum();
-                let g = own * load.size - dimensions.points[point.0].pull(here, lambda);
+                let g = dimensions.of_point(here, output, load, *point);
                 [g.x, g.y]
             }
             Play::Parameter { steps, .. } => {

@@ -5,8 +5,14 @@
 //! ```
 //!
 //! Each pin is at its rim where the unit load on the output presses it at the displaced position; so all are massless links
-//! under that load. With the factors of the nominal position, q and λ are corrected together until the output stands still.
-//! A stationary output is no proof; see `enclosure` for one.
+//! under that load. With the factors of the nominal position, q and λ are corrected together. The output is read as
+//!
+//! ```text
+//! y ≈ y(q) − λᵀ (φ(q) + e)
+//! ```
+//!
+//! which is off by the square of what q and λ lack, so that two corrections suffice for most. A stationary output is no
+//! proof; see `enclosure` for one.
 
 use super::displaced::{Mechanism, Stand};
 use super::output::{Load, Output};
@@ -17,9 +23,9 @@ const MOST_PASSES: usize = 60;
 const SLOW: f64 = 0.5;
 /// Corrections below this, in radians or sizes, that shrink no more are round-off.
 const STALLED: f64 = 1e-11;
-/// The output stands still when it moves by less than this part of its deviation …
+/// What the output still lacks may be this part of its deviation …
 const STILL: f64 = 1e-14;
-/// … or by this part of the mechanism's size (or of a radian): round-off.
+/// … or this part of the mechanism's size (or of a radian): round-off.
 const ROUND_OFF: f64 = 2e-16;
 
 /// Where the output is carried farthest.
@@ -34,11 +40,9 @@ pub(super) struct Farthest {
 }
 
 impl Mechanism<'_> {
-    /// λ = J⁻ᵀ ∂y at a pose, whose factors are kept; none where J has no inverse there.
+    /// λ = J⁻ᵀ ∂y at a pose that was taken, and whose factors are at hand; none where they say nothing.
     pub fn load(&mut self, stand: &Stand, output: &Output) -> Option<Load> {
         let (n, m) = (self.driven.system.n(), self.driven.system.m());
-        self.take(&stand.q, stand);
-        self.driven.factor(&stand.inputs).ok()?;
         let mut gradient = vec![0.0; n];
         self.gradient(stand, output, &mut gradient);
         let mut lambda = vec![0.0; m];
@@ -65,72 +69,64 @@ impl Mechanism<'_> {
         self.shifts.fill(linkdyn_linear::math::Vec2::zeros());
         let nominal = self.value(stand, output, 0.0);
         let (mut q, mut load) = (stand.q.clone(), load.clone());
-        let (mut step, mut correction) = (vec![0.0; n], vec![0.0; m]);
-        let mut gradient = vec![0.0; n];
-        let mut right = vec![0.0; m];
-        let (mut deviation, mut size, mut slow) = (f64::INFINITY, f64::INFINITY, 0);
-        let mut kept = None;
+        let (mut step, mut right) = (vec![0.0; n], vec![0.0; m]);
+        let (mut pull, mut correction) = (vec![0.0; n], vec![0.0; m]);
+        let mut g = vec![[0.0; 2]; self.plays.len()];
+        let (mut size, mut shrinks, mut slow, mut is_kept) = (f64::INFINITY, 1.0, 0, false);
+        let (mut deviation, mut moved) = (f64::INFINITY, f64::INFINITY);
         for pass in 0..MOST_PASSES {
             // What has hardly an influence flickers from side to side; then all keep theirs.
-            let g = match &kept {
-                Some(kept) => Vec::clone(kept),
-                None => self.influences(stand, output, &load),
-            };
+            if !is_kept {
+                self.influences(stand, output, &load, &mut g);
+            }
             if !self.deviate(stand, &g, side) {
                 return None;
             }
-            for ((right, phi), gap) in right
-                .iter_mut()
-                .zip(&self.driven.evaluation.phi)
-                .zip(&self.rows)
-            {
+            let rows = self.driven.evaluation.phi.iter().zip(&self.rows);
+            for (right, (phi, gap)) in right.iter_mut().zip(rows) {
                 *right = -(phi + gap);
             }
-            self.driven.answer(&right, &mut step);
-            q.iter_mut().zip(&step).for_each(|(q, d)| *q += d);
-            self.take(&q, stand);
-            self.gradient(stand, output, &mut gradient);
-            self.correct_load(&mut gradient, &mut load.lambda, &mut correction);
-            let now = self.value(stand, output, 1.0) - nominal;
+            let lacking: f64 = right.iter().zip(&load.lambda).map(|(r, l)| r * l).sum();
+            let now = self.value(stand, output, 1.0) - nominal + lacking;
             if !now.is_finite() {
                 return None;
             }
-            let moved = (now - deviation).abs();
-            let shrunk = system.scaled_norm(&step);
-            let stalled = shrunk <= STALLED && shrunk > 0.3 * size;
-            if moved <= STILL * now.abs() + round_off || stalled {
+            let last = std::mem::replace(&mut moved, (now - deviation).abs());
+            // What is lacking shrinks with the square of the steps, or as the moves do; a small move may be chance.
+            let left = moved * (moved / last).max(shrinks * shrinks).min(1.0);
+            let enough = STILL * now.abs() + round_off;
+            if pass > 1 && left <= enough {
                 return Some(Farthest {
                     deviation: now,
                     q,
                     needed: Vec::new(),
                 });
             }
-            slow = if shrunk > SLOW * size { slow + 1 } else { 0 };
-            if slow > 2 && kept.is_some() {
+            self.driven.answer(&right, &mut step);
+            let shrunk = system.scaled_norm(&step);
+            if shrunk <= STALLED && shrunk > 0.3 * size {
+                return Some(Farthest {
+                    deviation: now,
+                    q,
+                    needed: Vec::new(),
+                });
+            }
+            self.unbalanced(stand, output, &load, &mut pull);
+            self.driven.multipliers(&pull, &mut correction);
+            let lambda = load.lambda.iter_mut();
+            lambda.zip(&correction).for_each(|(l, more)| *l += more);
+            q.iter_mut().zip(&step).for_each(|(q, d)| *q += d);
+            self.take(&q, stand);
+            shrinks = shrunk / size;
+            slow = if shrinks > SLOW { slow + 1 } else { 0 };
+            if slow > 2 && is_kept {
                 return None;
             }
-            if slow > 2 || (pass == MOST_PASSES / 3 && kept.is_none()) {
-                (kept, slow) = (Some(g), 0);
+            if slow > 2 || (pass == MOST_PASSES / 3 && !is_kept) {
+                (is_kept, slow) = (true, 0);
             }
             (deviation, size) = (now, shrunk);
         }
         None
-    }
-
-    /// λ += J₀⁻ᵀ (∂y − Jᵀ λ), with J at the position last taken and the factors of the pose.
-    fn correct_load(&mut self, gradient: &mut [f64], lambda: &mut [f64], correction: &mut [f64]) {
-        let mut carried = vec![0.0; gradient.len()];
-        self.driven
-            .evaluation
-            .transposed_product(self.driven.system, lambda, &mut carried);
-        gradient
-            .iter_mut()
-            .zip(&carried)
-            .for_each(|(g, carried)| *g -= carried);
-        self.driven.multipliers(gradient, correction);
-        lambda
-            .iter_mut()
-            .zip(&*correction)
-            .for_each(|(l, more)| *l += more);
     }
 }

@@ -229,6 +229,19 @@ impl<'s> Driven<'s> {
         self.solve_rows(x);
     }
 
+    /// J⁻¹ (n, n) at the last factors, by columns, of a mechanism without redundancy and independent coordinates.
+    pub(crate) fn inverse(&self) -> Vec<f64> {
+        let n = self.system.n();
+        let mut columns = vec![0.0; n * n];
+        self.lu.inverse(&mut columns);
+        let scales = self.row_scales.iter();
+        for (column, scale) in columns.chunks_exact_mut(n.max(1)).zip(scales) {
+            self.system.scale_columns(column);
+            column.iter_mut().for_each(|c| *c /= scale);
+        }
+        columns
+    }
+
     /// Moves `q` onto the constraints.
     ///
     /// # Errors

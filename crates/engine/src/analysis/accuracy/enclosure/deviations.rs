@@ -1,58 +1,57 @@
 //! What all deviations together do to the coordinates to first order, and what they do beyond it.
 
-use super::super::dimensions::{Dimension, PointId};
 use super::super::displaced::{Mechanism, Stand};
 use super::super::output::Output;
 use super::super::source::Play;
 use super::Inverse;
 use super::changes::Radii;
+use super::extents::Extents;
 use linkdyn_linear::math::Vec2;
+
+/// So small that what a dimension's step does counts to first order alone.
+const SMALL: f64 = 1e-150;
 
 impl Mechanism<'_> {
     /// Bounds of |C e| (n) over all deviations, to first order.
     pub(super) fn straight(&self, stand: &Stand, inverse: &Inverse) -> Vec<f64> {
         let system = self.driven.system;
-        let n = system.n();
         let here = self.here(stand);
-        let mut bound = vec![0.0; n];
-        let mut add = |of: &dyn Fn(usize) -> f64| {
-            bound.iter_mut().enumerate().for_each(|(k, b)| *b += of(k));
-        };
-        let carried = |rows: &[f64]| {
-            let mut q = vec![0.0; n];
-            for (row, &e) in rows.iter().enumerate().filter(|(_, e)| **e != 0.0) {
-                for (q, c) in q.iter_mut().zip(inverse.column(row)) {
-                    *q += c * e;
-                }
-            }
-            q
-        };
+        let mut bound = vec![0.0; system.n()];
         for (row, phi) in self.driven.evaluation.phi.iter().enumerate() {
             let phi = phi.abs() + 8.0 * f64::EPSILON * system.row_scale(row);
-            add(&|k| inverse.column(row)[k].abs() * phi);
+            add(&mut bound, inverse.column(row), |c| phi * c.abs());
         }
+        let mut rows = vec![0.0; system.m()];
+        let mut ways = [vec![0.0; system.n()], vec![0.0; system.n()]];
         for play in self.plays {
             match play {
                 Play::Pin { row, clearance } => {
-                    let (a, b) = (inverse.column(*row), inverse.column(row + 1));
-                    add(&|k| clearance[1] * a[k].hypot(b[k]));
+                    let pair = [inverse.column(*row), inverse.column(row + 1)];
+                    add_pair(&mut bound, pair, |a, b| clearance[1] * size(a, b));
                 }
-                Play::Sides { row, half } => add(&|k| half[1] * inverse.column(*row)[k].abs()),
-                Play::Driver { row, half } => add(&|k| half * inverse.column(*row)[k].abs()),
+                Play::Sides { row, half } => {
+                    add(&mut bound, inverse.column(*row), |c| half[1] * c.abs());
+                }
+                Play::Driver { row, half } => {
+                    add(&mut bound, inverse.column(*row), |c| half * c.abs());
+                }
                 Play::Guided { row, half, length } => {
-                    let (a, b) = (inverse.column(*row), inverse.column(row + 1));
-                    add(&|k| half[1] * a[k].abs().max(2.0 * b[k].abs() / length));
+                    let pair = [inverse.column(*row), inverse.column(row + 1)];
+                    add_pair(&mut bound, pair, |a, b| {
+                        half[1] * a.abs().max(2.0 * b.abs() / length)
+                    });
                 }
                 Play::Zone { point, radius } => {
-                    let of = |along: Vec2| {
-                        let mut rows = vec![0.0; system.m()];
+                    for (axis, way) in ways.iter_mut().enumerate() {
+                        rows.fill(0.0);
+                        let along = Vec2::new((1 - axis) as f64, axis as f64);
                         for grip in &self.dimensions.points[point.0].grips {
                             grip.push(&self.driven.evaluation.jacobian, along, &mut rows);
                         }
-                        carried(&rows)
-                    };
-                    let (a, b) = (of(Vec2::new(1.0, 0.0)), of(Vec2::new(0.0, 1.0)));
-                    add(&|k| radius * a[k].hypot(b[k]));
+                        inverse.carry(&rows, 1.0, way);
+                    }
+                    let [a, b] = &ways;
+                    add_pair(&mut bound, [a, b], |a, b| radius * size(a, b));
                 }
                 Play::Parameter {
                     lower,
@@ -60,75 +59,49 @@ impl Mechanism<'_> {
                     steps,
                     ..
                 } => {
-                    let mut all = vec![0.0; self.dimensions.all.len()];
-                    // small, so that a direction counts to first order alone
-                    const SMALL: f64 = 1e-150;
+                    rows.fill(0.0);
                     for &(k, by) in steps {
-                        all[k] += by * SMALL;
+                        self.dimensions.push_one(here, k, by * SMALL, &mut rows);
                     }
-                    let mut rows = vec![0.0; system.m()];
-                    self.dimensions.push(here, &all, &mut rows);
-                    rows.iter_mut().for_each(|row| *row /= SMALL);
-                    let q = carried(&rows);
+                    let [way, _] = &mut ways;
+                    inverse.carry(&rows, 1.0 / SMALL, way);
                     let half = lower.abs().max(upper.abs());
-                    add(&|k| half * q[k].abs());
+                    add(&mut bound, way, |q| half * q.abs());
                 }
             }
         }
         bound
     }
 
-    /// Bounds (m) of what gaps change as the mechanism moves by `x`, and of what is left out of the parameters' steps.
-    pub(super) fn loose(&self, stand: &Stand, slack: &[f64], x: &[f64]) -> Vec<f64> {
+    /// Adds to the rows (m) bounds of what gaps change as the mechanism moves by `x`, and of what is left out of the
+    /// parameters' steps.
+    pub(super) fn loose(&self, stand: &Stand, extents: &Extents, x: &[f64], rows: &mut [f64]) {
         let system = self.driven.system;
         let here = self.here(stand);
-        let mut rows = vec![0.0; system.m()];
-        let mut most = slack.to_vec();
-        let mut turned = vec![0.0; self.dimensions.all.len()];
         for play in self.plays {
-            match play {
-                Play::Parameter {
-                    lower,
-                    upper,
-                    steps,
-                    ..
-                } => {
-                    for &(k, by) in steps {
-                        most[k] += by.abs() * lower.abs().max(upper.abs());
-                    }
+            if let Play::Zone { point, radius } = play {
+                let total = system
+                    .layout
+                    .bodies()
+                    .map(|c| x[c.theta()])
+                    .fold(0.0, f64::max);
+                for grip in &self.dimensions.points[point.0].grips {
+                    grip.push_size(radius * 2.0 * total, rows);
                 }
-                Play::Zone { point, radius } => {
-                    let total = system
-                        .layout
-                        .bodies()
-                        .map(|c| x[c.theta()])
-                        .fold(0.0, f64::max);
-                    for grip in &self.dimensions.points[point.0].grips {
-                        grip.push_size(radius * 2.0 * total, &mut rows);
-                    }
-                }
-                Play::Pin { .. }
-                | Play::Sides { .. }
-                | Play::Guided { .. }
-                | Play::Driver { .. } => {}
             }
         }
-        turned.copy_from_slice(&most);
-        self.dimensions.push_change(here, &turned, x, &mut rows);
+        self.dimensions.push_change(here, &extents.most, x, rows);
         // Slack itself is no first-order step of any play.
-        if slack.iter().any(|s| *s > 0.0) {
+        if !extents.slack.is_empty() {
             let mut own = vec![0.0; system.m()];
-            for (k, step) in slack.iter().enumerate().filter(|(_, s)| **s > 0.0) {
-                let mut one = vec![0.0; slack.len()];
-                one[k] = *step;
+            for &(k, step) in &extents.slack {
                 own.fill(0.0);
-                self.dimensions.push(here, &one, &mut own);
+                self.dimensions.push_one(here, k, step, &mut own);
                 rows.iter_mut()
                     .zip(&own)
                     .for_each(|(row, own)| *row += own.abs());
             }
         }
-        rows
     }
 
     /// What the output's own points add to its deviation beyond the first order.
@@ -136,7 +109,7 @@ impl Mechanism<'_> {
         &self,
         stand: &Stand,
         output: &Output,
-        slack: &[f64],
+        extents: &Extents,
         x: &[f64],
     ) -> f64 {
         let here = self.here(stand);
@@ -144,34 +117,7 @@ impl Mechanism<'_> {
             system: self.driven.system,
             x,
         };
-        let mut off = vec![0.0; self.dimensions.points.len()];
-        let mut beyond = vec![0.0; self.dimensions.points.len()];
-        for (k, dimension) in self.dimensions.all.iter().enumerate() {
-            if let Dimension::Point(PointId(point), _) = dimension {
-                beyond[*point] += slack[k];
-                for play in self.plays {
-                    if let Play::Parameter {
-                        lower,
-                        upper,
-                        steps,
-                        ..
-                    } = play
-                    {
-                        let by: f64 = steps
-                            .iter()
-                            .filter(|(index, _)| *index == k)
-                            .map(|(_, by)| by.abs())
-                            .sum();
-                        off[*point] += by * lower.abs().max(upper.abs());
-                    }
-                }
-            }
-        }
-        for play in self.plays {
-            if let Play::Zone { point, radius } = play {
-                off[point.0] += radius;
-            }
-        }
+        let Extents { off, beyond, .. } = extents;
         let places: Vec<_> = output.pulls(&here.at).into_iter().flatten().collect();
         let total: f64 = places
             .iter()
@@ -200,4 +146,21 @@ impl Mechanism<'_> {
             .sum();
         own_beyond + total * turn + 2.0 * total * (moved + total) / span
     }
+}
+
+/// Rounded up by less than the widening of X.
+fn size(a: f64, b: f64) -> f64 {
+    (a * a + b * b).sqrt()
+}
+
+fn add(bound: &mut [f64], column: &[f64], of: impl Fn(f64) -> f64) {
+    bound.iter_mut().zip(column).for_each(|(b, c)| *b += of(*c));
+}
+
+fn add_pair(bound: &mut [f64], [a, b]: [&[f64]; 2], of: impl Fn(f64, f64) -> f64) {
+    let pairs = a.iter().zip(b);
+    bound
+        .iter_mut()
+        .zip(pairs)
+        .for_each(|(bound, (a, b))| *bound += of(*a, *b));
 }

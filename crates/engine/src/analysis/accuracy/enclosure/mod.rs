@@ -16,18 +16,24 @@
 
 mod changes;
 mod deviations;
+mod extents;
 
 use super::displaced::{Mechanism, Stand};
 use super::output::{Load, Output};
-use changes::{Radii, changes};
+use changes::{Change, Radii, changes};
+pub(super) use extents::Extents;
 
 /// Widenings of X that are tried.
 const WIDENINGS: [f64; 5] = [1.001, 1.02, 1.2, 1.6, 2.5];
-/// Refinements of an X that holds.
+/// Passes before a wider X is tried, that let each coordinate find its own width.
+const PASSES: usize = 4;
+/// Refinements of a wide X that holds.
 const REFINEMENTS: usize = 3;
+/// Widened by less than this X needs no refinement: what it leaves is of second order in it.
+const NARROW: f64 = 1.01;
 
 /// The inverse of J at a pose (n, m), by columns of rows of J.
-pub(super) struct Inverse {
+struct Inverse {
     n: usize,
     /// Column r stands at r·n: C e_r.
     columns: Vec<f64>,
@@ -39,20 +45,59 @@ impl Inverse {
     fn column(&self, row: usize) -> &[f64] {
         &self.columns[row * self.n..][..self.n]
     }
+
+    /// q = C·rows times a factor.
+    fn carry(&self, rows: &[f64], factor: f64, q: &mut [f64]) {
+        q.fill(0.0);
+        for (row, e) in rows.iter().enumerate().filter(|(_, e)| **e != 0.0) {
+            let e = e * factor;
+            for (q, c) in q.iter_mut().zip(self.column(row)) {
+                *q += c * e;
+            }
+        }
+    }
+
+    /// X = straight + |C| rows + |I − C J₀| x, widened by its rounding.
+    fn widen(&self, straight: &[f64], rows: &[f64], x: &[f64]) -> Vec<f64> {
+        let mut out = straight.to_vec();
+        for (row, by) in rows.iter().enumerate() {
+            for (out, c) in out.iter_mut().zip(self.column(row)) {
+                *out += c.abs() * by;
+            }
+        }
+        for (x, column) in x.iter().zip(self.residual.chunks_exact(self.n.max(1))) {
+            for (out, residual) in out.iter_mut().zip(column) {
+                *out += residual * x;
+            }
+        }
+        out.iter_mut().for_each(|out| *out *= 1.0 + 1e-12);
+        out
+    }
+}
+
+/// Where the mechanism stays under all deviations: |Δq| ≤ X.
+pub(super) struct Region {
+    /// X (n).
+    x: Vec<f64>,
+    /// Bounds of the changes of the entries of J on the way.
+    changes: Vec<Change>,
+    /// Bounds (m) of what φ and gaps are off at the pose, and change on the way.
+    rows: Vec<f64>,
+}
+
+/// What J and gaps change within |Δq| ≤ X.
+struct Loose {
+    changes: Vec<Change>,
+    /// By gaps alone (m).
+    gaps: Vec<f64>,
 }
 
 impl Mechanism<'_> {
     /// C at the factors of a pose that was taken.
-    pub fn inverse(&mut self) -> Inverse {
+    fn inverse(&mut self) -> Inverse {
         let system = self.driven.system;
         let n = system.n();
-        let mut columns = vec![0.0; n * n];
-        let mut unit = vec![0.0; n];
-        for row in 0..n {
-            unit.fill(0.0);
-            unit[row] = 1.0;
-            self.driven.answer(&unit, &mut columns[row * n..][..n]);
-        }
+        let columns = self.driven.inverse();
         let mut residual = vec![0.0; n * n];
         for k in 0..n {
             residual[k * n + k] = 1.0;
@@ -61,10 +106,12 @@ impl Mechanism<'_> {
         for (entry, value) in system.entries.iter().zip(&self.driven.evaluation.jacobian) {
             if let Some(column) = entry.column {
                 let (row, column) = (entry.row as usize, column as usize);
-                for k in 0..n {
-                    let part = columns[row * n + k] * value;
-                    residual[column * n + k] -= part;
-                    sizes[column * n + k] += part.abs();
+                let residual = residual[column * n..][..n].iter_mut();
+                let sizes = sizes[column * n..][..n].iter_mut();
+                for ((residual, size), c) in residual.zip(sizes).zip(&columns[row * n..][..n]) {
+                    let part = c * value;
+                    *residual -= part;
+                    *size += part.abs();
                 }
             }
         }
@@ -79,29 +126,28 @@ impl Mechanism<'_> {
         }
     }
 
-    /// The bound of the output's deviations to both sides, least and greatest; none where none can be certified. The pose was
-    /// taken, and its factors are at hand. `slack` (dimensions) bounds what the steps of the parameters leave out.
-    pub fn enclosure(
-        &mut self,
+    /// The bound of the output's deviations to both sides, least and greatest, within a region of the pose; none where it is
+    /// not finite. The pose was taken.
+    pub fn bound(
+        &self,
         stand: &Stand,
         output: &Output,
         load: &Load,
-        inverse: &Inverse,
-        slack: &[f64],
+        reach: [f64; 2],
+        region: &Region,
     ) -> Option<[f64; 2]> {
-        self.take(&stand.q, stand);
-        let x = self.radii(stand, inverse, slack)?;
+        let extents = self.extents.as_ref()?;
+        let Region { x, changes, rows } = region;
         let system = self.driven.system;
         let (n, here) = (system.n(), self.here(stand));
-        let changes = changes(system, &here.at, &Radii { system, x: &x });
         // (|∂y₀ − λᵀJ₀| + |∂ȳ − ∂y₀| + |λ||J̄ − J₀|) X
         let (mut gradient, mut change) = (vec![0.0; n], vec![0.0; n]);
         output.gradient(&here.at, &system.layout, &mut gradient);
-        output.gradient_change(&here.at, &system.layout, &x, &mut change);
+        output.gradient_change(&here.at, &system.layout, x, &mut change);
         let mut carried = vec![0.0; n];
         let mut lean = 0.0;
         let entries = system.entries.iter().zip(&self.driven.evaluation.jacobian);
-        for ((entry, value), by) in entries.zip(&changes) {
+        for ((entry, value), by) in entries.zip(changes) {
             if let Some(column) = entry.column {
                 let lambda = load.lambda[entry.row as usize];
                 carried[column as usize] += lambda * value;
@@ -112,85 +158,88 @@ impl Mechanism<'_> {
             let rounding = 8.0 * f64::EPSILON * (gradient[k].abs() + carried[k].abs());
             lean += ((gradient[k] - carried[k]).abs() + rounding + change[k]) * x[k];
         }
-        let loose = self.loose(stand, slack, &x);
-        for (row, loose) in loose.iter().enumerate() {
-            let phi =
-                self.driven.evaluation.phi[row].abs() + 8.0 * f64::EPSILON * system.row_scale(row);
-            lean += load.lambda[row].abs() * (phi + loose);
+        for (lambda, row) in load.lambda.iter().zip(rows) {
+            lean += lambda.abs() * row;
         }
-        lean += self.own_points(stand, output, slack, &x);
-        let influences = self.influences(stand, output, load);
-        let (mut low, mut high) = (-lean, lean);
-        for (play, g) in self.plays.iter().zip(&influences) {
-            let [down, up] = play.reach(*g);
-            low += down;
-            high += up;
-        }
+        lean += self.own_points(stand, output, extents, x);
+        let (low, high) = (reach[0] - lean, reach[1] + lean);
         let widened = 1.0 + 1e-13 + 4.0 * f64::EPSILON * (n + self.plays.len()) as f64;
         (low.is_finite() && high.is_finite()).then_some([low * widened, high * widened])
     }
 
-    /// X (n); none where no bound contracts.
-    fn radii(&self, stand: &Stand, inverse: &Inverse, slack: &[f64]) -> Option<Vec<f64>> {
-        let system = self.driven.system;
-        let n = system.n();
-        let here = self.here(stand);
-        let straight = self.straight(stand, inverse);
-        let step = |x: &[f64], mean: bool| -> Vec<f64> {
-            let changes = changes(system, &here.at, &Radii { system, x });
-            let mut by_row = self.loose(stand, slack, x);
-            for (entry, by) in system.entries.iter().zip(&changes) {
+    /// Where the mechanism stays about a pose that was taken, and whose factors are at hand; none where no bound contracts.
+    pub fn region(&mut self, stand: &Stand) -> Option<Region> {
+        let inverse = self.inverse();
+        let extents = self.extents.as_ref()?;
+        let straight = self.straight(stand, &inverse);
+        let image = |x: &[f64], loose: &Loose, by: fn(&Change) -> f64| {
+            let mut rows = loose.gaps.clone();
+            for (entry, change) in self.driven.system.entries.iter().zip(&loose.changes) {
                 if let Some(column) = entry.column {
-                    let by = if mean { by.mean } else { by.most };
-                    by_row[entry.row as usize] += by * x[column as usize];
+                    rows[entry.row as usize] += by(change) * x[column as usize];
                 }
             }
-            let mut out = straight.clone();
-            for (row, by) in by_row.iter().enumerate() {
-                for (out, c) in out.iter_mut().zip(inverse.column(row)) {
-                    *out += c.abs() * by;
-                }
-            }
-            for (column, x) in x.iter().enumerate() {
-                for (out, residual) in out.iter_mut().zip(&inverse.residual[column * n..][..n]) {
-                    *out += residual * x;
-                }
-            }
-            out.iter_mut().for_each(|out| *out *= 1.0 + 1e-12);
-            out
+            inverse.widen(&straight, &rows, x)
         };
-        let inside = |inner: &[f64], outer: &[f64]| {
-            inner
-                .iter()
-                .zip(outer)
-                .all(|(inner, outer)| inner < outer || (*inner == 0.0 && *outer == 0.0))
-        };
-        for widening in WIDENINGS {
-            // A few passes let each coordinate find its own width.
-            let mut x = straight.clone();
-            for _ in 0..4 {
-                x = step(&x, true);
+        let pass = |x: &[f64]| image(x, &self.within(stand, extents, x), |by| by.mean);
+        let mut x = straight.clone();
+        for (attempt, widening) in WIDENINGS.into_iter().enumerate() {
+            for _ in 0..if attempt == 0 { 1 } else { PASSES } {
+                x = pass(&x);
             }
-            x.iter_mut().for_each(|x| *x *= widening);
-            let next = step(&x, true);
-            if !inside(&next, &x) {
+            let wide: Vec<f64> = x.iter().map(|x| x * widening).collect();
+            let loose = self.within(stand, extents, &wide);
+            let next = image(&wide, &loose, |by| by.mean);
+            if !is_inside(&next, &wide) {
                 continue;
             }
-            let most = step(&x, false);
-            let contracts = most
-                .iter()
-                .zip(&straight)
-                .zip(&x)
-                .all(|((most, straight), x)| most - straight < *x || *x == 0.0);
-            if !contracts {
+            let most = image(&wide, &loose, |by| by.most);
+            let mut ends = most.iter().zip(&straight).zip(&wide);
+            if !ends.all(|((most, straight), x)| most - straight < *x || *x == 0.0) {
                 continue;
+            }
+            if widening < NARROW {
+                return Some(self.region_of(next, loose));
             }
             let mut x = next;
             for _ in 0..REFINEMENTS {
-                x = step(&x, true);
+                x = pass(&x);
             }
-            return Some(x);
+            let loose = self.within(stand, extents, &x);
+            return Some(self.region_of(x, loose));
         }
         None
     }
+
+    fn within(&self, stand: &Stand, extents: &Extents, x: &[f64]) -> Loose {
+        let system = self.driven.system;
+        let mut gaps = vec![0.0; system.m()];
+        self.loose(stand, extents, x, &mut gaps);
+        Loose {
+            changes: changes(system, &self.here(stand).at, &Radii { system, x }),
+            gaps,
+        }
+    }
+
+    fn region_of(&self, x: Vec<f64>, loose: Loose) -> Region {
+        let Loose { changes, mut gaps } = loose;
+        let phi = &self.driven.evaluation.phi;
+        for (row, (gap, phi)) in gaps.iter_mut().zip(phi).enumerate() {
+            let scale = self.driven.system.row_scale(row);
+            *gap += phi.abs() + 8.0 * f64::EPSILON * scale;
+        }
+        Region {
+            x,
+            changes,
+            rows: gaps,
+        }
+    }
+}
+
+/// Whether a bound lies within another one.
+fn is_inside(inner: &[f64], outer: &[f64]) -> bool {
+    inner
+        .iter()
+        .zip(outer)
+        .all(|(inner, outer)| inner < outer || (*inner == 0.0 && *outer == 0.0))
 }

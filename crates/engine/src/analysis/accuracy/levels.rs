@@ -1,0 +1,209 @@
+//! All levels of accuracy at one pose.
+
+use super::displaced::{Mechanism, Stand};
+use super::enclosure::Region;
+use super::output::Load;
+use super::source::{Influence, Play};
+use super::statistics::{capability, moments};
+use super::worst::Farthest;
+use super::{Contribution, Pins, PoseAccuracy, Question};
+use crate::analysis::clearance_link::forces;
+use crate::analysis::sample::Sample;
+use crate::system::System;
+
+/// A question on its way through the poses.
+pub(super) struct Asked<'a> {
+    system: &'a System,
+    question: &'a Question<'a>,
+    mechanism: Mechanism<'a>,
+    sample: Sample,
+    /// Of the sources, as last asked for.
+    influences: Vec<Influence>,
+}
+
+impl<'a> Asked<'a> {
+    pub fn new(
+        system: &'a System,
+        question: &'a Question<'a>,
+        mechanism: Mechanism<'a>,
+    ) -> Asked<'a> {
+        Asked {
+            influences: vec![[0.0; 2]; mechanism.plays.len()],
+            sample: Sample::new(system),
+            system,
+            question,
+            mechanism,
+        }
+    }
+
+    /// All levels at one pose of the outputs with these numbers.
+    pub fn poses(&mut self, outputs: &[usize], stand: &Stand) -> Vec<PoseAccuracy> {
+        let is_regular = self.mechanism.stand(stand) && stand.self_stress.is_none();
+        let mut poses: Vec<PoseAccuracy> = outputs
+            .iter()
+            .map(|&index| {
+                let output = &self.question.outputs[index].output;
+                let nominal = self.mechanism.value(stand, output, 0.0);
+                PoseAccuracy::at(self.system, stand, nominal)
+            })
+            .collect();
+        // All that needs the nominal position comes first, for the farthest leaves it.
+        let mut loads = Vec::with_capacity(outputs.len());
+        for (&index, pose) in outputs.iter().zip(&mut poses) {
+            let output = &self.question.outputs[index].output;
+            let load = is_regular.then(|| self.mechanism.load(stand, output));
+            let load = load.flatten();
+            if let Some(load) = &load {
+                self.first_order(index, stand, load, pose);
+            }
+            loads.push(load);
+        }
+        if loads.iter().any(Option::is_some) {
+            let region = self.mechanism.region(stand);
+            for ((&index, pose), load) in outputs.iter().zip(&mut poses).zip(&loads) {
+                pose.certified = self.certified(index, stand, load.as_ref(), &region, pose.first);
+            }
+            self.press(stand, outputs, &loads, &mut poses);
+        }
+        for ((&index, pose), load) in outputs.iter().zip(&mut poses).zip(&loads) {
+            let found = [-1.0, 1.0].map(|side| self.found(index, stand, load.as_ref(), side, pose));
+            pose.take(self.system, found);
+        }
+        poses
+    }
+
+    fn certified(
+        &self,
+        index: usize,
+        stand: &Stand,
+        load: Option<&Load>,
+        region: &Option<Region>,
+        first: Option<[f64; 2]>,
+    ) -> Option<[f64; 2]> {
+        let output = &self.question.outputs[index].output;
+        let mechanism = &self.mechanism;
+        mechanism.bound(stand, output, load?, first?, region.as_ref()?)
+    }
+
+    fn found(
+        &mut self,
+        index: usize,
+        stand: &Stand,
+        load: Option<&Load>,
+        side: f64,
+        pose: &PoseAccuracy,
+    ) -> Option<Farthest> {
+        let output = &self.question.outputs[index].output;
+        let mechanism = &mut self.mechanism;
+        match load {
+            Some(load) => {
+                // Where nothing is certified, only what is reached step by step belongs to this position.
+                let is_certain = pose.certified.is_some();
+                let near = is_certain.then(|| mechanism.farthest(stand, output, load, side));
+                near.flatten()
+                    .or_else(|| mechanism.reach(stand, output, load.times(side), side))
+            }
+            None => {
+                // The self-stress is the load that the equations balance without any on the output.
+                let lambda = stand.self_stress.clone();
+                let lambda = lambda.filter(|stress| !stress.is_empty())?;
+                mechanism.reach(stand, output, Load { lambda, size: 0.0 }, side)
+            }
+        }
+    }
+
+    /// Influences, shares and spread.
+    fn first_order(&mut self, index: usize, stand: &Stand, load: &Load, pose: &mut PoseAccuracy) {
+        let pins = self.question.pins;
+        let wanted = &self.question.outputs[index];
+        let influences = &mut self.influences;
+        self.mechanism
+            .influences(stand, &wanted.output, load, influences);
+        let (mut first, mut mean, mut variance) = ([0.0; 2], 0.0, 0.0);
+        pose.contributions.reserve_exact(influences.len());
+        for (named, g) in self.question.sources.iter().zip(influences) {
+            let reach = named.play.reach(*g);
+            let [middle, square] = moments(&named.play, *g, pins);
+            first = [first[0] + reach[0], first[1] + reach[1]];
+            mean += middle;
+            variance += square;
+            let sensitivity = match named.play {
+                Play::Pin { .. } | Play::Zone { .. } => g[0].hypot(g[1]),
+                Play::Sides { .. }
+                | Play::Guided { .. }
+                | Play::Driver { .. }
+                | Play::Parameter { .. } => g[0],
+            };
+            pose.contributions.push(Contribution {
+                sensitivity,
+                reach,
+                variance: square,
+            });
+        }
+        pose.first = Some(first);
+        pose.moments = Some([mean, variance.sqrt()]);
+    }
+
+    /// Where the loads of the motion press the journals, and what limits say of the spread, which may follow from it.
+    fn press(
+        &mut self,
+        stand: &Stand,
+        outputs: &[usize],
+        loads: &[Option<Load>],
+        poses: &mut [PoseAccuracy],
+    ) {
+        let is_known = self.load_of_motion(stand);
+        for ((&index, pose), load) in outputs.iter().zip(poses).zip(loads) {
+            pose.pressed = load
+                .as_ref()
+                .filter(|_| is_known)
+                .and_then(|load| self.pressed(load));
+            let Some([mean, sigma]) = &mut pose.moments else {
+                continue;
+            };
+            if let (Pins::Load, Some(pressed)) = (self.question.pins, pose.pressed) {
+                *mean += pressed;
+            }
+            pose.capability = self.question.outputs[index]
+                .limits
+                .and_then(|limits| capability(limits, *mean, *sigma));
+        }
+    }
+
+    /// Forces of the motion, in the sample; whether they are known: not without masses or friction's history.
+    fn load_of_motion(&mut self, stand: &Stand) -> bool {
+        let mut plays = self.mechanism.plays.iter();
+        if !self.system.masses_known || !plays.any(|play| matches!(play, Play::Pin { .. })) {
+            return self.system.masses_known;
+        }
+        self.sample.q.copy_from_slice(&stand.q);
+        forces(&mut self.mechanism.driven, &stand.inputs, &mut self.sample).is_ok()
+    }
+
+    /// Deviation with the journals where the loads of the motion press them.
+    fn pressed(&self, load: &Load) -> Option<f64> {
+        let mut deviation = 0.0;
+        for play in self.mechanism.plays {
+            if let Play::Pin { row, clearance } = play {
+                let (fx, fy) = (self.sample.lambda[*row], self.sample.lambda[row + 1]);
+                let size = fx.hypot(fy);
+                if size > 0.0 {
+                    // The journal presses the bearing against the force that it feels; g = −λ.
+                    let g = [-load.lambda[*row], -load.lambda[row + 1]];
+                    deviation -= clearance[1] * (g[0] * fx + g[1] * fy) / size;
+                }
+            }
+        }
+        deviation.is_finite().then_some(deviation)
+    }
+}
+
+impl Load {
+    /// The load times a number.
+    fn times(&self, factor: f64) -> Load {
+        Load {
+            lambda: self.lambda.iter().map(|l| l * factor).collect(),
+            size: self.size * factor,
+        }
+    }
+}
