@@ -170,8 +170,11 @@ fn worst_cases_agree() {
                                     root.take(off(&own["found"][side], number(digits), 0.0), what);
                                     continue;
                                 }
-                                // Values of some radians or metres are known to some 1e-15 in doubles.
+                                // Values of some radians or metres are known to some 1e-15 in doubles, and lengths to 1e-16 m,
+                                // which singular positions magnify as they do clearances.
+                                let magnified = own["first"][1].as_f64().expect("a number") / c;
                                 let floor = 2e-3 * number(&output["nominal"]).abs().max(1.0);
+                                let floor = floor.max(1e-4 * magnified);
                                 found.take(off(&own["found"][side], number(digits), floor), || {
                                     format!("{} {key}", what())
                                 });

@@ -122,12 +122,23 @@ pub(super) struct Dimensions {
     pub by_path: HashMap<String, Vec<(usize, f64)>>,
 }
 
+/// How far a point is off, in global axes \[m\].
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Off {
+    pub point: PointId,
+    pub by: Vec2,
+    /// Whether it turns with its body, or keeps its direction.
+    pub turns: bool,
+}
+
 /// A position at which the equations were evaluated, φ and J.
 #[derive(Clone, Copy)]
 pub(super) struct Here<'a> {
     pub system: &'a System,
     pub evaluation: &'a Evaluation,
     pub at: Kinematics<'a>,
+    /// How far points are off in the frames of their bodies \[m\].
+    pub shifts: &'a [Vec2],
     /// \[s\]
     pub time: f64,
     /// The driver whose value says which pose is meant; its motion has no influence there.
@@ -184,29 +195,33 @@ impl Dimensions {
 
     /// ∂y/∂P of a point under a load on the output, in global axes: its own, and by what holds on to it.
     pub fn of_point(&self, here: Here<'_>, output: &Output, load: &Load, id: PointId) -> Vec2 {
-        let own = output.pulls(&here.at).into_iter().flatten();
+        let own = output.pulls(&here.at, here.shifts).into_iter().flatten();
         let own = own.filter(|(place, _)| place.point == Some(id));
         let own: Vec2 = own.map(|(_, pull)| pull).sum();
         own * load.size - self.points[id.0].pull(here, &load.lambda)
     }
 
-    /// Adds to `turned` (n) what the Lagrangian y − λᵀφ gains as bodies turn whose points are off by `steps`: λ follows the
-    /// displaced points.
+    /// Adds to `turned` (n) what the Lagrangian y − λᵀφ gains as bodies turn while points are off: λ follows the displaced
+    /// points.
     pub fn turn(
         &self,
         here: Here<'_>,
         output: &Output,
         load: &Load,
-        (used, steps): (&[usize], &[f64]),
+        offs: &[Off],
         turned: &mut [f64],
     ) {
-        for &k in used.iter().filter(|k| steps[**k] != 0.0) {
-            if let Dimension::Point(id, axis) = &self.all[k] {
-                let body = self.points[id.0].body;
-                if let Some(columns) = here.system.layout.columns(body) {
-                    let off = here.at.poses[body.0].turn(unit(*axis)) * steps[k];
-                    let pull = self.of_point(here, output, load, *id);
-                    turned[columns.theta()] += pull.dot(&perp(off));
+        let theta = |body: BodyId| here.system.layout.columns(body).map(|c| c.theta());
+        for off in offs {
+            let point = &self.points[off.point.0];
+            if let (true, Some(column)) = (off.turns, theta(point.body)) {
+                let pull = self.of_point(here, output, load, off.point);
+                turned[column] += pull.dot(&perp(off.by));
+            }
+            for grip in &point.grips {
+                if let Some(column) = grip.guide.and_then(theta) {
+                    let pull = grip.pull(&here.evaluation.jacobian, &load.lambda);
+                    turned[column] -= perp(pull).dot(&off.by);
                 }
             }
         }
@@ -318,7 +333,8 @@ fn spread(here: Here<'_>, marker: &Marker, x: &[f64]) -> f64 {
     })
 }
 
-fn unit(axis: usize) -> Vec2 {
+/// Along an axis of a frame.
+pub(super) fn unit(axis: usize) -> Vec2 {
     match axis {
         0 => Vec2::new(1.0, 0.0),
         _ => Vec2::new(0.0, 1.0),

@@ -1,6 +1,6 @@
 //! A mechanism with its sources off by given amounts: the gaps of its rows, and where its output is then.
 
-use super::dimensions::{Dimension, Dimensions, Here, PointId};
+use super::dimensions::{Dimension, Dimensions, Here, Off, PointId, unit};
 use super::enclosure::Extents;
 use super::output::{Load, Output};
 use super::source::{Influence, Play};
@@ -47,6 +47,8 @@ pub(super) struct Mechanism<'m> {
     pub rows: Vec<f64>,
     /// Steps of the dimensions.
     pub steps: Vec<f64>,
+    /// Points that are off.
+    offs: Vec<Off>,
     /// Shifts of the points in the frames of their bodies \[m\].
     pub shifts: Vec<Vec2>,
 }
@@ -73,6 +75,7 @@ impl<'m> Mechanism<'m> {
         Mechanism {
             extents: slack.map(|slack| Extents::new(plays, dimensions, slack)),
             used,
+            offs: Vec::new(),
             of_dimensions: vec![0.0; dimensions.all.len()],
             extremes: vec![[0.0; 2]; plays.len()],
             stepped: Vec::new(),
@@ -93,6 +96,7 @@ impl<'m> Mechanism<'m> {
             system: self.driven.system,
             evaluation: &self.driven.evaluation,
             at: self.driven.evaluation.kinematics(&stand.inputs),
+            shifts: &self.shifts,
             time: stand.inputs.time,
             held: stand.held,
         }
@@ -154,12 +158,22 @@ impl<'m> Mechanism<'m> {
         }
         let mut rows = std::mem::take(&mut self.rows);
         let mut shifts = std::mem::take(&mut self.shifts);
+        let mut offs = std::mem::take(&mut self.offs);
+        offs.clear();
         let here = self.here(stand);
         self.dimensions
             .push(here, &self.used, &self.steps, &mut rows);
         for &k in &self.used {
             if let Dimension::Point(PointId(point), axis) = &self.dimensions.all[k] {
                 shifts[*point][*axis] += self.steps[k];
+                if self.steps[k] != 0.0 {
+                    let pose = &here.at.poses[self.dimensions.points[*point].body.0];
+                    offs.push(Off {
+                        point: PointId(*point),
+                        by: pose.turn(unit(*axis)) * self.steps[k],
+                        turns: true,
+                    });
+                }
             }
         }
         for (play, e) in self.plays.iter().zip(extremes) {
@@ -172,6 +186,11 @@ impl<'m> Mechanism<'m> {
                 Play::Zone { point, .. } => {
                     let point_data = &self.dimensions.points[point.0];
                     let off = Vec2::new(e[0], e[1]);
+                    offs.push(Off {
+                        point: *point,
+                        by: off,
+                        turns: false,
+                    });
                     for grip in &point_data.grips {
                         grip.push(&here.evaluation.jacobian, off, &mut rows);
                     }
@@ -186,6 +205,7 @@ impl<'m> Mechanism<'m> {
         }
         self.rows = rows;
         self.shifts = shifts;
+        self.offs = offs;
         true
     }
 
@@ -224,19 +244,18 @@ impl<'m> Mechanism<'m> {
     pub fn unbalanced(&self, stand: &Stand, output: &Output, load: &Load, out: &mut [f64]) {
         let here = self.here(stand);
         let system = self.driven.system;
-        output.gradient(&here.at, &system.layout, out);
+        output.gradient(&here.at, here.shifts, &system.layout, out);
         for (entry, value) in system.entries.iter().zip(&here.evaluation.jacobian) {
             if let Some(column) = entry.column {
                 out[column as usize] -= value * load.lambda[entry.row as usize];
             }
         }
-        let steps = (self.used.as_slice(), self.steps.as_slice());
-        self.dimensions.turn(here, output, load, steps, out);
+        self.dimensions.turn(here, output, load, &self.offs, out);
     }
 
     /// ∂y/∂q (n) at the position last taken.
     pub fn gradient(&self, stand: &Stand, output: &Output, gradient: &mut [f64]) {
         let at = self.driven.evaluation.kinematics(&stand.inputs);
-        output.gradient(&at, &self.driven.system.layout, gradient);
+        output.gradient(&at, &self.shifts, &self.driven.system.layout, gradient);
     }
 }

@@ -9,6 +9,8 @@ use linkdyn_linear::math::Vec2;
 pub(super) struct Grip {
     /// 1; −1 of the point on a carrier along which the line of centres of a gear goes.
     sign: f64,
+    /// The body whose guide the rows are measured across or along: ∂φ/∂P turns with it.
+    pub guide: Option<BodyId>,
     /// Bound of |∂φ/∂P| in a row [1 or 1/m].
     most: f64,
     /// (row, index among the entries of J).
@@ -21,6 +23,7 @@ impl Grip {
     pub fn of(block: &Block, body: BodyId) -> Grip {
         let mut grip = Grip {
             sign: 1.0,
+            guide: None,
             most: 1.0,
             x: Vec::new(),
             y: Vec::new(),
@@ -35,6 +38,11 @@ impl Grip {
             }
         }
         grip
+    }
+
+    /// Of rows that are measured across or along the guide of a body.
+    pub fn along(self, guide: Option<BodyId>) -> Grip {
+        Grip { guide, ..self }
     }
 
     /// Of a gear on the centre of a wheel: on the wheel, or on its carrier, where the line of centres follows it.

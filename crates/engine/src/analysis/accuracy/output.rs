@@ -60,26 +60,29 @@ impl Output {
         }
     }
 
-    /// The points that it is about, each with ∂y/∂(place of the point), in global axes.
-    pub fn pulls(&self, at: &Kinematics) -> [Option<(Place, Vec2)>; 2] {
+    /// The points that it is about, each with ∂y/∂(place of the point), in global axes; points off by `shifts` (body frames).
+    pub fn pulls(&self, at: &Kinematics, shifts: &[Vec2]) -> [Option<(Place, Vec2)>; 2] {
         match *self {
             Output::Angle(_) => [None, None],
             Output::Coordinate(place, along) => [Some((place, along)), None],
             Output::Distance(from, to) => {
-                let along = self.line(at, from, to);
+                let place = |place: Place| place.at(at, &|PointId(point)| shifts[point]);
+                let along = crate::element::direction(place(to) - place(from));
+                // Zero where the points coincide.
+                let along = along.map_or(Vec2::zeros(), |(unit, _)| unit);
                 [Some((from, -along)), Some((to, along))]
             }
         }
     }
 
-    /// u; zero where the points coincide.
-    fn line(&self, at: &Kinematics, from: Place, to: Place) -> Vec2 {
-        let span = to.marker.place(at) - from.marker.place(at);
-        crate::element::direction(span).map_or(Vec2::zeros(), |(unit, _)| unit)
-    }
-
-    /// ∂y/∂q (n).
-    pub fn gradient(&self, at: &Kinematics, layout: &Layout, gradient: &mut [f64]) {
+    /// ∂y/∂q (n), points off by `shifts` (body frames) that keep their direction.
+    pub fn gradient(
+        &self,
+        at: &Kinematics,
+        shifts: &[Vec2],
+        layout: &Layout,
+        gradient: &mut [f64],
+    ) {
         gradient.fill(0.0);
         if let Output::Angle(body) = self {
             if let Some(columns) = layout.columns(*body) {
@@ -87,7 +90,7 @@ impl Output {
             }
             return;
         }
-        for (place, pull) in self.pulls(at).into_iter().flatten() {
+        for (place, pull) in self.pulls(at, shifts).into_iter().flatten() {
             if let Some(columns) = layout.columns(place.marker.body) {
                 gradient[columns.x()] += pull.x;
                 gradient[columns.y()] += pull.y;

@@ -34,6 +34,8 @@ const DONE: f64 = 1e-14;
 const NEAR: f64 = 1e-9;
 /// Corrections below this that do not shrink any more are round-off, too: gaps of a tiny clearance hardly say where.
 const STALLED: f64 = 1e-10;
+/// So many of them.
+const CALM: usize = 4;
 /// A correction longer than this, in radians or sizes, is lost.
 const LONGEST: f64 = 0.3;
 /// Most turns of the self-stress.
@@ -228,9 +230,14 @@ impl Bordered<'_, '_> {
                 continue;
             }
             let stalled = size <= STALLED && size > 0.3 * last;
-            calm = if size <= DONE || stalled { calm + 1 } else { 0 };
+            calm = match size {
+                _ if size <= DONE || stalled => calm + 1,
+                _ if size <= STALLED => calm,
+                _ => 0,
+            };
             let is_on_the_way = matches!(held, Held::Output(_)) && size <= NEAR;
-            if calm == 2 || is_on_the_way {
+            // Corrections that shrink slowly look like round-off at first.
+            if calm == CALM || is_on_the_way {
                 self.mechanism.take(&at.q, self.stand);
                 at.y = self.mechanism.value(self.stand, self.output, at.c) - self.nominal;
                 return Some(at);
@@ -271,7 +278,11 @@ impl Bordered<'_, '_> {
         self.mechanism
             .gradient(self.stand, self.output, &mut gradient);
         let kinematics = self.mechanism.here(self.stand).at;
-        let pulls = self.output.pulls(&kinematics).into_iter().flatten();
+        let pulls = self
+            .output
+            .pulls(&kinematics, &self.mechanism.shifts)
+            .into_iter()
+            .flatten();
         let shift = pulls.filter_map(|(place, pull)| {
             let shift = self.mechanism.shifts[place.point?.0];
             Some(pull.dot(&kinematics.poses[place.marker.body.0].turn(shift)))

@@ -64,7 +64,8 @@ impl Mechanism<'_> {
     ) -> Option<Farthest> {
         let system = self.driven.system;
         let (n, m) = (system.n(), system.m());
-        let round_off = ROUND_OFF * if output.is_angle() { 1.0 } else { system.size };
+        let unit = if output.is_angle() { 1.0 } else { system.size };
+        let round_off = ROUND_OFF * unit;
         self.take(&stand.q, stand);
         self.shifts.fill(linkdyn_linear::math::Vec2::zeros());
         let nominal = self.value(stand, output, 0.0);
@@ -92,8 +93,10 @@ impl Mechanism<'_> {
                 return None;
             }
             let last = std::mem::replace(&mut moved, (now - deviation).abs());
-            // What is lacking shrinks with the square of the steps, or as the moves do; a small move may be chance.
-            let left = moved * (moved / last).max(shrinks * shrinks).min(1.0);
+            // What is lacking shrinks with the square of the steps, or as the moves do; but a small move may be chance.
+            let lacks = size * shrinks;
+            let left =
+                (moved * (moved / last).max(shrinks * shrinks).min(1.0)).max(lacks * lacks * unit);
             let enough = STILL * now.abs() + round_off;
             if pass > 1 && left <= enough {
                 return Some(Farthest {

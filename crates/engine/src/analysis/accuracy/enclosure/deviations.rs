@@ -118,7 +118,11 @@ impl Mechanism<'_> {
             x,
         };
         let Extents { off, beyond, .. } = extents;
-        let places: Vec<_> = output.pulls(&here.at).into_iter().flatten().collect();
+        let places: Vec<_> = output
+            .pulls(&here.at, here.shifts)
+            .into_iter()
+            .flatten()
+            .collect();
         let total: f64 = places
             .iter()
             .filter_map(|(place, _)| Some(off[place.point?.0] + beyond[place.point?.0]))

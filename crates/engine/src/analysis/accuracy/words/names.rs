@@ -149,7 +149,10 @@ fn add_points(found: &mut Dimensions, model: &Model, names: &Names, system: &Sys
             else {
                 continue;
             };
-            let grips = blocks.iter().map(|block| Grip::of(block, marker.body));
+            let data = &system.joints[index];
+            let guide = data.role.axis().map(|_| data.points[0].body);
+            let grips = blocks.iter();
+            let grips = grips.map(|block| Grip::of(block, marker.body).along(guide));
             found.points[id.0].grips.extend(grips);
         }
     }
