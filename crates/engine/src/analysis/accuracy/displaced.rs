@@ -32,8 +32,12 @@ pub(super) struct Mechanism<'m> {
     pub dimensions: &'m Dimensions,
     pub plays: &'m [Play],
     pub corners: &'m Corners<'m>,
-    /// How far dimensions and points can be off; none where it is not known.
-    pub extents: Option<Extents>,
+    /// How far dimensions and points can be off.
+    pub extents: Extents,
+    /// Whether nothing is off farther than that.
+    pub is_bounded: bool,
+    /// Whether steps of dimensions are sums of what each parameter does.
+    is_straight: bool,
     /// Dimensions that parameters step.
     used: Vec<usize>,
     /// ∂y/∂(dimension), and the e that carry farthest, as last asked for.
@@ -72,8 +76,12 @@ impl<'m> Mechanism<'m> {
         let mut used: Vec<usize> = steps.map(|&(k, _)| k).collect();
         used.sort_unstable();
         used.dedup();
+        let unknown = vec![0.0; dimensions.all.len()];
+        let extents = Extents::new(plays, dimensions, slack.unwrap_or(&unknown));
         Mechanism {
-            extents: slack.map(|slack| Extents::new(plays, dimensions, slack)),
+            is_straight: slack.is_some() && extents.is_straight(),
+            is_bounded: slack.is_some(),
+            extents,
             used,
             offs: Vec::new(),
             of_dimensions: vec![0.0; dimensions.all.len()],
@@ -209,6 +217,18 @@ impl<'m> Mechanism<'m> {
         true
     }
 
+    /// Sets the steps of the dimensions to the sums of what the parameters do.
+    fn step_straight(&mut self, extremes: &[Influence]) {
+        self.steps.fill(0.0);
+        for (play, e) in self.plays.iter().zip(extremes) {
+            if let Play::Parameter { steps, .. } = play {
+                for &(k, by) in steps {
+                    self.steps[k] += by * e[0];
+                }
+            }
+        }
+    }
+
     /// Sets the steps of the dimensions for the parameters' deviations.
     fn step_parameters(&mut self, extremes: &[Influence]) -> bool {
         let asked = self.plays.iter().zip(extremes);
@@ -218,6 +238,11 @@ impl<'m> Mechanism<'m> {
             return true;
         }
         let deviations: Vec<f64> = asked.collect();
+        if self.is_straight {
+            self.step_straight(extremes);
+            self.stepped = deviations;
+            return true;
+        }
         let key = deviations.iter().map(|d| d.to_bits()).collect();
         let corners = self.corners;
         let steps = self

@@ -58,15 +58,20 @@ impl<'a> Asked<'a> {
             }
             loads.push(load);
         }
+        let mut region = None;
         if loads.iter().any(Option::is_some) {
-            let region = self.mechanism.region(stand);
+            region = self.mechanism.region(stand);
             for ((&index, pose), load) in outputs.iter().zip(&mut poses).zip(&loads) {
                 pose.certified = self.certified(index, stand, load.as_ref(), &region, pose.first);
             }
             self.press(stand, outputs, &loads, &mut poses);
         }
         for ((&index, pose), load) in outputs.iter().zip(&mut poses).zip(&loads) {
-            let found = [-1.0, 1.0].map(|side| self.found(index, stand, load.as_ref(), side, pose));
+            // Where the mechanism may leave the position, only what is reached step by step belongs to it.
+            let stays =
+                region.is_some() && (pose.certified.is_some() || !self.mechanism.is_bounded);
+            let found =
+                [-1.0, 1.0].map(|side| self.found(index, stand, load.as_ref(), side, stays));
             pose.take(self.system, found);
         }
         poses
@@ -91,15 +96,13 @@ impl<'a> Asked<'a> {
         stand: &Stand,
         load: Option<&Load>,
         side: f64,
-        pose: &PoseAccuracy,
+        stays: bool,
     ) -> Option<Farthest> {
         let output = &self.question.outputs[index].output;
         let mechanism = &mut self.mechanism;
         match load {
             Some(load) => {
-                // Where nothing is certified, only what is reached step by step belongs to this position.
-                let is_certain = pose.certified.is_some();
-                let near = is_certain.then(|| mechanism.farthest(stand, output, load, side));
+                let near = stays.then(|| mechanism.farthest(stand, output, load, side));
                 near.flatten()
                     .or_else(|| mechanism.reach(stand, output, load.times(side), side))
             }

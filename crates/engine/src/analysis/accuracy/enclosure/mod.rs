@@ -136,7 +136,10 @@ impl Mechanism<'_> {
         reach: [f64; 2],
         region: &Region,
     ) -> Option<[f64; 2]> {
-        let extents = self.extents.as_ref()?;
+        if !self.is_bounded {
+            return None;
+        }
+        let extents = &self.extents;
         let Region { x, changes, rows } = region;
         let system = self.driven.system;
         let (n, here) = (system.n(), self.here(stand));
@@ -167,10 +170,10 @@ impl Mechanism<'_> {
         (low.is_finite() && high.is_finite()).then_some([low * widened, high * widened])
     }
 
-    /// Where the mechanism stays about a pose that was taken, and whose factors are at hand; none where no bound contracts.
+    /// Where the mechanism stays, or would stay with what is known of how far dimensions are off, about a pose that was taken, and whose factors are at hand; none where no bound contracts.
     pub fn region(&mut self, stand: &Stand) -> Option<Region> {
         let inverse = self.inverse();
-        let extents = self.extents.as_ref()?;
+        let extents = &self.extents;
         let straight = self.straight(stand, &inverse);
         let image = |x: &[f64], loose: &Loose, by: fn(&Change) -> f64| {
             let mut rows = loose.gaps.clone();
