@@ -46,6 +46,7 @@ mod jacobian;
 mod joint_friction;
 mod joints;
 mod laws;
+mod responses;
 mod schema;
 mod shaking;
 mod similarity;

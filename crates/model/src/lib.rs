@@ -14,6 +14,7 @@ pub mod error;
 pub mod fit;
 pub mod force;
 pub mod joint;
+pub mod response;
 pub mod tolerance;
 
 mod carrier;
@@ -55,6 +56,7 @@ pub use gate::Checked;
 pub use hold::unheld;
 pub use joint::{Joint, JointKind, PointRef};
 pub use load::{Loaded, load, load_file};
+pub use response::Response;
 pub use schema::schema;
 pub use source::Source;
 pub use suggest::nearest;
@@ -113,6 +115,10 @@ pub struct Model {
     #[serde(default)]
     #[doc(hidden)]
     pub accuracy: Option<Accuracy>,
+    /// Named numbers of a run.
+    #[serde(default)]
+    #[doc(hidden)]
+    pub responses: IndexMap<String, Response>,
     /// How messages speak of it: the units that the file names.
     #[serde(skip)]
     #[doc(hidden)]

@@ -21,6 +21,7 @@ mod progress;
 mod question;
 mod readings;
 mod record;
+pub mod responses;
 mod rows;
 mod run;
 pub mod sample;

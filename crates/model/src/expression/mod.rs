@@ -11,16 +11,23 @@
 //! A unit stands behind a number and holds on to it: `1/2 mm` is 1/(2 mm). The text becomes a list of steps on a stack, so
 //! that evaluation neither recurses nor reads the text again; names are known or refused while it is read.
 
+mod compiled;
 mod derivatives;
 mod dual;
+mod guess;
 mod interval;
 mod naming;
 mod number;
 mod parameters;
 mod parse;
+mod program;
 mod quantity;
+mod reduction;
+mod results;
+mod split;
 mod written;
 
+pub use compiled::{Compiled, Input, Over, Reduce, Values};
 pub(super) use derivatives::Recorded;
 pub use derivatives::{Derivatives, Leaf};
 pub use interval::Interval;
@@ -28,7 +35,10 @@ pub(super) use naming::with_article;
 pub(super) use number::Real;
 pub use parameters::Parameter;
 pub(super) use parameters::{Found, Parameters};
+pub use program::Program;
 pub(super) use quantity::{Fault, Pure, Quantity};
+pub use reduction::Reduction;
+pub use results::{Known, Place, Results};
 pub(super) use written::quantity;
 
 use number::Number;
@@ -110,6 +120,29 @@ enum Step {
     Power,
     /// With how many values.
     Call(Function, usize),
+    /// Of a response: what a name among the results stands for.
+    Result(Known),
+    /// Of a response: one number of many.
+    Reduce(Reduction, usize),
+    /// Of a response: both sides of an equation.
+    Equal,
+}
+
+impl Step {
+    /// How many values it takes.
+    fn taken(self) -> usize {
+        match self {
+            Step::Push(_) | Step::Parameter(_) | Step::Result(_) => 0,
+            Step::Negate => 1,
+            Step::Add
+            | Step::Subtract
+            | Step::Multiply
+            | Step::Divide
+            | Step::Power
+            | Step::Equal => 2,
+            Step::Call(_, count) | Step::Reduce(_, count) => count,
+        }
+    }
 }
 
 /// An expression that could be read: steps, each with the byte at which it stands.
@@ -129,6 +162,20 @@ impl Expression {
         Parser::new(text, find, names).read().map(Expression)
     }
 
+    /// Reads the text of a response, which may name results, too.
+    ///
+    /// # Errors
+    /// The first fault, with its place.
+    pub fn response<'a>(
+        text: &'a str,
+        find: &'a dyn Fn(&str) -> Option<usize>,
+        names: &'a [String],
+        results: &'a dyn Results,
+    ) -> Result<Expression, Misfit> {
+        let parser = Parser::new(text, find, names);
+        parser.with_results(results).read().map(Expression)
+    }
+
     /// The parameters that it names.
     pub fn parameters(&self) -> impl Iterator<Item = usize> {
         self.0.iter().filter_map(|(_, step)| match step {
@@ -140,7 +187,10 @@ impl Expression {
             | Step::Multiply
             | Step::Divide
             | Step::Power
-            | Step::Call(..) => None,
+            | Step::Call(..)
+            | Step::Result(_)
+            | Step::Reduce(..)
+            | Step::Equal => None,
         })
     }
 
@@ -162,14 +212,8 @@ impl Expression {
                 stack.push(value.clone());
                 continue;
             }
-            let taken = match step {
-                Step::Push(_) | Step::Parameter(_) => 0,
-                Step::Negate => 1,
-                Step::Add | Step::Subtract | Step::Multiply | Step::Divide | Step::Power => 2,
-                Step::Call(_, count) => count,
-            };
             // the parser leaves as many as are taken
-            let values = stack.split_off(stack.len().saturating_sub(taken));
+            let values = stack.split_off(stack.len().saturating_sub(step.taken()));
             let result = apply(step, &values, degrees).map_err(|fault| Misfit { at, fault })?;
             stack.push(result);
         }

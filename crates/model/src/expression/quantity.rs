@@ -90,6 +90,18 @@ impl Quantity {
     }
 }
 
+impl Quantity {
+    /// A number in SI, with exponents of length, mass, time and angle.
+    pub fn of_powers(value: f64, powers: [f64; 4]) -> Self {
+        Quantity {
+            value,
+            // exponents are bounded
+            exponents: powers.map(|power| (power * f64::from(WHOLE)).round() as i32),
+            pure: Pure::Ratio,
+        }
+    }
+}
+
 impl<N: Number> Quantity<N> {
     /// Another number of the same dimension.
     pub fn with_value<M>(&self, value: M) -> Quantity<M> {

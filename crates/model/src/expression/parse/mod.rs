@@ -1,9 +1,12 @@
 //! The reader of expressions: recursive descent over the text, bounded in length and depth.
 
 mod number;
+mod response;
+
+pub use response::EQUATIONS;
 
 use super::quantity::{Fault, Quantity};
-use super::{FUNCTIONS, LONGEST, Misfit, PI, Step};
+use super::{FUNCTIONS, LONGEST, Misfit, PI, Results, Step};
 use crate::suggest;
 use number::is_unit;
 
@@ -22,6 +25,8 @@ pub(super) struct Parser<'a> {
     steps: Vec<(usize, Step)>,
     find: &'a dyn Fn(&str) -> Option<usize>,
     names: &'a [String],
+    /// What else may be named, in a response.
+    results: Option<&'a dyn Results>,
 }
 
 fn is_name(c: char) -> bool {
@@ -41,6 +46,7 @@ impl<'a> Parser<'a> {
             steps: Vec::new(),
             find,
             names,
+            results: None,
         }
     }
 
@@ -64,6 +70,9 @@ impl<'a> Parser<'a> {
                     found.to_string()
                 ));
                 let product = found == '(' || is_name(found);
+                if found == '=' && self.results.is_some() {
+                    return fault(self.at, said.hint(EQUATIONS));
+                }
                 fault(
                     self.at,
                     if product {
@@ -180,6 +189,7 @@ impl<'a> Parser<'a> {
             }
             Some(c) if c.is_ascii_digit() || c == '.' => self.number(),
             Some(c) if c.is_alphabetic() || c == '_' => self.name(),
+            Some('\'') if self.results.is_some() => self.quoted(),
             Some(found) => fault(
                 self.at,
                 Fault::new(format!("{:?} where a value is expected", found.to_string())),
@@ -210,55 +220,55 @@ impl<'a> Parser<'a> {
     fn name(&mut self) -> Read<()> {
         let (at, word) = (self.at, self.word());
         self.at += word.len();
-        let function = FUNCTIONS.iter().find(|row| row.0 == word);
+        if let Some(results) = self.results {
+            return self.result(at, results);
+        }
         if self.peek() == Some('(') {
-            let open = self.at;
-            return match function {
-                Some(&(name, function, least, most)) => {
-                    let count = self.values(open)?;
-                    if count < least || count > most {
-                        let takes = if least < most {
-                            format!("at least {least}")
-                        } else {
-                            format!("{least}")
-                        };
-                        let values = if most == 1 { "value" } else { "values" };
-                        let message = format!("{name} takes {takes} {values}, here it has {count}");
-                        return fault(at, Fault::new(message));
-                    }
-                    self.steps.push((at, Step::Call(function, count)));
-                    Ok(())
-                }
-                None if word == PI || (self.find)(word).is_some() => {
-                    let said = Fault::new(format!("{word:?} is no function"));
-                    fault(at, said.hint("a product is written with *"))
-                }
-                None => {
-                    let names = FUNCTIONS.iter().map(|row| row.0);
-                    let near = suggest::nearest(word, names.clone())
-                        .map(|near| format!("did you mean {near:?}?"));
-                    let all = || format!("the functions: {}", names.collect::<Vec<_>>().join(", "));
-                    fault(
-                        at,
-                        Fault::new(format!("there is no function {word:?}"))
-                            .hint(near.unwrap_or_else(all)),
-                    )
-                }
-            };
+            return self.call(at, word);
         }
         if word == PI {
             self.steps.push((at, Step::Push(Quantity::pi())));
         } else if let Some(index) = (self.find)(word) {
             self.steps.push((at, Step::Parameter(index)));
-        } else if function.is_some() {
-            return fault(
-                at,
-                Fault::new(format!("{word:?} is a function")).hint(format!("write {word}( … )")),
-            );
+        } else if FUNCTIONS.iter().any(|row| row.0 == word) {
+            return fault(at, is_function(word));
         } else {
             return fault(at, self.unknown(word));
         }
         Ok(())
+    }
+
+    /// A function with its values, which begin here.
+    fn call(&mut self, at: usize, word: &str) -> Read<()> {
+        let open = self.at;
+        match FUNCTIONS.iter().find(|row| row.0 == word) {
+            Some(&(name, function, least, most)) => {
+                let count = self.values(open)?;
+                check_count(at, name, count, [least, most])?;
+                self.steps.push((at, Step::Call(function, count)));
+                Ok(())
+            }
+            None if word == PI || (self.find)(word).is_some() => {
+                let said = Fault::new(format!("{word:?} is no function"));
+                fault(at, said.hint("a product is written with *"))
+            }
+            None => fault(at, self.no_function(word)),
+        }
+    }
+
+    fn no_function(&self, word: &str) -> Fault {
+        let reductions = response::words().filter(|_| self.results.is_some());
+        let names = FUNCTIONS.iter().map(|row| row.0).chain(reductions);
+        let near =
+            suggest::nearest(word, names.clone()).map(|near| format!("did you mean {near:?}?"));
+        let mut all: Vec<&str> = Vec::new();
+        for name in names {
+            if !all.contains(&name) {
+                all.push(name);
+            }
+        }
+        Fault::new(format!("there is no function {word:?}"))
+            .hint(near.unwrap_or_else(|| format!("the functions: {}", all.join(", "))))
     }
 
     fn unknown(&self, word: &str) -> Fault {
@@ -284,14 +294,44 @@ impl<'a> Parser<'a> {
     fn values(&mut self, open: usize) -> Read<usize> {
         self.at += 1;
         let mut count = 1;
-        self.nested(Self::sum)?;
+        self.one_value()?;
         while self.take(&[',']).is_some() {
-            self.nested(Self::sum)?;
+            self.one_value()?;
             count += 1;
         }
         self.close(open)?;
         Ok(count)
     }
+
+    /// A value, in a response perhaps an equation.
+    fn one_value(&mut self) -> Read<()> {
+        self.nested(Self::sum)?;
+        if self.results.is_some()
+            && let Some((at, _)) = self.take(&['='])
+        {
+            return self.other_side(at);
+        }
+        Ok(())
+    }
+}
+
+/// Complains about a function that has too many values, or too few.
+fn check_count(at: usize, name: &str, count: usize, [least, most]: [usize; 2]) -> Read<()> {
+    if (least..=most).contains(&count) {
+        return Ok(());
+    }
+    let takes = if least < most {
+        format!("at least {least}")
+    } else {
+        format!("{least}")
+    };
+    let values = if most == 1 { "value" } else { "values" };
+    let message = format!("{name} takes {takes} {values}, here it has {count}");
+    fault(at, Fault::new(message))
+}
+
+fn is_function(word: &str) -> Fault {
+    Fault::new(format!("{word:?} is a function")).hint(format!("write {word}( … )"))
 }
 
 fn fault<T>(at: usize, fault: Fault) -> Read<T> {

@@ -1,0 +1,82 @@
+//! What a response turned out to be, or why it has no value.
+
+use super::Responses;
+use linkdyn_model::response::Fact;
+use linkdyn_output::Status;
+
+/// A response of a run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answer {
+    /// Its name.
+    pub name: String,
+    /// In SI; none where there is none.
+    pub value: Option<f64>,
+    /// Its unit in SI; empty of a plain number.
+    pub unit: String,
+    /// The unit in which it is shown, with its size in SI.
+    pub shown: Option<(String, f64)>,
+    /// Lower and upper limit in SI.
+    pub limits: Option<[f64; 2]>,
+    /// Why there is no value.
+    pub reason: Option<String>,
+}
+
+/// Why a response has no value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Reason {
+    /// The run ended before its end.
+    Early(Status),
+    /// A needed column, by its place among them, has no value at this time.
+    Gap(f64, usize),
+    /// The arithmetic has no finite result, at this time or at the end.
+    NotFinite(Option<f64>),
+    /// The equation of this reducer never holds.
+    NeverReached(usize),
+    /// There are no rows, contacts or events for this reducer.
+    Nothing(usize),
+    /// A contact or event that begins at this time has no such value.
+    NoItem(f64),
+    /// This run has no such number.
+    NoFact(Fact),
+}
+
+impl Reason {
+    /// The same, of a reducer.
+    pub(super) fn of(self, index: usize) -> Self {
+        match self {
+            Reason::NeverReached(_) => Reason::NeverReached(index),
+            Reason::Nothing(_) => Reason::Nothing(index),
+            Reason::Early(_)
+            | Reason::Gap(..)
+            | Reason::NotFinite(_)
+            | Reason::NoItem(_)
+            | Reason::NoFact(_) => self,
+        }
+    }
+}
+
+impl Responses {
+    /// A reason in words.
+    pub(super) fn words(&self, reason: Reason) -> String {
+        let text = |index: usize| self.reducers.get(index).map_or("", |one| one.text.as_str());
+        match reason {
+            Reason::Early(status) => format!("the run ended early: {status}"),
+            Reason::Gap(time, input) => {
+                let column = self.columns.get(input).map_or("a column", String::as_str);
+                format!("{column} has no value at {time} s")
+            }
+            Reason::NotFinite(Some(time)) => format!("it has no finite value at {time} s"),
+            Reason::NotFinite(None) => "its value is not finite".to_owned(),
+            Reason::NeverReached(index) => format!("{}: this never happens", text(index)),
+            Reason::Nothing(index) => format!("{}: there is nothing of this kind", text(index)),
+            Reason::NoItem(time) => {
+                format!("a contact that begins at {time} s has no such value")
+            }
+            Reason::NoFact(Fact::Clearance(joint, _)) => {
+                let joint = self.joints.get(joint).map_or("", String::as_str);
+                format!("joint {joint:?} has no contacts in this run")
+            }
+            Reason::NoFact(fact) => format!("this run has no {}", fact.name()),
+        }
+    }
+}

@@ -1,0 +1,279 @@
+//! Responses: named numbers of a run, worked out while its rows come.
+//!
+//! The expressions are the model's (`linkdyn_model::response`); here they meet the columns of a run. [`Responses`] is made
+//! once and can be used from any thread; each thread has an [`Evaluation`] of its own, which allocates nothing while rows
+//! come.
+//!
+//! ```text
+//! integral  Σ (t₂ − t₁)(x₁ + x₂)/2 over the rows      mean  integral/(t_end − t_start)      rms  √ of the mean of x²
+//! at        linear between the two rows where the two sides of the equation change order
+//! ```
+
+mod answer;
+mod items;
+mod running;
+mod words;
+
+pub use answer::{Answer, Reason};
+pub use words::Response;
+
+use items::{Listed, fact};
+use linkdyn_model::response::{Fact, Program, Reduction};
+use linkdyn_output::{ColumnId, Report, Status, Trajectory};
+use running::{Row, Running};
+
+/// Named numbers of runs with certain columns.
+#[derive(Debug, Clone, Default)]
+pub struct Responses {
+    list: Vec<Response>,
+    /// Columns that are needed, without the others.
+    needed: Vec<ColumnId>,
+    /// Their names.
+    columns: Vec<String>,
+    /// Place of the time among them.
+    time: Option<usize>,
+    reducers: Vec<Reducer>,
+    /// Names of the joints, which are known by their numbers.
+    joints: Vec<String>,
+    /// Values of parameters, those of a response behind each other.
+    parameters: Vec<f64>,
+    /// Largest stack.
+    depth: usize,
+}
+
+/// Many values that become one.
+#[derive(Debug, Clone)]
+struct Reducer {
+    reduction: Reduction,
+    over: Over,
+    /// Which of all parameters its programs take.
+    parameters: [usize; 2],
+    /// As the text writes it.
+    text: String,
+}
+
+/// What it is of.
+#[derive(Debug, Clone)]
+enum Over {
+    /// Rows; inputs are places among the needed columns.
+    Rows {
+        value: Program,
+        equation: Option<[Program; 2]>,
+    },
+    Items(Listed),
+}
+
+/// What the last arithmetic of a response takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Source {
+    Reducer(usize),
+    Fact(Fact),
+}
+
+/// Responses of one run that is under way.
+#[derive(Debug, Clone)]
+pub struct Evaluation<'r> {
+    of: &'r Responses,
+    running: Vec<Running>,
+    parameters: Vec<f64>,
+    reasons: Vec<Option<Reason>>,
+    stack: Vec<f64>,
+    inputs: Vec<f64>,
+}
+
+impl Responses {
+    /// The responses, in the order of the model.
+    pub fn list(&self) -> &[Response] {
+        &self.list
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.list.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
+    /// The columns that rows must have, and no others; the time is among them where it is needed.
+    pub fn needed(&self) -> &[ColumnId] {
+        &self.needed
+    }
+
+    /// Begins with the parameters of the model.
+    pub fn begin(&self) -> Evaluation<'_> {
+        let most = self.list.iter().map(|one| one.sources.len()).max();
+        Evaluation {
+            of: self,
+            running: vec![Running::default(); self.reducers.len()],
+            parameters: self.parameters.clone(),
+            reasons: vec![None; self.list.len()],
+            stack: Vec::with_capacity(self.depth),
+            inputs: Vec::with_capacity(most.unwrap_or(0)),
+        }
+    }
+
+    /// The responses of a finished run: its rows, rows of peaks between them with the same columns, and how it went.
+    pub fn answers(&self, rows: &Trajectory, peaks: &Trajectory, report: &Report) -> Vec<Answer> {
+        let mut evaluation = self.begin();
+        let mut wanted = vec![0.0; self.needed.len()];
+        let gather = |row: &[f64], wanted: &mut Vec<f64>| {
+            wanted.clear();
+            wanted.extend(self.needed.iter().map(|column| row[column.index()]));
+        };
+        for row in rows.rows() {
+            gather(row, &mut wanted);
+            evaluation.row(&wanted);
+        }
+        for row in peaks.rows() {
+            gather(row, &mut wanted);
+            evaluation.between(&wanted);
+        }
+        let mut values = vec![f64::NAN; self.len()];
+        evaluation.finish(report, &mut values);
+        let answers = self.list.iter().zip(values).enumerate();
+        let answers = answers.map(|(index, (response, value))| Answer {
+            name: response.name.clone(),
+            value: (!value.is_nan()).then_some(value),
+            unit: response.unit.clone(),
+            shown: response.shown.clone(),
+            limits: response.limits,
+            reason: evaluation.reason(index),
+        });
+        answers.collect()
+    }
+}
+
+impl Evaluation<'_> {
+    /// Forgets the rows, for another run with the same columns.
+    pub fn restart(&mut self) {
+        self.running.fill(Running::default());
+    }
+
+    /// Sets a parameter that responses name, in SI; of no account where none does.
+    pub fn set_parameter(&mut self, name: &str, value: f64) {
+        for response in &self.of.list {
+            let place = response.parameters.iter().position(|known| known == name);
+            if let Some(place) = place {
+                self.parameters[response.first_parameter + place] = value;
+            }
+        }
+    }
+
+    /// Takes the next row: a value for each of the columns that are needed, in their order.
+    pub fn row(&mut self, row: &[f64]) {
+        self.take(row, Running::row);
+    }
+
+    /// Takes a row between others, where columns have their extremes: it counts for the greatest and the smallest only.
+    pub fn between(&mut self, row: &[f64]) {
+        self.take(row, Running::between);
+    }
+
+    fn take(&mut self, values: &[f64], then: fn(&mut Running, Reduction, &Row)) {
+        let time = self.of.time.map_or(0.0, |time| values[time]);
+        for (reducer, running) in self.of.reducers.iter().zip(&mut self.running) {
+            let Over::Rows { value, equation } = &reducer.over else {
+                continue;
+            };
+            let [from, to] = reducer.parameters;
+            let parameters = &self.parameters[from..to];
+            let mut of = |program: &Program| {
+                let found = program.value(values, parameters, &mut self.stack);
+                if found.is_finite() {
+                    return Ok(found);
+                }
+                let mut inputs = program.inputs();
+                Err(match inputs.find(|input| !values[*input].is_finite()) {
+                    Some(input) => Reason::Gap(time, input),
+                    None => Reason::NotFinite(Some(time)),
+                })
+            };
+            let row = Row {
+                time,
+                value: of(value),
+                sides: equation.as_ref().map(|[left, right]| {
+                    let (left, right) = (of(left), of(right));
+                    left.and_then(|left| right.map(|right| [left, right]))
+                }),
+            };
+            then(running, reducer.reduction, &row);
+        }
+    }
+
+    /// Works out all responses, in SI; NaN where one has no value.
+    pub fn finish(&mut self, report: &Report, values: &mut [f64]) {
+        let all = self.of.list.iter().zip(values).zip(&mut self.reasons);
+        for ((response, value), reason) in all {
+            let (from, count) = (response.first_parameter, response.parameters.len());
+            let parameters = &self.parameters[from..from + count];
+            self.inputs.clear();
+            let mut found = Ok(());
+            for source in &response.sources {
+                let input = match *source {
+                    Source::Fact(of) => fact(of, report, &self.of.joints).ok_or(Reason::NoFact(of)),
+                    Source::Reducer(_) if !is_whole(report.status) => {
+                        Err(Reason::Early(report.status))
+                    }
+                    Source::Reducer(index) => {
+                        let reducer = &self.of.reducers[index];
+                        let done = match &reducer.over {
+                            Over::Rows { .. } => self.running[index].result(reducer.reduction),
+                            Over::Items(listed) => {
+                                let program = |inputs: &[f64], stack: &mut Vec<f64>| {
+                                    listed.program.value(inputs, parameters, stack)
+                                };
+                                listed.reduce(
+                                    reducer.reduction,
+                                    report,
+                                    &self.of.joints,
+                                    |inputs| program(inputs, &mut self.stack),
+                                )
+                            }
+                        };
+                        done.map_err(|reason| reason.of(index))
+                    }
+                };
+                match input {
+                    Ok(input) => self.inputs.push(input),
+                    Err(reason) => {
+                        found = Err(reason);
+                        break;
+                    }
+                }
+            }
+            let found = found.and_then(|()| {
+                let total = response
+                    .total
+                    .value(&self.inputs, parameters, &mut self.stack);
+                match total.is_finite() {
+                    true => Ok(total),
+                    false => Err(Reason::NotFinite(None)),
+                }
+            });
+            *value = found.unwrap_or(f64::NAN);
+            *reason = found.err();
+        }
+    }
+
+    /// Why a response has no value, after [`Evaluation::finish`]; none where it has one.
+    pub fn reason(&self, index: usize) -> Option<String> {
+        let reason = self.reasons.get(index).copied().flatten()?;
+        Some(self.of.words(reason))
+    }
+}
+
+/// Whether a run came to its end.
+fn is_whole(status: Status) -> bool {
+    match status {
+        Status::Completed | Status::CompletedWithGaps => true,
+        Status::DeadCentre
+        | Status::AssemblyFailed
+        | Status::StepTooSmall
+        | Status::Singular
+        | Status::TimeLimit
+        | Status::Interrupted => false,
+    }
+}

@@ -1,0 +1,116 @@
+//! Reductions: how what changes along a run becomes one number.
+
+use super::guess::Guess;
+use super::quantity::Quantity;
+use crate::dimension::Powers;
+
+/// How many values become one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reduction {
+    /// The greatest.
+    Max,
+    /// The smallest.
+    Min,
+    /// The mean over time; of contacts and events the plain one.
+    Mean,
+    /// The root of the mean square over time.
+    Rms,
+    /// The greatest minus the smallest.
+    Range,
+    /// The integral over time.
+    Integral,
+    /// The first.
+    First,
+    /// The last.
+    Last,
+    /// Where an equation first holds.
+    At,
+    /// The time of the greatest.
+    ArgMax,
+    /// The time of the smallest.
+    ArgMin,
+    /// How many contacts or events there are, or how often an equation holds.
+    Count,
+    /// The sum over contacts or events.
+    Sum,
+}
+
+impl Reduction {
+    /// Every one, in the order in which the documentation lists them.
+    pub const ALL: [Reduction; 13] = [
+        Reduction::Max,
+        Reduction::Min,
+        Reduction::Mean,
+        Reduction::Rms,
+        Reduction::Range,
+        Reduction::Integral,
+        Reduction::First,
+        Reduction::Last,
+        Reduction::At,
+        Reduction::ArgMax,
+        Reduction::ArgMin,
+        Reduction::Count,
+        Reduction::Sum,
+    ];
+
+    /// How it is written.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Reduction::Max => "max",
+            Reduction::Min => "min",
+            Reduction::Mean => "mean",
+            Reduction::Rms => "rms",
+            Reduction::Range => "range",
+            Reduction::Integral => "integral",
+            Reduction::First => "first",
+            Reduction::Last => "last",
+            Reduction::At => "at",
+            Reduction::ArgMax => "argmax",
+            Reduction::ArgMin => "argmin",
+            Reduction::Count => "count",
+            Reduction::Sum => "sum",
+        }
+    }
+
+    /// Whether it can be taken of contacts and events.
+    pub(super) fn is_of_lists(self) -> bool {
+        match self {
+            Reduction::Max
+            | Reduction::Min
+            | Reduction::Mean
+            | Reduction::Range
+            | Reduction::First
+            | Reduction::Last
+            | Reduction::Count
+            | Reduction::Sum => true,
+            Reduction::Rms
+            | Reduction::Integral
+            | Reduction::At
+            | Reduction::ArgMax
+            | Reduction::ArgMin => false,
+        }
+    }
+
+    /// The dimension of the result.
+    pub(super) fn quantity(self, of: Quantity<Guess>) -> Quantity<Guess> {
+        let time = Powers {
+            time: 1,
+            ..Powers::default()
+        };
+        let time = Quantity::si(1.0, time).with_value(Guess(None));
+        match self {
+            Reduction::Integral => of.multiply(&time).unwrap_or(of),
+            Reduction::ArgMax | Reduction::ArgMin => time,
+            Reduction::Count => Quantity::plain(1.0).with_value(Guess(None)),
+            Reduction::Max
+            | Reduction::Min
+            | Reduction::Mean
+            | Reduction::Rms
+            | Reduction::Range
+            | Reduction::First
+            | Reduction::Last
+            | Reduction::At
+            | Reduction::Sum => of.with_value(Guess(None)),
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! Responses: named numbers of a run, such as a stroke or a peak.
+
+mod facts;
+mod names;
+
+pub use crate::expression::{
+    Compiled, Input, Known, Over, Place, Program, Reduce, Reduction, Results, Values,
+};
+pub use facts::{ClearanceSum, EVENTS, Fact, Item, List};
+pub use names::Catalogue;
+
+use indexmap::IndexMap;
+use serde::{Deserialize, Serialize};
+
+use crate::error::Complaint;
+use crate::expression::{Misfit, Quantity};
+
+/// A named number of a run.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+pub struct Response {
+    /// The expression, `max(piston.x) - min(piston.x)`.
+    pub value: String,
+    /// Lower and upper limit, in SI.
+    #[serde(default)]
+    pub limits: Option<[f64; 2]>,
+    /// The unit in which it is shown; of no account for anything else.
+    #[serde(default)]
+    pub unit: Option<String>,
+    /// The parameters that the expression names.
+    #[serde(default)]
+    pub parameters: IndexMap<String, Constant>,
+}
+
+/// A parameter as a response knows it.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize)]
+pub struct Constant {
+    /// In SI.
+    pub value: f64,
+    /// Exponents of length, mass, time and angle.
+    pub powers: [f64; 4],
+}
+
+impl Response {
+    /// A response that names no parameters.
+    pub fn new(value: impl Into<String>) -> Self {
+        Response {
+            value: value.into(),
+            limits: None,
+            unit: None,
+            parameters: IndexMap::new(),
+        }
+    }
+
+    /// Finds out how to evaluate it where results have these names.
+    ///
+    /// # Errors
+    /// What is wrong with the text, at no path.
+    pub fn compile(&self, results: &dyn Results) -> Result<Compiled, Complaint> {
+        let parameters = self.parameters.iter();
+        let parameters: Vec<_> = parameters
+            .map(|(name, constant)| (name.as_str(), constant.quantity()))
+            .collect();
+        let compiled = Compiled::read(&self.value, &parameters, results, false);
+        compiled.map_err(|Misfit { fault, .. }| Complaint {
+            hint: fault.hint,
+            ..Complaint::new("", fault.message)
+        })
+    }
+}
+
+impl Constant {
+    fn quantity(&self) -> Quantity {
+        Quantity::of_powers(self.value, self.powers)
+    }
+}

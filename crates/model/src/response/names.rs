@@ -1,0 +1,274 @@
+//! All names of results that a model can have, whatever it computes.
+
+use super::facts::{ClearanceSum, EVENTS, Fact, Item, List};
+use crate::dimension::{Dimension, Powers, powers};
+use crate::error::Complaint;
+use crate::expression::{Known, Place, Results};
+use crate::{DriverKind, GROUND, JointKind, Model, suggest};
+
+/// What a model consists of, as far as results are named after it.
+#[derive(Debug, Clone, Default)]
+pub struct Catalogue {
+    bodies: Vec<String>,
+    /// Points whose motion is wanted, `body.point`.
+    points: Vec<String>,
+    /// All other points.
+    unwanted: Vec<String>,
+    joints: Vec<Joint>,
+    /// With what each drives.
+    drivers: Vec<(String, Option<Dimension>)>,
+}
+
+#[derive(Debug, Clone)]
+struct Joint {
+    name: String,
+    /// Whether it slides.
+    slides: bool,
+}
+
+const BODY: [(&str, Dimension); 9] = [
+    ("x", Dimension::Length),
+    ("y", Dimension::Length),
+    ("angle", Dimension::Angle),
+    ("vx", Dimension::Velocity),
+    ("vy", Dimension::Velocity),
+    ("omega", Dimension::AngularVelocity),
+    ("ax", Dimension::Acceleration),
+    ("ay", Dimension::Acceleration),
+    ("alpha", Dimension::AngularAcceleration),
+];
+
+const POINT: [&str; 6] = ["x", "y", "vx", "vy", "ax", "ay"];
+
+const JOINT: [(&str, Dimension); 10] = [
+    ("fx", Dimension::Force),
+    ("fy", Dimension::Force),
+    ("torque", Dimension::Torque),
+    ("ex", Dimension::Length),
+    ("ey", Dimension::Length),
+    ("eccentricity", Dimension::Length),
+    ("penetration", Dimension::Length),
+    ("normal_force", Dimension::Force),
+    ("tangential_force", Dimension::Force),
+    ("sliding_speed", Dimension::Velocity),
+];
+
+const ENERGY: [&str; 4] = ["kinetic", "potential", "contact", "dissipated"];
+
+fn of(table: &[(&str, Dimension)], word: &str) -> Option<Powers> {
+    let row = table.iter().find(|row| row.0 == word)?;
+    Some(row.1.powers())
+}
+
+impl Catalogue {
+    /// Of a typed model.
+    pub fn of(model: &Model) -> Self {
+        let wanted: Vec<String> = model.points.iter().map(ToString::to_string).collect();
+        let bodies = model.bodies.iter().filter(|(name, _)| *name != GROUND);
+        let mut catalogue = Catalogue::default();
+        for (name, body) in bodies {
+            catalogue.body(name, body.points.keys().map(String::as_str), &wanted);
+        }
+        for (name, joint) in &model.joints {
+            let slides = matches!(
+                joint.kind,
+                JointKind::Prismatic { .. } | JointKind::Slot { .. }
+            );
+            let name = name.clone();
+            catalogue.joints.push(Joint { name, slides });
+        }
+        for (name, driver) in &model.drivers {
+            let dimension = match driver.kind {
+                DriverKind::Rotation { .. } => Dimension::Angle,
+                DriverKind::Translation { .. } => Dimension::Length,
+            };
+            catalogue.drivers.push((name.clone(), Some(dimension)));
+        }
+        catalogue
+    }
+
+    fn body<'a>(&mut self, name: &str, points: impl Iterator<Item = &'a str>, wanted: &[String]) {
+        self.bodies.push(name.to_owned());
+        for point in points {
+            let point = format!("{name}.{point}");
+            match wanted.contains(&point) {
+                true => self.points.push(point),
+                false => self.unwanted.push(point),
+            }
+        }
+    }
+
+    /// The name of the column that a name stands for: `t` is `time`, and `driver.motor` its value.
+    pub fn column_name(&self, name: &str) -> String {
+        match name.strip_prefix("driver.") {
+            _ if name == "t" => "time".to_owned(),
+            Some(driver) if self.drivers.iter().any(|one| one.0 == driver) => {
+                format!("{name}.value")
+            }
+            Some(_) | None => name.to_owned(),
+        }
+    }
+
+    /// The number of a joint.
+    fn joint(&self, name: &str) -> Option<usize> {
+        self.joints.iter().position(|joint| joint.name == name)
+    }
+
+    /// The dimension of a column that the model can have.
+    fn column(&self, name: &str) -> Option<Powers> {
+        let name = self.column_name(name);
+        if name == "time" {
+            return Some(Dimension::Time.powers());
+        }
+        let (owner, word) = name.rsplit_once('.')?;
+        if self.bodies.iter().any(|body| body == owner)
+            && let Some(found) = of(&BODY, word)
+        {
+            return Some(found);
+        }
+        if self.points.iter().any(|point| point == owner) && POINT.contains(&word) {
+            return of(&BODY, word);
+        }
+        if owner == "energy" && ENERGY.contains(&word) {
+            return Some(powers(2, 1, -2, 0));
+        }
+        match owner.split_once('.')? {
+            ("joint", joint) => {
+                let slides = self.joints[self.joint(joint)?].slides;
+                match word {
+                    "state" => Some(Powers::default()),
+                    "friction" if slides => Some(Dimension::Force.powers()),
+                    "friction" => Some(Dimension::Torque.powers()),
+                    word => of(&JOINT, word),
+                }
+            }
+            ("driver", driver) => {
+                let (_, dimension) = self.drivers.iter().find(|one| one.0 == driver)?;
+                match (word, (*dimension)?) {
+                    ("value", dimension) => Some(dimension.powers()),
+                    ("effort", Dimension::Length) => Some(Dimension::Force.powers()),
+                    ("effort", _) => Some(Dimension::Torque.powers()),
+                    (_, _) => None,
+                }
+            }
+            (_, _) => None,
+        }
+    }
+
+    /// A number of the whole run, or what there is of each contact or event.
+    fn other(&self, name: &str) -> Option<Known> {
+        let fact = |fact: Fact| Known {
+            place: Place::Fact(fact),
+            powers: fact.powers(),
+        };
+        if let Some(&found) = Fact::OF_RUNS.iter().find(|one| one.name() == name) {
+            return Some(fact(found));
+        }
+        let (owner, word) = name.rsplit_once('.')?;
+        let item = |list: List, item: Item| Known {
+            place: Place::Item(list, item),
+            powers: item.row().1,
+        };
+        let of_contact = || {
+            Item::OF_CONTACTS
+                .into_iter()
+                .find(|one| one.row().0 == word)
+        };
+        match owner.split_once('.') {
+            None if owner == "contacts" => Some(item(List::Contacts(None), of_contact()?)),
+            None if owner == "events" => {
+                let kind = EVENTS.iter().position(|kind| *kind == word)?;
+                Some(item(List::Events(kind), Item::Time))
+            }
+            Some(("contacts", joint)) => {
+                let joint = self.joint(joint)?;
+                Some(item(List::Contacts(Some(joint)), of_contact()?))
+            }
+            Some(("clearances", joint)) => {
+                let joint = self.joint(joint)?;
+                if word == "wear" {
+                    return Some(item(List::Wear(joint), Item::Wear));
+                }
+                let mut sums = ClearanceSum::ALL.into_iter();
+                let sum = sums.find(|sum| sum.row().0 == word)?;
+                Some(fact(Fact::Clearance(joint, sum)))
+            }
+            None | Some(_) => None,
+        }
+    }
+
+    /// Names that a slip of the pen may have meant.
+    fn names(&self) -> Vec<String> {
+        let mut names = vec!["time".to_owned()];
+        let bodies = self.bodies.iter();
+        names.extend(bodies.flat_map(|body| BODY.map(|row| format!("{body}.{}", row.0))));
+        let points = self.points.iter();
+        names.extend(points.flat_map(|point| POINT.map(|word| format!("{point}.{word}"))));
+        for Joint { name, .. } in &self.joints {
+            let words = JOINT.map(|row| row.0);
+            let words = words.into_iter().chain(["friction", "state"]);
+            names.extend(words.map(|word| format!("joint.{name}.{word}")));
+            let sums = ClearanceSum::ALL.map(|sum| sum.row().0);
+            let sums = sums.into_iter().chain(["wear"]);
+            names.extend(sums.map(|word| format!("clearances.{name}.{word}")));
+        }
+        for (driver, _) in &self.drivers {
+            names.extend(["value", "effort"].map(|word| format!("driver.{driver}.{word}")));
+        }
+        names.extend(ENERGY.map(|word| format!("energy.{word}")));
+        names.extend(Item::OF_CONTACTS.map(|item| format!("contacts.{}", item.row().0)));
+        names.extend(EVENTS.map(|kind| format!("events.{kind}")));
+        names.extend(Fact::OF_RUNS.map(|fact| fact.name().to_owned()));
+        names
+    }
+}
+
+/// Columns have no places here: which ones a run has is known when it is compiled.
+impl Results for Catalogue {
+    fn find(&self, name: &str) -> Option<Known> {
+        let column = self.column(name).map(|powers| Known {
+            place: Place::Row(0),
+            powers,
+        });
+        column.or_else(|| self.other(name))
+    }
+
+    fn missing(&self, name: &str, parameters: &[String]) -> Complaint {
+        let said = Complaint::new(
+            "",
+            format!(
+                "there is no column, parameter or number {:?}",
+                crate::node::excerpt(name)
+            ),
+        );
+        let owner = name.rsplit_once('.').map_or("", |(owner, _)| owner);
+        if self.unwanted.iter().any(|point| point == owner) {
+            let said = Complaint::new(
+                "",
+                format!("the motion of {owner} is not among the results"),
+            );
+            return said.hint(format!("write {owner:?} into \"points\""));
+        }
+        if name.contains('[') {
+            return said.hint("the name of a column goes without its unit");
+        }
+        let names = self.names();
+        let all = names.iter().chain(parameters).map(String::as_str);
+        match suggest::nearest(name, all) {
+            Some(near) => said.hint(format!("did you mean {:?}?", quoted(near))),
+            None => said.hint(
+                "as in rod.angle, joint.a.fx, driver.motor.effort or t; a name with other signs than letters, digits and _ \
+                 stands in single quotes",
+            ),
+        }
+    }
+}
+
+/// A name as an expression writes it.
+fn quoted(name: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || c == '_' || c == '.';
+    match name.chars().all(plain) {
+        true => name.to_owned(),
+        false => format!("'{name}'"),
+    }
+}
