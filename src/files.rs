@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use linkdyn_engine::analysis::responses::to_json;
 use linkdyn_engine::analysis::{Outcome, derived, derived::derived};
 use linkdyn_model::Checked;
 use linkdyn_output::{Directory, Stage, Stopwatch, Summary, TIME, Trajectory, WriteError, csv};
@@ -137,6 +138,7 @@ impl<'a> Origin<'a> {
             model_name: self.name,
             model_sha256: self.sha256,
             settings: &outcome.settings,
+            responses: to_json(&outcome.responses),
             report: &outcome.report,
             trajectory: curves,
             mechanism: serde_json::Value::Null,

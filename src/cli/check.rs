@@ -10,6 +10,7 @@ use super::exit::{BadInput, Exit};
 use super::open::{ModelOptions, Opened, bad_input};
 use super::page::{Page, names, number, shorten, wrapped};
 use super::refused;
+use super::responses;
 use super::streams::{complain, print};
 use super::tolerances;
 use super::words::{analysis_words, mobility, status_words};
@@ -148,6 +149,7 @@ fn page(opened: &Opened, check: &Check, written: Option<PathBuf>) -> String {
         resolved.map(|text| text.trim_end().to_string()),
     );
     tolerances::rows(&mut page, &opened.loaded);
+    responses::rows(&mut page, opened);
     page.rows(
         "lacking",
         folded(check.lacks.iter().map(lack_words).collect()),
@@ -237,6 +239,7 @@ fn to_json(opened: &Opened, check: &Check, suspicious: &[String]) -> Value {
         "message": check.message,
         "model": { "name": opened.name, "sha256": opened.sha256 },
         "parameters": parameters.collect::<Map<String, Value>>(),
+        "responses": responses::to_json(opened),
         "bodies": check.bodies,
         "joints": check.joints,
         "drivers": model.drivers.len(),

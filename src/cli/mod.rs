@@ -41,6 +41,7 @@ mod plot;
 mod progress;
 mod refused;
 mod replaced;
+mod responses;
 mod results;
 mod run;
 mod schema;

@@ -14,7 +14,7 @@ use super::open::{ModelOptions, Opened};
 use super::progress::Line;
 use super::streams::{complain, print, print_with, remark};
 use super::watch::watch;
-use super::{interrupt, replaced, summary};
+use super::{interrupt, replaced, responses, summary};
 use linkdyn_engine::analysis::{self, Control, Outcome};
 use linkdyn_output::{Directory, Stage, csv};
 
@@ -33,6 +33,9 @@ pub struct Options {
     /// Write no report.html, and remove an older one from DIR
     #[arg(long, requires = "output")]
     no_report: bool,
+    /// Ask for a named number of the run, as in "stroke = max(piston.x) - min(piston.x)"; may be given more than once
+    #[arg(long = "response", value_name = "NAME = EXPRESSION")]
+    responses: Vec<String>,
     /// Run again whenever the model file changes, until Ctrl-C
     #[arg(long)]
     watch: bool,
@@ -42,6 +45,7 @@ const HELP: &str = "  linkdyn run four-bar -o out
   linkdyn run mine.json -o out --watch
   linkdyn run four-bar --set parameters.crank=\"120 mm\" --json
   linkdyn run four-bar -o - > results.csv
+  linkdyn run four-bar --response \"peak = max(abs(driver.motor.effort))\"
 
 What the columns mean: linkdyn docs results. What a message means: linkdyn docs messages.";
 
@@ -91,7 +95,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
 /// Runs, writes, tells.
 fn once(options: &Options) -> Result<Exit, BadInput> {
     let started = Instant::now();
-    let opened = options.model.open()?;
+    let opened = responses::open(&options.model, &options.responses)?;
     // Tried before the run, so that nothing is computed in vain.
     let target = match options.output.as_deref() {
         None => Target::Nowhere,

@@ -2,6 +2,7 @@
 
 use super::open::Opened;
 use super::page::{Page, count, number, seconds, shorten};
+use super::responses;
 use super::words::{analysis_words, equilibrium, mobility, status_words, unit_words};
 use crate::files::Written;
 use linkdyn_engine::analysis::Outcome;
@@ -38,6 +39,12 @@ pub fn page(opened: &Opened, outcome: &Outcome, written: &Written) -> String {
     page.row("mobility", mobility(&report.mobility));
     page.row("outputs", outputs(trajectory));
     page.row("quality", quality(&report.quality));
+    let display = &opened.loaded.model.display;
+    let answers = outcome.responses.iter();
+    page.rows(
+        "responses",
+        answers.map(|one| responses::told(one, display)),
+    );
     page.rows("equilibrium", report.equilibrium.iter().map(equilibrium));
     page.rows(
         "contacts",

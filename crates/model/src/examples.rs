@@ -146,6 +146,12 @@ fn row(path: &str) -> Option<(&'static str, &'static str)> {
             "bodies" | "joints" | "drivers" | "forces" | "initial" | "parameters",
             _,
         ] => None,
+        ["responses", _, "value"] => Some(("", r#""value": "max(piston.x) - min(piston.x)""#)),
+        ["responses", _, "limits"] => Some(("", r#""limits": [79, 81]"#)),
+        ["responses", ..] => Some((
+            "",
+            r#""responses": { "stroke": "max(piston.x) - min(piston.x)" }"#,
+        )),
         ["parameters", _, "value"] => Some(("", r#""value": "5 mm""#)),
         ["accuracy"] => Some((
             "",

@@ -4,6 +4,7 @@
 //! as a plain number where the file's unit is that of SI, else with its unit; what is read of it is the same double.
 
 mod places;
+mod responses;
 
 use std::collections::HashMap;
 
@@ -14,6 +15,7 @@ use super::{DriverKind, FORMAT, GROUND as FIXED, Model};
 use crate::dimension::Dimension;
 use crate::expression::Parameters;
 use crate::node::{Kind, Member, Node, Origin};
+use crate::response::Catalogue;
 use crate::shape::{Default, Drives, Field, Measure, Need, Object, Shape, Tagged};
 use crate::source::Source;
 use crate::tree::Tree;
@@ -63,7 +65,7 @@ fn print(source: &Source, model: &Model) -> Value {
     });
     let driven: HashMap<_, _> = drivers.collect();
     let mut printer = Printer {
-        walk: Walk::new(source, units, parameters, driven),
+        walk: Walk::new(source, units, parameters, driven).knowing(Catalogue::of(model)),
     };
     let written = Some(&source.root);
     let model = printer.object(&Tree::of(model), &FILE, None, written, Driven::Nothing);
@@ -195,6 +197,10 @@ impl Printer<'_> {
                 self.range(tree, &each, written, driven)
             }
             (Shape::Place, tree) => self.place(tree, written, driven),
+            (Shape::Responses, Tree::Map(things)) => {
+                self.map(things, |_| Shape::Response, written, driven)
+            }
+            (Shape::Response, tree) => self.response(tree, written, driven),
             (Shape::Direction, Tree::List(items)) => {
                 let number = Shape::Number(crate::shape::Bound::Any);
                 self.list(items, |_| number, written, driven)

@@ -269,6 +269,9 @@ fn at(shape: &Shape, field: Option<&Field>) -> Keys {
         Shape::Units => places::units(),
         Shape::Parameters => return places::parameters(field),
         Shape::Map(of) => return map(of, field),
+        Shape::Responses => return map(&Shape::Response, field),
+        Shape::Response => places::response(),
+        Shape::Limit => places::value(),
         Shape::Bodies => return bodies(field),
         Shape::Text => keys(json!({ "type": "string" })),
         Shape::Name(kind) => {

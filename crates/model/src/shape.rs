@@ -137,6 +137,12 @@ pub enum Shape {
     Materials,
     /// Things of one kind by their names.
     Map(&'static Shape),
+    /// Named numbers of a run.
+    Responses,
+    /// One of them: text, or an object with limits.
+    Response,
+    /// A limit of the response around it.
+    Limit,
     /// The bodies by their names, `ground` of its own kind.
     Bodies,
     /// An object with keys.

@@ -15,6 +15,8 @@ pub struct Summary<'a> {
     pub settings: &'a Value,
     /// How the run went.
     pub report: &'a Report,
+    /// Named numbers by their names, as JSON; null where there are none.
+    pub responses: Value,
     /// The table whose extremes are listed.
     pub trajectory: &'a Trajectory,
     /// The shape of the mechanism, for pictures.
@@ -99,6 +101,9 @@ pub fn facts(summary: &Summary) -> Map<String, Value> {
             "energy_imbalance": report.quality.energy_imbalance,
         }),
     );
+    if !summary.responses.is_null() {
+        json.insert("responses".into(), summary.responses.clone());
+    }
     if let Some(found) = &report.equilibrium {
         json.insert("equilibrium".into(), equilibrium(found));
     }
@@ -244,6 +249,7 @@ mod tests {
             trajectory: &trajectory,
             mechanism: json!({}),
             drawing: json!({}),
+            responses: Value::Null,
             load: stage,
             write: stage,
         })
@@ -305,6 +311,7 @@ mod tests {
             settings: &json!({}),
             mechanism: json!({}),
             drawing: json!({}),
+            responses: Value::Null,
             load: stage,
             write: stage,
         });

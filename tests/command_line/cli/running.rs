@@ -188,3 +188,38 @@ fn only_a_file_can_be_watched() {
         "four-bar: --watch wants the path of a model file",
     );
 }
+
+#[test]
+fn responses_are_told_and_kept() {
+    let scratch = Scratch::new("responses");
+    let out = scratch.path("out");
+    let asked = [
+        "run",
+        "four-bar",
+        "-o",
+        &out,
+        "--response",
+        "peak = max(abs(driver.motor.effort))",
+        "--response",
+        "never = at(crank.angle, t = 1 h)",
+    ];
+    let told = done(&asked);
+    assert!(told.contains("  responses     peak = "), "{told}");
+    let never = "never: none, at(crank.angle, t = 1 h): this never happens";
+    assert!(told.contains(never), "{told}");
+    let text = fs::read_to_string(scratch.0.join("out/summary.json")).expect("written");
+    let kept: Value = serde_json::from_str(&text).expect("JSON");
+    let extremes = &kept["extremes"]["driver.motor.effort[N*m]"];
+    let end = |key: &str| extremes[key].as_f64().expect("a number").abs();
+    let peak = kept["responses"]["peak"]["value"].as_f64();
+    assert_eq!(peak, Some(end("min").max(end("max"))));
+    assert_eq!(kept["responses"]["peak"]["unit"], "N*m");
+    assert!(kept["responses"]["never"]["value"].is_null());
+    let page = fs::read_to_string(scratch.0.join("out/report.html")).expect("written");
+    assert!(page.contains(r#""responses":{"peak""#), "no responses");
+    refused(
+        &["run", "four-bar", "--response", "a = max(crank.angel)"],
+        2,
+        "--response \"a = max(crank.angel)\": there is no column, parameter or number \"crank.angel\" (did you mean \"crank.angle\"?)",
+    );
+}

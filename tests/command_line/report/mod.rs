@@ -132,6 +132,7 @@ fn large(bodies: usize, rows: usize, name: impl Fn(usize) -> String) -> String {
         trajectory: &table,
         mechanism: serde_json::Value::Null,
         drawing: serde_json::Value::Null,
+        responses: serde_json::Value::Null,
         load: stage,
         write: stage,
     };

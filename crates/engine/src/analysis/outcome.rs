@@ -1,5 +1,6 @@
 //! What a run leaves.
 
+use super::responses::Answer;
 use linkdyn_output::{Report, Trajectory};
 use std::borrow::Cow;
 
@@ -13,6 +14,8 @@ pub struct Outcome {
     /// Rows between the outputs, by time, all columns: of motions with contacts those where columns have extremes, and where
     /// contacts begin, press most and end.
     pub peaks: Trajectory,
+    /// The named numbers of the run.
+    pub responses: Vec<Answer>,
     /// How it went.
     pub report: Report,
     /// The analysis as resolved, for the summary.

@@ -5,6 +5,7 @@ use super::control::{Control, Stop};
 use super::outcome::Outcome;
 use super::question::{Kind, Question};
 use super::record::Recorder;
+use super::responses::Responses;
 use super::sample::Sample;
 use super::settings::settings;
 use super::{assembly, driven, dynamics, statics};
@@ -29,6 +30,7 @@ pub struct Prepared {
     question: Question,
     /// The analysis as resolved, for the summary.
     settings: serde_json::Value,
+    responses: Responses,
     /// Data or drivers may be missing only because the fixed body has another name.
     unheld: Option<Complaint>,
 }
@@ -56,8 +58,11 @@ impl Prepared {
         let loose = |complaints| with(complaints, unheld.as_ref());
         let system = compile(model, analysis.kind).map_err(loose)?;
         let question = Question::new(&system, analysis);
+        let question = question.map_err(|complaint| loose(complaint.into()))?;
+        let channels = Channels::new(&system, question.contents);
         Ok(Prepared {
-            question: question.map_err(|complaint| loose(complaint.into()))?,
+            responses: Responses::new(model, channels.columns())?,
+            question,
             settings: settings(analysis),
             system,
             unheld,
@@ -68,6 +73,11 @@ impl Prepared {
     pub fn columns(&self) -> Arc<[Column]> {
         let channels = Channels::new(&self.system, self.question.contents);
         Arc::clone(channels.columns())
+    }
+
+    /// The named numbers that runs have.
+    pub fn responses(&self) -> &Responses {
+        &self.responses
     }
 
     /// Runs the analysis.
@@ -98,6 +108,7 @@ impl Prepared {
                 (trajectory, Trajectory::default(), report)
             }
         };
+        let responses = self.responses.answers(&trajectory, &peaks, &report);
         let (selected, warnings) = trajectory.select(&self.question.columns);
         report.warnings.extend(warnings);
         let (trajectory, complete) = match selected {
@@ -109,6 +120,7 @@ impl Prepared {
             complete,
             peaks,
             report,
+            responses,
             settings: self.settings.clone(),
         })
     }

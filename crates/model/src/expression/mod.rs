@@ -176,10 +176,10 @@ impl Expression {
         parser.with_results(results).read().map(Expression)
     }
 
-    /// The parameters that it names.
-    pub fn parameters(&self) -> impl Iterator<Item = usize> {
-        self.0.iter().filter_map(|(_, step)| match step {
-            Step::Parameter(index) => Some(*index),
+    /// Where parameters are named, and which.
+    pub fn places(&self) -> Vec<(usize, usize)> {
+        let named = self.0.iter().filter_map(|(at, step)| match step {
+            Step::Parameter(index) => Some((*at, *index)),
             Step::Push(_)
             | Step::Negate
             | Step::Add
@@ -191,7 +191,15 @@ impl Expression {
             | Step::Result(_)
             | Step::Reduce(..)
             | Step::Equal => None,
-        })
+        });
+        let mut places: Vec<_> = named.collect();
+        places.sort_unstable();
+        places
+    }
+
+    /// The parameters that it names.
+    pub fn parameters(&self) -> impl Iterator<Item = usize> {
+        self.places().into_iter().map(|(_, index)| index)
     }
 
     /// Its value; none where a parameter has none, which is complained about there.

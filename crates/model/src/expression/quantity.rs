@@ -100,6 +100,12 @@ impl Quantity {
             pure: Pure::Ratio,
         }
     }
+
+    /// Exponents of length, mass, time and angle.
+    pub fn powers(&self) -> [f64; 4] {
+        self.exponents
+            .map(|twelfths| f64::from(twelfths) / f64::from(WHOLE))
+    }
 }
 
 impl<N: Number> Quantity<N> {

@@ -11,6 +11,7 @@ mod forces;
 mod holes;
 mod names;
 mod ranges;
+mod responses;
 
 pub use holes::Holes;
 pub use names::no_point;
@@ -140,6 +141,7 @@ fn inspect(model: &Model, holes: Holes) -> Said {
     names::wanted_points(&mut rules);
     analysis::analysis(&mut rules);
     accuracy::accuracy(&mut rules);
+    responses::responses(&mut rules);
     // A gear's carrier is found along joints, which must be whole for that.
     if rules.complaints.is_empty() && rules.holes.is_empty() {
         let joints = model.joints.iter();

@@ -110,15 +110,13 @@ impl Look<'_> {
             (Shape::Table, Tree::List(items)) => {
                 self.list(items, &Shape::Pair(&Shape::Number(Bound::Any)), 2);
             }
-            (Shape::Materials, materials) => {
-                let is_one = materials.get("young_modulus").is_some();
-                self.object(materials, if is_one { &MATERIAL } else { &SEPARATE });
-            }
+            (Shape::Materials, materials) => self.materials(materials),
             (Shape::Map(of), Tree::Map(members)) => {
                 for (name, value) in members {
                     self.named(name, value, of);
                 }
             }
+            (Shape::Responses, all) => self.value(all, &Shape::Map(&Shape::Response)),
             (Shape::Bodies, Tree::Map(members)) => {
                 if members.is_empty() {
                     self.complain("it is empty, at least one is needed");
@@ -159,10 +157,17 @@ impl Look<'_> {
                 | Shape::List(..)
                 | Shape::Table
                 | Shape::Map(_)
+                | Shape::Response
+                | Shape::Limit
                 | Shape::Bodies,
                 _,
             ) => {}
         }
+    }
+
+    fn materials(&mut self, materials: &Tree) {
+        let is_one = materials.get("young_modulus").is_some();
+        self.object(materials, if is_one { &MATERIAL } else { &SEPARATE });
     }
 
     fn number(&mut self, number: f64, bound: Bound) {

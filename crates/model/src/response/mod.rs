@@ -13,7 +13,7 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Complaint;
-use crate::expression::{Misfit, Quantity};
+use crate::expression::{Expression, Misfit, Quantity};
 
 /// A named number of a run.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
@@ -68,7 +68,63 @@ impl Response {
     }
 }
 
+impl Response {
+    /// The expression with the values of parameters in the place of their names.
+    pub(crate) fn self_contained(&self) -> String {
+        let mut text = self.value.clone();
+        let names: Vec<String> = self.parameters.keys().cloned().collect();
+        let find = |name: &str| self.parameters.get_index_of(name);
+        // whatever else is named stays as it is
+        let Ok(expression) = Expression::response(&self.value, &find, &names, &Anything) else {
+            return text;
+        };
+        for (at, index) in expression.places().into_iter().rev() {
+            let value = self.parameters[index].text();
+            text.replace_range(at..at + names[index].len(), &value);
+        }
+        text
+    }
+}
+
+/// Takes any name for that of a column.
+struct Anything;
+
+impl Results for Anything {
+    fn find(&self, _: &str) -> Option<Known> {
+        Some(Known {
+            place: Place::Row(0),
+            powers: crate::Powers::default(),
+        })
+    }
+
+    fn missing(&self, name: &str, _: &[String]) -> Complaint {
+        Complaint::new("", name)
+    }
+}
+
 impl Constant {
+    /// As an expression writes it.
+    fn text(&self) -> String {
+        let quantity = self.quantity();
+        match quantity.dimension() {
+            _ if quantity.is_pure() => format!("({:?})", self.value),
+            Some(dimension) => format!("({:?} {})", self.value, dimension.si()),
+            None => {
+                let units = ["m", "kg", "s", "rad"].into_iter().zip(self.powers);
+                let units = units.filter(|(_, power)| *power != 0.0);
+                let units = units.map(|(unit, power)| format!("*(1 {unit})^({power:?})"));
+                format!("({:?}{})", self.value, units.collect::<String>())
+            }
+        }
+    }
+
+    pub(crate) fn new(quantity: Quantity) -> Self {
+        Constant {
+            value: quantity.value,
+            powers: quantity.powers(),
+        }
+    }
+
     fn quantity(&self) -> Quantity {
         Quantity::of_powers(self.value, self.powers)
     }

@@ -4,6 +4,7 @@ use super::facts::{ClearanceSum, EVENTS, Fact, Item, List};
 use crate::dimension::{Dimension, Powers, powers};
 use crate::error::Complaint;
 use crate::expression::{Known, Place, Results};
+use crate::node::{Kind, Node};
 use crate::{DriverKind, GROUND, JointKind, Model, suggest};
 
 /// What a model consists of, as far as results are named after it.
@@ -83,6 +84,48 @@ impl Catalogue {
                 DriverKind::Translation { .. } => Dimension::Length,
             };
             catalogue.drivers.push((name.clone(), Some(dimension)));
+        }
+        catalogue
+    }
+
+    /// Of a file, before it is a model.
+    pub(crate) fn of_file(root: &Node) -> Self {
+        let mut catalogue = Catalogue::default();
+        let members = |key: &str| match root.get(key).map(|node| &node.kind) {
+            Some(Kind::Object(members)) => members.iter().collect(),
+            _ => Vec::new(),
+        };
+        let kind = |node: &Node| node.get("type").and_then(Node::as_str).map(str::to_owned);
+        let wanted: Vec<String> = match root.get("points").map(|node| &node.kind) {
+            Some(Kind::Array(items)) => items
+                .iter()
+                .filter_map(Node::as_str)
+                .map(str::to_owned)
+                .collect(),
+            _ => Vec::new(),
+        };
+        for (name, member) in members("bodies") {
+            if name == GROUND {
+                continue;
+            }
+            let points = match member.node.get("points").map(|node| &node.kind) {
+                Some(Kind::Object(points)) => points.keys().map(String::as_str).collect(),
+                _ => Vec::new(),
+            };
+            catalogue.body(name, points.into_iter(), &wanted);
+        }
+        for (name, member) in members("joints") {
+            let slides = matches!(kind(&member.node).as_deref(), Some("prismatic" | "slot"));
+            let name = name.clone();
+            catalogue.joints.push(Joint { name, slides });
+        }
+        for (name, member) in members("drivers") {
+            let dimension = match kind(&member.node).as_deref() {
+                Some("rotation") => Some(Dimension::Angle),
+                Some("translation") => Some(Dimension::Length),
+                _ => None,
+            };
+            catalogue.drivers.push((name.clone(), dimension));
         }
         catalogue
     }

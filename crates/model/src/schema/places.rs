@@ -5,7 +5,7 @@ use serde_json::json;
 use super::{Keys, QUANTITY_PATTERN, at, keys, list, note, said, target};
 use crate::dimension::Dimension;
 use crate::shape::{Field, Shape};
-use crate::words::{LENGTH, PARAMETER, PLACE};
+use crate::words::{LENGTH, PARAMETER, PLACE, RESPONSE};
 
 /// Name of a parameter.
 const PARAMETER_PATTERN: &str = "^[A-Za-z_][A-Za-z0-9_]*$";
@@ -66,4 +66,9 @@ pub fn deviations() -> Keys {
     keys(json!({ "anyOf": [
         value(), { "type": "array", "items": value(), "minItems": 2, "maxItems": 2 }
     ] }))
+}
+
+/// The text of a response, alone or with limits.
+pub fn response() -> Keys {
+    keys(json!({ "anyOf": [{ "type": "string" }, { "$ref": target(RESPONSE.name) }] }))
 }

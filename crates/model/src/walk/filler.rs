@@ -18,13 +18,15 @@ pub fn filler(shape: &Shape) -> Value {
         | Shape::Number(_)
         | Shape::Coefficient(_)
         | Shape::ContactStiffness
+        | Shape::Limit
         | Shape::Varying(_) => Value::from(0.0),
         Shape::Count(least, _) => Value::from(*least),
         Shape::Direction => Value::from(vec![1.0, 0.0]),
         Shape::Place => Value::from(vec![0.0, 0.0]),
         Shape::Pair(of) => Value::from(vec![filler(of), filler(of)]),
         Shape::List(..) | Shape::Table => Value::Array(Vec::new()),
-        Shape::Map(_) | Shape::Bodies => Value::Object(Map::new()),
+        Shape::Response => serde_json::json!({ "value": "" }),
+        Shape::Map(_) | Shape::Bodies | Shape::Responses => Value::Object(Map::new()),
         Shape::Materials => empty(&MATERIAL, None),
         Shape::Object(object) => empty(object, None),
         Shape::Tagged(tagged) => tagged

@@ -10,6 +10,7 @@ mod object;
 mod otherwise;
 mod parameter;
 mod quantity;
+mod response;
 mod units;
 
 pub use lists::{COLUMNS, entry_driven};
@@ -27,6 +28,7 @@ use crate::examples;
 use crate::expression::{Found, Parameter, Parameters, Recorded};
 use crate::gate::Holes;
 use crate::node::{Kind, Node, Origin};
+use crate::response::Catalogue;
 use crate::shape::{Bound, Choice, Measure, Shape, Tagged};
 use crate::source::Source;
 use crate::suggest;
@@ -141,6 +143,8 @@ pub struct Walk<'a> {
     undotted: Vec<Undotted>,
     /// Of parameters, by their names.
     tolerances: HashMap<String, Tolerance>,
+    /// The names of results, once they were needed.
+    catalogue: Option<Catalogue>,
     /// The expressions that were met, where that is asked for.
     record: Option<Vec<Recorded>>,
 }
@@ -163,6 +167,7 @@ impl<'a> Walk<'a> {
             more: 0,
             undotted: Vec::new(),
             tolerances: HashMap::new(),
+            catalogue: None,
             record: None,
         }
     }
@@ -286,6 +291,12 @@ impl<'a> Walk<'a> {
                 };
                 self.object(node, object, None, path, driven)
             }
+            Shape::Responses => {
+                self.responses(node, path);
+                self.map(node, &Shape::Response, path, driven)
+            }
+            Shape::Response => self.response(node, path),
+            Shape::Limit => self.limit(node, path, driven).map(Value::from),
             Shape::Map(of) => self.map(node, of, path, driven),
             Shape::Bodies => self.bodies(node, path, driven),
             Shape::Object(object) => self.object(node, object, None, path, driven),

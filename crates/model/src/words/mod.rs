@@ -9,11 +9,13 @@ mod force;
 mod friction;
 mod joint;
 mod parameter;
+mod response;
 
 pub use body::{BODY, GROUND, LENGTH, PLACE};
 pub use clearance::{MATERIAL, SEPARATE};
 pub use driver::MOTION;
 pub use parameter::PARAMETER;
+pub use response::RESPONSE;
 
 use crate::dimension::Dimension;
 use crate::shape::{
@@ -96,6 +98,12 @@ pub static FILE: Object = Object {
         ),
         optional("analysis", Shape::Object(&ANALYSIS), ""),
         optional("accuracy", Shape::Object(&ACCURACY), ""),
+        silent(
+            "responses",
+            Shape::Responses,
+            Default::Empty,
+            "Named numbers of a run: an expression of result columns and parameters, alone or with limits.",
+        ),
     ],
     refused: &[],
     drives: Drives::Nothing,
@@ -139,7 +147,7 @@ impl Definition {
 }
 
 /// All that the schema defines by a name, in its order.
-pub static DEFINITIONS: [Definition; 35] = [
+pub static DEFINITIONS: [Definition; 36] = [
     Definition::Format(&FORMATS),
     Definition::Object(&GROUND),
     Definition::Object(&BODY),
@@ -175,4 +183,5 @@ pub static DEFINITIONS: [Definition; 35] = [
     Definition::Object(&OUTPUT),
     Definition::Object(&AT),
     Definition::Choice(&PINS),
+    Definition::Object(&RESPONSE),
 ];

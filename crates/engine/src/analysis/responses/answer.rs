@@ -3,6 +3,7 @@
 use super::Responses;
 use linkdyn_model::response::Fact;
 use linkdyn_output::Status;
+use serde_json::{Value, json};
 
 /// A response of a run.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,6 +20,24 @@ pub struct Answer {
     pub limits: Option<[f64; 2]>,
     /// Why there is no value.
     pub reason: Option<String>,
+}
+
+/// Responses as `summary.json` has them; null where there are none.
+pub fn to_json(answers: &[Answer]) -> Value {
+    if answers.is_empty() {
+        return Value::Null;
+    }
+    let all = answers.iter().map(|answer| {
+        let mut json = json!({ "value": answer.value, "unit": answer.unit });
+        if let Some(limits) = answer.limits {
+            json["limits"] = json!(limits);
+        }
+        if let Some(reason) = &answer.reason {
+            json["reason"] = json!(reason);
+        }
+        (answer.name.clone(), json)
+    });
+    Value::Object(all.collect())
 }
 
 /// Why a response has no value.

@@ -14,7 +14,7 @@ mod items;
 mod running;
 mod words;
 
-pub use answer::{Answer, Reason};
+pub use answer::{Answer, Reason, to_json};
 pub use words::Response;
 
 use items::{Listed, fact};

@@ -33,6 +33,20 @@
     made.querySelector("table").id = "short";
   }
 
+  // Named numbers that the model asks for.
+  const answers = Object.entries(linkdyn.summary.responses || {});
+  const answered = element("tbody");
+  const respond = () => answered.replaceChildren(...answers.map(([of, { value, unit, limits, reason }]) => {
+    const told = value === null ? `none, ${reason}` : units.quantity(value, unit || "1", 6);
+    const within = limits ? `${value === null ? "" : value < limits[0] || value > limits[1] ? "outside of " : "within "}${limits.map((limit) => units.quantity(limit, unit || "1", 4)).join(" … ")}` : "";
+    return element("tr", {}, element("td", {}, name(of)), number(told), number(within));
+  }));
+  if (answers.length) {
+    const made = table("Responses");
+    made.append(scroll(heads(["response"], ["value", 1], ["limits", 1]), answered));
+    made.querySelector("table").id = "responses";
+  }
+
   // Poses at the instant shown.
   const poses = mechanism.bodies.slice(1, 41).map((body) => ({ name: body.name, of: ["x", "y", "angle"].map((q) => column(`${body.name}.${q}`)) })).filter(({ of }) => of.every((found) => found && found.wanted));
   const cells = [];
@@ -86,8 +100,9 @@
   let seen = true;
   if (cells.length) new IntersectionObserver(([entry]) => { seen = entry.isIntersecting; if (seen) values(); }).observe(document.getElementById("poses"));
   player.onRow(() => { if (seen || !player.playing) values(); });
-  units.onChange(() => { short(); values(); if (filled) fill(); });
+  units.onChange(() => { short(); respond(); values(); if (filled) fill(); });
   short();
+  respond();
   values();
   linkdyn.tables = { holder, table, name, number, jump, heads, scroll };
 })();

@@ -1,0 +1,78 @@
+//! Responses: texts that can be evaluated, limits with a width, units that fit.
+
+use super::Rules;
+use crate::Response;
+use crate::error::Complaint;
+use crate::expression::Quantity;
+use crate::response::Catalogue;
+use crate::units::{Unit, UnitFault};
+
+/// All rules of responses.
+pub(super) fn responses(rules: &mut Rules<'_>) {
+    let model = rules.model;
+    if model.responses.is_empty() {
+        return;
+    }
+    let catalogue = Catalogue::of(model);
+    // a name that is faulty elsewhere is not blamed once more
+    let is_whole = rules.complaints.is_empty() && rules.holes.is_empty();
+    for (name, response) in &model.responses {
+        let path = format!("responses.{name}");
+        if rules.holes.has(&path) {
+            continue;
+        }
+        limits(rules, response, &path);
+        match response.compile(&catalogue) {
+            Ok(compiled) => unit(rules, response, &compiled.quantity, &path),
+            Err(complaint) if is_whole => rules.complaints.push(Complaint { path, ..complaint }),
+            Err(_) => {}
+        }
+    }
+}
+
+/// Limits have a width.
+fn limits(rules: &mut Rules<'_>, response: &Response, path: &str) {
+    let path = format!("{path}.limits");
+    let known = |index: usize| !rules.holes.has(&format!("{path}[{index}]"));
+    let Some([lower, upper]) = response.limits.filter(|_| known(0) && known(1)) else {
+        return;
+    };
+    if lower > upper {
+        let hint = "the lower limit comes first, as in [79, 81]";
+        rules.complain(path, "the limits are the wrong way round", hint);
+    } else if lower == upper {
+        let hint = "as in [79, 81]";
+        rules.complain(path, "between these limits there is nothing", hint);
+    }
+}
+
+/// The unit in which it is shown has its dimension.
+fn unit(rules: &mut Rules<'_>, response: &Response, quantity: &Quantity, path: &str) {
+    let path = format!("{path}.unit");
+    let Some(text) = response.unit.as_ref().filter(|_| !rules.holes.has(&path)) else {
+        return;
+    };
+    let such = match quantity.unit() {
+        unit if unit.is_empty() => "a plain number has none".to_owned(),
+        unit => format!("such as {unit:?}"),
+    };
+    let text = crate::node::excerpt(text);
+    match Unit::parse(&text) {
+        Ok(unit) if quantity.fits(unit.powers) => {}
+        Ok(_) => {
+            let message = format!("{text:?} is no unit of {}, which this is", quantity.words());
+            rules.complain(path, message, such);
+        }
+        Err(UnitFault::Unknown { symbol, nearest }) => {
+            let near = nearest.map(|near| format!("did you mean {near:?}?"));
+            rules.complain(
+                path,
+                format!("unknown unit {symbol:?}"),
+                near.unwrap_or(such),
+            );
+        }
+        Err(UnitFault::Missing | UnitFault::Malformed | UnitFault::TooLarge) => {
+            rules.complain(path, format!("{text:?} cannot be read as a unit"), such);
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! Responses printed back.
+
+use serde_json::{Map, Value, json};
+
+use super::{Printer, plain};
+use crate::Response;
+use crate::node::{Kind, Node, Origin};
+use crate::shape::Shape;
+use crate::tree::Tree;
+use crate::walk::Driven;
+
+impl Printer<'_> {
+    /// A response as the file says it, else with the values of its parameters.
+    pub(super) fn response(
+        &mut self,
+        tree: &Tree,
+        written: Option<&Node>,
+        driven: Driven,
+    ) -> Value {
+        let tree = without_nulls(plain(tree));
+        if let Some(node) = written
+            && self
+                .walk
+                .sound(node, &Shape::Response, driven)
+                .map(without_nulls)
+                .as_ref()
+                == Some(&tree)
+        {
+            return node.to_value();
+        }
+        let Ok(response) = serde_json::from_value::<Response>(tree.clone()) else {
+            return tree;
+        };
+        let text = response.self_contained();
+        if response.limits.is_none() && response.unit.is_none() {
+            return text.into();
+        }
+        let mut out = Map::from_iter([("value".to_owned(), json!(text))]);
+        if let Some(limits) = response.limits {
+            let limits = limits.map(|limit| self.limit(limit, &text));
+            out.insert("limits".to_owned(), limits.to_vec().into());
+        }
+        out.extend(response.unit.map(|unit| ("unit".to_owned(), unit.into())));
+        Value::Object(out)
+    }
+
+    /// A limit in SI, with its unit where plain numbers of the file are in another one.
+    fn limit(&mut self, limit: f64, text: &str) -> Value {
+        let Some(quantity) = self.walk.measure_of(text) else {
+            return json!(limit);
+        };
+        let texts = [
+            json!(limit),
+            json!(format!("{limit:?} {}", quantity.unit())),
+        ];
+        for value in texts {
+            let kind = match &value {
+                Value::Number(number) => Kind::Number(number.clone()),
+                other => Kind::String(other.as_str().unwrap_or_default().to_owned()),
+            };
+            let origin = Origin::Text(0, 0);
+            let node = Node { kind, origin };
+            let shape = Shape::Limit;
+            if self.says(
+                &node,
+                &shape,
+                Driven::Parameter(quantity),
+                &Tree::Number(limit),
+            ) {
+                return value;
+            }
+        }
+        json!(limit)
+    }
+}
+
+/// An object without keys that hold nothing.
+fn without_nulls(value: Value) -> Value {
+    match value {
+        Value::Object(members) => {
+            let is_there = |value: &Value| match value {
+                Value::Null => false,
+                Value::Object(members) => !members.is_empty(),
+                _ => true,
+            };
+            let kept = members.into_iter().filter(|(_, value)| is_there(value));
+            Value::Object(kept.collect())
+        }
+        other => other,
+    }
+}

@@ -1,0 +1,159 @@
+//! Responses of a file: their texts, checked against the names that the model has, and their limits.
+
+use serde_json::{Map, Value, json};
+
+use super::{Driven, Walk, wrong_kind};
+use crate::error::Complaint;
+use crate::expression::{Misfit, Quantity, is_expression, quantity};
+use crate::node::{Kind, Node, join};
+use crate::response::{Catalogue, Constant};
+use crate::words::RESPONSE;
+
+impl Walk<'_> {
+    /// Lets responses name the results of a model.
+    pub fn knowing(self, catalogue: Catalogue) -> Self {
+        Walk {
+            catalogue: Some(catalogue),
+            ..self
+        }
+    }
+
+    /// All responses; none is called like a parameter.
+    pub(super) fn responses(&mut self, node: &Node, path: &str) {
+        let Kind::Object(members) = &node.kind else {
+            return;
+        };
+        for (name, member) in members.iter() {
+            if self.parameters.has(name) {
+                let complaint = Complaint::new(join(path, name), "a parameter has this name");
+                let hint = "give the response another name";
+                self.complain_key(member.key, name, complaint.hint(hint));
+            }
+        }
+    }
+
+    /// A text, or one with limits and the unit in which it is shown.
+    pub(super) fn response(&mut self, node: &Node, path: &str) -> Option<Value> {
+        let (text_node, text_path) = match &node.kind {
+            Kind::String(_) => (Some(node), path.to_owned()),
+            Kind::Object(_) => (node.get("value"), join(path, "value")),
+            Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::Array(_) => {
+                let complaint = wrong_kind(path, "text", node);
+                let hint = r#"as in "stroke": "max(piston.x) - min(piston.x)""#;
+                self.complain(node, complaint.hint(hint));
+                return None;
+            }
+        };
+        let read = text_node.and_then(|node| Some((node, node.as_str()?)));
+        let found = read.and_then(|(node, text)| self.response_text(node, text, &text_path));
+        let mut out = match &node.kind {
+            Kind::Object(_) => {
+                let driven = match &found {
+                    Some((quantity, _)) => Driven::Parameter(*quantity),
+                    None => Driven::Unknown,
+                };
+                match self.object(node, &RESPONSE, None, path, driven)? {
+                    Value::Object(out) => out,
+                    _ => Map::new(),
+                }
+            }
+            _ => Map::from_iter([("value".to_owned(), json!(node.as_str()))]),
+        };
+        let (_, constants) = found?;
+        if !constants.is_empty() {
+            let constants = constants
+                .into_iter()
+                .map(|(name, value)| (name, json!(Constant::new(value))));
+            out.insert("parameters".to_owned(), Value::Object(constants.collect()));
+        }
+        Some(Value::Object(out))
+    }
+
+    /// What a text measures, and the parameters that it names.
+    fn response_text(
+        &mut self,
+        node: &Node,
+        text: &str,
+        path: &str,
+    ) -> Option<(Quantity, Vec<(String, Quantity)>)> {
+        if text.trim().is_empty() {
+            let complaint = Complaint::new(path, "the text is empty");
+            self.complain(
+                node,
+                complaint.hint("as in \"max(piston.x) - min(piston.x)\""),
+            );
+            return None;
+        }
+        let root = &self.source.root;
+        let catalogue = self
+            .catalogue
+            .take()
+            .unwrap_or_else(|| Catalogue::of_file(root));
+        let read = self.parameters.response(text, &catalogue);
+        self.catalogue = Some(catalogue);
+        match read {
+            Ok(found) => found,
+            Err(Misfit { at, fault }) => {
+                let complaint = Complaint {
+                    hint: fault.hint,
+                    ..Complaint::new(path, fault.message)
+                };
+                self.complain_at(node, Some(at), complaint);
+                None
+            }
+        }
+    }
+
+    /// What a text measures, where it can be read.
+    pub fn measure_of(&mut self, text: &str) -> Option<Quantity> {
+        let catalogue = self.catalogue.take()?;
+        let read = self.parameters.response(text, &catalogue);
+        self.catalogue = Some(catalogue);
+        read.ok().flatten().map(|(quantity, _)| quantity)
+    }
+
+    /// A limit, in SI; a plain number is in the file's unit.
+    pub(super) fn limit(&mut self, node: &Node, path: &str, driven: Driven) -> Option<f64> {
+        let found = match &node.kind {
+            Kind::Number(number) => {
+                let Driven::Parameter(wanted) = driven else {
+                    return None;
+                };
+                let text = number.to_string();
+                return match wanted.dimension() {
+                    Some(dimension) => Some(self.units.derivative(dimension, 0).plain.to_si(&text)),
+                    None => number.as_f64(),
+                };
+            }
+            Kind::String(text) if is_expression(text) => self.expression(node, text, path)?,
+            Kind::String(text) => match quantity(text) {
+                Ok(found) => found,
+                Err(fault) => {
+                    let complaint = Complaint {
+                        hint: fault.hint,
+                        ..Complaint::new(path, fault.message)
+                    };
+                    self.complain(node, complaint);
+                    return None;
+                }
+            },
+            Kind::Null | Kind::Bool(_) | Kind::Array(_) | Kind::Object(_) => {
+                self.complain(node, wrong_kind(path, "a number", node));
+                return None;
+            }
+        };
+        let Driven::Parameter(wanted) = driven else {
+            return None;
+        };
+        if found.is_like(&wanted) {
+            return Some(found.value);
+        }
+        let message = format!(
+            "this is {}, where {} is wanted, as the response is",
+            found.words(),
+            wanted.words()
+        );
+        self.complain(node, Complaint::new(path, message));
+        None
+    }
+}
