@@ -14,7 +14,7 @@ pub struct Options {
 }
 
 /// Pages of the book: name, what it is for, text.
-const PAGES: [(&str, &str, &str); 11] = [
+const PAGES: [(&str, &str, &str); 12] = [
     (
         "tutorial",
         "a first model, from an empty file to a study of clearance",
@@ -29,6 +29,11 @@ const PAGES: [(&str, &str, &str); 11] = [
         "accuracy",
         "what tolerances and clearances do, and how tight they must be",
         include_str!("../../docs/accuracy.md"),
+    ),
+    (
+        "studies",
+        "many variants of a model: sweeps, samples of tolerances, clusters",
+        include_str!("../../docs/studies.md"),
     ),
     (
         "models",

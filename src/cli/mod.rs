@@ -47,6 +47,7 @@ mod run;
 mod schema;
 mod shape;
 mod streams;
+mod study;
 mod summary;
 mod tolerances;
 mod validate;
@@ -92,6 +93,8 @@ enum Command {
     Allocate(allocate::Options),
     /// Natural frequencies, damping ratios and shapes of small motions about the equilibrium
     Modes(modes::Options),
+    /// Run many variants: sweeps of parameters, samples of tolerances; what comes out of them
+    Study(Box<study::Options>),
     /// Draw result columns as a figure
     Plot(Box<plot::Options>),
     /// Draw the mechanism in motion, as a film or as poses
@@ -134,6 +137,7 @@ fn execute(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Accuracy(options) => accuracy::execute(&options),
         Command::Allocate(options) => allocate::execute(&options),
         Command::Modes(options) => modes::execute(&options),
+        Command::Study(options) => study::execute(&options),
         Command::Plot(options) => plot::execute(&options),
         Command::Animate(options) => animate::execute(&options),
         Command::Validate(options) => validate::execute(&options),

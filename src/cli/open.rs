@@ -44,6 +44,11 @@ impl ModelOptions {
         &self.model
     }
 
+    /// What is set, as given.
+    pub fn sets(&self) -> &[String] {
+        &self.sets
+    }
+
     /// Reads the model.
     ///
     /// # Errors

@@ -6,6 +6,7 @@
 //! | [`tutorial`]    | a first model, from an empty file to a study of clearance     |
 //! | [`recipes`]     | models and numbers that are often wanted                      |
 //! | [`accuracy`]    | what tolerances and clearances do                             |
+//! | [`studies`]     | many variants: sweeps, samples, clusters                      |
 //! | [`commands`]    | what each command does, exit statuses, figures                |
 //! | [`mod@format`]  | reference of model files, each thing with a piece that runs   |
 //! | [`results`]     | reference of columns, summary, events, the report             |
@@ -41,6 +42,10 @@ pub mod recipes {}
 #[doc = include_str!("links.md")]
 #[doc = include_str!("../../docs/results.md")]
 pub mod results {}
+
+#[doc = include_str!("links.md")]
+#[doc = include_str!("../../docs/studies.md")]
+pub mod studies {}
 
 #[doc = include_str!("links.md")]
 #[doc = include_str!("../../docs/theory.md")]

@@ -15,6 +15,7 @@ mod fuzz_finds;
 mod mistakes;
 mod peaks;
 mod report;
+mod study;
 #[cfg(unix)]
 mod terminal;
 mod validate;

@@ -85,6 +85,11 @@ pub fn assumed(opened: &Opened) -> String {
     }
 }
 
+/// Whether more is known than the first order, which beside singular positions means nothing.
+fn is_found(pose: &PoseAccuracy) -> bool {
+    pose.found.iter().any(Option::is_some)
+}
+
 /// How far a pose lets the output go, by the best that is known of it.
 fn extent(pose: &PoseAccuracy) -> f64 {
     let found = pose
@@ -115,10 +120,11 @@ fn of_output(
     drivers: &[&str],
 ) {
     let unit = output.unit;
-    let worst = output
-        .poses
-        .iter()
-        .max_by(|a, b| extent(a).total_cmp(&extent(b)));
+    let worst = output.poses.iter().max_by(|a, b| {
+        is_found(a)
+            .cmp(&is_found(b))
+            .then(extent(a).total_cmp(&extent(b)))
+    });
     let Some(worst) = worst else { return };
     let where_ = match output.poses.len() {
         1 => format!("at {}", at(display, drivers, worst)),

@@ -2,7 +2,7 @@
 
 use super::*;
 
-const COMMANDS: [&str; 15] = [
+const COMMANDS: [&str; 16] = [
     "accuracy",
     "allocate",
     "new",
@@ -10,6 +10,7 @@ const COMMANDS: [&str; 15] = [
     "check",
     "compare",
     "modes",
+    "study",
     "plot",
     "animate",
     "validate",

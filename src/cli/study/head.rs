@@ -1,0 +1,132 @@
+//! What a study is: enough to join its chunks without its model.
+
+use super::asked::{Asked as Inputs, Column};
+use super::respond::Responses;
+use super::{Options, VERSION};
+use crate::cli::open::Opened;
+use linkdyn_study::chunks::{Identity, Plan};
+use linkdyn_study::summary::Limits;
+use serde::{Deserialize, Serialize};
+use serde_json::json;
+use sha2::{Digest, Sha256};
+
+/// Rows of a chunk, at least and at most.
+const FEWEST: u64 = 16;
+const MOST: u64 = 8192;
+/// Outputs times bodies of a chunk, about.
+const WORK: u64 = 1 << 22;
+/// So many outputs of a prescribed motion cost what one of a free motion does.
+const FREE: u64 = 64;
+
+/// A response that is asked for.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Asked {
+    pub name: String,
+    /// SI unit; empty of a plain number.
+    pub unit: String,
+    /// Its expression.
+    pub value: String,
+    pub limits: Limits,
+}
+
+/// What a study is.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Head {
+    pub engine: String,
+    /// Name and SHA-256 of the model's file, and what was set in it.
+    pub model: serde_json::Value,
+    /// SHA-256 of all that the rows follow from.
+    pub study: String,
+    pub method: String,
+    pub seed: u64,
+    pub variants: u64,
+    pub rows_per_chunk: u64,
+    /// Rows that belong together for Sobol indices.
+    pub rows_per_point: Option<u64>,
+    pub inputs: Vec<Column>,
+    pub responses: Vec<Asked>,
+}
+
+impl Head {
+    /// Of what the command asks.
+    pub fn new(
+        options: &Options,
+        sets: &[String],
+        opened: &Opened,
+        inputs: &Inputs,
+        responses: &Responses,
+    ) -> Head {
+        let columns: Vec<Column> = inputs.inputs.iter().map(|own| own.column.clone()).collect();
+        let model = json!({
+            "name": opened.name,
+            "sha256": opened.sha256,
+            "set": sets,
+        });
+        let method = match (options.samples, options.sobol, options.latin) {
+            (None, ..) => "grid",
+            (_, true, _) => "sobol",
+            (_, _, true) => "latin_hypercube",
+            _ => "monte_carlo",
+        };
+        let mut head = Head {
+            engine: VERSION.to_owned(),
+            model,
+            study: String::new(),
+            method: method.to_owned(),
+            seed: options.seed,
+            variants: inputs.design.rows(),
+            rows_per_chunk: rows_per_chunk(opened),
+            rows_per_point: inputs.rows_per_point,
+            inputs: columns,
+            responses: responses.asked().to_vec(),
+        };
+        let said = serde_json::to_vec(&head).expect("texts and numbers");
+        head.study = format!("{:x}", Sha256::digest(&said));
+        head
+    }
+
+    /// What its chunks have in common.
+    pub fn identity(&self) -> Identity {
+        let named = |name: &str, unit: &str| match unit {
+            "" => name.to_owned(),
+            unit => format!("{name}[{unit}]"),
+        };
+        Identity {
+            study: self.study.clone(),
+            engine: self.engine.clone(),
+            inputs: self
+                .inputs
+                .iter()
+                .map(|own| named(&own.name, &own.unit))
+                .collect(),
+            responses: self
+                .responses
+                .iter()
+                .map(|own| named(&own.name, &own.unit))
+                .collect(),
+        }
+    }
+
+    /// How its variants go into chunks.
+    pub fn plan(&self) -> Plan {
+        Plan::new(self.variants, self.rows_per_chunk)
+    }
+}
+
+/// A power of two that follows from the model alone, so that all machines share out the same chunks.
+fn rows_per_chunk(opened: &Opened) -> u64 {
+    let model = &opened.loaded.model;
+    let bodies = model.bodies.len() as u64;
+    let outputs = model
+        .analysis
+        .as_ref()
+        .and_then(|analysis| analysis.outputs)
+        .unwrap_or(1) as u64;
+    let is_free = model
+        .analysis
+        .as_ref()
+        .is_some_and(|analysis| analysis.kind == linkdyn_model::AnalysisKind::Dynamics);
+    let cost = bodies * outputs * if is_free { FREE } else { 1 };
+    let rows = (WORK / cost.max(1)).clamp(FEWEST, MOST);
+    1 << rows.ilog2()
+}

@@ -1,0 +1,162 @@
+//! A study for people.
+
+use std::path::PathBuf;
+
+use super::asked::How;
+use super::head::Head;
+use super::totals::{OfResponse, Told};
+use crate::cli::page::{Page, number};
+use linkdyn_study::summary::Share;
+
+/// Digits of values.
+const DIGITS: usize = 6;
+/// Reasons that are listed.
+const MOST: usize = 8;
+
+/// What is printed.
+pub fn page(head: &Head, told: &Told, written: &[PathBuf]) -> String {
+    let mut page = Page::default();
+    let name = head.model["name"].as_str().unwrap_or_default();
+    page.line(format!(
+        "{name}: study of {} variants ({})",
+        head.variants,
+        method(head)
+    ));
+    page.rows(
+        "inputs",
+        head.inputs
+            .iter()
+            .map(|own| format!("{}  {}", own.name, how(&own.how, &own.unit))),
+    );
+    if let Some(share) = &told.completed {
+        page.row("completed", shared(share));
+    }
+    if let Some(share) = &told.within_limits {
+        page.row("within limits", shared(share));
+    }
+    let mut failures: Vec<String> = told
+        .failures
+        .iter()
+        .take(MOST)
+        .map(|(reason, count)| format!("{count} {reason}"))
+        .collect();
+    if told.failures.len() > MOST {
+        failures.push(format!("… and {} reasons more", told.failures.len() - MOST));
+    }
+    page.rows("failures", failures);
+    for (name, response) in &told.responses {
+        of_response(&mut page, head, name, response);
+    }
+    page.rows(
+        "written",
+        written.iter().map(|path| path.display().to_string()),
+    );
+    page.text().to_owned()
+}
+
+fn method(head: &Head) -> String {
+    match head.method.as_str() {
+        "grid" => "grid".to_owned(),
+        method => format!("{}, seed {}", method.replace('_', " "), head.seed),
+    }
+}
+
+fn how(how: &How, unit: &str) -> String {
+    match how {
+        How::Linear { from, to, count } => {
+            format!(
+                "{} to {}, {count} values",
+                value(*from, unit),
+                value(*to, unit)
+            )
+        }
+        How::Listed(values) => {
+            let values: Vec<String> = values.iter().take(MOST).map(|x| value(*x, unit)).collect();
+            values.join(", ")
+        }
+        How::Scattered {
+            distribution,
+            lower,
+            upper,
+        } => {
+            format!(
+                "{} / +{}, {distribution}",
+                value(*lower, unit),
+                value(*upper, unit)
+            )
+        }
+    }
+}
+
+/// Lengths in mm, angles in degrees would hide what the files say: SI throughout.
+fn value(value: f64, unit: &str) -> String {
+    let text = number(value, DIGITS);
+    match unit {
+        "" => text,
+        unit => format!("{text} {unit}"),
+    }
+}
+
+fn shared(share: &Share) -> String {
+    let percent = |share: f64| number(100.0 * share, 5);
+    format!(
+        "{} of {} = {} % (95 % sure: {} to {} %)",
+        share.within,
+        share.total,
+        percent(share.share),
+        percent(share.lower),
+        percent(share.upper)
+    )
+}
+
+fn of_response(page: &mut Page, head: &Head, name: &str, response: &OfResponse) {
+    let summary = &response.summary;
+    let Some((mean, deviation)) = summary.mean.zip(summary.deviation.or(Some(0.0))) else {
+        page.row(name, "no variant has a value");
+        return;
+    };
+    let unit = response.unit.as_str();
+    let (min, max) = (summary.min.unwrap_or(mean), summary.max.unwrap_or(mean));
+    let mut rows = vec![format!(
+        "{} … {}, mean {}, σ {}",
+        value(min, unit),
+        value(max, unit),
+        value(mean, unit),
+        value(deviation, unit)
+    )];
+    if let Some(quantiles) = &summary.quantiles
+        && head.method != "grid"
+    {
+        let [low, middle, high] = [0, 1, 2].map(|k| value(quantiles[k], unit));
+        rows.push(format!("0.135 % {low}, median {middle}, 99.865 % {high}"));
+    }
+    if let Some(cpk) = summary.cpk {
+        let cp = summary
+            .cp
+            .map_or(String::new(), |cp| format!("Cp {}, ", number(cp, 4)));
+        rows.push(format!(
+            "{cp}Cpk {}; {} below, {} above the limits",
+            number(cpk, 4),
+            summary.below,
+            summary.above
+        ));
+    }
+    if let Some(indices) = &response.indices {
+        for (input, (first, total)) in head
+            .inputs
+            .iter()
+            .zip(indices.first.iter().zip(&indices.total))
+        {
+            rows.push(format!(
+                "index of {}: first {}, total {}",
+                input.name,
+                number(first.value, 3),
+                number(total.value, 3)
+            ));
+        }
+    }
+    if summary.none > 0 {
+        rows.push(format!("{} without a value", summary.none));
+    }
+    page.rows(name, rows);
+}

@@ -1,0 +1,327 @@
+//! `linkdyn study`: variants against closed forms, the same bytes however they were computed, and what it refuses.
+
+use crate::browser::Scratch;
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+use std::time::Duration;
+
+/// A slider-crank of which crank and rod scatter; its stroke is twice the crank.
+const MODEL: &str = r#"{
+  "format": "linkdyn/1", "name": "Feeder", "units": { "length": "mm", "angle": "deg" },
+  "parameters": {
+    "crank": { "value": "50 mm", "tolerance": "0.05 mm" },
+    "rod": { "value": "200 mm", "tolerance": ["-0.1 mm", "0.1 mm"], "distribution": "uniform" }
+  },
+  "bodies": {
+    "ground": { "points": { "O": [0, 0] } },
+    "crank": { "points": { "O": [0, 0], "A": ["=crank", 0] }, "pose": { "angle": 60 } },
+    "rod": { "points": { "A": [0, 0], "B": ["=rod", 0] }, "pose": { "position": [25, 43], "angle": -13 } },
+    "slide": { "points": { "B": [0, 0] }, "pose": { "position": [220, 0] } }
+  },
+  "joints": {
+    "main": { "type": "revolute", "between": ["ground.O", "crank.O"] },
+    "big": { "type": "revolute", "between": ["crank.A", "rod.A"] },
+    "small": { "type": "revolute", "between": ["rod.B", "slide.B"] },
+    "guide": { "type": "prismatic", "between": ["ground.O", "slide.B"], "axis": [1, 0] }
+  },
+  "drivers": { "motor": { "type": "rotation", "body": "crank",
+    "motion": { "type": "constant_velocity", "start": 0, "velocity": "60 rpm" } } },
+  "responses": { "stroke": { "value": "max(slide.x) - min(slide.x)", "limits": [99.95, 100.05], "unit": "mm" } },
+  "analysis": { "type": "kinematics", "end": 1, "outputs": 37 }
+}"#;
+
+fn command(scratch: &Scratch, arguments: &[&str]) -> Command {
+    let model = scratch.0.join("feeder.json");
+    fs::write(&model, MODEL).expect("a model");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_linkdyn"));
+    command.arg("study").current_dir(&scratch.0);
+    if arguments.first() != Some(&"merge") {
+        command.arg("feeder.json");
+    }
+    command.args(arguments).stdin(Stdio::null());
+    command
+}
+
+fn study(scratch: &Scratch, arguments: &[&str]) -> Output {
+    let output = command(scratch, arguments).output();
+    output.expect("the binary runs")
+}
+
+fn json(scratch: &Scratch, arguments: &[&str]) -> Value {
+    let output = study(scratch, arguments);
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {said}");
+    serde_json::from_slice(&output.stdout).expect("JSON")
+}
+
+/// The rows of `variants.csv` without its header.
+fn rows(directory: &Path) -> Vec<Vec<String>> {
+    let text = fs::read_to_string(directory.join("variants.csv")).expect("a table");
+    let lines = text.lines().skip(1);
+    lines
+        .map(|line| line.split(',').map(str::to_owned).collect())
+        .collect()
+}
+
+/// A crank of r has a stroke of 2r; longer than the rod it never comes round, and is told as a row with its reason.
+#[test]
+fn a_sweep_has_a_row_for_each_variant() {
+    let scratch = Scratch::new("study-sweep");
+    let told = json(
+        &scratch,
+        &[
+            "--vary",
+            "parameters.crank=45 mm:245 mm:21",
+            "--json",
+            "-o",
+            "out",
+        ],
+    );
+    let rows = rows(&scratch.0.join("out"));
+    assert_eq!(rows.len(), 21);
+    let mut completed = 0;
+    for (number, row) in rows.iter().enumerate() {
+        let crank = 0.045 + 0.01 * number as f64;
+        assert_eq!(row[0], number.to_string());
+        assert!((row[2].parse::<f64>().expect("a number") - crank).abs() < 1e-15);
+        if row[1] == "ok" {
+            let stroke: f64 = row[3].parse().expect("a number");
+            assert!((stroke - 2.0 * crank).abs() < 1e-12, "{row:?}");
+            completed += 1;
+        } else {
+            assert!(crank > 0.2, "{row:?}");
+            assert_eq!(row[3], "");
+        }
+    }
+    assert_eq!(completed, 16);
+    let summary = &told["summary"];
+    assert_eq!(summary["completed"]["within"], 16);
+    let failures = summary["failures"].as_object().expect("reasons");
+    let failed: u64 = failures.values().filter_map(Value::as_u64).sum();
+    assert_eq!(failed, 5);
+    assert!(failures.contains_key("dead_centre"), "{failures:?}");
+    assert_eq!(summary["responses"]["stroke"]["none"], 5);
+}
+
+/// Two axes multiply, the last one fastest; values may be listed, and responses come from the command.
+#[test]
+fn axes_multiply() {
+    let scratch = Scratch::new("study-axes");
+    let said = json(
+        &scratch,
+        &[
+            "--vary",
+            "crank=40 mm, 50 mm",
+            "--vary",
+            "rod=0.2 m:0.3 m:3",
+            "--json",
+            "-o",
+            "out",
+            "--response",
+            "reach = max(slide.x)",
+            "--response",
+            "share = max(slide.x)/(crank + rod)",
+        ],
+    );
+    assert_eq!(said["variants"], 6);
+    for (number, row) in rows(&scratch.0.join("out")).iter().enumerate() {
+        let crank = [0.04, 0.05][number / 3];
+        let rod = [0.2, 0.25, 0.3][number % 3];
+        let values: Vec<f64> = row[2..]
+            .iter()
+            .map(|cell| cell.parse().expect("a number"))
+            .collect();
+        for (value, wanted) in values
+            .iter()
+            .zip([crank, rod, 2.0 * crank, crank + rod, 1.0])
+        {
+            assert!((value - wanted).abs() < 1e-12, "{row:?}");
+        }
+    }
+}
+
+/// The stroke scatters by twice the crank's deviation, cut at three: mean and σ within three standard errors; the rod has no
+/// share.
+#[test]
+fn samples_scatter_as_the_closed_form_says() {
+    let scratch = Scratch::new("study-samples");
+    // σ of a normal cut at 3σ is 0.98658 of it.
+    let sigma = 2.0 * 0.05e-3 / 3.0 * 0.986_578_5;
+    let told = json(&scratch, &["--samples", "4000", "--json"]);
+    let stroke = &told["summary"]["responses"]["stroke"];
+    let (mean, deviation) = (&stroke["mean"], &stroke["deviation"]);
+    let (mean, deviation) = (
+        mean.as_f64().expect("mean"),
+        deviation.as_f64().expect("deviation"),
+    );
+    let n = 4000.0_f64;
+    assert!((mean - 0.1).abs() < 3.0 * sigma / n.sqrt(), "{mean}");
+    assert!(
+        (deviation - sigma).abs() < 3.0 * sigma / (2.0 * n).sqrt(),
+        "{deviation}"
+    );
+    // Limits of ±0.05 mm are 1.5 uncut standard deviations of the stroke.
+    let within = &told["summary"]["within_limits"];
+    let bounds = ["lower", "upper"].map(|side| within[side].as_f64().expect("a bound"));
+    let expected = (0.866_385_6 - 0.0) / 0.997_300_2;
+    assert!(bounds[0] < expected && expected < bounds[1], "{bounds:?}");
+
+    let told = json(
+        &scratch,
+        &["--samples", "512", "--sobol", "--indices", "--json"],
+    );
+    let indices = &told["summary"]["responses"]["stroke"]["indices"];
+    let of = |kind: &str, input: usize| indices[kind][input]["value"].as_f64().expect("an index");
+    assert!(
+        (of("first", 0) - 1.0).abs() < 0.02 && of("total", 1).abs() < 1e-6,
+        "{indices}"
+    );
+}
+
+/// The same bytes for one and two threads, in one go, by shards, and killed at any moment and gone on with.
+#[test]
+fn bytes_do_not_depend_on_who_computed_them() {
+    let scratch = Scratch::new("study-bytes");
+    let model = [
+        "--samples",
+        "30000",
+        "--sobol",
+        "--set",
+        "analysis.outputs=5",
+    ];
+    let with = |more: &[&'static str]| -> Vec<&str> { [&model[..], more].concat() };
+    let run = |arguments: &[&str]| {
+        let output = study(&scratch, arguments);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(0), "{arguments:?}: {said}");
+    };
+    run(&with(&["-o", "one", "--threads", "1"]));
+    run(&with(&["-o", "two", "--threads", "2"]));
+    for shard in ["3/3", "1/3", "2/3"] {
+        run(&with(&["-o", "parts", "--shard", shard]));
+    }
+    run(&["merge", "parts"]);
+    for attempt in 0..6 {
+        let mut child = command(&scratch, &with(&["-o", "killed"]))
+            .stdout(Stdio::null())
+            .spawn()
+            .expect("the binary runs");
+        std::thread::sleep(Duration::from_millis(60 + 70 * attempt));
+        let _ = child.kill();
+        let _ = child.wait();
+    }
+    run(&with(&["-o", "killed"]));
+    for file in ["variants.csv", "study.json"] {
+        let read =
+            |directory: &str| fs::read(scratch.0.join(directory).join(file)).expect("a file");
+        let one = read("one");
+        assert!(one.len() > 1000);
+        for other in ["two", "parts", "killed"] {
+            assert!(one == read(other), "{file} of {other}");
+        }
+    }
+}
+
+/// Arguments, and what is said of them.
+const REFUSALS: &[(&[&str], &str)] = &[
+    (
+        &[],
+        "error: nothing is varied: say --vary \"parameters.NAME=FROM:TO:COUNT\", or --samples N for tolerances",
+    ),
+    (
+        &["--vary", "crnk=40 mm:60 mm:3"],
+        "error: --vary crnk=40 mm:60 mm:3: the model has no parameter \"crnk\" (did you mean \"crank\"?)",
+    ),
+    (
+        &["--vary", "wheel=1:2:3"],
+        "error: --vary wheel=1:2:3: the model has no parameter \"wheel\" (it has crank, rod)",
+    ),
+    (
+        &["--vary", "crank"],
+        "error: --vary crank: write it as in \"parameters.r=40 mm:60 mm:21\" or \"parameters.r=40 mm, 50 mm\"",
+    ),
+    (
+        &["--vary", "crank=40 mm:60 mm"],
+        "error: --vary crank=40 mm:60 mm: write it as in \"parameters.r=40 mm:60 mm:21\" or \"parameters.r=40 mm, 50 mm\"",
+    ),
+    (
+        &["--vary", "crank=40 mm:60 mm:many"],
+        "error: --vary crank=40 mm:60 mm:many: \"many\" is no count of values",
+    ),
+    (
+        &["--vary", "crank=40 mm:60 mm:0"],
+        "error: --vary crank=40 mm:60 mm:0: 0 values: give at least 1",
+    ),
+    (
+        &["--vary", "crank=40 mm:90 deg:3"],
+        "error: --vary crank=40 mm:90 deg:3: \"90 deg\" is in rad, crank is in m (50 mm)",
+    ),
+    (
+        &["--vary", "crank=40:60:3"],
+        "error: --vary crank=40:60:3: \"40\" is a plain number, crank is in m (50 mm)",
+    ),
+    (
+        &["--vary", "crank=wide"],
+        "error: --vary crank=wide: \"wide\": this does not begin with a number",
+    ),
+    (
+        &["--vary", "crank=1 mm, 2 mm", "--vary", "crank=3 mm"],
+        "error: --vary crank=3 mm: crank is varied twice",
+    ),
+    (
+        &["--samples", "0"],
+        "error: --samples: 0 samples: give at least 1",
+    ),
+    (
+        &["--samples", "9", "--indices", "--vary", "rod=200 mm"],
+        "error: --indices: Sobol indices are those of samples; not together with --vary",
+    ),
+    (
+        &["--samples", "9", "--shard", "8/7", "-o", "new"],
+        "error: --shard 8/7: shard 8/7: there are shards 1/7 to 7/7",
+    ),
+    (
+        &["--samples", "9", "--shard", "slurm", "-o", "new"],
+        "error: --shard slurm: SLURM_ARRAY_TASK_ID is not set: this is no task of a Slurm array",
+    ),
+    (
+        &["--samples", "9", "--response", "peak"],
+        "error: --response \"peak\": a name and an expression are expected (as in \"stroke = max(piston.x) - min(piston.x)\")",
+    ),
+    (
+        &["--samples", "9", "-o", "there"],
+        "there/study.json: it is another study (other inputs, samples): choose another directory, or remove this one",
+    ),
+    (
+        &[
+            "--vary",
+            "crank=40 mm:60 mm:3",
+            "--set",
+            "name=Other",
+            "-o",
+            "there",
+        ],
+        "there/study.json: it is another study (other model): choose another directory, or remove this one",
+    ),
+    (
+        &["merge", "nowhere"],
+        "nowhere/study.json: there is no study in this directory",
+    ),
+];
+
+/// What it refuses, in these words.
+#[test]
+fn refusals_say_what_and_how() {
+    let scratch = Scratch::new("study-refusals");
+    let grid = ["--vary", "crank=40 mm:60 mm:3", "-o", "there"];
+    assert_eq!(study(&scratch, &grid).status.code(), Some(0));
+    for (arguments, text) in REFUSALS {
+        let output = study(&scratch, arguments);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {said}");
+        assert!(said.contains(text), "{arguments:?}:\n{said}\nlacks {text}");
+    }
+    assert!(!scratch.0.join("new").exists());
+}
