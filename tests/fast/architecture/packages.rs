@@ -15,6 +15,7 @@ const PACKAGES: &[(&str, &[&str])] = &[
             "output",
             "model",
             "linear",
+            "optimise",
             "study",
         ],
     ),
@@ -30,6 +31,8 @@ const PACKAGES: &[(&str, &[&str])] = &[
     ("output", &[]),
     // Words: what the user wrote.
     ("model", &[]),
+    // Optimisation of functions, whatever they are functions of.
+    ("optimise", &["study", "linear"]),
     // Matrices, no mechanism.
     ("linear", &[]),
     // Samples, summaries and files of many variants, whatever they are variants of.
