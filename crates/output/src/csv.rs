@@ -29,9 +29,7 @@ pub fn write(trajectory: &Trajectory, out: &mut impl Write) -> io::Result<()> {
             if index > 0 {
                 text.push(b',');
             }
-            if value.is_finite() {
-                text.extend_from_slice(digits.format_finite(value).as_bytes());
-            }
+            push_digits(&mut text, &mut digits, value);
         }
         text.push(b'\n');
         if text.len() >= PIECE {
@@ -42,8 +40,19 @@ pub fn write(trajectory: &Trajectory, out: &mut impl Write) -> io::Result<()> {
     out.write_all(&text)
 }
 
+fn push_digits(text: &mut Vec<u8>, digits: &mut ryu::Buffer, value: f64) {
+    if value.is_finite() {
+        text.extend_from_slice(digits.format_finite(value).as_bytes());
+    }
+}
+
+/// Appends a number, or nothing where it does not exist.
+pub fn push_number(text: &mut Vec<u8>, value: Option<f64>) {
+    push_digits(text, &mut ryu::Buffer::new(), value.unwrap_or(f64::NAN));
+}
+
 /// Appends one field, in quotes where a comma, a quote or a line end in it would break the line up.
-fn push_field(text: &mut Vec<u8>, field: &str) {
+pub fn push_field(text: &mut Vec<u8>, field: &str) {
     if !field.contains([',', '"', '\n', '\r']) {
         text.extend_from_slice(field.as_bytes());
         return;

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 
 use super::super::open::Opened;
 use linkdyn_engine::analysis::accuracy::{Accuracy, OutputAccuracy, PoseAccuracy};
+use linkdyn_output::csv::{push_field, push_number};
 use linkdyn_output::{Directory, WriteError};
 
 const TABLE: &str = "accuracy.csv";
@@ -23,89 +24,86 @@ pub fn write(
     json: &str,
 ) -> Result<Vec<PathBuf>, WriteError> {
     Ok(vec![
-        directory.write(TABLE, table(found).as_bytes())?,
-        directory.write(CONTRIBUTIONS, contributions(found).as_bytes())?,
+        directory.write(TABLE, &table(found))?,
+        directory.write(CONTRIBUTIONS, &contributions(found))?,
         directory.write(SUMMARY, json.as_bytes())?,
     ])
 }
 
-/// A number, or nothing where there is none.
-fn cell(value: Option<f64>) -> String {
-    value
-        .filter(|value| value.is_finite())
-        .map_or(String::new(), |value| format!("{value}"))
-}
+/// A row that is being written.
+struct Row<'t>(&'t mut Vec<u8>);
 
-/// Text in a table of commas.
-fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_owned()
+impl Row<'_> {
+    fn text(self, text: &str) -> Self {
+        push_field(self.0, text);
+        self.0.push(b',');
+        self
+    }
+
+    fn number(self, value: Option<f64>) -> Self {
+        push_number(self.0, value);
+        self.0.push(b',');
+        self
+    }
+
+    fn pair(self, pair: Option<[f64; 2]>) -> Self {
+        let [first, second] = [0, 1].map(|k| pair.map(|pair| pair[k]));
+        self.number(first).number(second)
+    }
+
+    /// Ends the row.
+    fn end(self) {
+        self.0.pop();
+        self.0.push(b'\n');
     }
 }
 
 /// A row per output and pose.
-fn table(found: &Accuracy) -> String {
-    let mut text = String::from(
-        "output,unit,time[s],driver,nominal,first.minus,first.plus,found.minus,found.plus,certified.minus,certified.plus,mean,sigma,pressed,lower,upper,within,cp,cpk\n",
-    );
+fn table(found: &Accuracy) -> Vec<u8> {
+    let mut text = b"output,unit,time[s],driver,nominal,first.minus,first.plus,found.minus,found.plus,certified.minus,certified.plus,mean,sigma,pressed,lower,upper,within,cp,cpk\n".to_vec();
     for output in &found.outputs {
         for pose in &output.poses {
-            let pair = |pair: Option<[f64; 2]>| {
-                [
-                    cell(pair.map(|pair| pair[0])),
-                    cell(pair.map(|pair| pair[1])),
-                ]
-                .join(",")
-            };
             let capability = pose.capability.as_ref();
-            let cells = [
-                quoted(&output.name),
-                output.unit.to_owned(),
-                cell(Some(pose.time)),
-                cell(pose.drivers.first().copied()),
-                cell(Some(pose.nominal)),
-                pair(pose.first),
-                [cell(pose.found[0]), cell(pose.found[1])].join(","),
-                pair(pose.certified),
-                pair(pose.moments),
-                cell(pose.pressed),
-                pair(output.limits),
-                cell(capability.map(|c| c.within)),
-                cell(capability.map(|c| c.cp)),
-                cell(capability.map(|c| c.cpk)),
-            ];
-            text += &cells.join(",");
-            text.push('\n');
+            Row(&mut text)
+                .text(&output.name)
+                .text(output.unit)
+                .number(Some(pose.time))
+                .number(pose.drivers.first().copied())
+                .number(Some(pose.nominal))
+                .pair(pose.first)
+                .number(pose.found[0])
+                .number(pose.found[1])
+                .pair(pose.certified)
+                .pair(pose.moments)
+                .number(pose.pressed)
+                .pair(output.limits)
+                .number(capability.map(|c| c.within))
+                .number(capability.map(|c| c.cp))
+                .number(capability.map(|c| c.cpk))
+                .end();
         }
     }
     text
 }
 
 /// A row per output, pose and source.
-fn contributions(found: &Accuracy) -> String {
-    let mut text = String::from(
-        "output,time[s],driver,source,sensitivity,carries.minus,carries.plus,worst_share,variance_share\n",
-    );
+fn contributions(found: &Accuracy) -> Vec<u8> {
+    let mut text =
+        b"output,time[s],driver,source,sensitivity,carries.minus,carries.plus,worst_share,variance_share\n"
+            .to_vec();
     for output in &found.outputs {
         for pose in &output.poses {
-            let shares = pose.shares();
-            for ((source, by), share) in found.sources.iter().zip(&pose.contributions).zip(&shares)
-            {
-                let cells = [
-                    quoted(&output.name),
-                    cell(Some(pose.time)),
-                    cell(pose.drivers.first().copied()),
-                    quoted(source),
-                    cell(Some(by.sensitivity)),
-                    cell(Some(by.reach[0])),
-                    cell(Some(by.reach[1])),
-                    cell(Some(share[0])),
-                    cell(Some(share[1])),
-                ];
-                text += &cells.join(",");
-                text.push('\n');
+            let by = found.sources.iter().zip(&pose.contributions);
+            for ((source, by), share) in by.zip(pose.shares()) {
+                Row(&mut text)
+                    .text(&output.name)
+                    .number(Some(pose.time))
+                    .number(pose.drivers.first().copied())
+                    .text(source)
+                    .number(Some(by.sensitivity))
+                    .pair(Some(by.reach))
+                    .pair(Some(share))
+                    .end();
             }
         }
     }
