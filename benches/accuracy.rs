@@ -3,8 +3,8 @@
 //!
 //! `--only` takes the mechanisms whose name has this in it; `--details` prints every output.
 //!
-//! Costs are those of library calls in one process, in turn, medians; all joints have clearances and all numbers of the
-//! geometry tolerances. Then each case is solved `--samples` times with random deviations, and as many times again with
+//! Costs are those of library calls in one process, by level and in kinematic runs of the same mechanism, medians of ratios of
+//! times that were taken beside each other; all joints have clearances and all numbers of the geometry tolerances. Then each case is solved `--samples` times with random deviations, and as many times again with
 //! deviations that climb from the farthest ones on. Exit status 1 where one left a certified bound.
 
 // The tests use the rest.
@@ -22,6 +22,7 @@ use std::hint::black_box;
 use std::process::ExitCode;
 use std::time::Instant;
 
+use linkdyn_engine::analysis::accuracy::{Levels, Scope};
 use linkdyn_engine::analysis::{Control, run};
 use samples::{Case, DEGREE, Sampler, case, read};
 use serde_json::{Value, json};
@@ -111,47 +112,71 @@ fn ask(json: &Value, column: &str, outputs: usize) -> Told {
     Told::read(&json).expect("legal")
 }
 
-/// Times of a kinematic run and of accuracy for one output and for five, over the same instants.
+/// What a level may cost by output, in kinematic runs.
+const ALLOWED: f64 = 1.5;
+/// Outputs beside the first.
+const FURTHER: usize = 4;
+/// The levels by name.
+const LEVELS: [(&str, Levels); 3] = [
+    ("first order", Levels::First),
+    ("worst found", Levels::Worst),
+    ("certified", Levels::Certified),
+];
+
+/// Times of a kinematic run, and by level of accuracy for one output and for some more, over the same instants. The times of a
+/// round are taken beside each other, so that what else the machine does falls on all of them.
 fn cost(name: &str, column: &str) {
     let model = read(name);
     let plain = Told::read(&bare(&model, INSTANTS)).expect("legal");
     let mut json = parametric(&model, INSTANTS);
     spoil(&mut json, 1e-5);
     tolerate(&mut json, 1e-6);
-    let (one, five) = (ask(&json, column, 1), ask(&json, column, 5));
+    let (one, more) = (ask(&json, column, 1), ask(&json, column, 1 + FURTHER));
     let answer = one.answer();
     let poses = &answer.outputs[0].poses;
     let certified = poses.iter().filter(|pose| pose.certified.is_some()).count();
-    let mut works: [(Vec<f64>, &dyn Fn()); 3] = [
-        (Vec::new(), &|| {
-            black_box(run(&plain.loaded.model, &Control::default()).expect("runs"));
-        }),
-        (Vec::new(), &|| {
-            black_box(one.answer());
-        }),
-        (Vec::new(), &|| {
-            black_box(five.answer());
-        }),
-    ];
+    let time = |work: &dyn Fn()| {
+        let start = Instant::now();
+        work();
+        start.elapsed().as_secs_f64()
+    };
+    let asked = |told: &Told, levels: Levels| {
+        let scope = Scope {
+            levels: Some(levels),
+            ..Scope::default()
+        };
+        black_box(told.ask_for(&told.loaded.model, scope).expect("answers"));
+    };
+    let mut runs = Vec::new();
+    let mut parts: [[Vec<f64>; 2]; 3] = Default::default();
     for _ in 0..PAIRS {
-        for (times, work) in &mut works {
-            let start = Instant::now();
-            work();
-            times.push(start.elapsed().as_secs_f64());
+        let run = time(&|| {
+            black_box(run(&plain.loaded.model, &Control::default()).expect("runs"));
+        });
+        runs.push(run);
+        for ((_, levels), [first, further]) in LEVELS.iter().zip(&mut parts) {
+            let of_one = time(&|| asked(&one, *levels));
+            let of_more = time(&|| asked(&more, *levels));
+            first.push(of_one / run);
+            further.push((of_more - of_one) / FURTHER as f64 / run);
         }
     }
-    let [run, one, five] = works.map(|(mut times, _)| median(&mut times));
     println!(
-        "{name:18} {:3} bodies, {:3} sources, {:3} poses, {certified:3} certified: run {:8.3} ms, accuracy of one output {:8.3} ms = {:6.2} runs, \
-         of each further one {:6.2} runs",
+        "{name}: {} bodies, {} sources, {} poses, {certified} certified, run {:.3} ms; in such runs:",
         model.bodies.len() - 1,
         answer.sources.len(),
         poses.len(),
-        run * 1e3,
-        one * 1e3,
-        one / run,
-        (five - one) / 4.0 / run
+        median(&mut runs) * 1e3,
     );
+    for ((level, _), [first, further]) in LEVELS.iter().zip(&mut parts) {
+        let [first, further] = [median(first), median(further)];
+        let said = |cost: f64| if cost <= ALLOWED { "holds" } else { "exceeds" };
+        println!(
+            "    {level:11} first output {first:6.2} ({} {ALLOWED}), each further one {further:6.2} ({} {ALLOWED})",
+            said(first),
+            said(further)
+        );
+    }
 }
 
 /// Tries a case; whether nothing left its bounds.

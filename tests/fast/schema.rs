@@ -123,7 +123,7 @@ fn toleranced() -> Value {
         },
         "drivers": { "turn": { "type": "rotation", "body": "bar", "tolerance": "0.1 deg",
                                "motion": { "type": "polynomial", "coefficients": [0] } } },
-        "accuracy": { "pins": "disc", "outputs": {
+        "accuracy": { "pins": "disc", "levels": "first", "outputs": {
             "height": { "column": "bar.A.y", "at": { "driver": "turn", "value": "5 deg" }, "limits": ["-1 mm", 1] },
             "gap": { "distance": ["ground.O", "block.C"], "note": "x" }
         } }
@@ -239,6 +239,7 @@ fn bad_structure_satisfies_neither() {
         clearance(&json!({ "model": "ideal", "radius": [0, -1] })),
         clearance(&json!({ "model": "ideal", "radius": 0, "fit": "20 H7/g6" })),
         json!({ "accuracy": { "pins": "wurst" } }),
+        json!({ "accuracy": { "levels": "second" } }),
         json!({ "accuracy": { "outputs": { "a": {} } } }),
         json!({ "accuracy": { "outputs": { "a": { "column": "bar.x", "distance": ["bar.A", "ground.O"] } } } }),
         json!({ "accuracy": { "outputs": { "a": { "column": "bar.x", "at": { "driver": "turn" } } } } }),

@@ -15,6 +15,22 @@ pub struct Accuracy {
     /// Where pins are within their clearances.
     #[serde(default)]
     pub pins: Pins,
+    /// How much is worked out.
+    #[serde(default)]
+    pub levels: Levels,
+}
+
+/// How much is worked out; each level has those before it, too.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Levels {
+    /// First order, contributions, spread and lost motion.
+    First,
+    /// And the worst found.
+    Worst,
+    /// And the certified bound.
+    #[default]
+    Certified,
 }
 
 /// Where pins are within their clearances.

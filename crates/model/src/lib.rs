@@ -39,7 +39,7 @@ mod units;
 mod walk;
 mod words;
 
-pub use accuracy::{Accuracy, AccuracyOutput, At, Measured, Pins};
+pub use accuracy::{Accuracy, AccuracyOutput, At, Levels, Measured, Pins};
 pub use analysis::{Analysis, AnalysisKind, OutputsAt, Sample, Solver, Transmission};
 pub use body::{Body, Initial, Pose};
 pub use carrier::Carrier;

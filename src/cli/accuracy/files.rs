@@ -6,7 +6,7 @@ use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
 use super::super::open::Opened;
-use linkdyn_engine::analysis::accuracy::{Accuracy, OutputAccuracy, PoseAccuracy};
+use linkdyn_engine::analysis::accuracy::{Accuracy, Levels, OutputAccuracy, PoseAccuracy};
 use linkdyn_output::csv::{push_field, push_number};
 use linkdyn_output::{Directory, WriteError};
 
@@ -116,6 +116,11 @@ pub fn json(opened: &Opened, found: &Accuracy) -> String {
     let document = Document {
         engine: env!("CARGO_PKG_VERSION"),
         model: json!({ "name": opened.name, "sha256": opened.sha256 }),
+        levels: match found.levels {
+            Levels::First => "first",
+            Levels::Worst => "worst",
+            Levels::Certified => "certified",
+        },
         outputs: Named(outputs.map(|output| (output.name.as_str(), of_output(found, output)))),
         warnings: &opened.loaded.warnings,
     };
@@ -127,6 +132,7 @@ pub fn json(opened: &Opened, found: &Accuracy) -> String {
 struct Document<'a, O: Serialize> {
     engine: &'a str,
     model: Value,
+    levels: &'a str,
     outputs: O,
     warnings: &'a [String],
 }

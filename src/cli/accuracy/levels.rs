@@ -1,7 +1,7 @@
 //! The levels of accuracy in words: numbers with their units, and why there are none.
 
 use super::super::page::number;
-use linkdyn_engine::analysis::accuracy::{OutputAccuracy, PoseAccuracy};
+use linkdyn_engine::analysis::accuracy::{Levels, OutputAccuracy, PoseAccuracy};
 use linkdyn_model::display::DisplayUnits;
 
 /// Digits of deviations and of sensitivities.
@@ -92,7 +92,7 @@ pub fn certified(display: &DisplayUnits, output: &OutputAccuracy, pose: &PoseAcc
 pub fn of_limits(
     display: &DisplayUnits,
     unit: &str,
-    limits: [f64; 2],
+    (limits, levels): ([f64; 2], Levels),
     pose: &PoseAccuracy,
 ) -> String {
     let allowed = both(display, unit, limits);
@@ -103,12 +103,17 @@ pub fn of_limits(
         [Some(low), Some(high)] => Some([low, high]),
         _ => None,
     };
-    let verdict = if held(pose.certified) {
-        "always kept (certified)"
-    } else if found.is_some_and(|found| found[0] < limits[0] || found[1] > limits[1]) {
-        "exceeded by the worst found"
-    } else {
-        "kept by the worst found, not certified"
+    let exceeds = |found: Option<[f64; 2]>| {
+        found.is_some_and(|found| found[0] < limits[0] || found[1] > limits[1])
+    };
+    let verdict = match levels {
+        Levels::First if held(pose.first) => "kept to first order",
+        Levels::First if exceeds(pose.first) => "exceeded to first order",
+        Levels::First => "not known here",
+        Levels::Worst | Levels::Certified if held(pose.certified) => "always kept (certified)",
+        Levels::Worst | Levels::Certified if exceeds(found) => "exceeded by the worst found",
+        Levels::Worst => "kept by the worst found",
+        Levels::Certified => "kept by the worst found, not certified",
     };
     match &pose.capability {
         Some(capability) => format!(

@@ -8,7 +8,7 @@ mod text;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 
 use super::exit::{BadInput, Exit};
 use super::interrupt;
@@ -17,7 +17,7 @@ use super::progress::Line;
 use super::replaced;
 use super::streams::{complain, print};
 use linkdyn_engine::analysis::Control;
-use linkdyn_engine::analysis::accuracy::{Accuracy, Parameters, Refusal, accuracy};
+use linkdyn_engine::analysis::accuracy::{Accuracy, Levels, Parameters, Refusal, Scope, accuracy};
 use linkdyn_model::Checked;
 use linkdyn_output::Directory;
 
@@ -31,6 +31,10 @@ pub struct Options {
     /// An output of the model's `accuracy`, instead of all; may be given more than once
     #[arg(long = "output", value_name = "NAME")]
     outputs: Vec<String>,
+    /// How much to work out: the first order alone, with the worst found, or with the certified bound [default: what the model's
+    /// `accuracy` says, else certified]
+    #[arg(long, value_enum, value_name = "LEVELS")]
+    levels: Option<Asked>,
     /// Print everything as JSON
     #[arg(long)]
     json: bool,
@@ -39,8 +43,27 @@ pub struct Options {
     directory: Option<PathBuf>,
 }
 
+/// How much is worked out.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum Asked {
+    First,
+    Worst,
+    Certified,
+}
+
+impl From<Asked> for Levels {
+    fn from(asked: Asked) -> Self {
+        match asked {
+            Asked::First => Levels::First,
+            Asked::Worst => Levels::Worst,
+            Asked::Certified => Levels::Certified,
+        }
+    }
+}
+
 const HELP: &str = "  linkdyn accuracy lock
   linkdyn accuracy lock --output closed -o out
+  linkdyn accuracy lock --levels first
 
 What the levels mean: linkdyn docs theory. What the files hold: linkdyn docs results.";
 
@@ -57,7 +80,11 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         ..Control::default()
     };
     let line = Line::start(Instant::now(), &opened.name, || None);
-    let found = answer(&opened, &options.outputs, &control);
+    let scope = Scope {
+        outputs: &options.outputs,
+        levels: options.levels.map(Into::into),
+    };
+    let found = answer(&opened, scope, &control);
     drop(line);
     let found = match found {
         Ok(found) => found,
@@ -93,7 +120,7 @@ pub fn refuse(opened: &Opened, refusal: Refusal) -> Result<Exit, BadInput> {
 ///
 /// # Errors
 /// Why there is none.
-pub fn answer(opened: &Opened, only: &[String], control: &Control) -> Result<Accuracy, Refusal> {
+pub fn answer(opened: &Opened, scope: Scope, control: &Control) -> Result<Accuracy, Refusal> {
     let loaded = &opened.loaded;
     let known = &loaded.parameters;
     let limits: Vec<[f64; 2]> = known
@@ -115,8 +142,8 @@ pub fn answer(opened: &Opened, only: &[String], control: &Control) -> Result<Acc
     let parameters = Parameters {
         all: known,
         derivatives: &loaded.source.derivatives(),
-        enclosed: &loaded.source.derivatives_within(&limits),
+        enclosed: &|| loaded.source.derivatives_within(&limits),
         with: &with,
     };
-    accuracy(&loaded.model, &parameters, only, control)
+    accuracy(&loaded.model, &parameters, scope, control)
 }

@@ -1,7 +1,7 @@
 //! Accuracy as a page.
 
 use super::super::open::Opened;
-use linkdyn_engine::analysis::accuracy::{Accuracy, OutputAccuracy, PoseAccuracy};
+use linkdyn_engine::analysis::accuracy::{Accuracy, Levels, OutputAccuracy, PoseAccuracy};
 use linkdyn_model::JointKind;
 use linkdyn_model::display::Shown;
 use linkdyn_picture::Shape;
@@ -26,6 +26,11 @@ pub fn html(opened: &Opened, found: &Accuracy, assumed: String) -> String {
         model: &opened.name,
         about: model.about.as_deref(),
         assumed,
+        level: match found.levels {
+            Levels::First => 0,
+            Levels::Worst => 1,
+            Levels::Certified => 2,
+        },
         length: unit(&model.display.length),
         angle: unit(&model.display.angle),
         drivers: drivers.map(|(name, unit)| (name.clone(), *unit)).collect(),

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use super::super::open::Opened;
 use super::super::page::Page;
 use super::levels::{allowed, both, certified, first_of, found_of, of_limits, signed, value};
-use linkdyn_engine::analysis::accuracy::{Accuracy, OutputAccuracy, PoseAccuracy};
+use linkdyn_engine::analysis::accuracy::{Accuracy, Levels, OutputAccuracy, PoseAccuracy};
 use linkdyn_model::display::DisplayUnits;
 use linkdyn_model::{Distribution, Pins};
 
@@ -105,8 +105,8 @@ fn extent(pose: &PoseAccuracy) -> f64 {
 fn at(display: &DisplayUnits, drivers: &[&str], pose: &PoseAccuracy) -> String {
     let said: Vec<String> = drivers
         .iter()
-        .zip(&pose.drivers)
-        .zip(&pose.driver_units)
+        .zip(&*pose.drivers)
+        .zip(&*pose.driver_units)
         .map(|((name, by), unit)| format!("{name} = {}", value(display, unit, *by)))
         .collect();
     said.join(", ")
@@ -138,8 +138,10 @@ fn of_output(
         page.row("nominal", value(display, unit, worst.nominal));
     }
     page.row("first order", first_of(display, unit, worst));
-    if worst.missing.is_none() {
+    if worst.missing.is_none() && found.levels >= Levels::Worst {
         page.row("worst found", found_of(display, unit, worst));
+    }
+    if worst.missing.is_none() && found.levels >= Levels::Certified {
         page.row("certified", certified(display, output, worst));
     }
     page.rows("allowed by", allowed(display, unit, worst));
@@ -176,11 +178,14 @@ fn of_output(
         );
     }
     if let Some(limits) = output.limits {
-        page.row("limits", of_limits(display, unit, limits, worst));
+        page.row(
+            "limits",
+            of_limits(display, unit, (limits, found.levels), worst),
+        );
     }
     page.rows("without", without(display, drivers, output));
     if output.poses.len() > 1 {
-        page.rows("stroke", stroke(display, unit, drivers, output));
+        page.rows("stroke", stroke(display, drivers, output, found.levels));
     }
     page.rows("contributions", contributions(display, unit, found, worst));
 }
@@ -200,10 +205,11 @@ fn without(display: &DisplayUnits, drivers: &[&str], output: &OutputAccuracy) ->
 /// Some poses along the stroke.
 fn stroke(
     display: &DisplayUnits,
-    unit: &str,
     drivers: &[&str],
     output: &OutputAccuracy,
+    levels: Levels,
 ) -> Vec<String> {
+    let unit = output.unit;
     let last = output.poses.len() - 1;
     let shown = POSES.min(output.poses.len());
     (0..shown)
@@ -218,8 +224,14 @@ fn stroke(
             });
             let said = match &pose.missing {
                 Some(missing) => missing.clone(),
-                None if output.is_force() => found,
-                None => format!("{found}, {certified}"),
+                None => match levels {
+                    Levels::First => pose.first.map_or("no first order".into(), |first| {
+                        format!("{} to first order", both(display, unit, first))
+                    }),
+                    Levels::Worst => found,
+                    Levels::Certified if output.is_force() => found,
+                    Levels::Certified => format!("{found}, {certified}"),
+                },
             };
             format!("{}: {said}", at(display, drivers, pose))
         })

@@ -12,7 +12,9 @@ use super::interrupt;
 use super::open::{ModelOptions, Opened};
 use super::streams::{complain, print};
 use linkdyn_engine::analysis::Control;
-use linkdyn_engine::analysis::accuracy::{Accuracy, Limited, Sum, Unallocated, allocate};
+use linkdyn_engine::analysis::accuracy::{
+    Accuracy, Levels, Limited, Scope, Sum, Unallocated, allocate,
+};
 use linkdyn_model::Parameter;
 use linkdyn_model::error::Complaint;
 use text::{page, quantity, to_json};
@@ -70,6 +72,16 @@ struct Found<'a> {
     rounds: usize,
 }
 
+impl Options {
+    /// The outputs, whatever levels the model asks for.
+    fn scope(&self, levels: Levels) -> Scope<'_> {
+        Scope {
+            outputs: &self.outputs,
+            levels: Some(levels),
+        }
+    }
+}
+
 /// Chooses, checks, tells.
 pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let opened = options.model.open()?;
@@ -77,7 +89,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         interrupted: interrupt::watch(),
         ..Control::default()
     };
-    let first = match answer(&opened, &options.outputs, &control) {
+    let first = match answer(&opened, options.scope(Levels::First), &control) {
         Ok(first) => first,
         Err(refusal) => return refuse(&opened, refusal),
     };
@@ -190,7 +202,7 @@ fn choose<'a>(
             .collect();
         let with = options.model.open_with(&exact(&chosen))?;
         let with = with.map_err(|said| opened.bad_input(said))?;
-        let Ok(accuracy) = answer(&with, &options.outputs, control) else {
+        let Ok(accuracy) = answer(&with, options.scope(Levels::Certified), control) else {
             return Ok(Err(
                 "the mechanism can't be had with these tolerances".into()
             ));
@@ -228,14 +240,14 @@ fn told(opened: &Opened, first: &Accuracy, limited: &[Limited], why: Unallocated
         Unallocated::NoRoom(number) => {
             let output = &first.outputs[limited[number].output];
             let pose = &output.poses[limited[number].pose];
-            let at = pose
-                .drivers
-                .iter()
-                .zip(&pose.driver_units)
-                .map(|(value, unit)| match *unit {
-                    "rad" => display.angle(*value),
-                    _ => display.length(*value),
-                });
+            let at =
+                pose.drivers
+                    .iter()
+                    .zip(&*pose.driver_units)
+                    .map(|(value, unit)| match *unit {
+                        "rad" => display.angle(*value),
+                        _ => display.length(*value),
+                    });
             format!(
                 "the limits of {} leave no room for tolerances where the drivers stand at {}: what has no cost uses them up (widen the limits, or narrow the clearances)",
                 output.name,

@@ -1,5 +1,6 @@
 //! `linkdyn accuracy -o DIR`: its page, and what a browser makes of it.
 
+mod levels;
 mod one_directory;
 mod page;
 

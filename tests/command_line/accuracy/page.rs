@@ -283,6 +283,7 @@ fn a_pose_that_does_not_exist_is_told() {
         model: "empty",
         about: None,
         assumed: String::new(),
+        level: 2,
         length: unit("m"),
         angle: unit("rad"),
         drivers: vec![("motor".into(), "rad")],

@@ -277,9 +277,9 @@ impl<'c> Sampler<'c> {
         let pose = &self.answer.outputs[0].poses[0];
         let newton = Newton::new(&off, &pose.position);
         // Where nothing is certified the equations may be singular at the nominal position.
-        let mut starts = vec![&pose.position];
+        let mut starts = vec![&*pose.position];
         if !self.case.is_certain {
-            starts.extend(pose.displaced.iter().flatten());
+            starts.extend(pose.displaced.iter().flatten().map(Vec::as_slice));
         }
         let found: Vec<_> = starts
             .iter()

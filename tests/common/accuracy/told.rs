@@ -1,7 +1,7 @@
 //! Models told as questions about accuracy: every number of the geometry a parameter, everything that may be off, off.
 
 use linkdyn_engine::analysis::Control;
-use linkdyn_engine::analysis::accuracy::{Accuracy, Parameters, Refusal, accuracy};
+use linkdyn_engine::analysis::accuracy::{Accuracy, Parameters, Refusal, Scope, accuracy};
 use linkdyn_model::error::Complaints;
 use linkdyn_model::{Checked, Loaded, Model};
 use serde_json::{Map, Value, json};
@@ -19,6 +19,11 @@ impl Told {
 
     /// The accuracy of a model with these parameters.
     pub fn ask(&self, model: &Checked) -> Result<Accuracy, Refusal> {
+        self.ask_for(model, Scope::default())
+    }
+
+    /// The same of some outputs or levels.
+    pub fn ask_for(&self, model: &Checked, scope: Scope) -> Result<Accuracy, Refusal> {
         let known = &self.loaded.parameters;
         let limits: Vec<[f64; 2]> = known
             .iter()
@@ -30,14 +35,14 @@ impl Told {
         let parameters = Parameters {
             all: known,
             derivatives: &self.loaded.source.derivatives(),
-            enclosed: &self.loaded.source.derivatives_within(&limits),
+            enclosed: &|| self.loaded.source.derivatives_within(&limits),
             with: &|by| {
                 let named = by.iter().map(|&(k, by)| (known[k].name.as_str(), by));
                 let named: Vec<(&str, f64)> = named.collect();
                 self.loaded.source.with_deviations(&named).ok()
             },
         };
-        accuracy(model, &parameters, &[], &Control::default())
+        accuracy(model, &parameters, scope, &Control::default())
     }
 
     /// The accuracy of the model as it stands.

@@ -22,6 +22,12 @@ pub static ACCURACY: Object = Object {
             Default::Text("worst"),
             "Where pins are within their clearances.",
         ),
+        silent(
+            "levels",
+            Shape::Choice(&LEVELS),
+            Default::Text("certified"),
+            "How much is worked out; each level has those before it, too.",
+        ),
     ],
     refused: &[],
     drives: Drives::Nothing,
@@ -82,6 +88,20 @@ pub static AT: Object = Object {
     refused: &[],
     drives: Drives::Posed,
     either: None,
+};
+
+/// How much is worked out.
+pub static LEVELS: Choice = Choice {
+    name: "Levels",
+    about: "How much is worked out; each level has those before it, too.",
+    words: &[
+        (
+            "first",
+            "First order, contributions, spread and lost motion.",
+        ),
+        ("worst", "And the worst found."),
+        ("certified", "And the certified bound."),
+    ],
 };
 
 /// Where pins are within their clearances.

@@ -22,7 +22,7 @@ use crate::shape::{
     Bound, Choice, Default, Drives, Measure, Object, Shape, Tagged, default, optional, required,
     silent,
 };
-use accuracy::{ACCURACY, AT, OUTPUT, PINS};
+use accuracy::{ACCURACY, AT, LEVELS, OUTPUT, PINS};
 use analysis::{ANALYSIS, ANALYSIS_KIND, OUTPUTS_AT, SAMPLE, SOLVER, TRANSMISSION};
 use body::{INITIAL, POSE};
 use clearance::{CLEARANCE, CLEARANCE_MODEL, IMPACT, IMPACT_SENSE, NORMAL, NORMAL_LAW, SURFACE};
@@ -147,7 +147,7 @@ impl Definition {
 }
 
 /// All that the schema defines by a name, in its order.
-pub static DEFINITIONS: [Definition; 36] = [
+pub static DEFINITIONS: [Definition; 37] = [
     Definition::Format(&FORMATS),
     Definition::Object(&GROUND),
     Definition::Object(&BODY),
@@ -183,5 +183,6 @@ pub static DEFINITIONS: [Definition; 36] = [
     Definition::Object(&OUTPUT),
     Definition::Object(&AT),
     Definition::Choice(&PINS),
+    Definition::Choice(&LEVELS),
     Definition::Object(&RESPONSE),
 ];

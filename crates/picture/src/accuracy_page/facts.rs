@@ -23,11 +23,11 @@ pub fn of_output(page: &AccuracyPage, output: &Output, chosen: &Chosen) -> Value
         "along_driver": is_along_driver(output),
         "certified": output.poses.iter().filter(|pose| pose.certified.is_some()).count(),
         "kept": output.poses.iter().filter(|pose| is_kept(output, pose)).count(),
-        "exceeded": output.poses.iter().filter(|pose| is_exceeded(output, pose)).count(),
+        "exceeded": output.poses.iter().filter(|pose| is_exceeded(page, output, pose)).count(),
         "farthest_at": at(farthest(output)),
         "least_within": least_within(output).and_then(|pose| output.poses[pose].capability),
         "least_within_at": at(least_within(output)),
-        "range": range(output),
+        "range": range(page, output),
     })
 }
 
@@ -65,8 +65,11 @@ fn is_kept(output: &Output, pose: &Pose) -> bool {
 }
 
 /// Whether something exceeds the limits.
-fn is_exceeded(output: &Output, pose: &Pose) -> bool {
-    let [low, high] = pose.found;
+fn is_exceeded(page: &AccuracyPage, output: &Output, pose: &Pose) -> bool {
+    let [low, high] = match page.level {
+        0 => pose.first.map_or([None; 2], |first| first.map(Some)),
+        _ => pose.found,
+    };
     output.limits.is_some_and(|limits| {
         low.is_some_and(|low| low < limits[0]) || high.is_some_and(|high| high > limits[1])
     })
@@ -85,11 +88,17 @@ fn is_along_driver(output: &Output) -> bool {
 }
 
 /// The range of deviations to show where peaks are cut.
-fn range(output: &Output) -> Option<[f64; 2]> {
+fn range(page: &AccuracyPage, output: &Output) -> Option<[f64; 2]> {
     let curve = |value: fn(&Pose) -> Option<f64>| -> Vec<f64> {
         output.poses.iter().filter_map(value).collect()
     };
+    let first = |end: usize| {
+        let poses = output.poses.iter().filter(|_| page.level == 0);
+        poses.filter_map(|pose| Some(pose.first?[end])).collect()
+    };
     let curves = [
+        first(0),
+        first(1),
         curve(|pose| pose.found[0]),
         curve(|pose| pose.found[1]),
         curve(|pose| pose.certified.map(|by| by[0])),

@@ -62,6 +62,7 @@ impl AccuracyPage<'_> {
             "model": self.model,
             "about": self.about,
             "assumed": self.assumed,
+            "level": self.level,
             "units": { "m": unit(&self.length), "rad": unit(&self.angle) },
             "drivers": self.drivers,
             "bodies": self.shape.bodies.len().saturating_sub(1),
@@ -187,6 +188,7 @@ mod tests {
             model: "",
             about: None,
             assumed: String::new(),
+            level: 2,
             length: Unit {
                 symbol: "m".into(),
                 size: 1.0,

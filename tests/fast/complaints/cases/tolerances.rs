@@ -228,7 +228,7 @@ pub const CASES: &[Case] = &[
         edits: &[(
             END,
             r#""outputs": 401 },
-  "accuracy": { "pins": "wurst", "outputs": {
+  "accuracy": { "pins": "wurst", "levels": "frist", "outputs": {
     "a": { "column": "rocker.angle", "at": { "driver": "motor" } },
     "b": { "column": "rocker.angle", "at": { "value": 5 } },
     "c": { "column": "rocker.angle", "at": { "driver": "pusher", "value": "5 deg" } },
@@ -245,6 +245,7 @@ pub const CASES: &[Case] = &[
         sets: &[],
         complaints: &[
             r#"line 33, column 25: accuracy.pins: "wurst": unknown pins (did you mean "worst"?)"#,
+            r#"line 33, column 44: accuracy.levels: "frist": unknown levels (did you mean "first"?)"#,
             r#"line 34, column 44: accuracy.outputs.a.at: "value" is missing (as in "value": "90 deg")"#,
             r#"line 35, column 44: accuracy.outputs.b.at: "driver" is missing, the model has 2 of them (name the driver whose value says the position)"#,
             r#"line 36, column 75: accuracy.outputs.c.at.value: "5 deg": "deg" is not a unit of length (such as "m")"#,

@@ -1,14 +1,18 @@
 //! The answer: by output and pose how far it deviates, and what each source does to it.
 
 use super::displaced::Stand;
+use super::levels::Levels;
 use super::statistics::Capability;
 use super::worst::Farthest;
 use crate::element::{BodyColumns, Measure, Pose};
 use crate::system::{BodyData, DriverData, System};
+use std::sync::Arc;
 
 /// What tolerances and clearances do to the outputs.
 #[derive(Debug, Clone)]
 pub struct Accuracy {
+    /// What was asked for.
+    pub levels: Levels,
     /// What deviates: joints, points, drivers, parameters.
     pub sources: Vec<String>,
     /// By output.
@@ -36,23 +40,23 @@ pub struct PoseAccuracy {
     /// \[s\]
     pub time: f64,
     /// Values of the drivers [rad or m].
-    pub drivers: Vec<f64>,
+    pub drivers: Arc<[f64]>,
     /// `rad` or `m` of each.
-    pub driver_units: Vec<&'static str>,
+    pub driver_units: Arc<[&'static str]>,
     /// The output; NaN of a force that does not exist there.
     pub nominal: f64,
     /// To first order; none where it does not exist.
     pub first: Option<[f64; 2]>,
-    /// Worst found; none where none was.
+    /// Worst found; none where none was, or was asked for.
     pub found: [Option<f64>; 2],
     /// Frames of the moving bodies, x, y \[m\] and angle \[rad\], in the order of the file.
-    pub position: Vec<[f64; 3]>,
+    pub position: Arc<[[f64; 3]]>,
     /// The same where the output is carried farthest, to the lower and the upper side.
     pub displaced: [Option<Vec<[f64; 3]>>; 2],
     /// Deviations to the lower and the upper side, the least first, each with the share of all clearances and tolerances that
     /// it needs; empty where a bound is certified, nothing was found, or the deviation goes with the share.
     pub needed: [Vec<[f64; 2]>; 2],
-    /// A bound that nothing exceeds; none where none can be certified.
+    /// A bound that nothing exceeds; none where none can be certified, or none was asked for.
     pub certified: Option<[f64; 2]>,
     /// Mean and standard deviation.
     pub moments: Option<[f64; 2]>,
@@ -99,7 +103,7 @@ impl PoseAccuracy {
             nominal,
             first: None,
             found: [None; 2],
-            position: frames(system, &stand.q),
+            position: frames(system, &stand.q).into(),
             displaced: [None, None],
             needed: [Vec::new(), Vec::new()],
             certified: None,

@@ -10,8 +10,8 @@
 //!
 //! All but the direction of a guide stand in φ linearly, so that what is off by a finite step is off by ∂φ times the step.
 
-use super::grip::{Grip, driver_block};
-use super::output::{Load, Output};
+use super::grip::{Grip, Hold, driver_block};
+use super::output::{Load, Pulls};
 use crate::element::{BodyId, Kinematics, Marker};
 use crate::system::{Evaluation, JointRole, System};
 use linkdyn_linear::math::{Vec2, perp};
@@ -26,6 +26,8 @@ pub(super) struct PointId(pub usize);
 pub(super) struct Point {
     pub body: BodyId,
     pub grips: Vec<Grip>,
+    /// The grips put together.
+    pub hold: Hold,
     /// Whether the line of centres of a gear goes along with it, which φ does not follow in a straight line.
     pub bears_wheel: bool,
 }
@@ -146,34 +148,12 @@ pub(super) struct Here<'a> {
 }
 
 impl Dimensions {
-    /// ∂y/∂(dimension) of those in `used` under a load on the output; the others are left as they are.
-    pub fn influences(
-        &self,
-        here: Here<'_>,
-        output: &Output,
-        load: &Load,
-        used: &[usize],
-        influences: &mut [f64],
-    ) {
-        for &k in used {
-            influences[k] = self.influence(here, output, load, &self.all[k]);
-        }
-    }
-
-    fn influence(
-        &self,
-        here: Here<'_>,
-        output: &Output,
-        load: &Load,
-        dimension: &Dimension,
-    ) -> f64 {
+    /// ∂y/∂(dimension) under a load on the output; of points see [`Dimensions::of_point`].
+    pub fn influence(&self, here: Here<'_>, load: &Load, k: usize) -> f64 {
         let lambda = &load.lambda;
+        let dimension = &self.all[k];
         match dimension {
-            Dimension::Point(id, axis) => {
-                let pose = &here.at.poses[self.points[id.0].body.0];
-                let along = pose.turn(unit(*axis));
-                along.dot(&self.of_point(here, output, load, *id))
-            }
+            Dimension::Point(..) => 0.0,
             Dimension::Direction { joint, driver } => {
                 let (slide, across) = guide(here, *joint);
                 let own = lambda[here.system.blocks[*joint].row] * slide;
@@ -193,29 +173,27 @@ impl Dimensions {
         }
     }
 
-    /// ∂y/∂P of a point under a load on the output, in global axes: its own, and by what holds on to it.
-    pub fn of_point(&self, here: Here<'_>, output: &Output, load: &Load, id: PointId) -> Vec2 {
-        let own = output.pulls(&here.at, here.shifts).into_iter().flatten();
-        let own = own.filter(|(place, _)| place.point == Some(id));
-        let own: Vec2 = own.map(|(_, pull)| pull).sum();
-        own * load.size - self.points[id.0].pull(here, &load.lambda)
+    /// ∂y/∂P of a point under a load on the output, in global axes: what the output pulls itself (`own`), and by what holds on
+    /// to the point.
+    pub fn of_point(&self, here: Here<'_>, own: &Pulls, load: &Load, id: PointId) -> Vec2 {
+        let jacobian = &here.evaluation.jacobian;
+        let mut pull = -self.points[id.0].hold.pull(jacobian, &load.lambda);
+        for (place, own) in own.iter().flatten() {
+            if place.point == Some(id) {
+                pull += own * load.size;
+            }
+        }
+        pull
     }
 
     /// Adds to `turned` (n) what the Lagrangian y − λᵀφ gains as bodies turn while points are off: λ follows the displaced
     /// points.
-    pub fn turn(
-        &self,
-        here: Here<'_>,
-        output: &Output,
-        load: &Load,
-        offs: &[Off],
-        turned: &mut [f64],
-    ) {
+    pub fn turn(&self, here: Here<'_>, own: &Pulls, load: &Load, offs: &[Off], turned: &mut [f64]) {
         let theta = |body: BodyId| here.system.layout.columns(body).map(|c| c.theta());
         for off in offs {
             let point = &self.points[off.point.0];
             if let (true, Some(column)) = (off.turns, theta(point.body)) {
-                let pull = self.of_point(here, output, load, off.point);
+                let pull = self.of_point(here, own, load, off.point);
                 turned[column] += pull.dot(&perp(off.by));
             }
             for grip in &point.grips {
@@ -224,13 +202,6 @@ impl Dimensions {
                     turned[column] -= perp(pull).dot(&off.by);
                 }
             }
-        }
-    }
-
-    /// Adds to the rows what φ gains where the dimensions in `used` are off by `steps`.
-    pub fn push(&self, here: Here<'_>, used: &[usize], steps: &[f64], rows: &mut [f64]) {
-        for &k in used.iter().filter(|k| steps[**k] != 0.0) {
-            self.push_one(here, k, steps[k], rows);
         }
     }
 
@@ -267,7 +238,7 @@ impl Dimensions {
         }
     }
 
-    /// Adds to the rows by how much [`Dimensions::push`] can change where dimensions are off by `steps` (number, size) and the
+    /// Adds to the rows by how much [`Dimensions::push_one`] can change where dimensions are off by `steps` (number, size) and the
     /// coordinates by `x` (n), and what of a step's square it leaves out.
     pub fn push_change(&self, here: Here<'_>, steps: &[(usize, f64)], x: &[f64], rows: &mut [f64]) {
         let turned = |body: BodyId| {
@@ -312,16 +283,6 @@ impl Dimensions {
                 Dimension::Angle { .. } | Dimension::Mesh { .. } | Dimension::Motion { .. } => {}
             }
         }
-    }
-}
-
-impl Point {
-    /// λᵀ ∂φ/∂P of all that holds on to it.
-    pub fn pull(&self, here: Here<'_>, lambda: &[f64]) -> Vec2 {
-        let pulls = self.grips.iter();
-        pulls
-            .map(|grip| grip.pull(&here.evaluation.jacobian, lambda))
-            .sum()
     }
 }
 

@@ -1,9 +1,10 @@
 //! A mechanism with its sources off by given amounts: the gaps of its rows, and where its output is then.
 
-use super::dimensions::{Dimension, Dimensions, Here, Off, PointId, unit};
+use super::dimensions::{Dimension, Dimensions, Here, Off, PointId};
 use super::enclosure::Extents;
 use super::output::{Load, Output};
 use super::source::{Influence, Play};
+use super::turn::Turn;
 use crate::mechanism::driven::Driven;
 use crate::system::Inputs;
 use linkdyn_linear::math::Vec2;
@@ -37,16 +38,25 @@ pub(super) struct Mechanism<'m> {
     /// Whether nothing is off farther than that.
     pub is_bounded: bool,
     /// Whether steps of dimensions are sums of what each parameter does.
-    is_straight: bool,
-    /// Dimensions that parameters step.
-    used: Vec<usize>,
-    /// ∂y/∂(dimension), and the e that carry farthest, as last asked for.
+    pub is_straight: bool,
+    /// Points that parameters step, each with the number of its first dimension.
+    stepped_points: Vec<(PointId, usize)>,
+    /// Other dimensions that parameters step.
+    stepped_others: Vec<usize>,
+    /// Plays by what they are: parameters, zones with their points, and those that make gaps.
+    parameters: Vec<usize>,
+    zones: Vec<(usize, PointId)>,
+    gapped: Vec<usize>,
+    /// ∂y/∂(dimension), and ∂y/∂P of the points, as last asked for.
     of_dimensions: Vec<f64>,
-    extremes: Vec<Influence>,
+    of_points: Vec<Vec2>,
+    /// The e that were taken last.
+    pub extremes: Vec<Influence>,
     /// What corners gave, by the bits of the deviations.
     known: HashMap<Vec<u64>, Option<Vec<f64>>>,
-    /// The deviations whose steps are in `steps`.
+    /// The deviations whose steps are in `steps`, and those asked for.
     stepped: Vec<f64>,
+    asked: Vec<f64>,
     /// Gaps of the rows (m).
     pub rows: Vec<f64>,
     /// Steps of the dimensions.
@@ -55,6 +65,20 @@ pub(super) struct Mechanism<'m> {
     offs: Vec<Off>,
     /// Shifts of the points in the frames of their bodies \[m\].
     pub shifts: Vec<Vec2>,
+    /// Sources that give way to their influence (plays).
+    pub turns: Vec<Turn>,
+    /// Space for corrections.
+    pub space: Space,
+}
+
+/// Space for corrections of positions (n), and of multipliers (m).
+pub(super) struct Space {
+    pub step: Vec<f64>,
+    pub pull: Vec<f64>,
+    pub right: Vec<f64>,
+    pub correction: Vec<f64>,
+    /// g of the plays.
+    pub influences: Vec<Influence>,
 }
 
 impl<'m> Mechanism<'m> {
@@ -76,18 +100,59 @@ impl<'m> Mechanism<'m> {
         let mut used: Vec<usize> = steps.map(|&(k, _)| k).collect();
         used.sort_unstable();
         used.dedup();
+        let mut stepped_points = Vec::new();
+        let mut stepped_others = Vec::new();
+        for &k in &used {
+            match dimensions.all[k] {
+                Dimension::Point(point, axis) => stepped_points.push((point, k - axis)),
+                Dimension::Direction { .. }
+                | Dimension::Angle { .. }
+                | Dimension::Mesh { .. }
+                | Dimension::Ratio { .. }
+                | Dimension::Motion { .. } => stepped_others.push(k),
+            }
+        }
+        // The dimensions of a point stand beside each other.
+        stepped_points.dedup();
+        let (mut parameters, mut zones, mut gapped) = (Vec::new(), Vec::new(), Vec::new());
+        for (index, play) in plays.iter().enumerate() {
+            match play {
+                Play::Parameter { .. } => parameters.push(index),
+                Play::Zone { point, .. } => zones.push((index, *point)),
+                Play::Pin { .. }
+                | Play::Sides { .. }
+                | Play::Guided { .. }
+                | Play::Driver { .. } => gapped.push(index),
+            }
+        }
+        let (n, m) = (driven.system.n(), driven.system.m());
+        let space = Space {
+            step: vec![0.0; n],
+            pull: vec![0.0; n],
+            right: vec![0.0; m],
+            correction: vec![0.0; m],
+            influences: vec![[0.0; 2]; plays.len()],
+        };
         let unknown = vec![0.0; dimensions.all.len()];
         let extents = Extents::new(plays, dimensions, slack.unwrap_or(&unknown));
         Mechanism {
             is_straight: slack.is_some() && extents.is_straight(),
             is_bounded: slack.is_some(),
             extents,
-            used,
+            stepped_points,
+            stepped_others,
+            parameters,
+            zones,
+            gapped,
             offs: Vec::new(),
             of_dimensions: vec![0.0; dimensions.all.len()],
+            of_points: vec![Vec2::zeros(); dimensions.points.len()],
             extremes: vec![[0.0; 2]; plays.len()],
             stepped: Vec::new(),
-            rows: vec![0.0; driven.system.m()],
+            asked: Vec::new(),
+            rows: vec![0.0; m],
+            turns: vec![Turn::default(); plays.len()],
+            space,
             steps: vec![0.0; dimensions.all.len()],
             shifts: vec![Vec2::zeros(); dimensions.points.len()],
             driven,
@@ -136,126 +201,145 @@ impl<'m> Mechanism<'m> {
         influences: &mut [Influence],
     ) {
         let mut of_dimensions = std::mem::take(&mut self.of_dimensions);
+        let mut of_points = std::mem::take(&mut self.of_points);
         let here = self.here(stand);
-        self.dimensions
-            .influences(here, output, load, &self.used, &mut of_dimensions);
+        let own = output.pulls(&here.at, here.shifts);
+        for &(point, k) in &self.stepped_points {
+            let pull = self.dimensions.of_point(here, &own, load, point);
+            let pose = &here.at.poses[self.dimensions.points[point.0].body.0];
+            of_dimensions[k] = pose.cos * pull.x + pose.sin * pull.y;
+            of_dimensions[k + 1] = pose.cos * pull.y - pose.sin * pull.x;
+        }
+        for &(_, point) in &self.zones {
+            of_points[point.0] = self.dimensions.of_point(here, &own, load, point);
+        }
+        for &k in &self.stepped_others {
+            of_dimensions[k] = self.dimensions.influence(here, load, k);
+        }
         for (g, play) in influences.iter_mut().zip(self.plays) {
-            *g = play.influence(here, output, self.dimensions, load, &of_dimensions);
+            *g = play.influence(&load.lambda, &of_dimensions, &of_points);
         }
         self.of_dimensions = of_dimensions;
+        self.of_points = of_points;
     }
 
     /// Sets gaps, steps and shifts for the deviations that carry the output farthest to a side. Whether the model can be had
     /// with them.
     pub fn deviate(&mut self, stand: &Stand, influences: &[Influence], side: f64) -> bool {
-        let mut extremes = std::mem::take(&mut self.extremes);
-        for ((extreme, play), g) in extremes.iter_mut().zip(self.plays).zip(influences) {
+        let extremes = self.extremes.iter_mut().zip(self.plays).zip(influences);
+        for ((extreme, play), g) in extremes {
             *extreme = play.extreme(*g, side);
         }
-        let is_had = self.set(stand, &extremes);
-        self.extremes = extremes;
-        is_had
+        self.step_parameters() && {
+            self.place(stand);
+            self.gap(stand);
+            true
+        }
     }
 
-    /// Sets gaps, steps and shifts for deviations of the plays. Whether the model can be had with them.
-    fn set(&mut self, stand: &Stand, extremes: &[Influence]) -> bool {
-        self.rows.fill(0.0);
-        self.shifts.fill(Vec2::zeros());
-        if !self.step_parameters(extremes) {
-            return false;
-        }
-        let mut rows = std::mem::take(&mut self.rows);
+    /// Puts the points where steps and zones put them, at the position last taken.
+    pub fn place(&mut self, stand: &Stand) {
         let mut shifts = std::mem::take(&mut self.shifts);
         let mut offs = std::mem::take(&mut self.offs);
         offs.clear();
-        let here = self.here(stand);
-        self.dimensions
-            .push(here, &self.used, &self.steps, &mut rows);
-        for &k in &self.used {
-            if let Dimension::Point(PointId(point), axis) = &self.dimensions.all[k] {
-                shifts[*point][*axis] += self.steps[k];
-                if self.steps[k] != 0.0 {
-                    let pose = &here.at.poses[self.dimensions.points[*point].body.0];
-                    offs.push(Off {
-                        point: PointId(*point),
-                        by: pose.turn(unit(*axis)) * self.steps[k],
-                        turns: true,
-                    });
-                }
+        for &(_, point) in &self.zones {
+            shifts[point.0] = Vec2::zeros();
+        }
+        let poses = self.driven.evaluation.kinematics(&stand.inputs).poses;
+        let pose = |PointId(point): PointId| &poses[self.dimensions.points[point].body.0];
+        for &(point, k) in &self.stepped_points {
+            let shift = Vec2::new(self.steps[k], self.steps[k + 1]);
+            shifts[point.0] = shift;
+            if shift.x != 0.0 || shift.y != 0.0 {
+                offs.push(Off {
+                    point,
+                    by: pose(point).turn(shift),
+                    turns: true,
+                });
             }
         }
-        for (play, e) in self.plays.iter().zip(extremes) {
-            match play {
+        for &(index, point) in &self.zones {
+            let e = self.extremes[index];
+            let by = Vec2::new(e[0], e[1]);
+            offs.push(Off {
+                point,
+                by,
+                turns: false,
+            });
+            let pose = pose(point);
+            shifts[point.0] += Vec2::new(
+                pose.cos * by.x + pose.sin * by.y,
+                pose.cos * by.y - pose.sin * by.x,
+            );
+        }
+        self.shifts = shifts;
+        self.offs = offs;
+    }
+
+    /// Sets the gaps of the rows, at the position last taken, for points where they were put, steps and e.
+    pub fn gap(&mut self, stand: &Stand) {
+        let mut rows = std::mem::take(&mut self.rows);
+        rows.fill(0.0);
+        let here = self.here(stand);
+        for off in &self.offs {
+            let hold = &self.dimensions.points[off.point.0].hold;
+            hold.push(&here.evaluation.jacobian, off.by, &mut rows);
+        }
+        for &k in &self.stepped_others {
+            if self.steps[k] != 0.0 {
+                self.dimensions.push_one(here, k, self.steps[k], &mut rows);
+            }
+        }
+        for &index in &self.gapped {
+            let e = &self.extremes[index];
+            match &self.plays[index] {
                 Play::Pin { row, .. } | Play::Guided { row, .. } => {
                     rows[*row] += e[0];
                     rows[row + 1] += e[1];
                 }
                 Play::Sides { row, .. } | Play::Driver { row, .. } => rows[*row] += e[0],
-                Play::Zone { point, .. } => {
-                    let point_data = &self.dimensions.points[point.0];
-                    let off = Vec2::new(e[0], e[1]);
-                    offs.push(Off {
-                        point: *point,
-                        by: off,
-                        turns: false,
-                    });
-                    for grip in &point_data.grips {
-                        grip.push(&here.evaluation.jacobian, off, &mut rows);
-                    }
-                    let pose = &here.at.poses[point_data.body.0];
-                    shifts[point.0] += Vec2::new(
-                        pose.cos * off.x + pose.sin * off.y,
-                        pose.cos * off.y - pose.sin * off.x,
-                    );
-                }
-                Play::Parameter { .. } => {}
+                Play::Zone { .. } | Play::Parameter { .. } => {}
             }
         }
         self.rows = rows;
-        self.shifts = shifts;
-        self.offs = offs;
+    }
+
+    /// Sets the steps of the dimensions for the parameters' deviations. Whether the model can be had with them.
+    pub fn step_parameters(&mut self) -> bool {
+        let each = self.parameters.iter().map(|&index| self.extremes[index][0]);
+        if each.clone().eq(self.stepped.iter().copied()) {
+            return true;
+        }
+        self.asked.clear();
+        self.asked.extend(each);
+        if self.is_straight {
+            self.step_straight();
+        } else {
+            let key = self.asked.iter().map(|d| d.to_bits()).collect();
+            let corners = self.corners;
+            let steps = self
+                .known
+                .entry(key)
+                .or_insert_with(|| corners(&self.asked));
+            let Some(steps) = steps else {
+                return false;
+            };
+            self.steps.copy_from_slice(steps);
+        }
+        std::mem::swap(&mut self.asked, &mut self.stepped);
         true
     }
 
     /// Sets the steps of the dimensions to the sums of what the parameters do.
-    fn step_straight(&mut self, extremes: &[Influence]) {
+    fn step_straight(&mut self) {
         self.steps.fill(0.0);
-        for (play, e) in self.plays.iter().zip(extremes) {
-            if let Play::Parameter { steps, .. } = play {
+        for &index in &self.parameters {
+            let e = self.extremes[index][0];
+            if let Play::Parameter { steps, .. } = &self.plays[index] {
                 for &(k, by) in steps {
-                    self.steps[k] += by * e[0];
+                    self.steps[k] += by * e;
                 }
             }
-        }
-    }
-
-    /// Sets the steps of the dimensions for the parameters' deviations.
-    fn step_parameters(&mut self, extremes: &[Influence]) -> bool {
-        let asked = self.plays.iter().zip(extremes);
-        let asked = asked.filter(|(play, _)| matches!(play, Play::Parameter { .. }));
-        let asked = asked.map(|(_, e)| e[0]);
-        if asked.clone().eq(self.stepped.iter().copied()) {
-            return true;
-        }
-        let deviations: Vec<f64> = asked.collect();
-        if self.is_straight {
-            self.step_straight(extremes);
-            self.stepped = deviations;
-            return true;
-        }
-        let key = deviations.iter().map(|d| d.to_bits()).collect();
-        let corners = self.corners;
-        let steps = self
-            .known
-            .entry(key)
-            .or_insert_with(|| corners(&deviations));
-        match steps {
-            Some(steps) => {
-                self.steps.copy_from_slice(steps);
-                self.stepped = deviations;
-                true
-            }
-            None => false,
         }
     }
 
@@ -265,22 +349,27 @@ impl<'m> Mechanism<'m> {
         output.value(&at, &|PointId(point)| self.shifts[point] * part)
     }
 
-    /// ∂y − Jᵀ λ (n) at the position last taken, with the points where the steps of the parameters put them.
-    pub fn unbalanced(&self, stand: &Stand, output: &Output, load: &Load, out: &mut [f64]) {
+    /// Sets `space.pull` to ∂y − Jᵀ λ (n) at the position last taken, with the points where the steps of the parameters put
+    /// them.
+    pub fn unbalance(&mut self, stand: &Stand, output: &Output, load: &Load) {
+        let mut out = std::mem::take(&mut self.space.pull);
         let here = self.here(stand);
         let system = self.driven.system;
-        output.gradient(&here.at, here.shifts, &system.layout, out);
+        let own = output.pulls(&here.at, here.shifts);
+        output.gradient(&here.at, &own, &system.layout, &mut out);
         for (entry, value) in system.entries.iter().zip(&here.evaluation.jacobian) {
             if let Some(column) = entry.column {
                 out[column as usize] -= value * load.lambda[entry.row as usize];
             }
         }
-        self.dimensions.turn(here, output, load, &self.offs, out);
+        self.dimensions.turn(here, &own, load, &self.offs, &mut out);
+        self.space.pull = out;
     }
 
     /// ∂y/∂q (n) at the position last taken.
     pub fn gradient(&self, stand: &Stand, output: &Output, gradient: &mut [f64]) {
         let at = self.driven.evaluation.kinematics(&stand.inputs);
-        output.gradient(&at, &self.shifts, &self.driven.system.layout, gradient);
+        let own = output.pulls(&at, &self.shifts);
+        output.gradient(&at, &own, &self.driven.system.layout, gradient);
     }
 }

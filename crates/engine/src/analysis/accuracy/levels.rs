@@ -1,15 +1,27 @@
-//! All levels of accuracy at one pose.
+//! The levels of accuracy at one pose.
 
 use super::displaced::{Mechanism, Stand};
 use super::enclosure::Region;
 use super::output::Load;
 use super::source::{Influence, Play};
 use super::statistics::{capability, moments};
-use super::worst::Farthest;
+use super::worst::{Farthest, Start};
 use super::{Contribution, Pins, PoseAccuracy, Question};
 use crate::analysis::clearance_link::forces;
 use crate::analysis::sample::Sample;
 use crate::system::System;
+
+/// How much is asked; each level has those before it, too.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
+pub enum Levels {
+    /// First order, contributions, spread and lost motion.
+    First,
+    /// And the worst found.
+    Worst,
+    /// And the certified bound.
+    #[default]
+    Certified,
+}
 
 /// A question on its way through the poses.
 pub(super) struct Asked<'a> {
@@ -17,8 +29,8 @@ pub(super) struct Asked<'a> {
     question: &'a Question<'a>,
     mechanism: Mechanism<'a>,
     sample: Sample,
-    /// Of the sources, as last asked for.
-    influences: Vec<Influence>,
+    /// Of the sources by output, as last asked for.
+    influences: Vec<Vec<Influence>>,
 }
 
 impl<'a> Asked<'a> {
@@ -28,7 +40,7 @@ impl<'a> Asked<'a> {
         mechanism: Mechanism<'a>,
     ) -> Asked<'a> {
         Asked {
-            influences: vec![[0.0; 2]; mechanism.plays.len()],
+            influences: vec![vec![[0.0; 2]; mechanism.plays.len()]; question.outputs.len()],
             sample: Sample::new(system),
             system,
             question,
@@ -36,21 +48,16 @@ impl<'a> Asked<'a> {
         }
     }
 
-    /// All levels at one pose of the outputs with these numbers.
+    /// The levels that are asked for, at one pose of the outputs with these numbers.
     pub fn poses(&mut self, outputs: &[usize], stand: &Stand) -> Vec<PoseAccuracy> {
         let is_regular = self.mechanism.stand(stand) && stand.self_stress.is_none();
-        let mut poses: Vec<PoseAccuracy> = outputs
-            .iter()
-            .map(|&index| {
-                let output = &self.question.outputs[index].output;
-                let nominal = self.mechanism.value(stand, output, 0.0);
-                PoseAccuracy::at(self.system, stand, nominal)
-            })
-            .collect();
+        let blank = PoseAccuracy::at(self.system, stand, f64::NAN);
+        let mut poses = vec![blank; outputs.len()];
         // All that needs the nominal position comes first, for the farthest leaves it.
         let mut loads = Vec::with_capacity(outputs.len());
         for (&index, pose) in outputs.iter().zip(&mut poses) {
             let output = &self.question.outputs[index].output;
+            pose.nominal = self.mechanism.value(stand, output, 0.0);
             let load = is_regular.then(|| self.mechanism.load(stand, output));
             let load = load.flatten();
             if let Some(load) = &load {
@@ -58,23 +65,53 @@ impl<'a> Asked<'a> {
             }
             loads.push(load);
         }
-        let mut region = None;
-        if loads.iter().any(Option::is_some) {
-            region = self.mechanism.region(stand);
-            for ((&index, pose), load) in outputs.iter().zip(&mut poses).zip(&loads) {
-                pose.certified = self.certified(index, stand, load.as_ref(), &region, pose.first);
-            }
+        let has_loads = loads.iter().any(Option::is_some);
+        let starts = if self.question.levels > Levels::First && has_loads {
+            self.bounds(stand, outputs, &loads, &mut poses)
+        } else {
+            Vec::new()
+        };
+        if has_loads {
             self.press(stand, outputs, &loads, &mut poses);
         }
+        if self.question.levels == Levels::First {
+            return poses;
+        }
+        let mut starts = starts.into_iter();
         for ((&index, pose), load) in outputs.iter().zip(&mut poses).zip(&loads) {
-            // Where the mechanism may leave the position, only what is reached step by step belongs to it.
-            let stays =
-                region.is_some() && (pose.certified.is_some() || !self.mechanism.is_bounded);
-            let found =
-                [-1.0, 1.0].map(|side| self.found(index, stand, load.as_ref(), side, stays));
+            let starts = starts.next().unwrap_or_default();
+            let mut sides = [-1.0, 1.0].into_iter().zip(starts);
+            let found = [(); 2].map(|()| self.found(index, stand, load.as_ref(), sides.next()?));
             pose.take(self.system, found);
         }
         poses
+    }
+
+    /// The certified bounds, and the first corrections towards the worst where the mechanism stays about the position.
+    fn bounds(
+        &mut self,
+        stand: &Stand,
+        outputs: &[usize],
+        loads: &[Option<Load>],
+        poses: &mut [PoseAccuracy],
+    ) -> Vec<[Option<Start>; 2]> {
+        let region = self.mechanism.region(stand);
+        let mut stays = Vec::with_capacity(outputs.len());
+        for ((&index, pose), load) in outputs.iter().zip(&mut *poses).zip(loads) {
+            let bound = self.certified(index, stand, load.as_ref(), &region, pose.first);
+            // Where the mechanism may leave the position, only what is reached step by step belongs to it.
+            stays.push(region.is_some() && (bound.is_some() || !self.mechanism.is_bounded));
+            pose.certified = bound.filter(|_| self.question.levels == Levels::Certified);
+        }
+        let each = outputs.iter().zip(loads).zip(stays);
+        let starts = each.map(|((&index, load), stays)| {
+            let output = &self.question.outputs[index].output;
+            let load = load.as_ref().filter(|_| stays);
+            let influences = &self.influences[index];
+            let mechanism = &mut self.mechanism;
+            [-1.0, 1.0].map(|side| mechanism.start(stand, output, load?, influences, side))
+        });
+        starts.collect()
     }
 
     fn certified(
@@ -95,16 +132,15 @@ impl<'a> Asked<'a> {
         index: usize,
         stand: &Stand,
         load: Option<&Load>,
-        side: f64,
-        stays: bool,
+        (side, start): (f64, Option<Start>),
     ) -> Option<Farthest> {
         let output = &self.question.outputs[index].output;
         let mechanism = &mut self.mechanism;
         match load {
             Some(load) => {
-                let near = stays.then(|| mechanism.farthest(stand, output, load, side));
-                near.flatten()
-                    .or_else(|| mechanism.reach(stand, output, load.times(side), side))
+                let near =
+                    start.and_then(|start| mechanism.farthest(stand, output, load, (side, start)));
+                near.or_else(|| mechanism.reach(stand, output, load.times(side), side))
             }
             None => {
                 // The self-stress is the load that the equations balance without any on the output.
@@ -119,7 +155,7 @@ impl<'a> Asked<'a> {
     fn first_order(&mut self, index: usize, stand: &Stand, load: &Load, pose: &mut PoseAccuracy) {
         let pins = self.question.pins;
         let wanted = &self.question.outputs[index];
-        let influences = &mut self.influences;
+        let influences = &mut self.influences[index];
         self.mechanism
             .influences(stand, &wanted.output, load, influences);
         let (mut first, mut mean, mut variance) = ([0.0; 2], 0.0, 0.0);

@@ -33,14 +33,16 @@ mod reach;
 mod rooms;
 mod source;
 mod statistics;
+mod turn;
 mod words;
 mod worst;
 
 pub use allocate::{Room, Sum, Unallocated, allocate};
 pub use answer::{Accuracy, Contribution, OutputAccuracy, PoseAccuracy};
+pub use levels::Levels;
 pub use rooms::Limited;
 pub use statistics::{Capability, Pins, Scatter};
-pub use words::{Deviating, Parameters, Refusal, accuracy};
+pub use words::{Deviating, Parameters, Refusal, Scope, accuracy};
 
 use super::control::Control;
 use super::instants::OutputInstant;
@@ -59,6 +61,7 @@ struct Question<'q> {
     pub sources: Vec<Named>,
     pub dimensions: &'q Dimensions,
     pub pins: Pins,
+    pub levels: Levels,
     pub instants: Vec<OutputInstant>,
     /// Bounds of what the steps of parameters leave out (dimensions); none where they are not known.
     pub slack: Option<Vec<f64>>,
@@ -145,6 +148,7 @@ fn run(system: &System, question: &Question, control: &Control) -> Result<Accura
     }
     let named = question.sources.iter();
     Ok(Accuracy {
+        levels: question.levels,
         sources: named.map(|named| named.name.clone()).collect(),
         outputs,
     })

@@ -34,6 +34,9 @@ pub(super) struct Load {
     pub size: f64,
 }
 
+/// Points that an output is about, each with ∂y/∂(place of the point), in global axes.
+pub(super) type Pulls = [Option<(Place, Vec2)>; 2];
+
 /// A number that a position has.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Output {
@@ -61,7 +64,7 @@ impl Output {
     }
 
     /// The points that it is about, each with ∂y/∂(place of the point), in global axes; points off by `shifts` (body frames).
-    pub fn pulls(&self, at: &Kinematics, shifts: &[Vec2]) -> [Option<(Place, Vec2)>; 2] {
+    pub fn pulls(&self, at: &Kinematics, shifts: &[Vec2]) -> Pulls {
         match *self {
             Output::Angle(_) => [None, None],
             Output::Coordinate(place, along) => [Some((place, along)), None],
@@ -75,14 +78,8 @@ impl Output {
         }
     }
 
-    /// ∂y/∂q (n), points off by `shifts` (body frames) that keep their direction.
-    pub fn gradient(
-        &self,
-        at: &Kinematics,
-        shifts: &[Vec2],
-        layout: &Layout,
-        gradient: &mut [f64],
-    ) {
+    /// ∂y/∂q (n), with what [`Output::pulls`] says; points that are off keep their direction.
+    pub fn gradient(&self, at: &Kinematics, pulls: &Pulls, layout: &Layout, gradient: &mut [f64]) {
         gradient.fill(0.0);
         if let Output::Angle(body) = self {
             if let Some(columns) = layout.columns(*body) {
@@ -90,7 +87,7 @@ impl Output {
             }
             return;
         }
-        for (place, pull) in self.pulls(at, shifts).into_iter().flatten() {
+        for (place, pull) in pulls.iter().flatten() {
             if let Some(columns) = layout.columns(place.marker.body) {
                 gradient[columns.x()] += pull.x;
                 gradient[columns.y()] += pull.y;

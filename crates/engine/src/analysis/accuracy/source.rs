@@ -12,9 +12,9 @@
 //! parameter, from l to u                l ≤ p ≤ u                        max(l g, u g)
 //! ```
 
-use super::dimensions::{Dimensions, Here, PointId};
-use super::output::{Load, Output};
+use super::dimensions::PointId;
 use super::statistics::Scatter;
+use linkdyn_linear::math::Vec2;
 
 /// What makes a deviation.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,21 +59,13 @@ impl Play {
         }
     }
 
-    /// g, from the multipliers of a load on the output and what it says of the dimensions.
-    pub fn influence(
-        &self,
-        here: Here<'_>,
-        output: &Output,
-        dimensions: &Dimensions,
-        load: &Load,
-        of_dimensions: &[f64],
-    ) -> Influence {
-        let lambda = &load.lambda;
+    /// g, from the multipliers of a load on the output and what it says of the dimensions and of the points.
+    pub fn influence(&self, lambda: &[f64], of_dimensions: &[f64], pulls: &[Vec2]) -> Influence {
         match self {
             Play::Pin { row, .. } | Play::Guided { row, .. } => [-lambda[*row], -lambda[row + 1]],
             Play::Sides { row, .. } | Play::Driver { row, .. } => [-lambda[*row], 0.0],
             Play::Zone { point, .. } => {
-                let g = dimensions.of_point(here, output, load, *point);
+                let g = pulls[point.0];
                 [g.x, g.y]
             }
             Play::Parameter { steps, .. } => {
@@ -98,6 +90,16 @@ impl Play {
                 let (a, b) = (lower * g[0], upper * g[0]);
                 [a.min(b), a.max(b)]
             }
+        }
+    }
+
+    /// Both ends of a source that goes to either side of one number.
+    pub fn ends(&self) -> Option<[f64; 2]> {
+        match self {
+            Play::Sides { half, .. } => Some([-half[1], half[1]]),
+            Play::Driver { half, .. } => Some([-half, *half]),
+            Play::Parameter { lower, upper, .. } => Some([*lower, *upper]),
+            Play::Pin { .. } | Play::Zone { .. } | Play::Guided { .. } => None,
         }
     }
 

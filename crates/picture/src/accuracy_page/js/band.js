@@ -31,13 +31,13 @@
     const add = (value) => { if (Number.isFinite(value)) [low, high] = [Math.min(low, value), Math.max(high, value)]; };
     for (let row = 0; !range && row < output.rows; row++) {
       if (x.values[row] < from || x.values[row] > to) continue;
-      for (const name of ["found_low", "found_high", "certified_low", "certified_high"]) add(band[name][row]);
+      for (const name of ["reach_low", "reach_high", "certified_low", "certified_high"]) add(band[name][row]);
       // Beside a change point the spread to first order grows without bound, and would hide the rest.
       for (const sign of closer ? [] : [-3, 3]) add(band.mean[row] + sign * band.sigma[row]);
     }
     if (choice.isMoved) for (const detail of output.details) {
       const { row } = detail, by = choice.shift(detail), at = x.values[row];
-      if (at >= from && at <= to) for (const value of [by, by + band.found_low[row], by + band.found_high[row]]) if (!range || Math.abs(value) < FAR * (range[1] - range[0])) add(value);
+      if (at >= from && at <= to) for (const value of [by, by + band.reach_low[row], by + band.reach_high[row]]) if (!range || Math.abs(value) < FAR * (range[1] - range[0])) add(value);
     }
     const tall = high - low;
     for (const limit of limits || []) if (limit - high < FAR * tall && low - limit < FAR * tall) add(limit);
@@ -55,9 +55,9 @@
   };
   const legend = (output) => {
     const part = (kind, ink, text) => element("span", {}, swatch(kind, ink), element("span", { text }));
-    const open = output.certified < output.poses;
+    const open = linkdyn.level === 2 && output.certified < output.poses;
     id("legend").replaceChildren(
-      ...(output.certified ? [part("area", tone(TONES.certified), "certified")] : []), part("line", tone(TONES.found), "worst found"), part("dash", tone(TONES.sigma), "±3σ"),
+      ...(output.certified ? [part("area", tone(TONES.certified), "certified")] : []), part("line", tone(TONES.found), linkdyn.reach), part("dash", tone(TONES.sigma), "±3σ"),
       ...(output.limits ? [part("line", drawing.colour("bad"), "limits")] : []),
       ...(open ? [part("hatch", drawing.colour("warn"), "nothing certified")] : []),
       ...(choice.isMoved ? [part("line", tone(TONES.moved), "what if, and the worst along with it")] : []));
@@ -69,7 +69,7 @@
     if (!choice.isMoved) return lines;
     for (const detail of output.details) {
       const by = choice.shift(detail), { row } = detail;
-      [by, by + output.band.found_low[row], by + output.band.found_high[row]].forEach((value, k) => { lines[k][row] = Number.isFinite(value) ? value / size : null; });
+      [by, by + output.band.reach_low[row], by + output.band.reach_high[row]].forEach((value, k) => { lines[k][row] = Number.isFinite(value) ? value / size : null; });
     }
     return lines;
   };
@@ -77,7 +77,7 @@
   const data = (output, size) => {
     const { band, x } = output, xs = file.of(x.unit).size;
     const sigma = (sign) => Array.from(band.sigma, (value, row) => Number.isFinite(value) ? (band.mean[row] + sign * 3 * value) / size : null);
-    const list = [curve(output, x.values, xs), curve(output, band.found_low, size), curve(output, band.found_high, size), sigma(-1), sigma(1), ...moved(output, size)];
+    const list = [curve(output, x.values, xs), curve(output, band.reach_low, size), curve(output, band.reach_high, size), sigma(-1), sigma(1), ...moved(output, size)];
     // The plot wants its axis ascending.
     return turned(output) ? list.map((values) => values.reverse()) : list;
   };
@@ -102,7 +102,7 @@
     const atX = { ...output, x: { ...output.x, values: xs } };
     const spread = (sign) => output.band.mean.map((mean, row) => mean + sign * 3 * output.band.sigma[row]);
     const told = [
-      { name: "worst found", ink: found, values: [output.band.found_low, output.band.found_high] },
+      { name: linkdyn.reach, ink: found, values: [output.band.reach_low, output.band.reach_high] },
       { name: "certified", ink: tone(TONES.certified), values: [output.band.certified_low, output.band.certified_high] },
       { name: "±3σ", ink: sigma, values: [spread(-1), spread(1)] },
     ];
@@ -114,7 +114,7 @@
         series(moving, { width: 2.2, spanGaps: true }), series(moving, { dash: [3, 3], spanGaps: true }), series(moving, { dash: [3, 3], spanGaps: true })],
       cursor: { x: false, y: false, points: { show: false }, drag: { x: false, y: false, setScale: false } },
       hooks: {
-        drawClear: [(u) => marks.certified(u, atX, size, tone(TONES.certified))],
+        drawClear: [(u) => { if (linkdyn.level === 2) marks.certified(u, atX, size, tone(TONES.certified)); }],
         draw: [(u) => { marks.limits(u, output, size); peaks = marks.peaks(u, atX, x.symbol, size, told); mark(); }],
       },
     }, data(output, size), holder);
@@ -141,7 +141,7 @@
     id("pose").value = choice.number;
     id("pose_at").textContent = plain(choice.where());
     id("pose").setAttribute("aria-valuetext", plain(choice.where()));
-    const open = output.poses - output.certified;
+    const open = linkdyn.level === 2 ? output.poses - output.certified : 0;
     const cut = peaks.length ? " Peaks are cut off; triangles tell their values." : "";
     id("band_note").textContent = (open ? `Nothing is certified at ${open} of ${output.poses} poses: no bound could be proved there, as beside a change point or a dead centre.` : "") + cut;
   };

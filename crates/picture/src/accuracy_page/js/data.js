@@ -5,6 +5,8 @@
   const { sources, drivers, bodies } = given;
   const COLUMNS = ["time", ...drivers.map((_, k) => k), "nominal", "first_low", "first_high", "found_low", "found_high",
     "certified_low", "certified_high", "mean", "sigma", "pressed", "within", "cp", "cpk"];
+  // What the output may reach: the worst found, or the first order where no more was asked for.
+  const reach = given.level ? { name: "worst found", column: "found" } : { name: "first order", column: "first" };
   let next = 0;
   const take = (count) => floats.subarray(next, next += count);
 
@@ -13,6 +15,7 @@
   const outputs = given.outputs.map((output) => {
     const band = {};
     for (const name of COLUMNS) band[name] = take(output.rows);
+    for (const end of ["low", "high"]) band[`reach_${end}`] = band[`${reach.column}_${end}`];
     const details = output.details.map((row, k) => {
       const by = take(4 * sources.length);
       const [position, low, high] = [take(3 * bodies), take(3 * bodies), take(3 * bodies)];
@@ -34,5 +37,5 @@
   given.mechanism.bodies.slice(1).forEach(({ name }, body) => ["x", "y", "angle"].forEach((quantity, k) =>
     names.set(`${name}.${quantity}`, { values: Float64Array.from(frames, (frame) => frame[3 * body + k]) })));
 
-  Object.assign(linkdyn, { outputs, sources, drivers, mechanism: given.mechanism, palette: given.palette, rows: frames.length, column: (name) => names.get(name) });
+  Object.assign(linkdyn, { outputs, level: given.level, reach: reach.name, sources, drivers, mechanism: given.mechanism, palette: given.palette, rows: frames.length, column: (name) => names.get(name) });
 })();

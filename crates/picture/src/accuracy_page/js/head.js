@@ -9,9 +9,11 @@
   id("assumed").textContent = plain(given.assumed);
   given.warnings.forEach((text) => id("notes").append(element("p", { text, className: "text" })));
   id("notes").hidden = !given.warnings.length;
-  const words = "First order: all sources at their limits, linearly. Worst found: the farthest that was found with full kinematics. Certified: nothing goes beyond, by interval arithmetic. ±3σ: spread to first order.";
+  const words = ["First order: all sources at their limits, linearly.", "Worst found: the farthest that was found with full kinematics.", "Certified: nothing goes beyond, by interval arithmetic."];
+  const unasked = ["Worst found and certified bound were not asked for.", "The certified bound was not asked for."][given.level];
+  const levels = [...words.slice(0, given.level + 1), "±3σ: spread to first order.", ...(unasked ? [unasked] : [])].join(" ");
   const files = `linkdyn ${given.engine}. All numbers are in accuracy.csv, contributions.csv and accuracy.json beside this file, in SI units.`;
-  for (const text of [...(given.about ? [given.about] : []), words, ...given.notes, files]) id("foot").append(element("p", { text, className: "text" }));
+  for (const text of [...(given.about ? [given.about] : []), levels, ...given.notes, files]) id("foot").append(element("p", { text, className: "text" }));
 
   id("results").hidden = !linkdyn.outputs.length;
   id("theme").addEventListener("click", () => theme.toggle());

@@ -9,7 +9,8 @@
     if (!limits) return null;
     const of = poses > 1 ? ` at ${exceeded} of ${poses} poses` : "";
     if (kept === poses) return ["good", poses > 1 ? "limits always kept (certified)" : "limits kept (certified)"];
-    if (exceeded) return ["bad", `limits exceeded${of}`];
+    if (exceeded) return ["bad", `limits exceeded${linkdyn.level ? "" : " to first order"}${of}`];
+    if (linkdyn.level < 2) return ["warn", linkdyn.level ? "limits kept by the worst found" : "limits kept to first order"];
     return ["warn", poses > 1 ? `limits kept by the worst found, not certified at ${poses - kept} of ${poses} poses` : certified ? "limits kept by the worst found, certified is wider" : "limits kept by the worst found, not certified"];
   };
 
@@ -23,8 +24,8 @@
     const tiles = [
       tile("nominal", file.value(at("nominal"), unit, 6)),
       tile("first order", pair("first"), "none: change point"),
-      tile("worst found", pair("found"), "not found"),
-      tile("certified", pair("certified"), "not certified"),
+      ...(linkdyn.level > 0 ? [tile("worst found", pair("found"), "not found")] : []),
+      ...(linkdyn.level > 1 ? [tile("certified", pair("certified"), "not certified")] : []),
       tile("±3σ", Number.isFinite(at("sigma")) ? `±${file.value(3 * at("sigma"), unit, 4)}` : null, "none: change point"),
     ];
     if (at("mean")) tiles.push(tile("mean", file.signed(at("mean"), unit)));

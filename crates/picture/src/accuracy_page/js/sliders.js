@@ -31,7 +31,7 @@
     const { output, corner } = choice, by = choice.shift(choice.detail), at = (name) => choice.at(name);
     // In the corner the output is where the worst found is, which stays.
     const moved = corner === null && Number.isFinite(by) ? by : 0, now = corner === null ? moved : at(NAMES[corner]);
-    const ends = [at("found_low"), at("found_high"), at("certified_low"), at("certified_high")];
+    const ends = [at("reach_low"), at("reach_high"), at("certified_low"), at("certified_high")];
     const all = [0, moved, ...ends.map((end) => end + moved), ...(output.limits || [])].filter(Number.isFinite);
     const [low, high] = [Math.min(...all), Math.max(...all)], wide = (high - low) * 1.1 || 1;
     const place = (value) => 100 * (value - (low + high) / 2) / wide + 50;
@@ -51,11 +51,11 @@
     const found = corner === null ? NaN : choice.at(NAMES[corner]);
     id("what_level").textContent = corner === null ? "to first order" : "worst found";
     corners.forEach((button, side) => { button.disabled = !choice.worst(side); button.setAttribute("aria-pressed", side === corner); });
-    const worst = file.both(by + choice.at("found_low"), by + choice.at("found_high"), unit);
+    const worst = file.both(by + choice.at("reach_low"), by + choice.at("reach_high"), unit);
     id("moved").textContent = corner !== null ? `${linkdyn.plain(output.name)} = ${file.value(nominal + found, unit, 7)} (${file.signed(found, unit)}): the worst found, as drawn, with all else at its worst too; the parameters alone carry it by ${file.signed(by, unit)} to first order`
       : !Number.isFinite(by) ? "No first order exists at this pose."
       : `${linkdyn.plain(output.name)} = ${file.value(nominal + by, unit, 7)} (${by === 0 ? "nominal" : `${file.signed(by, unit)} to first order`})${worst ? `, worst ${worst}` : ""}`;
-    const colours = ["blue: worst found", ...(Number.isFinite(choice.at("certified_low")) ? ["light: certified"] : []), ...(output.limits ? ["red: limits"] : [])];
+    const colours = [`blue: ${linkdyn.reach}`, ...(Number.isFinite(choice.at("certified_low")) ? ["light: certified"] : []), ...(output.limits ? ["red: limits"] : [])];
     const free = inputs.length && moving.some(({ slider }) => !slider.is_tolerance) ? " Parameters without tolerance move by ±1 %." : "";
     id("gauge_note").textContent = `${colours.join(", ")}.${free}`;
     id("gauge").setAttribute("aria-label", id("moved").textContent);
@@ -65,7 +65,7 @@
   };
   const corners = ["All to the lowest", "All to the highest"].map((text, side) => element("button", { type: "button", text, "aria-pressed": false, on: { click: () => choice.toWorst(side) } }));
   id("corners").append(...corners);
-  id("corners").hidden = !moving.some(({ slider }) => slider.is_tolerance);
+  id("corners").hidden = !linkdyn.level || !moving.some(({ slider }) => slider.is_tolerance);
   id("reset").addEventListener("click", () => choice.reset());
   id("reset").hidden = !inputs.length;
   if (!inputs.length) id("sliders").append(element("p", { className: "muted", text: "No length of this model is a parameter, so there is nothing to move." }));

@@ -87,7 +87,9 @@
     mechanism.joints.forEach((joint, k) => { joint.clearance = bearings[k]; });
   };
 
+  id("worst").hidden = !linkdyn.level;
   const fill = () => {
+    if (!linkdyn.level) return;
     const { output, detail } = choice, names = ["found_low", "found_high"];
     id("sides").replaceChildren(...["lowest", "highest"].map((word, side) => {
       const by = choice.at(names[side]);

@@ -145,7 +145,8 @@ impl Mechanism<'_> {
         let (n, here) = (system.n(), self.here(stand));
         // (|∂y₀ − λᵀJ₀| + |∂ȳ − ∂y₀| + |λ||J̄ − J₀|) X
         let (mut gradient, mut change) = (vec![0.0; n], vec![0.0; n]);
-        output.gradient(&here.at, here.shifts, &system.layout, &mut gradient);
+        let own = output.pulls(&here.at, here.shifts);
+        output.gradient(&here.at, &own, &system.layout, &mut gradient);
         output.gradient_change(&here.at, &system.layout, x, &mut change);
         let mut carried = vec![0.0; n];
         let mut lean = 0.0;

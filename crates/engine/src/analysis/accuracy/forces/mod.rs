@@ -25,12 +25,12 @@ mod slopes;
 
 pub(super) use loaded::{Force, Owner};
 
-use super::Wanted;
 use super::answer::{Contribution, OutputAccuracy, PoseAccuracy};
 use super::displaced::Stand;
 use super::poses::Way;
 use super::source::{Influence, Play};
 use super::statistics::{Pins, capability, moments};
+use super::{Levels, Wanted};
 use crate::analysis::in_line::{singular_text, stressed_rows};
 use crate::analysis::instants::OutputInstant;
 use crate::system::System;
@@ -142,7 +142,7 @@ pub(super) fn answer(
             match &nominal[index] {
                 Err(without) => pose.missing = Some(lack(system, posed, *without)),
                 Ok(nominal) => {
-                    let corner = Corner {
+                    let mut corner = Corner {
                         systems: &mut systems,
                         posed,
                         force,
@@ -151,7 +151,12 @@ pub(super) fn answer(
                         at_rest,
                     };
                     let limits = question.outputs[output].1.limits;
-                    levels(corner, &plays, (pins, limits, &question.scales), &mut pose);
+                    let scales = &question.scales;
+                    levels(&corner, &plays, (pins, limits, scales), &mut pose);
+                    if asked.levels > Levels::First && pose.first.is_some() {
+                        let found = [-1.0, 1.0].map(|side| corner.farthest(side));
+                        pose.take(system, found);
+                    }
                 }
             }
             found[output].1.poses.push(pose);
@@ -177,9 +182,9 @@ fn nominal(
         .carry(posed, None, &nothing, &nothing)
 }
 
-/// First order, worst found and spread of a force at a pose.
+/// First order and spread of a force at a pose.
 fn levels(
-    mut corner: Corner,
+    corner: &Corner,
     plays: &[Play],
     (pins, limits, scales): (Pins, Option<[f64; 2]>, &[f64]),
     pose: &mut PoseAccuracy,
@@ -215,8 +220,6 @@ fn levels(
     let sigma = variance.sqrt();
     pose.moments = Some([mean, sigma]);
     pose.capability = limits.and_then(|limits| capability(limits, mean, sigma));
-    let found = [-1.0, 1.0].map(|side| corner.farthest(side));
-    pose.take(&corner.systems.nominal.clone(), found);
 }
 
 /// Why there is no force at a pose.

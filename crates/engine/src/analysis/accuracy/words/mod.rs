@@ -19,4 +19,4 @@ mod question;
 mod sources;
 
 pub use parameters::{Deviating, Parameters};
-pub use question::{Refusal, accuracy};
+pub use question::{Refusal, Scope, accuracy};

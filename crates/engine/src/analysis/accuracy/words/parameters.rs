@@ -14,8 +14,8 @@ pub struct Parameters<'p> {
     pub all: &'p [Parameter],
     /// What every quantity of the file takes from them.
     pub derivatives: &'p Derivatives,
-    /// The same, enclosed for all parameters within their tolerances.
-    pub enclosed: &'p Derivatives<Interval>,
+    /// Works out the same, enclosed for all parameters within their tolerances; asked only for worst cases.
+    pub enclosed: &'p dyn Fn() -> Derivatives<Interval>,
     /// The model with deviations of theirs.
     pub with: &'p Deviating<'p>,
 }
@@ -96,11 +96,9 @@ fn with_influence(all: &Dimensions, parameters: &Parameters) -> HashMap<usize, V
 /// enclosure. None where there is no enclosure, or a dimension is no multiple of what the file says.
 pub(super) fn slack(all: &Dimensions, parameters: &Parameters) -> Option<Vec<f64>> {
     let mut by_dimension = vec![0.0; all.all.len()];
-    let leaves = parameters
-        .derivatives
-        .leaves
-        .iter()
-        .zip(&parameters.enclosed.leaves);
+    let enclosed = (parameters.enclosed)();
+    let leaves = parameters.derivatives.leaves.iter();
+    let leaves = leaves.zip(&enclosed.leaves);
     for (leaf, enclosed) in leaves {
         let Some(of) = all.by_path.get(&leaf.path) else {
             continue;

@@ -2,12 +2,12 @@
 
 use super::super::poses::{Halt, Unmet};
 use super::super::source::Play;
-use super::super::{Accuracy, Question, forces, run};
+use super::super::{Accuracy, Levels, Question, forces, run};
 use super::forces::{making, refuse, scales};
 use super::names::{Names, dimension_values, dimensions};
 use super::outputs::wanted;
 use super::parameters::{Followed, Parameters, slack};
-use super::sources::{pins, sources};
+use super::sources::{levels, pins, sources};
 use crate::analysis::control::{Control, Stop};
 use crate::analysis::question::instants;
 use crate::system::compile::compile_geometry;
@@ -44,7 +44,16 @@ impl From<Complaints> for Refusal {
     }
 }
 
-/// What tolerances and clearances do to the outputs of a model, all of them or those in `only`.
+/// What of a model's question is wanted.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Scope<'a> {
+    /// Names of outputs; empty: all.
+    pub outputs: &'a [String],
+    /// None: those that the model says.
+    pub levels: Option<Levels>,
+}
+
+/// What tolerances and clearances do to the outputs of a model.
 ///
 /// # Errors
 /// [`Refusal`]: nothing asked, outputs that do not exist, poses that the motion does not have, nothing that is off, joints that
@@ -52,13 +61,13 @@ impl From<Complaints> for Refusal {
 pub fn accuracy(
     model: &Checked,
     parameters: &Parameters,
-    only: &[String],
+    scope: Scope,
     control: &Control,
 ) -> Result<Accuracy, Refusal> {
     let ideal = model.with_clearances(|_| false);
     let system = compile_geometry(&ideal)?;
     let names = Names::new(&ideal);
-    let outputs = wanted(&ideal, &system, &names, only)?;
+    let outputs = wanted(&ideal, &system, &names, scope.outputs)?;
     let Some(analysis) = &ideal.analysis else {
         let hint = "add \"analysis\": { \"type\": \"kinematics\", \"end\": 1, \"outputs\": 101 }";
         return Err(Complaint::new(
@@ -96,8 +105,11 @@ pub fn accuracy(
         |named| matches!(named.play, Play::Zone { point, .. } if all.points[point.0].bears_wheel),
     );
     let making = making(&ideal, parameters, &followed);
+    let levels = scope.levels.unwrap_or_else(|| levels(model));
+    // The first order asks for no bounds.
+    let is_bounded = levels > Levels::First && !zone_bears_wheel;
     let question = Question {
-        slack: slack(&all, parameters).filter(|_| !zone_bears_wheel),
+        slack: is_bounded.then(|| slack(&all, parameters)).flatten(),
         outputs: outputs.positions,
         forces: forces::Question {
             outputs: outputs.forces,
@@ -108,6 +120,7 @@ pub fn accuracy(
         sources,
         dimensions: &all,
         pins: pins(model),
+        levels,
         instants,
         corners: &corners,
     };

@@ -1,8 +1,8 @@
 //! What may be off: joints, points, drivers, parameters.
 
-use super::super::Named;
 use super::super::source::Play;
 use super::super::statistics::{Pins, Scatter};
+use super::super::{Levels, Named};
 use super::gears::gear_curvature;
 use super::names::Names;
 use super::parameters::{Followed, Parameters, idle, kinks, times};
@@ -155,6 +155,16 @@ fn joint_play(kind: &JointKind, row: usize, system: &System, index: usize) -> Op
             })
         }
         JointKind::Fixed { .. } => None,
+    }
+}
+
+/// Which levels the model asks for.
+pub(super) fn levels(model: &Model) -> Levels {
+    let said = model.accuracy.as_ref();
+    match said.map_or_else(Default::default, |accuracy| accuracy.levels) {
+        linkdyn_model::Levels::First => Levels::First,
+        linkdyn_model::Levels::Worst => Levels::Worst,
+        linkdyn_model::Levels::Certified => Levels::Certified,
     }
 }
 

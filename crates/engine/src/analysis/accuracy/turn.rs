@@ -1,0 +1,75 @@
+//! Sources whose influence vanishes as they give way to it: farthest is a place between their ends.
+//!
+//! Where g = ∂y/∂e is hardly anything, it may ask for one end while the source is at the other, and for that one while it is at
+//! this. So g falls on the way between, and the output is farthest where it vanishes; by the straight line through both
+//!
+//! ```text
+//! e − g/k,   k = (g₂ − g₁)/(e₂ − e₁)
+//! ```
+
+/// A source to either side on its way.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Turn {
+    /// Where it was before it went on, and its influence there.
+    before: Option<[f64; 2]>,
+    /// ∂g/∂e, once each end asked for the other.
+    bend: Option<f64>,
+}
+
+impl Turn {
+    /// The e to try after one with its influence (`now`): `end` is what the influence asks for; `ends` are those that it may
+    /// stand between, where it may. What gains no more than `worth` is left as it is.
+    pub fn next(&mut self, now: [f64; 2], end: f64, ends: Option<[f64; 2]>, worth: f64) -> f64 {
+        let [e, g] = now;
+        if self.bend.is_none() && (end == e || (g * (end - e)).abs() <= worth) {
+            return e;
+        }
+        if let (None, Some([other, then])) = (self.bend, self.before)
+            && other == end
+        {
+            self.bend = Some((g - then) / (e - other));
+        }
+        let next = match (self.bend, ends) {
+            (None, _) => end,
+            (Some(_), None) => e,
+            (Some(bend), Some([low, high])) => (e - g / bend).clamp(low, high),
+        };
+        if next.is_nan() || (g * (next - e)).abs() <= worth {
+            return e;
+        }
+        self.before = Some(now);
+        next
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of y = g₀ e − ½ k e² the farthest place is g₀/k where that is between the ends, and found as each end asked for the other.
+    #[test]
+    fn a_source_ends_where_its_influence_vanishes() {
+        let (g0, k, ends) = (0.3, 2.0, [-0.4, 1.0]);
+        let influence = |e: f64| g0 - k * e;
+        let end = |g: f64| if g >= 0.0 { ends[1] } else { ends[0] };
+        for (between, last) in [(Some(ends), g0 / k), (None, ends[0])] {
+            let mut turn = Turn::default();
+            let mut e = ends[1];
+            for (pass, expected) in [ends[0], last, last].into_iter().enumerate() {
+                let g = influence(e);
+                e = turn.next([e, g], end(g), between, 0.0);
+                assert!((e - expected).abs() < 1e-15, "{between:?} {pass}: {e}");
+            }
+        }
+    }
+
+    /// Where the influence keeps its sign, or the other end is worth nothing, the source stays at its end.
+    #[test]
+    fn a_source_with_an_influence_stays_at_its_end() {
+        let mut turn = Turn::default();
+        for _ in 0..3 {
+            assert_eq!(turn.next([1.0, -1e-3], -1.0, None, 0.01), 1.0);
+            assert_eq!(turn.next([1.0, 0.2], 1.0, Some([-1.0, 1.0]), 0.0), 1.0);
+        }
+    }
+}
