@@ -33,6 +33,7 @@ mod set;
 mod shape;
 mod source;
 mod stale;
+mod substitution;
 mod suggest;
 mod tree;
 mod units;
@@ -49,6 +50,8 @@ pub use clearance::{
 };
 pub use dimension::{Dimension, Powers};
 pub use driver::{Driver, DriverKind, Motion};
+#[doc(hidden)]
+pub use expression::Given;
 pub use expression::{Derivatives, Interval, Leaf, Parameter};
 pub use fit::Fit;
 pub use force::{Force, ForceKind, Frame, Value};
@@ -59,6 +62,8 @@ pub use load::{Loaded, load, load_file};
 pub use response::Response;
 pub use schema::schema;
 pub use source::Source;
+#[doc(hidden)]
+pub use substitution::{Substituted, Substitution};
 pub use suggest::nearest;
 pub use tolerance::{Distribution, Play, Tolerance};
 pub use units::Unit;

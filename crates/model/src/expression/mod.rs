@@ -11,6 +11,7 @@
 //! A unit stands behind a number and holds on to it: `1/2 mm` is 1/(2 mm). The text becomes a list of steps on a stack, so
 //! that evaluation neither recurses nor reads the text again; names are known or refused while it is read.
 
+mod chain;
 mod compiled;
 mod derivatives;
 mod dual;
@@ -27,6 +28,8 @@ mod results;
 mod split;
 mod written;
 
+pub(super) use chain::{Chain, Room};
+pub use chain::Given;
 pub use compiled::{Compiled, Input, Over, Reduce, Values};
 pub(super) use derivatives::Recorded;
 pub use derivatives::{Derivatives, Leaf};
@@ -200,6 +203,11 @@ impl Expression {
     /// The parameters that it names.
     pub fn parameters(&self) -> impl Iterator<Item = usize> {
         self.places().into_iter().map(|(_, index)| index)
+    }
+
+    /// Its arithmetic alone; none of a response.
+    fn program(&self) -> Option<Program> {
+        Program::of_steps(self.0.iter().map(|(_, step)| *step))
     }
 
     /// Its value; none where a parameter has none, which is complained about there.

@@ -116,9 +116,43 @@ impl<S: Copy> Program<S> {
 }
 
 impl Program {
+    /// The same steps; none where one is of a response.
+    pub(super) fn of_steps(steps: impl Iterator<Item = Step>) -> Option<Self> {
+        let steps = steps.map(|step| {
+            Some(match step {
+                Step::Push(quantity) => Do::Push(quantity.value),
+                Step::Parameter(index) => Do::Parameter(index),
+                Step::Negate => Do::Negate,
+                Step::Add => Do::Add,
+                Step::Subtract => Do::Subtract,
+                Step::Multiply => Do::Multiply,
+                Step::Divide => Do::Divide,
+                Step::Power => Do::Power,
+                Step::Call(function, count) => Do::Call(function, count),
+                Step::Result(_) | Step::Reduce(..) | Step::Equal => return None,
+            })
+        });
+        steps.collect::<Option<_>>().map(Program)
+    }
+
     /// Its value in SI; not finite where the arithmetic has none. A stack with room for [`Program::depth`] numbers does
     /// not grow.
     pub fn value(&self, inputs: &[f64], parameters: &[f64], stack: &mut Vec<f64>) -> f64 {
+        self.run(inputs, parameters, stack, |_| true)
+    }
+
+    /// Its value without inputs; NaN where any step on the way has none.
+    pub fn sound_value(&self, parameters: &[f64], stack: &mut Vec<f64>) -> f64 {
+        self.run(&[], parameters, stack, f64::is_finite)
+    }
+
+    fn run(
+        &self,
+        inputs: &[f64],
+        parameters: &[f64],
+        stack: &mut Vec<f64>,
+        goes_on: impl Fn(f64) -> bool,
+    ) -> f64 {
         if let [Do::Input(input)] = self.0[..] {
             return inputs[input];
         }
@@ -135,6 +169,9 @@ impl Program {
                 Do::Divide => take(stack, 2, |values| values[0] / values[1]),
                 Do::Power => take(stack, 2, |values| values[0].powf(values[1])),
                 Do::Call(function, count) => take(stack, count, |values| call(function, values)),
+            }
+            if !stack.last().is_some_and(|last| goes_on(*last)) {
+                return f64::NAN;
             }
         }
         stack.pop().unwrap_or(f64::NAN)

@@ -46,6 +46,11 @@ impl Checked {
         self.0
     }
 
+    /// The model, for numbers that keep every rule that those in their places keep.
+    pub(crate) fn numbers(&mut self) -> &mut Model {
+        &mut self.0
+    }
+
     /// The same with ideal pins where the model of a clearance is not `kept`; taking out a clearance breaks no rule.
     #[doc(hidden)]
     pub fn with_clearances(&self, kept: fn(ClearanceModel) -> bool) -> Checked {

@@ -1,0 +1,147 @@
+//! The numbers of a model by the paths of their places in a file.
+
+use crate::driver::Motion;
+use crate::force::{ForceKind, Value};
+use crate::joint::JointKind;
+use crate::Model;
+
+/// The steps of a path, `bodies.crank.points.A[0]`: names and indexes.
+pub fn steps(path: &str) -> impl Iterator<Item = &str> {
+    let parts = path.split(['.', '[']);
+    parts.map(|part| part.strip_suffix(']').unwrap_or(part))
+}
+
+/// What rules ask of a number: its sign, and that it is no number of another world.
+pub fn class(value: f64) -> Option<std::cmp::Ordering> {
+    const LARGE: f64 = 1e100;
+    (value.abs() < LARGE).then(|| value.total_cmp(&0.0)).map(|sign| {
+        // −0 is no less than 0
+        if value == 0.0 { std::cmp::Ordering::Equal } else { sign }
+    })
+}
+
+/// A number of the model; none where the path leads to none that is known.
+pub fn number<'m, 'p>(
+    model: &'m mut Model,
+    path: &mut impl Iterator<Item = &'p str>,
+) -> Option<&'m mut f64> {
+    match path.next()? {
+        "gravity" => of_list(&mut model.gravity, path),
+        "bodies" => body(model.bodies.get_mut(path.next()?)?, path),
+        "joints" => joint(&mut model.joints.get_mut(path.next()?)?.kind, path),
+        "drivers" => {
+            let driver = model.drivers.get_mut(path.next()?)?;
+            (path.next()? == "motion").then_some(())?;
+            motion(&mut driver.motion, path)
+        }
+        "forces" => force(&mut model.forces.get_mut(path.next()?)?.kind, path),
+        _ => None,
+    }
+}
+
+fn of_list<'m, 'p>(
+    list: &'m mut [f64],
+    path: &mut impl Iterator<Item = &'p str>,
+) -> Option<&'m mut f64> {
+    list.get_mut(path.next()?.parse::<usize>().ok()?)
+}
+
+fn body<'m, 'p>(
+    body: &'m mut crate::Body,
+    path: &mut impl Iterator<Item = &'p str>,
+) -> Option<&'m mut f64> {
+    match path.next()? {
+        "mass" => body.mass.as_mut(),
+        "inertia" => body.inertia.as_mut(),
+        "com" => of_list(body.com.as_mut()?, path),
+        "points" => {
+            let point = body.points.get_mut(path.next()?)?;
+            match path.next()? {
+                "position" => of_list(point, path),
+                index => of_list(point, &mut std::iter::once(index)),
+            }
+        }
+        "pose" => match path.next()? {
+            "position" => of_list(&mut body.pose.position, path),
+            "angle" => Some(&mut body.pose.angle),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+fn joint<'m, 'p>(
+    kind: &'m mut JointKind,
+    path: &mut impl Iterator<Item = &'p str>,
+) -> Option<&'m mut f64> {
+    match (kind, path.next()?) {
+        (JointKind::Prismatic { axis, .. } | JointKind::Slot { axis, .. }, "axis") => {
+            of_list(axis, path)
+        }
+        (JointKind::Prismatic { angle, .. } | JointKind::Fixed { angle }, "angle") => Some(angle),
+        (JointKind::Gear { ratio, .. }, "ratio") => Some(ratio),
+        (JointKind::Gear { angle, .. }, "angle") => angle.as_mut(),
+        (JointKind::Revolute { pin_radius, .. }, "pin_radius") => pin_radius.as_mut(),
+        (JointKind::Revolute { clearance, .. }, "clearance") => {
+            let clearance = clearance.as_mut()?;
+            match path.next()? {
+                "radius" => clearance.radius.as_mut(),
+                "bearing_radius" => clearance.bearing_radius.as_mut(),
+                "axial_length" => clearance.axial_length.as_mut(),
+                _ => None,
+            }
+        }
+        _ => None,
+    }
+}
+
+fn motion<'m, 'p>(
+    motion: &'m mut Motion,
+    path: &mut impl Iterator<Item = &'p str>,
+) -> Option<&'m mut f64> {
+    match (motion, path.next()?) {
+        (Motion::Polynomial { coefficients }, "coefficients") => of_list(coefficients, path),
+        (Motion::Harmonic { offset, .. }, "offset") => Some(offset),
+        (Motion::Harmonic { amplitude, .. }, "amplitude") => Some(amplitude),
+        (Motion::Harmonic { frequency, .. }, "frequency") => Some(frequency),
+        (Motion::Harmonic { phase, .. }, "phase") => Some(phase),
+        (Motion::ConstantVelocity { start, .. }, "start") => Some(start),
+        (Motion::ConstantVelocity { velocity, .. }, "velocity") => Some(velocity),
+        (Motion::ConstantAcceleration { start, .. }, "start") => Some(start),
+        (Motion::ConstantAcceleration { velocity, .. }, "velocity") => Some(velocity),
+        (Motion::ConstantAcceleration { acceleration, .. }, "acceleration") => Some(acceleration),
+        _ => None,
+    }
+}
+
+fn force<'m, 'p>(
+    kind: &'m mut ForceKind,
+    path: &mut impl Iterator<Item = &'p str>,
+) -> Option<&'m mut f64> {
+    match (kind, path.next()?) {
+        (ForceKind::Spring { stiffness, .. } | ForceKind::TorsionSpring { stiffness, .. }, "stiffness") => {
+            Some(stiffness)
+        }
+        (ForceKind::Spring { damping, .. } | ForceKind::TorsionSpring { damping, .. }, "damping") => {
+            Some(damping)
+        }
+        (ForceKind::Spring { free_length: value, .. }, "free_length")
+        | (ForceKind::TorsionSpring { free_angle: value, .. }, "free_angle")
+        | (ForceKind::Torque { value, .. }, "value") => self::value(value, path),
+        (ForceKind::Load { vector, .. }, "vector") => {
+            let index = path.next()?.parse::<usize>().ok()?;
+            value(vector.get_mut(index)?, path)
+        }
+        _ => None,
+    }
+}
+
+fn value<'m, 'p>(
+    value: &'m mut Value,
+    path: &mut impl Iterator<Item = &'p str>,
+) -> Option<&'m mut f64> {
+    match value {
+        Value::Constant(value) => path.next().is_none().then_some(value),
+        Value::Motion(law) => motion(law, path),
+    }
+}
