@@ -37,6 +37,7 @@ mod dynamics;
 mod edits;
 mod extremes;
 mod face;
+mod family;
 mod flat_start;
 mod golden;
 mod impacts;

@@ -4,7 +4,7 @@ use super::super::exit::BadInput;
 use super::super::near::did_you_mean;
 use super::super::open::Opened;
 use super::Options;
-use linkdyn_model::{Distribution as Words, Parameter, Source, Tolerance};
+use linkdyn_model::{Distribution as Words, Given, Parameter, Tolerance};
 use linkdyn_study::design::{Axis, Design, Grid, Layout, Method, Samples};
 use linkdyn_study::distribution::{Distribution, Shape};
 use serde::{Deserialize, Serialize};
@@ -128,38 +128,36 @@ impl Asked {
         })
     }
 
-    /// The model of a variant, whose inputs go to `values`.
-    ///
-    /// # Errors
-    /// Why there is no such model.
-    pub fn model(
-        &self,
-        source: &Source,
-        variant: u64,
-        values: &mut [f64],
-    ) -> Result<linkdyn_model::Checked, linkdyn_model::error::Complaints> {
-        self.design.row(variant, values);
-        let all = self.inputs.iter().zip(&*values);
-        if self.varied == self.inputs.len() {
-            let given: Vec<(&str, f64)> = all
-                .map(|(input, value)| (input.parameter.as_str(), *value))
-                .collect();
-            return source.with_parameters(&given);
+    /// The names of the parameters, in the order of the inputs.
+    pub fn parameters(&self) -> Vec<&str> {
+        let names = self.inputs.iter();
+        names.map(|input| input.parameter.as_str()).collect()
+    }
+
+    /// How a variant gives them.
+    pub fn given(&self) -> Given {
+        match self.varied == self.inputs.len() {
+            true => Given::Values,
+            false => Given::Deviations,
+        }
+    }
+
+    /// The inputs of a variant as they are told, and as the model is given them.
+    pub fn values(&self, variant: u64, told: &mut [f64], given: &mut [f64]) {
+        self.design.row(variant, told);
+        given.copy_from_slice(told);
+        if self.given() == Given::Values {
+            return;
         }
         // Values of the grid as deviations, those of samples are some.
-        let deviations: Vec<(&str, f64)> = all
-            .enumerate()
-            .map(|(k, (input, value))| {
-                let nominal = if k < self.varied { input.nominal } else { 0.0 };
-                (input.parameter.as_str(), value - nominal)
-            })
-            .collect();
-        let model = source.with_deviations(&deviations);
-        let sampled = self.inputs.iter().zip(values).skip(self.varied);
-        sampled.for_each(|(input, value)| {
-            *value += if input.follows { 0.0 } else { input.nominal };
-        });
-        model
+        let inputs = self.inputs.iter().zip(told).zip(given);
+        for (k, ((input, told), given)) in inputs.enumerate() {
+            match k < self.varied {
+                true => *given -= input.nominal,
+                false if input.follows => {}
+                false => *told += input.nominal,
+            }
+        }
     }
 }
 

@@ -1,7 +1,6 @@
 //! What a study is: enough to join its chunks without its model.
 
 use super::asked::{Asked as Inputs, Column};
-use super::respond::Responses;
 use super::{Options, VERSION};
 use crate::cli::open::Opened;
 use linkdyn_study::chunks::{Identity, Plan};
@@ -54,7 +53,7 @@ impl Head {
         sets: &[String],
         opened: &Opened,
         inputs: &Inputs,
-        responses: &Responses,
+        responses: Vec<Asked>,
     ) -> Head {
         let columns: Vec<Column> = inputs.inputs.iter().map(|own| own.column.clone()).collect();
         let model = json!({
@@ -78,7 +77,7 @@ impl Head {
             rows_per_chunk: rows_per_chunk(opened),
             rows_per_point: inputs.rows_per_point,
             inputs: columns,
-            responses: responses.asked().to_vec(),
+            responses,
         };
         let said = serde_json::to_vec(&head).expect("texts and numbers");
         head.study = format!("{:x}", Sha256::digest(&said));

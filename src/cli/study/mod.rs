@@ -27,7 +27,7 @@ use asked::Asked;
 use head::Head;
 use linkdyn_output::Directory;
 use linkdyn_study::chunks::{ChunkFault, Shard, Store};
-use respond::Responses;
+use respond::family;
 use totals::Totals;
 use variants::Variants;
 
@@ -115,13 +115,19 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     };
     let shard = options.shard.as_deref().map(shard).transpose()?;
     let opened = responses::open(model, &options.responses)?;
-    let responses = Responses::new(&opened)?;
+    respond::wanted(&opened)?;
     let asked = Asked::new(options, &opened)?;
-    let head = Head::new(options, model.sets(), &opened, &asked, &responses);
+    let family = family(&opened, &asked)?;
+    let head = Head::new(
+        options,
+        model.sets(),
+        &opened,
+        &asked,
+        respond::asked(&family),
+    );
     let variants = Variants {
-        source: &opened.loaded.source,
+        family: &family,
         asked: &asked,
-        responses: &responses,
         interrupted: interrupt::watch(),
     };
     let pool = rayon::ThreadPoolBuilder::new();

@@ -1,9 +1,7 @@
-//! The variants of a study: each a model of its own, run by itself, so that a row depends on its number alone.
+//! The variants of a study: each a member of the model's family, so that a row depends on its number alone.
 
 use super::asked::Asked;
-use super::respond::Responses;
-use linkdyn_engine::analysis::{Control, Prepared};
-use linkdyn_model::Source;
+use linkdyn_engine::analysis::{Control, Family, Member};
 use linkdyn_model::error::Complaints;
 use linkdyn_output::Status;
 use linkdyn_study::chunks::Rows;
@@ -14,31 +12,36 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What makes rows of variants.
 pub struct Variants<'a> {
-    pub source: &'a Source,
+    pub family: &'a Family,
     pub asked: &'a Asked,
-    pub responses: &'a Responses,
     pub interrupted: Arc<AtomicBool>,
 }
 
 /// A row: why it has no result, inputs, responses.
 type Made = (Option<String>, Vec<f64>, Vec<f64>);
 
+/// Variants that a thread takes at once.
+const SOME: usize = 16;
+
 impl Variants<'_> {
     /// The rows of a range of variants, in their order; none where it was interrupted.
     pub fn rows(&self, range: Range<u64>) -> Option<Rows> {
-        let made: Vec<Made> = range
-            .clone()
+        // a chunk is written at once, so that its length is one of a list in memory
+        let length = (range.end - range.start) as usize;
+        let begin = || self.family.begin();
+        let made: Vec<Made> = (0..length)
             .into_par_iter()
-            .map(|variant| self.row(variant))
+            .with_min_len(SOME)
+            .map_init(begin, |member, k| self.row(member, range.start + k as u64))
             .while_some()
             .collect();
-        if made.len() as u64 != range.end - range.start {
+        if made.len() != length {
             return None;
         }
         let mut rows = Rows::new(
             range.start,
             self.asked.inputs.len(),
-            self.responses.asked().len(),
+            self.family.responses().len(),
         );
         for (reason, inputs, responses) in made {
             rows.push(reason.as_deref(), &inputs, &responses);
@@ -47,38 +50,35 @@ impl Variants<'_> {
     }
 
     /// One variant; none where it was interrupted.
-    fn row(&self, variant: u64) -> Option<Made> {
+    fn row(&self, member: &mut Member, variant: u64) -> Option<Made> {
         if self.interrupted.load(Ordering::Relaxed) {
             return None;
         }
         let mut inputs = vec![0.0; self.asked.inputs.len()];
-        let none = vec![f64::NAN; self.responses.asked().len()];
-        let model = self.asked.model(self.source, variant, &mut inputs);
+        let mut given = inputs.clone();
+        let mut responses = vec![f64::NAN; self.family.responses().len()];
+        self.asked.values(variant, &mut inputs, &mut given);
         // No deadline: a row depends on its number, not on the machine.
         let control = Control {
             interrupted: Arc::clone(&self.interrupted),
             ..Control::default()
         };
-        let run = model.and_then(|model| Prepared::new(&model)?.run(&control));
-        Some(match run {
-            Err(complaints) => (Some(input_fault(&complaints)), inputs, none),
-            Ok(outcome) => match outcome.report.status {
+        let reason = match member.run(&given, &control, &mut responses) {
+            Err(complaints) => Some(input_fault(&complaints)),
+            Ok(ended) => match ended.status {
                 Status::Interrupted => return None,
-                Status::Completed => {
-                    let (missing, values) = self.responses.values(&outcome);
-                    (missing, inputs, values)
+                Status::Completed => ended.missing.map(|index| {
+                    format!("no value of {}", self.family.responses().list()[index].name)
+                }),
+                status => {
+                    if status != Status::CompletedWithGaps {
+                        responses.fill(f64::NAN);
+                    }
+                    Some(status.word().to_owned())
                 }
-                Status::CompletedWithGaps => {
-                    let (_, values) = self.responses.values(&outcome);
-                    (
-                        Some(outcome.report.status.word().to_owned()),
-                        inputs,
-                        values,
-                    )
-                }
-                status => (Some(status.word().to_owned()), inputs, none),
             },
-        })
+        };
+        Some((reason, inputs, responses))
     }
 }
 

@@ -11,7 +11,7 @@ mod references;
 mod samples;
 mod sensitivities;
 #[path = "../../common/accuracy/told.rs"]
-mod told;
+pub mod told;
 mod within;
 
 use std::ffi::OsString;

@@ -62,7 +62,11 @@ const CONTACT: [JointQuantity; 6] = [
 impl Channels {
     /// All columns of a system, in the order of results; nothing is computed for them.
     pub fn new(system: &System, contents: Contents) -> Self {
-        let columns = contents.columns(system);
+        Channels::of(contents.columns(system))
+    }
+
+    /// Some of these columns, in the same order.
+    pub fn of(columns: Vec<Column>) -> Self {
         let mut stretches: Vec<Stretch> = Vec::new();
         for channel in columns.iter().filter_map(|column| column.channel) {
             let goes_on = stretches.last_mut().is_some_and(|last| last.take(channel));

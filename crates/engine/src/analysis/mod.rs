@@ -11,6 +11,7 @@ mod control;
 pub mod derived;
 pub mod driven;
 mod dynamics;
+mod family;
 mod in_line;
 mod instants;
 mod interval;
@@ -34,6 +35,7 @@ mod words;
 
 pub use check::{Check, Lack, check};
 pub use control::{Control, Stop};
+pub use family::{Ended, Family, Member};
 pub use modes::{Linearised, Mode, modes};
 pub use outcome::Outcome;
 pub use progress::Progress;

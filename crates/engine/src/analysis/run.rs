@@ -75,6 +75,11 @@ impl Prepared {
         Arc::clone(channels.columns())
     }
 
+    /// What it was compiled to, and what is asked of it.
+    pub(super) fn parts(&self) -> (&System, &Question) {
+        (&self.system, &self.question)
+    }
+
     /// The named numbers that runs have.
     pub fn responses(&self) -> &Responses {
         &self.responses

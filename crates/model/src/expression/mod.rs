@@ -28,8 +28,8 @@ mod results;
 mod split;
 mod written;
 
-pub(super) use chain::{Chain, Room};
 pub use chain::Given;
+pub(super) use chain::{Chain, Room};
 pub use compiled::{Compiled, Input, Over, Reduce, Values};
 pub(super) use derivatives::Recorded;
 pub use derivatives::{Derivatives, Leaf};

@@ -148,7 +148,20 @@ impl Substitution {
 
     /// Whether the places of a file whose paths begin so have numbers that follow from parameters.
     pub fn changes(&self, beginning: &str) -> bool {
-        self.leaves.iter().any(|leaf| leaf.path.starts_with(beginning))
+        self.leaves
+            .iter()
+            .any(|leaf| leaf.path.starts_with(beginning))
+    }
+
+    /// The value of a parameter that a response names \[SI\], after [`Substitution::put`].
+    pub fn value(&self, name: &str, place: &Substituted) -> Option<f64> {
+        let of = |one: &&Constant| {
+            let (_, response) = self.nominal.responses.get_index(one.response)?;
+            let (known, _) = response.parameters.get_index(one.constant)?;
+            Some(known == name)
+        };
+        let constant = self.constants.iter().find(|one| of(one) == Some(true))?;
+        place.room.values.get(constant.parameter).copied()
     }
 
     /// The model with values, or deviations, in the order of the names; none where only reading can tell what is wrong

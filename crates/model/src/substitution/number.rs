@@ -1,9 +1,9 @@
 //! The numbers of a model by the paths of their places in a file.
 
+use crate::Model;
 use crate::driver::Motion;
 use crate::force::{ForceKind, Value};
 use crate::joint::JointKind;
-use crate::Model;
 
 /// The steps of a path, `bodies.crank.points.A[0]`: names and indexes.
 pub fn steps(path: &str) -> impl Iterator<Item = &str> {
@@ -14,10 +14,16 @@ pub fn steps(path: &str) -> impl Iterator<Item = &str> {
 /// What rules ask of a number: its sign, and that it is no number of another world.
 pub fn class(value: f64) -> Option<std::cmp::Ordering> {
     const LARGE: f64 = 1e100;
-    (value.abs() < LARGE).then(|| value.total_cmp(&0.0)).map(|sign| {
-        // −0 is no less than 0
-        if value == 0.0 { std::cmp::Ordering::Equal } else { sign }
-    })
+    (value.abs() < LARGE)
+        .then(|| value.total_cmp(&0.0))
+        .map(|sign| {
+            // −0 is no less than 0
+            if value == 0.0 {
+                std::cmp::Ordering::Equal
+            } else {
+                sign
+            }
+        })
 }
 
 /// A number of the model; none where the path leads to none that is known.
@@ -119,14 +125,26 @@ fn force<'m, 'p>(
     path: &mut impl Iterator<Item = &'p str>,
 ) -> Option<&'m mut f64> {
     match (kind, path.next()?) {
-        (ForceKind::Spring { stiffness, .. } | ForceKind::TorsionSpring { stiffness, .. }, "stiffness") => {
-            Some(stiffness)
-        }
-        (ForceKind::Spring { damping, .. } | ForceKind::TorsionSpring { damping, .. }, "damping") => {
-            Some(damping)
-        }
-        (ForceKind::Spring { free_length: value, .. }, "free_length")
-        | (ForceKind::TorsionSpring { free_angle: value, .. }, "free_angle")
+        (
+            ForceKind::Spring { stiffness, .. } | ForceKind::TorsionSpring { stiffness, .. },
+            "stiffness",
+        ) => Some(stiffness),
+        (
+            ForceKind::Spring { damping, .. } | ForceKind::TorsionSpring { damping, .. },
+            "damping",
+        ) => Some(damping),
+        (
+            ForceKind::Spring {
+                free_length: value, ..
+            },
+            "free_length",
+        )
+        | (
+            ForceKind::TorsionSpring {
+                free_angle: value, ..
+            },
+            "free_angle",
+        )
         | (ForceKind::Torque { value, .. }, "value") => self::value(value, path),
         (ForceKind::Load { vector, .. }, "vector") => {
             let index = path.next()?.parse::<usize>().ok()?;

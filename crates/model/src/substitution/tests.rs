@@ -7,7 +7,11 @@ fn bundled_models_take_numbers() {
     let mut met = 0;
     for model in bundled::MODELS {
         let loaded = crate::load(model.text.as_bytes(), &[]).expect("a sound model");
-        let names: Vec<&str> = loaded.parameters.iter().map(|one| one.name.as_str()).collect();
+        let names: Vec<&str> = loaded
+            .parameters
+            .iter()
+            .map(|one| one.name.as_str())
+            .collect();
         if names.is_empty() {
             continue;
         }
@@ -30,7 +34,8 @@ fn bundled_models_take_numbers() {
                     Given::Deviations => 0.01 * one.value,
                 })
                 .collect();
-            let pairs: Vec<(&str, f64)> = names.iter().copied().zip(values.iter().copied()).collect();
+            let pairs: Vec<(&str, f64)> =
+                names.iter().copied().zip(values.iter().copied()).collect();
             let read = match given {
                 Given::Values => loaded.source.with_parameters(&pairs),
                 Given::Deviations => loaded.source.with_deviations(&pairs),

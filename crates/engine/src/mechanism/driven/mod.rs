@@ -22,12 +22,14 @@
 //! A mechanism with freedom left is driven by **independent coordinates**, which are given values, velocities and
 //! accelerations. Coordinate k adds the row m + k, φ = u_k − q_c; its multiplier is the effort that holds it.
 
+mod aside;
 mod reactions;
 mod rows;
 
 use super::dependent_forces::DependentForces;
 pub use super::failure::Failure;
 use crate::system::{Evaluation, Inputs, System};
+pub(crate) use aside::Aside;
 use linkdyn_linear::lu::SparseLu;
 use linkdyn_linear::order::ColumnOrder;
 
@@ -140,15 +142,6 @@ impl<'s> Driven<'s> {
             })
             .collect();
         let selection = Driven::select(system, &independent, &evaluation)?;
-        let scales = system
-            .entries
-            .iter()
-            .map(|e| {
-                e.column.map_or(0.0, |c| {
-                    system.column_scale(c as usize) / system.row_scale(e.row as usize)
-                })
-            })
-            .collect();
         let (n, m) = (system.n(), system.m());
         let (pattern, slots, values) = Driven::layout(system, &independent, &selection);
         let nnz = pattern.entries();
@@ -160,7 +153,7 @@ impl<'s> Driven<'s> {
             selection,
             row_scales: Vec::with_capacity(n),
             slots,
-            scales,
+            scales: Vec::with_capacity(system.entries.len()),
             values,
             nnz,
             lu: SparseLu::new(pattern.clone(), ColumnOrder::natural(n)),
@@ -171,6 +164,7 @@ impl<'s> Driven<'s> {
             done: Work::default(),
             dependent_forces: DependentForces::new(system, columns.len()),
         };
+        driven.scale_entries();
         driven.scale_rows();
         driven.scatter();
         driven.order(&pattern)?;

@@ -216,6 +216,17 @@ impl Driven<'_> {
         self.adopt(selection)
     }
 
+    /// Notes the scale of each entry.
+    pub(super) fn scale_entries(&mut self) {
+        let system = self.system;
+        self.scales.clear();
+        self.scales.extend(system.entries.iter().map(|e| {
+            e.column.map_or(0.0, |c| {
+                system.column_scale(c as usize) / system.row_scale(e.row as usize)
+            })
+        }));
+    }
+
     /// Notes the scales of the active rows, those of independent coordinates included.
     pub(super) fn scale_rows(&mut self) {
         let (system, independent) = (self.system, &self.independent);

@@ -1,0 +1,294 @@
+//! A variant, found beside the nominal mechanism.
+//!
+//! ```text
+//! q = q₀ + δ        the nominal mechanism at a station, and the difference
+//! δ(t + h) ≈ δ + h δ̇ + h² δ̈/2     where Newton's iteration begins
+//! ```
+//!
+//! It contracts at least fourfold from step to step, det J keeps the sign of the nominal mechanism, and half-way between
+//! stations the quintic through δ, δ̇, δ̈ meets the constraints but for 1e-6: so the variant moves between them as smoothly
+//! as the nominal mechanism, and no singular position lies there. (Newton–Kantorovich, as in `continuation`.) At the
+//! first station the parameters go from the nominal values to those of the variant, in steps where one does not do.
+
+use super::Family;
+use super::track::{Middle, SMOOTH, Station, Track};
+use crate::analysis::clearance_link::{balance, carried};
+use crate::analysis::responses::Evaluation;
+use crate::analysis::sample::Sample;
+use crate::mechanism::driven::{Aside, Driven};
+use crate::system::compile::compile;
+use crate::system::{Inputs, System};
+use linkdyn_model::{Substituted, Substitution};
+use linkdyn_output::Report;
+
+/// Contraction of Newton that proves the branch.
+const CONTRACTION: f64 = 0.25;
+/// Shortest step of the parameters, as part of the way.
+const SHORTEST: f64 = 1.0 / 16.0;
+
+/// One thread's variant.
+pub struct Beside<'f> {
+    track: &'f Track,
+    family: &'f Family,
+    evaluation: Evaluation<'f>,
+    solver: Option<Aside>,
+    inputs: Inputs,
+    sample: Sample,
+    row: Vec<f64>,
+    wanted: Vec<f64>,
+    /// Values on the way from the nominal ones.
+    mixed: Vec<f64>,
+    start: Vec<f64>,
+    /// δ, δ̇, δ̈ (n) at the station before and at this one.
+    before: [Vec<f64>; 3],
+    here: [Vec<f64>; 3],
+    /// A position, and its correction (n); residuals (m).
+    trial: Vec<f64>,
+    step: Vec<f64>,
+    residual: Vec<f64>,
+    report: Report,
+}
+
+impl<'f> Beside<'f> {
+    pub fn new(track: &'f Track, family: &'f Family) -> Self {
+        let (system, _) = family.prepared.parts();
+        let n = system.n();
+        let zero = || vec![0.0; n];
+        let three = || [zero(), zero(), zero()];
+        Beside {
+            track,
+            family,
+            evaluation: family.responses().begin(),
+            solver: Some(track.solver.clone()),
+            inputs: Inputs::still(system),
+            sample: Sample::new(system),
+            row: Vec::with_capacity(track.channels.columns().len()),
+            wanted: Vec::with_capacity(track.places.len()),
+            mixed: Vec::with_capacity(family.nominal.len()),
+            start: zero(),
+            before: three(),
+            here: three(),
+            trial: zero(),
+            step: zero(),
+            residual: vec![0.0; system.m()],
+            report: Report::default(),
+        }
+    }
+
+    /// Works out the responses; false where the variant is not proven to be like the nominal mechanism.
+    pub fn run(&mut self, values: &[f64], place: &mut Substituted, responses: &mut [f64]) -> bool {
+        let Some(substitution) = &self.family.substitution else {
+            return false;
+        };
+        // As if nothing had been computed before.
+        let mut solver = match self.solver.take() {
+            Some(mut solver) => {
+                if solver.pivots_chosen_anew() != self.track.solver.pivots_chosen_anew() {
+                    solver.restore(&self.track.solver);
+                }
+                solver
+            }
+            None => self.track.solver.clone(),
+        };
+        self.start.copy_from_slice(&self.track.stations[0].q);
+        let (mut part, mut length) = (0.0, 1.0);
+        let mut is_found = false;
+        while part < 1.0 && length >= SHORTEST {
+            let next = f64::min(part + length, 1.0);
+            let Some(system) = self.mix(substitution, values, next, place) else {
+                break;
+            };
+            let mut driven = Driven::take_up(&system, solver);
+            if self.begin(&mut driven) {
+                part = next;
+                if part == 1.0 {
+                    self.set_parameters(substitution, place);
+                    is_found = self.march(&mut driven);
+                }
+            } else {
+                length *= 0.5;
+            }
+            solver = driven.set_aside();
+        }
+        self.solver = Some(solver);
+        if is_found {
+            self.evaluation.finish(&self.report, responses);
+        }
+        is_found
+    }
+
+    /// The mechanism at a part of the way from the nominal values to those given.
+    fn mix(
+        &mut self,
+        substitution: &Substitution,
+        values: &[f64],
+        part: f64,
+        place: &mut Substituted,
+    ) -> Option<System> {
+        self.mixed.clear();
+        let both = values.iter().zip(&self.family.nominal);
+        self.mixed
+            .extend(both.map(|(value, nominal)| match part == 1.0 {
+                true => *value,
+                false => nominal + (value - nominal) * part,
+            }));
+        let model = substitution.put(&self.mixed, place)?;
+        let kind = model.analysis.as_ref()?.kind;
+        compile(model, kind).ok()
+    }
+
+    /// From where the start was found last, the one of this mechanism; whether it is found.
+    fn begin(&mut self, driven: &mut Driven) -> bool {
+        self.take(driven.system, &self.track.stations[0]);
+        self.trial.copy_from_slice(&self.start);
+        let is_found = is_proven(driven, &mut self.trial, &self.inputs);
+        if is_found {
+            self.start.copy_from_slice(&self.trial);
+        }
+        is_found
+    }
+
+    fn take(&mut self, system: &System, station: &Station) {
+        self.inputs.time = station.instant.time;
+        station.instant.drive(system, &mut self.inputs.drive);
+    }
+
+    /// Goes along all stations; whether the motion is like that of the nominal mechanism.
+    fn march(&mut self, driven: &mut Driven) -> bool {
+        let track = self.track;
+        self.evaluation.restart();
+        let (mut time, mut last) = (0.0, 0.0);
+        for (index, station) in track.stations.iter().enumerate() {
+            let h = station.instant.time - time;
+            time = station.instant.time;
+            let before = std::mem::replace(&mut last, h);
+            match index {
+                0 => self.sample.q.copy_from_slice(&self.start),
+                1 => self.predict(station, h),
+                _ => self.extrapolate(station, [before, h]),
+            }
+            self.take(driven.system, station);
+            if !self.solve(driven, station) {
+                return false;
+            }
+            if station.is_output {
+                self.record(driven);
+            }
+            self.note(station);
+            if let Some(middle) = &station.middle
+                && !self.is_smooth(driven, middle, h)
+            {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// Where the variant should be at a station.
+    fn predict(&mut self, station: &Station, h: f64) {
+        let [zeroth, first, second] = &self.here;
+        for (k, q) in self.sample.q.iter_mut().enumerate() {
+            *q = station.q[k] + zeroth[k] + h * (first[k] + 0.5 * h * second[k]);
+        }
+    }
+
+    /// The same by the quintic through the last two stations.
+    fn extrapolate(&mut self, station: &Station, [before, h]: [f64; 2]) {
+        let ([q0, v0, a0], [q1, v1, a1]) = (&self.before, &self.here);
+        let u = 1.0 + h / before;
+        for (k, q) in self.sample.q.iter_mut().enumerate() {
+            let (slope, bend) = (before * v0[k], 0.5 * before * before * a0[k]);
+            let gap = q1[k] - (q0[k] + slope + bend);
+            let turn = before * v1[k] - (slope + 2.0 * bend);
+            let rest = before * before * a1[k] - 2.0 * bend;
+            let [c3, c4, c5] = [
+                10.0 * gap - 4.0 * turn + 0.5 * rest,
+                -15.0 * gap + 7.0 * turn - rest,
+                6.0 * gap - 3.0 * turn + 0.5 * rest,
+            ];
+            *q = station.q[k] + q0[k] + u * (slope + u * (bend + u * (c3 + u * (c4 + u * c5))));
+        }
+    }
+
+    fn solve(&mut self, driven: &mut Driven, station: &Station) -> bool {
+        let Sample { q, v, a, .. } = &mut self.sample;
+        if !is_proven(driven, q, &self.inputs) || driven.factor(&self.inputs).is_err() {
+            return false;
+        }
+        driven.velocity(&self.inputs, v);
+        driven.acceleration(&self.inputs, a);
+        if driven.determinant_sign() != station.sign {
+            return false;
+        }
+        if self.track.reactions {
+            balance(
+                driven.system,
+                &driven.evaluation,
+                &self.inputs,
+                &mut self.sample,
+            );
+            return carried(driven, &self.inputs, &mut self.sample).is_ok();
+        }
+        true
+    }
+
+    fn record(&mut self, driven: &Driven) {
+        self.row.clear();
+        self.track.channels.push_row(
+            driven.system,
+            &driven.evaluation,
+            &self.inputs,
+            &self.sample,
+            &mut self.row,
+        );
+        self.wanted.clear();
+        let places = self.track.places.iter();
+        self.wanted.extend(places.map(|&place| self.row[place]));
+        self.evaluation.row(&self.wanted);
+    }
+
+    /// Notes δ, δ̇, δ̈ at a station.
+    fn note(&mut self, station: &Station) {
+        std::mem::swap(&mut self.before, &mut self.here);
+        let Sample { q, v, a, .. } = &self.sample;
+        let pairs = [(q, &station.q), (v, &station.v), (a, &station.a)];
+        for (difference, (own, nominal)) in self.here.iter_mut().zip(pairs) {
+            for ((difference, own), nominal) in difference.iter_mut().zip(own).zip(nominal) {
+                *difference = own - nominal;
+            }
+        }
+    }
+
+    /// Whether the quintic half-way from the station before meets the constraints.
+    fn is_smooth(&mut self, driven: &mut Driven, middle: &Middle, h: f64) -> bool {
+        let ([q0, v0, a0], [q1, v1, a1]) = (&self.before, &self.here);
+        for (k, q) in self.trial.iter_mut().enumerate() {
+            *q = middle.q[k]
+                + 0.5 * (q0[k] + q1[k])
+                + h * (5.0 / 32.0 * (v0[k] - v1[k]) + h / 64.0 * (a0[k] + a1[k]));
+        }
+        let system = driven.system;
+        self.inputs.set_time(system, middle.time);
+        driven.evaluation.set_position(&self.trial);
+        driven.evaluation.eval_phi(system, &self.inputs);
+        self.residual.copy_from_slice(&driven.evaluation.phi);
+        driven.answer(&self.residual, &mut self.step);
+        system.scaled_norm(&self.step) <= SMOOTH
+    }
+
+    fn set_parameters(&mut self, substitution: &Substitution, place: &Substituted) {
+        for response in self.family.responses().list() {
+            for name in &response.parameters {
+                if let Some(value) = substitution.value(name, place) {
+                    self.evaluation.set_parameter(name, value);
+                }
+            }
+        }
+    }
+}
+
+/// Newton from `q`; whether its contraction proves the branch.
+fn is_proven(driven: &mut Driven, q: &mut [f64], inputs: &Inputs) -> bool {
+    let corrected = driven.correct(q, inputs);
+    corrected.is_ok_and(|correction| correction.contraction <= CONTRACTION)
+}

@@ -1,0 +1,175 @@
+//! Many mechanisms of one structure: the same file with other values of its parameters.
+//!
+//! A [`Family`] is read, checked and compiled once. Each thread has a [`Member`] of its own, which takes values and works
+//! out the responses of the model. Where drivers prescribe the motion, the nominal mechanism is followed once, and the
+//! others are found beside it: at each station Newton's iteration begins where the difference from the nominal mechanism
+//! is predicted to be, and its contraction says that the solution found is that one (`track`). Whatever is not as simple
+//! as that is run as any model is: dynamics, statics, clearance, change points and dead centres, redundant constraints,
+//! values that are not legal.
+//!
+//! What comes out depends on the values alone, not on what was computed before.
+//!
+//! # Examples
+//! ```
+//! use linkdyn_engine::analysis::{Control, Family};
+//! use linkdyn_model::{Given, bundled, load};
+//!
+//! let text = bundled::find("slider-crank").unwrap().text.as_bytes();
+//! let loaded = load(text, &["responses.stroke=max(piston.x)-min(piston.x)".to_owned()]).unwrap();
+//! let family = Family::new(&loaded, &["crank"], Given::Values).unwrap();
+//! let mut member = family.begin();
+//! let mut stroke = [0.0];
+//! for crank in [0.04, 0.05, 0.06] {
+//!     member.run(&[crank], &Control::default(), &mut stroke).unwrap();
+//!     assert!((stroke[0] - 2.0 * crank).abs() < 1e-12);
+//! }
+//! ```
+
+mod beside;
+mod track;
+
+use super::control::Control;
+use super::responses::Responses;
+use super::run::Prepared;
+use beside::Beside;
+use linkdyn_model::error::Complaints;
+use linkdyn_model::{Checked, Given, Loaded, Source, Substituted, Substitution};
+use linkdyn_output::Status;
+use track::Track;
+
+/// A model with parameters that take other values.
+pub struct Family {
+    source: Source,
+    names: Vec<String>,
+    given: Given,
+    /// The values of the file, or no deviation.
+    nominal: Vec<f64>,
+    substitution: Option<Substitution>,
+    prepared: Prepared,
+    track: Option<Track>,
+}
+
+/// One thread's share of a family.
+pub struct Member<'f> {
+    family: &'f Family,
+    place: Option<Substituted>,
+    beside: Option<Beside<'f>>,
+}
+
+/// How a variant ended.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ended {
+    /// How the run ended.
+    pub status: Status,
+    /// Number of the first response without value.
+    pub missing: Option<usize>,
+}
+
+impl Family {
+    /// Of a model that was read, and the names of the parameters that are given.
+    ///
+    /// # Errors
+    /// As [`Prepared::new`]; a name that no parameter has.
+    pub fn new(loaded: &Loaded, names: &[&str], given: Given) -> Result<Self, Complaints> {
+        let prepared = Prepared::new(&loaded.model)?;
+        let find = |name: &&str| {
+            let mut known = loaded.parameters.iter();
+            known.find(|one| one.name == **name).map(|one| one.value)
+        };
+        let values: Option<Vec<f64>> = names.iter().map(find).collect();
+        let Some(values) = values else {
+            // says which name there is not
+            let none: Vec<(&str, f64)> = names.iter().map(|name| (*name, 0.0)).collect();
+            loaded.source.with_deviations(&none)?;
+            return Err(Complaints(Vec::new()));
+        };
+        let substitution = Substitution::new(
+            &loaded.source,
+            &loaded.model,
+            &loaded.parameters,
+            names,
+            given,
+        );
+        let track = substitution
+            .as_ref()
+            .and_then(|substitution| Track::new(&prepared, substitution));
+        Ok(Family {
+            source: loaded.source.clone(),
+            names: names.iter().map(|name| (*name).to_owned()).collect(),
+            nominal: match given {
+                Given::Values => values,
+                Given::Deviations => vec![0.0; names.len()],
+            },
+            given,
+            substitution,
+            prepared,
+            track,
+        })
+    }
+
+    /// The named numbers that come out.
+    pub fn responses(&self) -> &Responses {
+        self.prepared.responses()
+    }
+
+    /// Whether variants are found beside the nominal mechanism.
+    pub fn is_tracked(&self) -> bool {
+        self.track.is_some()
+    }
+
+    /// Begins, for one thread.
+    pub fn begin(&self) -> Member<'_> {
+        Member {
+            family: self,
+            place: self.substitution.as_ref().map(Substitution::begin),
+            beside: self.track.as_ref().map(|track| Beside::new(track, self)),
+        }
+    }
+
+    /// The model with values.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn model(&self, values: &[f64]) -> Result<Checked, Complaints> {
+        let pairs = self.names.iter().map(String::as_str);
+        let pairs: Vec<(&str, f64)> = pairs.zip(values.iter().copied()).collect();
+        match self.given {
+            Given::Values => self.source.with_parameters(&pairs),
+            Given::Deviations => self.source.with_deviations(&pairs),
+        }
+    }
+}
+
+impl Member<'_> {
+    /// Works out the responses for values, in the order of the names; NaN where one has none.
+    ///
+    /// # Errors
+    /// What is wrong with a model of these values.
+    pub fn run(
+        &mut self,
+        values: &[f64],
+        control: &Control,
+        responses: &mut [f64],
+    ) -> Result<Ended, Complaints> {
+        if let (Some(beside), Some(place)) = (&mut self.beside, &mut self.place)
+            && beside.run(values, place, responses)
+        {
+            return Ok(Ended {
+                status: Status::Completed,
+                missing: responses.iter().position(|value| value.is_nan()),
+            });
+        }
+        let put = self.family.substitution.as_ref().zip(self.place.as_mut());
+        let outcome = match put.and_then(|(substitution, place)| substitution.put(values, place)) {
+            Some(model) => Prepared::new(model)?.run(control)?,
+            None => Prepared::new(&self.family.model(values)?)?.run(control)?,
+        };
+        for (response, answer) in responses.iter_mut().zip(&outcome.responses) {
+            *response = answer.value.unwrap_or(f64::NAN);
+        }
+        Ok(Ended {
+            status: outcome.report.status,
+            missing: responses.iter().position(|value| value.is_nan()),
+        })
+    }
+}

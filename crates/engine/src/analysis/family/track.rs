@@ -1,0 +1,229 @@
+//! The nominal mechanism at its stations: the outputs, and what lies between them where that is far.
+//!
+//! Between two stations the quintic that meets q, v, a at both is near enough to the motion that the correction in the
+//! middle is small; where it is not, a station is put there. So stations stand dense where the motion bends, as near
+//! singular positions. A variant that is not as smooth between them shows by the same correction (`beside`).
+
+use super::super::assembly::assemble;
+use super::super::channels::Channels;
+use super::super::control::Control;
+use super::super::driven::{path, range, refuse};
+use super::super::instants::{Instants, OutputInstant};
+use super::super::question::Kind;
+use super::super::run::Prepared;
+use crate::mechanism::continuation::{End, Parameter, Path};
+use crate::mechanism::driven::{Aside, Driven};
+use crate::system::{Inputs, System};
+use linkdyn_linear::hermite::{Node, quintic};
+use linkdyn_model::Substitution;
+use linkdyn_output::Column;
+
+/// Correction in the middle of two stations [rad, sizes of the mechanism].
+pub const SMOOTH: f64 = 1e-5;
+/// Stations for each output, at most, and for a few.
+const DENSEST: usize = 8;
+const FEW: usize = 64;
+/// Halvings of an interval.
+const HALVINGS: u32 = 10;
+
+/// What the variants are found beside.
+pub struct Track {
+    pub stations: Vec<Station>,
+    pub solver: Aside,
+    pub reactions: bool,
+    /// The columns that responses need, and for each of these its place among them.
+    pub channels: Channels,
+    pub places: Vec<usize>,
+}
+
+/// The nominal mechanism at an instant.
+pub struct Station {
+    pub instant: OutputInstant,
+    /// An output, not put between.
+    pub is_output: bool,
+    pub q: Vec<f64>,
+    pub v: Vec<f64>,
+    pub a: Vec<f64>,
+    /// Sign of det J.
+    pub sign: f64,
+    /// Half-way from the station before.
+    pub middle: Option<Middle>,
+}
+
+/// The nominal mechanism half-way between two stations.
+pub struct Middle {
+    pub time: f64,
+    pub q: Vec<f64>,
+}
+
+/// What solves the nominal mechanism along its path.
+struct Follower<'s> {
+    driven: Driven<'s>,
+    path: Path,
+    inputs: Inputs,
+}
+
+impl Track {
+    /// Of a prepared model; none where variants need more than it has.
+    pub fn new(prepared: &Prepared, substitution: &Substitution) -> Option<Track> {
+        let (system, question) = prepared.parts();
+        let settings = question.driven();
+        let is_sampled = matches!(settings.instants, Instants::Sampled(_));
+        let responses = prepared.responses();
+        if question.kind != Kind::Prescribed
+            || system.links > 0
+            || settings.at_events
+            || !system.initial.is_empty()
+            || !system.initial_rates.is_empty()
+            || responses.list().iter().any(|one| one.needs_report)
+            || substitution.changes("analysis")
+            || (is_sampled && substitution.changes("drivers"))
+            || refuse(system, settings.reactions, false).is_err()
+        {
+            return None;
+        }
+        let instants = settings.instants.list(system).ok()?;
+        let mut follower = Follower::new(system, &instants)?;
+        let stations = follower.stations(&instants)?;
+        let (channels, places) = needed(system, prepared);
+        Some(Track {
+            stations,
+            solver: follower.driven.set_aside(),
+            reactions: settings.reactions,
+            channels,
+            places,
+        })
+    }
+}
+
+/// The channels that responses need, and the place of each need in their row.
+fn needed(system: &System, prepared: &Prepared) -> (Channels, Vec<usize>) {
+    let (_, question) = prepared.parts();
+    let all = Channels::new(system, question.contents);
+    let needed = prepared.responses().needed();
+    let mut sorted: Vec<usize> = needed.iter().map(|column| column.index()).collect();
+    sorted.sort_unstable();
+    let columns: Vec<Column> = sorted.iter().map(|&at| all.columns()[at].clone()).collect();
+    let places = needed
+        .iter()
+        .map(|column| sorted.partition_point(|&at| at < column.index()));
+    (Channels::of(columns), places.collect())
+}
+
+impl<'s> Follower<'s> {
+    /// Follows the motion; none where there are singular positions or redundant constraints.
+    fn new(system: &'s System, instants: &[OutputInstant]) -> Option<Self> {
+        let start = Inputs::at_time(system, 0.0);
+        let assembled = assemble(system, &start).ok()?;
+        super::super::assembly::check_driven(system, &assembled, &start).ok()?;
+        let mut driven = Driven::new(system, &assembled.q, &start).ok()?;
+        let mut q = assembled.q;
+        driven.correct(&mut q, &start).ok()?;
+        let first = match Parameter::of(system) {
+            Parameter::DriverValue => start.drive[0][0],
+            Parameter::Time | Parameter::Coordinate => 0.0,
+        };
+        let range = range(system, instants);
+        let path = path(&mut driven, (first, &q), range, &Control::default()).ok()?;
+        let is_whole = path.low == End::Reached && path.high == End::Reached;
+        let is_regular = path.windows().is_empty() && !driven.is_redundant();
+        (is_whole && is_regular).then(|| Follower {
+            driven,
+            path,
+            inputs: start,
+        })
+    }
+
+    /// Takes the drivers' values at an instant, and the path's position there to `q`, corrected.
+    fn position(&mut self, instant: &OutputInstant, node: &mut Node) -> Option<()> {
+        let system = self.driven.system;
+        self.inputs.time = instant.time;
+        instant.drive(system, &mut self.inputs.drive);
+        let s = match self.path.parameter {
+            Parameter::DriverValue => self.inputs.drive[0][0],
+            Parameter::Time | Parameter::Coordinate => instant.time,
+        };
+        let Node { q, d, dd, .. } = node;
+        self.path.guess(s, q, d, dd)?;
+        self.driven.correct(q, &self.inputs).ok()?;
+        Some(())
+    }
+
+    fn station(&mut self, instant: OutputInstant, is_output: bool) -> Option<Station> {
+        let zero = vec![0.0; self.driven.system.n()];
+        let mut node = Node {
+            s: instant.time,
+            q: zero.clone(),
+            d: zero.clone(),
+            dd: zero,
+        };
+        self.position(&instant, &mut node)?;
+        self.driven.factor(&self.inputs).ok()?;
+        self.driven.velocity(&self.inputs, &mut node.d);
+        self.driven.acceleration(&self.inputs, &mut node.dd);
+        Some(Station {
+            instant,
+            is_output,
+            q: node.q,
+            v: node.d,
+            a: node.dd,
+            sign: self.driven.determinant_sign(),
+            middle: None,
+        })
+    }
+
+    fn stations(&mut self, instants: &[OutputInstant]) -> Option<Vec<Station>> {
+        let most = DENSEST * instants.len() + FEW;
+        let mut stations: Vec<Station> = Vec::with_capacity(instants.len());
+        for instant in instants {
+            let next = self.station(*instant, true)?;
+            match stations.last().is_some() {
+                true => self.reach(&mut stations, next, HALVINGS)?,
+                false => stations.push(next),
+            }
+            if stations.len() > most {
+                return None;
+            }
+        }
+        Some(stations)
+    }
+
+    /// Adds a station, and those that are needed on the way to it.
+    fn reach(&mut self, stations: &mut Vec<Station>, mut next: Station, left: u32) -> Option<()> {
+        let last = stations.last()?;
+        let node = |station: &Station| Node {
+            s: station.instant.time,
+            q: station.q.clone(),
+            d: station.v.clone(),
+            dd: station.a.clone(),
+        };
+        let (from, to) = (node(last), node(&next));
+        if to.s <= from.s {
+            return None;
+        }
+        let half_way = OutputInstant {
+            time: 0.5 * (from.s + to.s),
+            exact: None,
+        };
+        let middle = self.station(half_way, false)?;
+        let mut guess = middle.q.clone();
+        quintic(&from, &to, half_way.time, &mut guess, None);
+        guess
+            .iter_mut()
+            .zip(&middle.q)
+            .for_each(|(q, exact)| *q -= exact);
+        if self.driven.system.scaled_norm(&guess) > SMOOTH {
+            if left == 0 {
+                return None;
+            }
+            self.reach(stations, middle, left - 1)?;
+            return self.reach(stations, next, left - 1);
+        }
+        next.middle = Some(Middle {
+            time: half_way.time,
+            q: middle.q,
+        });
+        stations.push(next);
+        Some(())
+    }
+}
