@@ -37,6 +37,7 @@ pub mod guide;
 pub mod prelude;
 
 mod error;
+mod family;
 mod files;
 mod handles;
 mod mechanism;
@@ -45,6 +46,7 @@ mod questions;
 mod run;
 
 pub use error::Error;
+pub use family::{Family, Member};
 pub use handles::{Column, Parameter};
 pub use linkdyn_engine::analysis::{Check, Control, Linearised, Mode};
 pub use linkdyn_model::Model;

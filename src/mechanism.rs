@@ -282,6 +282,11 @@ impl Mechanism {
         Ok(self.prepared.get_or_init(|| prepared))
     }
 
+    /// What was read, and the values that parameters were given since, by index.
+    pub(crate) fn read_with(&self) -> (&Loaded, &[(usize, f64)]) {
+        (&self.loaded, &self.given)
+    }
+
     /// Complaints that came up after the model was read, with their places.
     pub(crate) fn place(&self, complaints: Complaints) -> Error {
         self.loaded.source.place_all(complaints).into()

@@ -11,6 +11,7 @@ fn mechanisms_and_runs_go_to_any_thread() {
     fn shared<T: Send + Sync + 'static>() {}
     shared::<Mechanism>();
     shared::<Run>();
+    shared::<Family>();
     shared::<Model>();
     shared::<Parameter>();
     shared::<Column>();
@@ -26,6 +27,35 @@ fn mechanisms_and_runs_go_to_any_thread() {
             .collect()
     });
     assert_eq!(peaks[0].to_bits(), peaks[1].to_bits());
+}
+
+#[test]
+fn a_family_goes_on_from_the_values_that_its_mechanism_was_given() {
+    let mechanism = four_bar()
+        .set("responses.top", "max(coupler.y)")
+        .expect("a response");
+    let [crank, coupler] =
+        ["crank", "coupler"].map(|name| mechanism.parameter(name).expect("there"));
+    let longer = mechanism.with([(coupler, mm(270.0))]).expect("sound");
+    let family = longer.family(&[crank]).expect("it runs");
+    let mut top = [0.0];
+    let status = family.member().run(&[0.09], &mut top).expect("sound");
+    assert_eq!(status, Status::Completed);
+    let run = longer
+        .with([(crank, mm(90.0))])
+        .expect("sound")
+        .run()
+        .expect("runs");
+    let y = run.mechanism().column("coupler.y").expect("there");
+    assert!((run.column(y).max() - top[0]).abs() < 1e-13);
+    let refused = family
+        .member()
+        .run(&[f64::NAN], &mut top)
+        .expect_err("no length");
+    assert_eq!(
+        refused.to_string(),
+        "line 7, column 46: parameters.crank: NaN: a finite number is expected"
+    );
 }
 
 #[test]

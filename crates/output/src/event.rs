@@ -65,6 +65,7 @@ pub struct Event {
     /// Joint with clearance.
     pub joint: Option<String>,
     /// Of contacts.
+    #[doc(hidden)]
     pub episode: Option<Episode>,
     /// What a reader should know.
     pub note: Option<String>,

@@ -148,6 +148,7 @@ pub struct Report {
     /// Degrees of freedom.
     pub mobility: Mobility,
     /// Work done.
+    #[doc(hidden)]
     pub statistics: Statistics,
     /// How good the result is.
     pub quality: Quality,
@@ -160,7 +161,9 @@ pub struct Report {
     /// Joints with clearance by contact.
     pub clearances: Vec<ClearanceSums>,
     /// Time of the assembly.
+    #[doc(hidden)]
     pub assemble: Stage,
     /// Time of the analysis.
+    #[doc(hidden)]
     pub solve: Stage,
 }

@@ -189,6 +189,8 @@ const KNOW_THE_MODEL: &[&str] = &[
     // Entries, which compile a model.
     "analysis/check.rs",
     "analysis/derived.rs",
+    "analysis/family/mechanisms.rs",
+    "analysis/family/mod.rs",
     "analysis/modes.rs",
     // Named numbers, whose arithmetic is the model's.
     "analysis/responses/",

@@ -16,6 +16,7 @@ pub struct Control {
     /// Set when the user wants the run to stop.
     pub interrupted: Arc<AtomicBool>,
     /// How far the run has come.
+    #[doc(hidden)]
     pub progress: Progress,
 }
 

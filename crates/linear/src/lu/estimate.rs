@@ -55,13 +55,17 @@ impl SparseLu {
             self.factored,
             "determinant wants a successful factorisation before it"
         );
-        let mut sign = self.permutation_sign;
-        let mut ln_abs = 0.0;
-        for &inverse in &self.inverse_pivot {
-            sign *= inverse.signum();
-            ln_abs -= inverse.abs().ln();
-        }
-        (sign, ln_abs)
+        let pivots = self.inverse_pivot.iter();
+        let ln_abs: f64 = pivots.map(|inverse| -inverse.abs().ln()).sum();
+        (self.determinant_sign(), ln_abs)
+    }
+
+    /// Sign of det A of the last factors.
+    pub fn determinant_sign(&self) -> f64 {
+        let pivots = self.inverse_pivot.iter();
+        pivots.fold(self.permutation_sign, |sign, inverse| {
+            sign * inverse.signum()
+        })
     }
 
     /// Smallest pivot over the largest entry of its column and row, whichever is smaller [-].

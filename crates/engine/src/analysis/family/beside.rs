@@ -5,20 +5,19 @@
 //! δ(t + h) ≈ δ + h δ̇ + h² δ̈/2     where Newton's iteration begins
 //! ```
 //!
-//! It contracts at least fourfold from step to step, det J keeps the sign of the nominal mechanism, and half-way between
-//! stations the quintic through δ, δ̇, δ̈ meets the constraints but for 1e-6: so the variant moves between them as smoothly
-//! as the nominal mechanism, and no singular position lies there. (Newton–Kantorovich, as in `continuation`.) At the
-//! first station the parameters go from the nominal values to those of the variant, in steps where one does not do.
+//! or, from the third station on, by the quintic through δ, δ̇, δ̈ at the last two. Newton contracts at least fourfold from
+//! step to step, det J keeps the sign of the nominal mechanism, and the prediction was good to 1e-5, or else the quintic
+//! half-way between the stations is: so the variant moves between them as smoothly as the nominal mechanism, and no
+//! singular position lies there. (Newton–Kantorovich, as in `continuation`.) At the first station the parameters go from
+//! the nominal values to those of the variant, in steps where one does not do.
 
-use super::Family;
+use super::mechanisms::Mechanisms;
 use super::track::{Middle, SMOOTH, Station, Track};
 use crate::analysis::clearance_link::{balance, carried};
-use crate::analysis::responses::Evaluation;
+use crate::analysis::responses::{Evaluation, Responses};
 use crate::analysis::sample::Sample;
 use crate::mechanism::driven::{Aside, Driven};
-use crate::system::compile::compile;
 use crate::system::{Inputs, System};
-use linkdyn_model::{Substituted, Substitution};
 use linkdyn_output::Report;
 
 /// Contraction of Newton that proves the branch.
@@ -29,15 +28,13 @@ const SHORTEST: f64 = 1.0 / 16.0;
 /// One thread's variant.
 pub struct Beside<'f> {
     track: &'f Track,
-    family: &'f Family,
+    responses: &'f Responses,
     evaluation: Evaluation<'f>,
     solver: Option<Aside>,
     inputs: Inputs,
     sample: Sample,
     row: Vec<f64>,
     wanted: Vec<f64>,
-    /// Values on the way from the nominal ones.
-    mixed: Vec<f64>,
     start: Vec<f64>,
     /// δ, δ̇, δ̈ (n) at the station before and at this one.
     before: [Vec<f64>; 3],
@@ -50,21 +47,19 @@ pub struct Beside<'f> {
 }
 
 impl<'f> Beside<'f> {
-    pub fn new(track: &'f Track, family: &'f Family) -> Self {
-        let (system, _) = family.prepared.parts();
+    pub fn new(track: &'f Track, system: &System, responses: &'f Responses) -> Self {
         let n = system.n();
         let zero = || vec![0.0; n];
         let three = || [zero(), zero(), zero()];
         Beside {
             track,
-            family,
-            evaluation: family.responses().begin(),
+            responses,
+            evaluation: responses.begin(),
             solver: Some(track.solver.clone()),
             inputs: Inputs::still(system),
             sample: Sample::new(system),
             row: Vec::with_capacity(track.channels.columns().len()),
             wanted: Vec::with_capacity(track.places.len()),
-            mixed: Vec::with_capacity(family.nominal.len()),
             start: zero(),
             before: three(),
             here: three(),
@@ -76,10 +71,12 @@ impl<'f> Beside<'f> {
     }
 
     /// Works out the responses; false where the variant is not proven to be like the nominal mechanism.
-    pub fn run(&mut self, values: &[f64], place: &mut Substituted, responses: &mut [f64]) -> bool {
-        let Some(substitution) = &self.family.substitution else {
-            return false;
-        };
+    pub fn run(
+        &mut self,
+        values: &[f64],
+        mechanisms: &mut Mechanisms,
+        responses: &mut [f64],
+    ) -> bool {
         // As if nothing had been computed before.
         let mut solver = match self.solver.take() {
             Some(mut solver) => {
@@ -95,14 +92,14 @@ impl<'f> Beside<'f> {
         let mut is_found = false;
         while part < 1.0 && length >= SHORTEST {
             let next = f64::min(part + length, 1.0);
-            let Some(system) = self.mix(substitution, values, next, place) else {
+            let Some(system) = mechanisms.at(values, next) else {
                 break;
             };
             let mut driven = Driven::take_up(&system, solver);
             if self.begin(&mut driven) {
                 part = next;
                 if part == 1.0 {
-                    self.set_parameters(substitution, place);
+                    self.set_parameters(mechanisms);
                     is_found = self.march(&mut driven);
                 }
             } else {
@@ -117,31 +114,11 @@ impl<'f> Beside<'f> {
         is_found
     }
 
-    /// The mechanism at a part of the way from the nominal values to those given.
-    fn mix(
-        &mut self,
-        substitution: &Substitution,
-        values: &[f64],
-        part: f64,
-        place: &mut Substituted,
-    ) -> Option<System> {
-        self.mixed.clear();
-        let both = values.iter().zip(&self.family.nominal);
-        self.mixed
-            .extend(both.map(|(value, nominal)| match part == 1.0 {
-                true => *value,
-                false => nominal + (value - nominal) * part,
-            }));
-        let model = substitution.put(&self.mixed, place)?;
-        let kind = model.analysis.as_ref()?.kind;
-        compile(model, kind).ok()
-    }
-
     /// From where the start was found last, the one of this mechanism; whether it is found.
     fn begin(&mut self, driven: &mut Driven) -> bool {
         self.take(driven.system, &self.track.stations[0]);
         self.trial.copy_from_slice(&self.start);
-        let is_found = is_proven(driven, &mut self.trial, &self.inputs);
+        let is_found = proven(driven, &mut self.trial, &self.inputs).is_some();
         if is_found {
             self.start.copy_from_slice(&self.trial);
         }
@@ -168,14 +145,15 @@ impl<'f> Beside<'f> {
                 _ => self.extrapolate(station, [before, h]),
             }
             self.take(driven.system, station);
-            if !self.solve(driven, station) {
+            let Some(miss) = self.solve(driven, station) else {
                 return false;
-            }
+            };
             if station.is_output {
                 self.record(driven);
             }
             self.note(station);
             if let Some(middle) = &station.middle
+                && (index == 1 || miss > SMOOTH)
                 && !self.is_smooth(driven, middle, h)
             {
                 return false;
@@ -210,15 +188,15 @@ impl<'f> Beside<'f> {
         }
     }
 
-    fn solve(&mut self, driven: &mut Driven, station: &Station) -> bool {
+    /// From the prediction; how far off it was [rad, sizes], and none where nothing is proven.
+    fn solve(&mut self, driven: &mut Driven, station: &Station) -> Option<f64> {
         let Sample { q, v, a, .. } = &mut self.sample;
-        if !is_proven(driven, q, &self.inputs) || driven.factor(&self.inputs).is_err() {
-            return false;
-        }
+        let miss = proven(driven, q, &self.inputs)?;
+        driven.factor(&self.inputs).ok()?;
         driven.velocity(&self.inputs, v);
         driven.acceleration(&self.inputs, a);
         if driven.determinant_sign() != station.sign {
-            return false;
+            return None;
         }
         if self.track.reactions {
             balance(
@@ -227,9 +205,9 @@ impl<'f> Beside<'f> {
                 &self.inputs,
                 &mut self.sample,
             );
-            return carried(driven, &self.inputs, &mut self.sample).is_ok();
+            carried(driven, &self.inputs, &mut self.sample).ok()?;
         }
-        true
+        Some(miss)
     }
 
     fn record(&mut self, driven: &Driven) {
@@ -276,10 +254,10 @@ impl<'f> Beside<'f> {
         system.scaled_norm(&self.step) <= SMOOTH
     }
 
-    fn set_parameters(&mut self, substitution: &Substitution, place: &Substituted) {
-        for response in self.family.responses().list() {
+    fn set_parameters(&mut self, mechanisms: &Mechanisms) {
+        for response in self.responses.list() {
             for name in &response.parameters {
-                if let Some(value) = substitution.value(name, place) {
+                if let Some(value) = mechanisms.parameter(name) {
                     self.evaluation.set_parameter(name, value);
                 }
             }
@@ -287,8 +265,8 @@ impl<'f> Beside<'f> {
     }
 }
 
-/// Newton from `q`; whether its contraction proves the branch.
-fn is_proven(driven: &mut Driven, q: &mut [f64], inputs: &Inputs) -> bool {
-    let corrected = driven.correct(q, inputs);
-    corrected.is_ok_and(|correction| correction.contraction <= CONTRACTION)
+/// Newton from `q`; its first step where the contraction proves the branch.
+fn proven(driven: &mut Driven, q: &mut [f64], inputs: &Inputs) -> Option<f64> {
+    let correction = driven.correct(q, inputs).ok()?;
+    (correction.contraction <= CONTRACTION).then_some(correction.first_step)
 }

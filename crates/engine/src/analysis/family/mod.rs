@@ -26,6 +26,7 @@
 //! ```
 
 mod beside;
+mod mechanisms;
 mod track;
 
 use super::control::Control;
@@ -33,9 +34,10 @@ use super::responses::Responses;
 use super::run::Prepared;
 use beside::Beside;
 use linkdyn_model::error::Complaints;
-use linkdyn_model::{Checked, Given, Loaded, Source, Substituted, Substitution};
+use linkdyn_model::{Checked, Given, Loaded, Source, Substitution};
 use linkdyn_output::Status;
-use track::Track;
+use mechanisms::Mechanisms;
+use track::{Changes, Track};
 
 /// A model with parameters that take other values.
 pub struct Family {
@@ -52,7 +54,7 @@ pub struct Family {
 /// One thread's share of a family.
 pub struct Member<'f> {
     family: &'f Family,
-    place: Option<Substituted>,
+    mechanisms: Option<Mechanisms<'f>>,
     beside: Option<Beside<'f>>,
 }
 
@@ -92,7 +94,11 @@ impl Family {
         );
         let track = substitution
             .as_ref()
-            .and_then(|substitution| Track::new(&prepared, substitution));
+            .map(|substitution| Changes {
+                analysis: substitution.changes("analysis"),
+                drivers: substitution.changes("drivers"),
+            })
+            .and_then(|changes| Track::new(&prepared, changes));
         Ok(Family {
             source: loaded.source.clone(),
             names: names.iter().map(|name| (*name).to_owned()).collect(),
@@ -112,6 +118,11 @@ impl Family {
         self.prepared.responses()
     }
 
+    /// How many parameters are given.
+    pub fn parameters(&self) -> usize {
+        self.names.len()
+    }
+
     /// Whether variants are found beside the nominal mechanism.
     pub fn is_tracked(&self) -> bool {
         self.track.is_some()
@@ -119,10 +130,12 @@ impl Family {
 
     /// Begins, for one thread.
     pub fn begin(&self) -> Member<'_> {
+        let (mechanisms, track) = (self.substitution.as_ref(), self.track.as_ref());
+        let (system, _) = self.prepared.parts();
         Member {
             family: self,
-            place: self.substitution.as_ref().map(Substitution::begin),
-            beside: self.track.as_ref().map(|track| Beside::new(track, self)),
+            mechanisms: mechanisms.map(|substitution| Mechanisms::new(substitution, &self.nominal)),
+            beside: track.map(|track| Beside::new(track, system, self.responses())),
         }
     }
 
@@ -151,18 +164,23 @@ impl Member<'_> {
         control: &Control,
         responses: &mut [f64],
     ) -> Result<Ended, Complaints> {
-        if let (Some(beside), Some(place)) = (&mut self.beside, &mut self.place)
-            && beside.run(values, place, responses)
+        let Member {
+            family,
+            mechanisms,
+            beside,
+        } = self;
+        if let (Some(beside), Some(mechanisms)) = (beside, mechanisms.as_mut())
+            && beside.run(values, mechanisms, responses)
         {
             return Ok(Ended {
                 status: Status::Completed,
                 missing: responses.iter().position(|value| value.is_nan()),
             });
         }
-        let put = self.family.substitution.as_ref().zip(self.place.as_mut());
-        let outcome = match put.and_then(|(substitution, place)| substitution.put(values, place)) {
+        let made = mechanisms.as_mut();
+        let outcome = match made.and_then(|mechanisms| mechanisms.model(values)) {
             Some(model) => Prepared::new(model)?.run(control)?,
-            None => Prepared::new(&self.family.model(values)?)?.run(control)?,
+            None => Prepared::new(&family.model(values)?)?.run(control)?,
         };
         for (response, answer) in responses.iter_mut().zip(&outcome.responses) {
             *response = answer.value.unwrap_or(f64::NAN);

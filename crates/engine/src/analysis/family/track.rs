@@ -15,7 +15,6 @@ use crate::mechanism::continuation::{End, Parameter, Path};
 use crate::mechanism::driven::{Aside, Driven};
 use crate::system::{Inputs, System};
 use linkdyn_linear::hermite::{Node, quintic};
-use linkdyn_model::Substitution;
 use linkdyn_output::Column;
 
 /// Correction in the middle of two stations [rad, sizes of the mechanism].
@@ -56,6 +55,13 @@ pub struct Middle {
     pub q: Vec<f64>,
 }
 
+/// Whether numbers of the analysis and of drivers differ between variants.
+#[derive(Debug, Clone, Copy)]
+pub struct Changes {
+    pub analysis: bool,
+    pub drivers: bool,
+}
+
 /// What solves the nominal mechanism along its path.
 struct Follower<'s> {
     driven: Driven<'s>,
@@ -65,7 +71,7 @@ struct Follower<'s> {
 
 impl Track {
     /// Of a prepared model; none where variants need more than it has.
-    pub fn new(prepared: &Prepared, substitution: &Substitution) -> Option<Track> {
+    pub fn new(prepared: &Prepared, changes: Changes) -> Option<Track> {
         let (system, question) = prepared.parts();
         let settings = question.driven();
         let is_sampled = matches!(settings.instants, Instants::Sampled(_));
@@ -76,8 +82,8 @@ impl Track {
             || !system.initial.is_empty()
             || !system.initial_rates.is_empty()
             || responses.list().iter().any(|one| one.needs_report)
-            || substitution.changes("analysis")
-            || (is_sampled && substitution.changes("drivers"))
+            || changes.analysis
+            || (is_sampled && changes.drivers)
             || refuse(system, settings.reactions, false).is_err()
         {
             return None;

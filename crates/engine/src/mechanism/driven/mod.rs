@@ -358,7 +358,7 @@ impl<'s> Driven<'s> {
 
     /// Sign of det J̃_A at the last factors.
     pub fn determinant_sign(&self) -> f64 {
-        self.lu.determinant().0
+        self.lu.determinant_sign()
     }
 
     /// The smallest singular value with its right (n) and left (n, by active row) vectors at the last factors, by inverse

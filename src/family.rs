@@ -1,0 +1,113 @@
+//! Many variants of one mechanism.
+
+use linkdyn_engine::analysis::{self, Control};
+use linkdyn_model::Given;
+use linkdyn_output::Status;
+
+use crate::error::Error;
+use crate::handles::Parameter;
+use crate::mechanism::Mechanism;
+
+/// A mechanism whose parameters take many values: compiled and followed once, shared by threads.
+///
+/// What a variant gives are the responses of the model, in SI and in the order of the model. It is the one that a run of
+/// [`Mechanism::with`] gives, to round-off. Where drivers prescribe the motion, variants are found beside the nominal
+/// mechanism, in a fraction of the time.
+///
+/// # Examples
+/// ```
+/// use linkdyn::prelude::*;
+///
+/// let press = Mechanism::bundled("slider-crank")?.set("responses.stroke", "max(piston.x) - min(piston.x)")?;
+/// let family = press.family(&[press.parameter("crank")?])?;
+/// let mut member = family.member();
+/// let mut stroke = [0.0];
+/// for crank in [0.04, 0.05, 0.06] {
+///     let status = member.run(&[crank], &mut stroke)?;
+///     assert_eq!(status, Status::Completed);
+///     assert!((stroke[0] - 2.0 * crank).abs() < 1e-12);
+/// }
+/// # Ok::<(), linkdyn::Error>(())
+/// ```
+pub struct Family {
+    mechanism: Mechanism,
+    family: analysis::Family,
+    /// Values of parameters that the mechanism was given before, behind those that vary.
+    fixed: Vec<f64>,
+}
+
+/// The variants that one thread computes; see [`Family`].
+pub struct Member<'f> {
+    family: &'f Family,
+    member: analysis::Member<'f>,
+    values: Vec<f64>,
+    control: Control,
+}
+
+impl Mechanism {
+    /// The family of mechanisms in which these parameters take other values.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] where a parameter is none of this mechanism, [`Error::Model`] where the model has no analysis, or
+    /// lacks what it needs.
+    pub fn family(&self, parameters: &[Parameter]) -> Result<Family, Error> {
+        let (loaded, given) = self.read_with();
+        let varied = parameters.iter().map(|parameter| parameter.index);
+        let varied: Vec<usize> = varied.collect();
+        let others = given.iter().filter(|(index, _)| !varied.contains(index));
+        let others: Vec<(usize, f64)> = others.copied().collect();
+        let indexes = varied.iter().chain(others.iter().map(|(index, _)| index));
+        let mut names = Vec::new();
+        for &index in indexes {
+            let Some(parameter) = loaded.parameters.get(index) else {
+                return Err(Error::Unknown {
+                    what: "parameter",
+                    name: format!("number {index}"),
+                    nearest: None,
+                });
+            };
+            names.push(parameter.name.as_str());
+        }
+        let family = analysis::Family::new(loaded, &names, Given::Values);
+        Ok(Family {
+            family: family.map_err(|found| self.place(found))?,
+            mechanism: self.clone(),
+            fixed: others.iter().map(|(_, value)| *value).collect(),
+        })
+    }
+}
+
+impl Family {
+    /// Begins; each thread has its own.
+    pub fn member(&self) -> Member<'_> {
+        Member {
+            family: self,
+            member: self.family.begin(),
+            values: Vec::new(),
+            control: Control::default(),
+        }
+    }
+}
+
+impl Member<'_> {
+    /// Works out the responses for values of the parameters \[SI\], in their order; NaN where one has none. How the run ended
+    /// is no error: then all responses are NaN that need the whole of it.
+    ///
+    /// # Errors
+    /// [`Error::Model`] where the model has faults with these values.
+    ///
+    /// # Panics
+    /// Where there are not as many values as parameters, or more or less room than responses.
+    pub fn run(&mut self, values: &[f64], responses: &mut [f64]) -> Result<Status, Error> {
+        let family = self.family;
+        let wanted = self.family.family.parameters() - family.fixed.len();
+        assert_eq!(values.len(), wanted, "one value for each parameter");
+        let count = family.family.responses().len();
+        assert_eq!(responses.len(), count, "room for each response");
+        self.values.clear();
+        self.values.extend(values.iter().chain(&family.fixed));
+        let ended = self.member.run(&self.values, &self.control, responses);
+        let ended = ended.map_err(|found| family.mechanism.place(found))?;
+        Ok(ended.status)
+    }
+}
