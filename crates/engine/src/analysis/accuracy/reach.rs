@@ -26,6 +26,8 @@ const FARTHEST: f64 = 7.0;
 const SHORTEST: f64 = 1e-12;
 /// Most steps.
 const MOST_STEPS: usize = 400;
+/// What has hardly an influence flickers from side to side: after so many corrections all keep theirs.
+const MOST_AIMS: usize = 12;
 /// Most corrections of one step.
 const MOST_PASSES: usize = 40;
 /// Corrections below this, in radians or sizes, are round-off.
@@ -199,10 +201,11 @@ impl Bordered<'_, '_> {
             at.c += along * (from.c - before.c);
         }
         let (mut last, mut calm, mut flips) = (f64::INFINITY, 0, 0);
-        let mut step = vec![0.0; n + 1];
+        let (mut step, mut aimed) = (vec![0.0; n + 1], 0);
         for _ in 0..MOST_PASSES {
             self.mechanism.take(&at.q, self.stand);
-            self.aim(&mut at)?;
+            self.aim(&mut at, aimed >= MOST_AIMS)?;
+            aimed += 1;
             let border = self.border();
             self.fill(&border, held)?;
             self.right_side(&at, held, &mut step);
@@ -222,7 +225,7 @@ impl Bordered<'_, '_> {
                 // The self-stress presses the other way.
                 at.load.lambda.iter_mut().for_each(|l| *l = -*l);
                 at.load.size = -at.load.size;
-                (at.c, last) = (-at.c, f64::INFINITY);
+                (at.c, last, aimed) = (-at.c, f64::INFINITY, 0);
                 flips += 1;
                 if flips > MOST_FLIPS {
                     return None;
@@ -247,14 +250,20 @@ impl Bordered<'_, '_> {
         None
     }
 
-    /// The load that the deviations balance at the position taken, and gaps and shifts that it asks for.
-    fn aim(&mut self, at: &mut Displaced) -> Option<()> {
+    /// The load that the deviations balance at the position taken, and gaps and shifts that it asks for; where all keep theirs,
+    /// for the same deviations.
+    fn aim(&mut self, at: &mut Displaced, is_kept: bool) -> Option<()> {
         let mut g = vec![[0.0; 2]; self.mechanism.plays.len()];
-        for pass in 0..2 {
-            self.mechanism
-                .influences(self.stand, self.output, &at.load, &mut g);
-            if !self.mechanism.deviate(self.stand, &g, 1.0) {
-                return None;
+        for pass in 0..if is_kept { 1 } else { 2 } {
+            if is_kept {
+                self.mechanism.place(self.stand);
+                self.mechanism.gap(self.stand);
+            } else {
+                self.mechanism
+                    .influences(self.stand, self.output, &at.load, &mut g);
+                if !self.mechanism.deviate(self.stand, &g, 1.0) {
+                    return None;
+                }
             }
             let gaps = self.mechanism.rows.iter().enumerate();
             let system = self.mechanism.driven.system;

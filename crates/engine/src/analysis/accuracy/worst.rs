@@ -154,7 +154,8 @@ impl Mechanism<'_> {
             let shrunk = self.step();
             let gains = gain * (gain / gained).min(1.0);
             let left = gains.max(CURVED * shrunk * shrunk * unit);
-            let is_done = left <= STILL * now.abs() + round_off;
+            // The first λ is corrected with the steps that another output or side left behind.
+            let is_done = pass > 1 && left <= STILL * now.abs() + round_off;
             if is_done || (shrunk <= STALLED && shrunk > 0.3 * size) {
                 return Some(Farthest {
                     deviation: now,
