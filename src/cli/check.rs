@@ -12,6 +12,7 @@ use super::page::{Page, names, number, shorten, wrapped};
 use super::refused;
 use super::responses;
 use super::streams::{complain, print};
+use super::study;
 use super::tolerances;
 use super::words::{analysis_words, mobility, status_words};
 use linkdyn_engine::analysis::{self, Check, Lack};
@@ -150,6 +151,9 @@ fn page(opened: &Opened, check: &Check, written: Option<PathBuf>) -> String {
     );
     tolerances::rows(&mut page, &opened.loaded);
     responses::rows(&mut page, opened);
+    if let Some(own) = &opened.loaded.model.study {
+        page.rows("study", study::rows(own));
+    }
     page.rows(
         "lacking",
         folded(check.lacks.iter().map(lack_words).collect()),

@@ -105,6 +105,48 @@ fn a_sweep_has_a_row_for_each_variant() {
     assert_eq!(summary["responses"]["stroke"]["none"], 5);
 }
 
+/// What a model says of its study is done as the options say it, which go before it.
+#[test]
+fn the_model_may_say_what_is_varied() {
+    let scratch = Scratch::new("study-words");
+    let inputs = |told: &Value| {
+        (
+            told["method"].clone(),
+            told["seed"].clone(),
+            told["inputs"].clone(),
+        )
+    };
+    let samples = [
+        "--set",
+        "study.samples=20",
+        "--set",
+        "study.method=\"sobol\"",
+    ];
+    let own = json(
+        &scratch,
+        &[&samples[..], &["--set", "study.seed=7", "--json"]].concat(),
+    );
+    let said = json(
+        &scratch,
+        &["--samples", "20", "--sobol", "--seed", "7", "--json"],
+    );
+    assert_eq!(inputs(&own), inputs(&said));
+    assert_eq!(own["summary"], said["summary"]);
+    let grid = ["--set", "study.vary.crank=\"40 mm:60 mm:3\""];
+    let own = json(&scratch, &[&grid[..], &["--json"]].concat());
+    let said = json(
+        &scratch,
+        &["--vary", "parameters.crank=40 mm:60 mm:3", "--json"],
+    );
+    assert_eq!(inputs(&own), inputs(&said));
+    assert_eq!(own["summary"], said["summary"]);
+    let over = json(
+        &scratch,
+        &[&grid[..], &["--vary", "rod=200 mm", "--json"]].concat(),
+    );
+    assert_eq!(over["variants"], 1);
+}
+
 /// Two axes multiply, the last one fastest; values may be listed, and responses come from the command.
 #[test]
 fn axes_multiply() {
@@ -304,6 +346,44 @@ const REFUSALS: &[(&[&str], &str)] = &[
             "there",
         ],
         "there/study.json: it is another study (other model): choose another directory, or remove this one",
+    ),
+    (
+        &["--samples", "9", "--shard", "0/3", "-o", "new"],
+        "error: --shard 0/3: ",
+    ),
+    (
+        &["--samples", "9", "--response", "peak = max(slde.x)"],
+        "error: --response peak: no result is called \"slde.x\"",
+    ),
+    (
+        &[
+            "--samples",
+            "9",
+            "--response",
+            "sum = max(slide.x) + max(rod.angle)",
+        ],
+        "error: --response sum: ",
+    ),
+    (
+        &["--set", "study.vary.crnk=\"1 mm\""],
+        "error: study.vary.crnk \"1 mm\": the model has no parameter \"crnk\" (did you mean \"crank\"?)",
+    ),
+    (
+        &["--set", "study.vary.rod=\"1 s:2 s:3\""],
+        "error: study.vary.rod \"1 s:2 s:3\": \"1 s\" is in s, rod is in m (200 mm)",
+    ),
+    (
+        &["--set", "study.samples=0"],
+        "study.samples: must not be less than 1",
+    ),
+    (
+        &["--set", "study.method=\"halton\""],
+        "study.method: unknown word \"halton\"",
+    ),
+    (&["--set", "study.sampels=3"], "study.sampels: unknown key"),
+    (
+        &["--set", "study.seed=1"],
+        "error: nothing is varied: say --vary \"parameters.NAME=FROM:TO:COUNT\", or --samples N for tolerances",
     ),
     (
         &["merge", "nowhere"],

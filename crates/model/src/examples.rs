@@ -153,6 +153,8 @@ fn row(path: &str) -> Option<(&'static str, &'static str)> {
             r#""responses": { "stroke": "max(piston.x) - min(piston.x)" }"#,
         )),
         ["parameters", _, "value"] => Some(("", r#""value": "5 mm""#)),
+        ["study", "vary", ..] => Some(("", r#""vary": { "r": "40 mm:60 mm:21" }"#)),
+        ["study"] => Some(("", r#""study": { "vary": { "r": "40 mm:60 mm:21" } }"#)),
         ["accuracy"] => Some((
             "",
             r#""accuracy": { "outputs": { "swing": { "column": "rocker.angle" } } }"#,

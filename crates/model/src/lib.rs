@@ -15,6 +15,7 @@ pub mod fit;
 pub mod force;
 pub mod joint;
 pub mod response;
+pub mod study;
 pub mod tolerance;
 
 mod carrier;
@@ -62,6 +63,7 @@ pub use load::{Loaded, load, load_file};
 pub use response::Response;
 pub use schema::schema;
 pub use source::Source;
+pub use study::Study;
 #[doc(hidden)]
 pub use substitution::{Substituted, Substitution};
 pub use suggest::nearest;
@@ -124,6 +126,10 @@ pub struct Model {
     #[serde(default)]
     #[doc(hidden)]
     pub responses: IndexMap<String, Response>,
+    /// Many variants.
+    #[serde(default)]
+    #[doc(hidden)]
+    pub study: Option<Study>,
     /// How messages speak of it: the units that the file names.
     #[serde(skip)]
     #[doc(hidden)]

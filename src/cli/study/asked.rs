@@ -3,9 +3,9 @@
 use super::super::exit::BadInput;
 use super::super::near::did_you_mean;
 use super::super::open::Opened;
-use super::Options;
+use super::wanted::{Axis as Written, Wanted};
 use linkdyn_model::{Distribution as Words, Given, Parameter, Tolerance};
-use linkdyn_study::design::{Axis, Design, Grid, Layout, Method, Samples};
+use linkdyn_study::design::{Axis, Design, Grid, Layout, Samples};
 use linkdyn_study::distribution::{Distribution, Shape};
 use serde::{Deserialize, Serialize};
 
@@ -63,29 +63,29 @@ impl Asked {
     ///
     /// # Errors
     /// Unknown parameters, empty ranges, values of another dimension, nothing to vary.
-    pub fn new(options: &Options, opened: &Opened) -> Result<Self, BadInput> {
+    pub fn new(wanted: &Wanted, opened: &Opened) -> Result<Self, BadInput> {
         let mut inputs = Vec::new();
         let mut axes = Vec::new();
-        for text in &options.vary {
-            let (input, axis) = axis(text, opened)?;
+        for own in &wanted.axes {
+            let (input, axis) = axis(own, opened)?;
             if inputs
                 .iter()
                 .any(|own: &Input| own.parameter == input.parameter)
             {
                 let name = &input.parameter;
-                return Err(bad(format!("--vary {text}: {name} is varied twice")));
+                return Err(bad(format!("{}: {name} is varied twice", own.label)));
             }
             inputs.push(input);
             axes.push(axis);
         }
         let grid = Grid::new(axes).map_err(|fault| bad(format!("--vary: {fault}")))?;
         let varied = inputs.len();
-        if options.indices && varied > 0 {
+        if wanted.indices && varied > 0 {
             return Err(bad(
                 "--indices: Sobol indices are those of samples; not together with --vary",
             ));
         }
-        let Some(points) = options.samples else {
+        let Some(points) = wanted.samples else {
             if inputs.is_empty() {
                 return Err(bad(
                     "nothing is varied: say --vary \"parameters.NAME=FROM:TO:COUNT\", or --samples N for tolerances",
@@ -105,20 +105,21 @@ impl Asked {
                 follows.parameter
             )));
         }
-        let method = match (options.sobol, options.latin) {
-            (true, _) => Method::Sobol { scrambled: true },
-            (_, true) => Method::LatinHypercube,
-            _ => Method::MonteCarlo,
-        };
-        let layout = if options.indices {
+        let layout = if wanted.indices {
             Layout::Saltelli
         } else {
             Layout::Plain
         };
         let fault = |fault| bad(format!("--samples: {fault}"));
-        let samples = Samples::new(method, layout, points, distributions.len(), options.seed)
-            .map_err(fault)?;
-        let rows_per_point = options.indices.then(|| samples.rows_per_point());
+        let samples = Samples::new(
+            wanted.method,
+            layout,
+            points,
+            distributions.len(),
+            wanted.seed,
+        )
+        .map_err(fault)?;
+        let rows_per_point = wanted.indices.then(|| samples.rows_per_point());
         let design = Design::of_samples(grid, samples, distributions).map_err(fault)?;
         Ok(Asked {
             inputs,
@@ -192,15 +193,14 @@ fn bad(text: impl Into<String>) -> BadInput {
 }
 
 /// `parameters.r=40 mm:60 mm:21`, or `parameters.r=40 mm, 50 mm`.
-fn axis(text: &str, opened: &Opened) -> Result<(Input, Axis), BadInput> {
-    let form = "write it as in \"parameters.r=40 mm:60 mm:21\" or \"parameters.r=40 mm, 50 mm\"";
-    let Some((path, values)) = text.split_once('=') else {
-        return Err(bad(format!("--vary {text}: {form}")));
-    };
-    let path = path.trim();
-    let name = path.strip_prefix("parameters.").unwrap_or(path);
+fn axis(own: &Written, opened: &Opened) -> Result<(Input, Axis), BadInput> {
+    let Written {
+        label,
+        name,
+        values,
+    } = own;
     let parameters = &opened.loaded.parameters;
-    let Some(parameter) = parameters.iter().find(|own| own.name == name) else {
+    let Some(parameter) = parameters.iter().find(|own| own.name == *name) else {
         let known: Vec<&str> = parameters.iter().map(|own| own.name.as_str()).collect();
         let otherwise = if known.is_empty() {
             "it has none: give what is to vary a name under \"parameters\"".to_owned()
@@ -209,21 +209,19 @@ fn axis(text: &str, opened: &Opened) -> Result<(Input, Axis), BadInput> {
         };
         let hint = did_you_mean(name, known.iter().copied(), &otherwise);
         return Err(bad(format!(
-            "--vary {text}: the model has no parameter {name:?} ({hint})"
+            "{label}: the model has no parameter {name:?} ({hint})"
         )));
     };
     let read = |value: &str| {
-        value_of(parameter, value.trim()).map_err(|why| bad(format!("--vary {text}: {why}")))
+        value_of(parameter, value.trim()).map_err(|why| bad(format!("{label}: {why}")))
     };
     let parts: Vec<&str> = values.split(':').collect();
     let (how, axis) = match parts[..] {
         [from, to, count] => {
-            let count: u64 = count.trim().parse().map_err(|_| {
-                bad(format!(
-                    "--vary {text}: {:?} is no count of values",
-                    count.trim()
-                ))
-            })?;
+            let count: u64 = count
+                .trim()
+                .parse()
+                .map_err(|_| bad(format!("{label}: {:?} is no count of values", count.trim())))?;
             let (from, to) = (read(from)?, read(to)?);
             (
                 How::Linear { from, to, count },
@@ -234,10 +232,10 @@ fn axis(text: &str, opened: &Opened) -> Result<(Input, Axis), BadInput> {
             let list: Vec<f64> = list.split(',').map(read).collect::<Result<_, _>>()?;
             (How::Listed(list.clone()), Axis::Listed(list))
         }
-        _ => return Err(bad(format!("--vary {text}: {form}"))),
+        _ => return Err(bad(format!("{label}: {}", Written::FORM))),
     };
     axis.check()
-        .map_err(|fault| bad(format!("--vary {text}: {fault}")))?;
+        .map_err(|fault| bad(format!("{label}: {fault}")))?;
     Ok((input(parameter, how, ""), axis))
 }
 

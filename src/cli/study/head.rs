@@ -1,9 +1,11 @@
 //! What a study is: enough to join its chunks without its model.
 
+use super::VERSION;
 use super::asked::{Asked as Inputs, Column};
-use super::{Options, VERSION};
+use super::wanted::Wanted;
 use crate::cli::open::Opened;
 use linkdyn_study::chunks::{Identity, Plan};
+use linkdyn_study::design::Method;
 use linkdyn_study::summary::Limits;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
@@ -49,7 +51,7 @@ pub struct Head {
 impl Head {
     /// Of what the command asks.
     pub fn new(
-        options: &Options,
+        wanted: &Wanted,
         sets: &[String],
         opened: &Opened,
         inputs: &Inputs,
@@ -61,18 +63,18 @@ impl Head {
             "sha256": opened.sha256,
             "set": sets,
         });
-        let method = match (options.samples, options.sobol, options.latin) {
-            (None, ..) => "grid",
-            (_, true, _) => "sobol",
-            (_, _, true) => "latin_hypercube",
-            _ => "monte_carlo",
+        let method = match (wanted.samples, wanted.method) {
+            (None, _) => "grid",
+            (Some(_), Method::Sobol { .. }) => "sobol",
+            (Some(_), Method::LatinHypercube) => "latin_hypercube",
+            (Some(_), Method::MonteCarlo) => "monte_carlo",
         };
         let mut head = Head {
             engine: VERSION.to_owned(),
             model,
             study: String::new(),
             method: method.to_owned(),
-            seed: options.seed,
+            seed: wanted.seed,
             variants: inputs.design.rows(),
             rows_per_chunk: rows_per_chunk(opened),
             rows_per_point: inputs.rows_per_point,

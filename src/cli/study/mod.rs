@@ -6,6 +6,7 @@ mod respond;
 mod text;
 mod totals;
 mod variants;
+mod wanted;
 
 use std::fs;
 use std::io;
@@ -30,14 +31,14 @@ use linkdyn_study::chunks::{ChunkFault, Shard, Store};
 use respond::family;
 use totals::Totals;
 use variants::Variants;
+use wanted::Wanted;
+pub use wanted::rows;
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 /// What a directory holds.
 const HEAD: &str = "study.json";
 const TABLE: &str = "variants.csv";
 const CHUNKS: &str = "chunks";
-/// Random numbers where the user says no seed.
-const SEED: u64 = 1;
 
 #[derive(Debug, Args)]
 #[command(after_help = HELP, args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
@@ -62,9 +63,9 @@ pub struct Options {
     /// Take the rows that Sobol indices need, inputs + 2 for each sample
     #[arg(long, requires = "samples")]
     indices: bool,
-    /// Seed of the samples
-    #[arg(long, value_name = "SEED", default_value_t = SEED)]
-    seed: u64,
+    /// Seed of the samples [default: 1]
+    #[arg(long, value_name = "SEED")]
+    seed: Option<u64>,
     /// A number that comes out of each variant, as in "stroke = max(piston.x) - min(piston.x)", besides those of the model
     #[arg(long = "response", value_name = "NAME = EXPRESSION")]
     responses: Vec<String>,
@@ -116,10 +117,11 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let shard = options.shard.as_deref().map(shard).transpose()?;
     let opened = responses::open(model, &options.responses)?;
     respond::wanted(&opened)?;
-    let asked = Asked::new(options, &opened)?;
+    let wanted = Wanted::new(options, &opened)?;
+    let asked = Asked::new(&wanted, &opened)?;
     let family = family(&opened, &asked)?;
     let head = Head::new(
-        options,
+        &wanted,
         model.sets(),
         &opened,
         &asked,

@@ -10,12 +10,14 @@ mod friction;
 mod joint;
 mod parameter;
 mod response;
+mod study;
 
 pub use body::{BODY, GROUND, LENGTH, PLACE};
 pub use clearance::{MATERIAL, SEPARATE};
 pub use driver::MOTION;
 pub use parameter::PARAMETER;
 pub use response::RESPONSE;
+use study::{INDICES, METHOD, STUDY};
 
 use crate::dimension::Dimension;
 use crate::shape::{
@@ -104,6 +106,7 @@ pub static FILE: Object = Object {
             Default::Empty,
             "Named numbers of a run: an expression of result columns and parameters, alone or with limits.",
         ),
+        optional("study", Shape::Object(&STUDY), ""),
     ],
     refused: &[],
     drives: Drives::Nothing,
@@ -147,7 +150,7 @@ impl Definition {
 }
 
 /// All that the schema defines by a name, in its order.
-pub static DEFINITIONS: [Definition; 37] = [
+pub static DEFINITIONS: [Definition; 40] = [
     Definition::Format(&FORMATS),
     Definition::Object(&GROUND),
     Definition::Object(&BODY),
@@ -185,4 +188,7 @@ pub static DEFINITIONS: [Definition; 37] = [
     Definition::Choice(&PINS),
     Definition::Choice(&LEVELS),
     Definition::Object(&RESPONSE),
+    Definition::Object(&STUDY),
+    Definition::Choice(&METHOD),
+    Definition::Choice(&INDICES),
 ];
