@@ -133,7 +133,7 @@ impl<'s> Follower<'s> {
         let path = path(&mut driven, (first, &q), range, &Control::default()).ok()?;
         let is_whole = path.low == End::Reached && path.high == End::Reached;
         let is_regular = path.windows().is_empty() && !driven.is_redundant();
-        (is_whole && is_regular).then(|| Follower {
+        (is_whole && is_regular).then_some(Follower {
             driven,
             path,
             inputs: start,
