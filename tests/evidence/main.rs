@@ -18,4 +18,5 @@ mod jams;
 mod lock;
 mod mutants;
 mod redundant;
+mod sampling;
 mod validation;
