@@ -98,7 +98,7 @@ pub fn minimise(
     };
     let values = match f(&x) {
         Outcome::Values(values) => values,
-        Outcome::Missing(_) => return nothing(Ended::NoValues, x, Vec::new()),
+        Outcome::Missing => return nothing(Ended::NoValues, x, Vec::new()),
         Outcome::Stopped => return nothing(Ended::Stopped, x, Vec::new()),
     };
     let slopes = match jacobian(f, bounds, &x, &values) {
@@ -171,7 +171,7 @@ impl Search<'_> {
         let to = self.moved(&step.d);
         let values = match f(&to) {
             Outcome::Stopped => return Err(Ended::Stopped),
-            Outcome::Missing(_) => {
+            Outcome::Missing => {
                 self.shrink(&step.d);
                 return Ok(None);
             }
@@ -193,7 +193,7 @@ impl Search<'_> {
             let to = self.moved(&bent.d);
             match f(&to) {
                 Outcome::Stopped => return Err(Ended::Stopped),
-                Outcome::Missing(_) => {}
+                Outcome::Missing => {}
                 Outcome::Values(values) => {
                     if before - self.merit(&values) > ACCEPTED * expected {
                         return Ok(Some((to, values, bent.multipliers)));

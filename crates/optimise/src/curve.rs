@@ -40,6 +40,14 @@ pub fn residuals(nodes: &[Node], points: &[[f64; 2]]) -> Option<Vec<f64>> {
     )
 }
 
+/// The place of the curve at a parameter between its ends; none where there are fewer than two nodes.
+pub fn place(nodes: &[Node], s: f64) -> Option<[f64; 2]> {
+    let after = nodes.partition_point(|node| node.s <= s);
+    let k = after.clamp(1, nodes.len().checked_sub(1)?.max(1));
+    let (a, b) = (nodes.get(k - 1)?, nodes.get(k)?);
+    Some(Piece::new(a, b).at((s - a.s) / (b.s - a.s))[0])
+}
+
 /// The nearest place of a curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Foot {
@@ -215,6 +223,18 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn places_between_nodes_are_those_of_the_curve() {
+        let nodes = ellipse(73);
+        for s in [0.0, 0.01, 1.0, 4.0, TAU] {
+            let found = place(&nodes, s).expect("nodes");
+            let off = (found[0] - 3.0 * s.cos()).hypot(found[1] - s.sin());
+            assert!(off <= BETWEEN, "{s}: {off}");
+        }
+        assert_eq!(place(&nodes[..1], 0.0), None);
+        assert_eq!(place(&[], 0.0), None);
     }
 
     #[test]

@@ -69,7 +69,7 @@ fn column(
         match f(&moved) {
             // The step that was made, not the one that was meant.
             Outcome::Values(found) => Ok(Some((to - x[k], found))),
-            Outcome::Missing(_) => Ok(None),
+            Outcome::Missing => Ok(None),
             Outcome::Stopped => Err(Underived::Stopped),
         }
     };
@@ -116,7 +116,7 @@ mod tests {
 
     fn powers(x: &[f64]) -> Outcome {
         if x[0] > 2.0 {
-            return Outcome::Missing(0.5);
+            return Outcome::Missing;
         }
         Outcome::of(vec![x[0].powi(3), x[0].exp() * x[1]])
     }
@@ -142,7 +142,7 @@ mod tests {
         let bounds = Bounds::new(&[[0.0, 1.0]]);
         let mut alone = |x: &[f64]| match x[0] == 0.5 {
             true => Outcome::Values(vec![1.0]),
-            false => Outcome::Missing(1.0),
+            false => Outcome::Missing,
         };
         let found = jacobian(&mut alone, &bounds, &[0.5], &[1.0]);
         assert_eq!(found, Err(Underived::NoValues));

@@ -108,7 +108,7 @@ pub fn least_squares(
     };
     let residuals = match f(&x) {
         Outcome::Values(values) => values,
-        Outcome::Missing(_) => return fitted,
+        Outcome::Missing => return fitted,
         Outcome::Stopped => {
             fitted.ended = Ended::Stopped;
             return fitted;
@@ -168,7 +168,7 @@ impl State {
             is_new = false;
             let ratio = match f(&to) {
                 Outcome::Stopped => return Ended::Stopped,
-                Outcome::Missing(_) => -1.0,
+                Outcome::Missing => -1.0,
                 Outcome::Values(residuals) => {
                     let after = cost(&residuals);
                     let ratio = (self.cost - after) / gain;

@@ -5,8 +5,8 @@
 pub enum Outcome {
     /// Finite numbers.
     Values(Vec<f64>),
-    /// None: how far the point is from having any, from 0 (nearly) to 1.
-    Missing(f64),
+    /// None.
+    Missing,
     /// Whoever asked wants no more.
     Stopped,
 }
@@ -16,7 +16,7 @@ impl Outcome {
     pub fn of(values: Vec<f64>) -> Self {
         match values.iter().all(|value| value.is_finite()) {
             true => Outcome::Values(values),
-            false => Outcome::Missing(0.0),
+            false => Outcome::Missing,
         }
     }
 
@@ -24,7 +24,7 @@ impl Outcome {
     pub fn values(self) -> Option<Vec<f64>> {
         match self {
             Outcome::Values(values) => Some(values),
-            Outcome::Missing(_) | Outcome::Stopped => None,
+            Outcome::Missing | Outcome::Stopped => None,
         }
     }
 }

@@ -4,7 +4,7 @@
 //! is a pure function of (seed, k): the same whichever thread runs it.
 //!
 //! Least squares go on from one candidate after the other. A descent that is not half as good as the best after some steps is given
-//! up, and the start ends where no residual is left: below zero nobody gets. With 25 points of a four-bar's curve and nine unknowns
+//! up, and the start ends where no residual is left, for below zero nobody gets, or where ten descents ended at the best. With 25 points of a four-bar's curve and nine unknowns
 //! about every twelfth descent reaches the bottom, so that sixty reach it nearly always. Constrained problems have no known bottom;
 //! there a start goes down from its best candidate, and other starts say whether there is more.
 
@@ -29,6 +29,10 @@ pub struct Start {
 
 /// Steps after which a descent must be good.
 const TRIAL: usize = 40;
+/// So many descents to the same value are enough.
+const SAME: usize = 10;
+/// Values that differ by less than this part are the same.
+const ALIKE: f64 = 1e-6;
 /// A descent must be as good as this part of the best.
 const HOPEFUL: f64 = 0.5;
 
@@ -61,49 +65,50 @@ impl Start {
 /// How good a point is: violation first, then the value; smaller is better.
 #[derive(Debug, Clone, PartialEq)]
 struct Ranked {
-    /// Whether it has no value, and then how far from one it is.
-    missing: f64,
     violation: f64,
     value: f64,
     x: Vec<f64>,
+    values: Vec<f64>,
 }
 
 impl Ranked {
     fn order(&self, other: &Ranked) -> std::cmp::Ordering {
-        let missing = self.missing.total_cmp(&other.missing);
         let violation = self.violation.total_cmp(&other.violation);
-        missing
-            .then(violation)
-            .then(self.value.total_cmp(&other.value))
+        violation.then(self.value.total_cmp(&other.value))
     }
 }
 
-/// All candidates, the best first; none where it was stopped.
+/// The candidates that have values, the best first, and whether it was stopped.
 fn rank(
     f: &mut Function,
     candidates: Vec<Vec<f64>>,
     of: impl Fn(&[f64]) -> [f64; 2],
-) -> Option<Vec<Ranked>> {
+) -> (Vec<Ranked>, bool) {
     let mut ranked = Vec::with_capacity(candidates.len());
+    let mut is_stopped = false;
     for x in candidates {
-        let [missing, violation, value] = match f(&x) {
-            Outcome::Values(values) => {
-                let [violation, value] = of(&values);
-                [0.0, violation, value]
+        let values;
+        let [violation, value] = match f(&x) {
+            Outcome::Values(found) => {
+                values = found;
+                of(&values)
             }
-            Outcome::Missing(far) => [1.0 + far, 0.0, 0.0],
-            Outcome::Stopped => return None,
+            Outcome::Missing => continue,
+            Outcome::Stopped => {
+                is_stopped = true;
+                break;
+            }
         };
         ranked.push(Ranked {
-            missing,
             violation,
             value,
             x,
+            values,
         });
     }
     // Of equals the first one, for sorting is stable.
     ranked.sort_by(Ranked::order);
-    Some(ranked)
+    (ranked, is_stopped)
 }
 
 fn length(residuals: &[f64]) -> f64 {
@@ -121,22 +126,29 @@ pub fn fit(
     given: Option<&[f64]>,
     settings: &least_squares::Settings,
 ) -> Result<Fitted, DesignFault> {
-    let stopped = |x: Vec<f64>| Fitted {
-        x,
+    let middle = || bounds.point(&vec![0.5; bounds.len()]);
+    let nothing = |ended: Ended| Fitted {
+        x: middle(),
         residuals: Vec::new(),
-        ended: Ended::Stopped,
+        ended,
         slope: f64::INFINITY,
     };
-    let candidates = start.candidates(bounds)?;
-    let Some(ranked) = rank(f, candidates, |residuals| [0.0, length(residuals)]) else {
-        return Ok(stopped(bounds.point(&vec![0.5; bounds.len()])));
-    };
-    let values = ranked.into_iter().filter(|one| one.missing == 0.0);
-    let tried = given
-        .map(<[f64]>::to_vec)
-        .into_iter()
-        .chain(values.map(|one| one.x));
+    let (mut ranked, is_stopped) = rank(f, start.candidates(bounds)?, |residuals| {
+        [0.0, length(residuals)]
+    });
+    if is_stopped {
+        ranked.truncate(1);
+        let seen = ranked.pop().map(|own| Fitted {
+            x: own.x,
+            residuals: own.values,
+            ..nothing(Ended::Stopped)
+        });
+        return Ok(seen.unwrap_or_else(|| nothing(Ended::Stopped)));
+    }
+    let first = given.map(<[f64]>::to_vec).into_iter();
+    let tried = first.chain(ranked.into_iter().map(|one| one.x));
     let mut best: Option<Fitted> = None;
+    let mut same = 0;
     for x in tried.take(start.descents) {
         let good = best.as_ref().map(|best| length(&best.residuals));
         let settings = least_squares::Settings {
@@ -152,11 +164,18 @@ pub fn fit(
             }
             continue;
         }
-        if good.is_none_or(|good| length(&found.residuals) < good) {
+        let own = length(&found.residuals);
+        same = match good {
+            Some(good) if (own - good).abs() <= ALIKE * good => same + 1,
+            Some(good) if own > good => same,
+            Some(_) | None => 1,
+        };
+        if good.is_none_or(|good| own < good) {
             best = Some(found);
         }
         match (ended, &mut best) {
             (Ended::Solved, _) => break,
+            _ if same >= SAME => break,
             (Ended::Stopped, Some(best)) => {
                 best.ended = Ended::Stopped;
                 break;
@@ -164,10 +183,7 @@ pub fn fit(
             _ => {}
         }
     }
-    Ok(best.unwrap_or_else(|| Fitted {
-        ended: Ended::NoValues,
-        ..stopped(bounds.point(&vec![0.5; bounds.len()]))
-    }))
+    Ok(best.unwrap_or_else(|| nothing(Ended::NoValues)))
 }
 
 /// A constrained optimum from all over the box; `given` is a candidate that is tried first.
@@ -198,11 +214,17 @@ pub fn optimise(
     };
     let mut tried: Vec<Vec<f64>> = given.map(<[f64]>::to_vec).into_iter().collect();
     if tried.len() < start.descents {
-        let Some(ranked) = rank(f, start.candidates(bounds)?, of) else {
-            return Ok(nothing(constrained::Ended::Stopped));
-        };
-        let values = ranked.into_iter().filter(|one| one.missing == 0.0);
-        tried.extend(values.map(|one| one.x));
+        let (mut ranked, is_stopped) = rank(f, start.candidates(bounds)?, of);
+        if is_stopped {
+            ranked.truncate(1);
+            let seen = ranked.pop().map(|own| Optimum {
+                x: own.x,
+                values: own.values,
+                ..nothing(constrained::Ended::Stopped)
+            });
+            return Ok(seen.unwrap_or_else(|| nothing(constrained::Ended::Stopped)));
+        }
+        tried.extend(ranked.into_iter().map(|one| one.x));
     }
     let mut best: Option<Optimum> = None;
     for x in tried.into_iter().take(start.descents) {

@@ -182,7 +182,7 @@ fn a_kink_is_found() {
 #[test]
 fn steps_to_nowhere_are_shortened() {
     let mut f = |x: &[f64]| match x[0] * x[0] + x[1] * x[1] > 1.0 {
-        true => Outcome::Missing(0.5),
+        true => Outcome::Missing,
         false => Outcome::of(vec![(x[0] - 0.6).powi(2) + (x[1] - 0.7).powi(2)]),
     };
     let bounds = Bounds::new(&[[-5.0, 5.0]; 2]);

@@ -74,7 +74,7 @@ fn a_step_to_nowhere_is_shortened() {
     let mut f = |x: &[f64]| match x[0] < 0.0 {
         true => {
             missed += 1;
-            Outcome::Missing(0.5)
+            Outcome::Missing
         }
         false => Outcome::of(vec![x[0].sqrt() - 0.1]),
     };
@@ -86,11 +86,7 @@ fn a_step_to_nowhere_is_shortened() {
 
 #[test]
 fn no_values_at_all_and_being_stopped_are_said() {
-    let found = fit(
-        &mut |_: &[f64]| Outcome::Missing(1.0),
-        &[[0.0, 1.0]],
-        &[0.5],
-    );
+    let found = fit(&mut |_: &[f64]| Outcome::Missing, &[[0.0, 1.0]], &[0.5]);
     assert_eq!((found.ended, found.residuals), (Ended::NoValues, vec![]));
     let mut left = 7;
     let mut f = |x: &[f64]| {

@@ -141,7 +141,7 @@ fn a_coupler_curve_is_found_again() {
         let mut f = |x: &[f64]| {
             steps += 1;
             let nodes = four_bar(x).and_then(|nodes| residuals(&nodes, &points));
-            nodes.map_or(Outcome::Missing(0.5), Outcome::of)
+            nodes.map_or(Outcome::Missing, Outcome::of)
         };
         let settings = least_squares::Settings {
             enough: 1e-9,
@@ -203,4 +203,28 @@ fn being_stopped_leaves_the_best() {
     let found = found.expect("two variables");
     assert_eq!(found.ended, Ended::Stopped);
     assert_eq!(found.residuals.len(), 2, "{found:?}");
+}
+
+#[test]
+fn being_stopped_early_leaves_the_best_that_was_seen() {
+    let bounds = Bounds::new(&[[0.0, 1.0]]);
+    for most in [0, 9] {
+        let mut left = most;
+        let mut seen = f64::INFINITY;
+        let mut f = |x: &[f64]| {
+            if left == 0 {
+                return Outcome::Stopped;
+            }
+            left -= 1;
+            seen = seen.min((x[0] - 0.3).abs());
+            Outcome::of(vec![x[0] - 0.3])
+        };
+        let settings = least_squares::Settings::default();
+        let found = fit(&mut f, &bounds, &start(0, 32, 9), None, &settings).expect("one variable");
+        assert_eq!(found.ended, Ended::Stopped);
+        assert_eq!(found.residuals.is_empty(), most == 0, "{found:?}");
+        if most > 0 {
+            assert_eq!((found.x[0] - 0.3).abs(), seen);
+        }
+    }
 }
