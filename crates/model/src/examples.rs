@@ -155,6 +155,30 @@ fn row(path: &str) -> Option<(&'static str, &'static str)> {
         ["parameters", _, "value"] => Some(("", r#""value": "5 mm""#)),
         ["study", "vary", ..] => Some(("", r#""vary": { "r": "40 mm:60 mm:21" }"#)),
         ["study"] => Some(("", r#""study": { "vary": { "r": "40 mm:60 mm:21" } }"#)),
+        ["optimise"] => Some((
+            "",
+            r#""optimise": { "design": { "r": ["10 mm", "60 mm"] }, "constraints": ["stroke = 80 mm"] }"#,
+        )),
+        ["optimise", "design"] => Some(("", r#""design": { "r": ["10 mm", "60 mm"] }"#)),
+        ["optimise", "objective"] => Some((
+            "",
+            r#""objective": { "minimise": "max(abs(driver.motor.effort))" }"#,
+        )),
+        ["optimise", "objective", _] => {
+            Some(("", r#""minimise": "max(abs(driver.motor.effort))""#))
+        }
+        ["optimise", ..] if key.starts_with("constraints") => {
+            Some(("", r#""constraints": ["stroke = 80 mm", "peak < 40 N*m"]"#))
+        }
+        ["optimise", "curve"] => Some((
+            "",
+            r#""curve": { "point": "coupler.P", "through": [[10, 40], [20, 45], [30, 40]] }"#,
+        )),
+        ["optimise", "curve", "point"] => Some(("", r#""point": "coupler.P""#)),
+        ["optimise", "curve", key] if key.starts_with("through") => {
+            Some(("", r#""through": [[10, 40], [20, 45], [30, 40]]"#))
+        }
+        ["optimise", "curve", "at"] => Some(("", r#""at": [0, "120 deg", "240 deg"]"#)),
         ["accuracy"] => Some((
             "",
             r#""accuracy": { "outputs": { "swing": { "column": "rocker.angle" } } }"#,

@@ -14,6 +14,7 @@ pub mod error;
 pub mod fit;
 pub mod force;
 pub mod joint;
+pub mod optimise;
 pub mod response;
 pub mod study;
 pub mod tolerance;
@@ -60,6 +61,7 @@ pub use gate::Checked;
 pub use hold::unheld;
 pub use joint::{Joint, JointKind, PointRef};
 pub use load::{Loaded, load, load_file};
+pub use optimise::Optimise;
 pub use response::Response;
 pub use schema::schema;
 pub use source::Source;
@@ -130,6 +132,10 @@ pub struct Model {
     #[serde(default)]
     #[doc(hidden)]
     pub study: Option<Study>,
+    /// What an optimisation looks for.
+    #[serde(default)]
+    #[doc(hidden)]
+    pub optimise: Option<Optimise>,
     /// How messages speak of it: the units that the file names.
     #[serde(skip)]
     #[doc(hidden)]

@@ -3,6 +3,7 @@
 //! Order of keys, units, parameters, expressions and remarks are the file's. A value that was changed is written in SI,
 //! as a plain number where the file's unit is that of SI, else with its unit; what is read of it is the same double.
 
+mod optimise;
 mod places;
 mod responses;
 
@@ -76,6 +77,7 @@ fn print(source: &Source, model: &Model) -> Value {
         }
     }
     file.extend(model);
+    optimise::named(&mut file);
     Value::Object(file)
 }
 
@@ -215,6 +217,7 @@ impl Printer<'_> {
                 });
                 points.collect()
             }
+            (Shape::Asked(asked), tree) => self.asked(*asked, tree, written),
             (shape, tree) => self.leaf(tree, shape, written, driven),
         }
     }

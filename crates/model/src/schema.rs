@@ -272,6 +272,7 @@ fn at(shape: &Shape, field: Option<&Field>) -> Keys {
         Shape::Responses => return map(&Shape::Response, field),
         Shape::Response => places::response(),
         Shape::Limit => places::value(),
+        Shape::Asked(asked) => places::asked(*asked),
         Shape::Bodies => return bodies(field),
         Shape::Text => keys(json!({ "type": "string" })),
         Shape::Name(kind) => {

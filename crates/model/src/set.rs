@@ -120,6 +120,9 @@ fn apply_one(root: &mut Node, set: &str, index: usize) -> Result<(), Refusal> {
     };
     let steps = steps(path.trim())?;
     let value = value(text, index)?;
+    if matches!(value.kind, Kind::Null) && take_away(root, &steps) {
+        return Ok(());
+    }
     let steps = beside_tolerance(root, steps, &value, index);
     take_other(root, &steps);
     *reach(root, &steps, index)? = value;
@@ -180,6 +183,18 @@ fn existing<'n>(root: &'n mut Node, steps: &[Step<'_>]) -> Option<&'n mut Node> 
             }
             (Step::Key(_) | Step::Index(_), _) => None,
         })
+}
+
+/// `null` takes away what there is; whether there was something.
+fn take_away(root: &mut Node, steps: &[Step<'_>]) -> bool {
+    let Some((Step::Key(key), before)) = steps.split_last() else {
+        return false;
+    };
+    match existing(root, before).map(|node| &mut node.kind) {
+        Some(Kind::Object(members)) => members.shift_remove(*key).is_some(),
+        Some(Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) | Kind::Array(_))
+        | None => false,
+    }
 }
 
 /// The radius of a clearance and its fit exclude each other: the one that is set takes the place of the other.

@@ -86,6 +86,17 @@ pub enum Drives {
     Measured,
 }
 
+/// What is asked of an optimisation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Asked {
+    /// Parameters that may change, each with its bounds.
+    Design,
+    /// An expression whose value is sought.
+    Value,
+    /// An equation or an inequality.
+    Constraint,
+}
+
 /// What stands at one place.
 #[derive(Debug, Clone, Copy)]
 pub enum Shape {
@@ -143,6 +154,8 @@ pub enum Shape {
     Response,
     /// A limit of the response around it.
     Limit,
+    /// Of what is asked of an optimisation.
+    Asked(Asked),
     /// The bodies by their names, `ground` of its own kind.
     Bodies,
     /// An object with keys.

@@ -1,13 +1,14 @@
 //! The parameters of a model: read, put in the order in which they follow from each other, evaluated.
 
 mod circles;
+mod responses;
 
 use std::collections::HashMap;
 
 use super::super::node::{Kind, Node, Origin};
 use super::super::suggest;
 use super::written::{Written, quantity, refused_name};
-use super::{Compiled, Expression, Fault, Misfit, Quantity, Results, is_expression};
+use super::{Expression, Fault, Misfit, Quantity, is_expression};
 use crate::dimension::Dimension;
 use crate::error::Complaint;
 use crate::tolerance::Tolerance;
@@ -36,9 +37,6 @@ pub struct Found<'a> {
     pub at: Option<usize>,
     pub complaint: Complaint,
 }
-
-/// What a response measures, and its parameters.
-type Measured = Option<(Quantity, Vec<(String, Quantity)>)>;
 
 /// All parameters.
 pub struct Parameters {
@@ -299,25 +297,9 @@ impl Parameters {
         expression.evaluate(&self.values, self.degrees)
     }
 
-    /// What a response measures, and the parameters that it names; none where one of these has no value.
-    ///
-    /// # Errors
-    /// What is wrong with it, and where.
-    pub fn response(&mut self, text: &str, results: &dyn Results) -> Result<Measured, Misfit> {
-        let find = |name: &str| self.places.get(name).copied();
-        let expression = Expression::response(text, &find, &self.names, results)?;
-        let mut named: Vec<usize> = expression.parameters().collect();
-        named.sort_unstable();
-        named.dedup();
-        named.iter().for_each(|&index| self.used[index] = true);
-        let value = |&index: &usize| Some((self.names[index].as_str(), self.values[index]?));
-        let Some(constants) = named.iter().map(value).collect::<Option<Vec<_>>>() else {
-            return Ok(None);
-        };
-        let compiled = Compiled::read(text, &constants, results, self.degrees)?;
-        let constants = constants.into_iter();
-        let constants = constants.map(|(name, value)| (name.to_owned(), value));
-        Ok(Some((compiled.quantity, constants.collect())))
+    /// All names, in the order of the file.
+    pub fn names(&self) -> &[String] {
+        &self.names
     }
 
     /// Whether there is one of this name.

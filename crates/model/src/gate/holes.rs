@@ -31,6 +31,15 @@ impl Holes {
         self.paths.is_empty() && self.keys.is_empty()
     }
 
+    /// Whether something within a path is faulty.
+    pub fn within(&self, path: &str) -> bool {
+        let is_within = |hole: &String| {
+            let rest = hole.strip_prefix(path);
+            rest.is_some_and(|rest| rest.starts_with(['.', '[']))
+        };
+        self.paths.iter().any(is_within)
+    }
+
     /// Whether what stands at a path, or what it is in, is faulty.
     pub fn has(&self, path: &str) -> bool {
         let ends = path

@@ -10,6 +10,7 @@ mod drivers;
 mod forces;
 mod holes;
 mod names;
+mod optimise;
 mod ranges;
 mod responses;
 
@@ -147,6 +148,7 @@ fn inspect(model: &Model, holes: Holes) -> Said {
     analysis::analysis(&mut rules);
     accuracy::accuracy(&mut rules);
     responses::responses(&mut rules);
+    optimise::optimise(&mut rules);
     // A gear's carrier is found along joints, which must be whole for that.
     if rules.complaints.is_empty() && rules.holes.is_empty() {
         let joints = model.joints.iter();

@@ -83,6 +83,7 @@ impl Names<'_, '_> {
             self.point(&format!("points[{index}]"), point);
         }
         self.accuracy();
+        self.optimise();
         let Some(analysis) = &model.analysis else {
             return;
         };

@@ -159,6 +159,7 @@ impl Look<'_> {
                 | Shape::Map(_)
                 | Shape::Response
                 | Shape::Limit
+                | Shape::Asked(_)
                 | Shape::Bodies,
                 _,
             ) => {}

@@ -4,7 +4,7 @@ use serde_json::json;
 
 use super::{Keys, QUANTITY_PATTERN, at, keys, list, note, said, target};
 use crate::dimension::Dimension;
-use crate::shape::{Field, Shape};
+use crate::shape::{Asked, Field, Shape};
 use crate::words::{LENGTH, PARAMETER, PLACE, RESPONSE};
 
 /// Name of a parameter.
@@ -71,4 +71,20 @@ pub fn deviations() -> Keys {
 /// The text of a response, alone or with limits.
 pub fn response() -> Keys {
     keys(json!({ "anyOf": [{ "type": "string" }, { "$ref": target(RESPONSE.name) }] }))
+}
+
+/// What is asked of an optimisation: parameters with their bounds, or text.
+pub fn asked(asked: Asked) -> Keys {
+    match asked {
+        Asked::Design => {}
+        Asked::Value | Asked::Constraint => return keys(json!({ "type": "string" })),
+    }
+    let bounds = json!({ "anyOf": [
+        { "type": "array", "items": value(), "minItems": 2, "maxItems": 2 }, { "const": "free" }
+    ] });
+    keys(json!({
+        "type": "object", "propertyNames": { "pattern": PARAMETER_PATTERN },
+        "properties": { "note": { "anyOf": [note(), bounds] } },
+        "additionalProperties": bounds, "minProperties": 1
+    }))
 }

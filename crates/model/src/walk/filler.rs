@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value};
 
-use crate::shape::{Need, Object, Shape};
+use crate::shape::{Asked, Need, Object, Shape};
 use crate::words::MATERIAL;
 
 /// A value of a shape that stands for none.
@@ -26,7 +26,13 @@ pub fn filler(shape: &Shape) -> Value {
         Shape::Pair(of) => Value::from(vec![filler(of), filler(of)]),
         Shape::List(..) | Shape::Table => Value::Array(Vec::new()),
         Shape::Response => serde_json::json!({ "value": "" }),
-        Shape::Map(_) | Shape::Bodies | Shape::Responses => Value::Object(Map::new()),
+        Shape::Asked(Asked::Value) => serde_json::json!({ "text": "", "value": "" }),
+        Shape::Asked(Asked::Constraint) => {
+            serde_json::json!({ "text": "", "left": "", "relation": "equal", "right": "" })
+        }
+        Shape::Map(_) | Shape::Bodies | Shape::Responses | Shape::Asked(Asked::Design) => {
+            Value::Object(Map::new())
+        }
         Shape::Materials => empty(&MATERIAL, None),
         Shape::Object(object) => empty(object, None),
         Shape::Tagged(tagged) => tagged

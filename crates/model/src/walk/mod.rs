@@ -7,6 +7,7 @@
 mod filler;
 mod lists;
 mod object;
+mod optimise;
 mod otherwise;
 mod parameter;
 mod quantity;
@@ -291,12 +292,10 @@ impl<'a> Walk<'a> {
                 };
                 self.object(node, object, None, path, driven)
             }
-            Shape::Responses => {
-                self.responses(node, path);
-                self.map(node, &Shape::Response, path, driven)
-            }
+            Shape::Responses => self.responses(node, path, driven),
             Shape::Response => self.response(node, path),
             Shape::Limit => self.limit(node, path, driven).map(Value::from),
+            Shape::Asked(asked) => self.asked(*asked, node, path),
             Shape::Map(of) => self.map(node, of, path, driven),
             Shape::Bodies => self.bodies(node, path, driven),
             Shape::Object(object) => self.object(node, object, None, path, driven),

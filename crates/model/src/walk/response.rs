@@ -7,6 +7,7 @@ use crate::error::Complaint;
 use crate::expression::{Misfit, Quantity, is_expression, quantity};
 use crate::node::{Kind, Node, join};
 use crate::response::{Catalogue, Constant};
+use crate::shape::Shape;
 use crate::words::RESPONSE;
 
 impl Walk<'_> {
@@ -19,17 +20,17 @@ impl Walk<'_> {
     }
 
     /// All responses; none is called like a parameter.
-    pub(super) fn responses(&mut self, node: &Node, path: &str) {
-        let Kind::Object(members) = &node.kind else {
-            return;
-        };
-        for (name, member) in members.iter() {
-            if self.parameters.has(name) {
-                let complaint = Complaint::new(join(path, name), "a parameter has this name");
-                let hint = "give the response another name";
-                self.complain_key(member.key, name, complaint.hint(hint));
+    pub(super) fn responses(&mut self, node: &Node, path: &str, driven: Driven) -> Option<Value> {
+        if let Kind::Object(members) = &node.kind {
+            for (name, member) in members.iter() {
+                if self.parameters.has(name) {
+                    let complaint = Complaint::new(join(path, name), "a parameter has this name");
+                    let hint = "give the response another name";
+                    self.complain_key(member.key, name, complaint.hint(hint));
+                }
             }
         }
+        self.map(node, &Shape::Response, path, driven)
     }
 
     /// A text, or one with limits and the unit in which it is shown.
@@ -112,8 +113,25 @@ impl Walk<'_> {
         read.ok().flatten().map(|(quantity, _)| quantity)
     }
 
+    /// The unit of a parameter in SI; empty of a plain number, and where there is none.
+    pub fn unit_of(&self, parameter: &str) -> String {
+        let value = self.parameters.value(parameter);
+        value.map_or_else(String::new, |value| value.unit())
+    }
+
     /// A limit, in SI; a plain number is in the file's unit.
     pub(super) fn limit(&mut self, node: &Node, path: &str, driven: Driven) -> Option<f64> {
+        self.alike_to(node, path, driven, "as the response is")
+    }
+
+    /// A number in SI, of the dimension of something else; a plain number is in the file's unit.
+    pub(super) fn alike_to(
+        &mut self,
+        node: &Node,
+        path: &str,
+        driven: Driven,
+        why: &str,
+    ) -> Option<f64> {
         let found = match &node.kind {
             Kind::Number(number) => {
                 let Driven::Parameter(wanted) = driven else {
@@ -149,7 +167,7 @@ impl Walk<'_> {
             return Some(found.value);
         }
         let message = format!(
-            "this is {}, where {} is wanted, as the response is",
+            "this is {}, where {} is wanted, {why}",
             found.words(),
             wanted.words()
         );

@@ -8,6 +8,7 @@ mod driver;
 mod force;
 mod friction;
 mod joint;
+mod optimise;
 mod parameter;
 mod response;
 mod study;
@@ -32,6 +33,7 @@ use driver::DRIVER;
 use force::{FORCE, FRAME};
 use friction::{FRICTION, FRICTION_LAW};
 use joint::JOINT;
+use optimise::{CURVE, OBJECTIVE, OPTIMISE};
 use parameter::DISTRIBUTION;
 
 /// The whole file.
@@ -107,6 +109,7 @@ pub static FILE: Object = Object {
             "Named numbers of a run: an expression of result columns and parameters, alone or with limits.",
         ),
         optional("study", Shape::Object(&STUDY), ""),
+        optional("optimise", Shape::Object(&OPTIMISE), ""),
     ],
     refused: &[],
     drives: Drives::Nothing,
@@ -150,7 +153,7 @@ impl Definition {
 }
 
 /// All that the schema defines by a name, in its order.
-pub static DEFINITIONS: [Definition; 40] = [
+pub static DEFINITIONS: [Definition; 43] = [
     Definition::Format(&FORMATS),
     Definition::Object(&GROUND),
     Definition::Object(&BODY),
@@ -191,4 +194,7 @@ pub static DEFINITIONS: [Definition; 40] = [
     Definition::Object(&STUDY),
     Definition::Choice(&METHOD),
     Definition::Choice(&INDICES),
+    Definition::Object(&OPTIMISE),
+    Definition::Object(&OBJECTIVE),
+    Definition::Object(&CURVE),
 ];

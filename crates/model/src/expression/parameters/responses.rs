@@ -1,0 +1,61 @@
+//! Texts of responses, in which parameters are named.
+
+use super::Parameters;
+use crate::expression::{Compiled, Expression, Misfit, Quantity, Results};
+
+/// What a response measures, and its parameters.
+type Measured = Option<(Quantity, Vec<(String, Quantity)>)>;
+
+impl Parameters {
+    /// What a response measures, and the parameters that it names; none where one of these has no value.
+    ///
+    /// # Errors
+    /// What is wrong with it, and where.
+    pub fn response(&mut self, text: &str, results: &dyn Results) -> Result<Measured, Misfit> {
+        let find = |name: &str| self.places.get(name).copied();
+        let expression = Expression::response(text, &find, &self.names, results)?;
+        let mut named: Vec<usize> = expression.parameters().collect();
+        named.sort_unstable();
+        named.dedup();
+        named.iter().for_each(|&index| self.used[index] = true);
+        let value = |&index: &usize| Some((self.names[index].as_str(), self.values[index]?));
+        let Some(constants) = named.iter().map(value).collect::<Option<Vec<_>>>() else {
+            return Ok(None);
+        };
+        let compiled = Compiled::read(text, &constants, results, self.degrees)?;
+        let constants = constants.into_iter();
+        let constants = constants.map(|(name, value)| (name.to_owned(), value));
+        Ok(Some((compiled.quantity, constants.collect())))
+    }
+
+    /// A text with what responses say in the place of their names; those of parameters stay.
+    ///
+    /// # Errors
+    /// What is wrong with it, and where.
+    pub fn with_responses(
+        &self,
+        text: &str,
+        responses: &[(String, String)],
+        results: &dyn Results,
+    ) -> Result<String, Misfit> {
+        let own = self.names.len();
+        let all = responses.iter().map(|(name, _)| name.clone());
+        let names: Vec<String> = self.names.iter().cloned().chain(all).collect();
+        let find = |name: &str| {
+            let response = || responses.iter().position(|one| one.0 == name);
+            let parameter = self.places.get(name).copied();
+            parameter.or_else(|| Some(own + response()?))
+        };
+        let expression = Expression::response(text, &find, &names, results)?;
+        let mut whole = text.to_owned();
+        for (at, index) in expression.places().into_iter().rev() {
+            if let Some((name, value)) = index.checked_sub(own).and_then(|k| responses.get(k)) {
+                // A name with other signs stands in quotes.
+                let quotes = usize::from(text[at..].starts_with('\''));
+                let end = at + name.len() + 2 * quotes;
+                whole.replace_range(at..end, &format!("({value})"));
+            }
+        }
+        Ok(whole)
+    }
+}
