@@ -8,6 +8,7 @@ use serde_json::{Map, Value, json};
 use super::diagnosis;
 use super::exit::{BadInput, Exit};
 use super::open::{ModelOptions, Opened, bad_input};
+use super::optimise;
 use super::page::{Page, names, number, shorten, wrapped};
 use super::refused;
 use super::responses;
@@ -154,6 +155,7 @@ fn page(opened: &Opened, check: &Check, written: Option<PathBuf>) -> String {
     if let Some(own) = &opened.loaded.model.study {
         page.rows("study", study::rows(own));
     }
+    optimise::rows(&mut page, opened);
     page.rows(
         "lacking",
         folded(check.lacks.iter().map(lack_words).collect()),

@@ -14,7 +14,7 @@ pub struct Options {
 }
 
 /// Pages of the book: name, what it is for, text.
-const PAGES: [(&str, &str, &str); 12] = [
+const PAGES: [(&str, &str, &str); 13] = [
     (
         "tutorial",
         "a first model, from an empty file to a study of clearance",
@@ -34,6 +34,11 @@ const PAGES: [(&str, &str, &str); 12] = [
         "studies",
         "many variants of a model: sweeps, samples of tolerances, clusters",
         include_str!("../../docs/studies.md"),
+    ),
+    (
+        "optimise",
+        "parameters that meet a goal, are best, or let a point take a path",
+        include_str!("../../docs/optimise.md"),
     ),
     (
         "models",

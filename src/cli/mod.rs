@@ -36,6 +36,7 @@ mod modes;
 mod near;
 mod new;
 mod open;
+mod optimise;
 mod page;
 mod plot;
 mod progress;
@@ -95,6 +96,8 @@ enum Command {
     Modes(modes::Options),
     /// Run many variants: sweeps of parameters, samples of tolerances; what comes out of them
     Study(Box<study::Options>),
+    /// Find values of parameters: goals, least or greatest objectives under constraints, paths of points
+    Optimise(Box<optimise::Options>),
     /// Draw result columns as a figure
     Plot(Box<plot::Options>),
     /// Draw the mechanism in motion, as a film or as poses
@@ -138,6 +141,7 @@ fn execute(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Allocate(options) => allocate::execute(&options),
         Command::Modes(options) => modes::execute(&options),
         Command::Study(options) => study::execute(&options),
+        Command::Optimise(options) => optimise::execute(&options),
         Command::Plot(options) => plot::execute(&options),
         Command::Animate(options) => animate::execute(&options),
         Command::Validate(options) => validate::execute(&options),

@@ -59,16 +59,23 @@ fn asked_for(complaints: Complaints, asked: &[String], sets: &[String]) -> Compl
     Complaints(told.collect())
 }
 
+/// A value with its SI unit, in the units of the file.
+pub fn value(value: f64, unit: &str, display: &DisplayUnits) -> String {
+    match unit {
+        "m" => display.length(value),
+        "rad" => display.angle(value),
+        "kg" => display.mass_to(value, DIGITS),
+        "s" => display.time(value),
+        "" => number(value, DIGITS),
+        unit => format!("{} {}", number(value, DIGITS), unit_words(unit)),
+    }
+}
+
 /// `stroke = 100 mm`, with its limits, or why there is none.
 pub fn told(answer: &Answer, display: &DisplayUnits) -> String {
     let shown = |value: f64| match (&answer.shown, answer.unit.as_str()) {
         (Some((unit, size)), _) => format!("{} {}", number(value / size, DIGITS), unit_words(unit)),
-        (None, "m") => display.length(value),
-        (None, "rad") => display.angle(value),
-        (None, "kg") => display.mass_to(value, DIGITS),
-        (None, "s") => display.time(value),
-        (None, "") => number(value, DIGITS),
-        (None, unit) => format!("{} {}", number(value, DIGITS), unit_words(unit)),
+        (None, unit) => self::value(value, unit, display),
     };
     let name = &answer.name;
     let Some(value) = answer.value else {

@@ -7,6 +7,7 @@
 //! | [`recipes`]     | models and numbers that are often wanted                      |
 //! | [`accuracy`]    | what tolerances and clearances do                             |
 //! | [`studies`]     | many variants: sweeps, samples, clusters                      |
+//! | [`optimise`]    | parameters that meet a goal, are best, or draw a path         |
 //! | [`commands`]    | what each command does, exit statuses, figures                |
 //! | [`mod@format`]  | reference of model files, each thing with a piece that runs   |
 //! | [`results`]     | reference of columns, summary, events, the report             |
@@ -30,6 +31,10 @@ pub mod format {}
 #[doc = include_str!("links.md")]
 #[doc = include_str!("../../docs/messages.md")]
 pub mod messages {}
+
+#[doc = include_str!("links.md")]
+#[doc = include_str!("../../docs/optimise.md")]
+pub mod optimise {}
 
 #[doc = include_str!("links.md")]
 #[doc = include_str!("../../docs/performance.md")]

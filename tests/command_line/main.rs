@@ -13,6 +13,7 @@ mod compare;
 mod figures;
 mod fuzz_finds;
 mod mistakes;
+mod optimise;
 mod peaks;
 mod report;
 mod study;

@@ -2,7 +2,7 @@
 
 use super::*;
 
-const COMMANDS: [&str; 16] = [
+const COMMANDS: [&str; 17] = [
     "accuracy",
     "allocate",
     "new",
@@ -11,6 +11,7 @@ const COMMANDS: [&str; 16] = [
     "compare",
     "modes",
     "study",
+    "optimise",
     "plot",
     "animate",
     "validate",
