@@ -17,6 +17,7 @@ mod films;
 mod jams;
 mod lock;
 mod mutants;
+mod paths;
 mod redundant;
 mod sampling;
 mod validation;
