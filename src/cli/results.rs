@@ -11,6 +11,8 @@ use linkdyn_output::matches;
 use linkdyn_output::read::{ReadColumn, ReadError, read_file};
 use linkdyn_output::{Directory, Table, WriteError};
 
+/// The rows of a study.
+const VARIANTS: &str = "variants.csv";
 /// Names that are suggested at most.
 const MOST_NAMES: usize = 3;
 /// Longer names are not compared \[bytes\].
@@ -40,7 +42,10 @@ impl Results {
     /// # Errors
     /// When there is no table, or one without rows.
     pub fn open(path: &Path) -> Result<Self, BadInput> {
-        let table = Table::read(path).map_err(|error| match (&error, is_model(path)) {
+        let of_study = path.join(VARIANTS);
+        let is_study = path.is_dir() && !path.join("results.csv").exists() && of_study.exists();
+        let file = if is_study { &of_study } else { path };
+        let table = Table::read(file).map_err(|error| match (&error, is_model(path)) {
             (ReadError::Missing(_) | ReadError::NoHeader(_), true) => {
                 let path = path.display();
                 BadInput(vec![format!(
@@ -89,7 +94,7 @@ impl Results {
     pub fn file_name(&self) -> String {
         let file = &self.table.path;
         let named = match file.file_name() {
-            Some(name) if name == "results.csv" => {
+            Some(name) if name == "results.csv" || name == VARIANTS => {
                 file.parent().and_then(Path::file_name).or(file.file_name())
             }
             name => name,

@@ -5,6 +5,7 @@ mod labels;
 mod marks;
 mod options;
 mod panels;
+mod study;
 mod units;
 
 use super::exit::{BadInput, Exit};
@@ -30,7 +31,8 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         .map(|path| Results::open(path))
         .collect::<Result<Vec<_>, _>>()?;
     runs.iter_mut().for_each(Results::take_peaks);
-    let (chart, unused) = chart(options, &runs)?;
+    let (unfolded, runs) = study::unfold(options.clone(), runs)?;
+    let (chart, unused) = chart(&unfolded, &runs)?;
     let fault = |fault: linkdyn_picture::Fault| {
         BadInput(vec![format!("{}: {fault}", options.output.display())])
     };

@@ -8,10 +8,10 @@ use crate::cli::measures::{dpi, line_width, mark, millimetres, points, range, si
 use linkdyn_picture::Mark;
 
 /// What to draw, from what, and how.
-#[derive(Debug, Default, Args)]
+#[derive(Debug, Default, Clone, Args)]
 #[command(after_help = PLOT_HELP)]
 pub struct Options {
-    /// A results.csv, or a directory that holds one; several are drawn over each other
+    /// A results.csv, or a directory that holds one, or that of a study; several are drawn over each other
     #[arg(value_name = "RESULTS", required = true)]
     pub results: Vec<PathBuf>,
     /// Column of the x axis, with or without its [unit]
@@ -66,6 +66,9 @@ pub struct Options {
     /// Logarithmic y axes
     #[arg(long)]
     pub log_y: bool,
+    /// Draw how often the one column of --y has its values
+    #[arg(long, conflicts_with_all = ["x", "events"])]
+    pub histogram: bool,
     /// Show peaks whole, however flat the rest becomes; else linear y axes end where a few peaks would flatten everything else
     #[arg(long)]
     pub whole: bool,
@@ -83,7 +86,7 @@ pub struct Options {
 }
 
 /// Size and resolution.
-#[derive(Debug, Default, Args)]
+#[derive(Debug, Default, Clone, Args)]
 pub struct PageOptions {
     /// Width \[mm\]; a journal's column is the default, 180 its full width
     #[arg(long, value_name = "MM", value_parser = millimetres)]
@@ -110,4 +113,9 @@ const PLOT_HELP: &str =
 
   linkdyn plot out --y crank.omega -o omega.svg
   linkdyn plot out --x driver.motor.value --y 'joint.?.fx' --units deg,kN -o forces.png
-  linkdyn plot a b --y driver.motor.effort --label ideal --label worn -o effort.svg";
+  linkdyn plot a b --y driver.motor.effort --label ideal --label worn -o effort.svg
+
+Of a study, responses over what was varied, a curve for each value of the others; or how often they have their values.
+
+  linkdyn plot sweep --y stroke -o stroke.svg
+  linkdyn plot scatter --y stroke --histogram --units mm -o stroke.svg";

@@ -1,5 +1,6 @@
 //! `linkdyn study`: variants against closed forms, the same bytes however they were computed, and what it refuses.
 
+mod plots;
 mod refused;
 
 use crate::browser::Scratch;
