@@ -28,6 +28,7 @@
 //! | `compare_page` | several runs over each other → `compare.html`                |
 //! | `validate_page` | claims of validation cases → pages                          |
 //! | `html`      | one frame for all pages; data, scripts and a policy → one file  |
+//! | `scripts`   | what the pages share of their scripts                           |
 //! | `base64`    | bytes → text                                                    |
 //! | `played`    | scenes → an SVG that moves                                      |
 //! | `sheet`     | a page without scripts                                          |
@@ -61,6 +62,7 @@ mod html;
 mod layout;
 mod played;
 mod scale;
+mod scripts;
 mod sheet;
 mod style;
 mod symbols;

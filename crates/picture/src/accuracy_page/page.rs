@@ -10,20 +10,21 @@ use crate::html::{Live, Page, escaped};
 use crate::palette;
 use crate::poses::Pose as Frame;
 use crate::report;
+use crate::scripts;
 use crate::shape::Shape;
 
 const BODY: &str = include_str!("page.html");
 const OWN_STYLE: &str = include_str!("page.css");
 /// In the order in which they build on each other.
-const SCRIPT: &str = concat!(
-    include_str!("../report/js/embedded.js"),
+const SCRIPT: [&str; 17] = [
+    scripts::EMBEDDED,
     include_str!("js/data.js"),
-    include_str!("../report/js/theme.js"),
-    include_str!("../report/js/units.js"),
+    scripts::THEME,
+    scripts::UNITS,
     include_str!("js/file_units.js"),
-    include_str!("../report/js/shapes.js"),
-    include_str!("../report/js/symbols.js"),
-    include_str!("../report/js/drawing.js"),
+    scripts::SHAPES,
+    scripts::SYMBOLS,
+    scripts::DRAWING,
     include_str!("js/choice.js"),
     include_str!("js/headline.js"),
     include_str!("js/band_marks.js"),
@@ -33,7 +34,7 @@ const SCRIPT: &str = concat!(
     include_str!("js/worst.js"),
     include_str!("js/sliders.js"),
     include_str!("js/head.js"),
-);
+];
 /// Shapes of more text than this are left out.
 const LARGEST_SHAPE: usize = 600_000;
 
@@ -94,7 +95,7 @@ impl AccuracyPage<'_> {
             live: Some(Live {
                 data: &escaped(&data.to_string()),
                 values: &base64(&bytes),
-                script: SCRIPT,
+                script: &SCRIPT.concat(),
             }),
         }
         .html()
@@ -177,7 +178,7 @@ mod tests {
 
     #[test]
     fn the_scripts_can_stand_in_a_page() {
-        for text in [SCRIPT, OWN_STYLE] {
+        for text in SCRIPT.iter().chain([&OWN_STYLE]) {
             assert!(crate::html::can_stand_in_a_page(text));
         }
     }

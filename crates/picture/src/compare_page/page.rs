@@ -7,24 +7,25 @@ use super::values::{chosen, encoded};
 use crate::html::{Live, Page, escaped};
 use crate::palette;
 use crate::report;
+use crate::scripts;
 use linkdyn_output::comparison::Comparison;
 use linkdyn_output::{Column, Event, Status, Trajectory};
 
 const BODY: &str = include_str!("page.html");
 const OWN_STYLE: &str = include_str!("page.css");
 /// In the order in which they build on each other.
-const SCRIPT: &str = concat!(
-    include_str!("../report/js/embedded.js"),
+const SCRIPT: [&str; 10] = [
+    scripts::EMBEDDED,
     include_str!("js/data.js"),
-    include_str!("../report/js/theme.js"),
-    include_str!("../report/js/units.js"),
+    scripts::THEME,
+    scripts::UNITS,
     include_str!("js/runs.js"),
     include_str!("js/marks.js"),
     include_str!("js/card.js"),
     include_str!("js/cards.js"),
     include_str!("js/tables.js"),
     include_str!("js/head.js"),
-);
+];
 /// More plots can't be looked at, and the page has to stay small.
 const MOST_COLUMNS: usize = 40;
 /// Warnings of a run beyond these are left out.
@@ -99,7 +100,7 @@ impl ComparePage<'_> {
             live: Some(Live {
                 data: &escaped(&data.to_string()),
                 values: &encoded(&self.runs, columns, &chosen),
-                script: SCRIPT,
+                script: &SCRIPT.concat(),
             }),
         }
         .html()
@@ -140,7 +141,7 @@ mod tests {
 
     #[test]
     fn the_scripts_can_stand_in_a_page() {
-        for text in [SCRIPT, OWN_STYLE] {
+        for text in SCRIPT.iter().chain([&OWN_STYLE]) {
             assert!(crate::html::can_stand_in_a_page(text));
         }
     }

@@ -7,6 +7,7 @@ use super::encode::{Plan, Source, plan, values};
 use super::facts::{cut, facts};
 use crate::html::{Live, Page, escaped};
 use crate::palette;
+use crate::scripts;
 use crate::shape::Shape;
 use linkdyn_model::Model;
 use linkdyn_output::{Summary, Trajectory};
@@ -14,15 +15,15 @@ use linkdyn_output::{Summary, Trajectory};
 const BODY: &str = include_str!("page.html");
 pub(crate) const STYLE: &str = include_str!("page.css");
 /// In the order in which they build on each other.
-const SCRIPT: &str = concat!(
-    include_str!("js/embedded.js"),
+const SCRIPT: [&str; 28] = [
+    scripts::EMBEDDED,
     include_str!("js/data.js"),
-    include_str!("js/theme.js"),
-    include_str!("js/units.js"),
+    scripts::THEME,
+    scripts::UNITS,
     include_str!("js/player.js"),
-    include_str!("js/shapes.js"),
-    include_str!("js/symbols.js"),
-    include_str!("js/drawing.js"),
+    scripts::SHAPES,
+    scripts::SYMBOLS,
+    scripts::DRAWING,
     include_str!("js/labels.js"),
     include_str!("js/forces.js"),
     include_str!("js/stage.js"),
@@ -43,7 +44,7 @@ const SCRIPT: &str = concat!(
     include_str!("js/transport.js"),
     include_str!("js/drawer.js"),
     include_str!("js/keys.js"),
-);
+];
 
 /// Largest size of a page \[bytes\].
 pub const LIMIT: usize = 5_000_000;
@@ -137,7 +138,7 @@ fn page(data: &str, values: &str) -> String {
         live: Some(Live {
             data,
             values,
-            script: SCRIPT,
+            script: &SCRIPT.concat(),
         }),
     }
     .html()
@@ -175,7 +176,7 @@ mod tests {
 
     #[test]
     fn the_scripts_can_stand_in_a_page() {
-        for text in [SCRIPT, STYLE] {
+        for text in SCRIPT.iter().chain([&STYLE]) {
             assert!(crate::html::can_stand_in_a_page(text));
         }
     }

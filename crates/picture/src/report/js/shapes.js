@@ -1,6 +1,7 @@
 "use strict";
 // Where things are: bodies, points, guides, in metres and global axes.
-(() => {
+// Measured again where another mechanism is shown.
+linkdyn.measureShapes = () => {
   const { mechanism, rows, column } = linkdyn;
 
   // Directions of guides have length one here.
@@ -130,5 +131,6 @@
     return [...widen(left, right), ...widen(bottom, top)];
   })();
 
-  linkdyn.shapes = { known, pose, place, carry, turn, outlines, strokes, cylinders, inCylinder, box };
-})();
+  return { known, pose, place, carry, turn, outlines, strokes, cylinders, inCylinder, box };
+};
+linkdyn.shapes = linkdyn.measureShapes();
