@@ -17,6 +17,7 @@ mod optimise;
 mod peaks;
 mod report;
 mod study;
+mod study_page;
 #[cfg(unix)]
 mod terminal;
 mod validate;

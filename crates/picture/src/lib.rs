@@ -26,6 +26,7 @@
 //! | `report`    | shape, summary and results → `report.html`                      |
 //! | `accuracy_page` | levels, contributions, worst configurations → `report.html` of accuracy |
 //! | `compare_page` | several runs over each other → `compare.html`                |
+//! | `study_page` | what was varied, what came of it, motions of variants → `report.html` of study |
 //! | `validate_page` | claims of validation cases → pages                          |
 //! | `html`      | one frame for all pages; data, scripts and a policy → one file  |
 //! | `scripts`   | what the pages share of their scripts                           |
@@ -51,6 +52,7 @@ pub mod raster;
 pub mod report;
 pub mod scene;
 pub mod shape;
+pub mod study_page;
 pub mod svg;
 pub mod swing;
 pub mod validate_page;
@@ -78,3 +80,4 @@ pub use mechanism::Mechanism;
 pub use report::Report;
 pub use scene::{POINTS_PER_MM, Scene};
 pub use shape::Shape;
+pub use study_page::StudyPage;

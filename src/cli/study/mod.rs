@@ -2,7 +2,11 @@
 
 mod asked;
 mod head;
+mod motions;
+mod report;
 mod respond;
+mod sample;
+mod shares;
 mod text;
 mod totals;
 mod variants;
@@ -28,7 +32,11 @@ use asked::Asked;
 use head::Head;
 use linkdyn_output::Directory;
 use linkdyn_study::chunks::{ChunkFault, Shard, Store};
+use motions::Again;
+use report::{Display, Wish};
 use respond::family;
+use sample::Sample;
+use shares::{shard, told_shard};
 use totals::Totals;
 use variants::Variants;
 use wanted::Wanted;
@@ -78,10 +86,13 @@ pub struct Options {
     /// Print study.json instead of the summary for people
     #[arg(long)]
     json: bool,
-    /// Keep chunks of rows in this directory (made where missing), go on from those that are there, and write variants.csv and
-    /// study.json
+    /// Keep chunks of rows in this directory (made where missing), go on from those that are there, and write variants.csv,
+    /// study.json and report.html
     #[arg(short = 'o', long = "output", value_name = "DIR")]
     directory: Option<PathBuf>,
+    /// Write no report.html, and remove an older one from DIR
+    #[arg(long, requires = "directory")]
+    no_report: bool,
 }
 
 #[derive(Debug, Subcommand)]
@@ -94,6 +105,9 @@ enum Merge {
         /// Print study.json instead of the summary for people
         #[arg(long)]
         json: bool,
+        /// Write no report.html, and remove an older one from DIR
+        #[arg(long)]
+        no_report: bool,
     },
 }
 
@@ -106,8 +120,13 @@ What responses may say: linkdyn docs format. What the files hold: linkdyn docs s
 
 /// Runs all variants, sums up, tells.
 pub fn execute(options: &Options) -> Result<Exit, BadInput> {
-    if let Some(Merge::Merge { directory, json }) = &options.merge {
-        return merge(directory, *json);
+    if let Some(Merge::Merge {
+        directory,
+        json,
+        no_report,
+    }) = &options.merge
+    {
+        return merge(directory, *json, !no_report);
     }
     let Some(model) = &options.model else {
         return Err(BadInput(vec![
@@ -135,13 +154,24 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let pool = rayon::ThreadPoolBuilder::new();
     let pool = pool.num_threads(options.threads.unwrap_or(0)).build();
     let pool = pool.map_err(|error| BadInput(vec![format!("no threads: {error}")]))?;
+    let wish = Wish {
+        is_wanted: !options.no_report,
+        display: &Display::of(&opened, &family),
+        again: Some(Again {
+            opened: &opened,
+            variants: &variants,
+        }),
+    };
     let done = Arc::new(AtomicU64::new(0));
     let line = progress(&opened, &head, &done);
     let exit = pool.install(|| match &options.directory {
         None => {
             loose(&head, &variants, &done).map(|totals| totals.map(|totals| (totals, Vec::new())))
         }
-        Some(path) => kept(path, &head, &variants, shard.unwrap_or(Shard::WHOLE), &done),
+        Some(path) => {
+            let shard = shard.unwrap_or(Shard::WHOLE);
+            kept(path, &head, (&variants, wish), shard, &done)
+        }
     });
     drop(line);
     let Some((totals, written)) = exit? else {
@@ -154,7 +184,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         });
         return Ok(Exit::Interrupted);
     };
-    tell(&head, &totals, &written, options.json)
+    tell(&head, (&totals, wish.display), &written, options.json)
 }
 
 /// How far it has come.
@@ -189,12 +219,12 @@ type Summed<'h> = Option<(Totals<'h>, Vec<PathBuf>)>;
 fn kept<'h>(
     path: &Path,
     head: &'h Head,
-    variants: &Variants,
+    (variants, wish): (&Variants, Wish),
     shard: Shard,
     done: &AtomicU64,
 ) -> Result<Summed<'h>, BadInput> {
     let directory = Directory::open(path)?;
-    begin(&directory, head)?;
+    begin(&directory, head, wish.display)?;
     let store = open_store(&directory, head)?;
     let plan = store.plan();
     let to_do = store.to_do(shard).map_err(fault)?;
@@ -212,7 +242,7 @@ fn kept<'h>(
     if shard != Shard::WHOLE {
         return Ok(None);
     }
-    join(&directory, head, &store).map(Some)
+    join(&directory, head, &store, wish).map(Some)
 }
 
 fn open_store(directory: &Directory, head: &Head) -> Result<Store, BadInput> {
@@ -221,7 +251,7 @@ fn open_store(directory: &Directory, head: &Head) -> Result<Store, BadInput> {
 }
 
 /// Says in the directory what the study is, or checks that it is this one.
-fn begin(directory: &Directory, head: &Head) -> Result<(), BadInput> {
+fn begin(directory: &Directory, head: &Head, display: &Display) -> Result<(), BadInput> {
     let path = directory.path().join(HEAD);
     if path.exists() {
         let there = read_head(directory.path())?;
@@ -242,8 +272,9 @@ fn begin(directory: &Directory, head: &Head) -> Result<(), BadInput> {
         }
         return Ok(());
     }
-    let text = serde_json::to_string_pretty(head).expect("texts and numbers");
-    directory.write(HEAD, format!("{text}\n").as_bytes())?;
+    let mut all = json!(head);
+    all["display"] = json!(display);
+    directory.write(HEAD, format!("{all:#}\n").as_bytes())?;
     Ok(())
 }
 
@@ -289,11 +320,13 @@ fn join<'h>(
     directory: &Directory,
     head: &'h Head,
     store: &Store,
+    wish: Wish,
 ) -> Result<(Totals<'h>, Vec<PathBuf>), BadInput> {
-    let mut totals = Totals::new(head);
+    let (mut totals, mut sample) = (Totals::new(head), Sample::new(head));
     store
         .join(|rows| {
             totals.take(rows);
+            sample.take(rows);
             Ok(())
         })
         .map_err(fault)?;
@@ -309,19 +342,23 @@ fn join<'h>(
         (_, Some(why)) => return Err(fault(why)),
         (table, None) => table?,
     };
-    let summary = directory.write(HEAD, document(head, &totals).as_bytes())?;
-    Ok((totals, vec![table, summary]))
+    let text = document(head, &totals, wish.display);
+    let summary = directory.write(HEAD, text.as_bytes())?;
+    let page = report::write(directory, head, &totals, sample, wish)?;
+    let written = [table, summary].into_iter().chain(page);
+    Ok((totals, written.collect()))
 }
 
 /// `study.json` of a study that is done.
-fn document(head: &Head, totals: &Totals) -> String {
+fn document(head: &Head, totals: &Totals, display: &Display) -> String {
     let mut all = json!(head);
+    all["display"] = json!(display);
     all["summary"] = json!(totals.told());
     format!("{all:#}\n")
 }
 
 /// Joins what shards have left.
-fn merge(path: &Path, json: bool) -> Result<Exit, BadInput> {
+fn merge(path: &Path, json: bool, is_wanted: bool) -> Result<Exit, BadInput> {
     let head = read_head(path)?;
     if head.engine != VERSION {
         return Err(BadInput(vec![format!(
@@ -332,53 +369,26 @@ fn merge(path: &Path, json: bool) -> Result<Exit, BadInput> {
     }
     let directory = Directory::open(path)?;
     let store = open_store(&directory, &head)?;
-    let (totals, written) = join(&directory, &head, &store)?;
-    tell(&head, &totals, &written, json)
+    let display = &report::kept_display(path);
+    let wish = Wish {
+        is_wanted,
+        display,
+        again: None,
+    };
+    let (totals, written) = join(&directory, &head, &store, wish)?;
+    tell(&head, (&totals, display), &written, json)
 }
 
-fn tell(head: &Head, totals: &Totals, written: &[PathBuf], json: bool) -> Result<Exit, BadInput> {
+fn tell(
+    head: &Head,
+    (totals, display): (&Totals, &Display),
+    written: &[PathBuf],
+    json: bool,
+) -> Result<Exit, BadInput> {
     print(&if json {
-        document(head, totals)
+        document(head, totals, display)
     } else {
         text::page(head, &totals.told(), written)
     })?;
     Ok(Exit::Done)
-}
-
-/// What is said of a shard that is done.
-fn told_shard(options: &Options, head: &Head) -> Result<Exit, BadInput> {
-    let (shard, directory) = (&options.shard, &options.directory);
-    if let (Some(shard), Some(directory)) = (shard, directory) {
-        print(&format!(
-            "shard {shard} of {} variants is done; when all are: linkdyn study merge {}\n",
-            head.variants,
-            directory.display()
-        ))?;
-    }
-    Ok(Exit::Done)
-}
-
-/// `I/N`, or what Slurm says.
-fn shard(text: &str) -> Result<Shard, BadInput> {
-    let bad = |why: String| BadInput(vec![format!("--shard {text}: {why}")]);
-    if text != "slurm" {
-        return text.parse().map_err(|fault| bad(format!("{fault}")));
-    }
-    let number = |name: &str| -> Result<u64, BadInput> {
-        let value = std::env::var(name).map_err(|_| {
-            bad(format!(
-                "{name} is not set: this is no task of a Slurm array"
-            ))
-        })?;
-        value
-            .parse()
-            .map_err(|_| bad(format!("{name} is {value:?}, no number")))
-    };
-    let (task, first) = (
-        number("SLURM_ARRAY_TASK_ID")?,
-        number("SLURM_ARRAY_TASK_MIN")?,
-    );
-    let count = number("SLURM_ARRAY_TASK_COUNT")?;
-    let index = task.saturating_sub(first) + 1;
-    Shard::new(index, count).map_err(|fault| bad(format!("{fault}")))
 }

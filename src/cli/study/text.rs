@@ -54,7 +54,8 @@ pub fn page(head: &Head, told: &Told, written: &[PathBuf]) -> String {
     page.text().to_owned()
 }
 
-fn method(head: &Head) -> String {
+/// How the variants were chosen, in words.
+pub fn method(head: &Head) -> String {
     match head.method.as_str() {
         "grid" => "grid".to_owned(),
         method => format!("{}, seed {}", method.replace('_', " "), head.seed),
