@@ -2,7 +2,7 @@
 
 use super::question::{Aim, Question};
 use super::timing::Timing;
-use super::variants::{Call, Detail, Found, Variants};
+use super::variants::{Call, Detail, Found, Variant};
 use linkdyn_model::optimise::Relation;
 use linkdyn_optimise::Outcome;
 use linkdyn_optimise::curve::{Node, foot, place};
@@ -35,7 +35,7 @@ pub struct Record {
 /// What a start has before it.
 pub struct Problem<'p> {
     pub question: &'p Question,
-    pub variants: &'p dyn Variants,
+    pub variant: Box<dyn Variant + 'p>,
     pub timing: Option<&'p Timing>,
     /// Size of each constraint's sides.
     pub scales: &'p [f64],
@@ -112,7 +112,7 @@ impl Problem<'_> {
         let mut measured = Measured::default();
         if self.question.curve.is_some() {
             self.runs += 1;
-            match self.variants.path(x, self.detail, self.call) {
+            match self.variant.path(x, self.detail, self.call) {
                 Found::Some(nodes) => match self.distances(&nodes) {
                     Some(distances) => measured.distances = distances,
                     None => return Found::None("the path is too short".to_owned()),
@@ -121,12 +121,16 @@ impl Problem<'_> {
                 Found::Stopped => return Found::Stopped,
             }
         }
-        if self.question.aim == Aim::Curve {
+        // Responses are told in the end, and no search needs them.
+        let is_told = self.call == Call::Last && !self.question.responses.is_empty();
+        if self.question.aim == Aim::Curve && !is_told {
             return Found::Some(measured);
         }
         self.runs += 1;
-        let all = match self.variants.numbers(x, self.call) {
+        let all = match self.variant.numbers(x, self.call) {
             Found::Some(all) => all,
+            // A path is one even where the model's own analysis has no end.
+            Found::None(_) if self.question.aim == Aim::Curve => return Found::Some(measured),
             Found::None(why) => return Found::None(why),
             Found::Stopped => return Found::Stopped,
         };
@@ -158,11 +162,11 @@ impl Problem<'_> {
     /// σ of the objective to first order: √Σ (∂f/∂p σ)², by secants over ± σ of each parameter.
     fn scatter(&mut self, x: &[f64], scatter: &[(String, f64)]) -> Found<f64> {
         let mut squares = 0.0;
-        for (parameter, sigma) in scatter {
+        for (number, (_, sigma)) in scatter.iter().enumerate() {
             let mut ends = [0.0; 2];
             for (end, by) in ends.iter_mut().zip([*sigma, -sigma]) {
                 self.runs += 1;
-                match self.variants.deviating(x, (parameter, by), self.call) {
+                match self.variant.deviating(x, (number, by), self.call) {
                     Found::Some(all) => *end = all[0],
                     Found::None(why) => return Found::None(why),
                     Found::Stopped => return Found::Stopped,

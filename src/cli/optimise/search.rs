@@ -94,7 +94,8 @@ impl Search<'_> {
                 .candidates(&self.bounds())
                 .map_err(too_many)?
                 .into_iter();
-            known = points.find_map(|x| match self.problem(Detail::Coarse, false).measure(&x) {
+            let mut problem = self.problem(Detail::Coarse, false);
+            known = points.find_map(|x| match problem.measure(&x) {
                 Found::Some(measured) => Some(measured),
                 Found::None(_) | Found::Stopped => None,
             });
@@ -112,7 +113,7 @@ impl Search<'_> {
     pub fn problem(&self, detail: Detail, keep: bool) -> Problem<'_> {
         Problem {
             question: self.question,
-            variants: self.variants,
+            variant: self.variants.begin(),
             timing: self.timing,
             scales: &self.scales,
             extent: self.question.extent(),

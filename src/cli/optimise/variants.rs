@@ -3,9 +3,9 @@
 use super::question::Question;
 use crate::cli::exit::BadInput;
 use crate::cli::open::{ModelOptions, Opened};
-use linkdyn_engine::analysis::{Control, Outcome, Prepared};
-use linkdyn_model::Source;
+use linkdyn_engine::analysis::{Control, Family, Member, Prepared};
 use linkdyn_model::error::Complaints;
+use linkdyn_model::{Given, Loaded, Source, Substituted, Substitution};
 use linkdyn_optimise::curve::Node;
 use linkdyn_output::{Status, Trajectory};
 use std::sync::Arc;
@@ -42,28 +42,52 @@ pub enum Call {
     Last,
 }
 
-/// The variants of a model by the values of its parameters [SI].
+/// The variants of a model by the values of its parameters [SI]; what they give depends on these alone.
 pub trait Variants: Sync {
-    /// The numbers that the search needs, then the responses of the model, NaN where these have no value.
-    fn numbers(&self, x: &[f64], call: Call) -> Found<Vec<f64>>;
-    /// The same where a parameter of the model deviates from what it has there.
-    fn deviating(&self, x: &[f64], deviation: (&str, f64), call: Call) -> Found<Vec<f64>>;
-    /// The path of the point.
-    fn path(&self, x: &[f64], detail: Detail, call: Call) -> Found<Vec<Node>>;
+    /// Begins, for one start.
+    fn begin(&self) -> Box<dyn Variant + '_>;
 }
 
-/// Each variant is read, compiled and run by itself.
+/// One start's share of them.
+pub trait Variant {
+    /// The numbers that the search needs, then the responses of the model, NaN where these have no value.
+    fn numbers(&mut self, x: &[f64], call: Call) -> Found<Vec<f64>>;
+    /// The same where a parameter that scatters deviates from what it has there: its number, and by how much.
+    fn deviating(&mut self, x: &[f64], deviation: (usize, f64), call: Call) -> Found<Vec<f64>>;
+    /// The path of the point.
+    fn path(&mut self, x: &[f64], detail: Detail, call: Call) -> Found<Vec<Node>>;
+}
+
+/// Families of the model: read and compiled once.
 pub struct Runs {
-    source: Source,
+    values: Family,
+    /// By deviations of all parameters that change or scatter.
+    deviations: Option<Deviations>,
     /// The model with an analysis for the path: coarse, fine.
-    paths: Option<[Source; 2]>,
+    paths: Option<[Path; 2]>,
     point: String,
-    names: Vec<String>,
-    /// Values of the file.
-    nominal: Vec<f64>,
-    needed: usize,
-    responses: usize,
+    /// Where the numbers of the search stand among the responses, and those of the model.
+    own: Vec<usize>,
+    others: Vec<usize>,
     interrupted: Arc<AtomicBool>,
+}
+
+/// The family of deviations.
+struct Deviations {
+    family: Family,
+    /// Values of the file of those that change, which come first.
+    nominal: Vec<f64>,
+    /// Where each that scatters stands.
+    scatter: Vec<usize>,
+    count: usize,
+}
+
+/// A model whose motion gives the path.
+struct Path {
+    source: Source,
+    /// None where its file must be read for each variant.
+    substitution: Option<Substitution>,
+    names: Vec<String>,
 }
 
 /// Rows of a path: one turn in steps of 3.75°, and of a quarter of it, which the quintics between them make 1e-12 and 1e-15 of it.
@@ -82,127 +106,204 @@ impl Runs {
         timing: Option<&super::timing::Timing>,
         interrupted: Arc<AtomicBool>,
     ) -> Result<Self, BadInput> {
+        let variables = question.variables.iter().map(|own| &own.parameter);
+        let names: Vec<&str> = variables.clone().map(|own| own.name.as_str()).collect();
+        let refuse = |complaints| opened.bad_input(complaints);
         let mut paths = Vec::new();
         if let Some(point) = question.point() {
             for rows in ROWS {
                 let path = super::timing::sets(opened, point, timing, rows);
-                let with = model.open_with(&[sets, &path].concat())?;
-                let with = with.map_err(|said| opened.bad_input(said))?;
-                paths.push(with.loaded.source);
+                let with = model.open_with(&[sets, &path].concat())?.map_err(refuse)?;
+                paths.push(Path::new(&with.loaded, &names));
             }
         }
-        let variables = question.variables.iter().map(|own| &own.parameter);
+        let values = Family::new(&opened.loaded, &names, Given::Values).map_err(refuse)?;
+        let all = values.responses().list().iter().enumerate();
+        let (own, others): (Vec<_>, Vec<_>) = all.partition(|(_, one)| one.name.starts_with(OWN));
+        let nominal = variables.map(|own| own.value).collect();
+        let deviations = Deviations::new(opened, &names, nominal, question).map_err(refuse)?;
         Ok(Runs {
-            source: opened.loaded.source.clone(),
+            own: own.into_iter().map(|(place, _)| place).collect(),
+            others: others.into_iter().map(|(place, _)| place).collect(),
+            values,
+            deviations,
             paths: paths.try_into().ok(),
             point: question
                 .point()
                 .map_or_else(String::new, ToString::to_string),
-            names: variables.clone().map(|own| own.name.clone()).collect(),
-            nominal: variables.map(|own| own.value).collect(),
-            needed: question.numbers(),
-            responses: question.responses.len(),
             interrupted,
         })
     }
 
-    fn run(&self, model: Result<linkdyn_model::Checked, Complaints>, call: Call) -> Found<Outcome> {
-        let heeded = match call {
-            Call::OfSearch => Arc::clone(&self.interrupted),
-            Call::Last => Arc::default(),
-        };
-        if heeded.load(Ordering::Relaxed) {
+    /// No deadline: what is found does not depend on the machine.
+    fn control(&self, call: Call) -> Control {
+        Control {
+            interrupted: match call {
+                Call::OfSearch => Arc::clone(&self.interrupted),
+                Call::Last => Arc::default(),
+            },
+            ..Control::default()
+        }
+    }
+
+    /// What a member of a family gives.
+    fn member(&self, member: &mut Member, values: &[f64], call: Call) -> Found<Vec<f64>> {
+        let control = self.control(call);
+        if control.interrupted.load(Ordering::Relaxed) {
             return Found::Stopped;
         }
-        // No deadline: what is found does not depend on the machine.
-        let control = Control {
-            interrupted: heeded,
-            ..Control::default()
+        let mut all = vec![f64::NAN; self.own.len() + self.others.len()];
+        let status = match member.run(values, &control, &mut all) {
+            Err(complaints) => return Found::None(input_fault(&complaints)),
+            Ok(ended) => ended.status,
         };
-        let run = model.and_then(|model| Prepared::new(&model)?.run(&control));
-        match run {
-            Err(complaints) => Found::None(input_fault(&complaints)),
-            Ok(outcome) => match outcome.report.status {
-                Status::Interrupted => Found::Stopped,
-                Status::Completed => Found::Some(outcome),
-                status @ (Status::CompletedWithGaps
-                | Status::DeadCentre
-                | Status::AssemblyFailed
-                | Status::StepTooSmall
-                | Status::Singular
-                | Status::TimeLimit) => Found::None(status.word().to_owned()),
-            },
+        if let Some(missing) = missing(status) {
+            return missing;
         }
-    }
-
-    fn named<'x>(&'x self, x: &'x [f64]) -> Vec<(&'x str, f64)> {
-        self.names
-            .iter()
-            .map(String::as_str)
-            .zip(x.iter().copied())
-            .collect()
-    }
-
-    fn answers(&self, outcome: &Outcome) -> Found<Vec<f64>> {
-        let (own, others): (Vec<_>, Vec<_>) = outcome
-            .responses
-            .iter()
-            .partition(|answer| answer.name.starts_with(OWN));
-        if let Some(missing) = own.iter().find(|answer| answer.value.is_none()) {
-            let why = missing
-                .reason
-                .clone()
-                .unwrap_or_else(|| "no value".to_owned());
-            return Found::None(why);
+        if let Some(place) = self.own.iter().find(|place| !all[**place].is_finite()) {
+            let text = &self.values.responses().list()[*place].text;
+            return Found::None(format!("no value of {text}"));
         }
-        let all = own
-            .iter()
-            .chain(&others)
-            .map(|answer| answer.value.unwrap_or(f64::NAN));
-        let all: Vec<f64> = all.collect();
-        debug_assert_eq!(all.len(), self.needed + self.responses);
-        Found::Some(all)
+        let places = self.own.iter().chain(&self.others);
+        Found::Some(places.map(|place| all[*place]).collect())
     }
 }
 
+/// What there is instead of numbers where a run does not come to its end.
+fn missing<T>(status: Status) -> Option<Found<T>> {
+    match status {
+        Status::Completed => None,
+        Status::Interrupted => Some(Found::Stopped),
+        Status::CompletedWithGaps
+        | Status::DeadCentre
+        | Status::AssemblyFailed
+        | Status::StepTooSmall
+        | Status::Singular
+        | Status::TimeLimit => Some(Found::None(status.word().to_owned())),
+    }
+}
+
+impl Deviations {
+    /// None where nothing scatters.
+    fn new(
+        opened: &Opened,
+        names: &[&str],
+        nominal: Vec<f64>,
+        question: &Question,
+    ) -> Result<Option<Self>, Complaints> {
+        let Some(robust) = &question.robust else {
+            return Ok(None);
+        };
+        let mut all = names.to_vec();
+        let mut scatter = Vec::new();
+        for (name, _) in &robust.scatter {
+            let known = all.iter().position(|own| own == name);
+            scatter.push(known.unwrap_or(all.len()));
+            if known.is_none() {
+                all.push(name);
+            }
+        }
+        Ok(Some(Deviations {
+            family: Family::new(&opened.loaded, &all, Given::Deviations)?,
+            nominal,
+            scatter,
+            count: all.len(),
+        }))
+    }
+}
+
+impl Path {
+    fn new(loaded: &Loaded, names: &[&str]) -> Self {
+        let (source, model) = (&loaded.source, &loaded.model);
+        Path {
+            source: source.clone(),
+            substitution: Substitution::new(
+                source,
+                model,
+                &loaded.parameters,
+                names,
+                Given::Values,
+            ),
+            names: names.iter().map(|name| (*name).to_owned()).collect(),
+        }
+    }
+
+    fn prepared(&self, x: &[f64], place: Option<&mut Substituted>) -> Result<Prepared, Complaints> {
+        let put = self.substitution.as_ref().zip(place);
+        if let Some(model) = put.and_then(|(substitution, place)| substitution.put(x, place)) {
+            return Prepared::new(model);
+        }
+        let names = self.names.iter().map(String::as_str);
+        let values: Vec<(&str, f64)> = names.zip(x.iter().copied()).collect();
+        Prepared::new(&self.source.with_parameters(&values)?)
+    }
+}
+
+/// The share of one start.
+struct Share<'r> {
+    runs: &'r Runs,
+    values: Member<'r>,
+    deviations: Option<Member<'r>>,
+    /// Models of the path: coarse, fine.
+    places: [Option<Substituted>; 2],
+}
+
 impl Variants for Runs {
-    fn numbers(&self, x: &[f64], call: Call) -> Found<Vec<f64>> {
-        match self.run(self.source.with_parameters(&self.named(x)), call) {
-            Found::Some(outcome) => self.answers(&outcome),
-            Found::None(why) => Found::None(why),
-            Found::Stopped => Found::Stopped,
-        }
+    fn begin(&self) -> Box<dyn Variant + '_> {
+        let place = |k: usize| {
+            let path = self.paths.as_ref().map(|paths| &paths[k])?;
+            path.substitution.as_ref().map(Substitution::begin)
+        };
+        Box::new(Share {
+            runs: self,
+            values: self.values.begin(),
+            deviations: self.deviations.as_ref().map(|own| own.family.begin()),
+            places: [place(0), place(1)],
+        })
+    }
+}
+
+impl Variant for Share<'_> {
+    fn numbers(&mut self, x: &[f64], call: Call) -> Found<Vec<f64>> {
+        self.runs.member(&mut self.values, x, call)
     }
 
-    fn deviating(&self, x: &[f64], (parameter, by): (&str, f64), call: Call) -> Found<Vec<f64>> {
-        let mut deviations = self.named(x);
-        for (own, nominal) in deviations.iter_mut().zip(&self.nominal) {
-            own.1 -= nominal;
+    fn deviating(&mut self, x: &[f64], (number, by): (usize, f64), call: Call) -> Found<Vec<f64>> {
+        let both = self.runs.deviations.as_ref().zip(self.deviations.as_mut());
+        let Some((deviations, member)) = both else {
+            return Found::None("nothing scatters".to_owned());
+        };
+        let mut values = vec![0.0; deviations.count];
+        for (value, (x, nominal)) in values.iter_mut().zip(x.iter().zip(&deviations.nominal)) {
+            *value = x - nominal;
         }
-        match deviations.iter_mut().find(|own| own.0 == parameter) {
-            Some(own) => own.1 += by,
-            None => deviations.push((parameter, by)),
-        }
-        match self.run(self.source.with_deviations(&deviations), call) {
-            Found::Some(outcome) => self.answers(&outcome),
-            Found::None(why) => Found::None(why),
-            Found::Stopped => Found::Stopped,
-        }
+        values[deviations.scatter[number]] += by;
+        self.runs.member(member, &values, call)
     }
 
-    fn path(&self, x: &[f64], detail: Detail, call: Call) -> Found<Vec<Node>> {
-        let Some([coarse, fine]) = &self.paths else {
+    fn path(&mut self, x: &[f64], detail: Detail, call: Call) -> Found<Vec<Node>> {
+        let Some(paths) = &self.runs.paths else {
             return Found::None("no path is looked for".to_owned());
         };
-        let source = match detail {
-            Detail::Coarse => coarse,
-            Detail::Fine => fine,
+        let number = match detail {
+            Detail::Coarse => 0,
+            Detail::Fine => 1,
         };
-        match self.run(source.with_parameters(&self.named(x)), call) {
-            Found::Some(outcome) => nodes(outcome.all(), &self.point)
-                .map_or_else(|| Found::None("no path".to_owned()), Found::Some),
-            Found::None(why) => Found::None(why),
-            Found::Stopped => Found::Stopped,
+        let control = self.runs.control(call);
+        if control.interrupted.load(Ordering::Relaxed) {
+            return Found::Stopped;
+        }
+        let prepared = paths[number].prepared(x, self.places[number].as_mut());
+        let outcome = match prepared.and_then(|own| own.run(&control)) {
+            Err(complaints) => return Found::None(input_fault(&complaints)),
+            Ok(outcome) => outcome,
+        };
+        if let Some(missing) = missing(outcome.report.status) {
+            return missing;
+        }
+        match nodes(outcome.all(), &self.runs.point) {
+            Some(nodes) => Found::Some(nodes),
+            None => Found::None("the path has gaps".to_owned()),
         }
     }
 }
