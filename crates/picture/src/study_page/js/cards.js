@@ -10,7 +10,7 @@
   let over = inputs[0];
 
   // Room for the labels of both axes.
-  const frameOf = (width, height) => ({ left: 64, top: 24, wide: width - 64 - 14, tall: height - 24 - 44 });
+  const frameOf = (width, height) => ({ left: 64, top: 28, wide: width - 64 - 14, tall: height - 28 - 42 });
   // The range of a response, with limits that are near.
   const rangeOf = (own) => {
     let [from, to] = [own.from, own.to];
@@ -26,14 +26,11 @@
       axes(pen, at, { x: x.label, y: own.symbol ? `[${own.symbol}]` : "" });
       // Where there is no value, hatched as wide as a step.
       pen.save();
-      pen.strokeStyle = colour("muted"); pen.lineWidth = 1; pen.globalAlpha = 0.55;
+      pen.globalAlpha = 0.55;
       order.forEach((row, k) => {
         if (Number.isFinite(own.values[row])) return;
         const [a, b] = [order[k - 1] ?? row, order[k + 1] ?? row].map((other) => (at.x(x.values[row]) + at.x(x.values[other])) / 2);
-        pen.save();
-        pen.beginPath(); pen.rect(a, top, Math.max(b - a, 1), tall); pen.clip();
-        for (let from = Math.floor((a - tall) / 7) * 7; from < b; from += 7) line(pen, [from, top + tall], [from + tall, top]);
-        pen.restore();
+        plotting.hatch(pen, a, top, Math.max(b - a, 1), tall);
       });
       pen.restore();
       limits(pen, at, own, false);
@@ -79,10 +76,14 @@
     }
     pen.globalAlpha = 1;
     pen.strokeStyle = pen.fillStyle = colour("muted"); pen.lineWidth = 1.2; pen.font = "11px system-ui, sans-serif"; pen.textBaseline = "bottom"; pen.textAlign = "center";
-    (quantiles || []).forEach((value, k) => {
+    let taken = -Infinity;
+    (isGrid ? [] : quantiles || []).forEach((value, k) => {
       const x = at.x(value / own.size);
       pen.setLineDash([4, 3]); line(pen, [x, top], [x, top + tall]); pen.setLineDash([]);
-      pen.fillText(["0.135 %", "median", "99.865 %"][k], Math.min(Math.max(x, left + 88), left + wide - 22), top - 4);
+      const middle = Math.min(Math.max(x, left + 64), left + wide - 22);
+      if (middle - taken < 50) return;
+      taken = middle;
+      pen.fillText(["0.135 %", "median", "99.865 %"][k], middle, top - 3);
     });
     limits(pen, at, own, true);
     if (choice.row >= 0 && Number.isFinite(own.values[choice.row])) { const x = at.x(own.values[choice.row]); pen.strokeStyle = colour("force"); pen.lineWidth = 2; line(pen, [x, top + tall * 0.6], [x, top + tall]); }

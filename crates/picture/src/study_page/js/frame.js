@@ -84,7 +84,15 @@
     pen.strokeStyle = colour("line"); pen.strokeRect(left, top, wide, tall);
     pen.fillStyle = colour("ink");
     if (x) { pen.textAlign = "center"; pen.textBaseline = "alphabetic"; pen.fillText(x, left + wide / 2, top + tall + 34, wide); }
-    if (y) { pen.textAlign = "left"; pen.textBaseline = "alphabetic"; pen.fillText(y, Math.max(left - 50, 2), top - 7, wide + 40); }
+    if (y) { pen.textAlign = "left"; pen.textBaseline = "alphabetic"; pen.fillText(y, Math.max(left - 50, 2), top - 12, wide + 40); }
+  };
+  // Lines that go on from one area to the next.
+  const hatch = (pen, x, y, wide, tall) => {
+    pen.save();
+    pen.beginPath(); pen.rect(x, y, wide, tall); pen.clip();
+    pen.strokeStyle = colour("muted"); pen.lineWidth = 1;
+    for (let sum = Math.ceil((x + y) / 7) * 7; sum < x + y + wide + tall; sum += 7) line(pen, [sum - y - tall, y + tall], [sum - y, y]);
+    pen.restore();
   };
   // A limit: a line, and its word.
   const limits = (pen, at, own, isUpright) => own.limits?.forEach((limit, side) => {
@@ -92,8 +100,10 @@
     if (!(isUpright ? place >= left - 1 && place <= left + wide + 1 : place >= top - 1 && place <= top + tall + 1)) return;
     pen.strokeStyle = pen.fillStyle = colour("bad"); pen.lineWidth = 1.5; pen.font = FONT;
     if (isUpright) line(pen, [place, top], [place, top + tall]); else line(pen, [left, place], [left + wide, place]);
-    pen.textAlign = isUpright ? side ? "right" : "left" : "right"; pen.textBaseline = isUpright ? "top" : side ? "top" : "bottom";
-    pen.fillText(side ? "upper limit" : "lower limit", isUpright ? place + (side ? -4 : 4) : left + wide - 4, isUpright ? top + 4 : place + (side ? 3 : -2));
+    // Below the lower limit and above the upper one, where there is room for a word.
+    const isLeft = isUpright && (side ? place > left + wide - 74 : place > left + 74), isAbove = side ? place > top + 18 : place > top + tall - 18;
+    pen.textAlign = isUpright && !isLeft ? "left" : "right"; pen.textBaseline = !isUpright && isAbove ? "bottom" : "top";
+    pen.fillText(side ? "upper limit" : "lower limit", isUpright ? place + (isLeft ? -4 : 4) : left + wide - 4, isUpright ? top + 4 + 14 * side : place + (isAbove ? -2 : 3));
   });
   const ring = (pen, x, y) => {
     if (!Number.isFinite(x + y)) return;
@@ -173,5 +183,5 @@
     }
   }
 
-  Object.assign(linkdyn, { Frame, frames, plotting: { FONT, ticks, widened, scales, cloud, line, axes, limits, ring, box, paper: false } });
+  Object.assign(linkdyn, { Frame, frames, plotting: { FONT, ticks, widened, scales, cloud, line, axes, hatch, limits, ring, box, paper: false } });
 })();

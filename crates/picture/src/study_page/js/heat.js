@@ -32,6 +32,11 @@
       if (Number.isFinite(value)) { sums[cell] += value; counts[cell]++; } else failed[cell]++;
     }
     const means = sums.map((sum, k) => counts[k] ? sum / counts[k] : NaN);
+    // A cell in which no variant is drawn is as the one beside it.
+    for (let k = 0; k < wide * tall; k++) {
+      const other = [k - wide, k + wide, k - 1, k + 1].find((own) => counts[own] || failed[own]);
+      if (!counts[k] && !failed[k] && other !== undefined) [means[k], failed[k]] = [means[other], failed[other]];
+    }
     return { wide, tall, means, failed, place };
   };
 
@@ -53,20 +58,11 @@
     return pieces;
   };
 
-  const hatch = (pen, x, y, wide, tall) => {
-    pen.save();
-    pen.beginPath(); pen.rect(x, y, wide, tall); pen.clip();
-    pen.strokeStyle = colour("muted"); pen.lineWidth = 1;
-    const first = Math.floor((x - tall) / 6) * 6;
-    for (let from = first; from < x + wide; from += 6) plotting.line(pen, [from, y + tall], [from + tall, y]);
-    pen.restore();
-  };
-
   linkdyn.heat = (own) => {
     const axes = inputs.map(axis), grid = cells(axes, own), { wide, tall, means } = grid;
     const pieces = own.limits.map((limit) => limit === null ? [] : contour(grid, limit));
     return (pen, width, height) => {
-      const { scales, FONT } = plotting, box = { left: 64, top: 24, wide: width - 64 - 92, tall: height - 24 - 44 };
+      const { scales, FONT } = plotting, box = { left: 64, top: 28, wide: width - 64 - 92, tall: height - 28 - 42 };
       const at = scales(box, axes[0].range, axes[1].range), { from, to } = own, span = to - from || 1;
       const [dx, dy] = [box.wide / wide, box.tall / tall];
       const [flipX, flipY] = axes.map(({ step }) => step < 0);
@@ -78,7 +74,7 @@
       for (let j = 0; j < tall; j++) for (let i = 0; i < wide; i++) {
         const k = i + wide * j, [left, top] = corner(i, j), [x, y] = [Math.round(left), Math.round(top)], [w, h] = [Math.round(left + dx) - x, Math.round(top + dy) - y], known = Number.isFinite(means[k]);
         if (known) { pen.globalAlpha = choice.mask && !chosen[k] ? 0.25 : 1; pen.fillStyle = tone((means[k] - from) / span); pen.fillRect(x, y, w, h); }
-        else if (grid.failed[k]) { pen.globalAlpha = choice.mask && !chosen[k] ? 0.25 : 1; hatch(pen, x, y, w, h); }
+        else if (grid.failed[k]) { pen.globalAlpha = choice.mask && !chosen[k] ? 0.25 : 1; plotting.hatch(pen, x, y, w, h); }
       }
       pen.globalAlpha = 1;
       const middle = ([i, j]) => { const [x, y] = corner(0, 0); return [x + dx * (0.5 + (flipX ? -i : i)), y + dy * (0.5 - (flipY ? -j : j))]; };
@@ -97,7 +93,7 @@
       pen.strokeStyle = colour("bad"); pen.lineWidth = 2;
       own.limits.forEach((limit) => { if (limit !== null && limit >= from && limit <= to) plotting.line(pen, [left - 3, y(limit)], [left + 17, y(limit)]); });
       pen.fillStyle = colour("ink"); pen.textAlign = "right"; pen.textBaseline = "alphabetic";
-      pen.fillText(own.symbol ? `[${own.symbol}]` : "", width - 4, box.top - 7);
+      pen.fillText(own.symbol ? `[${own.symbol}]` : "", width - 4, box.top - 12);
       const pick = (px, py) => grid.place.indexOf(cellAt(px, py));
       const cellAt = (px, py) => {
         const [i, j] = [Math.floor((px - box.left) / dx), Math.floor((box.top + box.tall - py) / dy)];
