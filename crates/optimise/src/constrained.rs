@@ -10,6 +10,10 @@
 //! bend, and the price ρ raised until the linear constraints get as good as they can (steering: Byrd, Nocedal, Waltz 2008). A step
 //! to where there is no value is refused like a bad one, and Δ shrinks: that is why it is a trust region and no line search, and why
 //! no optimiser at hand served, for they all take a function to have a value everywhere.
+//!
+//! A greatest of many, such as a peak, has kinks where two are equal, and there the optimum often lies. Where steps are refused, the linear
+//! model at the refused point joins that of the objective, whose model is then the greatest of both (a bundle; Kiwiel 1985): the next step
+//! goes along the kink, and the weights of the pieces say whether it is an optimum.
 
 mod model;
 
@@ -76,6 +80,10 @@ const ROUND_OFF: f64 = 1e-15;
 const FLAT: f64 = 1e-6;
 /// Slopes below this are not worth another step: a hundred times what differences leave.
 const SETTLED: f64 = 1e-8;
+/// After so many refused steps a kink is looked for.
+const PATIENCE: usize = 2;
+/// A step on which the first piece counts so much follows it alone.
+const ALONE: f64 = 0.999;
 /// Part of the gain that must come true.
 const ACCEPTED: f64 = 1e-4;
 
@@ -132,6 +140,7 @@ impl Search<'_> {
                 .abs()
                 .max(self.merit(&self.values).abs());
             if expected <= ROUND_OFF * size.max(1e-3) || self.radius < LEAST_RADIUS {
+                self.blend = Some(self.blended(&step.weights));
                 self.multipliers = step.multipliers;
                 return self.end();
             }
@@ -140,6 +149,9 @@ impl Search<'_> {
                 Err(ended) => return ended,
             };
             let Some((x, values, multipliers)) = accepted else {
+                if let Err(ended) = self.see(f) {
+                    return ended;
+                }
                 continue;
             };
             let slopes = match jacobian(f, self.bounds, &x, &values) {
@@ -150,8 +162,14 @@ impl Search<'_> {
                     continue;
                 }
             };
-            self.learn(&x, &slopes, &multipliers);
+            // Between pieces slopes jump, which says nothing of how they bend.
+            if step.weights[0] > ALONE {
+                self.learn(&x, &slopes, &multipliers);
+            }
+            self.refused = None;
+            self.refusals = 0;
             (self.x, self.values, self.slopes, self.multipliers) = (x, values, slopes, multipliers);
+            self.forget();
             if self.worst() <= 1e-3 * self.kept && self.slope() <= SETTLED {
                 return Ended::Optimum;
             }
@@ -173,6 +191,7 @@ impl Search<'_> {
             Outcome::Stopped => return Err(Ended::Stopped),
             Outcome::Missing => {
                 self.shrink(&step.d);
+                self.refused = None;
                 return Ok(None);
             }
             Outcome::Values(values) => values,
@@ -202,7 +221,27 @@ impl Search<'_> {
             }
         }
         self.shrink(&step.d);
+        self.refusals += 1;
+        self.refused = Some((to, values));
         Ok(None)
+    }
+
+    /// Where steps are refused again, the objective may have a kink: takes its linear model at the last point as another piece.
+    fn see(&mut self, f: &mut Function) -> Result<(), Ended> {
+        if self.refusals < PATIENCE {
+            return Ok(());
+        }
+        let Some((x, values)) = self.refused.take() else {
+            return Ok(());
+        };
+        match jacobian(f, self.bounds, &x, &values) {
+            Ok(slopes) => {
+                self.add_piece(x, &values, &slopes);
+                Ok(())
+            }
+            Err(Underived::NoValues) => Ok(()),
+            Err(Underived::Stopped) => Err(Ended::Stopped),
+        }
     }
 
     fn shrink(&mut self, d: &[f64]) {

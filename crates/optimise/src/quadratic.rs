@@ -1,7 +1,7 @@
 //! One step of constrained optimisation: a convex quadratic program whose constraints may be paid for.
 //!
 //! ```text
-//! minimise  gᵀd + ½ dᵀB d + ρ Σ(violations)      lower ≤ d ≤ upper
+//! minimise  max(gᵀd, v_j + h_jᵀd, …) + ½ dᵀB d + ρ Σ(violations)      lower ≤ d ≤ upper
 //!           c + A d = 0 or ≤ 0, each with a violation ≥ 0
 //! ```
 //!
@@ -40,6 +40,9 @@ impl Kind {
 pub struct Quadratic {
     /// Gradient (n).
     pub gradient: Vec<f64>,
+    /// Other linear models of the objective, each by its value less that of the first one at d = 0, at most 0, and its gradient: the
+    /// greatest of all counts.
+    pub planes: Vec<(f64, Vec<f64>)>,
     /// Hessian (n, n) by rows, positive semidefinite.
     pub hessian: Vec<f64>,
     /// Kind, value and derivatives (n) of each constraint.
@@ -59,6 +62,8 @@ pub struct Step {
     pub multipliers: Vec<f64>,
     /// Sum of the violations of c + A d.
     pub violation: f64,
+    /// How much each model of the objective counts, the first one first; together 1.
+    pub weights: Vec<f64>,
 }
 
 /// Entries of a matrix under construction.
@@ -128,8 +133,12 @@ impl Quadratic {
     /// Solves it; none where the solver fails.
     pub fn solve(&self) -> Option<Step> {
         let n = self.gradient.len();
-        let (rows, place) = self.rows();
+        let (rows, place, first) = self.rows();
         let (x, z) = rows.solve(self.costs(), self.curvature())?;
+        let weights = match self.planes.len() {
+            0 => vec![1.0],
+            count => z[first..=first + count].to_vec(),
+        };
         let mut d = x[..n].to_vec();
         for (d, [lower, upper]) in d.iter_mut().zip(&self.room) {
             *d = d.clamp(*lower, *upper);
@@ -137,6 +146,7 @@ impl Quadratic {
         Some(Step {
             violation: self.violation(&d),
             multipliers: place.iter().map(|row| z[*row]).collect(),
+            weights,
             d,
         })
     }
@@ -145,12 +155,20 @@ impl Quadratic {
     fn counts(&self) -> (usize, usize) {
         let all = self.constraints.iter();
         let equal = all.filter(|one| one.0 == Kind::Equal).count();
-        (equal, self.gradient.len() + self.constraints.len() + equal)
+        let top = usize::from(!self.planes.is_empty());
+        let violations = self.constraints.len() + equal;
+        (equal, self.gradient.len() + violations + top)
     }
 
     fn costs(&self) -> Vec<f64> {
         let mut costs = self.gradient.clone();
         costs.resize(self.counts().1, self.price);
+        // With several models the last unknown is the greatest of them.
+        if !self.planes.is_empty() {
+            costs[..self.gradient.len()].fill(0.0);
+            costs.pop();
+            costs.push(1.0);
+        }
         costs
     }
 
@@ -165,8 +183,9 @@ impl Quadratic {
         entries
     }
 
-    /// A x + s = b, s zero in the rows of equations, which come first, and positive in the others; where each constraint stands.
-    fn rows(&self) -> (Rows, Vec<usize>) {
+    /// A x + s = b, s zero in the rows of equations, which come first, and positive in the others; where each constraint stands, and
+    /// the first model of the objective.
+    fn rows(&self) -> (Rows, Vec<usize>, usize) {
         let n = self.gradient.len();
         let (equal, unknowns) = self.counts();
         let mut matrix = Entries::default();
@@ -196,16 +215,29 @@ impl Quadratic {
                 right.push(sign * end);
             }
         }
-        for k in n..unknowns {
+        let top = usize::from(!self.planes.is_empty());
+        for k in n..unknowns - top {
             matrix.push(right.len(), k, -1.0);
             right.push(0.0);
+        }
+        let models = right.len();
+        if top == 1 {
+            let own = (0.0, &self.gradient);
+            let others = self.planes.iter().map(|(value, slopes)| (*value, slopes));
+            for (value, slopes) in std::iter::once(own).chain(others) {
+                let row = right.len();
+                let entries = slopes.iter().enumerate();
+                entries.for_each(|(k, slope)| matrix.push(row, k, *slope));
+                matrix.push(row, unknowns - 1, -1.0);
+                right.push(-value);
+            }
         }
         let rows = Rows {
             matrix,
             right,
             equal,
         };
-        (rows, place)
+        (rows, place, models)
     }
 
     /// Sum of the violations of c + A d.
@@ -225,7 +257,10 @@ impl Quadratic {
         let square: f64 = rows
             .map(|(row, own)| own * row.iter().zip(d).map(|(entry, d)| entry * d).sum::<f64>())
             .sum();
-        self.gradient.iter().zip(d).map(|(g, d)| g * d).sum::<f64>() + 0.5 * square
+        let linear = |slopes: &[f64]| slopes.iter().zip(d).map(|(g, d)| g * d).sum::<f64>();
+        let others = self.planes.iter();
+        let others = others.map(|(value, slopes)| value + linear(slopes));
+        others.fold(linear(&self.gradient), f64::max) + 0.5 * square
     }
 }
 
@@ -238,6 +273,7 @@ mod tests {
     fn equations_inequalities_and_the_box_hold() {
         let program = Quadratic {
             gradient: vec![-1.0, -1.0],
+            planes: Vec::new(),
             hessian: vec![1.0, 0.0, 0.0, 1.0],
             constraints: vec![
                 (Kind::AtMost, -0.2, vec![1.0, 0.0]),
@@ -263,5 +299,25 @@ mod tests {
         };
         let step = program.solve().expect("a solution");
         assert!((step.violation - 0.8).abs() < 1e-9, "{step:?}");
+    }
+
+    /// The greatest of x and −0.3 − x/2 is least at x = −0.2, where they count ⅓ and ⅔.
+    #[test]
+    fn the_greatest_of_several_models_counts() {
+        let program = Quadratic {
+            gradient: vec![1.0, 0.0],
+            planes: vec![(-0.3, vec![-0.5, 0.0])],
+            hessian: vec![0.0, 0.0, 0.0, 1.0],
+            constraints: Vec::new(),
+            room: vec![[-1.0, 1.0]; 2],
+            price: 1.0,
+        };
+        let step = program.solve().expect("a solution");
+        assert!(
+            (step.d[0] + 0.2).abs() < 1e-9 && step.d[1].abs() < 1e-9,
+            "{step:?}"
+        );
+        assert!((step.weights[0] - 1.0 / 3.0).abs() < 1e-9, "{step:?}");
+        assert!((program.model(&step.d) + 0.2).abs() < 1e-9, "{step:?}");
     }
 }

@@ -210,6 +210,27 @@ fn tolerances_count_where_that_is_asked_for() {
     );
 }
 
+/// A response whose name is no word stands in quotes.
+#[test]
+fn a_name_in_quotes_is_that_of_a_response() {
+    let scratch = Scratch::new("optimise-quotes");
+    let set = "responses.long way=max(piston.x) - min(piston.x)";
+    let goal = "'long way' / 2 = 40 mm";
+    let found = found(
+        &scratch,
+        &[
+            "press.json",
+            "--set",
+            set,
+            "--vary",
+            "crank",
+            "--goal",
+            goal,
+        ],
+    );
+    assert!((value(&found, "crank") - 0.04).abs() < 1e-9, "{found}");
+}
+
 /// As near as possible to 80 mm and 84 mm, both by their size.
 #[test]
 fn several_goals_are_met_as_well_as_they_can_be() {

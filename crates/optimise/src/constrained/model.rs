@@ -25,6 +25,24 @@ pub struct Search<'s> {
     pub multipliers: Vec<f64>,
     pub price: f64,
     pub radius: f64,
+    /// Other pieces of the objective.
+    pub pieces: Vec<Piece>,
+    /// Where the last step led that was refused.
+    pub refused: Option<(Vec<f64>, Vec<f64>)>,
+    /// How many were refused in a row.
+    pub refusals: usize,
+    /// Scaled slope of the objective as its pieces count in the end.
+    pub blend: Option<Vec<f64>>,
+}
+
+/// A linear model of the objective.
+pub struct Piece {
+    /// Where it touches.
+    at: Vec<f64>,
+    /// Scaled value there.
+    value: f64,
+    /// Scaled slopes over the ranges.
+    slopes: Vec<f64>,
 }
 
 impl<'s> Search<'s> {
@@ -42,6 +60,10 @@ impl<'s> Search<'s> {
             multipliers: vec![0.0; kinds.len()],
             price: FIRST_PRICE,
             radius: FIRST_RADIUS,
+            pieces: Vec::new(),
+            refused: None,
+            refusals: 0,
+            blend: None,
             kinds,
             bounds,
             kept,
@@ -79,6 +101,52 @@ impl<'s> Search<'s> {
             .collect()
     }
 
+    /// Value of a piece here less that of the objective, at most 0 as one of a convex function is, and its slopes.
+    fn plane(&self, piece: &Piece) -> (f64, Vec<f64>) {
+        let moved = (0..self.x.len())
+            .map(|k| piece.slopes[k] * (self.x[k] - piece.at[k]) / self.bounds.width(k));
+        let value = piece.value + moved.sum::<f64>() - self.values[0] / self.scales[0];
+        (value.min(0.0), piece.slopes.clone())
+    }
+
+    fn planes(&self) -> Vec<(f64, Vec<f64>)> {
+        self.pieces.iter().map(|piece| self.plane(piece)).collect()
+    }
+
+    /// Takes the linear model at a point as another piece; the oldest gives way.
+    pub fn add_piece(&mut self, at: Vec<f64>, values: &[f64], slopes: &[f64]) {
+        if self.pieces.len() > self.x.len() {
+            self.pieces.remove(0);
+        }
+        self.pieces.push(Piece {
+            value: values[0] / self.scales[0],
+            slopes: self.row(slopes, 0),
+            at,
+        });
+    }
+
+    /// Drops pieces that touch far away: they say nothing of the objective here.
+    pub fn forget(&mut self) {
+        const FAR: f64 = 20.0;
+        let near = FAR * self.radius;
+        let (x, bounds) = (&self.x, self.bounds);
+        self.pieces.retain(|piece| {
+            let off = |k: usize| (x[k] - piece.at[k]).abs() / bounds.width(k);
+            (0..x.len()).all(|k| off(k) <= near)
+        });
+    }
+
+    /// Slopes of the objective as its pieces count.
+    pub fn blended(&self, weights: &[f64]) -> Vec<f64> {
+        let own = self.row(&self.slopes, 0);
+        let mut sum: Vec<f64> = own.iter().map(|slope| weights[0] * slope).collect();
+        for (piece, weight) in self.pieces.iter().zip(&weights[1..]) {
+            let slopes = sum.iter_mut().zip(&piece.slopes);
+            slopes.for_each(|(sum, slope)| *sum += weight * slope);
+        }
+        sum
+    }
+
     /// The program of a step; one that is `feasible` only sees to the constraints.
     pub fn program(&self, values: &[f64], feasible: bool) -> Quadratic {
         let n = self.x.len();
@@ -97,6 +165,7 @@ impl<'s> Search<'s> {
             } else {
                 self.row(&self.slopes, 0)
             },
+            planes: if feasible { Vec::new() } else { self.planes() },
             hessian: if feasible {
                 trace()
             } else {
@@ -163,10 +232,14 @@ impl<'s> Search<'s> {
 
     /// Largest slope of the Lagrangian that no bound holds.
     pub fn slope(&self) -> f64 {
-        let all = self
-            .lagrangian(&self.slopes, &self.multipliers)
-            .into_iter()
-            .enumerate();
+        let mut all = self.lagrangian(&self.slopes, &self.multipliers);
+        if let Some(blend) = &self.blend {
+            let own = self.row(&self.slopes, 0);
+            for (sum, (blend, own)) in all.iter_mut().zip(blend.iter().zip(own)) {
+                *sum += blend - own;
+            }
+        }
+        let all = all.into_iter().enumerate();
         let free = all.filter(|(k, slope)| match self.bounds.end(*k, self.x[*k]) {
             Some(crate::End::Lower) => *slope < 0.0,
             Some(crate::End::Upper) => *slope > 0.0,

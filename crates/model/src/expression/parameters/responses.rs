@@ -46,14 +46,18 @@ impl Parameters {
             let parameter = self.places.get(name).copied();
             parameter.or_else(|| Some(own + response()?))
         };
-        let expression = Expression::response(text, &find, &names, results)?;
+        // In quotes the parser takes a name for that of a result.
         let mut whole = text.to_owned();
+        for (name, value) in responses {
+            whole = whole.replace(&format!("'{name}'"), &format!("({value})"));
+        }
+        if whole != text {
+            return self.with_responses(&whole, responses, results);
+        }
+        let expression = Expression::response(text, &find, &names, results)?;
         for (at, index) in expression.places().into_iter().rev() {
             if let Some((name, value)) = index.checked_sub(own).and_then(|k| responses.get(k)) {
-                // A name with other signs stands in quotes.
-                let quotes = usize::from(text[at..].starts_with('\''));
-                let end = at + name.len() + 2 * quotes;
-                whole.replace_range(at..end, &format!("({value})"));
+                whole.replace_range(at..at + name.len(), &format!("({value})"));
             }
         }
         Ok(whole)
