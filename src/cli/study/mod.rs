@@ -1,6 +1,7 @@
 //! `linkdyn study`: many variants of a model, what comes out of each, and what that comes to.
 
 mod asked;
+mod display;
 mod head;
 mod motions;
 mod report;
@@ -29,11 +30,12 @@ use super::progress::Line;
 use super::responses;
 use super::streams::{complain, print};
 use asked::Asked;
+use display::Display;
 use head::Head;
 use linkdyn_output::Directory;
 use linkdyn_study::chunks::{ChunkFault, Shard, Store};
 use motions::Again;
-use report::{Display, Wish};
+use report::Wish;
 use respond::family;
 use sample::Sample;
 use shares::{shard, told_shard};
@@ -369,7 +371,7 @@ fn merge(path: &Path, json: bool, is_wanted: bool) -> Result<Exit, BadInput> {
     }
     let directory = Directory::open(path)?;
     let store = open_store(&directory, &head)?;
-    let display = &report::kept_display(path);
+    let display = &display::kept(path);
     let wish = Wish {
         is_wanted,
         display,
@@ -388,7 +390,7 @@ fn tell(
     print(&if json {
         document(head, totals, display)
     } else {
-        text::page(head, &totals.told(), written)
+        text::page(head, &totals.told(), display, written)
     })?;
     Ok(Exit::Done)
 }

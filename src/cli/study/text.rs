@@ -3,18 +3,17 @@
 use std::path::PathBuf;
 
 use super::asked::How;
+use super::display::Display;
 use super::head::Head;
 use super::totals::{OfResponse, Told};
 use crate::cli::page::{Page, number};
 use linkdyn_study::summary::Share;
 
-/// Digits of values.
-const DIGITS: usize = 6;
 /// Reasons that are listed.
 const MOST: usize = 8;
 
 /// What is printed.
-pub fn page(head: &Head, told: &Told, written: &[PathBuf]) -> String {
+pub fn page(head: &Head, told: &Told, display: &Display, written: &[PathBuf]) -> String {
     let mut page = Page::default();
     let name = head.model["name"].as_str().unwrap_or_default();
     page.line(format!(
@@ -24,9 +23,13 @@ pub fn page(head: &Head, told: &Told, written: &[PathBuf]) -> String {
     ));
     page.rows(
         "inputs",
-        head.inputs
-            .iter()
-            .map(|own| format!("{}  {}", own.name, how(&own.how, &own.unit))),
+        head.inputs.iter().map(|own| {
+            format!(
+                "{}  {}",
+                own.name,
+                how(&own.how, |x| display.words(x, &own.unit))
+            )
+        }),
     );
     if let Some(share) = &told.completed {
         page.row("completed", shared(share));
@@ -45,7 +48,7 @@ pub fn page(head: &Head, told: &Told, written: &[PathBuf]) -> String {
     }
     page.rows("failures", failures);
     for (name, response) in &told.responses {
-        of_response(&mut page, head, name, response);
+        of_response(&mut page, head, display, (name, response));
     }
     page.rows(
         "written",
@@ -58,21 +61,20 @@ pub fn page(head: &Head, told: &Told, written: &[PathBuf]) -> String {
 pub fn method(head: &Head) -> String {
     match head.method.as_str() {
         "grid" => "grid".to_owned(),
-        method => format!("{}, seed {}", method.replace('_', " "), head.seed),
+        "monte_carlo" => format!("Monte Carlo, seed {}", head.seed),
+        "sobol" => format!("Sobol points, seed {}", head.seed),
+        "latin_hypercube" => format!("Latin hypercube, seed {}", head.seed),
+        method => format!("{method}, seed {}", head.seed),
     }
 }
 
-fn how(how: &How, unit: &str) -> String {
+fn how(how: &How, value: impl Fn(f64) -> String) -> String {
     match how {
         How::Linear { from, to, count } => {
-            format!(
-                "{} to {}, {count} values",
-                value(*from, unit),
-                value(*to, unit)
-            )
+            format!("{} to {}, {count} values", value(*from), value(*to))
         }
         How::Listed(values) => {
-            let values: Vec<String> = values.iter().take(MOST).map(|x| value(*x, unit)).collect();
+            let values: Vec<String> = values.iter().take(MOST).map(|x| value(*x)).collect();
             values.join(", ")
         }
         How::Scattered {
@@ -80,21 +82,8 @@ fn how(how: &How, unit: &str) -> String {
             lower,
             upper,
         } => {
-            format!(
-                "{} / +{}, {distribution}",
-                value(*lower, unit),
-                value(*upper, unit)
-            )
+            format!("{} / +{}, {distribution}", value(*lower), value(*upper))
         }
-    }
-}
-
-/// Lengths in mm, angles in degrees would hide what the files say: SI throughout.
-fn value(value: f64, unit: &str) -> String {
-    let text = number(value, DIGITS);
-    match unit {
-        "" => text,
-        unit => format!("{text} {unit}"),
     }
 }
 
@@ -110,25 +99,30 @@ fn shared(share: &Share) -> String {
     )
 }
 
-fn of_response(page: &mut Page, head: &Head, name: &str, response: &OfResponse) {
+fn of_response(
+    page: &mut Page,
+    head: &Head,
+    display: &Display,
+    (name, response): (&str, &OfResponse),
+) {
     let summary = &response.summary;
     let Some((mean, deviation)) = summary.mean.zip(summary.deviation.or(Some(0.0))) else {
         page.row(name, "no variant has a value");
         return;
     };
-    let unit = response.unit.as_str();
+    let value = |x: f64| display.words_of(name, x, &response.unit);
     let (min, max) = (summary.min.unwrap_or(mean), summary.max.unwrap_or(mean));
     let mut rows = vec![format!(
         "{} … {}, mean {}, σ {}",
-        value(min, unit),
-        value(max, unit),
-        value(mean, unit),
-        value(deviation, unit)
+        value(min),
+        value(max),
+        value(mean),
+        value(deviation)
     )];
     if let Some(quantiles) = &summary.quantiles
         && head.method != "grid"
     {
-        let [low, middle, high] = [0, 1, 2].map(|k| value(quantiles[k], unit));
+        let [low, middle, high] = [0, 1, 2].map(|k| value(quantiles[k]));
         rows.push(format!("0.135 % {low}, median {middle}, 99.865 % {high}"));
     }
     if let Some(cpk) = summary.cpk {

@@ -70,6 +70,7 @@
   const values = shown().map((row) => variables[0].values[row.dataset.row]);
   const rows = document.querySelectorAll("#rows_body tr").length;
   id("rows").scrollTop = 1e6;
+  id("rows").dispatchEvent(new Event("scroll"));
   await wait(200);
   const last = shown().at(-1);
   last.firstChild.click();
