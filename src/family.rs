@@ -80,12 +80,24 @@ impl Mechanism {
 impl Family {
     /// Begins; each thread has its own.
     pub fn member(&self) -> Member<'_> {
+        self.member_under(Control::default())
+    }
+
+    /// The same under outside control.
+    #[doc(hidden)]
+    pub fn member_under(&self, control: Control) -> Member<'_> {
         Member {
             family: self,
             member: self.family.begin(),
             values: Vec::new(),
-            control: Control::default(),
+            control,
         }
+    }
+
+    /// Names and units of the responses.
+    pub(crate) fn responses(&self) -> impl Iterator<Item = (&str, &str)> {
+        let responses = self.family.responses().list().iter();
+        responses.map(|response| (response.name.as_str(), response.unit.as_str()))
     }
 }
 

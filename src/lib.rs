@@ -30,6 +30,8 @@
 //! # Ok::<(), linkdyn::Error>(())
 //! ```
 
+#[doc(hidden)]
+pub mod bridge;
 #[cfg(feature = "command")]
 #[doc(hidden)]
 pub mod cli;

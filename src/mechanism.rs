@@ -136,7 +136,7 @@ impl Mechanism {
         Mechanism::read("model", model.to_json().to_string().into_bytes())
     }
 
-    fn read(stem: &str, text: Vec<u8>) -> Result<Self, Error> {
+    pub(crate) fn read(stem: &str, text: Vec<u8>) -> Result<Self, Error> {
         let file = File {
             stem: stem.to_owned(),
             sha256: format!("{:x}", Sha256::digest(&text)),
@@ -362,8 +362,12 @@ impl Mechanism {
     /// # Ok::<(), linkdyn::Error>(())
     /// ```
     pub fn set(&self, path: &str, value: &str) -> Result<Self, Error> {
-        let mut sets = self.sets.clone();
-        sets.push(format!("{path}={value}"));
+        self.set_all([format!("{path}={value}")])
+    }
+
+    /// The mechanism with values of its model set at once, each as `PATH=VALUE`.
+    pub(crate) fn set_all(&self, more: impl IntoIterator<Item = String>) -> Result<Self, Error> {
+        let sets = self.sets.iter().cloned().chain(more).collect();
         let given: Vec<(&str, f64)> = self.given.iter().map(|one| self.named(one)).collect();
         Mechanism::load(Arc::clone(&self.file), sets, &given)
     }

@@ -93,6 +93,10 @@ impl Run {
         &self.outcome.report
     }
 
+    pub(crate) fn outcome(&self) -> &Outcome {
+        &self.outcome
+    }
+
     /// The mechanism that ran.
     pub fn mechanism(&self) -> &Mechanism {
         &self.mechanism

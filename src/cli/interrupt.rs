@@ -1,5 +1,8 @@
 //! Ctrl-C: the first one asks the run to stop and to write what it has, the second one ends the process.
+//!
+//! In another program, which has its own way with Ctrl-C, it is that program's flag that asks (`hosted`).
 
+use std::cell::RefCell;
 use std::io::{self, IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
@@ -9,8 +12,24 @@ use super::Exit;
 /// Characters of a line of progress, at most.
 const WIDTH: usize = 78;
 
+thread_local! {
+    /// The flag of the program that runs commands in this thread.
+    static HOST: RefCell<Option<Arc<AtomicBool>>> = const { RefCell::new(None) };
+}
+
+/// Runs a command in this thread that this flag interrupts; Ctrl-C stays with the program.
+pub fn hosted<T>(flag: Arc<AtomicBool>, run: impl FnOnce() -> T) -> T {
+    let outer = HOST.replace(Some(flag));
+    let done = run();
+    HOST.set(outer);
+    done
+}
+
 /// The flag that Ctrl-C sets, the same for all runs of a command: the process can have one handler only.
 pub fn watch() -> Arc<AtomicBool> {
+    if let Some(flag) = HOST.with_borrow(Clone::clone) {
+        return flag;
+    }
     static INTERRUPTED: OnceLock<Arc<AtomicBool>> = OnceLock::new();
     let begin = || {
         let interrupted = Arc::new(AtomicBool::new(false));
@@ -75,6 +94,18 @@ mod tests {
     use super::*;
     use std::process::Command;
     use std::time::Duration;
+
+    #[test]
+    fn a_command_of_another_program_looks_at_the_flag_of_that_program() {
+        let flag = Arc::new(AtomicBool::new(false));
+        let inside = hosted(Arc::clone(&flag), || {
+            let before = is_set();
+            flag.store(true, Ordering::SeqCst);
+            (before, is_set(), Arc::ptr_eq(&watch(), &flag))
+        });
+        assert_eq!(inside, (false, true, true));
+        assert!(!Arc::ptr_eq(&watch(), &flag), "its own again");
+    }
 
     #[test]
     fn the_first_interrupt_sets_the_flag_and_ends_nothing() {

@@ -58,6 +58,8 @@ mod words;
 use std::ffi::OsString;
 use std::io::{self, IsTerminal, Write};
 use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use clap::error::{ContextKind, ContextValue};
 use clap::{CommandFactory, Parser, Subcommand};
@@ -124,6 +126,11 @@ pub fn main() -> ExitCode {
 /// Runs a command in this process, its streams kept; the first argument is the program's name.
 pub fn captured(arguments: impl IntoIterator<Item = OsString>) -> Said {
     streams::keep(|| execute(arguments))
+}
+
+/// The same, for a program that has its own way with Ctrl-C: this flag interrupts the command.
+pub fn hosted(arguments: impl IntoIterator<Item = OsString>, interrupted: Arc<AtomicBool>) -> Said {
+    interrupt::hosted(interrupted, || captured(arguments))
 }
 
 /// Runs a command; its exit status.

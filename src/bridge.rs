@@ -1,0 +1,42 @@
+//! What the packages for other languages need beside the face. It changes without notice.
+
+use linkdyn_output::{Column, Stage};
+
+use crate::error::Error;
+use crate::family::Family;
+use crate::mechanism::Mechanism;
+use crate::run::Run;
+
+pub use linkdyn_engine::analysis::Progress;
+
+/// Reads a model file that has this name.
+///
+/// # Errors
+/// [`Error::Model`] with all faults of the model.
+pub fn read(stem: &str, text: &[u8]) -> Result<Mechanism, Error> {
+    Mechanism::read(stem, text.to_vec())
+}
+
+/// The mechanism with values of its model set at once, each as `PATH=VALUE`: what is legal only together can be set.
+///
+/// # Errors
+/// [`Error::Model`] where a path leads nowhere, or the model has faults with these values.
+pub fn set(mechanism: &Mechanism, sets: Vec<String>) -> Result<Mechanism, Error> {
+    mechanism.set_all(sets)
+}
+
+/// The text of `summary.json`; no time of writing files is told, as none were written.
+pub fn summary(run: &Run) -> String {
+    crate::files::summary_text(run.mechanism().origin(), run.outcome(), Stage::default())
+}
+
+/// The columns of `results.csv`; all others were computed, too, where `analysis.columns` leaves some out.
+pub fn wanted(run: &Run) -> &[Column] {
+    &run.outcome().trajectory.columns
+}
+
+/// Names and SI units of the responses of a family, in their order.
+pub fn responses(family: &Family) -> Vec<(String, String)> {
+    let owned = |(name, unit): (&str, &str)| (name.to_owned(), unit.to_owned());
+    family.responses().map(owned).collect()
+}
