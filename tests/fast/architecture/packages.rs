@@ -6,6 +6,8 @@ use super::source::{root, rust_files};
 
 /// The packages of the workspace from top to bottom, each with those it may depend on.
 const PACKAGES: &[(&str, &[&str])] = &[
+    // Python meets the face and the command, nothing behind them.
+    ("python", &[]),
     (
         "linkdyn",
         &[
@@ -46,7 +48,7 @@ const OF_THE_COMMAND: [&str; 4] = ["clap", "ctrlc", "strsim", "linkdyn_validatio
 fn manifest(package: &str) -> String {
     let folder = match package {
         "linkdyn" => root().to_path_buf(),
-        "validation" => root().join("validation"),
+        folder @ ("python" | "validation") => root().join(folder),
         other => root().join("crates").join(other),
     };
     fs::read_to_string(folder.join("Cargo.toml"))

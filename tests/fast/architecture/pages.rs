@@ -5,7 +5,7 @@ use std::fs;
 use super::source::root;
 
 /// Where a path of ours begins.
-const BEGINNINGS: [&str; 8] = [
+const BEGINNINGS: [&str; 9] = [
     "docs/",
     "crates/",
     "src/",
@@ -13,6 +13,7 @@ const BEGINNINGS: [&str; 8] = [
     "validation/",
     "benches/",
     "models/",
+    "python/",
     ".ci/",
 ];
 

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Builds the wheel and tests it in an environment of its own, below target/. Needs Python 3.11 or newer, and the network for packages.
+#   python/ci.sh
+set -euo pipefail
+cd "$(dirname "$0")"
+place="${CARGO_TARGET_DIR:-$PWD/../target}/python"
+rm -rf "$place"
+mkdir -p "$place"
+
+# Debian has what makes environments in a package of its own.
+if ! python3 -m venv "$place/venv" > /dev/null 2>&1; then
+  rm -rf "$place/venv"
+  if [ "${CI:-}" = true ] && command -v apt-get > /dev/null; then
+    as_root=""
+    if [ "$(id -u)" -ne 0 ]; then as_root="sudo"; fi
+    $as_root apt-get update -qq
+    $as_root apt-get install -y -qq --no-install-recommends python3-venv > /dev/null
+  fi
+  python3 -m venv "$place/venv"
+fi
+export PATH="$place/venv/bin:$PATH"
+unset PYTHONPATH PYTHONHOME
+pip install --quiet --disable-pip-version-check --requirement tests/requirements.txt
+
+stage() {
+  echo "-- $* (${SECONDS} s)"
+  "$@"
+}
+
+# The profile of the other stages, whose packages are there already.
+stage maturin build --quiet --release --locked --out "$place/wheels"
+pip install --quiet --disable-pip-version-check --no-deps "$place"/wheels/linkdyn-*.whl
+
+# The package that is tested is the installed one, not the folder beside the tests.
+cp -r tests pyproject.toml "$place"
+stage ruff check .
+stage ruff format --check .
+cd "$place"
+stage mypy --package linkdyn
+stage mypy tests
+stage python -m mypy.stubtest linkdyn._linkdyn
+stage pytest tests --doctest-modules --pyargs linkdyn
+echo "-- done (${SECONDS} s)"

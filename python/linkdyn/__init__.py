@@ -1,0 +1,50 @@
+"""Planar multibody dynamics of linkages.
+
+>>> import linkdyn
+>>> m = linkdyn.load("four-bar")
+>>> r = m.set({"parameters.crank": "90 mm"}).run()
+>>> r["driver.motor.effort"].shape
+(401,)
+
+All numbers are in SI units; ``r.units`` names them.
+"""
+
+from ._linkdyn import __version__
+from .command import Answer
+from .errors import (
+    Complaint,
+    InternalError,
+    Interrupted,
+    LinkdynError,
+    ModelError,
+    SolveError,
+    UnitError,
+    UnknownModel,
+    UnknownName,
+)
+from .family import Family, Variants
+from .model import Model, load, models
+from .run import Run
+from .study import Study, Table
+
+__all__ = [
+    "Answer",
+    "Complaint",
+    "Family",
+    "InternalError",
+    "Interrupted",
+    "LinkdynError",
+    "Model",
+    "ModelError",
+    "Run",
+    "SolveError",
+    "Study",
+    "Table",
+    "UnitError",
+    "UnknownModel",
+    "UnknownName",
+    "Variants",
+    "__version__",
+    "load",
+    "models",
+]

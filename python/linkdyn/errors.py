@@ -1,0 +1,117 @@
+"""What can go wrong, as exceptions.
+
+Everything that linkdyn raises on its own is a :class:`LinkdynError`, except :class:`Interrupted`, which is a
+``KeyboardInterrupt``. Files that can't be read or written raise ``OSError``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .run import Run
+
+__all__ = [
+    "Complaint",
+    "InternalError",
+    "Interrupted",
+    "LinkdynError",
+    "ModelError",
+    "SolveError",
+    "UnitError",
+    "UnknownModel",
+    "UnknownName",
+]
+
+
+@dataclass(frozen=True)
+class Complaint:
+    """One fault of a model: where, what stands there, what is wrong, what would mend it."""
+
+    path: str
+    """Path in the model, such as ``joints.b.between[1]``; empty for the file as a whole."""
+    line: int | None
+    """Line in the text, from 1; none of what was set."""
+    column: int | None
+    """Column in characters, from 1."""
+    found: str | None
+    """The offending text."""
+    message: str
+    """What is wrong."""
+    hint: str | None
+    """What would mend it."""
+    text: str
+    """All of it in one line, in the words of the command."""
+
+    def __str__(self) -> str:
+        return self.text
+
+
+class LinkdynError(Exception):
+    """Something could not be done."""
+
+
+class ModelError(LinkdynError, ValueError):
+    """A model, or what was asked of it, has faults: all of them at once.
+
+    >>> import linkdyn
+    >>> try:
+    ...     linkdyn.load("four-bar").set({"parameters.crank": "100 millimetres"})
+    ... except linkdyn.ModelError as error:
+    ...     print(error.complaints[0].path)
+    parameters.crank
+    """
+
+    complaints: list[Complaint]
+    """The faults, in the order of the lines."""
+
+    def __init__(self, text: str, complaints: Iterable[Sequence[Any] | Complaint] = ()) -> None:
+        super().__init__(text)
+        self.complaints = [one if isinstance(one, Complaint) else Complaint(*one) for one in complaints]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (str(self), self.complaints)
+
+
+class UnknownModel(LinkdynError, LookupError):
+    """No file and no bundled model has this name."""
+
+
+class UnknownName(LinkdynError, KeyError):
+    """No parameter or column has this name."""
+
+    def __str__(self) -> str:
+        # KeyError shows the repr of its argument, which is for keys, not for sentences.
+        return str(self.args[0]) if self.args else ""
+
+
+class UnitError(LinkdynError, ValueError):
+    """A text is no unit, or a value has another dimension than its parameter."""
+
+
+class SolveError(LinkdynError, RuntimeError):
+    """A run ended early: numerics or geometry forbid to go on, or its time is over."""
+
+    run: Run | None
+    """What was computed until then."""
+
+    def __init__(self, text: str, run: Run | None = None) -> None:
+        super().__init__(text)
+        self.run = run
+
+
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C stopped it; what was computed until then is kept."""
+
+    run: Run | None
+    """What was computed until then."""
+
+    def __init__(self, text: str = "", run: Run | None = None) -> None:
+        super().__init__(text)
+        self.run = run
+
+
+class InternalError(LinkdynError, RuntimeError):
+    """A fault of linkdyn itself; please report it with the model."""

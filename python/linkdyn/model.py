@@ -1,0 +1,328 @@
+"""Models: reading, setting, running, asking."""
+
+from __future__ import annotations
+
+import json
+import tempfile
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from os import PathLike, fspath
+from pathlib import Path
+from typing import Any, TypeAlias
+
+from . import _linkdyn
+from .command import Answer, execute, read
+from .errors import Interrupted, SolveError
+from .family import Family
+from .progress import Progress, told
+from .run import Run
+from .study import Study
+
+__all__ = ["Model", "Source", "Value", "load", "models"]
+
+Source: TypeAlias = "str | bytes | PathLike[str] | Mapping[str, Any]"
+"""A path, the name of a bundled model, the text of a model file, or what it says as a dictionary."""
+Value: TypeAlias = "str | int | float | bool | Mapping[str, Any] | list[Any] | None"
+"""A value of a model, as its JSON has it; texts such as ``"40 mm"`` or ``"2*r"`` mean what they mean in a file."""
+
+
+def models() -> list[str]:
+    """Names of the bundled models.
+
+    >>> import linkdyn
+    >>> "lock" in linkdyn.models()
+    True
+    """
+    listed = execute(["models"]).stdout.splitlines()
+    heads = [line.split("  ")[0] for line in listed if line and not line[0].isspace()]
+    return [name for head in heads for name in head.split(", ")]
+
+
+def load(source: Source) -> Model:
+    """Reads a model and checks it.
+
+    :param source: the path of a model file, the name of a bundled model (where there is no such file), JSON text, or a
+        dictionary of the same shape.
+    :raises ModelError: with all faults of the model.
+    :raises UnknownModel: where there is neither such a file nor a bundled model of that name.
+
+    >>> import linkdyn
+    >>> linkdyn.load("lock").name
+    'Watt-I lock'
+    """
+    if isinstance(source, Mapping):
+        return Model._of_text("model", json.dumps(source, default=_plain).encode())
+    if isinstance(source, bytes):
+        return Model._of_text("model", source)
+    if isinstance(source, str) and source.lstrip()[:1] == "{":
+        return Model._of_text("model", source.encode())
+    path = Path(fspath(source))
+    if isinstance(source, str) and not path.is_file():
+        return Model(_linkdyn.Mechanism.bundled(source), source, None)
+    return Model._of_text(path.stem, path.read_bytes())
+
+
+class Model:
+    """A model that was read and checked. It never changes: what sets values gives another one.
+
+    >>> import linkdyn
+    >>> m = linkdyn.load("four-bar")
+    >>> m.parameters["crank"]
+    (0.1, 'm')
+    >>> m.set({"parameters.crank": "90 mm"}).parameters["crank"]
+    (0.09, 'm')
+    """
+
+    def __init__(self, core: _linkdyn.Mechanism, label: str, text: bytes | None, sets: tuple[str, ...] = ()) -> None:
+        self._core = core
+        self._label = label
+        self._text = text
+        self._sets = sets
+
+    @classmethod
+    def _of_text(cls, stem: str, text: bytes) -> Model:
+        return cls(_linkdyn.Mechanism.read(stem, text), stem, text)
+
+    def __repr__(self) -> str:
+        return f"<linkdyn.Model {self.name!r}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # So that workers of other processes can have it.
+        return _restored, (self._label, self._text, self._sets)
+
+    @property
+    def name(self) -> str:
+        """The model's own name, or that of its file."""
+        return self._core.name
+
+    @property
+    def warnings(self) -> list[str]:
+        """What is allowed in the model and yet probably a slip."""
+        return self._core.warnings
+
+    @property
+    def parameters(self) -> dict[str, tuple[float, str]]:
+        """Value in SI and SI unit of each parameter."""
+        return {name: (value, unit) for name, value, unit in self._core.parameters}
+
+    @property
+    def units(self) -> dict[str, str]:
+        """SI unit of each column that a run has."""
+        return dict(self._core.columns)
+
+    def to_json(self) -> str:
+        """The model as the text of a file, with what was set since."""
+        return self._core.to_json()
+
+    def to_dict(self) -> dict[str, Any]:
+        """The same as a dictionary."""
+        model: dict[str, Any] = json.loads(self.to_json())
+        return model
+
+    def save(self, path: str | PathLike[str]) -> Path:
+        """Writes the model as a file."""
+        path = Path(path)
+        path.write_text(self.to_json() + "\n", "utf-8")
+        return path
+
+    def set(self, values: Mapping[str, Value]) -> Model:
+        """A copy with values set, all at once, as by ``--set PATH=VALUE`` of the command.
+
+        :raises ModelError: where a path leads nowhere, or the model has faults with these values.
+
+        >>> import linkdyn
+        >>> coarse = linkdyn.load("four-bar").set({"analysis.outputs": 5})
+        >>> coarse.run().t.shape
+        (5,)
+        """
+        sets = [
+            f"{path}={value if isinstance(value, str) else json.dumps(value, default=_plain)}"
+            for path, value in values.items()
+        ]
+        return Model(self._core.set(sets), self._label, self._text, self._sets + tuple(sets))
+
+    def run(self, *, strict: bool = True, timeout: float | None = None, progress: Progress = None) -> Run:
+        """Runs the model's analysis, with the interpreter's lock released.
+
+        :param strict: whether a run that ends early raises; else its ``status`` says so.
+        :param timeout: when to give up [s].
+        :param progress: ``True`` shows a bar where tqdm is installed; a function is called with the share that is done.
+        :raises SolveError: where the run ended early; ``error.run`` has what was computed.
+        :raises Interrupted: where Ctrl-C stopped it; ``error.run`` has what was computed.
+        """
+        with told(progress, self.name) as show:
+            core, stopped = self._core.run(timeout, show)
+        run = Run(core)
+        if isinstance(stopped, KeyboardInterrupt):
+            raise Interrupted("interrupted", run) from stopped
+        if stopped is not None:
+            raise stopped
+        if strict and not core.is_complete:
+            raise SolveError(f"the run ended early ({run.status}): {run.message}", run)
+        return run
+
+    def family(self, parameters: Iterable[str], responses: Mapping[str, str] | None = None) -> Family:
+        """The family of mechanisms in which these parameters take other values: the fast way to many variants.
+
+        :param parameters: names, with or without ``parameters.`` before them.
+        :param responses: more numbers that come out of each variant, by name; after those of the model.
+        """
+        model = self.set({f"responses.{name}": text for name, text in responses.items()}) if responses else self
+        names = [name.removeprefix("parameters.") for name in parameters]
+        return Family(model._core.family(names))
+
+    def check(self) -> Answer:
+        """Assembles and diagnoses the model without running it: mobility, loops, what is missing for which analysis.
+
+        >>> import linkdyn
+        >>> linkdyn.load("four-bar").check()["mobility"]["rank"]
+        1
+        """
+        with self._arguments() as model:
+            said = execute(["check", "--json", *model])
+            text = execute(["check", *model]).stdout
+        return Answer(json.loads(said.stdout), text)
+
+    def modes(self, *, pose: bool = False) -> Answer:
+        """Natural frequencies, damping ratios and shapes of small motions, as in ``modes.json``.
+
+        :param pose: about the assembled position instead of the equilibrium.
+        """
+        return self._ask("modes", ["--pose"] if pose else [], "modes.json", "modes.html")
+
+    def accuracy(self, outputs: Iterable[str] = (), *, levels: str | None = None) -> Answer:
+        """What tolerances and clearances do to outputs, as in ``accuracy.json``.
+
+        :param outputs: outputs of the model's ``accuracy``, instead of all.
+        :param levels: ``first``, ``worst`` or ``certified``.
+        """
+        options = [word for name in outputs for word in ("--output", name)]
+        options += ["--levels", levels] if levels else []
+        return self._ask("accuracy", options, "accuracy.json", "report.html")
+
+    def compare(
+        self, joints: str | Iterable[str] = "all", models: Iterable[str] = (), columns: Iterable[str] = ()
+    ) -> Answer:
+        """Runs the model with each model of a joint's clearance and compares, as in ``compare.json``.
+
+        :param joints: joints with clearance whose model changes; ``all`` that have one.
+        :param models: clearance models, the first is what the others are compared with.
+        :param columns: patterns of columns to compare.
+        """
+        names = [joints] if isinstance(joints, str) else list(joints)
+        options = [word for name in names for word in ("--joint", name)]
+        for option, words in (("--models", list(models)), ("--columns", list(columns))):
+            options += [option, ",".join(words)] if words else []
+        return self._ask("compare", options, "compare.json", "compare.html")
+
+    def optimise(
+        self,
+        vary: Mapping[str, str | None] | None = None,
+        *,
+        goals: Iterable[str] = (),
+        minimise: str | None = None,
+        maximise: str | None = None,
+        constraints: Iterable[str] = (),
+        robust: float | None = None,
+        starts: int | None = None,
+        seed: int | None = None,
+        threads: int | None = None,
+    ) -> tuple[Answer, Model]:
+        """Finds values of parameters: goals, least or greatest objectives, paths. What was found as in ``optimise.json``,
+        and the model with it.
+
+        :param vary: range of each parameter, as in ``{"parameters.r": "10 mm:60 mm"}``; without any, what the model says.
+
+        >>> import linkdyn
+        >>> press = linkdyn.load("slider-crank")
+        >>> _, longer = press.optimise({"parameters.crank": None}, goals=["max(piston.x) - min(piston.x) = 80 mm"])
+        >>> round(longer.parameters["crank"][0], 9)
+        0.04
+        """
+        options = [
+            word
+            for path, values in (vary or {}).items()
+            for word in ("--vary", _path(path) + (f"={values}" if values else ""))
+        ]
+        many = (("--goal", goals), ("--constraint", constraints))
+        options += [word for option, words in many for text in words for word in (option, text)]
+        one = {
+            "--minimise": minimise,
+            "--maximise": maximise,
+            "--robust": robust,
+            "--starts": starts,
+            "--seed": seed,
+            "--threads": threads,
+        }
+        options += [word for option, value in one.items() if value is not None for word in (option, str(value))]
+        with tempfile.TemporaryDirectory() as folder:
+            best = Path(folder) / "best.json"
+            answer = self._ask("optimise", [*options, "--write", str(best)], "optimise.json", None)
+            return answer, Model._of_text(self._label, best.read_bytes())
+
+    def study(
+        self,
+        vary: Mapping[str, str] | None = None,
+        *,
+        samples: int | None = None,
+        method: str = "random",
+        indices: bool = False,
+        seed: int | None = None,
+        responses: Mapping[str, str] | None = None,
+    ) -> Study:
+        """A study of many variants; :meth:`Study.run` computes them.
+
+        :param vary: values of parameters, as in ``{"r": "40 mm:60 mm:21"}`` (from, to, count) or ``"40 mm, 50 mm"``;
+            several multiply. Without any, and without samples, what the model says.
+        :param samples: draws so many sets of all parameters that have a tolerance.
+        :param method: ``random``, ``sobol`` or ``latin``.
+        :param indices: draws what Sobol indices need.
+        :param responses: numbers that come out of each variant, besides those of the model.
+        """
+        options = [word for path, values in (vary or {}).items() for word in ("--vary", f"{_path(path)}={values}")]
+        options += ["--samples", str(samples)] if samples is not None else []
+        options += {"random": [], "sobol": ["--sobol"], "latin": ["--latin"]}[method]
+        options += ["--indices"] if indices else []
+        options += ["--seed", str(seed)] if seed is not None else []
+        options += [word for name, text in (responses or {}).items() for word in ("--response", f"{name} = {text}")]
+        return Study(self, options)
+
+    def _ask(self, command: str, options: list[str], document: str, page: str | None) -> Answer:
+        with self._arguments() as model, tempfile.TemporaryDirectory() as folder:
+            said = execute([command, *model, *options, "-o", folder])
+            return read(Path(folder), document, said.stdout, page)
+
+    @contextmanager
+    def _arguments(self) -> Iterator[list[str]]:
+        """The model as arguments of the command."""
+        sets = [word for text in self._sets for word in ("--set", text)]
+        if self._text is None:
+            yield [self._label, *sets]
+            return
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / f"{self._label}.json"
+            path.write_bytes(self._text)
+            yield [str(path), *sets]
+
+
+def _restored(label: str, text: bytes | None, sets: tuple[str, ...]) -> Model:
+    core = _linkdyn.Mechanism.bundled(label) if text is None else _linkdyn.Mechanism.read(label, text)
+    return Model(core.set(list(sets)) if sets else core, label, text, sets)
+
+
+def _path(name: str) -> str:
+    return name if "." in name else f"parameters.{name}"
+
+
+def _text(value: Any) -> str:
+    """A value as the command reads it."""
+    return value if isinstance(value, str) else json.dumps(value, default=_plain)
+
+
+def _plain(value: Any) -> Any:
+    """Numbers and arrays of NumPy as those of Python."""
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    if isinstance(value, Mapping):
+        return dict(value)
+    raise TypeError(f"{type(value).__name__} can't stand in a model: {value!r}")

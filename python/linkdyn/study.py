@@ -1,0 +1,240 @@
+"""Studies: many variants of a model, on this machine or on others, with the same bytes either way.
+
+A study is cut into shares (``--shard i/n`` of the command). Each share follows from its number alone, so that it does not
+matter who computes it, how often, or after whom. What is there already is not computed again.
+"""
+
+from __future__ import annotations
+
+import csv
+import html
+import json
+import tempfile
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .command import execute, read
+from .progress import Progress, told
+from .run import Array
+
+if TYPE_CHECKING:
+    import pandas
+
+    from .model import Model
+
+__all__ = ["Backend", "Study", "Table"]
+
+Backend: TypeAlias = "str | Callable[..., Iterator[object]]"
+"""``local``, ``ray``, ``dask``, ``joblib``, or a function like those of ``linkdyn.backends``."""
+
+# More shares than chunks: the last one has nothing to do but to say what the study is.
+_MANY = 1 << 40
+
+
+class Table(Mapping[str, Array]):
+    """The variants of a study that is done: what was varied and what came out, as columns in SI units."""
+
+    summary: dict[str, Any]
+    """What ``study.json`` says."""
+    directory: Path | None
+    """Where the files are, if they are kept."""
+    page: str | None
+    """The page ``report.html``."""
+
+    def __init__(self, csv_text: str, summary: dict[str, Any], text: str, page: str | None) -> None:
+        rows = list(csv.reader(csv_text.splitlines()))
+        self._heads = rows[0]
+        self._cells = rows[1:]
+        self.summary = summary
+        self.text = text
+        self.page = page
+        self.directory = None
+
+    @cached_property
+    def _columns(self) -> dict[str, Array]:
+        names = [head.split("[", 1)[0] for head in self._heads]
+        columns = zip(*self._cells, strict=True) if self._cells else ([] for _ in names)
+        kept = {}
+        for name, cells in zip(names, columns, strict=True):
+            if name not in ("variant", "status"):
+                kept[name] = np.array([float(cell) if cell else np.nan for cell in cells])
+        return kept
+
+    @property
+    def status(self) -> NDArray[np.str_]:
+        """(variants) how each ended."""
+        place = self._heads.index("status")
+        return np.array([row[place] for row in self._cells])
+
+    @property
+    def units(self) -> dict[str, str]:
+        """The SI unit of each column; empty of plain numbers."""
+        heads = (head.partition("[") for head in self._heads)
+        return {name: unit.rstrip("]") for name, _, unit in heads if name in self._columns}
+
+    def __getitem__(self, name: str) -> Array:
+        """The values (variants) of a response, or of a parameter, with or without ``parameters.`` before it."""
+        return self._columns[name if name in self._columns else f"parameters.{name}"]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._columns)
+
+    def __len__(self) -> int:
+        return len(self._columns)
+
+    def __repr__(self) -> str:
+        return f"<linkdyn.Table {len(self._cells)} variants: {', '.join(self)}>"
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A DataFrame of pandas with a row for each variant."""
+        import pandas
+
+        return pandas.DataFrame({"status": self.status} | dict(self))
+
+    def _repr_html_(self) -> str:
+        cells = []
+        for asked in self.summary["responses"]:
+            told_of = self.summary["summary"]["responses"][asked["name"]]
+            values = [asked["name"], asked["unit"]]
+            values += [f"{told_of[key]:.6g}" if told_of.get(key) is not None else "" for key in _SHOWN]
+            cells.append("<tr>" + "".join(f"<td>{html.escape(value)}</td>" for value in values) + "</tr>")
+        heads = "".join(f"<th>{head}</th>" for head in ("response", "unit", *_SHOWN))
+        table = f"<table><tr>{heads}</tr>{''.join(cells)}</table>"
+        if self.page is None:
+            return table
+        page = html.escape(self.page, quote=True)
+        return f'{table}<iframe srcdoc="{page}" width="100%" height="720" style="border:0" title="study"></iframe>'
+
+
+_SHOWN = ("mean", "deviation", "min", "max")
+
+
+@dataclass(frozen=True)
+class Study:
+    """What is to be varied, and what comes out; nothing is computed before :meth:`run`.
+
+    >>> import linkdyn
+    >>> press = linkdyn.load("slider-crank")
+    >>> study = press.study({"crank": "40 mm:60 mm:5"}, responses={"stroke": "max(piston.x) - min(piston.x)"})
+    >>> study.variants
+    5
+    >>> study.run()["stroke"].round(9).tolist()
+    [0.08, 0.09, 0.1, 0.11, 0.12]
+    """
+
+    model: Model
+    options: list[str] = field(default_factory=list)
+
+    @cached_property
+    def plan(self) -> dict[str, Any]:
+        """What the study is, as in ``study.json`` before anything was computed."""
+        with tempfile.TemporaryDirectory() as folder:
+            self.share(_MANY, _MANY, folder)
+            plan: dict[str, Any] = json.loads((Path(folder) / "study.json").read_text("utf-8"))
+            return plan
+
+    @property
+    def variants(self) -> int:
+        """How many variants there are."""
+        return int(self.plan["variants"])
+
+    @property
+    def chunks(self) -> int:
+        """How many chunks they are kept in: the most shares that can be given out."""
+        return -(-self.variants // int(self.plan["rows_per_chunk"]))
+
+    def share(self, index: int, of: int, directory: str | PathLike[str], threads: int | None = None) -> None:
+        """Computes a share, from 1, into a directory; what is there already is kept."""
+        options = ["--threads", str(threads)] if threads else []
+        with self.model._arguments() as model:
+            execute(["study", *model, *self.options, *options, "-o", str(directory), "--shard", f"{index}/{of}"])
+
+    def chunk_files(self, index: int, of: int) -> list[str]:
+        """Names of the files of a share, in the directory ``chunks``."""
+        return [f"chunk-{chunk:08}.bin" for chunk in range(index - 1, self.chunks, of)]
+
+    def run(
+        self,
+        directory: str | PathLike[str] | None = None,
+        backend: Backend = "local",
+        *,
+        shares: int | None = None,
+        shared: bool = True,
+        report: bool = True,
+        threads: int | None = None,
+        progress: Progress = None,
+        **settings: Any,
+    ) -> Table:
+        """Computes all variants, sums up, and reads what came out.
+
+        :param directory: where chunks are kept as they come, and files are written; none for a temporary one. A study that
+            was stopped goes on from there.
+        :param backend: who computes: ``local`` (threads of this process), ``ray``, ``dask``, ``joblib``, or a function.
+        :param shares: into how many shares it is cut for others; by default as many as there are chunks, 256 at most.
+        :param shared: whether others see the same directory; else they hand back what they computed.
+        :param report: whether the page ``report.html`` is written.
+        :param threads: threads of this process, one for each processor where nobody says.
+        :param settings: more for the backend, see ``linkdyn.backends``.
+        :raises Interrupted: where Ctrl-C stopped it.
+        """
+        if directory is None:
+            with tempfile.TemporaryDirectory() as folder:
+                return self._run(Path(folder), backend, shares, shared, report, threads, progress, settings)
+        table = self._run(Path(directory), backend, shares, shared, report, threads, progress, settings)
+        table.directory = Path(directory)
+        return table
+
+    def _run(
+        self,
+        place: Path,
+        backend: Backend,
+        shares: int | None,
+        shared: bool,
+        report: bool,
+        threads: int | None,
+        progress: Progress,
+        settings: dict[str, Any],
+    ) -> Table:
+        if backend != "local":
+            self._by_others(place, backend, shares, shared, progress, settings)
+        # What others left out or broke is computed here; then all is joined, by the same code whoever computed.
+        options = ["--threads", str(threads)] if threads else []
+        options += [] if report else ["--no-report"]
+        with self.model._arguments() as model:
+            said = execute(["study", *model, *self.options, *options, "-o", str(place)])
+        answer = read(place, "study.json", said.stdout, "report.html")
+        text = (place / "variants.csv").read_text("utf-8")
+        return Table(text, dict(answer), answer.text, answer.page)
+
+    def _by_others(
+        self,
+        place: Path,
+        backend: Backend,
+        shares: int | None,
+        shared: bool,
+        progress: Progress,
+        settings: dict[str, Any],
+    ) -> None:
+        from . import backends
+
+        compute = backends.find(backend) if isinstance(backend, str) else backend
+        # Says in the directory what the study is, or refuses one of another study.
+        self.share(_MANY, _MANY, place)
+        of = max(1, min(shares or 256, self.chunks))
+        chunks = place / "chunks"
+        missing = [
+            (index, of)
+            for index in range(1, of + 1)
+            if not all((chunks / name).exists() for name in self.chunk_files(index, of))
+        ]
+        with told(progress, "study") as show:
+            for done, _ in enumerate(compute(self, missing, place, shared=shared, **settings), 1):
+                if show is not None:
+                    show(done / len(missing))

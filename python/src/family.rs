@@ -1,0 +1,223 @@
+//! Many variants of one mechanism, by all processors.
+
+use std::sync::Arc;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+
+use linkdyn::{Control, Error, Status, bridge};
+use pyo3::buffer::PyBuffer;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::answers::{Answers, Statuses};
+use crate::errors::exception;
+use crate::work::{Watch, watched};
+
+/// Words by which variants are told to have ended, in the order of their numbers; the last two are ours.
+const WORDS: [Status; 8] = [
+    Status::Completed,
+    Status::CompletedWithGaps,
+    Status::DeadCentre,
+    Status::AssemblyFailed,
+    Status::StepTooSmall,
+    Status::Singular,
+    Status::TimeLimit,
+    Status::Interrupted,
+];
+/// The number of a variant that the model's check refuses.
+const REFUSED: u8 = 8;
+/// Rows that a thread takes at once: few enough that all end together.
+const PORTION: usize = 16;
+
+/// A mechanism whose parameters take many values.
+#[pyclass(frozen, module = "linkdyn._linkdyn")]
+pub struct Family {
+    family: linkdyn::Family,
+    parameters: Vec<String>,
+    responses: Vec<(String, String)>,
+}
+
+/// What came out: the table, how each variant ended, the first fault, and what stopped it from Python.
+type Out = (Answers, Statuses, Option<(usize, String)>, Option<PyErr>);
+
+#[pymethods]
+impl Family {
+    /// Words of the numbers that tell how variants ended.
+    #[classattr]
+    #[pyo3(name = "WORDS")]
+    fn words() -> Vec<&'static str> {
+        let words = WORDS.iter().map(|status| status.word());
+        words.chain(["refused"]).collect()
+    }
+
+    /// Names of the parameters.
+    #[getter]
+    fn parameters(&self) -> Vec<String> {
+        self.parameters.clone()
+    }
+
+    /// Names and SI units of the responses.
+    #[getter]
+    fn responses(&self) -> Vec<(String, String)> {
+        self.responses.clone()
+    }
+
+    /// Works out the responses of many variants: `values` (variants, parameters) in SI, C-contiguous doubles.
+    #[pyo3(signature = (values, threads, told=None))]
+    fn run(
+        &self,
+        py: Python<'_>,
+        values: PyBuffer<f64>,
+        threads: usize,
+        told: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Out> {
+        let wanted = self.parameters.len();
+        if values.shape().len() != 2 || values.shape()[1] != wanted {
+            return Err(PyValueError::new_err(format!(
+                "values have the shape (variants, {wanted}), not {:?}",
+                values.shape()
+            )));
+        }
+        let (rows, values) = (values.shape()[0], values.to_vec(py)?);
+        let done = watched(py, told, |watch| self.all(&values, rows, threads, watch))?;
+        let found = done.value.map_err(|error| exception(py, &error))?;
+        let answers = Answers {
+            values: Arc::new(found.values),
+            width: self.responses.len(),
+        };
+        Ok((
+            answers,
+            Statuses(found.statuses),
+            found.refused,
+            done.stopped,
+        ))
+    }
+}
+
+/// What all threads found.
+struct Found {
+    values: Vec<f64>,
+    statuses: Vec<u8>,
+    refused: Option<(usize, String)>,
+}
+
+/// What a thread found about consecutive rows.
+struct Portion {
+    from: usize,
+    values: Vec<f64>,
+    statuses: Vec<u8>,
+    refused: Option<(usize, String)>,
+}
+
+impl Family {
+    pub fn new(family: linkdyn::Family, parameters: Vec<String>) -> Self {
+        let responses = bridge::responses(&family);
+        Family {
+            family,
+            parameters,
+            responses,
+        }
+    }
+
+    /// All rows, by so many threads; which one computes a row does not change it.
+    fn all(
+        &self,
+        values: &[f64],
+        rows: usize,
+        threads: usize,
+        watch: &Watch,
+    ) -> Result<Found, Error> {
+        let (next, done) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
+        let threads = threads.clamp(1, rows.div_ceil(PORTION).max(1));
+        let share = || -> Result<(), Error> {
+            let control = Control {
+                interrupted: Arc::clone(&watch.interrupted),
+                ..Control::default()
+            };
+            let mut member = self.family.member_under(control);
+            loop {
+                let from = next.fetch_add(PORTION, Ordering::Relaxed);
+                if from >= rows || watch.interrupted.load(Ordering::Relaxed) {
+                    return Ok(());
+                }
+                watch.progress.note(from as f64, rows as f64);
+                let portion = self.portion(&mut member, values, from..rows.min(from + PORTION));
+                done.lock()
+                    .unwrap_or_else(std::sync::PoisonError::into_inner)
+                    .push(portion);
+            }
+        };
+        thread::scope(|scope| {
+            let others: Vec<_> = (1..threads).map(|_| scope.spawn(share)).collect();
+            let mut ended = share();
+            for other in others {
+                match other.join() {
+                    Ok(other) => ended = ended.and(other),
+                    Err(payload) => std::panic::resume_unwind(payload),
+                }
+            }
+            ended
+        })?;
+        let width = self.responses.len();
+        let mut found = Found {
+            values: vec![f64::NAN; rows * width],
+            statuses: vec![code(Status::Interrupted); rows],
+            refused: None,
+        };
+        let mut done = done
+            .into_inner()
+            .unwrap_or_else(std::sync::PoisonError::into_inner);
+        done.sort_by_key(|portion| portion.from);
+        for portion in done {
+            let (from, to) = (portion.from, portion.from + portion.statuses.len());
+            found.values[from * width..to * width].copy_from_slice(&portion.values);
+            found.statuses[from..to].copy_from_slice(&portion.statuses);
+            found.refused = found.refused.or(portion.refused);
+        }
+        Ok(found)
+    }
+
+    fn portion(
+        &self,
+        member: &mut linkdyn::Member<'_>,
+        values: &[f64],
+        rows: std::ops::Range<usize>,
+    ) -> Portion {
+        let (inputs, width) = (self.parameters.len(), self.responses.len());
+        let mut portion = Portion {
+            from: rows.start,
+            values: vec![f64::NAN; rows.len() * width],
+            statuses: Vec::with_capacity(rows.len()),
+            refused: None,
+        };
+        for (place, row) in rows.enumerate() {
+            let answers = &mut portion.values[place * width..(place + 1) * width];
+            match member.run(&values[row * inputs..(row + 1) * inputs], answers) {
+                Ok(status) => portion.statuses.push(code(status)),
+                Err(error) => {
+                    answers.fill(f64::NAN);
+                    portion.statuses.push(REFUSED);
+                    portion
+                        .refused
+                        .get_or_insert_with(|| (row, error.to_string()));
+                }
+            }
+        }
+        portion
+    }
+}
+
+/// The number of a status.
+fn code(status: Status) -> u8 {
+    match status {
+        Status::Completed => 0,
+        Status::CompletedWithGaps => 1,
+        Status::DeadCentre => 2,
+        Status::AssemblyFailed => 3,
+        Status::StepTooSmall => 4,
+        Status::Singular => 5,
+        Status::TimeLimit => 6,
+        Status::Interrupted => 7,
+    }
+}

@@ -1,0 +1,45 @@
+//! The Python package: what `linkdyn` gives to Rust, as the module `linkdyn._linkdyn`. The Python that people meet stands in
+//! `python/linkdyn`.
+//!
+//! ```text
+//! model text ──► Mechanism ──► Run ──► Column (memory of the run, which NumPy reads in place)
+//!                    └───────► Family ──► Answers
+//! arguments ───► command: what the command does, in this process
+//! ```
+//!
+//! Whatever takes time goes through `work`: without the interpreter's lock, stopped by Ctrl-C, and no panic leaves it.
+
+use pyo3::prelude::*;
+
+mod answers;
+mod command;
+mod errors;
+mod family;
+mod mechanism;
+mod run;
+mod work;
+
+/// The module.
+#[pymodule(gil_used = false)]
+mod _linkdyn {
+    #[pymodule_export]
+    use super::answers::{Answers, Statuses};
+    #[pymodule_export]
+    use super::command::{Said, command};
+    #[pymodule_export]
+    use super::family::Family;
+    #[pymodule_export]
+    use super::mechanism::Mechanism;
+    #[pymodule_export]
+    use super::run::{Column, Run};
+    #[pymodule_export]
+    use super::work::panic;
+
+    use super::*;
+
+    /// Tells the module its version.
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))
+    }
+}

@@ -1,0 +1,123 @@
+//! A model that was read and checked.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use linkdyn::{Control, bridge};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::errors::exception;
+use crate::family::Family;
+use crate::run::Run;
+use crate::work::{at_once, watched};
+
+/// A model that was read and checked.
+#[pyclass(frozen, module = "linkdyn._linkdyn")]
+pub struct Mechanism(linkdyn::Mechanism);
+
+#[pymethods]
+impl Mechanism {
+    /// Reads the text of a model file that has this name.
+    #[staticmethod]
+    fn read(py: Python<'_>, stem: &str, text: &[u8]) -> PyResult<Self> {
+        Mechanism::new(py, || bridge::read(stem, text))
+    }
+
+    /// A bundled model.
+    #[staticmethod]
+    fn bundled(py: Python<'_>, name: &str) -> PyResult<Self> {
+        Mechanism::new(py, || linkdyn::Mechanism::bundled(name))
+    }
+
+    /// The mechanism with values set, each as `PATH=VALUE`.
+    fn set(&self, py: Python<'_>, sets: Vec<String>) -> PyResult<Self> {
+        Mechanism::new(py, || bridge::set(&self.0, sets))
+    }
+
+    /// The model's own name, or the file's.
+    #[getter]
+    fn name(&self) -> &str {
+        self.0.name()
+    }
+
+    /// What is allowed in the model and yet probably a slip.
+    #[getter]
+    fn warnings(&self) -> Vec<String> {
+        self.0.warnings().to_vec()
+    }
+
+    /// Name, value in SI and SI unit of each parameter.
+    #[getter]
+    fn parameters(&self) -> Vec<(String, f64, String)> {
+        let parameters = self.0.parameters();
+        let told = parameters
+            .map(|(name, parameter)| (name.to_owned(), parameter.nominal().si(), parameter.unit()));
+        told.collect()
+    }
+
+    /// Name and SI unit of each result column.
+    #[getter]
+    fn columns(&self) -> Vec<(String, &'static str)> {
+        let columns = self.0.columns();
+        columns
+            .map(|(name, column)| (name.to_owned(), column.unit()))
+            .collect()
+    }
+
+    /// The model as a file.
+    fn to_json(&self, py: Python<'_>) -> PyResult<String> {
+        at_once(py, || self.0.to_json())
+    }
+
+    /// Runs the analysis; what stopped it from Python comes second.
+    #[pyo3(signature = (timeout=None, told=None))]
+    fn run(
+        &self,
+        py: Python<'_>,
+        timeout: Option<f64>,
+        told: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<(Run, Option<PyErr>)> {
+        let deadline = timeout.map(deadline).transpose()?;
+        let done = watched(py, told, |watch| {
+            let control = Control {
+                deadline,
+                interrupted: Arc::clone(&watch.interrupted),
+                progress: watch.progress.clone(),
+            };
+            self.0.run_under(&control)
+        })?;
+        let run = done.value.map_err(|error| exception(py, &error))?;
+        Ok((Run::new(run), done.stopped))
+    }
+
+    /// The family of mechanisms in which these parameters take other values.
+    fn family(&self, py: Python<'_>, parameters: Vec<String>) -> PyResult<Family> {
+        let made = at_once(py, || {
+            let handles = parameters.iter().map(|name| self.0.parameter(name));
+            let handles = handles.collect::<Result<Vec<_>, _>>()?;
+            self.0.family(&handles)
+        })?;
+        let family = made.map_err(|error| exception(py, &error))?;
+        Ok(Family::new(family, parameters))
+    }
+}
+
+impl Mechanism {
+    fn new(
+        py: Python<'_>,
+        make: impl FnOnce() -> Result<linkdyn::Mechanism, linkdyn::Error> + Send,
+    ) -> PyResult<Self> {
+        let made = at_once(py, make)?;
+        made.map(Mechanism).map_err(|error| exception(py, &error))
+    }
+}
+
+/// So many seconds from now.
+fn deadline(seconds: f64) -> PyResult<Instant> {
+    let wait = Duration::try_from_secs_f64(seconds).ok();
+    let end = wait.and_then(|wait| Instant::now().checked_add(wait));
+    end.ok_or_else(|| {
+        PyValueError::new_err(format!("a timeout is a time in seconds, not {seconds}"))
+    })
+}

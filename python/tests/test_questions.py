@@ -1,0 +1,96 @@
+"""Questions to a model, families of variants."""
+
+from __future__ import annotations
+
+import json
+import threading
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import linkdyn
+from linkdyn import _linkdyn
+
+PRESS = {"stroke": "max(piston.x) - min(piston.x)"}
+
+
+def test_check_and_modes_are_those_of_the_command() -> None:
+    for name, question in (("four-bar", "check"), ("double-pendulum", "modes")):
+        said, _ = _linkdyn.command([question, name, "--json"])
+        answer = getattr(linkdyn.load(name), question)()
+        assert answer == json.loads(said.stdout)
+        assert answer.text and answer._repr_html_()
+
+
+def test_accuracy_is_that_of_the_command() -> None:
+    said, _ = _linkdyn.command(["accuracy", "lock", "--levels", "first", "--json"])
+    answer = linkdyn.load("lock").accuracy(levels="first")
+    told = json.loads(said.stdout)
+    assert answer.keys() == told.keys() and answer["outputs"] == told["outputs"]
+    assert answer.page and answer.page.startswith("<!doctype html>")
+
+
+def test_compare_names_the_models() -> None:
+    answer = linkdyn.load("lock").compare(models=["ideal", "massless_link"], columns=["driver.*.effort"])
+    assert "massless_link" in json.dumps(answer) and answer.page
+
+
+def test_a_goal_is_found_and_the_model_with_it() -> None:
+    answer, longer = linkdyn.load("slider-crank").optimise({"crank": None}, goals=[f"{PRESS['stroke']} = 80 mm"])
+    assert longer.parameters["crank"][0] == pytest.approx(0.04, abs=1e-9)
+    assert answer
+
+
+def test_a_family_gives_what_runs_give() -> None:
+    model = linkdyn.load("slider-crank").set({"parameters.rod": "210 mm"})
+    cranks = np.linspace(0.03, 0.06, 40)
+    family = model.family(["parameters.crank"], PRESS | {"peak": "max(abs(driver.motor.effort))"})
+    assert family.parameters == ["crank"] and family.responses == {"stroke": "m", "peak": "N*m"}
+    found = family(cranks)
+    assert found.values.shape == (40, 2) and found.ok.all() and set(found.status) == {"completed"}
+    assert not found.values.flags.writeable
+    assert np.allclose(found["stroke"], 2 * cranks, rtol=0, atol=1e-12)
+    for crank, peak in list(zip(cranks, found["peak"], strict=True))[::13]:
+        least, most = model.set({"parameters.crank": f"{crank} m"}).run().extremes("driver.motor.effort")
+        assert peak == pytest.approx(max(-least, most), rel=1e-9)
+
+
+def test_threads_do_not_change_what_comes_out() -> None:
+    family = linkdyn.load("slider-crank").family(["crank", "rod"], {"peak": "max(abs(driver.motor.effort))"})
+    values = np.random.default_rng(1).uniform([0.03, 0.15], [0.06, 0.3], (500, 2))
+    one, three = family(values, threads=1), family(values, threads=3)
+    assert one.values.tobytes() == three.values.tobytes()
+    assert one.codes.tobytes() == three.codes.tobytes()
+    # Two threads of Python at once, with one family.
+    found: list[linkdyn.Variants] = []
+    threads = [threading.Thread(target=lambda: found.append(family(values, threads=1))) for _ in range(2)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert [each.values.tobytes() for each in found] == [one.values.tobytes()] * 2
+
+
+def test_variants_that_fail_are_told() -> None:
+    family = linkdyn.load("slider-crank").family(["crank"], PRESS)
+    found = family([0.05, 0.5, float("nan"), -1.0])
+    assert found.status[0] == "completed" and not found.ok[1:].any(), found
+    assert np.isnan(found["stroke"][1:]).all()
+    assert found.fault and found.fault[0] == 2 and found.fault[1]
+    with pytest.raises(ValueError, match="shape"):
+        family(np.zeros((3, 2)))
+    assert len(family(np.zeros((0, 1)))) == 0
+
+
+def test_the_bundled_models_are_listed() -> None:
+    names = linkdyn.models()
+    assert {"lock", "four-bar", "slider-crank"} <= set(names)
+    for name in names[:3]:
+        assert linkdyn.load(name).name
+
+
+def test_a_model_of_a_dictionary_is_asked_like_any(tmp_path: Path) -> None:
+    model = linkdyn.load(linkdyn.load("double-pendulum").to_dict()).set({"units": "SI"})
+    assert model.modes()["modes"] == linkdyn.load("double-pendulum").modes()["modes"]
+    assert not list(tmp_path.iterdir())

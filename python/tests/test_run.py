@@ -1,0 +1,207 @@
+"""Runs: the same numbers as the command's, in place, without the interpreter's lock."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import pickle
+import signal
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import linkdyn
+from linkdyn import _linkdyn
+
+HERE = Path(__file__).parent
+MODELS = HERE.parents[1] / "models"
+
+
+def command(*arguments: str) -> _linkdyn.Said:
+    said, stopped = _linkdyn.command(list(arguments))
+    assert stopped is None
+    return said
+
+
+@pytest.mark.parametrize("name", ["lock", "four-bar", "slider-crank-clearance"])
+def test_columns_are_the_bytes_of_the_commands_csv(name: str, tmp_path: Path) -> None:
+    assert command("run", name, "-o", str(tmp_path)).status == 0
+    with open(tmp_path / "results.csv", newline="") as file:
+        rows = list(csv.reader(file))
+    run = linkdyn.load(name).run()
+    assert run.headings() == rows[0]
+    for place, column in enumerate(run):
+        told = np.array([float(row[place] or "nan") for row in rows[1:]])
+        assert told.tobytes() == np.where(np.isnan(run[column]), np.nan, run[column]).tobytes(), column
+
+
+def test_the_summary_is_that_of_the_command(tmp_path: Path) -> None:
+    command("run", "lock", "-o", str(tmp_path))
+    told = json.loads((tmp_path / "summary.json").read_text())
+    own = linkdyn.load("lock").run().summary
+    changing = {"timing", "time", "times", "started", "stages"}
+    assert told.keys() == own.keys()
+    same = [key for key in told if key not in changing and told[key] == own[key]]
+    assert set(told) - set(same) <= changing | {"work"}, set(told) - set(same)
+
+
+def test_arrays_are_views_of_the_run() -> None:
+    run = linkdyn.load("lock").run()
+    effort = run["driver.motor.effort"]
+    assert effort.shape == (1751,) and effort.dtype == np.float64
+    again = np.asarray(run._core.column("driver.motor.effort"))
+    assert effort.__array_interface__["data"] == again.__array_interface__["data"]
+    # Neighbours in a row stand side by side: no column was copied out of the table.
+    names = run.columns
+    first, second = run[names[0]], run[names[1]]
+    apart = second.__array_interface__["data"][0] - first.__array_interface__["data"][0]
+    assert apart == 8 and first.strides == (8 * len(names),)
+    assert not effort.flags.writeable and effort.base is not None
+    with pytest.raises(ValueError):
+        effort[0] = 1.0
+    # The memory lives as long as an array does.
+    before = effort.copy()
+    del run, again, first, second
+    linkdyn.load("lock").run()
+    assert np.array_equal(before, effort, equal_nan=True)
+
+
+def test_models_are_read_from_whatever_holds_them(tmp_path: Path) -> None:
+    bundled = linkdyn.load("four-bar")
+    path = bundled.save(tmp_path / "mine.json")
+    for source in (path, str(path), bundled.to_json(), bundled.to_json().encode(), bundled.to_dict()):
+        same = linkdyn.load(source)
+        assert np.array_equal(same.run()["driver.motor.effort"], bundled.run()["driver.motor.effort"])
+    there = pickle.loads(pickle.dumps(bundled.set({"parameters.crank": "90 mm"})))
+    assert there.parameters["crank"] == (0.09, "m")
+
+
+def test_what_is_legal_only_together_is_set_together() -> None:
+    model = linkdyn.load("four-bar")
+    both = model.set({"parameters.a": "3 mm", "parameters.crank": "=30*a"})
+    assert both.parameters["crank"] == (0.09, "m")
+    with pytest.raises(linkdyn.ModelError):
+        model.set({"parameters.crank": "=30*a"})
+    assert "a" not in model.parameters
+
+
+def test_tables_of_others() -> None:
+    run = linkdyn.load("four-bar").set({"analysis.outputs": 5}).run()
+    pandas, polars = pytest.importorskip("pandas"), pytest.importorskip("polars")
+    pyarrow = pytest.importorskip("pyarrow")
+    frame = run.to_pandas()
+    assert list(frame.columns) == run.columns and frame.attrs["units"]["time"] == "s"
+    assert isinstance(frame, pandas.DataFrame)
+    assert run.to_polars().equals(polars.DataFrame(run))
+    table = pyarrow.table(run)
+    assert table.column_names == run.columns
+    assert table.field("driver.motor.effort").metadata == {b"unit": b"N*m"}
+    assert np.array_equal(table["driver.motor.effort"].to_numpy(), run["driver.motor.effort"])
+
+
+def test_a_run_that_ends_early_raises_and_keeps_what_there_is() -> None:
+    model = linkdyn.load("slider-crank-clearance")
+    with pytest.raises(linkdyn.SolveError) as caught:
+        model.run(timeout=0.0)
+    run = caught.value.run
+    assert run is not None and run.status == "time_limit"
+    assert "time_limit" in str(caught.value)
+    assert model.run(timeout=0.0, strict=False).status == "time_limit"
+
+
+@contextmanager
+def interrupted(after: float) -> Iterator[None]:
+    """Presses Ctrl-C so many seconds from now, unless the block is over before."""
+    timer = threading.Timer(after, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
+        timer.join()
+
+
+def long_model() -> linkdyn.Model:
+    """A motion that takes seconds."""
+    model = linkdyn.load("double-pendulum")
+    return model.set({"analysis.end": 20000, "analysis.outputs": 200001})
+
+
+def test_an_interrupt_stops_a_run_and_keeps_what_there_is() -> None:
+    model = long_model()
+    began = time.perf_counter()
+    with interrupted(0.4), pytest.raises(KeyboardInterrupt) as caught:
+        model.run()
+    assert time.perf_counter() - began < 5.0
+    assert isinstance(caught.value, linkdyn.Interrupted)
+    run = caught.value.run
+    assert run is not None and run.status == "interrupted"
+    assert 0 < len(run.t) < 200001 and np.isfinite(run.t).all()
+
+
+def test_an_interrupt_stops_a_command() -> None:
+    press = linkdyn.load("slider-crank").set({"responses.peak": "max(abs(driver.motor.effort))"})
+    with interrupted(0.4), pytest.raises(linkdyn.Interrupted):
+        press.optimise({"crank": "20 mm:60 mm", "rod": "150 mm:400 mm"}, minimise="peak", starts=100_000)
+
+
+def test_what_a_handler_of_signals_raises_comes_through() -> None:
+    class Enough(Exception):
+        pass
+
+    def handle(*_: object) -> None:
+        raise Enough
+
+    old = signal.signal(signal.SIGALRM, handle)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.2)
+        with pytest.raises(Enough):
+            long_model().run()
+    finally:
+        signal.signal(signal.SIGALRM, old)
+
+
+def test_other_threads_go_on_during_a_run() -> None:
+    model = long_model().set({"analysis.end": 1000, "analysis.outputs": 1001})
+    beats = []
+    over = threading.Event()
+
+    def beat() -> None:
+        while not over.wait(0.01):
+            beats.append(time.perf_counter())
+
+    thread = threading.Thread(target=beat, daemon=True)
+    thread.start()
+    began = time.perf_counter()
+    model.run()
+    ended = time.perf_counter()
+    over.set()
+    thread.join()
+    inside = [one for one in beats if began < one < ended]
+    assert len(inside) > 0.2 * (ended - began) / 0.01, (len(inside), ended - began)
+
+
+def test_progress_is_told() -> None:
+    shares: list[float] = []
+    long_model().set({"analysis.end": 1000, "analysis.outputs": 1001}).run(progress=shares.append)
+    assert shares and shares == sorted(shares) and 0.0 <= shares[0] <= shares[-1] <= 1.0
+
+
+def test_the_page_of_a_run_shows_in_a_notebook() -> None:
+    shown = linkdyn.load("four-bar").run()._repr_html_()
+    assert shown.startswith("<iframe srcdoc=") and "&lt;!doctype html&gt;" in shown
+
+
+def test_figures() -> None:
+    pytest.importorskip("matplotlib").use("Agg")
+    run = linkdyn.load("four-bar").run()
+    ax = run.plot("joint.a.f", "joint.b.f")
+    assert ax.get_ylabel() == "[N]" and ax.get_xlabel() == "time [s]"
+    drawn = ax.get_lines()[0].get_ydata()
+    assert np.array_equal(drawn, np.hypot(run["joint.a.fx"], run["joint.a.fy"]))
