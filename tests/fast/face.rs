@@ -47,7 +47,9 @@ fn a_family_goes_on_from_the_values_that_its_mechanism_was_given() {
         .run()
         .expect("runs");
     let y = run.mechanism().column("coupler.y").expect("there");
-    assert!((run.column(y).max() - top[0]).abs() < 1e-13);
+    // the coupler stands at the crank's end, and rows beside its top
+    assert!((top[0] - 0.09).abs() < 1e-13, "{top:?}");
+    assert!((run.column(y).max() - top[0]).abs() < 1e-5);
     let refused = family
         .member()
         .run(&[f64::NAN], &mut top)

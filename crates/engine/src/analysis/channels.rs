@@ -196,7 +196,7 @@ impl Contents {
     }
 
     /// Headings in the order of results.
-    fn columns(self, system: &System) -> Vec<Column> {
+    pub fn columns(self, system: &System) -> Vec<Column> {
         let mut columns = vec![Column::of(Channel::Time, "", "s")];
         for (body, data) in system.bodies.iter().enumerate() {
             columns.extend(self.of_body().map(|quantity| {

@@ -18,6 +18,8 @@ pub(super) struct Question {
     pub contents: Contents,
     /// Patterns of the columns that are wanted; none means all.
     pub columns: Vec<String>,
+    /// The transmission that is wanted, none within where its driver or body is not there.
+    pub transmission: Option<Option<Transmission>>,
     /// When there are outputs.
     instants: Instants,
     /// Located events are outputs, too.
@@ -50,6 +52,10 @@ impl Question {
             kind: kind(system, analysis.kind),
             contents: contents(analysis.kind),
             columns: analysis.columns.clone(),
+            transmission: analysis
+                .transmission
+                .as_ref()
+                .map(|wanted| transmission(system, wanted)),
             instants: instants(system, analysis)?,
             at_events: analysis.outputs_at == OutputsAt::Events,
             method: solver.method.parse(),
@@ -94,7 +100,7 @@ impl Question {
             instants: instants.iter().map(|instant| instant.time).collect(),
             events_are_outputs: self.at_events,
             contents: self.contents,
-            columns: self.columns.clone(),
+            watched: (!system.contacts.is_empty()).then(|| self.columns.clone()),
         })
     }
 }

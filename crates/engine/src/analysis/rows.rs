@@ -5,15 +5,15 @@ use std::collections::HashMap;
 use crate::element::{BodyId, Marker};
 use crate::system::System;
 use linkdyn_linear::math::Vec2;
-use linkdyn_output::{BodyQuantity, Channel, Trajectory};
+use linkdyn_output::{BodyQuantity, Channel, Column};
 
 /// Where the columns of a table stand.
 pub struct Columns(HashMap<Channel, usize>);
 
 impl Columns {
-    /// Those of a table.
-    pub fn of(table: &Trajectory) -> Self {
-        let columns = table.columns.iter().enumerate();
+    /// Those of a table with these headings.
+    pub fn of(headings: &[Column]) -> Self {
+        let columns = headings.iter().enumerate();
         Columns(
             columns
                 .filter_map(|(index, column)| Some((column.channel?, index)))

@@ -2,10 +2,12 @@
 
 use super::channels::{Channels, Contents};
 use super::control::{Control, Stop};
+use super::derived::Derived;
+use super::driven::Between;
 use super::outcome::Outcome;
 use super::question::{Kind, Question};
 use super::record::Recorder;
-use super::responses::Responses;
+use super::responses::{Answer, Responses};
 use super::sample::Sample;
 use super::settings::settings;
 use super::{assembly, driven, dynamics, statics};
@@ -59,9 +61,8 @@ impl Prepared {
         let system = compile(model, analysis.kind).map_err(loose)?;
         let question = Question::new(&system, analysis);
         let question = question.map_err(|complaint| loose(complaint.into()))?;
-        let channels = Channels::new(&system, question.contents);
         Ok(Prepared {
-            responses: Responses::new(model, channels.columns())?,
+            responses: responses(model, &system, &question)?,
             question,
             settings: settings(analysis),
             system,
@@ -91,7 +92,7 @@ impl Prepared {
     /// Faults of the input: too few or too many drivers, what an analysis has no place for. Everything else ends in the
     /// report's status, with what was computed until then.
     pub fn run(&self, control: &Control) -> Result<Outcome, Complaints> {
-        let (trajectory, peaks, mut report) = match self.solve(control) {
+        let mut solved = match self.solve(control) {
             Ok(found) => found,
             Err(Stop::Input(complaints)) => {
                 return Err(with(complaints.into(), self.unheld.as_ref()));
@@ -110,10 +111,20 @@ impl Prepared {
                     quality,
                     ..Report::default()
                 };
-                (trajectory, Trajectory::default(), report)
+                Solved::rows((trajectory, report))
             }
         };
-        let responses = self.responses.answers(&trajectory, &peaks, &report);
+        let responses = self.answers(&mut solved);
+        if self.system.contacts.is_empty() {
+            // those of smooth motions are looked for where a response needs them
+            solved.peaks = Trajectory::default();
+        }
+        let Solved {
+            trajectory,
+            peaks,
+            mut report,
+            ..
+        } = solved;
         let (selected, warnings) = trajectory.select(&self.question.columns);
         report.warnings.extend(warnings);
         let (trajectory, complete) = match selected {
@@ -130,13 +141,52 @@ impl Prepared {
         })
     }
 
-    /// The outputs, rows of peaks between them, and how it went.
-    fn solve(&self, control: &Control) -> Result<(Trajectory, Trajectory, Report), Stop> {
+    /// The responses of what was solved.
+    fn answers(&self, solved: &mut Solved) -> Vec<Answer> {
+        let Solved {
+            trajectory,
+            peaks,
+            report,
+            between,
+        } = solved;
+        let mut wanted = Wanted::new(self, &trajectory.columns);
+        let channels = Channels::new(&self.system, self.question.contents);
+        let mut whole = Vec::with_capacity(trajectory.columns.len());
+        let mut motion = between.take();
+        let mut evaluation = self.responses.begin();
+        let mut needed = Vec::with_capacity(self.responses.needed().len());
+        for row in trajectory.rows() {
+            wanted.take(row, &mut needed);
+            evaluation.row(&needed);
+        }
+        for row in peaks.rows() {
+            wanted.take(row, &mut needed);
+            evaluation.between(&needed);
+        }
+        evaluation.ask(report, &mut |time, needed| {
+            whole.clear();
+            let is_known =
+                (motion.as_mut()).is_some_and(|motion| motion.row(&channels, time, &mut whole));
+            if is_known {
+                wanted.take(&whole, needed);
+            }
+            is_known
+        });
+        evaluation.answers(report)
+    }
+
+    /// What the analysis finds.
+    fn solve(&self, control: &Control) -> Result<Solved<'_>, Stop> {
         let (system, question) = (&self.system, &self.question);
-        let without_peaks = |(trajectory, report)| (trajectory, Trajectory::default(), report);
-        let prescribed = || driven::run(system, question.driven(), control).map(without_peaks);
+        let prescribed = || {
+            let (trajectory, report, between) = driven::run(system, question.driven(), control)?;
+            Ok(Solved {
+                between,
+                ..Solved::rows((trajectory, report))
+            })
+        };
         match question.kind {
-            Kind::Position => run_assembly(system, question.contents).map(without_peaks),
+            Kind::Position => run_assembly(system, question.contents).map(Solved::rows),
             Kind::Prescribed => prescribed(),
             Kind::Free => {
                 if let Some(complaint) = assembly::too_short(system) {
@@ -146,9 +196,94 @@ impl Prepared {
                 if start.is_driven(system) {
                     return prescribed();
                 }
-                dynamics::run(system, start, &question.dynamics(system)?, control)
+                let mut settings = question.dynamics(system)?;
+                if settings.watched.is_none() && self.responses.look_between() {
+                    let needed = self.responses.columns();
+                    settings.watched = Some(needed.map(str::to_owned).collect());
+                }
+                let found = dynamics::run(system, start, &settings, control)?;
+                let (trajectory, peaks, report) = found;
+                Ok(Solved {
+                    peaks,
+                    ..Solved::rows((trajectory, report))
+                })
             }
-            Kind::Rest => statics::run(system, question.contents, control).map(without_peaks),
+            Kind::Rest => statics::run(system, question.contents, control).map(Solved::rows),
+        }
+    }
+}
+
+/// The responses of a model, of its result columns and what follows from them.
+fn responses(
+    model: &Checked,
+    system: &System,
+    question: &Question,
+) -> Result<Responses, Complaints> {
+    if model.responses.is_empty() {
+        return Ok(Responses::default());
+    }
+    let mut columns = question.contents.columns(system);
+    let derived = Derived::new(system, &columns, question.transmission);
+    columns.extend(derived.headings);
+    Responses::new(model, &columns)
+}
+
+/// What responses want of rows with all result columns.
+struct Wanted<'p> {
+    responses: &'p Responses,
+    derived: Option<Derived<'p>>,
+    /// A row, and behind it what follows from it.
+    all: Vec<f64>,
+}
+
+impl<'p> Wanted<'p> {
+    fn new(prepared: &'p Prepared, columns: &[Column]) -> Self {
+        let responses = &prepared.responses;
+        let mut needed = responses.needed().iter();
+        let derives = needed.any(|column| column.index() >= columns.len());
+        let transmission = prepared.question.transmission;
+        Wanted {
+            responses,
+            derived: derives.then(|| Derived::new(&prepared.system, columns, transmission)),
+            all: Vec::new(),
+        }
+    }
+
+    /// The needed columns of a row.
+    fn take(&mut self, row: &[f64], needed: &mut Vec<f64>) {
+        let mut all = row;
+        if let Some(derived) = &mut self.derived {
+            self.all.clear();
+            self.all.extend_from_slice(row);
+            derived.push(row, &mut self.all);
+            all = &self.all;
+        }
+        needed.clear();
+        let columns = self.responses.needed().iter();
+        needed.extend(columns.map(|column| all[column.index()]));
+    }
+}
+
+/// What an analysis finds.
+struct Solved<'s> {
+    /// The outputs.
+    trajectory: Trajectory,
+    /// Rows of peaks between them.
+    peaks: Trajectory,
+    /// How it went.
+    report: Report,
+    /// The motion, where it can be asked for other rows.
+    between: Option<Between<'s>>,
+}
+
+impl Solved<'_> {
+    /// Rows that are all there is.
+    fn rows((trajectory, report): (Trajectory, Report)) -> Self {
+        Solved {
+            trajectory,
+            peaks: Trajectory::default(),
+            report,
+            between: None,
         }
     }
 }

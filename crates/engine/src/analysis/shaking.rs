@@ -13,7 +13,7 @@ use super::rows::{Columns, Frame, Place, States};
 use crate::element::{Applied, BodyId};
 use crate::system::{DriverRole, Evaluation, Inputs, System};
 use linkdyn_linear::math::Vec2;
-use linkdyn_output::{Channel, Column, DriverQuantity, JointQuantity, ShakingQuantity, Trajectory};
+use linkdyn_output::{Channel, Column, DriverQuantity, JointQuantity, ShakingQuantity};
 
 /// A force at a place and a torque.
 #[derive(Debug, Clone, Copy, Default)]
@@ -53,29 +53,42 @@ enum Share {
     Element { element: usize, body: usize },
 }
 
-/// Shaking force and moment of every row; none where no joint forces are in the table or nothing touches the ground.
-pub fn shaking(system: &System, table: &Trajectory) -> Option<Trajectory> {
-    let columns = Columns::of(table);
-    let shares = shares(system, &columns)?;
-    let mut exerted = Exerted::new(system, States::of(system, &columns)?);
-    let has_elements = shares
-        .iter()
-        .any(|share| matches!(share, Share::Element { .. }));
-    let mut result = Trajectory::new(headings());
-    for row in table.rows() {
-        if has_elements {
-            exerted.take(row);
-        }
-        let mut sum = Wrench::default();
-        for share in &shares {
-            share.add_to(&mut sum, row, &mut exerted);
-        }
-        result.push_row(&[sum.force.x, sum.force.y, sum.moment]);
-    }
-    Some(result)
+/// Shaking force and moment, row by row.
+pub struct Shaking<'s> {
+    shares: Vec<Share>,
+    exerted: Exerted<'s>,
+    has_elements: bool,
 }
 
-fn headings() -> Vec<Column> {
+impl<'s> Shaking<'s> {
+    /// Beside rows with these columns; none where no joint forces are among them or nothing touches the ground.
+    pub fn new(system: &'s System, columns: &Columns) -> Option<Self> {
+        let shares = shares(system, columns)?;
+        let has_elements = shares
+            .iter()
+            .any(|share| matches!(share, Share::Element { .. }));
+        Some(Shaking {
+            exerted: Exerted::new(system, States::of(system, columns)?),
+            shares,
+            has_elements,
+        })
+    }
+
+    /// Appends force and moment of a row.
+    pub fn push(&mut self, row: &[f64], line: &mut Vec<f64>) {
+        if self.has_elements {
+            self.exerted.take(row);
+        }
+        let mut sum = Wrench::default();
+        for share in &self.shares {
+            share.add_to(&mut sum, row, &mut self.exerted);
+        }
+        line.extend([sum.force.x, sum.force.y, sum.moment]);
+    }
+}
+
+/// The headings of its columns.
+pub fn headings() -> Vec<Column> {
     let quantities = [
         ShakingQuantity::Fx,
         ShakingQuantity::Fy,

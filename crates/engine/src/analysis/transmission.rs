@@ -19,7 +19,7 @@ use crate::element::{BodyId, Kinematics, Measure};
 use crate::mechanism::driven::Driven;
 use crate::system::{Inputs, JointRole, System};
 use linkdyn_linear::math::{Vec2, perp};
-use linkdyn_output::{Channel, Column, Trajectory, TransmissionQuantity};
+use linkdyn_output::{Channel, Column, TransmissionQuantity};
 
 /// Forces below this part of the largest are none: round-off of the solve.
 const NO_FORCE: f64 = 1e-9;
@@ -52,42 +52,71 @@ struct Drawn {
     idle: usize,
 }
 
-/// Columns and rows of a transmission where its driver and body are known, and what there is to say about empty cells.
-///
-/// # Errors
-/// Why there is none, in a sentence.
-pub fn transmission(
-    system: &System,
-    wanted: Option<Transmission>,
-    table: &Trajectory,
-) -> Result<(Trajectory, Vec<String>), String> {
-    let undetermined = || {
-        "the drivers alone do not determine the motion, so that there is no transmission"
-            .to_string()
-    };
-    let Transmission { driver, output } = wanted.ok_or_else(undetermined)?;
-    let output = Output::of(system, output);
-    if system.m() < system.n() {
-        return Err(undetermined());
+/// A transmission beside the rows of a run.
+pub struct Transmitted<'s> {
+    pub headings: Vec<Column>,
+    solver: Solver<'s>,
+    driver: usize,
+    rows: usize,
+}
+
+impl<'s> Transmitted<'s> {
+    /// Where its driver and body are known, beside rows with these columns.
+    ///
+    /// # Errors
+    /// Why there is none, in a sentence.
+    pub fn new(
+        system: &'s System,
+        wanted: Option<Transmission>,
+        columns: &Columns,
+    ) -> Result<Self, String> {
+        let Transmission { driver, output } = wanted.ok_or_else(undetermined)?;
+        let output = Output::of(system, output);
+        if system.m() < system.n() {
+            return Err(undetermined());
+        }
+        let states = States::of(system, columns).ok_or_else(undetermined)?;
+        let solver = Solver::new(system, states, driver, output);
+        Ok(Transmitted {
+            headings: headings(system, driver, output, &solver.drawn),
+            solver,
+            driver,
+            rows: 0,
+        })
     }
-    let states = States::of(system, &Columns::of(table)).ok_or_else(undetermined)?;
-    let mut solver = Solver::new(system, states, driver, output);
-    let mut result = Trajectory::new(headings(system, driver, output, &solver.drawn));
-    let mut line = Vec::with_capacity(result.width());
-    for row in table.rows() {
-        line.clear();
-        solver.solve(row, &mut line);
-        line.iter_mut()
+
+    /// Appends ratio, advantage and angles of a row, NaN where there are none.
+    pub fn push(&mut self, row: &[f64], line: &mut Vec<f64>) {
+        let begin = line.len();
+        self.solver.solve(row, line);
+        line[begin..]
+            .iter_mut()
             .filter(|value| !value.is_finite())
             .for_each(|value| *value = f64::NAN);
-        line.resize(result.width(), f64::NAN);
-        result.push_row(&line);
+        line.resize(begin + self.headings.len(), f64::NAN);
+        self.rows += 1;
     }
-    if solver.driven.is_none() && !table.is_empty() {
-        return Err(undetermined());
+
+    /// What there is to say about empty cells of the rows so far.
+    ///
+    /// # Errors
+    /// That there was nothing in any row, in a sentence.
+    pub fn notes(&self) -> Result<Vec<String>, String> {
+        if self.solver.driven.is_none() && self.rows > 0 {
+            return Err(undetermined());
+        }
+        let Solver {
+            system,
+            drawn,
+            output,
+            ..
+        } = &self.solver;
+        Ok(notes(system, drawn, *output, self.driver, self.rows))
     }
-    let notes = notes(system, &solver.drawn, output, driver, result.len());
-    Ok((result, notes))
+}
+
+fn undetermined() -> String {
+    "the drivers alone do not determine the motion, so that there is no transmission".to_owned()
 }
 
 /// Joints of the output body that carry a force at a point, not on ground.

@@ -1,13 +1,14 @@
 //! Responses: named numbers of a run, such as a stroke or a peak.
 
+mod catalogue;
 mod facts;
 mod names;
 
 pub use crate::expression::{
     Compiled, Input, Known, Over, Place, Program, Reduce, Reduction, Results, Values,
 };
+pub use catalogue::Catalogue;
 pub use facts::{ClearanceSum, EVENTS, Fact, Item, List};
-pub use names::Catalogue;
 
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};

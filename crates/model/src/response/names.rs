@@ -1,31 +1,11 @@
 //! All names of results that a model can have, whatever it computes.
 
+use super::catalogue::{Catalogue, Joint, Load};
 use super::facts::{ClearanceSum, EVENTS, Fact, Item, List};
 use crate::dimension::{Dimension, Powers, powers};
 use crate::error::Complaint;
 use crate::expression::{Known, Place, Results};
-use crate::node::{Kind, Node};
-use crate::{DriverKind, GROUND, JointKind, Model, suggest};
-
-/// What a model consists of, as far as results are named after it.
-#[derive(Debug, Clone, Default)]
-pub struct Catalogue {
-    bodies: Vec<String>,
-    /// Points whose motion is wanted, `body.point`.
-    points: Vec<String>,
-    /// All other points.
-    unwanted: Vec<String>,
-    joints: Vec<Joint>,
-    /// With what each drives.
-    drivers: Vec<(String, Option<Dimension>)>,
-}
-
-#[derive(Debug, Clone)]
-struct Joint {
-    name: String,
-    /// Whether it slides.
-    slides: bool,
-}
+use crate::suggest;
 
 const BODY: [(&str, Dimension); 9] = [
     ("x", Dimension::Length),
@@ -54,6 +34,20 @@ const JOINT: [(&str, Dimension); 10] = [
     ("sliding_speed", Dimension::Velocity),
 ];
 
+const SHAKING: [(&str, Dimension); 3] = [
+    ("fx", Dimension::Force),
+    ("fy", Dimension::Force),
+    ("moment", Dimension::Torque),
+];
+
+const LOAD: [(&str, Dimension); 3] = [
+    ("fx", Dimension::Force),
+    ("fy", Dimension::Force),
+    ("torque", Dimension::Torque),
+];
+
+const TRANSMISSION: [&str; 2] = ["ratio", "advantage"];
+
 const ENERGY: [&str; 4] = ["kinetic", "potential", "contact", "dissipated"];
 
 fn of(table: &[(&str, Dimension)], word: &str) -> Option<Powers> {
@@ -62,85 +56,6 @@ fn of(table: &[(&str, Dimension)], word: &str) -> Option<Powers> {
 }
 
 impl Catalogue {
-    /// Of a typed model.
-    pub fn of(model: &Model) -> Self {
-        let wanted: Vec<String> = model.points.iter().map(ToString::to_string).collect();
-        let bodies = model.bodies.iter().filter(|(name, _)| *name != GROUND);
-        let mut catalogue = Catalogue::default();
-        for (name, body) in bodies {
-            catalogue.body(name, body.points.keys().map(String::as_str), &wanted);
-        }
-        for (name, joint) in &model.joints {
-            let slides = matches!(
-                joint.kind,
-                JointKind::Prismatic { .. } | JointKind::Slot { .. }
-            );
-            let name = name.clone();
-            catalogue.joints.push(Joint { name, slides });
-        }
-        for (name, driver) in &model.drivers {
-            let dimension = match driver.kind {
-                DriverKind::Rotation { .. } => Dimension::Angle,
-                DriverKind::Translation { .. } => Dimension::Length,
-            };
-            catalogue.drivers.push((name.clone(), Some(dimension)));
-        }
-        catalogue
-    }
-
-    /// Of a file, before it is a model.
-    pub(crate) fn of_file(root: &Node) -> Self {
-        let mut catalogue = Catalogue::default();
-        let members = |key: &str| match root.get(key).map(|node| &node.kind) {
-            Some(Kind::Object(members)) => members.iter().collect(),
-            _ => Vec::new(),
-        };
-        let kind = |node: &Node| node.get("type").and_then(Node::as_str).map(str::to_owned);
-        let wanted: Vec<String> = match root.get("points").map(|node| &node.kind) {
-            Some(Kind::Array(items)) => items
-                .iter()
-                .filter_map(Node::as_str)
-                .map(str::to_owned)
-                .collect(),
-            _ => Vec::new(),
-        };
-        for (name, member) in members("bodies") {
-            if name == GROUND {
-                continue;
-            }
-            let points = match member.node.get("points").map(|node| &node.kind) {
-                Some(Kind::Object(points)) => points.keys().map(String::as_str).collect(),
-                _ => Vec::new(),
-            };
-            catalogue.body(name, points.into_iter(), &wanted);
-        }
-        for (name, member) in members("joints") {
-            let slides = matches!(kind(&member.node).as_deref(), Some("prismatic" | "slot"));
-            let name = name.clone();
-            catalogue.joints.push(Joint { name, slides });
-        }
-        for (name, member) in members("drivers") {
-            let dimension = match kind(&member.node).as_deref() {
-                Some("rotation") => Some(Dimension::Angle),
-                Some("translation") => Some(Dimension::Length),
-                _ => None,
-            };
-            catalogue.drivers.push((name.clone(), dimension));
-        }
-        catalogue
-    }
-
-    fn body<'a>(&mut self, name: &str, points: impl Iterator<Item = &'a str>, wanted: &[String]) {
-        self.bodies.push(name.to_owned());
-        for point in points {
-            let point = format!("{name}.{point}");
-            match wanted.contains(&point) {
-                true => self.points.push(point),
-                false => self.unwanted.push(point),
-            }
-        }
-    }
-
     /// The name of the column that a name stands for: `t` is `time`, and `driver.motor` its value.
     pub fn column_name(&self, name: &str) -> String {
         match name.strip_prefix("driver.") {
@@ -172,8 +87,11 @@ impl Catalogue {
         if self.points.iter().any(|point| point == owner) && POINT.contains(&word) {
             return of(&BODY, word);
         }
-        if owner == "energy" && ENERGY.contains(&word) {
-            return Some(powers(2, 1, -2, 0));
+        match owner {
+            "energy" if ENERGY.contains(&word) => return Some(powers(2, 1, -2, 0)),
+            "shaking" => return of(&SHAKING, word),
+            "transmission" => return self.transmitted(word),
+            _ => {}
         }
         match owner.split_once('.')? {
             ("joint", joint) => {
@@ -194,7 +112,31 @@ impl Catalogue {
                     (_, _) => None,
                 }
             }
+            ("force", load) => {
+                let load = self.loads.iter().find(|one| one.name == load)?;
+                (load.turns == (word == "torque")).then(|| of(&LOAD, word))?
+            }
+            ("transmission", joint) => {
+                self.joint(joint).filter(|_| self.transmission.is_some())?;
+                (word == "angle").then(|| Dimension::Angle.powers())
+            }
             (_, _) => None,
+        }
+    }
+
+    /// The dimension of ratio or advantage.
+    fn transmitted(&self, word: &str) -> Option<Powers> {
+        let [driver, output] = self.transmission?;
+        // metres per radian of the output for the driver
+        let lengths = match (driver, output) {
+            (Dimension::Angle, Dimension::Length) => 1,
+            (Dimension::Length, Dimension::Angle) => -1,
+            (_, _) => 0,
+        };
+        match word {
+            "ratio" => Some(powers(lengths, 0, 0, -lengths)),
+            "advantage" => Some(powers(-lengths, 0, 0, 0)),
+            _ => None,
         }
     }
 
@@ -259,6 +201,16 @@ impl Catalogue {
             names.extend(["value", "effort"].map(|word| format!("driver.{driver}.{word}")));
         }
         names.extend(ENERGY.map(|word| format!("energy.{word}")));
+        names.extend(SHAKING.map(|row| format!("shaking.{}", row.0)));
+        for Load { name, turns } in &self.loads {
+            let words: &[&str] = if *turns { &["torque"] } else { &["fx", "fy"] };
+            names.extend(words.iter().map(|word| format!("force.{name}.{word}")));
+        }
+        if self.transmission.is_some() {
+            names.extend(TRANSMISSION.map(|word| format!("transmission.{word}")));
+            let joints = self.joints.iter();
+            names.extend(joints.map(|joint| format!("transmission.{}.angle", joint.name)));
+        }
         names.extend(Item::OF_CONTACTS.map(|item| format!("contacts.{}", item.row().0)));
         names.extend(EVENTS.map(|kind| format!("events.{kind}")));
         names.extend(Fact::OF_RUNS.map(|fact| fact.name().to_owned()));

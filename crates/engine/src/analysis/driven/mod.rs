@@ -1,5 +1,6 @@
 //! Kinematics and inverse dynamics of a driven mechanism, ideal or with massless clearance links.
 
+mod between;
 mod bridge;
 mod outputs;
 mod passages;
@@ -14,6 +15,7 @@ use crate::element::Measure;
 use crate::mechanism::continuation::{HALF_TURN, Parameter, Path, follow};
 use crate::mechanism::driven::{Driven, Failure};
 use crate::system::{Inputs, JointData, System};
+pub(super) use between::Between;
 use linkdyn_model::error::Complaint;
 use linkdyn_output::{Report, Status, Stopwatch, Trajectory};
 use outputs::Outputs;
@@ -30,15 +32,15 @@ pub(super) struct Settings {
     pub reactions: bool,
 }
 
-/// Follows the drivers.
+/// Follows the drivers: the rows, how it went, and the motion where it can be asked for more rows.
 ///
 /// # Errors
 /// Faults of the input, and failures before the first output.
-pub(super) fn run(
-    system: &System,
+pub(super) fn run<'s>(
+    system: &'s System,
     settings: Settings,
     control: &Control,
-) -> Result<(Trajectory, Report), Stop> {
+) -> Result<(Trajectory, Report, Option<Between<'s>>), Stop> {
     let clock = Stopwatch::start();
     let Settings {
         instants,
@@ -88,7 +90,7 @@ pub(super) fn run(
     report.statistics.evaluations += done.evaluations;
     report.statistics.factorisations += done.factorisations;
     report.solve = clock.read();
-    Ok((trajectory, report))
+    Ok((trajectory, report, Between::new(driven, path, reactions)))
 }
 
 /// What a prescribed motion can't do.

@@ -50,8 +50,8 @@ impl<'s> Simulation<'s> {
             let message = describe(fault, 0.0, "", &flow.system().display);
             Stop::failed(Status::Singular, message)
         })?;
-        let extremes = (!ledger.is_empty()).then(|| {
-            let mut extremes = Box::new(Extremes::new(flow.system(), settings));
+        let extremes = settings.watched.as_ref().map(|watched| {
+            let mut extremes = Box::new(Extremes::new(flow.system(), settings, watched));
             extremes.begin_piece(&mut flow, &state, &ledger, 0.0);
             extremes
         });

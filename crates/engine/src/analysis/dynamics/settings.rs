@@ -29,6 +29,6 @@ pub struct Settings {
     pub events_are_outputs: bool,
     /// What is computed.
     pub contents: Contents,
-    /// Patterns of the columns that are wanted; none means all.
-    pub columns: Vec<String>,
+    /// Patterns of the columns whose extremes are looked for between the outputs; an empty list means all columns.
+    pub watched: Option<Vec<String>>,
 }

@@ -38,7 +38,7 @@ pub struct Simulation<'s> {
     pub(super) jams: Jams,
     /// How far the friction of ideal joints was from locking them.
     pub(super) margins: Margins,
-    /// The extremes of columns, in motions with contacts.
+    /// The extremes of columns, where they are looked for.
     pub(super) extremes: Option<Box<Extremes>>,
 }
 
@@ -90,15 +90,19 @@ impl<'s> Simulation<'s> {
         self.margins.note(&self.flow, self.steps.time());
         if !self.ledger.is_empty() {
             self.locate()?;
-            let piece = Piece {
-                from: self.steps.previous(),
-                until: self.reached(),
-                has_event: self.event.is_some(),
-            };
-            let (mut step, ledger, extremes) = self.last_step();
-            if let Some(extremes) = extremes {
-                extremes.note_step(&mut step, ledger, piece);
+        }
+        let piece = Piece {
+            from: self.steps.previous(),
+            until: self.reached(),
+            has_event: self.event.is_some(),
+        };
+        let is_smooth = self.ledger.is_empty();
+        let (mut step, ledger, extremes) = self.last_step();
+        if let Some(extremes) = extremes {
+            if is_smooth {
+                step.take_end();
             }
+            extremes.note_step(&mut step, ledger, piece);
         }
         Ok(())
     }

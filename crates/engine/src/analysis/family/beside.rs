@@ -18,6 +18,7 @@ use crate::analysis::responses::{Evaluation, Responses};
 use crate::analysis::sample::Sample;
 use crate::mechanism::driven::{Aside, Driven};
 use crate::system::{Inputs, System};
+use linkdyn_linear::hermite::{Node, quintic};
 use linkdyn_output::Report;
 
 /// Contraction of Newton that proves the branch.
@@ -30,6 +31,8 @@ pub struct Beside<'f> {
     track: &'f Track,
     responses: &'f Responses,
     evaluation: Evaluation<'f>,
+    /// Whether the motion between outputs matters.
+    looks_between: bool,
     solver: Option<Aside>,
     inputs: Inputs,
     sample: Sample,
@@ -39,6 +42,8 @@ pub struct Beside<'f> {
     /// δ, δ̇, δ̈ (n) at the station before and at this one.
     before: [Vec<f64>; 3],
     here: [Vec<f64>; 3],
+    /// The motion at all stations, where what lies between matters.
+    nodes: Vec<Node>,
     /// A position, and its correction (n); residuals (m).
     trial: Vec<f64>,
     step: Vec<f64>,
@@ -55,6 +60,8 @@ impl<'f> Beside<'f> {
             track,
             responses,
             evaluation: responses.begin(),
+            looks_between: responses.look_between(),
+            nodes: Vec::new(),
             solver: Some(track.solver.clone()),
             inputs: Inputs::still(system),
             sample: Sample::new(system),
@@ -152,6 +159,9 @@ impl<'f> Beside<'f> {
                 self.record(driven);
             }
             self.note(station);
+            if self.looks_between {
+                self.keep(index, time);
+            }
             if let Some(middle) = &station.middle
                 && (index == 1 || miss > SMOOTH)
                 && !self.is_smooth(driven, middle, h)
@@ -159,7 +169,66 @@ impl<'f> Beside<'f> {
                 return false;
             }
         }
+        self.ask(driven);
         true
+    }
+
+    /// Keeps the motion at a station.
+    fn keep(&mut self, index: usize, time: f64) {
+        let Sample { q, v, a, .. } = &self.sample;
+        if self.nodes.len() == index {
+            let zero = || vec![0.0; q.len()];
+            let (s, q, d, dd) = (time, zero(), zero(), zero());
+            self.nodes.push(Node { s, q, d, dd });
+        }
+        let node = &mut self.nodes[index];
+        node.s = time;
+        node.q.copy_from_slice(q);
+        node.d.copy_from_slice(v);
+        node.dd.copy_from_slice(a);
+    }
+
+    /// Looks for extremes and crossings between the outputs: the quintic between two stations is where Newton begins.
+    fn ask(&mut self, driven: &mut Driven) {
+        if !self.looks_between {
+            return;
+        }
+        let Beside {
+            evaluation,
+            nodes,
+            track,
+            sample,
+            inputs,
+            row,
+            report,
+            ..
+        } = self;
+        let system = driven.system;
+        evaluation.ask(report, &mut |time, wanted| {
+            let next = nodes
+                .partition_point(|node| node.s < time)
+                .clamp(1, nodes.len() - 1);
+            let (from, to) = (&nodes[next - 1], &nodes[next]);
+            quintic(from, to, time, &mut sample.q, None);
+            inputs.set_time(system, time);
+            if driven.correct(&mut sample.q, inputs).is_err() || driven.factor(inputs).is_err() {
+                return false;
+            }
+            driven.velocity(inputs, &mut sample.v);
+            driven.acceleration(inputs, &mut sample.a);
+            if track.reactions {
+                balance(system, &driven.evaluation, inputs, sample);
+                if carried(driven, inputs, sample).is_err() {
+                    return false;
+                }
+            }
+            row.clear();
+            track
+                .channels
+                .push_row(system, &driven.evaluation, inputs, sample, row);
+            wanted.extend(track.places.iter().map(|&place| row[place]));
+            true
+        });
     }
 
     /// Where the variant should be at a station.

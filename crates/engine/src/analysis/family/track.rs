@@ -91,7 +91,7 @@ impl Track {
         let instants = settings.instants.list(system).ok()?;
         let mut follower = Follower::new(system, &instants)?;
         let stations = follower.stations(&instants)?;
-        let (channels, places) = needed(system, prepared);
+        let (channels, places) = needed(system, prepared)?;
         Some(Track {
             stations,
             solver: follower.driven.set_aside(),
@@ -102,18 +102,25 @@ impl Track {
     }
 }
 
-/// The channels that responses need, and the place of each need in their row.
-fn needed(system: &System, prepared: &Prepared) -> (Channels, Vec<usize>) {
+/// The channels that responses need, and the place of each need in their row; none where they need more than channels.
+fn needed(system: &System, prepared: &Prepared) -> Option<(Channels, Vec<usize>)> {
     let (_, question) = prepared.parts();
     let all = Channels::new(system, question.contents);
     let needed = prepared.responses().needed();
+    // What follows from whole rows is not worked out beside the nominal mechanism.
+    if needed
+        .iter()
+        .any(|column| column.index() >= all.columns().len())
+    {
+        return None;
+    }
     let mut sorted: Vec<usize> = needed.iter().map(|column| column.index()).collect();
     sorted.sort_unstable();
     let columns: Vec<Column> = sorted.iter().map(|&at| all.columns()[at].clone()).collect();
     let places = needed
         .iter()
         .map(|column| sorted.partition_point(|&at| at < column.index()));
-    (Channels::of(columns), places.collect())
+    Some((Channels::of(columns), places.collect()))
 }
 
 impl<'s> Follower<'s> {

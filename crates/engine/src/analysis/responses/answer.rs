@@ -47,6 +47,8 @@ pub enum Reason {
     Early(Status),
     /// A needed column, by its place among them, has no value at this time.
     Gap(f64, usize),
+    /// A needed column, by its place among them, may be empty at single instants, and is where it counts.
+    Empty(usize),
     /// The arithmetic has no finite result, at this time or at the end.
     NotFinite(Option<f64>),
     /// The equation of this reducer never holds.
@@ -67,6 +69,7 @@ impl Reason {
             Reason::Nothing(_) => Reason::Nothing(index),
             Reason::Early(_)
             | Reason::Gap(..)
+            | Reason::Empty(_)
             | Reason::NotFinite(_)
             | Reason::NoItem(_)
             | Reason::NoFact(_) => self,
@@ -83,6 +86,10 @@ impl Responses {
             Reason::Gap(time, input) => {
                 let column = self.columns.get(input).map_or("a column", String::as_str);
                 format!("{column} has no value at {time} s")
+            }
+            Reason::Empty(input) => {
+                let column = self.columns.get(input).map_or("a column", String::as_str);
+                format!("{column} is empty where its value counts")
             }
             Reason::NotFinite(Some(time)) => format!("it has no finite value at {time} s"),
             Reason::NotFinite(None) => "its value is not finite".to_owned(),

@@ -8,10 +8,16 @@
 //! integral  Σ (t₂ − t₁)(x₁ + x₂)/2 over the rows      mean  integral/(t_end − t_start)      rms  √ of the mean of x²
 //! at        linear between the two rows where the two sides of the equation change order
 //! ```
+//!
+//! Where the motion can be asked for rows between ([`Evaluation::ask`]), extremes and `at` are those of the motion: the
+//! highest row is where the search for the top begins ([`top`]), the rows around a crossing where that for the crossing does
+//! ([`crossing`]).
 
 mod answer;
+mod crossing;
 mod items;
 mod running;
+mod top;
 mod words;
 
 pub use answer::{Answer, Reason, to_json};
@@ -19,7 +25,7 @@ pub use words::Response;
 
 use items::{Listed, fact};
 use linkdyn_model::response::{Fact, Program, Reduction};
-use linkdyn_output::{ColumnId, Report, Status, Trajectory};
+use linkdyn_output::{ColumnId, Report, Status};
 use running::{Row, Running};
 
 /// Named numbers of runs with certain columns.
@@ -30,6 +36,8 @@ pub struct Responses {
     needed: Vec<ColumnId>,
     /// Their names.
     columns: Vec<String>,
+    /// Of which there is nothing at single instants, without anything being wrong.
+    may_be_empty: Vec<bool>,
     /// Place of the time among them.
     time: Option<usize>,
     reducers: Vec<Reducer>,
@@ -79,9 +87,46 @@ pub struct Evaluation<'r> {
     reasons: Vec<Option<Reason>>,
     stack: Vec<f64>,
     inputs: Vec<f64>,
+    /// A row between others.
+    values: Vec<f64>,
 }
 
 impl Responses {
+    /// What a row gives a reduction; none for one that is not of rows.
+    fn reduced(
+        &self,
+        reducer: &Reducer,
+        values: &[f64],
+        parameters: &[f64],
+        stack: &mut Vec<f64>,
+    ) -> Option<Row> {
+        let Over::Rows { value, equation } = &reducer.over else {
+            return None;
+        };
+        let time = self.time.map_or(0.0, |time| values[time]);
+        let [from, to] = reducer.parameters;
+        let mut of = |program: &Program| {
+            let found = program.value(values, &parameters[from..to], stack);
+            if found.is_finite() {
+                return Ok(found);
+            }
+            let mut inputs = program.inputs();
+            Err(match inputs.find(|input| !values[*input].is_finite()) {
+                Some(input) if self.may_be_empty[input] => Reason::Empty(input),
+                Some(input) => Reason::Gap(time, input),
+                None => Reason::NotFinite(Some(time)),
+            })
+        };
+        Some(Row {
+            time,
+            value: of(value),
+            sides: equation.as_ref().map(|[left, right]| {
+                let (left, right) = (of(left), of(right));
+                left.and_then(|left| right.map(|right| [left, right]))
+            }),
+        })
+    }
+
     /// The responses, in the order of the model.
     pub fn list(&self) -> &[Response] {
         &self.list
@@ -102,6 +147,11 @@ impl Responses {
         &self.needed
     }
 
+    /// The names of these columns.
+    pub fn columns(&self) -> impl Iterator<Item = &str> {
+        self.columns.iter().map(String::as_str)
+    }
+
     /// Begins with the parameters of the model.
     pub fn begin(&self) -> Evaluation<'_> {
         let most = self.list.iter().map(|one| one.sources.len()).max();
@@ -112,44 +162,34 @@ impl Responses {
             reasons: vec![None; self.list.len()],
             stack: Vec::with_capacity(self.depth),
             inputs: Vec::with_capacity(most.unwrap_or(0)),
+            values: Vec::with_capacity(self.needed.len()),
         }
     }
 
-    /// The responses of a finished run: its rows, rows of peaks between them with the same columns, and how it went.
-    pub fn answers(&self, rows: &Trajectory, peaks: &Trajectory, report: &Report) -> Vec<Answer> {
-        let mut evaluation = self.begin();
-        let mut wanted = vec![0.0; self.needed.len()];
-        let gather = |row: &[f64], wanted: &mut Vec<f64>| {
-            wanted.clear();
-            wanted.extend(self.needed.iter().map(|column| row[column.index()]));
-        };
-        for row in rows.rows() {
-            gather(row, &mut wanted);
-            evaluation.row(&wanted);
-        }
-        for row in peaks.rows() {
-            gather(row, &mut wanted);
-            evaluation.between(&wanted);
-        }
-        let mut values = vec![f64::NAN; self.len()];
-        evaluation.finish(report, &mut values);
-        let answers = self.list.iter().zip(values).enumerate();
-        let answers = answers.map(|(index, (response, value))| Answer {
-            name: response.name.clone(),
-            value: (!value.is_nan()).then_some(value),
-            unit: response.unit.clone(),
-            shown: response.shown.clone(),
-            limits: response.limits,
-            reason: evaluation.reason(index),
-        });
-        answers.collect()
+    /// Whether the motion between rows matters for any of them.
+    pub fn look_between(&self) -> bool {
+        self.reducers.iter().any(|reducer| match reducer.reduction {
+            Reduction::Max
+            | Reduction::Min
+            | Reduction::Range
+            | Reduction::ArgMax
+            | Reduction::ArgMin
+            | Reduction::At => matches!(reducer.over, Over::Rows { .. }),
+            Reduction::First
+            | Reduction::Last
+            | Reduction::Mean
+            | Reduction::Rms
+            | Reduction::Integral
+            | Reduction::Sum
+            | Reduction::Count => false,
+        })
     }
 }
 
 impl Evaluation<'_> {
     /// Forgets the rows, for another run with the same columns.
     pub fn restart(&mut self) {
-        self.running.fill(Running::default());
+        self.running.iter_mut().for_each(Running::restart);
     }
 
     /// Sets a parameter that responses name, in SI; of no account where none does.
@@ -164,43 +204,39 @@ impl Evaluation<'_> {
 
     /// Takes the next row: a value for each of the columns that are needed, in their order.
     pub fn row(&mut self, row: &[f64]) {
-        self.take(row, Running::row);
+        self.take(row, |running, reduction, row| running.row(reduction, row));
     }
 
     /// Takes a row between others, where columns have their extremes: it counts for the greatest and the smallest only.
     pub fn between(&mut self, row: &[f64]) {
-        self.take(row, Running::between);
+        self.take(row, |running, _, row| running.between(row));
     }
 
-    fn take(&mut self, values: &[f64], then: fn(&mut Running, Reduction, &Row)) {
-        let time = self.of.time.map_or(0.0, |time| values[time]);
-        for (reducer, running) in self.of.reducers.iter().zip(&mut self.running) {
-            let Over::Rows { value, equation } = &reducer.over else {
-                continue;
-            };
-            let [from, to] = reducer.parameters;
-            let parameters = &self.parameters[from..to];
-            let mut of = |program: &Program| {
-                let found = program.value(values, parameters, &mut self.stack);
-                if found.is_finite() {
-                    return Ok(found);
-                }
-                let mut inputs = program.inputs();
-                Err(match inputs.find(|input| !values[*input].is_finite()) {
-                    Some(input) => Reason::Gap(time, input),
-                    None => Reason::NotFinite(Some(time)),
-                })
-            };
-            let row = Row {
-                time,
-                value: of(value),
-                sides: equation.as_ref().map(|[left, right]| {
-                    let (left, right) = (of(left), of(right));
-                    left.and_then(|left| right.map(|right| [left, right]))
-                }),
-            };
-            then(running, reducer.reduction, &row);
+    fn take(&mut self, values: &[f64], then: impl Fn(&mut Running, Reduction, &Row)) {
+        let (of, parameters) = (self.of, &self.parameters);
+        for (reducer, running) in of.reducers.iter().zip(&mut self.running) {
+            if let Some(row) = of.reduced(reducer, values, parameters, &mut self.stack) {
+                then(running, reducer.reduction, &row);
+            }
         }
+    }
+
+    /// Looks for extremes and crossings between the rows, which have all come, of a run that came to its end. `between` gives
+    /// the needed columns at a time, and says whether they are known there; where they are not, what the rows say remains.
+    pub fn ask(&mut self, report: &Report, between: &mut dyn FnMut(f64, &mut Vec<f64>) -> bool) {
+        if !is_whole(report.status) {
+            return;
+        }
+        let (of, parameters, stack) = (self.of, &self.parameters, &mut self.stack);
+        let mut values = std::mem::take(&mut self.values);
+        for (reducer, running) in of.reducers.iter().zip(&mut self.running) {
+            running.ask(reducer.reduction, |time| {
+                values.clear();
+                let is_known = between(time, &mut values);
+                is_known.then(|| of.reduced(reducer, &values, parameters, stack))?
+            });
+        }
+        self.values = values;
     }
 
     /// Works out all responses, in SI; NaN where one has no value.
@@ -256,6 +292,22 @@ impl Evaluation<'_> {
             *value = found.unwrap_or(f64::NAN);
             *reason = found.err();
         }
+    }
+
+    /// The responses, worked out.
+    pub fn answers(&mut self, report: &Report) -> Vec<Answer> {
+        let mut values = vec![f64::NAN; self.of.len()];
+        self.finish(report, &mut values);
+        let answers = self.of.list.iter().zip(values).enumerate();
+        let answers = answers.map(|(index, (response, value))| Answer {
+            name: response.name.clone(),
+            value: (!value.is_nan()).then_some(value),
+            unit: response.unit.clone(),
+            shown: response.shown.clone(),
+            limits: response.limits,
+            reason: self.reason(index),
+        });
+        answers.collect()
     }
 
     /// Why a response has no value, after [`Evaluation::finish`]; none where it has one.

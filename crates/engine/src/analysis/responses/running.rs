@@ -1,11 +1,15 @@
 //! A reduction over rows, as far as they came.
 
 use super::answer::Reason;
+use super::crossing::{self, Known};
+use super::top::{self, Point};
 use linkdyn_model::response::Reduction;
 
 /// Both sides of an equation are the same where they differ by less, relative to the larger: a driver's value and the one
 /// written are rounded a few times each.
 const SAME: f64 = 4.0 * f64::EPSILON;
+/// Extremes that differ by less, relative to their value, are found at the first of them.
+const EQUAL: f64 = 1e-12;
 
 /// What a row gives.
 #[derive(Debug, Clone, Copy)]
@@ -17,7 +21,7 @@ pub struct Row {
 }
 
 /// A reduction that is under way.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Running {
     /// How many rows came.
     rows: usize,
@@ -34,10 +38,26 @@ pub struct Running {
     side: f64,
     /// What was found, of `first`, `last` and `at`.
     found: Option<f64>,
+    /// The two rows between which it was found, of `at`.
+    around: Option<[Known; 2]>,
     fault: Option<Reason>,
+    /// What was empty last, of extremes.
+    empty: Option<Reason>,
+    /// Times and values of all rows, of extremes.
+    points: Vec<Point>,
 }
 
 impl Running {
+    /// Forgets the rows.
+    pub fn restart(&mut self) {
+        let mut points = std::mem::take(&mut self.points);
+        points.clear();
+        *self = Running {
+            points,
+            ..Running::default()
+        };
+    }
+
     /// Takes the next row.
     pub fn row(&mut self, reduction: Reduction, row: &Row) {
         match reduction {
@@ -54,8 +74,15 @@ impl Running {
             | Reduction::Range
             | Reduction::ArgMax
             | Reduction::ArgMin => {
-                self.between(reduction, row);
-                self.fault = self.fault.or(row.value.err());
+                self.between(row);
+                self.points
+                    .extend(row.value.ok().map(|value| [row.time, value]));
+                match row.value {
+                    // extremes are those of the other instants
+                    Err(reason @ Reason::Empty(_)) => self.empty = Some(reason),
+                    Err(reason) => self.fault = self.fault.or(Some(reason)),
+                    Ok(_) => {}
+                }
             }
             Reduction::Mean | Reduction::Rms | Reduction::Integral | Reduction::Sum => {
                 match row.value {
@@ -68,18 +95,79 @@ impl Running {
     }
 
     /// Takes a row between others.
-    pub fn between(&mut self, _: Reduction, row: &Row) {
+    pub fn between(&mut self, row: &Row) {
         let Ok(value) = row.value else { return };
         let time = row.time;
-        let is_new = |known: Option<[f64; 2]>, sign: f64| {
-            known
-                .is_none_or(|[best, at]| sign * value > sign * best || (value == best && time < at))
+        let take = |known: Option<[f64; 2]>, sign: f64| match known {
+            // of equal extremes the first
+            Some([best, at]) if (value - best).abs() <= EQUAL * best.abs() => {
+                let farther = if sign * value > sign * best {
+                    value
+                } else {
+                    best
+                };
+                [farther, f64::min(time, at)]
+            }
+            Some([best, at]) if sign * value <= sign * best => [best, at],
+            Some(_) | None => [value, time],
         };
-        if is_new(self.most, 1.0) {
-            self.most = Some([value, time]);
+        self.most = Some(take(self.most, 1.0));
+        self.least = Some(take(self.least, -1.0));
+    }
+
+    /// Looks for what lies between the rows, by asking for rows there.
+    pub fn ask(&mut self, reduction: Reduction, mut row: impl FnMut(f64) -> Option<Row>) {
+        if self.fault.is_some() {
+            return;
         }
-        if is_new(self.least, -1.0) {
-            self.least = Some([value, time]);
+        let sides: &[f64] = match reduction {
+            Reduction::Max | Reduction::ArgMax => &[1.0],
+            Reduction::Min | Reduction::ArgMin => &[-1.0],
+            Reduction::Range => &[1.0, -1.0],
+            Reduction::At => {
+                let found = self
+                    .around
+                    .and_then(|around| crossing::value(around, |time| known(&row(time)?)));
+                self.found = found.or(self.found);
+                return;
+            }
+            Reduction::First
+            | Reduction::Last
+            | Reduction::Mean
+            | Reduction::Rms
+            | Reduction::Integral
+            | Reduction::Sum
+            | Reduction::Count => return,
+        };
+        let mut points = std::mem::take(&mut self.points);
+        for side in sides {
+            points.iter_mut().for_each(|point| point[1] *= side);
+            self.climb(&points, *side, &mut row);
+            points.iter_mut().for_each(|point| point[1] *= side);
+        }
+        self.points = points;
+    }
+
+    /// Looks for the highest top of rows whose values have been multiplied by `side`.
+    fn climb(&mut self, points: &[Point], side: f64, row: &mut impl FnMut(f64) -> Option<Row>) {
+        let most = |running: &Running| {
+            let known = if side > 0.0 {
+                running.most
+            } else {
+                running.least
+            };
+            known.map_or(f64::NEG_INFINITY, |[value, _]| side * value)
+        };
+        for index in 0..points.len() {
+            let promise = top::promise(points, index);
+            if promise.is_none_or(|promise| points[index][1] + promise <= most(self)) {
+                continue;
+            }
+            top::find(points, index, |time| {
+                let row = row(time)?;
+                self.between(&row);
+                row.value.ok().map(|value| side * value)
+            });
         }
     }
 
@@ -110,7 +198,9 @@ impl Running {
         let is_here = above.abs() <= SAME * left.abs().max(right.abs());
         let found = match before {
             _ if is_here => value,
-            Some((_, other, before)) if (before < 0.0) != (above < 0.0) => {
+            Some((at, other, before)) if (before < 0.0) != (above < 0.0) => {
+                let known = |at, above, value| Known { at, above, value };
+                self.around = Some([known(at, before, other), known(row.time, above, value)]);
                 other + (value - other) * (before / (before - above))
             }
             Some(_) | None => return,
@@ -147,7 +237,7 @@ impl Running {
         if let Some(reason) = self.fault {
             return Err(reason);
         }
-        let nothing = Reason::Nothing(0);
+        let nothing = self.empty.unwrap_or(Reason::Nothing(0));
         let (most, least) = (self.most.ok_or(nothing), self.least.ok_or(nothing));
         let (end, alone) = match self.last {
             Some((time, value, _)) => (time, Ok(value)),
@@ -172,4 +262,16 @@ impl Running {
             Reduction::Count => Ok(f64::from(self.count)),
         }
     }
+}
+
+/// What an equation's row says of it.
+fn known(row: &Row) -> Option<Known> {
+    let [left, right] = row.sides?.ok()?;
+    let above = left - right;
+    let is_here = above.abs() <= SAME * left.abs().max(right.abs());
+    Some(Known {
+        at: row.time,
+        above: if is_here { 0.0 } else { above },
+        value: row.value.ok()?,
+    })
 }

@@ -6,8 +6,8 @@ use linkdyn_model::error::{Complaint, Complaints};
 use linkdyn_model::response::{
     Catalogue, Compiled, Input, Item, Known, Place, Program, Reduce, Results, Values,
 };
-use linkdyn_model::{Checked, Powers, Unit};
-use linkdyn_output::{Column, ColumnId, TIME};
+use linkdyn_model::{Checked, Unit};
+use linkdyn_output::{Channel, Column, ColumnId, TIME};
 
 /// A response, ready to be evaluated.
 #[derive(Debug, Clone)]
@@ -41,8 +41,12 @@ impl Results for Table<'_> {
     fn find(&self, name: &str) -> Option<Known> {
         let column = self.catalogue.column_name(name);
         if let Some(index) = self.columns.iter().position(|one| one.name == column) {
-            let unit = Unit::parse(self.columns[index].unit);
-            let powers = unit.map_or_else(|_| Powers::default(), |unit| unit.powers);
+            let known = self.catalogue.find(name);
+            let of_unit = || Unit::parse(self.columns[index].unit).map(|unit| unit.powers);
+            let powers = match known.filter(|known| matches!(known.place, Place::Row(_))) {
+                Some(known) => known.powers,
+                None => of_unit().unwrap_or_default(),
+            };
             return Some(Known {
                 place: Place::Row(index),
                 powers,
@@ -58,8 +62,11 @@ impl Results for Table<'_> {
             return self.catalogue.missing(name, parameters);
         }
         let said = Complaint::new("", format!("this analysis has no column {name:?}"));
-        let words = ["joint.", "driver.", "energy."];
+        let words = ["joint.", "driver.", "energy.", "shaking."];
         match words.iter().any(|word| name.starts_with(word)) {
+            _ if name.starts_with("transmission.") => said.hint(
+                "it needs \"transmission\" in the analysis, drivers that determine the motion, and a joint of the output body that is not on ground",
+            ),
             true => said.hint(
                 "kinematics has no forces, statics no velocities, and energy needs masses: see \"type\" of the analysis",
             ),
@@ -196,6 +203,8 @@ impl Responses {
         }
         self.needed.push(id);
         self.columns.push(columns[column].name.clone());
+        let is_transmission = matches!(columns[column].channel, Some(Channel::Transmission(_)));
+        self.may_be_empty.push(is_transmission);
         self.needed.len() - 1
     }
 }

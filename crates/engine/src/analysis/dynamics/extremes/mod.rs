@@ -71,12 +71,12 @@ impl Piece {
 }
 
 impl Extremes {
-    /// For what is wanted of a motion.
-    pub fn new(system: &System, settings: &Settings) -> Self {
+    /// For what is wanted of a motion, of the columns that these patterns keep.
+    pub fn new(system: &System, settings: &Settings, watched: &[String]) -> Self {
         let sampling = Sampling::new(system, settings.contents, 1);
         let columns = &sampling.recorder.trajectory.columns;
         Extremes {
-            watch: Watch::new(columns, &settings.columns),
+            watch: Watch::new(columns, watched),
             sampling,
             episodes: Episodes::new(system.contacts.len(), settings.events_are_outputs),
             inner: Default::default(),

@@ -1,0 +1,178 @@
+//! What a model consists of, as far as results are named after it.
+
+use crate::dimension::Dimension;
+use crate::node::{Kind, Node};
+use crate::{DriverKind, ForceKind, GROUND, JointKind, Model};
+
+/// What a model consists of, as far as results are named after it.
+#[derive(Debug, Clone, Default)]
+pub struct Catalogue {
+    pub(super) bodies: Vec<String>,
+    /// Points whose motion is wanted, `body.point`.
+    pub(super) points: Vec<String>,
+    /// All other points.
+    pub(super) unwanted: Vec<String>,
+    pub(super) joints: Vec<Joint>,
+    /// With what each drives.
+    pub(super) drivers: Vec<(String, Option<Dimension>)>,
+    pub(super) loads: Vec<Load>,
+    /// What drives and what is driven, where the analysis wants a transmission.
+    pub(super) transmission: Option<[Dimension; 2]>,
+}
+
+#[derive(Debug, Clone)]
+pub(super) struct Load {
+    pub(super) name: String,
+    /// A torque, not a force.
+    pub(super) turns: bool,
+}
+
+#[derive(Debug, Clone)]
+pub(super) struct Joint {
+    pub(super) name: String,
+    /// Whether it slides.
+    pub(super) slides: bool,
+}
+
+impl Catalogue {
+    /// Of a typed model.
+    pub fn of(model: &Model) -> Self {
+        let wanted: Vec<String> = model.points.iter().map(ToString::to_string).collect();
+        let bodies = model.bodies.iter().filter(|(name, _)| *name != GROUND);
+        let mut catalogue = Catalogue::default();
+        for (name, body) in bodies {
+            catalogue.body(name, body.points.keys().map(String::as_str), &wanted);
+        }
+        for (name, joint) in &model.joints {
+            let slides = matches!(
+                joint.kind,
+                JointKind::Prismatic { .. } | JointKind::Slot { .. }
+            );
+            let name = name.clone();
+            catalogue.joints.push(Joint { name, slides });
+        }
+        for (name, driver) in &model.drivers {
+            let dimension = match driver.kind {
+                DriverKind::Rotation { .. } => Dimension::Angle,
+                DriverKind::Translation { .. } => Dimension::Length,
+            };
+            catalogue.drivers.push((name.clone(), Some(dimension)));
+        }
+        for (name, force) in &model.forces {
+            let turns = match force.kind {
+                ForceKind::Load { .. } => false,
+                ForceKind::Torque { .. } => true,
+                ForceKind::Spring { .. } | ForceKind::TorsionSpring { .. } => continue,
+            };
+            let name = name.clone();
+            catalogue.loads.push(Load { name, turns });
+        }
+        let analysis = model.analysis.as_ref();
+        if let Some(wanted) = analysis.and_then(|analysis| analysis.transmission.as_ref()) {
+            let slides = model.joints.values().any(|joint| {
+                let bodies = [&joint.between[0].body, &joint.between[1].body];
+                matches!(joint.kind, JointKind::Prismatic { .. })
+                    && is_guide(bodies.map(String::as_str), &wanted.output)
+            });
+            catalogue.transmit(wanted.driver.as_deref(), slides);
+        }
+        catalogue
+    }
+
+    /// Of a file, before it is a model.
+    pub(crate) fn of_file(root: &Node) -> Self {
+        let mut catalogue = Catalogue::default();
+        let members = |key: &str| match root.get(key).map(|node| &node.kind) {
+            Some(Kind::Object(members)) => members.iter().collect(),
+            _ => Vec::new(),
+        };
+        let kind = |node: &Node| node.get("type").and_then(Node::as_str).map(str::to_owned);
+        let wanted: Vec<String> = match root.get("points").map(|node| &node.kind) {
+            Some(Kind::Array(items)) => items
+                .iter()
+                .filter_map(Node::as_str)
+                .map(str::to_owned)
+                .collect(),
+            _ => Vec::new(),
+        };
+        for (name, member) in members("bodies") {
+            if name == GROUND {
+                continue;
+            }
+            let points = match member.node.get("points").map(|node| &node.kind) {
+                Some(Kind::Object(points)) => points.keys().map(String::as_str).collect(),
+                _ => Vec::new(),
+            };
+            catalogue.body(name, points.into_iter(), &wanted);
+        }
+        for (name, member) in members("joints") {
+            let slides = matches!(kind(&member.node).as_deref(), Some("prismatic" | "slot"));
+            let name = name.clone();
+            catalogue.joints.push(Joint { name, slides });
+        }
+        for (name, member) in members("drivers") {
+            let dimension = match kind(&member.node).as_deref() {
+                Some("rotation") => Some(Dimension::Angle),
+                Some("translation") => Some(Dimension::Length),
+                _ => None,
+            };
+            catalogue.drivers.push((name.clone(), dimension));
+        }
+        for (name, member) in members("forces") {
+            let turns = match kind(&member.node).as_deref() {
+                Some("force") => false,
+                Some("torque") => true,
+                _ => continue,
+            };
+            let name = name.clone();
+            catalogue.loads.push(Load { name, turns });
+        }
+        let wanted = root
+            .get("analysis")
+            .and_then(|analysis| analysis.get("transmission"));
+        if let Some(wanted) = wanted {
+            let word = |key: &str| wanted.get(key).and_then(Node::as_str);
+            let output = word("output").unwrap_or_default();
+            let slides = members("joints").iter().any(|(_, member)| {
+                let between = match member.node.get("between").map(|node| &node.kind) {
+                    Some(Kind::Array(ends)) => ends.as_slice(),
+                    _ => &[],
+                };
+                let mut bodies = between.iter().filter_map(Node::as_str);
+                let mut body = || bodies.next().and_then(|end| Some(end.split_once('.')?.0));
+                let bodies = [body().unwrap_or_default(), body().unwrap_or_default()];
+                kind(&member.node).as_deref() == Some("prismatic") && is_guide(bodies, output)
+            });
+            catalogue.transmit(word("driver"), slides);
+        }
+        catalogue
+    }
+
+    /// A transmission from a driver, or the only one there is, to a body that slides or turns.
+    fn transmit(&mut self, driver: Option<&str>, slides: bool) {
+        let mut drivers = self.drivers.iter();
+        let known = drivers.find(|one| driver.is_none_or(|driver| one.0 == driver));
+        let output = if slides {
+            Dimension::Length
+        } else {
+            Dimension::Angle
+        };
+        self.transmission = known.and_then(|one| Some([one.1?, output]));
+    }
+
+    fn body<'a>(&mut self, name: &str, points: impl Iterator<Item = &'a str>, wanted: &[String]) {
+        self.bodies.push(name.to_owned());
+        for point in points {
+            let point = format!("{name}.{point}");
+            match wanted.contains(&point) {
+                true => self.points.push(point),
+                false => self.unwanted.push(point),
+            }
+        }
+    }
+}
+
+/// Whether a guide between two bodies lets this one slide on ground.
+fn is_guide(bodies: [&str; 2], output: &str) -> bool {
+    bodies == [GROUND, output] || bodies == [output, GROUND]
+}
