@@ -153,3 +153,27 @@ fn on_the_other_branch_the_cognate_is_found() {
         ],
     );
 }
+
+/// The published design of `validation/path-synthesis`, seen from the coupler point, as printed, and its last digit [m].
+const PRINTED: [(&str, f64, f64); 4] = [
+    ("x1", -0.0877960434509, 1e-13),
+    ("x2", -0.851386907516, 1e-12),
+    ("y1", 0.235837391307, 1e-12),
+    ("y2", -1.41899202704, 1e-11),
+];
+
+#[test]
+fn a_published_problem_of_synthesis_has_its_published_design() {
+    let text = include_str!("../../validation/path-synthesis/model.json");
+    let found = optimise("line", &serde_json::from_str(text).expect("JSON"));
+    assert_eq!(found["status"], "found");
+    for (name, printed, digit) in PRINTED {
+        let value = found["design"][name]["value"].as_f64().expect("a value");
+        assert!(
+            (value - printed).abs() < digit,
+            "{name} = {value}, not {printed}"
+        );
+    }
+    let distance = found["curve"]["largest_distance"].as_f64();
+    assert!(distance < Some(1e-12), "{distance:?}");
+}

@@ -2,8 +2,8 @@
 
 use super::reference::ReferenceCase;
 use super::{
-    Case, CaseKind, flores_slider_crank, four_bar_spring, journal_billiard, lock, restitution,
-    slider_crank_clearance, tolerance_ladder,
+    Case, CaseKind, flores_slider_crank, four_bar_spring, journal_billiard, lock, path_synthesis,
+    restitution, slider_crank_clearance, tolerance_ladder,
 };
 
 /// All bundled cases, in the order in which they are run; a test holds this against the folder `validation/`.
@@ -27,6 +27,13 @@ pub const CASES: &[Case] = &[
         kind: CaseKind::Coded {
             about: four_bar_spring::ABOUT,
             run: four_bar_spring::run,
+        },
+    },
+    Case {
+        name: "path-synthesis",
+        kind: CaseKind::Coded {
+            about: path_synthesis::ABOUT,
+            run: path_synthesis::run,
         },
     },
     Case {

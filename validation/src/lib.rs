@@ -10,6 +10,7 @@ mod four_bar_spring;
 mod journal_billiard;
 mod lock;
 mod page;
+mod path_synthesis;
 pub mod reference;
 mod restitution;
 mod slider_crank_clearance;
