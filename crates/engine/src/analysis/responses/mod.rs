@@ -10,8 +10,8 @@
 //! ```
 //!
 //! Where the motion can be asked for rows between ([`Evaluation::ask`]), extremes and `at` are those of the motion: the
-//! highest row is where the search for the top begins ([`top`]), the rows around a crossing where that for the crossing does
-//! ([`crossing`]).
+//! highest row is where the search for the top begins (`top`), the rows around a crossing where that for the crossing does
+//! (`crossing`).
 
 mod answer;
 mod crossing;

@@ -60,8 +60,8 @@ impl Known {
     /// Newton's form: the divided differences.
     fn differences(&self) -> [f64; NEAREST] {
         let mut table = [0.0; NEAREST];
-        for k in 0..self.count {
-            table[k] = self.points[k][1];
+        for (entry, point) in table.iter_mut().zip(&self.points[..self.count]) {
+            *entry = point[1];
         }
         for order in 1..self.count {
             for k in (order..self.count).rev() {
