@@ -8,6 +8,7 @@ use crate::mechanism::Mechanism;
 use crate::run::Run;
 
 pub use linkdyn_engine::analysis::Progress;
+pub use linkdyn_engine::system::{System, Terms};
 
 /// Reads a model file that has this name.
 ///
@@ -39,4 +40,12 @@ pub fn wanted(run: &Run) -> &[Column] {
 pub fn responses(family: &Family) -> Vec<(String, String)> {
     let owned = |(name, unit): (&str, &str)| (name.to_owned(), unit.to_owned());
     family.responses().map(owned).collect()
+}
+
+/// The equations that a mechanism was compiled to.
+///
+/// # Errors
+/// [`Error::Model`] where the model has no analysis, or lacks what it needs.
+pub fn system(mechanism: &Mechanism) -> Result<&System, Error> {
+    Ok(mechanism.prepared()?.system())
 }

@@ -10,7 +10,9 @@ All numbers are in SI units; ``r.units`` names them.
 """
 
 from ._linkdyn import __version__
+from .builder import Mechanism
 from .command import Answer
+from .equations import Equations
 from .errors import (
     Complaint,
     InternalError,
@@ -30,10 +32,12 @@ from .study import Study, Table
 __all__ = [
     "Answer",
     "Complaint",
+    "Equations",
     "Family",
     "InternalError",
     "Interrupted",
     "LinkdynError",
+    "Mechanism",
     "Model",
     "ModelError",
     "Run",

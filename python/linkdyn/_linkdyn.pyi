@@ -5,8 +5,10 @@ from typing import Any, Final, final
 __all__ = [
     "Answers",
     "Column",
+    "Equations",
     "Family",
     "Mechanism",
+    "Numbers",
     "Run",
     "Said",
     "Statuses",
@@ -35,6 +37,7 @@ class Mechanism:
     def run(
         self, timeout: float | None = None, told: Callable[[float], object] | None = None
     ) -> tuple[Run, BaseException | None]: ...
+    def equations(self) -> Equations: ...
     def family(self, parameters: list[str]) -> Family: ...
 
 @final
@@ -60,6 +63,21 @@ class Column:
     def __array_interface__(self) -> dict[str, Any]: ...
     def min(self) -> float: ...
     def max(self) -> float: ...
+
+@final
+class Equations:
+    @property
+    def coordinates(self) -> list[str]: ...
+    @property
+    def guess(self) -> list[float]: ...
+    @property
+    def rows(self) -> tuple[int, int]: ...
+    def terms(self, q: object, v: object, time: float) -> tuple[list[int], list[int], list[Numbers]]: ...
+
+@final
+class Numbers:
+    @property
+    def __array_interface__(self) -> dict[str, Any]: ...
 
 @final
 class Answers:

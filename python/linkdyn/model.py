@@ -12,6 +12,7 @@ from typing import Any, TypeAlias
 
 from . import _linkdyn
 from .command import Answer, execute, read
+from .equations import Equations
 from .errors import Interrupted, SolveError
 from .family import Family
 from .progress import Progress, told
@@ -170,6 +171,10 @@ class Model:
         model = self.set({f"responses.{name}": text for name, text in responses.items()}) if responses else self
         names = [name.removeprefix("parameters.") for name in parameters]
         return Family(model._core.family(names))
+
+    def compile(self) -> Equations:
+        """The equations of the model, for solvers and controllers of one's own."""
+        return Equations(self._core.equations())
 
     def check(self) -> Answer:
         """Assembles and diagnoses the model without running it: mobility, loops, what is missing for which analysis.

@@ -13,6 +13,7 @@ use pyo3::prelude::*;
 
 mod answers;
 mod command;
+mod equations;
 mod errors;
 mod family;
 mod mechanism;
@@ -26,6 +27,8 @@ mod _linkdyn {
     use super::answers::{Answers, Statuses};
     #[pymodule_export]
     use super::command::{Said, command};
+    #[pymodule_export]
+    use super::equations::{Equations, Numbers};
     #[pymodule_export]
     use super::family::Family;
     #[pymodule_export]

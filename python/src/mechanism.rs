@@ -7,6 +7,7 @@ use linkdyn::{Control, bridge};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
+use crate::equations::Equations;
 use crate::errors::exception;
 use crate::family::Family;
 use crate::run::Run;
@@ -89,6 +90,11 @@ impl Mechanism {
         })?;
         let run = done.value.map_err(|error| exception(py, &error))?;
         Ok((Run::new(run), done.stopped))
+    }
+
+    /// The equations that the model is compiled to.
+    fn equations(&self, py: Python<'_>) -> PyResult<Equations> {
+        Equations::new(py, &self.0)
     }
 
     /// The family of mechanisms in which these parameters take other values.

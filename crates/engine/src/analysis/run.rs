@@ -81,6 +81,11 @@ impl Prepared {
         (&self.system, &self.question)
     }
 
+    /// What it was compiled to.
+    pub fn system(&self) -> &System {
+        &self.system
+    }
+
     /// The named numbers that runs have.
     pub fn responses(&self) -> &Responses {
         &self.responses

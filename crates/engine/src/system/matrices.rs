@@ -9,11 +9,63 @@
 //! Matrix Market files of them are read by Octave, SciPy, Julia and most solvers (Boisvert, Pozo and Remington 1996).
 //! Within the engine matrices are slices of values on fixed patterns.
 
-use super::{Evaluation, System};
+use super::{Evaluation, Inputs, System};
 use sprs::{CsMat, TriMat};
 use std::io;
 
+/// The terms of the equations of motion at a state: M a + Jᵀ λ = Q, J a = γ, with J v = −φ_t and φ = 0 where it is legal.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Terms {
+    /// φ (m) [m, rad]
+    pub phi: Vec<f64>,
+    /// φ_t (m)
+    pub rate: Vec<f64>,
+    /// γ (m)
+    pub gamma: Vec<f64>,
+    /// Q (n) [N, N·m]
+    pub force: Vec<f64>,
+    /// Diagonal of M (n) [kg, kg·m²]
+    pub mass: Vec<f64>,
+    /// Entries of J: row, column, value.
+    pub jacobian: Vec<(usize, usize, f64)>,
+}
+
 impl System {
+    /// The terms at coordinates and velocities (n) and a time \[s\]. Clearance links are closed, and contacts begin there: what
+    /// they would remember of the motion before is not known.
+    pub fn terms(&self, q: &[f64], v: &[f64], time: f64) -> Terms {
+        let inputs = Inputs::at_time(self, time);
+        let mut at = Evaluation::new(self);
+        at.set_position(q);
+        at.set_velocity(v);
+        at.eval_phi(self, &inputs);
+        at.eval_jacobian(self, &inputs);
+        let (n, m) = (self.n(), self.m());
+        let (mut rate, mut gamma, mut force) = (vec![0.0; m], vec![0.0; m], vec![0.0; n]);
+        at.eval_rate(self, &inputs, &mut rate);
+        at.eval_gamma(self, &inputs, &mut gamma);
+        at.eval_force(self, &inputs, &mut force);
+        Terms {
+            jacobian: self.jacobian_entries(&at).collect(),
+            mass: self.mass.diagonal().to_vec(),
+            phi: at.phi,
+            rate,
+            gamma,
+            force,
+        }
+    }
+
+    /// Names of the coordinates (n), as the columns of a run have them.
+    pub fn coordinates(&self) -> Vec<String> {
+        let mut names = vec![String::new(); self.n()];
+        for (body, columns) in self.bodies.iter().zip(self.layout.bodies()) {
+            for (place, word) in columns.range().zip(["x", "y", "angle"]) {
+                names[place] = format!("{}.{word}", body.name);
+            }
+        }
+        names
+    }
+
     /// The constraint Jacobian J (m × n) [1, m, 1/m …], from the values of an [`Evaluation`].
     pub fn jacobian(&self, evaluation: &Evaluation) -> CsMat<f64> {
         let mut triplets = TriMat::with_capacity((self.m(), self.n()), self.entries.len());

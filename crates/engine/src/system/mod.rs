@@ -19,7 +19,7 @@ mod scale;
 
 pub use eval::{Evaluation, Inputs};
 pub use mass::Mass;
-pub use matrices::write_matrix_market;
+pub use matrices::{Terms, write_matrix_market};
 pub use roles::{DriverRole, ForceData, ForceRole, JointRole};
 pub use rows::{ContactRows, Extent};
 pub use scale::Scale;
