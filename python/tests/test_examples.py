@@ -1,0 +1,53 @@
+"""The notebooks run from top to bottom, and their cells are typed."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+nbformat = pytest.importorskip("nbformat")
+nbclient = pytest.importorskip("nbclient")
+
+HERE = Path(__file__).resolve().parents[1]
+NOTEBOOKS = sorted((HERE / "examples").glob("*.ipynb"))
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_a_notebook_runs(path: Path) -> None:
+    book = nbformat.read(path, as_version=4)
+    assert all(not cell.get("outputs") for cell in book.cells), "kept without what came out"
+    began = time.perf_counter()
+    nbclient.NotebookClient(book, timeout=100, kernel_name="python3").execute()
+    print(f"{path.stem}: {time.perf_counter() - began:.1f} s")
+    shown = [output for cell in book.cells for output in cell.get("outputs", [])]
+    errors = [output for output in shown if output.get("name") == "stderr"]
+    assert not errors, errors
+    figures = [output for output in shown if "image/png" in output.get("data", {})]
+    assert len(figures) >= 2
+
+
+def test_there_are_three_and_the_lock_has_ten_cells() -> None:
+    assert [path.stem for path in NOTEBOOKS] == ["clearance", "lock", "tolerances"]
+    lock = nbformat.read(HERE / "examples" / "lock.ipynb", as_version=4)
+    assert sum(cell.cell_type == "code" for cell in lock.cells) == 10
+
+
+def test_the_page_of_a_run_is_shown_in_its_cell() -> None:
+    book = nbformat.v4.new_notebook()
+    book.cells = [nbformat.v4.new_code_cell('import linkdyn\nlinkdyn.load("four-bar").run()')]
+    nbclient.NotebookClient(book, timeout=60, kernel_name="python3").execute()
+    assert "<iframe srcdoc=" in book.cells[0].outputs[0]["data"]["text/html"]
+
+
+def test_the_cells_are_typed(tmp_path: Path) -> None:
+    pytest.importorskip("mypy")
+    for path in NOTEBOOKS:
+        cells = [cell.source for cell in nbformat.read(path, as_version=4).cells if cell.cell_type == "code"]
+        (tmp_path / f"{path.stem}.py").write_text("\n\n".join(cells) + "\n")
+    words = [sys.executable, "-m", "mypy", "--strict", "--config-file", str(HERE / "pyproject.toml")]
+    checked = subprocess.run([*words, *map(str, sorted(tmp_path.glob("*.py")))], capture_output=True, text=True)
+    assert checked.returncode == 0, checked.stdout
