@@ -14,7 +14,7 @@ pub struct Options {
 }
 
 /// Pages of the book: name, what it is for, text.
-const PAGES: [(&str, &str, &str); 13] = [
+const PAGES: [(&str, &str, &str); 14] = [
     (
         "tutorial",
         "a first model, from an empty file to a study of clearance",
@@ -39,6 +39,11 @@ const PAGES: [(&str, &str, &str); 13] = [
         "optimise",
         "parameters that meet a goal, are best, or let a point take a path",
         include_str!("../../docs/optimise.md"),
+    ),
+    (
+        "python",
+        "runs, variants, studies and notebooks in Python",
+        include_str!("../../docs/python.md"),
     ),
     (
         "models",

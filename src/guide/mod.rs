@@ -8,6 +8,7 @@
 //! | [`accuracy`]    | what tolerances and clearances do                             |
 //! | [`studies`]     | many variants: sweeps, samples, clusters                      |
 //! | [`optimise`]    | parameters that meet a goal, are best, or draw a path         |
+//! | [`python`]      | runs, variants, studies and notebooks in Python               |
 //! | [`commands`]    | what each command does, exit statuses, figures                |
 //! | [`mod@format`]  | reference of model files, each thing with a piece that runs   |
 //! | [`results`]     | reference of columns, summary, events, the report             |
@@ -39,6 +40,10 @@ pub mod optimise {}
 #[doc = include_str!("links.md")]
 #[doc = include_str!("../../docs/performance.md")]
 pub mod performance {}
+
+#[doc = include_str!("links.md")]
+#[doc = include_str!("../../docs/python.md")]
+pub mod python {}
 
 #[doc = include_str!("links.md")]
 #[doc = include_str!("../../docs/recipes.md")]

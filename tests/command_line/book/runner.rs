@@ -69,8 +69,8 @@ impl Page {
             "console" => self.console(block, &place),
             "sh" => self.commands(block, &place),
             "python" => self.python(block, &place),
-            // Doctests are run by rustdoc.
-            "rust" => {}
+            // Doctests are run by rustdoc, and by `python/tests`.
+            "rust" | "pycon" => {}
             // Formulas, or files.
             "text" => {
                 if let Some(file) = block.word("file") {
