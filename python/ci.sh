@@ -20,19 +20,26 @@ if ! python3 -m venv "$place/venv" > /dev/null 2>&1; then
 fi
 export PATH="$place/venv/bin:$PATH"
 unset PYTHONPATH PYTHONHOME
-pip install --quiet --disable-pip-version-check --requirement tests/requirements.txt
+pip install --quiet --disable-pip-version-check --no-compile --requirement tests/requirements.txt
 
 stage() {
   echo "-- $* (${SECONDS} s)"
   "$@"
 }
 
-# The profile of the other stages, whose packages are there already.
-stage maturin build --quiet --release --locked --out "$place/wheels"
+# The profile of the other stages, which have compiled most packages of others. Ours are compiled anew, as a package of macros has other features here;
+# so with less optimisation: this wheel is tested, not measured.
+lighter=()
+for package in linkdyn linkdyn-{engine,linear,model,optimise,output,picture,study,validation}; do
+  lighter+=(--config "profile.release.package.$package.opt-level=1")
+done
+stage maturin build --quiet --release --locked "${lighter[@]}" --out "$place/wheels"
 pip install --quiet --disable-pip-version-check --no-deps "$place"/wheels/linkdyn-*.whl
 
 # The package that is tested is the installed one, not the folder beside the tests.
-cp -r tests pyproject.toml "$place"
+cp -r tests examples pyproject.toml "$place"
+mkdir "$place/docs"
+cp ../docs/python.md "$place/docs"
 stage ruff check .
 stage ruff format --check .
 cd "$place"
