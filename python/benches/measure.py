@@ -124,7 +124,7 @@ def ray() -> None:
     study = big()
     print(f"ray: {study.variants} variants, {study.chunks} chunks")
     cores = len(os.sched_getaffinity(0))
-    library.init(num_cpus=cores, log_to_driver=False, include_dashboard=False)
+    library.init(num_cpus=cores, log_to_driver=False, include_dashboard=False, logging_level="error")
     with tempfile.TemporaryDirectory() as place:
         began = time.perf_counter()
         study.run(place, report=False)
