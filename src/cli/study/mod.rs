@@ -8,6 +8,7 @@ mod report;
 mod respond;
 mod sample;
 mod shares;
+mod tables;
 mod text;
 mod totals;
 mod variants;
@@ -47,7 +48,6 @@ pub use wanted::rows;
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 /// What a directory holds.
 const HEAD: &str = "study.json";
-const TABLE: &str = "variants.csv";
 const CHUNKS: &str = "chunks";
 
 #[derive(Debug, Args)]
@@ -95,6 +95,9 @@ pub struct Options {
     /// Write no report.html, and remove an older one from DIR
     #[arg(long, requires = "directory")]
     no_report: bool,
+    /// Write variants.parquet, too
+    #[arg(long, requires = "directory")]
+    parquet: bool,
 }
 
 #[derive(Debug, Subcommand)]
@@ -110,6 +113,9 @@ enum Merge {
         /// Write no report.html, and remove an older one from DIR
         #[arg(long)]
         no_report: bool,
+        /// Write variants.parquet, too
+        #[arg(long)]
+        parquet: bool,
     },
 }
 
@@ -126,9 +132,10 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         directory,
         json,
         no_report,
+        parquet,
     }) = &options.merge
     {
-        return merge(directory, *json, !no_report);
+        return merge(directory, *json, [!no_report, *parquet]);
     }
     let Some(model) = &options.model else {
         return Err(BadInput(vec![
@@ -158,6 +165,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let pool = pool.map_err(|error| BadInput(vec![format!("no threads: {error}")]))?;
     let wish = Wish {
         is_wanted: !options.no_report,
+        parquet: options.parquet,
         display: &Display::of(&opened, &family),
         again: Some(Again {
             opened: &opened,
@@ -332,23 +340,13 @@ fn join<'h>(
             Ok(())
         })
         .map_err(fault)?;
-    let mut failed = None;
-    let table = directory.write_with(TABLE, |out| {
-        store.write_csv(out).map_err(|why| {
-            let error = io::Error::other(why.to_string());
-            failed = Some(why);
-            error
-        })
-    });
-    let table = match (table, failed) {
-        (_, Some(why)) => return Err(fault(why)),
-        (table, None) => table?,
-    };
+    let mut written = tables::write(directory, store, wish.parquet)?;
     let text = document(head, &totals, wish.display);
     let summary = directory.write(HEAD, text.as_bytes())?;
     let page = report::write(directory, head, &totals, sample, wish)?;
-    let written = [table, summary].into_iter().chain(page);
-    Ok((totals, written.collect()))
+    written.push(summary);
+    written.extend(page);
+    Ok((totals, written))
 }
 
 /// `study.json` of a study that is done.
@@ -360,7 +358,7 @@ fn document(head: &Head, totals: &Totals, display: &Display) -> String {
 }
 
 /// Joins what shards have left.
-fn merge(path: &Path, json: bool, is_wanted: bool) -> Result<Exit, BadInput> {
+fn merge(path: &Path, json: bool, [is_wanted, parquet]: [bool; 2]) -> Result<Exit, BadInput> {
     let head = read_head(path)?;
     if head.engine != VERSION {
         return Err(BadInput(vec![format!(
@@ -374,6 +372,7 @@ fn merge(path: &Path, json: bool, is_wanted: bool) -> Result<Exit, BadInput> {
     let display = &display::kept(path);
     let wish = Wish {
         is_wanted,
+        parquet,
         display,
         again: None,
     };

@@ -23,6 +23,8 @@ const PAGE: &str = "report.html";
 pub struct Wish<'a> {
     /// `--no-report` leaves the page out.
     pub is_wanted: bool,
+    /// `--parquet` writes the rows by columns, too.
+    pub parquet: bool,
     pub display: &'a Display,
     /// Runs variants again; none where the model is not at hand.
     pub again: Option<Again<'a>>,

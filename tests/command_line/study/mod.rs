@@ -242,12 +242,12 @@ fn bytes_do_not_depend_on_who_computed_them() {
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(0), "{arguments:?}: {said}");
     };
-    run(&with(&["-o", "one", "--threads", "1"]));
-    run(&with(&["-o", "two", "--threads", "2"]));
-    for shard in ["3/3", "1/3", "2/3"] {
+    run(&with(&["-o", "one", "--threads", "1", "--parquet"]));
+    run(&with(&["-o", "two", "--threads", "2", "--parquet"]));
+    for shard in ["7/7", "3/7", "1/7", "2/7", "6/7", "5/7", "4/7"] {
         run(&with(&["-o", "parts", "--shard", shard]));
     }
-    run(&["merge", "parts"]);
+    run(&["merge", "parts", "--parquet"]);
     for attempt in 0..20 {
         let mut child = command(&scratch, &with(&["-o", "killed"]))
             .stdout(Stdio::null())
@@ -257,8 +257,8 @@ fn bytes_do_not_depend_on_who_computed_them() {
         let _ = child.kill();
         let _ = child.wait();
     }
-    run(&with(&["-o", "killed"]));
-    for file in ["variants.csv", "study.json"] {
+    run(&with(&["-o", "killed", "--parquet"]));
+    for file in ["variants.csv", "variants.parquet", "study.json"] {
         let read =
             |directory: &str| fs::read(scratch.0.join(directory).join(file)).expect("a file");
         let one = read("one");

@@ -11,6 +11,8 @@
 //! a part, which nobody reads and the next writer of that chunk removes. Two writers of one chunk write the same bytes, so that it does not
 //! matter who is last. What is computed twice is so computed at least once, and counts once.
 
+#[cfg(feature = "parquet")]
+mod columns;
 mod csv;
 mod fault;
 mod format;

@@ -258,6 +258,19 @@ impl Store {
         self.join(|rows| write_rows(rows, out))
     }
 
+    /// Writes all rows as `variants.parquet`, the same bytes for any way in which the chunks were computed.
+    ///
+    /// # Errors
+    /// As [`Store::join`].
+    #[cfg(feature = "parquet")]
+    pub fn write_parquet(&self, out: &mut (impl Write + Send)) -> Result<(), ChunkFault> {
+        self.expect_complete()?;
+        let begun = super::columns::Columns::begin(&self.identity, out);
+        let mut columns = begun.map_err(io::Error::other)?;
+        self.join(|rows| columns.take(rows).map_err(io::Error::other))?;
+        Ok(columns.finish().map_err(io::Error::other)?)
+    }
+
     fn expect_complete(&self) -> Result<(), ChunkFault> {
         let chunks = 0..self.plan.chunks();
         let missing: Vec<u64> = chunks.filter(|&chunk| !self.path(chunk).exists()).collect();
