@@ -6,10 +6,11 @@ use linkdyn_validation::{CASES, CaseKind, CaseReport, Verdict};
 use std::path::Path;
 
 /// The cases that are programs, each run by a test of its own here or in `lock`.
-const CODED: [&str; 8] = [
+const CODED: [&str; 9] = [
     "lock",
     "lock-contact",
     "four-bar-spring",
+    "path-synthesis",
     "restitution",
     "tolerance-ladder",
     "slider-crank-clearance",
@@ -63,6 +64,18 @@ fn every_reference_case_agrees() {
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
     assert!(cases >= 17, "only {cases} reference cases are bundled");
+}
+
+#[test]
+fn the_published_path_is_passed() {
+    let report = run("path-synthesis", None);
+    assert_eq!(report.claims.len(), 5);
+    let differing: Vec<_> = report
+        .claims
+        .iter()
+        .filter(|claim| claim.verdict != Verdict::Agrees)
+        .collect();
+    assert!(differing.is_empty(), "{differing:#?}");
 }
 
 #[test]
