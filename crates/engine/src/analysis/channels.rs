@@ -85,6 +85,17 @@ impl Channels {
         &self.columns
     }
 
+    /// Whether a position is all that they need.
+    pub fn are_positions(&self) -> bool {
+        self.stretches.iter().all(|stretch| match stretch {
+            Stretch::Time => true,
+            Stretch::Body(_, wanted) => wanted.iter().all(|one| POSES.contains(one)),
+            Stretch::Point(_, wanted) => wanted.iter().all(|one| PLACES.contains(one)),
+            Stretch::Driver(_, wanted) => wanted.iter().all(|one| *one == DriverQuantity::Value),
+            Stretch::Joint(..) | Stretch::Energy(_) => false,
+        })
+    }
+
     /// Appends the row of a sample, at whose position and velocity the evaluation is.
     pub fn push_row(
         &self,

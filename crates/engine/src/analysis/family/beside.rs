@@ -204,6 +204,7 @@ impl<'f> Beside<'f> {
             ..
         } = self;
         let system = driven.system;
+        let positions = track.channels.are_positions();
         evaluation.ask(report, &mut |time, wanted| {
             let next = nodes
                 .partition_point(|node| node.s < time)
@@ -211,12 +212,17 @@ impl<'f> Beside<'f> {
             let (from, to) = (&nodes[next - 1], &nodes[next]);
             quintic(from, to, time, &mut sample.q, None);
             inputs.set_time(system, time);
-            if driven.correct(&mut sample.q, inputs).is_err() || driven.factor(inputs).is_err() {
+            if driven.correct(&mut sample.q, inputs).is_err() {
                 return false;
             }
-            driven.velocity(inputs, &mut sample.v);
-            driven.acceleration(inputs, &mut sample.a);
-            if track.reactions {
+            if !positions {
+                if driven.factor(inputs).is_err() {
+                    return false;
+                }
+                driven.velocity(inputs, &mut sample.v);
+                driven.acceleration(inputs, &mut sample.a);
+            }
+            if track.reactions && !positions {
                 balance(system, &driven.evaluation, inputs, sample);
                 if carried(driven, inputs, sample).is_err() {
                     return false;
