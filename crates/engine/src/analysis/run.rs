@@ -148,6 +148,9 @@ impl Prepared {
 
     /// The responses of what was solved.
     fn answers(&self, solved: &mut Solved) -> Vec<Answer> {
+        if self.responses.is_empty() {
+            return Vec::new();
+        }
         let Solved {
             trajectory,
             peaks,
