@@ -20,21 +20,21 @@ if ! python3 -m venv "$place/venv" > /dev/null 2>&1; then
 fi
 export PATH="$place/venv/bin:$PATH"
 unset PYTHONPATH PYTHONHOME
-pip install --quiet --disable-pip-version-check --no-compile --requirement tests/requirements.txt
+pinned() { grep "^$1==" tests/requirements.txt; }
+pip install --quiet --disable-pip-version-check "$(pinned uv)" "$(pinned maturin)"
+# While Rust is compiled.
+uv pip install --quiet --requirement tests/requirements.txt &
+installing=$!
 
 stage() {
   echo "-- $* (${SECONDS} s)"
   "$@"
 }
 
-# The profile of the other stages, which have compiled most packages of others. Ours are compiled anew, as a package of macros has other features here;
-# so with less optimisation: this wheel is tested, not measured.
-lighter=()
-for package in linkdyn linkdyn-{engine,linear,model,optimise,output,picture,study,validation}; do
-  lighter+=(--config "profile.release.package.$package.opt-level=1")
-done
-stage maturin build --quiet --release --locked "${lighter[@]}" --out "$place/wheels"
-pip install --quiet --disable-pip-version-check --no-deps "$place"/wheels/linkdyn-*.whl
+# With the profile and the features of the tests, which have compiled everything but what is Python's own.
+stage maturin build --quiet --release --locked --features as-tested --out "$place/wheels"
+wait "$installing"
+uv pip install --quiet --no-deps "$place"/wheels/linkdyn-*.whl
 
 # The package that is tested is the installed one, not the folder beside the tests.
 cp -r tests examples pyproject.toml "$place"
