@@ -33,7 +33,7 @@ const PORTION: usize = 16;
 /// A mechanism whose parameters take many values.
 #[pyclass(frozen, module = "linkdyn._linkdyn")]
 pub struct Family {
-    family: linkdyn::Family,
+    family: Arc<linkdyn::Family>,
     parameters: Vec<String>,
     responses: Vec<(String, String)>,
 }
@@ -80,7 +80,14 @@ impl Family {
             )));
         }
         let (rows, values) = (values.shape()[0], values.to_vec(py)?);
-        let done = watched(py, told, |watch| self.all(&values, rows, threads, watch))?;
+        let table = Table {
+            family: Arc::clone(&self.family),
+            values,
+            rows,
+            inputs: wanted,
+            width: self.responses.len(),
+        };
+        let done = watched(py, told, move |watch| table.all(threads, watch))?;
         let found = done.value.map_err(|error| exception(py, &error))?;
         let answers = Answers {
             values: Arc::new(found.values),
@@ -93,6 +100,15 @@ impl Family {
             done.stopped,
         ))
     }
+}
+
+/// What is asked of a family: values (rows, inputs), whose answers are (rows, width).
+struct Table {
+    family: Arc<linkdyn::Family>,
+    values: Vec<f64>,
+    rows: usize,
+    inputs: usize,
+    width: usize,
 }
 
 /// What all threads found.
@@ -114,20 +130,17 @@ impl Family {
     pub fn new(family: linkdyn::Family, parameters: Vec<String>) -> Self {
         let responses = bridge::responses(&family);
         Family {
-            family,
+            family: Arc::new(family),
             parameters,
             responses,
         }
     }
+}
 
+impl Table {
     /// All rows, by so many threads; which one computes a row does not change it.
-    fn all(
-        &self,
-        values: &[f64],
-        rows: usize,
-        threads: usize,
-        watch: &Watch,
-    ) -> Result<Found, Error> {
+    fn all(&self, threads: usize, watch: &Watch) -> Result<Found, Error> {
+        let rows = self.rows;
         let (next, done) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
         let threads = threads.clamp(1, rows.div_ceil(PORTION).max(1));
         let share = || -> Result<(), Error> {
@@ -142,7 +155,7 @@ impl Family {
                     return Ok(());
                 }
                 watch.progress.note(from as f64, rows as f64);
-                let portion = self.portion(&mut member, values, from..rows.min(from + PORTION));
+                let portion = self.portion(&mut member, from..rows.min(from + PORTION));
                 done.lock()
                     .unwrap_or_else(std::sync::PoisonError::into_inner)
                     .push(portion);
@@ -159,7 +172,7 @@ impl Family {
             }
             ended
         })?;
-        let width = self.responses.len();
+        let width = self.width;
         let mut found = Found {
             values: vec![f64::NAN; rows * width],
             statuses: vec![code(Status::Interrupted); rows],
@@ -178,13 +191,8 @@ impl Family {
         Ok(found)
     }
 
-    fn portion(
-        &self,
-        member: &mut linkdyn::Member<'_>,
-        values: &[f64],
-        rows: std::ops::Range<usize>,
-    ) -> Portion {
-        let (inputs, width) = (self.parameters.len(), self.responses.len());
+    fn portion(&self, member: &mut linkdyn::Member<'_>, rows: std::ops::Range<usize>) -> Portion {
+        let (inputs, width) = (self.inputs, self.width);
         let mut portion = Portion {
             from: rows.start,
             values: vec![f64::NAN; rows.len() * width],
@@ -193,7 +201,7 @@ impl Family {
         };
         for (place, row) in rows.enumerate() {
             let answers = &mut portion.values[place * width..(place + 1) * width];
-            match member.run(&values[row * inputs..(row + 1) * inputs], answers) {
+            match member.run(&self.values[row * inputs..(row + 1) * inputs], answers) {
                 Ok(status) => portion.statuses.push(code(status)),
                 Err(error) => {
                     answers.fill(f64::NAN);

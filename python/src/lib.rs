@@ -19,6 +19,7 @@ mod family;
 mod mechanism;
 mod run;
 mod work;
+mod worker;
 
 /// The module.
 #[pymodule(gil_used = false)]

@@ -80,16 +80,29 @@ impl Mechanism {
         told: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<(Run, Option<PyErr>)> {
         let deadline = timeout.map(deadline).transpose()?;
-        let done = watched(py, told, |watch| {
+        let mechanism = self.0.clone();
+        let done = watched(py, told, move |watch| {
             let control = Control {
                 deadline,
                 interrupted: Arc::clone(&watch.interrupted),
                 progress: watch.progress.clone(),
             };
-            self.0.run_under(&control)
+            mechanism.run_under(&control)
         })?;
         let run = done.value.map_err(|error| exception(py, &error))?;
-        Ok((Run::new(run), done.stopped))
+        Ok((Run::new(run, done.took), done.stopped))
+    }
+
+    /// How long a run by the library alone takes, in this thread \[s\]: what a run from Python is held against.
+    fn _native(&self, py: Python<'_>) -> PyResult<f64> {
+        let (ended, took) = at_once(py, || {
+            let began = Instant::now();
+            let run = self.0.run();
+            let took = began.elapsed();
+            (run.map(|_| ()), took)
+        })?;
+        ended.map_err(|error| exception(py, &error))?;
+        Ok(took.as_secs_f64())
     }
 
     /// The equations that the model is compiled to.

@@ -1,6 +1,7 @@
 //! A run, and its columns where they stand in memory.
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use linkdyn::{Status, bridge};
 use pyo3::prelude::*;
@@ -11,7 +12,7 @@ use crate::work::at_once;
 
 /// What a run left.
 #[pyclass(frozen, module = "linkdyn._linkdyn")]
-pub struct Run(Arc<linkdyn::Run>);
+pub struct Run(Arc<linkdyn::Run>, Duration);
 
 /// The values of a column, in the memory of its run. NumPy reads them in place, and keeps this alive.
 #[pyclass(frozen, module = "linkdyn._linkdyn")]
@@ -47,6 +48,12 @@ impl Run {
     #[getter]
     fn warnings(&self) -> Vec<String> {
         self.0.report().warnings.clone()
+    }
+
+    /// How long the library took for it \[s\].
+    #[getter]
+    fn _took(&self) -> f64 {
+        self.1.as_secs_f64()
     }
 
     /// Name and SI unit of each column of `results.csv`.
@@ -90,8 +97,8 @@ impl Run {
 }
 
 impl Run {
-    pub fn new(run: linkdyn::Run) -> Self {
-        Run(Arc::new(run))
+    pub fn new(run: linkdyn::Run, took: Duration) -> Self {
+        Run(Arc::new(run), took)
     }
 }
 

@@ -4,24 +4,26 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
-use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use linkdyn::bridge::Progress;
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 
 use crate::errors::internal;
+use crate::worker::Worker;
 
 /// Between two looks at signals.
 const INTERVAL: Duration = Duration::from_millis(50);
-/// As much room as a main thread has: text of a model may be nested deeply \[bytes\].
-const STACK: usize = 8 << 20;
+/// What is said of a thread that ended without a word.
+const GONE: &str = "the thread is gone";
 
 /// What was done, and the exception that stopped it.
 pub struct Done<T> {
     /// What came out, whole or not.
     pub value: T,
+    /// How long the work itself took.
+    pub took: Duration,
     /// What a handler of signals raised meanwhile, or who was told of the progress.
     pub stopped: Option<PyErr>,
 }
@@ -44,52 +46,52 @@ where
     done.map_err(|payload| internal(py, payload.as_ref()))
 }
 
-/// Does what may take long, in a thread of its own, while this one looks after signals and tells the progress.
-pub fn watched<T: Send>(
+/// Does what may take long, in another thread, while this one looks after signals and tells the progress.
+pub fn watched<T: Send + 'static>(
     py: Python<'_>,
     told: Option<&Bound<'_, PyAny>>,
-    work: impl FnOnce(&Watch) -> T + Send,
+    work: impl FnOnce(&Watch) -> T + Send + 'static,
 ) -> PyResult<Done<T>> {
     let watch = Watch::default();
-    let stopped = thread::scope(|scope| {
-        let (sender, receiver) = channel();
-        let inner = watch.clone();
-        let run = move || {
-            let done = catch_unwind(AssertUnwindSafe(|| work(&inner)));
-            // Somebody waits for it, always.
-            let _ = sender.send(done);
-        };
-        let builder = thread::Builder::new()
-            .name("linkdyn".into())
-            .stack_size(STACK);
-        builder
-            .spawn_scoped(scope, run)
-            .map_err(PyOSError::new_err)?;
-        let mut receiver = receiver;
-        let mut stopped = None;
-        loop {
-            let (given_back, done) = py.detach(move || {
-                let done = receiver.recv_timeout(INTERVAL);
-                (receiver, done)
-            });
-            receiver = given_back;
-            match done {
-                Ok(Ok(value)) => return Ok(Done { value, stopped }),
-                Ok(Err(payload)) => return Err(internal(py, payload.as_ref())),
-                Err(RecvTimeoutError::Disconnected) => {
-                    return Err(internal(py, &"the thread is gone"));
-                }
-                Err(RecvTimeoutError::Timeout) => {}
+    let (sender, mut receiver) = channel();
+    let inner = watch.clone();
+    let job = move || {
+        let began = Instant::now();
+        let done = catch_unwind(AssertUnwindSafe(|| work(&inner)));
+        // Somebody waits for it, always.
+        let _ = sender.send((done, began.elapsed()));
+    };
+    let worker = Worker::take().map_err(PyOSError::new_err)?;
+    if !worker.give(Box::new(job)) {
+        return Err(internal(py, &GONE));
+    }
+    let mut stopped = None;
+    loop {
+        let (given_back, done) = py.detach(move || {
+            let done = receiver.recv_timeout(INTERVAL);
+            (receiver, done)
+        });
+        receiver = given_back;
+        match done {
+            Ok((done, took)) => {
+                worker.keep();
+                let value = done.map_err(|payload| internal(py, payload.as_ref()))?;
+                return Ok(Done {
+                    value,
+                    took,
+                    stopped,
+                });
             }
-            if stopped.is_none()
-                && let Err(error) = look(py, &watch, told)
-            {
-                watch.interrupted.store(true, Ordering::SeqCst);
-                stopped = Some(error);
-            }
+            Err(RecvTimeoutError::Disconnected) => return Err(internal(py, &GONE)),
+            Err(RecvTimeoutError::Timeout) => {}
         }
-    })?;
-    Ok(stopped)
+        if stopped.is_none()
+            && let Err(error) = look(py, &watch, told)
+        {
+            watch.interrupted.store(true, Ordering::SeqCst);
+            stopped = Some(error);
+        }
+    }
 }
 
 /// Lets handlers of signals run, and tells how far the work is.
@@ -107,7 +109,7 @@ fn look(py: Python<'_>, watch: &Watch, told: Option<&Bound<'_, PyAny>>) -> PyRes
 pub fn panic(py: Python<'_>, is_watched: bool) -> PyResult<()> {
     let fail = || -> () { panic!("injected") };
     if is_watched {
-        watched(py, None, |_| fail()).map(|done| done.value)
+        watched(py, None, move |_| fail()).map(|done| done.value)
     } else {
         at_once(py, fail)
     }

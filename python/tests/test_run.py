@@ -187,6 +187,42 @@ def test_other_threads_go_on_during_a_run() -> None:
     assert len(inside) > 0.2 * (ended - began) / 0.01, (len(inside), ended - began)
 
 
+def test_many_threads_run_at_once() -> None:
+    model = linkdyn.load("four-bar")
+    wanted = model.run()["driver.motor.effort"].tobytes()
+    seen: list[bool] = []
+
+    def work() -> None:
+        seen.extend(model.run()["driver.motor.effort"].tobytes() == wanted for _ in range(5))
+
+    # More than threads are kept for.
+    threads = [threading.Thread(target=work) for _ in range(24)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(seen) == 120 and all(seen)
+
+
+def test_a_run_within_the_progress_of_a_run() -> None:
+    inner: list[int] = []
+    model = linkdyn.load("four-bar")
+    slow = long_model().set({"analysis.end": 1000, "analysis.outputs": 1001})
+    slow.run(progress=lambda _: inner.append(len(model.run().t)))
+    assert inner and set(inner) == {401}
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no processes are forked here")
+def test_a_forked_process_runs_by_threads_of_its_own() -> None:
+    model = linkdyn.load("four-bar")
+    wanted = model.run()["driver.motor.effort"].tobytes()
+    child = os.fork()
+    if child == 0:
+        signal.alarm(20)
+        os._exit(0 if model.run()["driver.motor.effort"].tobytes() == wanted else 1)
+    assert os.waitpid(child, 0)[1] == 0
+
+
 def test_progress_is_told() -> None:
     shares: list[float] = []
     long_model().set({"analysis.end": 1000, "analysis.outputs": 1001}).run(progress=shares.append)
