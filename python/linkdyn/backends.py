@@ -1,7 +1,8 @@
 """Who computes the shares of a study: thin adapters, each a generator that yields as shares come back.
 
 All of them compute a share in one thread of a worker process. A worker that dies loses the share it was at; it is computed
-again. Where the directory is not shared, workers hand back the chunks, and this process writes them.
+again. Where the directory is not shared, workers hand back the chunks, and this process writes them. A directory is a path,
+or a URL of fsspec, which every worker reaches by itself.
 """
 
 from __future__ import annotations
@@ -12,10 +13,15 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from .store import Store
+
 if TYPE_CHECKING:
     from .study import Study
 
-__all__ = ["by_dask", "by_joblib", "by_ray", "find"]
+__all__ = ["by_dask", "by_joblib", "by_ray", "by_this", "find"]
+
+Place = Path | str
+"""A directory, or the URL of one."""
 
 Share = tuple[int, int]
 Files = dict[str, bytes]
@@ -40,18 +46,37 @@ def compute(study: Study, share: Share, directory: str | None) -> Files:
         return {path.name: path.read_bytes() for path in sorted(chunks.iterdir())}
 
 
-def keep(files: Files, directory: Path) -> None:
+def keep(files: Files, directory: Place) -> None:
     """Writes chunks that were handed back; each is there as a whole or not at all."""
     for name, content in files.items():
+        if isinstance(directory, str):
+            Store(directory).put(f"chunks/{name}", content)
+            continue
         part = directory / "chunks" / f".{name}.{os.getpid()}"
         part.write_bytes(content)
         part.replace(directory / "chunks" / name)
 
 
+def target(directory: Place, shared: bool) -> str | None:
+    """Where workers write; nowhere if they hand back what they computed."""
+    if not shared:
+        return None
+    return directory if isinstance(directory, str) else str(directory.resolve())
+
+
+def by_this(
+    study: Study, shares: list[Share], directory: Place, *, shared: bool = True, threads: int | None = None
+) -> Iterator[object]:
+    """Shares one after the other, in this process."""
+    for share in shares:
+        study.share(*share, directory, threads)
+        yield share
+
+
 def by_ray(
     study: Study,
     shares: list[Share],
-    directory: Path,
+    directory: Place,
     *,
     shared: bool = True,
     pending: int | None = None,
@@ -73,11 +98,11 @@ def by_ray(
     whole = ray.put(study)
     waiting: list[Any] = []
     rest = iter(shares)
-    target = str(directory.resolve()) if shared else None
+    place = target(directory, shared)
     try:
         while True:
             for share in rest:
-                waiting.append(task.remote(whole, share, target))
+                waiting.append(task.remote(whole, share, place))
                 if len(waiting) >= most:
                     break
             if not waiting:
@@ -94,7 +119,7 @@ def by_ray(
 def by_dask(
     study: Study,
     shares: list[Share],
-    directory: Path,
+    directory: Place,
     *,
     shared: bool = True,
     client: Any = None,
@@ -107,11 +132,11 @@ def by_dask(
     client = client or Client(processes=True, threads_per_worker=1)
     try:
         most = pending or 2 * max(1, sum(client.ncores().values()))
-        target = str(directory.resolve()) if shared else None
+        place = target(directory, shared)
         rest = iter(shares)
 
         def give(share: Share) -> Any:
-            return client.submit(compute, study, share, target, pure=False)
+            return client.submit(compute, study, share, place, pure=False)
 
         done = as_completed([give(share) for share, _ in zip(rest, range(most), strict=False)])
         for one in done:
@@ -126,13 +151,13 @@ def by_dask(
 
 
 def by_joblib(
-    study: Study, shares: list[Share], directory: Path, *, shared: bool = True, jobs: int = -1
+    study: Study, shares: list[Share], directory: Place, *, shared: bool = True, jobs: int = -1
 ) -> Iterator[object]:
     """Shares as tasks of joblib, in processes."""
     from joblib import Parallel, delayed
 
-    target = str(directory.resolve()) if shared else None
-    tasks = (delayed(compute)(study, share, target) for share in shares)
+    place = target(directory, shared)
+    tasks = (delayed(compute)(study, share, place) for share in shares)
     for files in Parallel(n_jobs=jobs, return_as="generator", pre_dispatch="2*n_jobs", batch_size=1)(tasks):
         keep(files, directory)
         yield files

@@ -11,6 +11,7 @@ import html
 import json
 import tempfile
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import ExitStack
 from dataclasses import dataclass, field
 from functools import cached_property
 from os import PathLike
@@ -23,6 +24,7 @@ from numpy.typing import NDArray
 from .command import execute, read
 from .progress import Progress, told
 from .run import Array
+from .store import Store, is_url
 
 if TYPE_CHECKING:
     import pandas
@@ -43,8 +45,8 @@ class Table(Mapping[str, Array]):
 
     summary: dict[str, Any]
     """What ``study.json`` says."""
-    directory: Path | None
-    """Where the files are, if they are kept."""
+    directory: Path | str | None
+    """Where the files are, if they are kept: a path, or a URL."""
     page: str | None
     """The page ``report.html``."""
 
@@ -151,7 +153,14 @@ class Study:
         return -(-self.variants // int(self.plan["rows_per_chunk"]))
 
     def share(self, index: int, of: int, directory: str | PathLike[str], threads: int | None = None) -> None:
-        """Computes a share, from 1, into a directory; what is there already is kept."""
+        """Computes a share, from 1, into a directory or URL; what is there already is kept."""
+        if is_url(directory):
+            with tempfile.TemporaryDirectory() as folder:
+                self.share(index, of, folder, threads)
+                store, chunks = Store(str(directory)), Path(folder) / "chunks"
+                for path in sorted(chunks.iterdir()):
+                    store.put(f"chunks/{path.name}", path.read_bytes())
+            return
         options = ["--threads", str(threads)] if threads else []
         with self.model._arguments() as model:
             execute(["study", *model, *self.options, *options, "-o", str(directory), "--shard", f"{index}/{of}"])
@@ -174,8 +183,8 @@ class Study:
     ) -> Table:
         """Computes all variants, sums up, and reads what came out.
 
-        :param directory: where chunks are kept as they come, and files are written; none for a temporary one. A study that
-            was stopped goes on from there.
+        :param directory: where chunks are kept as they come, and files are written: a path, a URL of fsspec such as
+            ``s3://bucket/study``, or none for a temporary one. A study that was stopped goes on from there.
         :param backend: who computes: ``local`` (threads of this process), ``ray``, ``dask``, ``joblib``, or a function.
         :param shares: into how many shares it is cut for others; by default as many as there are chunks, 256 at most.
         :param shared: whether others see the same directory; else they hand back what they computed.
@@ -184,16 +193,22 @@ class Study:
         :param settings: more for the backend, see ``linkdyn.backends``.
         :raises Interrupted: where Ctrl-C stopped it.
         """
-        if directory is None:
-            with tempfile.TemporaryDirectory() as folder:
-                return self._run(Path(folder), backend, shares, shared, report, threads, progress, settings)
-        table = self._run(Path(directory), backend, shares, shared, report, threads, progress, settings)
-        table.directory = Path(directory)
-        return table
+        with ExitStack() as stack:
+            place = Path(stack.enter_context(tempfile.TemporaryDirectory())) if directory is None else directory
+            if is_url(place):
+                table = self._in_store(str(place), backend, shares, shared, report, threads, progress, settings)
+                table.directory = str(place)
+                return table
+            place = Path(place)
+            if backend != "local":
+                self._by_others(place, place, backend, shares, shared, progress, settings)
+            table = self._joined(place, report, threads)
+            table.directory = place if directory is not None else None
+            return table
 
-    def _run(
+    def _in_store(
         self,
-        place: Path,
+        url: str,
         backend: Backend,
         shares: int | None,
         shared: bool,
@@ -202,9 +217,27 @@ class Study:
         progress: Progress,
         settings: dict[str, Any],
     ) -> Table:
-        if backend != "local":
-            self._by_others(place, backend, shares, shared, progress, settings)
-        # What others left out or broke is computed here; then all is joined, by the same code whoever computed.
+        from .backends import by_this
+
+        store = Store(url)
+        with tempfile.TemporaryDirectory() as folder:
+            place = Path(folder)
+            if "study.json" in store.names(""):
+                store.fetch("study.json", place)
+            if backend == "local":
+                backend, settings = by_this, {"threads": threads}
+            self._by_others(place, url, backend, shares, shared, progress, settings)
+            for name in sorted(store.names("chunks")):
+                store.fetch(f"chunks/{name}", place)
+            fetched = {path: path.stat().st_mtime_ns for path in place.rglob("*.bin")}
+            table = self._joined(place, report, threads)
+            for path in sorted(path for path in place.rglob("*") if path.is_file()):
+                if fetched.get(path) != path.stat().st_mtime_ns:
+                    store.put(path.relative_to(place).as_posix(), path.read_bytes())
+            return table
+
+    def _joined(self, place: Path, report: bool, threads: int | None) -> Table:
+        """Computes what others left out or broke, and joins all, by the same code whoever computed."""
         options = ["--threads", str(threads)] if threads else []
         options += [] if report else ["--no-report"]
         with self.model._arguments() as model:
@@ -216,25 +249,28 @@ class Study:
     def _by_others(
         self,
         place: Path,
+        target: Path | str,
         backend: Backend,
         shares: int | None,
         shared: bool,
         progress: Progress,
         settings: dict[str, Any],
     ) -> None:
+        """Has shares computed into the target, which is this place or a URL."""
         from . import backends
 
         compute = backends.find(backend) if isinstance(backend, str) else backend
         # Says in the directory what the study is, or refuses one of another study.
         self.share(_MANY, _MANY, place)
+        if isinstance(target, Path):
+            there = {path.name for path in (place / "chunks").iterdir()}
+        else:
+            store = Store(target)
+            store.put("study.json", (place / "study.json").read_bytes())
+            there = store.names("chunks")
         of = max(1, min(shares or 256, self.chunks))
-        chunks = place / "chunks"
-        missing = [
-            (index, of)
-            for index in range(1, of + 1)
-            if not all((chunks / name).exists() for name in self.chunk_files(index, of))
-        ]
+        missing = [(index, of) for index in range(1, of + 1) if not there.issuperset(self.chunk_files(index, of))]
         with told(progress, "study") as show:
-            for done, _ in enumerate(compute(self, missing, place, shared=shared, **settings), 1):
+            for done, _ in enumerate(compute(self, missing, target, shared=shared, **settings), 1):
                 if show is not None:
                     show(done / len(missing))

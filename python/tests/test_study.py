@@ -107,6 +107,40 @@ def test_a_worker_that_is_killed_changes_nothing(tmp_path: Path, once: dict[str,
     assert digest(tmp_path) == once
 
 
+def test_an_object_store_has_the_same_bytes(tmp_path: Path, once: dict[str, str]) -> None:
+    fsspec = pytest.importorskip("fsspec")
+    store = fsspec.filesystem("memory")
+    table = study().run("memory://bucket/study", report=False)
+    assert table.directory == "memory://bucket/study" and len(table["peak"]) == 20_000
+    store.get("/bucket/study/", str(tmp_path / "got"), recursive=True)
+    assert digest(tmp_path / "got") == once
+    # What is there is not computed again; what is broken is.
+    first, second = (f"/bucket/study/chunks/{name}" for name in study().chunk_files(1, 1)[:2])
+    when = store.modified(first)
+    store.pipe_file(second, store.cat_file(second)[:-7])
+    store.rm("/bucket/study/variants.csv")
+    study().run("memory://bucket/study", report=False)
+    assert store.modified(first) == when
+    assert hashlib.sha256(store.cat_file(second)).hexdigest() in once.values()
+    assert hashlib.sha256(store.cat_file("/bucket/study/variants.csv")).hexdigest() == once["variants.csv"]
+
+
+@pytest.mark.parametrize("shared", [True, False])
+def test_processes_write_to_a_store(tmp_path: Path, once: dict[str, str], shared: bool) -> None:
+    pytest.importorskip("fsspec")
+    pytest.importorskip("joblib")
+    study().run(f"file://{tmp_path}/out", "joblib", jobs=2, shared=shared, report=False)
+    assert digest(tmp_path / "out") == once
+
+
+def test_a_store_of_another_study_is_refused(tmp_path: Path) -> None:
+    pytest.importorskip("fsspec")
+    url = f"file://{tmp_path}/out"
+    linkdyn.load("slider-crank").study({"crank": "40 mm, 50 mm"}, responses=PEAK).run(url, report=False)
+    with pytest.raises(linkdyn.ModelError, match="another study"):
+        study().run(url)
+
+
 def test_a_directory_of_another_study_is_refused(tmp_path: Path) -> None:
     linkdyn.load("slider-crank").study({"crank": "40 mm, 50 mm"}, responses=PEAK).run(tmp_path, report=False)
     with pytest.raises(linkdyn.ModelError, match="another study"):
