@@ -1,13 +1,15 @@
-"""Measures what people rely on: overhead of a run, memory, threads, variants for each minute, Ray.
+"""Measures what people rely on: overhead of a run, memory, threads, variants for each minute, studies, Ray.
 
-python python/benches/measure.py [overhead|memory|threads|variants|ray ...]
+python python/benches/measure.py [overhead|memory|threads|variants|cost|ray ...]
 """
 
 from __future__ import annotations
 
 import hashlib
+import json
 import os
 import signal
+import statistics
 import sys
 import tempfile
 import threading
@@ -18,25 +20,39 @@ from pathlib import Path
 import numpy as np
 
 import linkdyn
+from linkdyn import _linkdyn
 
 PEAK = {"peak": "max(abs(driver.motor.effort))"}
 
 
+def spread(values: list[float]) -> str:
+    """Best, median and upper quartile, in microseconds."""
+    _, median, upper = statistics.quantiles(values, n=4)
+    return f"{min(values) * 1e6:.0f} best, {median * 1e6:.0f} median, {upper * 1e6:.0f} upper quartile [us]"
+
+
 def overhead() -> None:
-    """What a run of the lock takes beside the assembly and the solution."""
+    """What a run of the lock from Python takes beside the call of the library, which is timed within it; and beside one that
+    is made in this thread, in turn with it."""
     lock = linkdyn.load("lock")
-    extra, whole = [], []
-    for _ in range(300):
+    beside, paired, native, whole = [], [], [], []
+    for _ in range(400):
+        alone = lock._core._native()
         began = time.perf_counter()
         run = lock.run()
         took = time.perf_counter() - began
-        timing = run.summary["timing"]
-        extra.append(took - timing["assemble"]["wall"] - timing["solve"]["wall"])
+        beside.append(took - run._core._took)
+        paired.append(took - alone)
+        native.append(alone)
         whole.append(took)
-    print(
-        f"overhead: {min(extra) * 1e6:.0f} us of {min(whole) * 1e3:.2f} ms",
-        f"(best of 300, lock, {len(run.t)} rows)",
-    )
+        rows = len(run.t)
+        # What a run leaves is given back between the clocks, of both.
+        del run
+    print(f"overhead: lock, {rows} rows, 400 rounds")
+    print("overhead: the library alone        ", spread(native))
+    print("overhead: m.run()                  ", spread(whole))
+    print("overhead: beside the call within it", spread(beside))
+    print("overhead: beside a call on its own ", spread(paired))
 
 
 def memory() -> None:
@@ -57,34 +73,40 @@ def memory() -> None:
 
 
 def threads() -> None:
-    """Two threads of Python beside one."""
+    """Two threads of Python beside one: studies and families, each computed by one thread."""
     family = linkdyn.load("slider-crank").family(["crank"], PEAK)
     values = np.linspace(0.03, 0.06, 4_000)[:, np.newaxis]
+    press = linkdyn.load("slider-crank").set({"analysis.outputs": 91})
+    study = press.study({"crank": "40 mm:60 mm:100", "rod": "150 mm:250 mm:80"}, responses=PEAK)
+    for what, work in (
+        ("studies", lambda: study.run(threads=1, report=False)),
+        ("families", lambda: family(values, threads=1)),
+    ):
+        # Short works, many times: so some of both meet a machine that does nothing else.
+        pairs = [(clocks(work, work), clocks(work, together=True)) for _ in range(12)]
+        one, two = ([pair[place] for pair in pairs] for place in (0, 1))
+        factor = min(wall for wall, _ in one) / min(wall for wall, _ in two)
+        median = statistics.median(a[0] / b[0] for a, b in pairs)
+        used = statistics.median(b[1] / a[1] for a, b in pairs)
+        print(
+            f"threads: two {what} at once, {factor:.2f} times as fast as one after the other (best of 12 each; median of",
+            f"pairs {median:.2f}), for {used:.2f} times the processor time",
+        )
 
-    def work() -> None:
-        family(values, threads=1)
 
-    def alone() -> None:
-        work()
-        work()
-
-    def together() -> None:
-        both = [threading.Thread(target=work) for _ in range(2)]
+def clocks(*work: Callable[[], object], together: bool = False) -> tuple[float, float]:
+    """Time and processor time of works one after the other, or of one done by two threads at once [s]."""
+    wall, used = time.perf_counter(), time.process_time()
+    if together:
+        both = [threading.Thread(target=work[0]) for _ in range(2)]
         for thread in both:
             thread.start()
         for thread in both:
             thread.join()
-
-    def best(what: Callable[[], None]) -> float:
-        took = []
-        for _ in range(5):
-            began = time.perf_counter()
-            what()
-            took.append(time.perf_counter() - began)
-        return min(took)
-
-    one, two = best(alone), best(together)
-    print(f"threads: {one:.2f} s one after the other, {two:.2f} s together, factor {one / two:.2f}")
+    else:
+        for one in work:
+            one()
+    return time.perf_counter() - wall, time.process_time() - used
 
 
 def variants() -> None:
@@ -116,13 +138,44 @@ def big() -> linkdyn.Study:
     return linkdyn.load("four-bar").set(tolerances | {"analysis.outputs": 91}).study(samples=100_000, responses=PEAK)
 
 
+def cost() -> None:
+    """What a study is made of: shares, variants, bytes, joining, reading."""
+    four_bar = big()
+    with tempfile.TemporaryDirectory() as place:
+        empty = [clocks(lambda: four_bar.share(1 << 40, 1 << 40, place))[0] for _ in range(50)]
+        print("cost: a share with nothing to do,", spread(empty))
+        _, used = clocks(lambda: four_bar.share(1, four_bar.chunks, place, threads=1))
+        rows = int(four_bar.plan["rows_per_chunk"])
+        each = used / rows * 1e6
+        print(f"cost: a chunk has {rows} variants: {used:.2f} s of a processor, {each:.1f} us each (four-bar, 91 outputs)")
+    for count in (100_000, 1_000_000):
+        parts(count)
+
+
+def parts(count: int) -> None:
+    """What small variants cost, joining and reading among it."""
+    press = linkdyn.load("slider-crank").set({"analysis.outputs": 9})
+    study = press.study({"crank": "40 mm:60 mm:1000", "rod": f"150 mm:250 mm:{count // 1000}"}, responses=PEAK)
+    with tempfile.TemporaryDirectory() as place:
+        chunks, table = Path(place) / "chunks", Path(place) / "variants.csv"
+        _, used = clocks(lambda: study.share(1, 1, place, threads=1))
+        kept = sum(path.stat().st_size for path in chunks.iterdir())
+        _, joined = clocks(lambda: _linkdyn.command(["study", "merge", place, "--no-report"]))
+        _, read = clocks(lambda: np.loadtxt(table, delimiter=",", skiprows=1, usecols=(2, 3, 4)))
+        print(
+            f"cost: {count} slider-cranks, 9 outputs: {used / count * 1e6:.2f} us each,",
+            f"{kept / count:.1f} bytes in chunks, {table.stat().st_size / count:.1f} in variants.csv,",
+            f"joined in {joined / count * 1e6:.2f} us each, read by NumPy in {read / count * 1e6:.2f} (processor time)",
+        )
+
+
 def ray() -> None:
     """100 000 variants by Ray, and with a worker killed."""
     import psutil  # type: ignore[import-untyped]
     import ray as library
 
     study = big()
-    print(f"ray: {study.variants} variants, {study.chunks} chunks")
+    print(f"ray: {study.variants} variants, {study.chunks} chunks, lengths {json.dumps(study.plan['inputs'])[:60]}...")
     cores = len(os.sched_getaffinity(0))
     library.init(num_cpus=cores, log_to_driver=False, include_dashboard=False, logging_level="error")
     with tempfile.TemporaryDirectory() as place:
@@ -157,5 +210,5 @@ def ray() -> None:
 
 
 if __name__ == "__main__":
-    for name in sys.argv[1:] or ["overhead", "memory", "threads", "variants", "ray"]:
+    for name in sys.argv[1:] or ["overhead", "memory", "threads", "variants", "cost", "ray"]:
         globals()[name]()

@@ -151,8 +151,12 @@ class Model:
         :raises SolveError: where the run ended early; ``error.run`` has what was computed.
         :raises Interrupted: where Ctrl-C stopped it; ``error.run`` has what was computed.
         """
-        with told(progress, self.name) as show:
-            core, stopped = self._core.run(timeout, show)
+        # A run of a few milliseconds leaves the code of Python cold in the caches: what it does here is little.
+        if progress is None or progress is False:
+            core, stopped = self._core.run(timeout)
+        else:
+            with told(progress, self.name) as show:
+                core, stopped = self._core.run(timeout, show)
         run = Run(core)
         if isinstance(stopped, KeyboardInterrupt):
             raise Interrupted("interrupted", run) from stopped

@@ -1,6 +1,7 @@
 //! A model that was read and checked.
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use linkdyn::{Control, bridge};
@@ -11,11 +12,15 @@ use crate::equations::Equations;
 use crate::errors::exception;
 use crate::family::Family;
 use crate::run::Run;
-use crate::work::{at_once, watched};
+use crate::work::{BRIEF, Watch, at_once, in_place, watched};
 
 /// A model that was read and checked.
 #[pyclass(frozen, module = "linkdyn._linkdyn")]
-pub struct Mechanism(linkdyn::Mechanism);
+pub struct Mechanism {
+    mechanism: linkdyn::Mechanism,
+    /// Whether its last run was brief: then so is the next, which does the same.
+    is_brief: AtomicBool,
+}
 
 #[pymethods]
 impl Mechanism {
@@ -33,25 +38,25 @@ impl Mechanism {
 
     /// The mechanism with values set, each as `PATH=VALUE`.
     fn set(&self, py: Python<'_>, sets: Vec<String>) -> PyResult<Self> {
-        Mechanism::new(py, || bridge::set(&self.0, sets))
+        Mechanism::new(py, || bridge::set(&self.mechanism, sets))
     }
 
     /// The model's own name, or the file's.
     #[getter]
     fn name(&self) -> &str {
-        self.0.name()
+        self.mechanism.name()
     }
 
     /// What is allowed in the model and yet probably a slip.
     #[getter]
     fn warnings(&self) -> Vec<String> {
-        self.0.warnings().to_vec()
+        self.mechanism.warnings().to_vec()
     }
 
     /// Name, value in SI and SI unit of each parameter.
     #[getter]
     fn parameters(&self) -> Vec<(String, f64, String)> {
-        let parameters = self.0.parameters();
+        let parameters = self.mechanism.parameters();
         let told = parameters
             .map(|(name, parameter)| (name.to_owned(), parameter.nominal().si(), parameter.unit()));
         told.collect()
@@ -60,7 +65,7 @@ impl Mechanism {
     /// Name and SI unit of each result column.
     #[getter]
     fn columns(&self) -> Vec<(String, &'static str)> {
-        let columns = self.0.columns();
+        let columns = self.mechanism.columns();
         columns
             .map(|(name, column)| (name.to_owned(), column.unit()))
             .collect()
@@ -68,7 +73,7 @@ impl Mechanism {
 
     /// The model as a file.
     fn to_json(&self, py: Python<'_>) -> PyResult<String> {
-        at_once(py, || self.0.to_json())
+        at_once(py, || self.mechanism.to_json())
     }
 
     /// Runs the analysis; what stopped it from Python comes second.
@@ -80,15 +85,21 @@ impl Mechanism {
         told: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<(Run, Option<PyErr>)> {
         let deadline = timeout.map(deadline).transpose()?;
-        let mechanism = self.0.clone();
-        let done = watched(py, told, move |watch| {
+        let mechanism = self.mechanism.clone();
+        let work = move |watch: &Watch| {
             let control = Control {
                 deadline,
                 interrupted: Arc::clone(&watch.interrupted),
                 progress: watch.progress.clone(),
             };
             mechanism.run_under(&control)
-        })?;
+        };
+        let done = if self.is_brief.load(Ordering::Relaxed) {
+            in_place(py, work)
+        } else {
+            watched(py, told, work)
+        }?;
+        self.is_brief.store(done.took < BRIEF, Ordering::Relaxed);
         let run = done.value.map_err(|error| exception(py, &error))?;
         Ok((Run::new(run, done.took), done.stopped))
     }
@@ -97,7 +108,7 @@ impl Mechanism {
     fn _native(&self, py: Python<'_>) -> PyResult<f64> {
         let (ended, took) = at_once(py, || {
             let began = Instant::now();
-            let run = self.0.run();
+            let run = self.mechanism.run();
             let took = began.elapsed();
             (run.map(|_| ()), took)
         })?;
@@ -107,15 +118,15 @@ impl Mechanism {
 
     /// The equations that the model is compiled to.
     fn equations(&self, py: Python<'_>) -> PyResult<Equations> {
-        Equations::new(py, &self.0)
+        Equations::new(py, &self.mechanism)
     }
 
     /// The family of mechanisms in which these parameters take other values.
     fn family(&self, py: Python<'_>, parameters: Vec<String>) -> PyResult<Family> {
         let made = at_once(py, || {
-            let handles = parameters.iter().map(|name| self.0.parameter(name));
+            let handles = parameters.iter().map(|name| self.mechanism.parameter(name));
             let handles = handles.collect::<Result<Vec<_>, _>>()?;
-            self.0.family(&handles)
+            self.mechanism.family(&handles)
         })?;
         let family = made.map_err(|error| exception(py, &error))?;
         Ok(Family::new(family, parameters))
@@ -128,7 +139,11 @@ impl Mechanism {
         make: impl FnOnce() -> Result<linkdyn::Mechanism, linkdyn::Error> + Send,
     ) -> PyResult<Self> {
         let made = at_once(py, make)?;
-        made.map(Mechanism).map_err(|error| exception(py, &error))
+        let mechanism = made.map_err(|error| exception(py, &error))?;
+        Ok(Mechanism {
+            mechanism,
+            is_brief: AtomicBool::new(false),
+        })
     }
 }
 

@@ -187,6 +187,20 @@ def test_other_threads_go_on_during_a_run() -> None:
     assert len(inside) > 0.2 * (ended - began) / 0.01, (len(inside), ended - began)
 
 
+def test_brief_runs_are_like_others() -> None:
+    model = linkdyn.load("four-bar")
+    first = model.run()
+    shares: list[float] = []
+    again = model.run(progress=shares.append, timeout=10.0)
+    assert np.array_equal(first.to_numpy(), again.to_numpy(), equal_nan=True)
+    with pytest.raises(linkdyn.SolveError):
+        model.run(timeout=0.0)
+    # Ctrl-C between brief runs, and in them.
+    with interrupted(0.2), pytest.raises(KeyboardInterrupt):
+        while True:
+            model.run()
+
+
 def test_many_threads_run_at_once() -> None:
     model = linkdyn.load("four-bar")
     wanted = model.run()["driver.motor.effort"].tobytes()
