@@ -39,7 +39,7 @@ uv pip install --quiet --no-deps "$place"/wheels/linkdyn-*.whl
 # The package that is tested is the installed one, not the folder beside the tests.
 cp -r tests examples pyproject.toml "$place"
 mkdir "$place/docs"
-cp ../docs/python.md "$place/docs"
+cp ../docs/{cluster,python}.md "$place/docs"
 stage ruff check .
 stage ruff format --check .
 cd "$place"

@@ -50,22 +50,34 @@ class Table(Mapping[str, Array]):
     page: str | None
     """The page ``report.html``."""
 
-    def __init__(self, csv_text: str, summary: dict[str, Any], text: str, page: str | None) -> None:
-        rows = list(csv.reader(csv_text.splitlines()))
-        self._heads = rows[0]
-        self._cells = rows[1:]
+    def __init__(self, source: str | Path, summary: dict[str, Any], text: str, page: str | None) -> None:
+        self._source = source
         self.summary = summary
         self.text = text
         self.page = page
         self.directory = None
 
     @cached_property
+    def _rows(self) -> list[list[str]]:
+        # Of a study that is kept the file is read when it is asked for: it may be larger than the memory.
+        text = self._source if isinstance(self._source, str) else self._source.read_text("utf-8")
+        return list(csv.reader(text.splitlines()))
+
+    @cached_property
+    def _heads(self) -> list[str]:
+        if isinstance(self._source, Path) and "_rows" not in self.__dict__:
+            with self._source.open(encoding="utf-8") as file:
+                return next(csv.reader(file))
+        return self._rows[0]
+
+    @cached_property
     def _columns(self) -> dict[str, Array]:
         names = [head.split("[", 1)[0] for head in self._heads]
-        columns = zip(*self._cells, strict=True) if self._cells else ([] for _ in names)
+        rows = self._rows[1:]
+        columns = zip(*rows, strict=True) if rows else ([] for _ in names)
         kept = {}
         for name, cells in zip(names, columns, strict=True):
-            if name not in ("variant", "status"):
+            if name not in _ABOUT:
                 kept[name] = np.array([float(cell) if cell else np.nan for cell in cells])
         return kept
 
@@ -73,26 +85,26 @@ class Table(Mapping[str, Array]):
     def status(self) -> NDArray[np.str_]:
         """(variants) how each ended."""
         place = self._heads.index("status")
-        return np.array([row[place] for row in self._cells])
+        return np.array([row[place] for row in self._rows[1:]])
 
     @property
     def units(self) -> dict[str, str]:
         """The SI unit of each column; empty of plain numbers."""
         heads = (head.partition("[") for head in self._heads)
-        return {name: unit.rstrip("]") for name, _, unit in heads if name in self._columns}
+        return {name: unit.rstrip("]") for name, _, unit in heads if name not in _ABOUT}
 
     def __getitem__(self, name: str) -> Array:
         """The values (variants) of a response, or of a parameter, with or without ``parameters.`` before it."""
         return self._columns[name if name in self._columns else f"parameters.{name}"]
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self._columns)
+        return iter(self.units)
 
     def __len__(self) -> int:
-        return len(self._columns)
+        return len(self.units)
 
     def __repr__(self) -> str:
-        return f"<linkdyn.Table {len(self._cells)} variants: {', '.join(self)}>"
+        return f"<linkdyn.Table {self.summary['variants']} variants: {', '.join(self)}>"
 
     def to_pandas(self) -> pandas.DataFrame:
         """A DataFrame of pandas with a row for each variant."""
@@ -115,6 +127,7 @@ class Table(Mapping[str, Array]):
         return f'{table}<iframe srcdoc="{page}" width="100%" height="720" style="border:0" title="study"></iframe>'
 
 
+_ABOUT = ("variant", "status")
 _SHOWN = ("mean", "deviation", "min", "max")
 
 
@@ -202,7 +215,7 @@ class Study:
             place = Path(place)
             if backend != "local":
                 self._by_others(place, place, backend, shares, shared, progress, settings)
-            table = self._joined(place, report, threads)
+            table = self._joined(place, report, threads, is_kept=directory is not None)
             table.directory = place if directory is not None else None
             return table
 
@@ -230,21 +243,21 @@ class Study:
             for name in sorted(store.names("chunks")):
                 store.fetch(f"chunks/{name}", place)
             fetched = {path: path.stat().st_mtime_ns for path in place.rglob("*.bin")}
-            table = self._joined(place, report, threads)
+            table = self._joined(place, report, threads, is_kept=False)
             for path in sorted(path for path in place.rglob("*") if path.is_file()):
                 if fetched.get(path) != path.stat().st_mtime_ns:
                     store.put(path.relative_to(place).as_posix(), path.read_bytes())
             return table
 
-    def _joined(self, place: Path, report: bool, threads: int | None) -> Table:
+    def _joined(self, place: Path, report: bool, threads: int | None, *, is_kept: bool) -> Table:
         """Computes what others left out or broke, and joins all, by the same code whoever computed."""
         options = ["--threads", str(threads)] if threads else []
         options += [] if report else ["--no-report"]
         with self.model._arguments() as model:
             said = execute(["study", *model, *self.options, *options, "-o", str(place)])
         answer = read(place, "study.json", said.stdout, "report.html")
-        text = (place / "variants.csv").read_text("utf-8")
-        return Table(text, dict(answer), answer.text, answer.page)
+        path = place / "variants.csv"
+        return Table(path if is_kept else path.read_text("utf-8"), dict(answer), answer.text, answer.page)
 
     def _by_others(
         self,

@@ -14,7 +14,7 @@ pub struct Options {
 }
 
 /// Pages of the book: name, what it is for, text.
-const PAGES: [(&str, &str, &str); 14] = [
+const PAGES: [(&str, &str, &str); 15] = [
     (
         "tutorial",
         "a first model, from an empty file to a study of clearance",
@@ -44,6 +44,11 @@ const PAGES: [(&str, &str, &str); 14] = [
         "python",
         "runs, variants, studies and notebooks in Python",
         include_str!("../../docs/python.md"),
+    ),
+    (
+        "cluster",
+        "studies on many machines: Ray, Slurm, object stores, what it costs",
+        include_str!("../../docs/cluster.md"),
     ),
     (
         "models",

@@ -9,6 +9,7 @@
 //! | [`studies`]     | many variants: sweeps, samples, clusters                      |
 //! | [`optimise`]    | parameters that meet a goal, are best, or draw a path         |
 //! | [`python`]      | runs, variants, studies and notebooks in Python               |
+//! | [`cluster`]     | studies on many machines, and what it costs                   |
 //! | [`commands`]    | what each command does, exit statuses, figures                |
 //! | [`mod@format`]  | reference of model files, each thing with a piece that runs   |
 //! | [`results`]     | reference of columns, summary, events, the report             |
@@ -20,6 +21,10 @@
 #[doc = include_str!("links.md")]
 #[doc = include_str!("../../docs/accuracy.md")]
 pub mod accuracy {}
+
+#[doc = include_str!("links.md")]
+#[doc = include_str!("../../docs/cluster.md")]
+pub mod cluster {}
 
 #[doc = include_str!("links.md")]
 #[doc = include_str!("../../docs/commands.md")]
