@@ -33,6 +33,7 @@ pub(super) use chain::{Chain, Room};
 pub use compiled::{Compiled, Input, Over, Reduce, Values};
 pub(super) use derivatives::Recorded;
 pub use derivatives::{Derivatives, Leaf};
+pub use dual::Dual;
 pub use interval::Interval;
 pub(super) use naming::with_article;
 pub(super) use number::Real;

@@ -1,5 +1,6 @@
 //! The arithmetic of an expression whose dimensions were checked: numbers in SI on a stack, without allocation.
 
+use super::dual::Dual;
 use super::number::Number;
 use super::{Function, Step};
 
@@ -143,43 +144,48 @@ impl Program {
 
     /// Its value without inputs; NaN where any step on the way has none.
     pub fn sound_value(&self, parameters: &[f64], stack: &mut Vec<f64>) -> f64 {
-        self.run(&[], parameters, stack, f64::is_finite)
+        self.run(&[], parameters, stack, |value| value.is_finite())
     }
 
-    fn run(
+    /// Its value with the derivatives that follow from those of inputs and parameters.
+    pub fn dual(&self, inputs: &[Dual<f64>], parameters: &[Dual<f64>]) -> Dual<f64> {
+        self.run(inputs, parameters, &mut Vec::new(), |_| true)
+    }
+
+    fn run<N: Number>(
         &self,
-        inputs: &[f64],
-        parameters: &[f64],
-        stack: &mut Vec<f64>,
-        goes_on: impl Fn(f64) -> bool,
-    ) -> f64 {
+        inputs: &[N],
+        parameters: &[N],
+        stack: &mut Vec<N>,
+        goes_on: impl Fn(&N) -> bool,
+    ) -> N {
         if let [Do::Input(input)] = self.0[..] {
-            return inputs[input];
+            return inputs[input].clone();
         }
         stack.clear();
         for step in &self.0 {
             match *step {
-                Do::Push(value) => stack.push(value),
-                Do::Parameter(index) => stack.push(parameters[index]),
-                Do::Input(input) => stack.push(inputs[input]),
-                Do::Negate => take(stack, 1, |values| -values[0]),
-                Do::Add => take(stack, 2, |values| values[0] + values[1]),
-                Do::Subtract => take(stack, 2, |values| values[0] - values[1]),
-                Do::Multiply => take(stack, 2, |values| values[0] * values[1]),
-                Do::Divide => take(stack, 2, |values| values[0] / values[1]),
-                Do::Power => take(stack, 2, |values| values[0].powf(values[1])),
+                Do::Push(value) => stack.push(N::of(value)),
+                Do::Parameter(index) => stack.push(parameters[index].clone()),
+                Do::Input(input) => stack.push(inputs[input].clone()),
+                Do::Negate => take(stack, 1, |values| values[0].negate()),
+                Do::Add => take(stack, 2, |values| values[0].add(&values[1])),
+                Do::Subtract => take(stack, 2, |values| values[0].subtract(&values[1])),
+                Do::Multiply => take(stack, 2, |values| values[0].multiply(&values[1])),
+                Do::Divide => take(stack, 2, |values| values[0].divide(&values[1])),
+                Do::Power => take(stack, 2, |values| values[0].power(&values[1])),
                 Do::Call(function, count) => take(stack, count, |values| call(function, values)),
             }
-            if !stack.last().is_some_and(|last| goes_on(*last)) {
-                return f64::NAN;
+            if !stack.last().is_some_and(&goes_on) {
+                return N::of(f64::NAN);
             }
         }
-        stack.pop().unwrap_or(f64::NAN)
+        stack.pop().unwrap_or_else(|| N::of(f64::NAN))
     }
 }
 
 /// Puts a result in the place of the values that it takes, as many as the reader made sure are there.
-fn take(stack: &mut Vec<f64>, count: usize, result: impl FnOnce(&[f64]) -> f64) {
+fn take<N>(stack: &mut Vec<N>, count: usize, result: impl FnOnce(&[N]) -> N) {
     let from = stack.len().saturating_sub(count);
     let result = result(&stack[from..]);
     stack.truncate(from);

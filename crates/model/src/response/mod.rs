@@ -5,7 +5,7 @@ mod facts;
 mod names;
 
 pub use crate::expression::{
-    Compiled, Input, Known, Over, Place, Program, Reduce, Reduction, Results, Values,
+    Compiled, Dual, Input, Known, Over, Place, Program, Reduce, Reduction, Results, Values,
 };
 pub use catalogue::Catalogue;
 pub use facts::{ClearanceSum, EVENTS, Fact, Item, List};

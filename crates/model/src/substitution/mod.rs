@@ -37,6 +37,8 @@ struct Leaf {
     factor: f64,
     /// What it is in the model that was read.
     nominal: f64,
+    /// Whether it is a place, on whose sign there is no rule.
+    is_place: bool,
 }
 
 /// A parameter that a response names, by their indexes.
@@ -45,6 +47,12 @@ struct Constant {
     response: usize,
     constant: usize,
     parameter: usize,
+}
+
+/// Whether a path is that of a point of a body, or of where it is drawn.
+fn is_place(path: &str) -> bool {
+    let mut steps = steps(path);
+    steps.next() == Some("bodies") && matches!(steps.nth(1), Some("points" | "pose"))
 }
 
 /// A model that numbers are put into, of one thread.
@@ -75,6 +83,7 @@ impl Substitution {
                 let nominal = *number(&mut model, &mut steps(&one.path))?;
                 leaves.push(Leaf {
                     nominal,
+                    is_place: is_place(&one.path),
                     path: one.path,
                     program,
                     factor: one.factor,
@@ -175,7 +184,12 @@ impl Substitution {
         for leaf in &self.leaves {
             let value = leaf.program.sound_value(&room.values, &mut room.stack) * leaf.factor;
             // Rules on a number are on its sign: in the class of the nominal one it keeps them.
-            if class(value) != class(leaf.nominal) {
+            let class = class(value);
+            let keeps = match leaf.is_place {
+                true => class.is_some(),
+                false => class == self::class(leaf.nominal),
+            };
+            if !keeps {
                 return None;
             }
             *number(numbers, &mut steps(&leaf.path))? = value;

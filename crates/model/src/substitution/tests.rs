@@ -83,6 +83,30 @@ fn what_only_reading_can_tell_is_left_to_it() {
     assert_eq!(again, read.ok());
 }
 
+/// On which side of a body's frame a point lies is no rule, and where a body is drawn is none.
+#[test]
+fn points_change_their_side() {
+    let text = r#"{ "format": "linkdyn/1", "units": "SI", "parameters": { "x": "5 mm", "a": "0 rad" },
+        "bodies": { "bar": { "points": { "A": ["=x", "=a*1 mm"] }, "pose": { "position": ["=x", 0], "angle": "=a" } } } }"#;
+    let (substitution, loaded) = of(text, &["x", "a"]).expect("numbers alone");
+    let mut place = substitution.begin();
+    for values in [[0.005, 0.1], [0.0, 0.0], [-0.003, -0.2], [0.001, 0.0]] {
+        let read = loaded
+            .source
+            .with_parameters(&[("x", values[0]), ("a", values[1])]);
+        assert_eq!(
+            substitution.put(&values, &mut place),
+            read.ok().as_ref(),
+            "{values:?}"
+        );
+    }
+    assert!(
+        substitution
+            .put(&[f64::INFINITY, 0.0], &mut place)
+            .is_none()
+    );
+}
+
 #[test]
 fn places_that_are_not_known_mean_reading() {
     let table = r#"{ "format": "linkdyn/1", "units": "SI", "parameters": { "l": "5 mm" },
