@@ -104,7 +104,7 @@ pub fn minimise(
         ended,
         slope: f64::INFINITY,
     };
-    let values = match f(&x) {
+    let values = match f.values(&x) {
         Outcome::Values(values) => values,
         Outcome::Missing => return nothing(Ended::NoValues, x, Vec::new()),
         Outcome::Stopped => return nothing(Ended::Stopped, x, Vec::new()),
@@ -187,7 +187,7 @@ impl Search<'_> {
     ) -> Result<Option<(Vec<f64>, Vec<f64>, Vec<f64>)>, Ended> {
         let before = self.merit(&self.values);
         let to = self.moved(&step.d);
-        let values = match f(&to) {
+        let values = match f.values(&to) {
             Outcome::Stopped => return Err(Ended::Stopped),
             Outcome::Missing => {
                 self.shrink(&step.d);
@@ -210,7 +210,7 @@ impl Search<'_> {
             && let Some(bent) = self.corrected(step, &values)
         {
             let to = self.moved(&bent.d);
-            match f(&to) {
+            match f.values(&to) {
                 Outcome::Stopped => return Err(Ended::Stopped),
                 Outcome::Missing => {}
                 Outcome::Values(values) => {

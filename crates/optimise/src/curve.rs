@@ -24,6 +24,10 @@ pub struct Node {
 
 /// Steps of Newton's method to a foot, at most.
 const MOST_STEPS: usize = 30;
+/// Cosine between distance and curve above which the place is an end.
+const ASKEW: f64 = 1e-4;
+/// Distances below this part of a piece have no direction.
+const ROUND_OFF: f64 = 1e-9;
 /// So many of the nearest pieces are looked at.
 const PIECES: usize = 3;
 
@@ -55,6 +59,8 @@ pub struct Foot {
     pub s: f64,
     /// Distance with its sign.
     pub residual: f64,
+    /// How the distance changes as the place moves: the normal of the curve, to its left, or at an end the direction to the place.
+    pub normal: [f64; 2],
 }
 
 /// The foot of a point on a curve with at least two nodes.
@@ -76,6 +82,7 @@ pub fn foot(nodes: &[Node], point: [f64; 2]) -> Foot {
     nearest.unwrap_or(Foot {
         s: nodes[0].s,
         residual: f64::INFINITY,
+        normal: [0.0; 2],
     })
 }
 
@@ -163,9 +170,16 @@ fn in_piece(a: &Node, b: &Node, t: [f64; 2]) -> Foot {
     }
     let (gap, d, ..) = off(u);
     let side = d[0] * gap[1] - d[1] * gap[0];
+    let (distance, speed) = (gap[0].hypot(gap[1]), d[0].hypot(d[1]));
+    let residual = distance.copysign(side);
+    let normal = match dot(gap, d).abs() > (ASKEW * distance + ROUND_OFF * speed) * speed {
+        true => [gap[0] / residual, gap[1] / residual],
+        false => [-d[1] / speed, d[0] / speed],
+    };
     Foot {
         s: a.s + u * (b.s - a.s),
-        residual: gap[0].hypot(gap[1]).copysign(side),
+        residual,
+        normal,
     }
 }
 
@@ -217,6 +231,9 @@ mod tests {
                     (found.residual - distance).abs() <= BETWEEN,
                     "{s}, {distance}: {found:?}"
                 );
+                let normal = [-cos / length, -3.0 * sin / length];
+                let off = minus(found.normal, normal);
+                assert!(dot(off, off).sqrt() < 1e-5, "{s}, {distance}: {found:?}");
                 if distance == 0.7 {
                     let off = (found.s - s).abs();
                     assert!(off < 1e-6 || (off - TAU).abs() < 1e-6, "{s}: {found:?}");
@@ -243,6 +260,9 @@ mod tests {
         let found = foot(nodes, [-1.0, 1.0]);
         assert!((found.residual.abs() - 1.0).abs() < 1e-14, "{found:?}");
         assert_eq!(found.s, nodes[18].s);
+        // The distance grows as the end goes away from the point.
+        let off = minus(found.normal, [found.residual.signum(), 0.0]);
+        assert!(dot(off, off).sqrt() < 1e-14, "{found:?}");
         assert_eq!(residuals(&nodes[..1], &[[0.0, 0.0]]), None);
     }
 }

@@ -106,7 +106,7 @@ pub fn least_squares(
         ended: Ended::NoValues,
         slope: f64::INFINITY,
     };
-    let residuals = match f(&x) {
+    let residuals = match f.values(&x) {
         Outcome::Values(values) => values,
         Outcome::Missing => return fitted,
         Outcome::Stopped => {
@@ -166,7 +166,7 @@ impl State {
             let mut to: Vec<f64> = self.x.iter().zip(&p).map(|(x, p)| x + p).collect();
             bounds.clamp(&mut to);
             is_new = false;
-            let ratio = match f(&to) {
+            let ratio = match f.values(&to) {
                 Outcome::Stopped => return Ended::Stopped,
                 Outcome::Missing => -1.0,
                 Outcome::Values(residuals) => {

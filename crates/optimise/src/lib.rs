@@ -41,4 +41,4 @@ pub mod quadratic;
 pub mod seek;
 pub mod start;
 
-pub use outcome::{Bounds, End, Function, Outcome};
+pub use outcome::{Bounds, End, Evaluate, Function, Outcome};

@@ -29,8 +29,25 @@ impl Outcome {
     }
 }
 
+/// What gives values at points, and perhaps their derivatives.
+pub trait Evaluate {
+    /// What it gives at a point.
+    fn values(&mut self, x: &[f64]) -> Outcome;
+    /// Its derivatives at a point where it has values: a row for each value, by rows, NaN where one is not known. None where
+    /// none of them is.
+    fn slopes(&mut self, _x: &[f64]) -> Option<Vec<f64>> {
+        None
+    }
+}
+
+impl<F: FnMut(&[f64]) -> Outcome> Evaluate for F {
+    fn values(&mut self, x: &[f64]) -> Outcome {
+        self(x)
+    }
+}
+
 /// A function of a point.
-pub type Function<'f> = dyn FnMut(&[f64]) -> Outcome + 'f;
+pub type Function<'f> = dyn Evaluate + 'f;
 
 /// Lower and upper bound of each variable.
 #[derive(Debug, Clone, PartialEq)]

@@ -88,7 +88,7 @@ fn rank(
     let mut is_stopped = false;
     for x in candidates {
         let values;
-        let [violation, value] = match f(&x) {
+        let [violation, value] = match f.values(&x) {
             Outcome::Values(found) => {
                 values = found;
                 of(&values)
