@@ -23,7 +23,7 @@ fn a_family_is_shared_by_threads() {
 
 /// The model with all numbers of its geometry as parameters, and responses of all bodies; none where it has no motion
 /// that drivers prescribe.
-fn spread(json: &Value, kind: &str) -> Option<Loaded> {
+pub fn spread(json: &Value, kind: &str) -> Option<Loaded> {
     let model: Model = models::load(json);
     let is_moved = model.analysis.is_some() && !model.drivers.is_empty();
     if !is_moved || model.bodies.len() < 2 {
@@ -54,7 +54,7 @@ fn spread(json: &Value, kind: &str) -> Option<Loaded> {
 }
 
 /// Values of all parameters, off by some part.
-fn off(loaded: &Loaded, part: f64, random: &mut Random) -> Vec<f64> {
+pub fn off(loaded: &Loaded, part: f64, random: &mut Random) -> Vec<f64> {
     let parameters = loaded.parameters.iter();
     parameters
         .map(|one| {

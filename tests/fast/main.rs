@@ -40,6 +40,7 @@ mod face;
 mod family;
 mod flat_start;
 mod golden;
+mod gradients;
 mod impacts;
 mod integrate;
 mod interrupt;

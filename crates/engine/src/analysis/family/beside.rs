@@ -11,6 +11,8 @@
 //! singular position lies there. (Newton–Kantorovich, as in `continuation`.) At the first station the parameters go from
 //! the nominal values to those of the variant, in steps where one does not do.
 
+mod gradient;
+
 use super::mechanisms::Mechanisms;
 use super::track::{Middle, SMOOTH, Station, Track};
 use crate::analysis::clearance_link::{balance, carried};
@@ -33,6 +35,9 @@ pub struct Beside<'f> {
     evaluation: Evaluation<'f>,
     /// Whether the motion between outputs matters.
     looks_between: bool,
+    /// Whether the motion is kept for derivatives, and the values whose motion it is.
+    keeps: bool,
+    kept: Option<Vec<f64>>,
     solver: Option<Aside>,
     inputs: Inputs,
     sample: Sample,
@@ -61,6 +66,8 @@ impl<'f> Beside<'f> {
             responses,
             evaluation: responses.begin(),
             looks_between: responses.look_between(),
+            keeps: false,
+            kept: None,
             nodes: Vec::new(),
             solver: Some(track.solver.clone()),
             inputs: Inputs::still(system),
@@ -84,16 +91,8 @@ impl<'f> Beside<'f> {
         mechanisms: &mut Mechanisms,
         responses: &mut [f64],
     ) -> bool {
-        // As if nothing had been computed before.
-        let mut solver = match self.solver.take() {
-            Some(mut solver) => {
-                if solver.pivots_chosen_anew() != self.track.solver.pivots_chosen_anew() {
-                    solver.restore(&self.track.solver);
-                }
-                solver
-            }
-            None => self.track.solver.clone(),
-        };
+        self.kept = None;
+        let mut solver = self.solver();
         self.start.copy_from_slice(&self.track.stations[0].q);
         let (mut part, mut length) = (0.0, 1.0);
         let mut is_found = false;
@@ -117,8 +116,22 @@ impl<'f> Beside<'f> {
         self.solver = Some(solver);
         if is_found {
             self.evaluation.finish(&self.report, responses);
+            self.kept = self.keeps.then(|| values.to_vec());
         }
         is_found
+    }
+
+    /// A solver as if nothing had been computed before.
+    fn solver(&mut self) -> Aside {
+        match self.solver.take() {
+            Some(mut solver) => {
+                if solver.pivots_chosen_anew() != self.track.solver.pivots_chosen_anew() {
+                    solver.restore(&self.track.solver);
+                }
+                solver
+            }
+            None => self.track.solver.clone(),
+        }
     }
 
     /// From where the start was found last, the one of this mechanism; whether it is found.
@@ -159,7 +172,7 @@ impl<'f> Beside<'f> {
                 self.record(driven);
             }
             self.note(station);
-            if self.looks_between {
+            if self.looks_between || self.keeps {
                 self.keep(index, time);
             }
             if let Some(middle) = &station.middle
@@ -206,13 +219,7 @@ impl<'f> Beside<'f> {
         let system = driven.system;
         let positions = track.channels.are_positions();
         evaluation.ask(report, &mut |time, wanted| {
-            let next = nodes
-                .partition_point(|node| node.s < time)
-                .clamp(1, nodes.len() - 1);
-            let (from, to) = (&nodes[next - 1], &nodes[next]);
-            quintic(from, to, time, &mut sample.q, None);
-            inputs.set_time(system, time);
-            if driven.correct(&mut sample.q, inputs).is_err() {
+            if !place(driven, nodes, time, inputs, &mut sample.q) {
                 return false;
             }
             if !positions {
@@ -338,6 +345,22 @@ impl<'f> Beside<'f> {
             }
         }
     }
+}
+
+/// Position between the nodes of a motion; whether it is found.
+pub fn place(
+    driven: &mut Driven,
+    nodes: &[Node],
+    time: f64,
+    inputs: &mut Inputs,
+    q: &mut [f64],
+) -> bool {
+    let next = nodes
+        .partition_point(|node| node.s < time)
+        .clamp(1, nodes.len() - 1);
+    quintic(&nodes[next - 1], &nodes[next], time, q, None);
+    inputs.set_time(driven.system, time);
+    driven.correct(q, inputs).is_ok()
 }
 
 /// Newton from `q`; its first step where the contraction proves the branch.

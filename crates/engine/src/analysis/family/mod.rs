@@ -23,10 +23,18 @@
 //!     member.run(&[crank], &Control::default(), &mut stroke).unwrap();
 //!     assert!((stroke[0] - 2.0 * crank).abs() < 1e-12);
 //! }
+//! // and how they change: the derivative of each response by each parameter
+//! let mut slope = [0.0];
+//! member.gradient(&[0.05], &[0.05], &Control::default(), &mut stroke, &mut slope).unwrap();
+//! assert!((slope[0] - 2.0).abs() < 1e-12);
 //! ```
 
+mod along;
+mod around;
 mod beside;
 mod mechanisms;
+mod slopes;
+mod stencil;
 mod track;
 
 use super::control::Control;
@@ -65,6 +73,16 @@ pub struct Ended {
     pub status: Status,
     /// Number of the first response without value.
     pub missing: Option<usize>,
+}
+
+impl Ended {
+    /// Of a run that came to its end.
+    fn whole(responses: &[f64]) -> Self {
+        Ended {
+            status: Status::Completed,
+            missing: responses.iter().position(|value| value.is_nan()),
+        }
+    }
 }
 
 impl Family {
@@ -154,6 +172,51 @@ impl Family {
 }
 
 impl Member<'_> {
+    /// Works out the responses and their derivatives by the parameters: a row of `gradient` for each response, NaN where a
+    /// derivative is not known exactly. `lengths` say over what change of each parameter the mechanism changes much, as its
+    /// value or its range.
+    ///
+    /// Known are those of motions that are found beside the nominal mechanism, without friction that depends on joint forces:
+    /// extremes at smooth tops and at the ends, `at`, `first`, `last`, and sums over the rows. They are exact to round-off, some
+    /// 1e-13 of what they are made of: the equations of the instants that count are differentiated, not runs.
+    ///
+    /// # Errors
+    /// What is wrong with a model of these values.
+    pub fn gradient(
+        &mut self,
+        values: &[f64],
+        lengths: &[f64],
+        control: &Control,
+        responses: &mut [f64],
+        gradient: &mut [f64],
+    ) -> Result<Ended, Complaints> {
+        self.keep_motion();
+        let ended = self.run(values, control, responses)?;
+        self.slopes(values, lengths, gradient);
+        let rows = gradient.chunks_exact_mut(self.family.parameters().max(1));
+        let missing = rows.zip(responses).filter(|(_, value)| value.is_nan());
+        missing.for_each(|(row, _)| row.fill(f64::NAN));
+        Ok(ended)
+    }
+
+    /// The same derivatives where these values were run last, and motions are kept ([`Member::keep_motion`]): without running
+    /// them again. NaN, all of them, where that is not so, or the variant was not found beside the nominal mechanism.
+    pub fn slopes(&mut self, values: &[f64], lengths: &[f64], gradient: &mut [f64]) {
+        gradient.fill(f64::NAN);
+        if let (Some(beside), Some(mechanisms)) = (&mut self.beside, &mut self.mechanisms)
+            && beside.has(values)
+        {
+            beside.differentiate((values, lengths), mechanisms, gradient);
+        }
+    }
+
+    /// Keeps the motion of each run from now on, for [`Member::slopes`].
+    pub fn keep_motion(&mut self) {
+        if let Some(beside) = &mut self.beside {
+            beside.keep_motion();
+        }
+    }
+
     /// Works out the responses for values, in the order of the names; NaN where one has none.
     ///
     /// # Errors
@@ -172,10 +235,7 @@ impl Member<'_> {
         if let (Some(beside), Some(mechanisms)) = (beside, mechanisms.as_mut())
             && beside.run(values, mechanisms, responses)
         {
-            return Ok(Ended {
-                status: Status::Completed,
-                missing: responses.iter().position(|value| value.is_nan()),
-            });
+            return Ok(Ended::whole(responses));
         }
         let made = mechanisms.as_mut();
         let outcome = match made.and_then(|mechanisms| mechanisms.model(values)) {

@@ -103,7 +103,7 @@ impl Track {
 }
 
 /// The channels that responses need, and the place of each need in their row; none where they need more than channels.
-fn needed(system: &System, prepared: &Prepared) -> Option<(Channels, Vec<usize>)> {
+pub fn needed(system: &System, prepared: &Prepared) -> Option<(Channels, Vec<usize>)> {
     let (_, question) = prepared.parts();
     let all = Channels::new(system, question.contents);
     let needed = prepared.responses().needed();

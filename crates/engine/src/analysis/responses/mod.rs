@@ -17,10 +17,12 @@ mod answer;
 mod crossing;
 mod items;
 mod running;
+mod slopes;
 mod top;
 mod words;
 
 pub use answer::{Answer, Reason, to_json};
+pub use linkdyn_model::response::Dual;
 pub use words::Response;
 
 use items::{Listed, fact};

@@ -40,6 +40,8 @@ pub struct Running {
     found: Option<f64>,
     /// The two rows between which it was found, of `at`.
     around: Option<[Known; 2]>,
+    /// Their times, twice that of the row where it was found.
+    between: Option<[f64; 2]>,
     fault: Option<Reason>,
     /// What was empty last, of extremes.
     empty: Option<Reason>,
@@ -197,10 +199,14 @@ impl Running {
         self.last = Some((row.time, value, above));
         let is_here = above.abs() <= SAME * left.abs().max(right.abs());
         let found = match before {
-            _ if is_here => value,
+            _ if is_here => {
+                self.between = Some([row.time; 2]);
+                value
+            }
             Some((at, other, before)) if (before < 0.0) != (above < 0.0) => {
                 let known = |at, above, value| Known { at, above, value };
                 self.around = Some([known(at, before, other), known(row.time, above, value)]);
+                self.between = Some([at, row.time]);
                 other + (value - other) * (before / (before - above))
             }
             Some(_) | None => return,
@@ -230,6 +236,17 @@ impl Running {
             Some(Err(reason)) => self.fault = self.fault.or(Some(reason)),
             None => {}
         }
+    }
+
+    /// When the greatest (side 1) or smallest (−1) value was.
+    pub fn extreme(&self, side: f64) -> Option<f64> {
+        let known = if side > 0.0 { self.most } else { self.least };
+        known.map(|[_, time]| time)
+    }
+
+    /// The times of the rows between which the equation of `at` holds.
+    pub fn between_rows(&self) -> Option<[f64; 2]> {
+        self.between
     }
 
     /// The result.
