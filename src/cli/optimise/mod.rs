@@ -5,17 +5,21 @@
 //! | `asked`    | options, put into the model's `optimise`                              |
 //! | `question` | what is looked for                                                    |
 //! | `variants` | what a variant gives: the one place where the search meets the engine |
+//! | `path`     | the model whose motion gives a path, and its nodes                    |
 //! | `timing`   | the analysis that gives a path                                        |
 //! | `problem`  | a variant as the search sees it                                       |
+//! | `slopes`   | its derivatives                                                       |
 //! | `search`   | the starts                                                            |
 //! | `told`     | what they come to                                                     |
 //! | `text`     | the same for people                                                   |
 //! | `words`    | what a model looks for, for `check`                                   |
 
 mod asked;
+mod path;
 mod problem;
 mod question;
 mod search;
+mod slopes;
 mod text;
 mod timing;
 mod told;

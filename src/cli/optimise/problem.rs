@@ -1,6 +1,7 @@
 //! A variant as the search sees it: an objective, how far constraints are off, how far a path is from its points.
 
 use super::question::{Aim, Question};
+use super::slopes::{Derivatives, Last};
 use super::timing::Timing;
 use super::variants::{Call, Detail, Found, Variant};
 use linkdyn_model::optimise::Relation;
@@ -47,6 +48,10 @@ pub struct Problem<'p> {
     pub runs: u64,
     /// The evaluations, where they are wanted.
     pub records: Option<Vec<Record>>,
+    /// What the derivatives came from.
+    pub derivatives: Derivatives,
+    /// Where numbers were worked out last, and the path with them.
+    pub last: Last,
 }
 
 impl Question {
@@ -112,9 +117,13 @@ impl Problem<'_> {
         let mut measured = Measured::default();
         if self.question.curve.is_some() {
             self.runs += 1;
+            self.last.path = None;
             match self.variant.path(x, self.detail, self.call) {
                 Found::Some(nodes) => match self.distances(&nodes) {
-                    Some(distances) => measured.distances = distances,
+                    Some(distances) => {
+                        measured.distances = distances;
+                        self.last.path = Some((x.to_vec(), nodes));
+                    }
                     None => return Found::None("the path is too short".to_owned()),
                 },
                 Found::None(why) => return Found::None(why),
@@ -127,6 +136,7 @@ impl Problem<'_> {
             return Found::Some(measured);
         }
         self.runs += 1;
+        self.last.numbers = Some(x.to_vec());
         let all = match self.variant.numbers(x, self.call) {
             Found::Some(all) => all,
             // A path is one even where the model's own analysis has no end.
@@ -178,7 +188,7 @@ impl Problem<'_> {
     }
 
     /// How far the points are from the path.
-    fn distances(&self, nodes: &[Node]) -> Option<Vec<f64>> {
+    pub fn distances(&self, nodes: &[Node]) -> Option<Vec<f64>> {
         let curve = self.question.curve.as_ref()?;
         if nodes.len() < 2 {
             return None;

@@ -2,6 +2,7 @@
 
 use super::problem::{Measured, Problem, Record};
 use super::question::{Aim, Question};
+use super::slopes::{Derivatives, Last, Searched};
 use super::timing::Timing;
 use super::variants::{Call, Detail, Found, Variants};
 use crate::cli::exit::BadInput;
@@ -32,6 +33,7 @@ pub struct Ended {
     /// By constraint: what the objective would gain, [SI per SI].
     pub multipliers: Vec<f64>,
     pub runs: u64,
+    pub derivatives: Derivatives,
     pub records: Vec<Record>,
 }
 
@@ -121,6 +123,8 @@ impl Search<'_> {
             call: Call::OfSearch,
             runs: 0,
             records: keep.then(Vec::new),
+            derivatives: Derivatives::default(),
+            last: Last::default(),
         }
     }
 
@@ -200,7 +204,7 @@ impl Search<'_> {
             ..least_squares::Settings::default()
         };
         let start = self.spread(number, is_curve);
-        let mut f = |x: &[f64]| problem.outcome(x);
+        let mut f = Searched(&mut problem);
         let mut found =
             start::fit(&mut f, &bounds, &start, given.as_deref(), &settings).map_err(too_many)?;
         if is_curve && !found.residuals.is_empty() && found.ended != least_squares::Ended::Stopped {
@@ -210,7 +214,7 @@ impl Search<'_> {
                 most_steps: 50,
                 ..settings
             };
-            let mut f = |x: &[f64]| problem.outcome(x);
+            let mut f = Searched(&mut problem);
             let finer = least_squares(&mut f, &bounds, &found.x, &settings);
             if !finer.residuals.is_empty() {
                 found = finer;
@@ -249,7 +253,7 @@ impl Search<'_> {
         let mut problem = self.problem(Detail::Fine, self.keep);
         let settings = constrained::Settings::default();
         let start = self.spread(number, self.question.curve.is_some());
-        let mut f = |x: &[f64]| problem.outcome(x);
+        let mut f = Searched(&mut problem);
         let found = start::optimise(&mut f, &kinds, &bounds, &start, given.as_deref(), &settings)
             .map_err(too_many)?;
         let Optimum {
@@ -316,6 +320,7 @@ impl Search<'_> {
         let x: Vec<f64> = x.unwrap_or_else(nominal);
         let runs = problem.runs;
         let records = problem.records.take().unwrap_or_default();
+        let derivatives = std::mem::take(&mut problem.derivatives);
         (problem.detail, problem.call) = (Detail::Fine, Call::Last);
         let measured = match is_there.then(|| problem.measure(&x)) {
             Some(Found::Some(measured)) => Some(measured),
@@ -344,6 +349,7 @@ impl Search<'_> {
             slope: slope.filter(|own| own.is_finite()),
             multipliers,
             runs,
+            derivatives,
             records,
         }
     }

@@ -48,6 +48,9 @@ pub fn page(opened: &Opened, told: &Told, written: &[PathBuf]) -> String {
     }
     if question.aim != Aim::Goal {
         page.row("starts", starts(told));
+        if let Some(from) = derivatives(told) {
+            page.row("derivatives", from);
+        }
         others(&mut page, told, display);
     }
     page.rows(
@@ -144,6 +147,25 @@ fn starts(told: &Told) -> String {
         slope.unwrap_or_default(),
         best.how
     )
+}
+
+/// Where derivatives came from; none where none were needed.
+fn derivatives(told: &Told) -> Option<String> {
+    match told.derivatives().sum() {
+        [0, 0] => None,
+        [_, 0] => Some("exact".to_owned()),
+        [0, _] => Some("by differences".to_owned()),
+        [_, _] => {
+            let all = told.gradients().into_iter();
+            let of = all.filter(|(_, [_, differences])| *differences > 0);
+            let each = of.map(|(text, [exact, differences])| match exact {
+                0 => text,
+                _ => format!("{text} ({differences} of {})", exact + differences),
+            });
+            let each: Vec<String> = each.collect();
+            Some(format!("exact, but by differences: {}", each.join("; ")))
+        }
+    }
 }
 
 /// Other designs that are as good.

@@ -3,6 +3,7 @@
 use super::problem::Measured;
 use super::question::{Aim, Question};
 use super::search::Ended;
+use super::slopes::Derivatives;
 use linkdyn_model::optimise::Relation;
 use serde_json::{Value, json};
 
@@ -185,12 +186,16 @@ impl<'t> Told<'t> {
         all["status"] = self.status().into();
         all["seed"] = question.seed.into();
         all["evaluations"] = self.runs.into();
-        all["derivatives"] = match question.aim {
-            Aim::Goal => Value::Null,
-            Aim::Goals | Aim::Objective | Aim::Curve | Aim::ConstrainedCurve => {
-                "central_differences".into()
-            }
+        let derivatives = self.derivatives();
+        let [exact, differences] = derivatives.sum();
+        all["derivatives"] = match (exact, differences) {
+            (0, 0) => Value::Null,
+            (_, 0) => "exact".into(),
+            (0, _) => "central_differences".into(),
+            _ => "mixed".into(),
         };
+        let of = |(of, [exact, differences]): (String, [u64; 2])| json!({ "of": of, "exact": exact, "differences": differences });
+        all["gradients"] = self.gradients().into_iter().map(of).collect();
         if let Some((best, measured)) = self.best() {
             all["design"] = self.design(&best.x);
             self.aims(&mut all, best, measured);
@@ -199,6 +204,23 @@ impl<'t> Told<'t> {
         all["reached"] = self.reached.into();
         all["designs"] = self.designs.iter().map(|own| self.plain(&own.x)).collect();
         all
+    }
+
+    /// What the derivatives of all starts came from.
+    pub fn derivatives(&self) -> Derivatives {
+        let starts = self.starts.iter();
+        starts.fold(Derivatives::default(), |sum, own| sum.and(&own.derivatives))
+    }
+
+    /// The same by what is differentiated: how many gradients were exact, and how many differences.
+    pub fn gradients(&self) -> Vec<(String, [u64; 2])> {
+        let question = self.question;
+        let objective = question.objective.as_ref().map(|own| own.text.clone());
+        let path = question.curve.as_ref();
+        let path = path.map(|own| format!("path of {}", own.point));
+        let constraints = question.constraints.iter().map(|own| own.text.clone());
+        let names = objective.or(path).into_iter().chain(constraints);
+        names.zip(self.derivatives().0).collect()
     }
 
     /// The starts by their numbers.

@@ -1,13 +1,14 @@
 //! What a variant of the model gives: the one place where the search meets the engine.
 
+use super::path::{Path, nodes};
 use super::question::Question;
 use crate::cli::exit::BadInput;
 use crate::cli::open::{ModelOptions, Opened};
-use linkdyn_engine::analysis::{Control, Family, Member, Prepared};
+use linkdyn_engine::analysis::{Control, Family, Member, Outcome};
 use linkdyn_model::error::Complaints;
-use linkdyn_model::{Given, Loaded, Source, Substituted, Substitution};
+use linkdyn_model::{Given, Substituted, Substitution};
 use linkdyn_optimise::curve::Node;
-use linkdyn_output::{Status, Trajectory};
+use linkdyn_output::Status;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -54,8 +55,20 @@ pub trait Variant {
     fn numbers(&mut self, x: &[f64], call: Call) -> Found<Vec<f64>>;
     /// The same where a parameter that scatters deviates from what it has there: its number, and by how much.
     fn deviating(&mut self, x: &[f64], deviation: (usize, f64), call: Call) -> Found<Vec<f64>>;
+    /// The first of these numbers there, and its derivatives by the parameters.
+    fn deviating_slopes(
+        &mut self,
+        x: &[f64],
+        deviation: (usize, f64),
+        lengths: &[f64],
+    ) -> Option<(f64, Vec<f64>)>;
     /// The path of the point.
     fn path(&mut self, x: &[f64], detail: Detail, call: Call) -> Found<Vec<Node>>;
+    /// Derivatives of the numbers that the search needs by the parameters, which matter over some lengths, where these numbers
+    /// were worked out last: a row for each, NaN where one is not known.
+    fn slopes(&mut self, x: &[f64], lengths: &[f64]) -> Vec<f64>;
+    /// Derivatives of the place of the point at times of the path that was found last: x, then y, of each time.
+    fn path_slopes(&mut self, x: &[f64], lengths: &[f64], times: &[f64]) -> Option<Vec<f64>>;
 }
 
 /// Families of the model: read and compiled once.
@@ -65,6 +78,8 @@ pub struct Runs {
     deviations: Option<Deviations>,
     /// The model with an analysis for the path: coarse, fine.
     paths: Option<[Path; 2]>,
+    /// The same by its parameters, for derivatives.
+    path: Option<Family>,
     point: String,
     /// Where the numbers of the search stand among the responses, and those of the model.
     own: Vec<usize>,
@@ -80,14 +95,6 @@ struct Deviations {
     /// Where each that scatters stands.
     scatter: Vec<usize>,
     count: usize,
-}
-
-/// A model whose motion gives the path.
-struct Path {
-    source: Source,
-    /// None where its file must be read for each variant.
-    substitution: Option<Substitution>,
-    names: Vec<String>,
 }
 
 /// Rows of a path: one turn in steps of 3.75°, and of a quarter of it, which the quintics between them make 1e-12 and 1e-15 of it.
@@ -110,7 +117,15 @@ impl Runs {
         let names: Vec<&str> = variables.clone().map(|own| own.name.as_str()).collect();
         let refuse = |complaints| opened.bad_input(complaints);
         let mut paths = Vec::new();
+        let mut path_family = None;
         if let Some(point) = question.point() {
+            let mut sets_of = [sets, &super::timing::sets(opened, point, timing, ROWS[0])].concat();
+            let places = ["x", "y"].into_iter().enumerate();
+            sets_of
+                .extend(places.map(|(k, axis)| format!("responses.{OWN}{k}=last({point}.{axis})")));
+            let with = model.open_with(&sets_of)?.map_err(refuse)?;
+            // Where it is none, differences do.
+            path_family = Family::new(&with.loaded, &names, Given::Values).ok();
             for rows in ROWS {
                 let path = super::timing::sets(opened, point, timing, rows);
                 let with = model.open_with(&[sets, &path].concat())?.map_err(refuse)?;
@@ -127,6 +142,7 @@ impl Runs {
             others: others.into_iter().map(|(place, _)| place).collect(),
             values,
             deviations,
+            path: path_family,
             paths: paths.try_into().ok(),
             point: question
                 .point()
@@ -212,30 +228,15 @@ impl Deviations {
     }
 }
 
-impl Path {
-    fn new(loaded: &Loaded, names: &[&str]) -> Self {
-        let (source, model) = (&loaded.source, &loaded.model);
-        Path {
-            source: source.clone(),
-            substitution: Substitution::new(
-                source,
-                model,
-                &loaded.parameters,
-                names,
-                Given::Values,
-            ),
-            names: names.iter().map(|name| (*name).to_owned()).collect(),
+impl Deviations {
+    /// Of all parameters, where one deviates besides.
+    fn values(&self, x: &[f64], (number, by): (usize, f64)) -> Vec<f64> {
+        let mut values = vec![0.0; self.count];
+        for (value, (x, nominal)) in values.iter_mut().zip(x.iter().zip(&self.nominal)) {
+            *value = x - nominal;
         }
-    }
-
-    fn prepared(&self, x: &[f64], place: Option<&mut Substituted>) -> Result<Prepared, Complaints> {
-        let put = self.substitution.as_ref().zip(place);
-        if let Some(model) = put.and_then(|(substitution, place)| substitution.put(x, place)) {
-            return Prepared::new(model);
-        }
-        let names = self.names.iter().map(String::as_str);
-        let values: Vec<(&str, f64)> = names.zip(x.iter().copied()).collect();
-        Prepared::new(&self.source.with_parameters(&values)?)
+        values[self.scatter[number]] += by;
+        values
     }
 }
 
@@ -246,6 +247,9 @@ struct Share<'r> {
     deviations: Option<Member<'r>>,
     /// Models of the path: coarse, fine.
     places: [Option<Substituted>; 2],
+    path: Option<Member<'r>>,
+    /// The path found last.
+    motion: Option<Outcome>,
 }
 
 impl Variants for Runs {
@@ -254,10 +258,18 @@ impl Variants for Runs {
             let path = self.paths.as_ref().map(|paths| &paths[k])?;
             path.substitution.as_ref().map(Substitution::begin)
         };
+        let mut values = self.values.begin();
+        values.keep_motion();
         Box::new(Share {
             runs: self,
-            values: self.values.begin(),
-            deviations: self.deviations.as_ref().map(|own| own.family.begin()),
+            values,
+            path: self.path.as_ref().map(Family::begin),
+            motion: None,
+            deviations: self.deviations.as_ref().map(|own| {
+                let mut member = own.family.begin();
+                member.keep_motion();
+                member
+            }),
             places: [place(0), place(1)],
         })
     }
@@ -273,12 +285,33 @@ impl Variant for Share<'_> {
         let Some((deviations, member)) = both else {
             return Found::None("nothing scatters".to_owned());
         };
-        let mut values = vec![0.0; deviations.count];
-        for (value, (x, nominal)) in values.iter_mut().zip(x.iter().zip(&deviations.nominal)) {
-            *value = x - nominal;
-        }
-        values[deviations.scatter[number]] += by;
+        let values = deviations.values(x, (number, by));
         self.runs.member(member, &values, call)
+    }
+
+    fn deviating_slopes(
+        &mut self,
+        x: &[f64],
+        deviation: (usize, f64),
+        lengths: &[f64],
+    ) -> Option<(f64, Vec<f64>)> {
+        let Found::Some(numbers) = self.deviating(x, deviation, Call::OfSearch) else {
+            return None;
+        };
+        let (deviations, member) = self
+            .runs
+            .deviations
+            .as_ref()
+            .zip(self.deviations.as_mut())?;
+        let values = deviations.values(x, deviation);
+        // Those that only scatter have no length, and so no derivatives.
+        let mut all = vec![f64::NAN; deviations.count];
+        all[..lengths.len()].copy_from_slice(lengths);
+        let responses = self.runs.own.len() + self.runs.others.len();
+        let mut gradient = vec![f64::NAN; responses * all.len()];
+        member.slopes(&values, &all, &mut gradient);
+        let row = self.runs.own.first()? * all.len();
+        Some((*numbers.first()?, gradient[row..row + x.len()].to_vec()))
     }
 
     fn path(&mut self, x: &[f64], detail: Detail, call: Call) -> Found<Vec<Node>> {
@@ -302,32 +335,41 @@ impl Variant for Share<'_> {
             return missing;
         }
         match nodes(outcome.all(), &self.runs.point) {
-            Some(nodes) => Found::Some(nodes),
+            Some(nodes) => {
+                self.motion = Some(outcome);
+                Found::Some(nodes)
+            }
             None => Found::None("the path has gaps".to_owned()),
         }
     }
-}
 
-/// The path of a point over time.
-fn nodes(rows: &Trajectory, point: &str) -> Option<Vec<Node>> {
-    let column = |name: &str| rows.column_index(name);
-    let of = |word: &str| column(&format!("{point}.{word}"));
-    let time = column(linkdyn_output::TIME)?;
-    let all = ["x", "y", "vx", "vy", "ax", "ay"].map(of);
-    let [Some(x), Some(y), Some(vx), Some(vy), Some(ax), Some(ay)] = all else {
-        return None;
-    };
-    let node = |row: &[f64]| Node {
-        s: row[time],
-        p: [row[x], row[y]],
-        d: [row[vx], row[vy]],
-        dd: [row[ax], row[ay]],
-    };
-    let nodes: Vec<Node> = rows.rows().map(node).collect();
-    let is_whole = nodes
-        .iter()
-        .all(|node| node.p.iter().chain(&node.dd).all(|own| own.is_finite()));
-    is_whole.then_some(nodes)
+    fn slopes(&mut self, x: &[f64], lengths: &[f64]) -> Vec<f64> {
+        let count = self.runs.own.len() + self.runs.others.len();
+        let mut gradient = vec![f64::NAN; count * x.len()];
+        self.values.slopes(x, lengths, &mut gradient);
+        let rows = self.runs.own.iter();
+        let row = |place: &usize| &gradient[place * x.len()..(place + 1) * x.len()];
+        rows.flat_map(row).copied().collect()
+    }
+
+    fn path_slopes(&mut self, x: &[f64], lengths: &[f64], times: &[f64]) -> Option<Vec<f64>> {
+        let (member, motion) = (self.path.as_mut()?, self.motion.as_ref()?);
+        let responses = self.runs.path.as_ref()?.responses();
+        let all = member.slopes_along(x, lengths, motion.all(), times)?;
+        // Among the columns may be the time, too.
+        let columns: Vec<&str> = responses.columns().collect();
+        let place = |axis: &str| {
+            let name = format!("{}.{axis}", self.runs.point);
+            columns.iter().position(|own| *own == name)
+        };
+        let places = [place("x")?, place("y")?];
+        let of = |time: usize, column: usize| {
+            let from = (time * columns.len() + column) * x.len();
+            &all[from..from + x.len()]
+        };
+        let each = (0..times.len()).flat_map(|time| places.map(|column| of(time, column)));
+        Some(each.flatten().copied().collect())
+    }
 }
 
 /// What is wrong with a model, without its values: many variants have the same fault.
