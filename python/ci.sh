@@ -34,6 +34,10 @@ stage() {
 # With the profile and the features of the tests, which have compiled everything but what is Python's own.
 stage maturin build --quiet --release --locked --features as-tested --out "$place/wheels"
 wait "$installing"
+# The source distribution has all that its manifests name.
+stage maturin sdist --out "$place/sdist" 2> "$place/sdist.log" || { cat "$place/sdist.log" >&2; exit 1; }
+tar -xzf "$place"/sdist/linkdyn-*.tar.gz -C "$place/sdist" --strip-components 1
+cargo metadata --quiet --offline --locked --no-deps --format-version 1 --manifest-path "$place/sdist/python/Cargo.toml" > "$place/sdist.json"
 uv pip install --quiet --no-deps "$place"/wheels/linkdyn-*.whl
 
 # The package that is tested is the installed one, not the folder beside the tests.

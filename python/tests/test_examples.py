@@ -43,6 +43,20 @@ def test_the_page_of_a_run_is_shown_in_its_cell() -> None:
     assert "<iframe srcdoc=" in book.cells[0].outputs[0]["data"]["text/html"]
 
 
+def test_a_bar_shows_how_far_a_run_is() -> None:
+    pytest.importorskip("tqdm")
+    book = nbformat.v4.new_notebook()
+    line = 'linkdyn.load("double-pendulum").set({"analysis.end": 1000}).run(progress=True).status'
+    book.cells = [nbformat.v4.new_code_cell(f"import linkdyn\n{line}")]
+    nbclient.NotebookClient(book, timeout=60, kernel_name="python3").execute()
+    # A widget where the notebook has widgets, else a line of text.
+    outputs = book.cells[0].outputs
+    text = "".join(output.get("text", "") for output in outputs)
+    widgets = [output for output in outputs if "application/vnd.jupyter.widget-view+json" in output.get("data", {})]
+    assert "100%|" in text or widgets, outputs
+    assert outputs[-1]["data"]["text/plain"] == "'completed'"
+
+
 def test_the_cells_are_typed(tmp_path: Path) -> None:
     pytest.importorskip("mypy")
     for path in NOTEBOOKS:
