@@ -222,8 +222,16 @@ fn an_output_that_turns_back_leaves_one_cell_empty() {
         angle[0].is_nan() && angle[1..].iter().all(|angle| angle.is_finite()),
         "{angle:?}"
     );
+    let advantage = column(&ours, "transmission.advantage");
     assert!(
-        notes.len() == 1 && notes[0].contains("is empty in 1 of 401 rows"),
+        advantage[0].is_nan() && advantage[1..].iter().all(|advantage| advantage.is_finite()),
+        "{advantage:?}"
+    );
+    assert!(
+        notes.len() == 2
+            && notes
+                .iter()
+                .all(|note| note.contains("is empty in 1 of 401 rows")),
         "{notes:?}"
     );
 }

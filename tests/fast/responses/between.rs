@@ -136,3 +136,36 @@ fn loads_shaking_and_transmission_are_named() {
         ("N", true)
     );
 }
+
+/// At a dead centre of the crank the piston stands still: the advantage has poles there, wherever the rows fall.
+#[test]
+fn a_pole_has_no_extreme() {
+    let slider_crank = |response: &str, outputs: usize| {
+        let mut json = model(&[]).to_json();
+        json["analysis"]["outputs"] = serde_json::json!(outputs);
+        json["analysis"]["transmission"] = serde_json::json!({ "output": "piston" });
+        json["responses"] = serde_json::json!({ "n": response });
+        let loaded = load(json.to_string().as_bytes(), &[]).expect("good");
+        answers(&loaded.model).remove(0)
+    };
+    for outputs in [37, 40, 361] {
+        for response in [
+            "max(transmission.advantage)",
+            "range(transmission.advantage)",
+            "max(1/abs(piston.x - 0.2 m))",
+        ] {
+            let found = slider_crank(response, outputs);
+            let reason = found.reason.unwrap_or_default();
+            assert!(
+                found.value.is_none() && reason.contains("grows without end near"),
+                "{outputs} rows: {response}: {:?} {reason}",
+                found.value
+            );
+        }
+        // between the dead centres it has a least value, where the piston is fastest
+        let least = slider_crank("min(abs(transmission.advantage))", outputs);
+        let fastest = slider_crank("max(abs(piston.vx))/max(crank.omega)", outputs);
+        let product = least.value.expect("a least one") * fastest.value.expect("a fastest");
+        assert!((product - 1.0).abs() < 1e-10, "{product}");
+    }
+}

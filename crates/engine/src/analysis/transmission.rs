@@ -12,6 +12,7 @@
 //! holds (90° − pressure angle). i is found from J S = e, f from Jᵀ λ = b, by the factors of one Jacobian per row, so that
 //! a driver at rest has a ratio, too. Where the point stands still (its carrier is welded to ground, held by another driver, or the
 //! output turns back) or the joint carries nothing, v or f has no direction and μ does not exist: the cell is empty, and a note says why.
+//! Where the output stands still, A is infinite: its cell is empty as well.
 //! Checked against triangles, and against the same mechanism on ground, in `tests/fast/transmission.rs`.
 
 use super::rows::{Columns, States};
@@ -105,13 +106,7 @@ impl<'s> Transmitted<'s> {
         if self.solver.driven.is_none() && self.rows > 0 {
             return Err(undetermined());
         }
-        let Solver {
-            system,
-            drawn,
-            output,
-            ..
-        } = &self.solver;
-        Ok(notes(system, drawn, *output, self.driver, self.rows))
+        Ok(notes(&self.solver, self.driver, self.rows))
     }
 }
 
@@ -144,6 +139,8 @@ struct Solver<'s> {
     states: States,
     output: Output,
     drawn: Vec<Drawn>,
+    /// Rows in which the output stands still.
+    at_rest: usize,
     /// Everything still, and the same with the driver at unit speed.
     still: Inputs,
     unit: Inputs,
@@ -166,6 +163,7 @@ impl<'s> Solver<'s> {
             states,
             output,
             drawn: drawn(system, output),
+            at_rest: 0,
             still,
             unit,
             driven: None,
@@ -190,10 +188,11 @@ impl<'s> Solver<'s> {
         self.load.fill(0.0);
         let body = self.output.body;
         let columns = system.layout.moving(body);
-        let ratio = match self.output.slide {
+        // The ratio, and in what length the output moves by it.
+        let (ratio, reach) = match self.output.slide {
             None => {
                 self.load[columns.theta()] = 1.0;
-                self.v[columns.theta()]
+                (self.v[columns.theta()], system.size)
             }
             Some(u) => {
                 let rho = self
@@ -202,12 +201,16 @@ impl<'s> Solver<'s> {
                     .turn(row, system.bodies[body].origin);
                 let torque = rho.x * u.y - rho.y * u.x;
                 columns.write(&mut self.load, [u.x, u.y, torque]);
-                u.x * self.v[columns.x()] + u.y * self.v[columns.y()]
+                (u.x * self.v[columns.x()] + u.y * self.v[columns.y()], 1.0)
             }
         };
         driven.multipliers(&self.load, &mut self.lambda);
-        line.extend([ratio, 1.0 / ratio]);
-        angles(driven, &self.still, &mut self.drawn, &self.lambda, line);
+        let at = driven.evaluation.kinematics(&self.still);
+        let slowest = NO_MOTION * fastest(system, &at);
+        let is_at_rest = ratio.abs() * reach <= slowest;
+        self.at_rest += usize::from(is_at_rest);
+        line.extend([ratio, if is_at_rest { f64::NAN } else { 1.0 / ratio }]);
+        angles(system, &at, slowest, &mut self.drawn, &self.lambda, line);
     }
 
     /// Factors J at the position; whether it is regular there.
@@ -225,14 +228,15 @@ impl<'s> Solver<'s> {
     }
 }
 
-/// Why cells of the angles are empty.
-fn notes(
-    system: &System,
-    drawn: &[Drawn],
-    output: Output,
-    driver: usize,
-    rows: usize,
-) -> Vec<String> {
+/// Why cells are empty.
+fn notes(solver: &Solver, driver: usize, rows: usize) -> Vec<String> {
+    let Solver {
+        system,
+        drawn,
+        output,
+        at_rest,
+        ..
+    } = solver;
     let within = |empty: usize| match empty {
         1 => format!("in 1 of {rows} rows"),
         _ if empty == rows => "in all rows".to_string(),
@@ -243,6 +247,13 @@ fn notes(
         &system.drivers[driver].name,
     );
     let mut notes = Vec::new();
+    if *at_rest > 0 {
+        notes.push(format!(
+            "transmission.advantage is empty {}: {output} stands still there while {driver} alone moves, so that a load on it \
+             takes no effort, and the advantage is infinite",
+            within(*at_rest)
+        ));
+    }
     for Drawn {
         joint, still, idle, ..
     } in drawn
@@ -265,27 +276,25 @@ fn notes(
     notes
 }
 
-/// Appends μ of each joint, and counts those that have none.
+/// Appends μ of each joint, and counts those that have none; velocities of the slowest and below are none.
 fn angles(
-    driven: &Driven,
-    still: &Inputs,
+    system: &System,
+    at: &Kinematics,
+    slowest: f64,
     drawn: &mut [Drawn],
     lambda: &[f64],
     line: &mut Vec<f64>,
 ) {
-    let system = driven.system;
-    let at = driven.evaluation.kinematics(still);
     let force = |joint: usize| {
         let block = &system.blocks[joint];
         block
             .constraint
-            .reaction(&at, &lambda[block.row..block.row + block.rows])
+            .reaction(at, &lambda[block.row..block.row + block.rows])
             .0
     };
     let largest = (0..system.joints.len())
         .map(|joint| force(joint).norm())
         .fold(0.0, f64::max);
-    let fastest = fastest(system, &at);
     for Drawn {
         joint,
         side,
@@ -297,14 +306,14 @@ fn angles(
         let data = &system.joints[*joint];
         // The second body's point is where the force acts; the output's velocity there.
         let output = data.bodies[*side].0;
-        let place = data.points[1].place(&at);
+        let place = data.points[1].place(at);
         let velocity =
             at.twists[output].v + perp(place - at.poses[output].r) * at.twists[output].omega;
         let force = force(*joint);
         line.push(if force.norm() <= NO_FORCE * largest {
             *idle += 1;
             f64::NAN
-        } else if velocity.norm() <= NO_MOTION * fastest {
+        } else if velocity.norm() <= slowest {
             *still += 1;
             f64::NAN
         } else {

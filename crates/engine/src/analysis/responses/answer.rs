@@ -51,6 +51,8 @@ pub enum Reason {
     Empty(usize),
     /// The arithmetic has no finite result, at this time or at the end.
     NotFinite(Option<f64>),
+    /// It grows without end near this time.
+    Endless(f64),
     /// The equation of this reducer never holds.
     NeverReached(usize),
     /// There are no rows, contacts or events for this reducer.
@@ -71,6 +73,7 @@ impl Reason {
             | Reason::Gap(..)
             | Reason::Empty(_)
             | Reason::NotFinite(_)
+            | Reason::Endless(_)
             | Reason::NoItem(_)
             | Reason::NoFact(_) => self,
         }
@@ -93,6 +96,9 @@ impl Responses {
             }
             Reason::NotFinite(Some(time)) => format!("it has no finite value at {time} s"),
             Reason::NotFinite(None) => "its value is not finite".to_owned(),
+            Reason::Endless(time) => {
+                format!("it has no extreme: it grows without end near {time} s")
+            }
             Reason::NeverReached(index) => format!("{}: this never happens", text(index)),
             Reason::Nothing(index) => format!("{}: there is nothing of this kind", text(index)),
             Reason::NoItem(time) => {

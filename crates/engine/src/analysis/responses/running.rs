@@ -165,11 +165,15 @@ impl Running {
             if promise.is_none_or(|promise| points[index][1] + promise <= most(self)) {
                 continue;
             }
-            top::find(points, index, |time| {
+            let found = top::find(points, index, |time| {
                 let row = row(time)?;
                 self.between(&row);
                 row.value.ok().map(|value| side * value)
             });
+            if let Err(time) = found {
+                self.fault = Some(Reason::Endless(time));
+                return;
+            }
         }
     }
 

@@ -2,7 +2,8 @@
 //!
 //! A polynomial through the nearest points known says where the top is, and how high. The curve is asked there. Where it has
 //! the height that was said, the place is right as well: of an error ε in the height of a smooth curve, only ε² is lost at
-//! a top. Else the point joins the others. Where no polynomial fits, as at a kink, golden sections close in.
+//! a top. Else the point joins the others. Where no polynomial fits, as at a kink, golden sections close in. What has grown by
+//! much more than any top between rows may when they have closed in has no top: a pole.
 
 /// Points of a polynomial.
 const NEAREST: usize = 6;
@@ -28,6 +29,8 @@ const STEPS: usize = 6;
 /// Questions after which the bracket must have become this much smaller, or golden sections take over.
 const PATIENCE: usize = 4;
 const HALF: f64 = 0.5;
+/// A rise of more than this many drops, on which sections close in, is a pole: a parabola rises by an eighth, a kink by a half.
+const POLE: f64 = 2.0;
 
 /// A point of a curve: place and height.
 pub type Point = [f64; 2];
@@ -177,12 +180,19 @@ fn drop(rows: &[Point], index: usize) -> Option<f64> {
 }
 
 /// Looks for the top near a row that is no lower than its neighbours. `curve` gives the height at a place, and keeps what it gave.
-pub fn find(rows: &[Point], index: usize, mut curve: impl FnMut(f64) -> Option<f64>) {
+///
+/// # Errors
+/// Where the curve grows without end.
+pub fn find(
+    rows: &[Point],
+    index: usize,
+    mut curve: impl FnMut(f64) -> Option<f64>,
+) -> Result<(), f64> {
     let Some(drop) = drop(rows, index).filter(|drop| *drop > 0.0) else {
-        return;
+        return Ok(());
     };
     if drop <= ROUND_OFF * rows[index][1].abs() {
-        return;
+        return Ok(());
     }
     let mut known = nearest(rows, index);
     let last = rows.len() - 1;
@@ -201,7 +211,7 @@ pub fn find(rows: &[Point], index: usize, mut curve: impl FnMut(f64) -> Option<f
             // Outside there is no row: where the polynomial does not rise from the end, the end is the top.
             let rises = told.is_some_and(|[_, height]| height - rows[index][1] > NO_HIGHER * drop);
             if !rises {
-                return;
+                return Ok(());
             }
         }
         asked += 1;
@@ -217,7 +227,7 @@ pub fn find(rows: &[Point], index: usize, mut curve: impl FnMut(f64) -> Option<f
             Some([x, _]) => x,
             None => bracket.section(),
         };
-        let Some(height) = curve(x) else { return };
+        let Some(height) = curve(x) else { break };
         let error = told.map(|_| known.at(&known.differences(), x)[0] - height);
         // Later the curve is a kink as likely, beside whose tip a polynomial may be right by chance.
         let scale = if round < SMOOTH { drop } else { bracket.drop() };
@@ -226,13 +236,17 @@ pub fn find(rows: &[Point], index: usize, mut curve: impl FnMut(f64) -> Option<f
             let higher =
                 told.filter(|told| told[0] != x && told[1] - bracket.best[1] > NO_HIGHER * drop);
             let _ = higher.and_then(|[top, _]| curve(top));
-            return;
+            return Ok(());
         }
         known.add([x, height]);
         bracket.take([x, height]);
         if bracket.width() <= CLOSED * width {
-            return;
+            break;
         }
+    }
+    match bracket.best[1] - rows[index][1] > POLE * drop {
+        true => Err(bracket.best[0]),
+        false => Ok(()),
     }
 }
 
@@ -268,7 +282,8 @@ mod tests {
             asked += 1;
             most = most.max(curve(x));
             Some(curve(x))
-        });
+        })
+        .expect("a top");
         (most, asked)
     }
 
@@ -307,6 +322,39 @@ mod tests {
     #[test]
     fn a_curve_that_is_not_there_leaves_the_rows() {
         let rows = rows(&f64::sin, 0.0, 3.0, 9);
-        find(&rows, 5, |_| None);
+        assert_eq!(find(&rows, 5, |_| None), Ok(()));
+    }
+
+    #[test]
+    fn poles_have_no_top_and_peaks_do() {
+        let best = |rows: &[Point]| {
+            let best = (0..rows.len()).max_by(|&a, &b| rows[a][1].total_cmp(&rows[b][1]));
+            best.expect("rows")
+        };
+        let pole = 0.123_4;
+        let odd = |t: f64| 1.0 / (t - pole);
+        let even = |t: f64| (t - pole).powi(-2);
+        let slow = |t: f64| -(t - pole).abs().ln();
+        let curves: [&dyn Fn(f64) -> f64; 3] = [&odd, &even, &slow];
+        for curve in curves {
+            let rows = rows(curve, -1.0, 1.0, 11);
+            let found = find(&rows, best(&rows), |t| Some(curve(t)));
+            let at = found.expect_err("a pole");
+            assert!((at - pole).abs() < 1e-9, "{at}");
+            // nor where nothing is known near it
+            let blind = |t: f64| ((t - pole).abs() > 1e-6).then(|| curve(t));
+            assert!(find(&rows, best(&rows), blind).is_err());
+        }
+        for sharp in [1e1, 1e2, 1e3] {
+            let peak = |t: f64| 1.0 / (1.0 + (sharp * (t - pole)).powi(2));
+            let mut most = 0.0_f64;
+            let rows = rows(&peak, -1.0, 1.0, 11);
+            let found = find(&rows, best(&rows), |t| {
+                most = most.max(peak(t));
+                Some(peak(t))
+            });
+            assert_eq!(found, Ok(()), "{sharp}");
+            assert!((most - 1.0).abs() < 1e-12, "{sharp}: {most}");
+        }
     }
 }
