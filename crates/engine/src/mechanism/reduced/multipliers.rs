@@ -41,6 +41,12 @@ impl Reduced<'_> {
         own.multipliers(&self.balance, lambda);
     }
 
+    /// Power that moving drivers bring in \[W\]: that of all constraints, −λᵀ J v = (M a − Q)ᵀ v, for which no λ is needed.
+    pub fn constraint_power(&mut self) -> f64 {
+        self.eval_balance();
+        -linkdyn_linear::math::dot(&self.balance, &self.v)
+    }
+
     /// Q − M a.
     pub(super) fn eval_balance(&mut self) {
         let mass = &self.driven.system.mass;

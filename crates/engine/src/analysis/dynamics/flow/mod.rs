@@ -197,8 +197,7 @@ impl<'s> Flow<'s> {
         let evaluation = self.equations.evaluation();
         let mut power = evaluation.supplied(system, &self.equations.inputs);
         if self.moving_drivers {
-            self.equations.multipliers(&mut self.lambda);
-            power += self.power_of_efforts();
+            power += self.equations.constraint_power();
         }
         let dependent = self.equations.dependent_forces();
         power += dependent.power(self.equations.velocity());
