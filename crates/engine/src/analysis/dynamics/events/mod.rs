@@ -4,12 +4,16 @@ mod locate;
 
 use super::fault::Fault;
 use super::steps::LastStep;
-use locate::locate;
+use locate::{Bracket, Point, locate};
 
 /// Points within a step at which guards are evaluated once one of them has been positive somewhere.
 const POINTS: usize = 8;
+/// Width, as a part of the distance between these points, at which an event is located.
+const NARROW: f64 = 1e-10;
 /// A step with an event is taken again to this part of it beyond the event, which is then near its end.
 const BEYOND: f64 = 1e-3;
+/// An event is known well enough for that within this part of `BEYOND`.
+const ROUGH: f64 = 0.1;
 
 /// The first event of the last step, which ends near it then; none where no guard was positive.
 ///
@@ -17,33 +21,68 @@ const BEYOND: f64 = 1e-3;
 /// Where the mechanism can't be evaluated within the step.
 pub fn first_event(step: &mut LastStep) -> Result<Option<f64>, Fault> {
     let (from, to) = (step.from(), step.to());
-    let event = search(step)?;
-    match event {
-        Some(time) if from + (1.0 + BEYOND) * (time - from) < to => {
-            step.take_again(from + (1.0 + BEYOND) * (time - from))?;
-            search(step)
-        }
-        Some(_) | None => Ok(event),
+    let Some(mut bracket) = search(step)? else {
+        return Ok(None);
+    };
+    let mut narrow = NARROW * bracket.width();
+    bracket = locate(
+        bracket,
+        ROUGH * BEYOND * (bracket.high.time - from),
+        |time| guard(step, time),
+    )?;
+    let beyond = |time: f64| from + (1.0 + BEYOND) * (time - from);
+    if beyond(bracket.high.time) < to {
+        step.take_again(beyond(bracket.high.time))?;
+        let before = from + (1.0 - BEYOND) * (bracket.low.time - from);
+        let Some(again) =
+            between(step, before, step.to())?.map_or_else(|| search(step), |one| Ok(Some(one)))?
+        else {
+            return Ok(None);
+        };
+        bracket = again;
+        narrow = narrow.min(NARROW * (step.to() - from) / POINTS as f64);
     }
+    let located = locate(bracket, narrow, |time| guard(step, time))?;
+    Ok(Some(located.high.time))
 }
 
-/// The first instant in the step at which a guard is positive, where there is one.
-fn search(step: &mut LastStep) -> Result<Option<f64>, Fault> {
-    let (from, to) = (step.from(), step.to());
-    let mut guard = |time: f64| {
-        step.evaluate(time)?;
-        Ok::<f64, Fault>(step.flow.largest_guard())
+/// The largest guard at a time within the step.
+fn guard(step: &mut LastStep, time: f64) -> Result<f64, Fault> {
+    step.evaluate(time)?;
+    Ok(step.flow.largest_guard())
+}
+
+/// An event between two times, of which guards are positive at the later one alone.
+fn between(step: &mut LastStep, low: f64, high: f64) -> Result<Option<Bracket>, Fault> {
+    let mut point = |time: f64| {
+        Ok::<_, Fault>(Point {
+            time,
+            value: guard(step, time)?,
+        })
     };
-    let mut low = (from, guard(from)?.min(0.0));
-    for point in 1..=POINTS {
-        let time = if point == POINTS {
-            to
-        } else {
-            from + (to - from) * point as f64 / POINTS as f64
+    let (low, high) = (point(low)?, point(high)?);
+    Ok((low.value <= 0.0 && high.value > 0.0).then_some(Bracket { low, high }))
+}
+
+/// The two neighbouring points between which a guard first becomes positive.
+fn search(step: &mut LastStep) -> Result<Option<Bracket>, Fault> {
+    let (from, to) = (step.from(), step.to());
+    let mut point = |time: f64| {
+        Ok::<_, Fault>(Point {
+            time,
+            value: guard(step, time)?,
+        })
+    };
+    let mut low = point(from)?;
+    low.value = low.value.min(0.0);
+    for index in 1..=POINTS {
+        let time = match index {
+            POINTS => to,
+            _ => from + (to - from) * index as f64 / POINTS as f64,
         };
-        let high = (time, guard(time)?);
-        if high.1 > 0.0 {
-            return locate(low, high, guard).map(Some);
+        let high = point(time)?;
+        if high.value > 0.0 {
+            return Ok(Some(Bracket { low, high }));
         }
         low = high;
     }
