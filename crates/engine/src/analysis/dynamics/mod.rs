@@ -27,6 +27,7 @@ mod ledger;
 mod margins;
 mod modes;
 mod outputs;
+mod paces;
 mod parts;
 mod sampling;
 mod settings;

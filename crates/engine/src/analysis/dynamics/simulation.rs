@@ -16,6 +16,7 @@ use super::impulses::{Impulses, Instant, Jams};
 use super::ledger::Ledger;
 use super::margins::Margins;
 use super::modes::{Change, change};
+use super::paces::Begun;
 use super::state::State;
 use super::steps::{LastStep, Steps};
 use crate::analysis::control::Control;
@@ -188,6 +189,7 @@ impl<'s> Simulation<'s> {
         self.last_step().0.evaluate(time)?;
         self.impulses(time).resolve()?;
         let system = self.flow.system();
+        let mut begun = None;
         for (contact, journal) in system.contacts.iter().enumerate() {
             let reading = self.flow.reading(contact);
             let was = self.flow.memories()[contact];
@@ -207,8 +209,21 @@ impl<'s> Simulation<'s> {
             if change == Change::Begin {
                 self.state.straighten_bristle(contact);
             }
+            begun = Some((contact, change));
         }
-        self.steps.begin_again(&mut self.flow, &self.state, time)?;
+        match begun {
+            Some((contact, change)) => {
+                let presses = |other: usize| other != contact && self.flow.is_in_contact(other);
+                let begun = Begun {
+                    contact,
+                    change,
+                    is_loaded: (0..system.contacts.len()).any(presses),
+                };
+                let at = (&self.state, time);
+                self.steps.begin_piece(&mut self.flow, at, begun)?;
+            }
+            None => self.steps.begin_again(&mut self.flow, &self.state, time)?,
+        }
         if let Some(extremes) = &mut self.extremes {
             extremes.begin_piece(&mut self.flow, &self.state, &self.ledger, time);
         }

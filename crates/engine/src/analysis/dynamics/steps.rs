@@ -2,6 +2,7 @@
 
 use super::fault::Fault;
 use super::flow::Flow;
+use super::paces::{Begun, Paces};
 use super::settings::{Settings, Wanted};
 use super::state::State;
 use crate::integrate::{Counters, Limits, Method, Refused, StepFailure, Stepper};
@@ -16,6 +17,7 @@ pub struct Steps {
     before: Counters,
     /// Where the run ends \[s\].
     end: f64,
+    paces: Paces,
 }
 
 impl Steps {
@@ -42,6 +44,7 @@ impl Steps {
             ),
             before: Counters::default(),
             end,
+            paces: Paces::new(flow.system().contacts.len()),
         };
         steps.start(flow, 0.0, state.as_slice(), end)?;
         Ok(steps)
@@ -75,13 +78,29 @@ impl Steps {
         self.restart(flow, (time, state.as_slice()), step, self.end)
     }
 
+    /// The same after a contact has changed: with steps as long as they were at the beginning of such a piece before.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn begin_piece(
+        &mut self,
+        flow: &mut Flow,
+        (state, time): (&State, f64),
+        begun: Begun,
+    ) -> Result<(), Fault> {
+        let step = self.paces.begin(begun);
+        self.restart(flow, (time, state.as_slice()), step, self.end)
+    }
+
     /// One step.
     ///
     /// # Errors
     /// Where it can't be taken.
     pub fn step(&mut self, flow: &mut Flow) -> Result<(), Fault> {
         let taken = self.stepper.step(flow, self.end);
-        taken.map_err(|failure| flow.stopped(failure))
+        taken.map_err(|failure| flow.stopped(failure))?;
+        self.paces.note((self.time() - self.previous()).abs());
+        Ok(())
     }
 
     /// End of the last step \[s\].
