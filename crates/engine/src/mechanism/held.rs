@@ -186,15 +186,11 @@ impl<'s> Held<'s> {
         }
         self.residual = correction.residual;
         self.driven.factor(&self.inputs)?;
-        let n = self.q.len();
         self.rest();
         self.driven
             .evaluation
             .eval_force(self.driven.system, &self.inputs, &mut self.force);
-        for k in 0..self.freedom() {
-            self.driven
-                .tangent(k, &mut self.tangents[k * n..(k + 1) * n]);
-        }
+        self.driven.tangents(&mut self.tangents);
         Ok(())
     }
 

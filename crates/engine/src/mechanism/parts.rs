@@ -244,7 +244,7 @@ impl<'s> Followed<'s> {
         for _ in 0..EXCHANGES {
             driven.evaluation.set_position(&q);
             driven.factor(&self.inputs).ok()?;
-            driven.tangent(0, &mut motion);
+            driven.tangents(&mut motion);
             let Some((_, column)) = better_coordinate(&driven, &motion) else {
                 break;
             };

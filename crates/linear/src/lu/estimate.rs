@@ -31,7 +31,7 @@ impl SparseLu {
         solve: fn(&mut Self, &mut [f64]),
         subtract_product: impl Fn(&Self, &[f64], &mut [f64]),
     ) {
-        self.assert_ready(b);
+        self.assert_ready(b.len());
         // The buffer leaves the struct while both are needed; an empty vector in its place does not allocate.
         let mut residual = std::mem::take(&mut self.residual);
         residual.copy_from_slice(b);
@@ -116,8 +116,8 @@ impl SparseLu {
         right: &mut [f64],
         left: &mut [f64],
     ) -> f64 {
-        self.assert_ready(right);
-        self.assert_ready(left);
+        self.assert_ready(right.len());
+        self.assert_ready(left.len());
         // Start from a vector without pattern, so that it is not orthogonal to a smooth or alternating one.
         for (index, value) in left.iter_mut().enumerate() {
             let golden = (index as f64 + 1.0) * 0.618_033_988_749_894_9;

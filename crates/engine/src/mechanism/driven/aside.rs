@@ -20,6 +20,7 @@ pub struct Aside {
     work: Vec<f64>,
     spare: Vec<f64>,
     rows: Vec<f64>,
+    measures_residual: bool,
     last_step: f64,
     dependent_forces: DependentForces,
 }
@@ -40,6 +41,7 @@ impl<'s> Driven<'s> {
             work: self.work,
             spare: self.spare,
             rows: self.rows,
+            measures_residual: self.measures_residual,
             last_step: self.last_step,
             dependent_forces: self.dependent_forces,
         }
@@ -61,6 +63,8 @@ impl<'s> Driven<'s> {
             work: aside.work,
             spare: aside.spare,
             rows: aside.rows,
+            together: Vec::new(),
+            measures_residual: aside.measures_residual,
             last_step: aside.last_step,
             done: Work::default(),
             dependent_forces: aside.dependent_forces,

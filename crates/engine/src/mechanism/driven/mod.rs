@@ -23,6 +23,7 @@
 //! accelerations. Coordinate k adds the row m + k, φ = u_k − q_c; its multiplier is the effort that holds it.
 
 mod aside;
+mod motions;
 mod reactions;
 mod rows;
 
@@ -51,7 +52,8 @@ pub struct Correction {
     pub first_step: f64,
     /// Largest ratio of successive steps; 0 when one was enough.
     pub contraction: f64,
-    /// Scaled residual over all rows [–].
+    /// Scaled residual over all rows [–]; where it is not measured, the square of the last step, by which it is bounded but for the
+    /// curvature.
     pub residual: f64,
     /// Largest step of the last iteration, scaled [–]: how far the factors' position is from the solution.
     pub last_step: f64,
@@ -104,6 +106,10 @@ pub struct Driven<'s> {
     /// A row as a column, or a guess that is still needed; only with redundancy (n).
     spare: Vec<f64>,
     rows: Vec<f64>,
+    /// Right-hand sides that are solved for together; none until there are some.
+    together: Vec<f64>,
+    /// Whether positions are corrected until their residual is known; else a last step is enough where no row is redundant.
+    pub measures_residual: bool,
     /// Newton step after which no further one is made, scaled [–]; by default what leaves nothing above round-off.
     pub last_step: f64,
     /// Work since it was made.
@@ -160,6 +166,8 @@ impl<'s> Driven<'s> {
             work: vec![0.0; n],
             spare: vec![0.0; n],
             rows: vec![0.0; rows],
+            together: Vec::new(),
+            measures_residual: true,
             last_step: LAST_STEP,
             done: Work::default(),
             dependent_forces: DependentForces::new(system, columns.len()),
@@ -294,6 +302,15 @@ impl<'s> Driven<'s> {
             }
             last = size;
             q.iter_mut().zip(&*step).for_each(|(q, d)| *q += d);
+            if size <= self.last_step && !self.measures_residual && !self.is_redundant() {
+                self.evaluation.set_position(q);
+                return Ok(Correction {
+                    first_step: first,
+                    contraction,
+                    residual: size * size,
+                    last_step: size,
+                });
+            }
         }
         Err(Failure::Diverged {
             residual: self.active_residual(q),
@@ -347,13 +364,6 @@ impl<'s> Driven<'s> {
             .eval_gamma(self.system, inputs, &mut self.rows[..m]);
         self.independent_rows(|coordinate| -coordinate.jet[2]);
         self.solve_rows(a);
-    }
-
-    /// ∂q/∂u_k (n): the motion that independent coordinate k alone makes, at the last factors.
-    pub fn tangent(&mut self, k: usize, s: &mut [f64]) {
-        self.rows.fill(0.0);
-        self.rows[self.system.m() + k] = -1.0;
-        self.solve_rows(s);
     }
 
     /// Sign of det J̃_A at the last factors.

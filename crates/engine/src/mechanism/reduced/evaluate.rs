@@ -55,12 +55,7 @@ impl Reduced<'_> {
         if correction.last_step > self.lag {
             self.driven.factor(&self.inputs)?;
         }
-        self.eval_tangents();
-        if self.still {
-            self.combine_tangents(rates);
-        } else {
-            self.driven.velocity(&self.inputs, &mut self.v);
-        }
+        self.eval_velocity(rates);
         self.driven.acceleration(&self.inputs, &mut self.a);
         Ok(())
     }
@@ -81,17 +76,23 @@ impl Reduced<'_> {
         self.driven.evaluation.set_velocity(&self.v);
     }
 
-    /// v = S u̇, which spares a solution with the factors.
-    fn combine_tangents(&mut self, rates: &[f64]) {
+    /// S and v = S u̇ + v_t.
+    fn eval_velocity(&mut self, rates: &[f64]) {
         let n = self.v.len();
-        self.v.fill(0.0);
-        for (tangent, rate) in self.tangents.chunks_exact(n.max(1)).zip(rates) {
+        let (driven, tangents) = (&mut self.driven, &mut self.tangents);
+        if self.still {
+            driven.tangents(tangents);
+            self.v.fill(0.0);
+        } else {
+            driven.tangents_and_drift(&self.inputs, tangents, &mut self.v);
+        }
+        for (tangent, rate) in tangents.chunks_exact(n.max(1)).zip(rates) {
             self.v
                 .iter_mut()
                 .zip(tangent)
                 .for_each(|(v, s)| *v += rate * s);
         }
-        self.driven.evaluation.set_velocity(&self.v);
+        driven.evaluation.set_velocity(&self.v);
     }
 
     /// ü, a and the marks of a finished evaluation.

@@ -90,7 +90,8 @@ impl<'s> Reduced<'s> {
         time: f64,
     ) -> Result<Self, Failure> {
         let inputs = Inputs::at_time(system, time);
-        let driven = Driven::with_independent(system, columns, q, &inputs)?;
+        let mut driven = Driven::with_independent(system, columns, q, &inputs)?;
+        driven.measures_residual = false;
         let (n, f) = (system.n(), columns.len());
         let zero = vec![0.0; n];
         let still = system.drivers.iter().all(|driver| driver.law.is_constant());
@@ -253,7 +254,7 @@ impl<'s> Reduced<'s> {
         self.inputs.set_time(system, time);
         self.driven.evaluation.set_position(&self.q);
         self.driven.factor(&self.inputs)?;
-        self.eval_tangents();
+        self.driven.tangents(&mut self.tangents);
         for _ in 0..10 * (self.freedom() + 1) {
             let Some((k, column)) = better_coordinate(&self.driven, &self.tangents) else {
                 break;
@@ -266,7 +267,7 @@ impl<'s> Reduced<'s> {
                 .collect();
             columns[k] = column;
             self.driven.choose(&columns, &self.inputs)?;
-            self.eval_tangents();
+            self.driven.tangents(&mut self.tangents);
         }
         let mut state = vec![0.0; 2 * self.freedom()];
         self.state(&mut state);
@@ -298,14 +299,6 @@ impl<'s> Reduced<'s> {
         for (k, coordinate) in self.driven.independent.iter().enumerate() {
             y[k] = self.q[coordinate.column];
             y[f + k] = self.v[coordinate.column];
-        }
-    }
-
-    fn eval_tangents(&mut self) {
-        let n = self.driven.system.n();
-        for k in 0..self.freedom() {
-            self.driven
-                .tangent(k, &mut self.tangents[k * n..(k + 1) * n]);
         }
     }
 
