@@ -266,6 +266,45 @@ fn auto_changes_once_and_stays() {
     assert!(stepper.counters().jacobians > jacobians && stepper.stiff());
 }
 
+/// Thirty oscillators, whose stiffness changes, that an explicit method follows at the edge of its stability: an implicit one that has to follow them as
+/// well takes more evaluations, most of them for its Jacobians.
+#[test]
+fn auto_goes_back_where_implicit_steps_cost_more() {
+    let vibrations = |t: f64, y: &[f64], dy: &mut [f64]| {
+        for (k, (dy, y)) in dy.chunks_exact_mut(2).zip(y.chunks_exact(2)).enumerate() {
+            let stiffness = 1e4 * (1.0 + 0.1 * k as f64) * (1.0 + 0.2 * (20.0 * t).sin());
+            (dy[0], dy[1]) = (
+                y[1],
+                1e3 * (30.0 * t).cos() - stiffness * y[0] - 350.0 * y[1],
+            );
+        }
+    };
+    let start = [0.1, 0.0].repeat(30);
+    let evaluations = |method: Method| {
+        let mut tolerance = tolerance(60, 1e-2);
+        tolerance.atol.fill(3e-2);
+        let mut stepper = method.stepper(tolerance, Limits::default());
+        run(
+            &mut *stepper,
+            &mut Problem::new(60, vibrations),
+            0.0,
+            &start,
+            100.0,
+        );
+        println!("{method:?} {:?}", stepper.counters());
+        stepper.counters()
+    };
+    let [auto, explicit, implicit] =
+        [Method::Auto, Method::Dop853, Method::Radau5].map(evaluations);
+    assert!(
+        implicit.evaluations > explicit.evaluations,
+        "{implicit:?}, {explicit:?}"
+    );
+    assert!(auto.jacobians > 0, "there was no trial: {auto:?}");
+    let more = auto.evaluations as f64 / explicit.evaluations as f64;
+    assert!(more < 1.1, "{auto:?}, {explicit:?}");
+}
+
 #[test]
 fn smooth_motion_is_not_found_stiff() {
     for solved in &SOLVED {

@@ -1,9 +1,49 @@
-//! DOP853 until the problem proves stiff, RADAU5 from there on.
+//! DOP853 until the problem proves stiff, RADAU5 from there on where that is cheaper.
 //!
-//! The change is made once, at the start of the step after the fifteenth that speaks for stiffness, and never back:
-//! also a stepper that is started again stays with what it has found.
+//! The change is made at the start of the step after the fifteenth that speaks for stiffness, and is on trial for some steps:
+//! where RADAU5 takes more evaluations of f for the same time than those fifteen did, DOP853 goes on, and twice as many steps
+//! must speak for the next trial. A contact is stiff by the first measure, for its frequency bounds the steps of an explicit
+//! method; but it is to be followed through each of its periods, which the method of higher order does with fewer evaluations.
+//! A stepper that is started again stays with what it has found.
 
 use super::{Counters, Dop853, Limits, Ode, Radau5, Refused, StepFailure, Stepper, Tolerance};
+
+/// Implicit steps until their length is their own, not the explicit method's.
+const WARM: u32 = 6;
+/// Implicit steps of a trial.
+const TRIAL: u32 = 16;
+
+/// A point of the integration, and the work until then.
+#[derive(Debug, Clone, Copy)]
+struct Mark {
+    t: f64,
+    evaluations: u64,
+}
+
+impl Mark {
+    fn of(stepper: &dyn Stepper) -> Self {
+        Mark {
+            t: stepper.t(),
+            evaluations: stepper.counters().evaluations,
+        }
+    }
+
+    /// Evaluations per time from here to there.
+    fn price(self, there: Mark) -> f64 {
+        (there.evaluations - self.evaluations) as f64 / (there.t - self.t).abs()
+    }
+}
+
+/// Which method is at work.
+#[derive(Debug, Clone, Copy)]
+enum Mode {
+    /// The explicit one; since when steps speak for stiffness.
+    Explicit(Option<Mark>),
+    /// The implicit one on trial: its steps, where its own began, and what the explicit one cost.
+    Trial { steps: u32, from: Mark, price: f64 },
+    /// The implicit one.
+    Implicit,
+}
 
 /// Explicit, then implicit.
 #[derive(Debug, Clone)]
@@ -11,7 +51,7 @@ pub struct Auto {
     limits: Limits,
     explicit: Dop853,
     implicit: Radau5,
-    changed: bool,
+    mode: Mode,
 }
 
 impl Auto {
@@ -21,46 +61,94 @@ impl Auto {
             limits,
             explicit: Dop853::new(tolerance.clone(), limits),
             implicit: Radau5::new(tolerance, limits),
-            changed: false,
+            mode: Mode::Explicit(None),
         }
+    }
+
+    fn is_explicit(&self) -> bool {
+        matches!(self.mode, Mode::Explicit(_))
     }
 
     /// The stepper at work.
     fn current(&self) -> &dyn Stepper {
-        if self.changed {
-            &self.implicit
-        } else {
+        if self.is_explicit() {
             &self.explicit
+        } else {
+            &self.implicit
         }
     }
 
     fn current_mut(&mut self) -> &mut dyn Stepper {
-        if self.changed {
-            &mut self.implicit
-        } else {
+        if self.is_explicit() {
             &mut self.explicit
+        } else {
+            &mut self.implicit
+        }
+    }
+
+    /// Changes the method where that is due.
+    fn choose(&mut self, ode: &mut dyn Ode, end: f64) -> Result<(), StepFailure> {
+        match self.mode {
+            Mode::Explicit(since) if self.explicit.stiff() && self.explicit.t() != end => {
+                let now = Mark::of(&self.explicit);
+                self.implicit.limits.initial_step = Some(self.explicit.proposal());
+                self.implicit.start(ode, now.t, self.explicit.y(), end)?;
+                self.mode = Mode::Trial {
+                    steps: 0,
+                    from: now,
+                    price: since.map_or(f64::INFINITY, |since| since.price(now)),
+                };
+            }
+            Mode::Trial { steps, from, price } if steps >= TRIAL && self.implicit.t() != end => {
+                let now = Mark::of(&self.implicit);
+                self.mode = Mode::Implicit;
+                if from.price(now) > price {
+                    self.explicit.limits.initial_step = Some(self.explicit.proposal());
+                    self.explicit.start(ode, now.t, self.implicit.y(), end)?;
+                    self.explicit.stiffness.doubt();
+                    self.mode = Mode::Explicit(None);
+                }
+            }
+            Mode::Explicit(_) | Mode::Trial { .. } | Mode::Implicit => {}
+        }
+        Ok(())
+    }
+
+    /// Notes a step.
+    fn note(&mut self) {
+        match &mut self.mode {
+            Mode::Explicit(since) => {
+                let is_suspected = self.explicit.stiffness.is_suspected();
+                *since = is_suspected.then(|| since.unwrap_or_else(|| Mark::of(&self.explicit)));
+            }
+            Mode::Trial { steps, from, .. } => {
+                *steps += 1;
+                if *steps == WARM {
+                    *from = Mark::of(&self.implicit);
+                }
+            }
+            Mode::Implicit => {}
         }
     }
 }
 
 impl Stepper for Auto {
     fn start(&mut self, ode: &mut dyn Ode, t: f64, y: &[f64], end: f64) -> Result<(), StepFailure> {
-        self.implicit.limits = self.limits;
+        (self.explicit.limits, self.implicit.limits) = (self.limits, self.limits);
         self.implicit.reserve(ode.dimension());
+        // What is on trial is tried anew.
+        self.mode = match self.mode {
+            Mode::Explicit(_) | Mode::Trial { .. } => Mode::Explicit(None),
+            Mode::Implicit => Mode::Implicit,
+        };
         self.current_mut().start(ode, t, y, end)
     }
 
     fn step(&mut self, ode: &mut dyn Ode, end: f64) -> Result<(), StepFailure> {
-        if !self.changed && self.explicit.stiff() && self.explicit.t() != end {
-            let (t, h) = (self.explicit.t(), self.explicit.proposal());
-            self.implicit.limits = Limits {
-                initial_step: Some(h),
-                ..self.limits
-            };
-            self.implicit.start(ode, t, self.explicit.y(), end)?;
-            self.changed = true;
-        }
-        self.current_mut().step(ode, end)
+        self.choose(ode, end)?;
+        self.current_mut().step(ode, end)?;
+        self.note();
+        Ok(())
     }
 
     fn t(&self) -> f64 {

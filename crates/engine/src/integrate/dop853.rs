@@ -36,7 +36,7 @@ const DENSE: usize = 7;
 #[derive(Debug, Clone)]
 pub struct Dop853 {
     tolerance: Tolerance,
-    limits: Limits,
+    pub(super) limits: Limits,
     counters: Counters,
     n: usize,
     t: f64,
@@ -59,7 +59,7 @@ pub struct Dop853 {
     /// Coefficients of the continuous extension (`DENSE` × n).
     dense: Vec<f64>,
     dense_known: bool,
-    stiffness: Stiffness,
+    pub(super) stiffness: Stiffness,
 }
 
 /// Slices of n slopes for the entries of a row.

@@ -11,11 +11,24 @@ const HITS: u32 = 15;
 const CALM: u32 = 6;
 
 /// Steps that speak for stiffness.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Stiffness {
     hits: u32,
     calm: u32,
     found: bool,
+    /// As many hits decide.
+    enough: u32,
+}
+
+impl Default for Stiffness {
+    fn default() -> Self {
+        Stiffness {
+            hits: 0,
+            calm: 0,
+            found: false,
+            enough: HITS,
+        }
+    }
 }
 
 impl Stiffness {
@@ -24,7 +37,7 @@ impl Stiffness {
         if square > STABLE * STABLE {
             self.calm = 0;
             self.hits += 1;
-            self.found |= self.hits >= HITS;
+            self.found |= self.hits >= self.enough;
         } else if self.hits > 0 {
             self.calm += 1;
             if self.calm >= CALM {
@@ -36,6 +49,18 @@ impl Stiffness {
     /// Forgets the steps counted, not what was found.
     pub(super) fn restart(&mut self) {
         (self.hits, self.calm) = (0, 0);
+    }
+
+    /// Forgets what was found; twice as many steps must speak for it the next time.
+    pub(super) fn doubt(&mut self) {
+        self.restart();
+        self.found = false;
+        self.enough = self.enough.saturating_mul(2);
+    }
+
+    /// Whether the last steps speak for stiffness.
+    pub(super) fn is_suspected(&self) -> bool {
+        self.hits > 0
     }
 
     /// Whether the problem is taken to be stiff.
@@ -63,6 +88,11 @@ mod tests {
         broken.count(hit);
         assert!(!broken.is_found());
         steady.restart();
+        assert!(steady.is_found());
+        steady.doubt();
+        (0..HITS).for_each(|_| steady.count(hit));
+        assert!(!steady.is_found() && steady.is_suspected());
+        (0..HITS).for_each(|_| steady.count(hit));
         assert!(steady.is_found());
     }
 }
