@@ -93,7 +93,12 @@ impl Evaluation {
     pub fn set_position(&mut self, q: &[f64]) {
         for (pose, columns) in self.poses[1..].iter_mut().zip(self.layout.bodies()) {
             let [x, y, theta] = columns.read(q);
-            *pose = Pose::new(x, y, theta);
+            // Corrections leave most angles as they are, whose sine and cosine are known.
+            if theta.to_bits() == pose.theta.to_bits() {
+                pose.r = Vec2::new(x, y);
+            } else {
+                *pose = Pose::new(x, y, theta);
+            }
         }
     }
 
