@@ -33,6 +33,8 @@ pub struct Prepared {
     /// The analysis as resolved, for the summary.
     settings: serde_json::Value,
     responses: Responses,
+    /// Nothing else is wanted of its runs.
+    responses_alone: bool,
     /// Data or drivers may be missing only because the fixed body has another name.
     unheld: Option<Complaint>,
 }
@@ -63,11 +65,21 @@ impl Prepared {
         let question = question.map_err(|complaint| loose(complaint.into()))?;
         Ok(Prepared {
             responses: responses(model, &system, &question)?,
+            responses_alone: false,
             question,
             settings: settings(analysis),
             system,
             unheld,
         })
+    }
+
+    /// Runs for the responses alone: columns that none of them needs have no peaks between the outputs.
+    #[must_use]
+    pub fn for_responses(self) -> Self {
+        Prepared {
+            responses_alone: true,
+            ..self
+        }
     }
 
     /// The columns of the results.
@@ -205,9 +217,9 @@ impl Prepared {
                     return prescribed();
                 }
                 let mut settings = question.dynamics(system)?;
-                if settings.watched.is_none() && self.responses.look_between() {
-                    let needed = self.responses.columns();
-                    settings.watched = Some(needed.map(str::to_owned).collect());
+                if settings.watched.is_none() || self.responses_alone {
+                    let needed = || self.responses.columns().map(str::to_owned).collect();
+                    settings.watched = self.responses.look_between().then(needed);
                 }
                 let found = dynamics::run(system, start, &settings, control)?;
                 let (trajectory, peaks, report) = found;

@@ -238,10 +238,11 @@ impl Member<'_> {
             return Ok(Ended::whole(responses));
         }
         let made = mechanisms.as_mut();
-        let outcome = match made.and_then(|mechanisms| mechanisms.model(values)) {
-            Some(model) => Prepared::new(model)?.run(control)?,
-            None => Prepared::new(&family.model(values)?)?.run(control)?,
+        let prepared = match made.and_then(|mechanisms| mechanisms.model(values)) {
+            Some(model) => Prepared::new(model)?,
+            None => Prepared::new(&family.model(values)?)?,
         };
+        let outcome = prepared.for_responses().run(control)?;
         for (response, answer) in responses.iter_mut().zip(&outcome.responses) {
             *response = answer.value.unwrap_or(f64::NAN);
         }
