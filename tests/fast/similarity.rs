@@ -79,6 +79,8 @@ fn slider_crank(clearance: &str, factors: Factors) -> Value {
     let mut model: Value = serde_json::from_str(found.text).expect("JSON");
     model["units"] = json!("SI");
     model.as_object_mut().expect("a map").remove("parameters");
+    // `atol` is in SI, and would be stricter for the large one.
+    model["analysis"]["solver"] = json!({ "rtol": 1e-6, "atol": 1e-30 });
     let (crank, rod) = (0.05 * length, ROD * length);
     let inertia = mass * length.powi(2);
     let set = |model: &mut Value, path: &str, value: Value| {
