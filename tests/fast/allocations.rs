@@ -115,8 +115,13 @@ fn start(system: &System) -> (Reduced<'_>, Vec<f64>) {
     let inputs = Inputs::at_time(system, 0.0);
     let assembled = assembly::assemble(system, &inputs).expect("assembles");
     let v = assembly::velocities(system, &assembled.q, &inputs).expect("velocities");
-    let mut reduced =
-        Reduced::new(system, &assembled.all.free_columns, &assembled.q, &v, 0.0).expect("regular");
+    let mut reduced = Reduced::new(
+        system,
+        &assembled.all.free_columns,
+        (&assembled.q, &v, 0.0),
+        false,
+    )
+    .expect("regular");
     reduced.set_lag(1e-8);
     let mut y = vec![0.0; 2 * reduced.freedom()];
     reduced.state(&mut y);

@@ -34,13 +34,12 @@ const SHORTEST: f64 = 1e-5;
 /// The forces' directions, what they do, and their sizes.
 #[derive(Debug, Clone, Default)]
 pub struct DependentForces {
-    /// (k, n), (k, m), (k, f)
+    /// (k, n), (k, m), (k, n)
     units: Vec<f64>,
     responses: Vec<f64>,
-    rates: Vec<f64>,
+    changes: Vec<f64>,
     n: usize,
     m: usize,
-    f: usize,
     /// λ without these forces (m), for who has no place of his own.
     pub(super) free: Vec<f64>,
     /// T (k) [N or N·m].
@@ -61,18 +60,17 @@ pub struct DependentForces {
 }
 
 impl DependentForces {
-    /// Room for those of a system with so many degrees of freedom.
-    pub fn new(system: &System, freedom: usize) -> Self {
+    /// Room for those of a system.
+    pub fn new(system: &System) -> Self {
         let (k, n, m) = (system.dependent_forces.len(), system.n(), system.m());
         // Nothing is kept for nothing.
         let cells = |count: usize| vec![0.0; k * count];
         DependentForces {
             units: cells(n),
             responses: cells(m),
-            rates: cells(freedom),
+            changes: cells(n),
             n,
             m,
-            f: freedom,
             free: if k > 0 { vec![0.0; m] } else { Vec::new() },
             sizes: cells(1),
             kept: cells(1),
@@ -146,23 +144,23 @@ impl DependentForces {
             .zip(self.responses.chunks_exact_mut(self.m.max(1)))
     }
 
-    /// g_j, and where Λ_j and ü of g_j go.
-    pub(super) fn units_responses_and_rates(
+    /// g_j, and where Λ_j and the accelerations of g_j go.
+    pub(super) fn units_responses_and_changes(
         &mut self,
     ) -> impl Iterator<Item = ((&[f64], &mut [f64]), &mut [f64])> {
         let responses = self.responses.chunks_exact_mut(self.m.max(1));
-        let rates = self.rates.chunks_exact_mut(self.f.max(1));
+        let changes = self.changes.chunks_exact_mut(self.n.max(1));
         self.units
             .chunks_exact(self.n.max(1))
             .zip(responses)
-            .zip(rates)
+            .zip(changes)
     }
 
-    pub(super) fn sizes_and_rates(&self) -> impl Iterator<Item = (f64, &[f64])> {
+    pub(super) fn sizes_and_changes(&self) -> impl Iterator<Item = (f64, &[f64])> {
         self.sizes
             .iter()
             .copied()
-            .zip(self.rates.chunks_exact(self.f.max(1)))
+            .zip(self.changes.chunks_exact(self.n.max(1)))
     }
 
     /// Adds Σ T_j g_j.

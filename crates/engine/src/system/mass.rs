@@ -36,17 +36,16 @@ impl Mass {
         &self.diagonal
     }
 
+    /// Entries of M, those of bodies without mass included: row, column, value.
+    pub(crate) fn entries(&self) -> impl Iterator<Item = (usize, usize, f64)> {
+        let diagonal = self.diagonal.iter().enumerate();
+        diagonal.map(|(k, m)| (k, k, *m))
+    }
+
     /// out = x − M y (n).
     pub(crate) fn residual(&self, x: &[f64], y: &[f64], out: &mut [f64]) {
         for (((out, x), y), m) in out.iter_mut().zip(x).zip(y).zip(&self.diagonal) {
             *out = x - m * y;
-        }
-    }
-
-    /// out −= M (factor y) (n).
-    pub(crate) fn subtract(&self, factor: f64, y: &[f64], out: &mut [f64]) {
-        for ((out, y), m) in out.iter_mut().zip(y).zip(&self.diagonal) {
-            *out -= m * factor * y;
         }
     }
 
@@ -107,8 +106,8 @@ mod tests {
         let mut out = [0.0; 6];
         mass.residual(&x, &y, &mut out);
         assert!((0..6).all(|k| out[k] == x[k] - m[k] * y[k]), "{out:?}");
-        mass.subtract(2.0, &x, &mut out);
-        assert!((0..6).all(|k| out[k] == x[k] - m[k] * y[k] - 2.0 * m[k] * x[k]));
+        let entries: Vec<_> = mass.entries().collect();
+        assert!((0..6).all(|k| entries[k] == (k, k, m[k])));
         let momenta: Vec<_> = mass.momenta(&x).collect();
         assert_eq!(
             momenta,

@@ -43,7 +43,7 @@ use super::control::{Control, Stop};
 use super::words::{locked, unsure_friction};
 use crate::mechanism::driven::Failure;
 use crate::mechanism::phases::Phases;
-use crate::mechanism::reduced::Reduced;
+use crate::mechanism::reduced::{Reduced, is_curve};
 use crate::system::System;
 use flow::Flow;
 use linkdyn_model::error::Complaint;
@@ -74,12 +74,12 @@ pub fn run(
 
     let watch = Stopwatch::start();
     let phases = Phases::new(system);
-    let mut reduced = equations(system, &assembled, &v)?;
-    let parts = if reduced.has_curve() {
+    let parts = if is_curve(system, assembled.all.free_columns.len()) {
         Vec::new()
     } else {
         parts::parts(system, &assembled.q)
     };
+    let mut reduced = equations(system, &assembled, &v, !parts.is_empty())?;
     reduced.cross(&parts, &phases);
     let mut report = Report {
         mobility: assembled.mobility,
@@ -136,6 +136,7 @@ fn equations<'s>(
     system: &'s System,
     assembled: &Assembled,
     v: &[f64],
+    has_parts: bool,
 ) -> Result<Reduced<'s>, Stop> {
     let singular = || {
         Stop::failed(
@@ -146,7 +147,8 @@ fn equations<'s>(
         )
     };
     let columns = &assembled.all.free_columns;
-    let reduced = Reduced::new(system, columns, &assembled.q, v, 0.0).map_err(|failure| {
+    let point = (&assembled.q[..], v, 0.0);
+    let reduced = Reduced::new(system, columns, point, has_parts).map_err(|failure| {
         let massless: Vec<&str> = system
             .bodies
             .iter()

@@ -54,6 +54,7 @@ impl<'s> Driven<'s> {
             evaluation: aside.evaluation,
             independent: aside.independent,
             selection: aside.selection,
+            revision: 0,
             row_scales: aside.row_scales,
             slots: aside.slots,
             scales: aside.scales,

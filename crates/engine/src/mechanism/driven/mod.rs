@@ -33,6 +33,7 @@ use crate::system::{Evaluation, Inputs, System};
 pub(crate) use aside::Aside;
 use linkdyn_linear::lu::SparseLu;
 use linkdyn_linear::order::ColumnOrder;
+pub use motions::TOGETHER;
 
 /// Work done.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -93,6 +94,8 @@ pub struct Driven<'s> {
     /// Coordinates that are prescribed besides its drivers.
     pub independent: Vec<Independent>,
     selection: Selection,
+    /// How often rows or independent coordinates have changed.
+    revision: u64,
     /// Scale of each active row (n).
     row_scales: Vec<f64>,
     /// Slot of each system entry in `values`; the last cell takes what belongs to ground or to a redundant row.
@@ -157,6 +160,7 @@ impl<'s> Driven<'s> {
             evaluation,
             independent,
             selection,
+            revision: 0,
             row_scales: Vec::with_capacity(n),
             slots,
             scales: Vec::with_capacity(system.entries.len()),
@@ -170,7 +174,7 @@ impl<'s> Driven<'s> {
             measures_residual: true,
             last_step: LAST_STEP,
             done: Work::default(),
-            dependent_forces: DependentForces::new(system, columns.len()),
+            dependent_forces: DependentForces::new(system),
         };
         driven.scale_entries();
         driven.scale_rows();
@@ -182,6 +186,16 @@ impl<'s> Driven<'s> {
     /// Whether some constraints are redundant.
     pub fn is_redundant(&self) -> bool {
         !self.selection.redundant.is_empty()
+    }
+
+    /// How often rows or independent coordinates have changed.
+    pub(super) fn revision(&self) -> u64 {
+        self.revision
+    }
+
+    /// Scale of each entry of J: that of its column by that of its row.
+    pub(super) fn scales(&self) -> &[f64] {
+        &self.scales
     }
 
     /// The independent rows.
@@ -318,7 +332,7 @@ impl<'s> Driven<'s> {
     }
 
     /// Right-hand sides of the independent coordinates' rows.
-    fn independent_rows(&mut self, value: impl Fn(&Independent) -> f64) {
+    fn independent_rows(&mut self, mut value: impl FnMut(&Independent) -> f64) {
         for (row, coordinate) in self.rows[self.system.m()..]
             .iter_mut()
             .zip(&self.independent)

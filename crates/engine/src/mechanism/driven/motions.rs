@@ -4,7 +4,7 @@ use super::Driven;
 use crate::system::Inputs;
 
 /// Right-hand sides that go through the factors together.
-const TOGETHER: usize = 4;
+pub const TOGETHER: usize = 4;
 
 /// What a motion is of.
 #[derive(Clone, Copy)]
@@ -27,8 +27,44 @@ impl Driven<'_> {
         self.motions(Some(inputs), tangents, drift);
     }
 
+    /// The tangents from one on, at most [`TOGETHER`].
+    pub fn tangents_from(&mut self, first: usize, tangents: &mut [f64]) {
+        let coordinates = tangents.len() / self.system.n().max(1);
+        let motions = Motions {
+            first,
+            coordinates,
+            drivers: None,
+        };
+        self.some::<TOGETHER>(motions, tangents, &mut []);
+    }
+
+    /// The motion that all independent coordinates make together (n), each by its scale to one side or the other.
+    pub fn spread(&mut self, mut is_forward: impl FnMut() -> bool, motion: &mut [f64]) {
+        let system = self.system;
+        self.rows.fill(0.0);
+        self.independent_rows(|coordinate| {
+            let scale = system.column_scale(coordinate.column);
+            if is_forward() { -scale } else { scale }
+        });
+        self.solve_rows(motion);
+    }
+
+    /// Brings the independent coordinates to their values and the others along, by the factors at hand, whichever position
+    /// they are of.
+    pub fn slide(&mut self, q: &mut [f64]) {
+        if !self.lu.is_factored() {
+            return;
+        }
+        self.rows.fill(0.0);
+        self.independent_rows(|coordinate| q[coordinate.column] - coordinate.jet[0]);
+        let mut step = std::mem::take(&mut self.work);
+        self.solve_rows(&mut step);
+        q.iter_mut().zip(&step).for_each(|(q, step)| *q += step);
+        self.work = step;
+    }
+
     fn motions(&mut self, drivers: Option<&Inputs>, tangents: &mut [f64], drift: &mut [f64]) {
-        let f = self.independent.len();
+        let (n, f) = (self.system.n(), self.independent.len());
         let all = f + usize::from(drivers.is_some());
         let mut first = 0;
         while first < all {
@@ -38,6 +74,7 @@ impl Driven<'_> {
                 coordinates: count.min(f - first),
                 drivers: drivers.filter(|_| first + count > f),
             };
+            let tangents = &mut tangents[first * n..];
             match count {
                 1 => self.some::<1>(motions, tangents, drift),
                 2 => self.some::<2>(motions, tangents, drift),
@@ -74,7 +111,7 @@ impl Driven<'_> {
             }
         }
         self.lu.solve_together(together);
-        let columns = tangents[first * n..].chunks_exact_mut(n.max(1));
+        let columns = tangents.chunks_exact_mut(n.max(1));
         let all = columns.take(coordinates).chain(drivers.map(|_| drift));
         for (k, motion) in all.enumerate() {
             for (to, sides) in motion.iter_mut().zip(&*together) {

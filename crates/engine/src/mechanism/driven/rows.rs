@@ -194,6 +194,7 @@ impl Driven<'_> {
 
     fn adopt(&mut self, selection: Selection) -> Result<(), Failure> {
         let (pattern, slots, values) = Driven::layout(self.system, &self.independent, &selection);
+        self.revision += 1;
         self.nnz = pattern.entries();
         self.values = values;
         self.selection = selection;

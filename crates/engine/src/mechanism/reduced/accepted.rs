@@ -2,18 +2,18 @@
 
 use linkdyn_linear::hermite::{Node, quintic};
 
-/// The last two accepted points, and S at the later one.
+/// The last two accepted points, and S at the later one where it is at hand.
 pub(super) struct Accepted {
     /// The later one: time, position, velocity and acceleration (n).
     pub here: Node,
     before: Option<Node>,
-    /// S there, one tangent after the other (f × n).
+    /// S there, one tangent after the other (f × n), or nothing.
     pub tangents: Vec<f64>,
 }
 
 impl Accepted {
-    /// The first point, with `freedom` independent coordinates.
-    pub fn new(time: f64, q: &[f64], v: &[f64], freedom: usize) -> Self {
+    /// The first point.
+    pub fn new(time: f64, q: &[f64], v: &[f64]) -> Self {
         let n = q.len();
         Accepted {
             here: Node {
@@ -23,11 +23,11 @@ impl Accepted {
                 dd: vec![0.0; n],
             },
             before: None,
-            tangents: vec![0.0; freedom * n],
+            tangents: Vec::new(),
         }
     }
 
-    /// The position at `time` with these independent coordinates, by extrapolation.
+    /// The position at `time` by extrapolation, with these independent coordinates where S is at hand.
     pub fn predict(
         &self,
         time: f64,
@@ -61,7 +61,8 @@ impl Accepted {
         self.here.q.copy_from_slice(q);
         self.here.d.copy_from_slice(v);
         self.here.dd.copy_from_slice(a);
-        self.tangents.copy_from_slice(tangents);
+        self.tangents.clear();
+        self.tangents.extend_from_slice(tangents);
     }
 
     /// Sets the earlier point aside, for what evaluates the later one anew.

@@ -41,6 +41,14 @@ impl<'s> Chart<'s> {
         }
     }
 
+    /// Whether there is a bridge.
+    pub fn has_bridge(&self) -> bool {
+        match self {
+            Chart::Curve(curve) => curve.beyond.bridge.is_some(),
+            Chart::Coordinates(extrapolation) => extrapolation.bridge.is_some(),
+        }
+    }
+
     /// Exchanges the bridge for another.
     pub fn exchange_bridge(&mut self, bridge: Option<Parts<'s>>) -> Option<Parts<'s>> {
         std::mem::replace(&mut self.extrapolation().bridge, bridge)

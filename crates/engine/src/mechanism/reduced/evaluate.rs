@@ -3,7 +3,6 @@
 use super::Reduced;
 use super::place::{Given, Place, Placed};
 use crate::mechanism::driven::Failure;
-use linkdyn_linear::small::cholesky_solve;
 
 /// Contraction of Newton above which a point is refused: its branch is not certain.
 const CONTRACTION: f64 = 0.35;
@@ -40,12 +39,16 @@ impl Reduced<'_> {
         self.driven
             .evaluation
             .eval_force(system, &self.inputs, &mut self.force);
-        self.eval_balance();
-        self.finish(time)
+        self.accelerate()?;
+        self.at = Some(time);
+        Ok(())
     }
 
-    /// q by Newton from the guess at hand, then S, v and a₀.
+    /// q by Newton from the guess at hand, then v.
     fn solve_constraints(&mut self, rates: &[f64]) -> Result<(), Failure> {
+        if self.inertia.known_tangents().is_empty() {
+            self.driven.slide(&mut self.q);
+        }
         let correction = self.driven.correct_by_any_rows(&mut self.q, &self.inputs)?;
         if correction.contraction > CONTRACTION || correction.first_step > FARTHEST {
             return Err(Failure::Diverged {
@@ -55,8 +58,8 @@ impl Reduced<'_> {
         if correction.last_step > self.lag {
             self.driven.factor(&self.inputs)?;
         }
-        self.eval_velocity(rates);
-        self.driven.acceleration(&self.inputs, &mut self.a);
+        let (driven, inputs) = (&mut self.driven, &self.inputs);
+        self.inertia.velocity(driven, inputs, rates, &mut self.v);
         Ok(())
     }
 
@@ -71,79 +74,52 @@ impl Reduced<'_> {
         for (a, bend) in self.a.iter_mut().zip(&curve.bend) {
             *a = rate * rate * bend;
         }
-        self.tangents.copy_from_slice(&curve.tangent);
+        if let Some(tangents) = self.inertia.tangents() {
+            tangents.s.copy_from_slice(&curve.tangent);
+        }
         self.driven.evaluation.set_position(&self.q);
         self.driven.evaluation.set_velocity(&self.v);
     }
 
-    /// S and v = S u̇ + v_t.
-    fn eval_velocity(&mut self, rates: &[f64]) {
-        let n = self.v.len();
-        let (driven, tangents) = (&mut self.driven, &mut self.tangents);
-        if self.still {
-            driven.tangents(tangents);
-            self.v.fill(0.0);
-        } else {
-            driven.tangents_and_drift(&self.inputs, tangents, &mut self.v);
-        }
-        for (tangent, rate) in tangents.chunks_exact(n.max(1)).zip(rates) {
-            self.v
-                .iter_mut()
-                .zip(tangent)
-                .for_each(|(v, s)| *v += rate * s);
-        }
-        driven.evaluation.set_velocity(&self.v);
-    }
-
-    /// ü, a and the marks of a finished evaluation.
-    fn finish(&mut self, time: f64) -> Result<(), Failure> {
-        let system = self.driven.system;
-        self.solve_freedom()?;
-        let n = system.n();
-        for (k, s) in self.tangents.chunks_exact(n.max(1)).enumerate() {
-            self.driven.independent[k].jet[2] = self.rhs[k];
-            for (a, s) in self.a.iter_mut().zip(s) {
-                *a += self.rhs[k] * s;
+    /// ü and a, with the forces that depend on multipliers.
+    fn accelerate(&mut self) -> Result<(), Failure> {
+        let to = [&mut self.a[..], &mut self.accelerations];
+        match self.inertia.tangents().filter(|_| self.is_smooth) {
+            Some(tangents) => tangents.accelerate(&self.driven, &self.force, to)?,
+            None => {
+                let (driven, inputs) = (&mut self.driven, &self.inputs);
+                self.inertia.accelerate(driven, inputs, &self.force, to)?;
             }
         }
-        if !system.dependent_forces.is_empty() {
+        if !self.driven.system.dependent_forces.is_empty() {
             self.react()?;
         }
-        self.at = Some(time);
+        let own = self.driven.independent.iter_mut();
+        own.zip(&self.accelerations)
+            .for_each(|(coordinate, rate)| coordinate.jet[2] = *rate);
         Ok(())
     }
 
     /// Forces that depend on multipliers: with them ü, a and Q.
     fn react(&mut self) -> Result<(), Failure> {
         let system = self.driven.system;
-        let n = system.n();
         let mut dependent = std::mem::take(&mut self.driven.dependent_forces);
         let mut lambda = std::mem::take(&mut dependent.free);
         self.multipliers(&mut lambda);
         dependent.eval_units(system, &self.driven.evaluation, &self.inputs);
-        for ((unit, response), rates) in dependent.units_responses_and_rates() {
-            for (rate, s) in rates.iter_mut().zip(self.tangents.chunks_exact(n)) {
-                *rate = linkdyn_linear::math::dot(s, unit);
-            }
-            cholesky_solve(&self.mass, rates);
-            self.balance.copy_from_slice(unit);
-            for (rate, s) in rates.iter().zip(self.tangents.chunks_exact(n)) {
-                system.mass.subtract(*rate, s, &mut self.balance);
-            }
+        for ((unit, response), change) in dependent.units_responses_and_changes() {
+            self.inertia.respond(&self.driven, unit, change);
+            system.mass.residual(unit, change, &mut self.balance);
             self.driven.multipliers(&self.balance, response);
         }
         let solved = dependent.solve(system, &self.driven.evaluation, &self.inputs, &lambda);
         if solved.is_ok() {
             dependent.add_forces(&mut self.force);
-            for (size, rates) in dependent.sizes_and_rates() {
-                for (k, (rate, s)) in rates.iter().zip(self.tangents.chunks_exact(n)).enumerate() {
-                    self.rhs[k] += size * rate;
-                    self.driven.independent[k].jet[2] = self.rhs[k];
-                    self.a
-                        .iter_mut()
-                        .zip(s)
-                        .for_each(|(a, s)| *a += size * rate * s);
-                }
+            for (size, change) in dependent.sizes_and_changes() {
+                let a = self.a.iter_mut().zip(change);
+                a.for_each(|(a, change)| *a += size * change);
+                let own = self.driven.independent.iter().zip(&mut self.accelerations);
+                own.for_each(|(coordinate, rate)| *rate += size * change[coordinate.column]);
             }
         }
         dependent.free = lambda;

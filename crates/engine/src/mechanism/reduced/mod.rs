@@ -24,13 +24,16 @@ mod chart;
 mod curve;
 mod evaluate;
 mod extrapolation;
+mod inertia;
 mod mass;
 mod multipliers;
 mod place;
+mod sparse;
+mod tangents;
 
 use super::dependent_forces::DependentForces;
 use super::driven::{Driven, Failure, LAST_STEP, Work};
-use super::independent::better_coordinate;
+use super::independent::{better_coordinate, better_of_all};
 use super::parts::{Part, Parts};
 use super::phases::Phases;
 use crate::element::Kinematics;
@@ -39,7 +42,9 @@ use accepted::Accepted;
 use chart::Chart;
 use curve::Curve;
 use extrapolation::Extrapolation;
+use inertia::Inertia;
 use place::Place;
+use tangents::Tangents;
 
 /// A mechanism with freedom left.
 pub struct Reduced<'s> {
@@ -56,21 +61,15 @@ pub struct Reduced<'s> {
     balance: Vec<f64>,
     /// Factors whose position is this far from the solution are taken for those of the solution [rad or sizes].
     lag: f64,
-    /// S, one tangent after the other (f × n).
-    tangents: Vec<f64>,
-    /// SᵀMS (f × f) and its factor; Sᵀ(Q − M a₀) and ü (f).
-    mass: Vec<f64>,
-    rhs: Vec<f64>,
-    /// M S of one tangent, where it is not zero: column and value.
-    momenta: Vec<(usize, f64)>,
+    /// Who solves for ü, and ü (f).
+    inertia: Inertia,
+    accelerations: Vec<f64>,
     /// The last accepted points.
     accepted: Accepted,
     /// Where q, v, a are.
     at: Option<f64>,
     /// Where positions come from.
     chart: Chart<'s>,
-    /// Drivers are at rest, so that all motion is that of the independent coordinates.
-    still: bool,
     /// The point at hand is on a smooth branch, where the equations have no trustworthy factors.
     is_smooth: bool,
     /// When a step first passed a change point with forces that depend on multipliers, which have no bound there.
@@ -78,29 +77,33 @@ pub struct Reduced<'s> {
 }
 
 impl<'s> Reduced<'s> {
-    /// At an assembled state; `columns` are coordinates that determine the rest there.
+    /// At an assembled state; `columns` are coordinates that determine the rest there. Where parts have smooth branches, which
+    /// stand for their joints at times, accelerations come of tangents.
     ///
     /// # Errors
     /// When they do not.
     pub fn new(
         system: &'s System,
         columns: &[usize],
-        q: &[f64],
-        v: &[f64],
-        time: f64,
+        (q, v, time): (&[f64], &[f64], f64),
+        has_parts: bool,
     ) -> Result<Self, Failure> {
         let inputs = Inputs::at_time(system, time);
         let mut driven = Driven::with_independent(system, columns, q, &inputs)?;
         driven.measures_residual = false;
         let (n, f) = (system.n(), columns.len());
         let zero = vec![0.0; n];
-        let still = system.drivers.iter().all(|driver| driver.law.is_constant());
-        let chart = if still && f == 1 {
+        let chart = if is_curve(system, f) {
             Chart::Curve(Box::new(Curve::new(n, Extrapolation::default())))
         } else {
             Chart::Coordinates(Extrapolation::default())
         };
         let mut reduced = Reduced {
+            inertia: if has_parts {
+                Inertia::Tangents(Tangents::of(&driven))
+            } else {
+                Inertia::of(&driven)
+            },
             driven,
             inputs,
             q: q.to_vec(),
@@ -109,14 +112,10 @@ impl<'s> Reduced<'s> {
             force: zero.clone(),
             balance: zero,
             lag: 0.0,
-            tangents: vec![0.0; f * n],
-            mass: vec![0.0; f * f],
-            rhs: vec![0.0; f],
-            momenta: Vec::with_capacity(n),
-            accepted: Accepted::new(time, q, v, f),
+            accelerations: vec![0.0; f],
+            accepted: Accepted::new(time, q, v),
             at: None,
             chart,
-            still,
             is_smooth: false,
             passed: None,
         };
@@ -136,7 +135,8 @@ impl<'s> Reduced<'s> {
         time: f64,
         sustained: &[bool],
     ) -> Result<Self, Failure> {
-        let mut other = Reduced::new(system, columns, &self.q, &self.v, time)?;
+        let point = (&self.q[..], &self.v[..], time);
+        let mut other = Reduced::new(system, columns, point, self.chart.has_bridge())?;
         let (memories, were) = (&mut other.inputs.memories, &self.inputs.memories);
         memories
             .iter_mut()
@@ -149,11 +149,6 @@ impl<'s> Reduced<'s> {
         let parts = parts.map(|parts| parts.with_sustained(sustained));
         other.chart.exchange_bridge(parts);
         Ok(other)
-    }
-
-    /// Whether the positions are a curve of one coordinate.
-    pub fn has_curve(&self) -> bool {
-        self.chart.curve().is_some()
     }
 
     /// Takes the change points of these parts by their smooth branches.
@@ -254,9 +249,8 @@ impl<'s> Reduced<'s> {
         self.inputs.set_time(system, time);
         self.driven.evaluation.set_position(&self.q);
         self.driven.factor(&self.inputs)?;
-        self.driven.tangents(&mut self.tangents);
         for _ in 0..10 * (self.freedom() + 1) {
-            let Some((k, column)) = better_coordinate(&self.driven, &self.tangents) else {
+            let Some((k, column)) = better_of_all(&mut self.driven) else {
                 break;
             };
             let mut columns: Vec<usize> = self
@@ -267,7 +261,6 @@ impl<'s> Reduced<'s> {
                 .collect();
             columns[k] = column;
             self.driven.choose(&columns, &self.inputs)?;
-            self.driven.tangents(&mut self.tangents);
         }
         let mut state = vec![0.0; 2 * self.freedom()];
         self.state(&mut state);
@@ -282,7 +275,13 @@ impl<'s> Reduced<'s> {
     /// # Errors
     /// When the coordinates do not determine the rest any more.
     pub fn choose_better(&mut self) -> Result<bool, Failure> {
-        if better_coordinate(&self.driven, &self.accepted.tangents).is_none() {
+        let is_better = match &mut self.inertia {
+            Inertia::Tangents(_) => {
+                better_coordinate(&self.driven, &self.accepted.tangents).is_some()
+            }
+            Inertia::Sparse(sparse) => sparse.may_be_better(&mut self.driven),
+        };
+        if !is_better {
             return Ok(false);
         }
         self.q.copy_from_slice(&self.accepted.here.q);
@@ -332,7 +331,7 @@ impl<'s> Reduced<'s> {
 
     /// ü of the last evaluation.
     pub fn accelerations(&self) -> &[f64] {
-        &self.rhs
+        &self.accelerations
     }
 
     /// As [`Reduced::evaluate`], exactly onto the constraints, whatever the tolerance of the integration.
@@ -379,7 +378,8 @@ impl<'s> Reduced<'s> {
             self.passed = curve.has_change_point_between(from, to).then_some(time);
         }
         let point = [&self.q[..], &self.v, &self.a];
-        self.accepted.keep(time, point, &self.tangents);
+        self.accepted
+            .keep(time, point, self.inertia.known_tangents());
         if !self.is_smooth && self.driven.is_redundant() {
             // Where that fails, the next evaluation chooses rows anew.
             let _ = self.driven.exchange_rows();
@@ -391,3 +391,9 @@ impl<'s> Reduced<'s> {
 const STRAINED: f64 = 0.1;
 /// Inverse iterations for that self-stress: near a singular position one is enough, three are safe.
 const STRAIN_ITERATIONS: usize = 3;
+
+/// Whether the positions of a mechanism with so many degrees of freedom are a curve of one coordinate.
+pub fn is_curve(system: &System, freedom: usize) -> bool {
+    let mut drivers = system.drivers.iter();
+    freedom == 1 && drivers.all(|driver| driver.law.is_constant())
+}

@@ -171,8 +171,9 @@ impl<'a, 's> Impulses<'a, 's> {
         let were = self.at.release_all()?;
         let flow = &*self.at.flow;
         let contacts = (0..were.len()).filter(|&k| were[k] || touches(flow, k, slow));
-        let touching = Touching::new(flow, contacts.collect());
-        let rates = touching.approaches(flow);
+        let contacts = contacts.collect();
+        let touching = Touching::new(self.at.flow, contacts);
+        let rates = touching.approaches(self.at.flow);
         let (stays, impulses) = touching
             .solve(&vec![0.0; touching.len()], &rates)
             .ok_or(Failure::Singular)?;

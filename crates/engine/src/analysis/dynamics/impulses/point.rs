@@ -28,7 +28,7 @@ pub(super) struct Point {
 
 impl Point {
     /// Of a contact with this reading, at the last evaluation.
-    pub(super) fn new(flow: &Flow, contact: usize, reading: &Reading) -> Self {
+    pub(super) fn new(flow: &mut Flow, contact: usize, reading: &Reading) -> Self {
         let system = flow.system();
         let at = flow.equations.kinematics();
         let (n, f) = (system.n(), flow.equations.freedom());

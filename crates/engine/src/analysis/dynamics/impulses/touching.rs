@@ -36,9 +36,12 @@ pub(super) type Pushes = (Vec<bool>, Vec<f64>);
 
 impl Touching {
     /// These contacts as they are at the last evaluation.
-    pub fn new(flow: &Flow, contacts: Vec<usize>) -> Self {
+    pub fn new(flow: &mut Flow, contacts: Vec<usize>) -> Self {
         let points = contacts.iter();
-        let points = points.map(|&contact| Point::new(flow, contact, &flow.reading(contact)));
+        let points = points.map(|&contact| {
+            let reading = flow.reading(contact);
+            Point::new(flow, contact, &reading)
+        });
         Touching {
             points: points.collect(),
             contacts,

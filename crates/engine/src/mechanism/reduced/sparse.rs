@@ -1,0 +1,205 @@
+//! Accelerations with their multipliers, from one sparse matrix on a frozen pattern.
+//!
+//! ```text
+//! [ M̃   J̃ᵀ ] [ ã ]   [ D Q/μ ]      M̃ = D M D/μ,  J̃ = R⁻¹ J D,  a = D ã
+//! [ J̃   0  ] [ λ̃ ] = [ R⁻¹ γ ]      D, R: scales of coordinates and rows; μ: the largest entry of D M D
+//! ```
+//!
+//! J are the rows of joints and drivers that are active, those of independent coordinates left out. Its entries are the
+//! mechanism's own, so that nothing grows faster than the number of bodies but fill-in, of which chains and loops have little.
+
+use crate::mechanism::driven::{Driven, Failure};
+use crate::mechanism::independent::{EXCHANGE, better_of_all};
+use crate::system::Inputs;
+use linkdyn_linear::lu::SparseLu;
+use linkdyn_linear::order::ColumnOrder;
+use linkdyn_linear::pattern::{Pattern, square};
+use std::sync::Arc;
+
+/// Part of what exchanges a coordinate from which on a probe is looked into: one direction by chance may hide a little.
+const PROBED: f64 = 0.75;
+
+/// The matrix of a choice of rows, and its factors.
+pub(super) struct Sparse {
+    /// Which choice it is of.
+    revision: u64,
+    /// Where the entries of M are, with their values.
+    inertia: Vec<(u32, f64)>,
+    /// Slots of each entry of J: in J and in Jᵀ; the last cell for what has none.
+    slots: Vec<[u32; 2]>,
+    values: Vec<f64>,
+    pattern: Arc<Pattern>,
+    /// None before the first factorisation, whose values say in which order to eliminate.
+    lu: Option<SparseLu>,
+    /// Active rows of joints and drivers.
+    rows: Vec<u32>,
+    /// μ.
+    unit: f64,
+    /// γ (m).
+    gamma: Vec<f64>,
+    /// The right-hand side, and the solution.
+    work: Vec<f64>,
+    probe: Probe,
+}
+
+/// A cheap look for coordinates that move more than the independent ones: all of these at once, in directions by chance.
+#[derive(Default)]
+struct Probe {
+    motion: Vec<f64>,
+    signs: u64,
+    /// What moved most when none was found to be better.
+    calm: f64,
+}
+
+impl Sparse {
+    /// Of a mechanism.
+    pub fn of(driven: &Driven) -> Self {
+        let (system, n) = (driven.system, driven.system.n());
+        let scale = |column: usize| system.column_scale(column);
+        let masses = system.mass.entries();
+        let masses: Vec<_> = masses
+            .map(|(i, j, m)| (i, j, m * scale(i) * scale(j)))
+            .collect();
+        let unit = masses.iter().fold(0.0, |most, (.., m)| f64::max(most, *m));
+        let unit = if unit > 0.0 { unit } else { 1.0 };
+        let m = system.m();
+        let rows = driven.active_rows().iter().filter(|row| **row < m);
+        let rows: Vec<u32> = rows.map(|row| *row as u32).collect();
+        let mut entries: Vec<_> = masses.iter().map(|(i, j, _)| (*i, *j)).collect();
+        let mut owners = Vec::new();
+        for (owner, entry) in system.entries.iter().enumerate() {
+            if let (Some(column), Ok(row)) = (entry.column, rows.binary_search(&entry.row)) {
+                let (row, column) = (n + row, column as usize);
+                entries.extend([(row, column), (column, row)]);
+                owners.push(owner);
+            }
+        }
+        let size = n + rows.len();
+        let (pattern, places) = square(size, &entries);
+        let trash = pattern.entries() as u32;
+        let mut slots = vec![[trash; 2]; system.entries.len()];
+        let pairs = places[masses.len()..].as_chunks::<2>().0;
+        for (&owner, pair) in owners.iter().zip(pairs) {
+            slots[owner] = *pair;
+        }
+        let inertia = places.iter().zip(&masses);
+        Sparse {
+            revision: driven.revision(),
+            inertia: inertia.map(|(slot, (.., m))| (*slot, m / unit)).collect(),
+            slots,
+            values: vec![0.0; pattern.entries() + 1],
+            pattern: Arc::new(pattern),
+            lu: None,
+            rows,
+            unit,
+            gamma: vec![0.0; m],
+            work: vec![0.0; size],
+            probe: Probe {
+                motion: vec![0.0; n],
+                ..Probe::default()
+            },
+        }
+    }
+
+    /// a (n) under forces Q (n), at the position, the velocity and the Jacobian last taken.
+    ///
+    /// # Errors
+    /// Where freedom has no mass.
+    pub fn accelerate(
+        &mut self,
+        driven: &mut Driven,
+        inputs: &Inputs,
+        force: &[f64],
+        a: &mut [f64],
+    ) -> Result<(), Failure> {
+        if self.revision != driven.revision() {
+            *self = Sparse::of(driven);
+        }
+        let system = driven.system;
+        driven
+            .evaluation
+            .eval_gamma(system, inputs, &mut self.gamma);
+        self.factor(driven)?;
+        driven.done.factorisations += 1;
+        self.solve(driven, force, true, a);
+        Ok(())
+    }
+
+    /// What a force or an impulse (n) changes, at the last factors.
+    pub fn respond(&mut self, driven: &Driven, force: &[f64], change: &mut [f64]) {
+        self.solve(driven, force, false, change);
+    }
+
+    fn factor(&mut self, driven: &Driven) -> Result<(), Failure> {
+        for &(slot, m) in &self.inertia {
+            self.values[slot as usize] = m;
+        }
+        let jacobian = driven.evaluation.jacobian.iter().zip(driven.scales());
+        for (&[row, column], (value, scale)) in self.slots.iter().zip(jacobian) {
+            let value = value * scale;
+            self.values[row as usize] = value;
+            self.values[column as usize] = value;
+        }
+        let values = &self.values[..self.pattern.entries()];
+        match &mut self.lu {
+            Some(lu) => lu.refactor(values)?,
+            None => {
+                let order = ColumnOrder::paired(&self.pattern, values);
+                let order = order.map_err(|_| Failure::Singular)?;
+                let lu = self
+                    .lu
+                    .insert(SparseLu::new(Arc::clone(&self.pattern), order));
+                lu.factor(values)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// x (n) of (force, γ) or (force, 0).
+    fn solve(&mut self, driven: &Driven, force: &[f64], with_gamma: bool, x: &mut [f64]) {
+        let system = driven.system;
+        let (head, tail) = self.work.split_at_mut(force.len());
+        for (to, force) in head.iter_mut().zip(force) {
+            *to = force / self.unit;
+        }
+        system.scale_columns(head);
+        if with_gamma {
+            for (to, &row) in tail.iter_mut().zip(&self.rows) {
+                *to = self.gamma[row as usize] / system.row_scale(row as usize);
+            }
+        } else {
+            tail.fill(0.0);
+        }
+        if let Some(lu) = &mut self.lu {
+            lu.solve(&mut self.work);
+        }
+        x.copy_from_slice(&self.work[..force.len()]);
+        system.scale_columns(x);
+    }
+
+    /// Whether a coordinate may move more than twice as much as an independent one that determines it, at the last factors.
+    pub fn may_be_better(&mut self, driven: &mut Driven) -> bool {
+        let Probe {
+            motion,
+            signs,
+            calm,
+        } = &mut self.probe;
+        driven.spread(
+            || {
+                *signs = signs
+                    .wrapping_mul(6_364_136_223_846_793_005)
+                    .wrapping_add(1_442_695_040_888_963_407);
+                *signs >> 63 == 0
+            },
+            motion,
+        );
+        let most = driven.system.scaled_norm(motion);
+        // Where it is no number, factors say nothing.
+        if most <= f64::max(PROBED * EXCHANGE, 2.0 * *calm) || most.is_nan() {
+            return false;
+        }
+        let found = better_of_all(driven).is_some();
+        *calm = if found { 0.0 } else { most };
+        found
+    }
+}
