@@ -119,7 +119,7 @@ fn start(system: &System) -> (Reduced<'_>, Vec<f64>) {
         system,
         &assembled.all.free_columns,
         (&assembled.q, &v, 0.0),
-        false,
+        None,
     )
     .expect("regular");
     reduced.set_lag(1e-8);
@@ -143,7 +143,25 @@ fn double_pendulum() -> serde_json::Value {
     })
 }
 
-/// The same with friction in both pins.
+/// Rods of 1 m, let go from the side.
+fn chain(links: usize) -> serde_json::Value {
+    let mut chain = double_pendulum();
+    let rod = chain["bodies"]["lower"].clone();
+    for k in 2..links {
+        let mut next = rod.clone();
+        next["pose"]["position"] = serde_json::json!([k, 0]);
+        chain["bodies"][format!("rod{k}")] = next;
+        let before = match k {
+            2 => "lower.B".to_owned(),
+            _ => format!("rod{}.B", k - 1),
+        };
+        chain["joints"][format!("pin{k}")] =
+            serde_json::json!({ "type": "revolute", "between": [before, format!("rod{k}.A")] });
+    }
+    chain
+}
+
+/// Two rods with friction in both pins.
 fn rubbing_pendulum() -> serde_json::Value {
     let mut pendulum = double_pendulum();
     for joint in ["o", "p"] {
@@ -163,6 +181,7 @@ fn steps_of_forward_dynamics_allocate_nothing_and_repeat_bit_by_bit() {
     for (name, json, end) in [
         ("double pendulum", double_pendulum(), 1.0),
         ("with friction", rubbing_pendulum(), 1.0),
+        ("a chain, sparse", chain(8), 0.5),
         ("A02, N = 2", benchmarks::four_bars(2), 10.0),
     ] {
         let system = compiled(&json);

@@ -32,6 +32,19 @@ pub enum OutputsAt {
     Events,
 }
 
+/// Who solves for the accelerations of forward dynamics.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Accelerations {
+    /// What costs least.
+    #[default]
+    Auto,
+    /// Small dense matrices of the independent coordinates' tangents.
+    Dense,
+    /// One sparse matrix of all coordinates and constraints.
+    Sparse,
+}
+
 /// The wanted analysis.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 pub struct Analysis {
@@ -90,6 +103,8 @@ pub struct Sample {
 pub struct Solver {
     /// Method of integration.
     pub method: String,
+    /// Who solves for accelerations: by few dense numbers or many sparse ones.
+    pub accelerations: Accelerations,
     /// Relative tolerance.
     pub rtol: f64,
     /// Absolute tolerance, in SI units of each coordinate.
@@ -106,6 +121,7 @@ impl Default for Solver {
     fn default() -> Self {
         Solver {
             method: "auto".into(),
+            accelerations: Accelerations::Auto,
             rtol: 1e-6,
             atol: 1e-9,
             max_step: None,

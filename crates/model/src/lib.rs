@@ -43,7 +43,9 @@ mod walk;
 mod words;
 
 pub use accuracy::{Accuracy, AccuracyOutput, At, Levels, Measured, Pins};
-pub use analysis::{Analysis, AnalysisKind, OutputsAt, Sample, Solver, Transmission};
+pub use analysis::{
+    Accelerations, Analysis, AnalysisKind, OutputsAt, Sample, Solver, Transmission,
+};
 pub use body::{Body, Initial, Pose};
 pub use carrier::Carrier;
 pub use clearance::{

@@ -2,6 +2,7 @@
 //! and errors that follow the tolerance. Motions with known answers are reference cases in `validation/`.
 
 mod driven;
+mod sparse;
 
 use crate::mechanisms::*;
 use linkdyn_engine::analysis::Outcome;

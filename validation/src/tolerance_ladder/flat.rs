@@ -32,7 +32,7 @@ pub fn flat_steps(loops: usize, case: &str) -> Result<Claim, CaseError> {
     let inputs = Inputs::at_time(&system, 0.0);
     let start = assembly::assemble(&system, &inputs).map_err(|stop| broken(&stop))?;
     let v = assembly::velocities(&system, &start.q, &inputs).map_err(|stop| broken(&stop))?;
-    let mut reduced = Reduced::new(&system, &start.all.free_columns, (&start.q, &v, 0.0), false)
+    let mut reduced = Reduced::new(&system, &start.all.free_columns, (&start.q, &v, 0.0), None)
         .map_err(|failure| broken(&failure))?;
     reduced.set_lag(LAG * FLAT);
     let angle = angle_column(&system, "rocker0").ok_or_else(|| broken(&"no rocker0"))?;

@@ -6,9 +6,10 @@ use super::instants::{Equidistant, Instants, Sampled};
 use super::transmission::Transmission;
 use super::{driven, dynamics, dynamics::Wanted};
 use crate::integrate::{Method, UnknownMethod};
+use crate::mechanism::reduced::Solver;
 use crate::system::System;
 use linkdyn_model::error::Complaint;
-use linkdyn_model::{Analysis, AnalysisKind, OutputsAt, Sample};
+use linkdyn_model::{Accelerations, Analysis, AnalysisKind, OutputsAt, Sample};
 
 /// What a run is asked for, in numbers.
 #[derive(Debug, Clone)]
@@ -26,6 +27,7 @@ pub(super) struct Question {
     at_events: bool,
     /// A name that no method has is told where a method is needed.
     method: Result<Method, UnknownMethod>,
+    solver: Option<Solver>,
     wanted: Wanted,
     initial_step: Option<f64>,
     max_step: Option<f64>,
@@ -59,6 +61,11 @@ impl Question {
             instants: instants(system, analysis)?,
             at_events: analysis.outputs_at == OutputsAt::Events,
             method: solver.method.parse(),
+            solver: match solver.accelerations {
+                Accelerations::Auto => None,
+                Accelerations::Dense => Some(Solver::Tangents),
+                Accelerations::Sparse => Some(Solver::Sparse),
+            },
             wanted: Wanted {
                 rtol: solver.rtol,
                 atol: solver.atol,
@@ -94,6 +101,7 @@ impl Question {
         let instants = self.instants.list(system)?;
         Ok(dynamics::Settings {
             method,
+            solver: self.solver,
             wanted: self.wanted,
             initial_step: self.initial_step,
             max_step: self.max_step,

@@ -1,6 +1,6 @@
 //! The analysis as resolved, for the summary.
 
-use linkdyn_model::{Analysis, AnalysisKind, OutputsAt};
+use linkdyn_model::{Accelerations, Analysis, AnalysisKind, OutputsAt};
 
 /// An analysis as the file calls it.
 fn kind_word(kind: AnalysisKind) -> &'static str {
@@ -33,6 +33,12 @@ pub(super) fn settings(analysis: &Analysis) -> serde_json::Value {
             "driver": transmission.driver, "output": transmission.output,
         })),
     });
+    let accelerations = match solver.accelerations {
+        Accelerations::Auto => None,
+        Accelerations::Dense => Some("dense"),
+        Accelerations::Sparse => Some("sparse"),
+    };
+    json["solver"]["accelerations"] = accelerations.into();
     // What is left out in the file is left out here.
     if let Some(map) = json.as_object_mut() {
         map.retain(|_, value| !value.is_null());

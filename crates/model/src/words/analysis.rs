@@ -108,6 +108,23 @@ pub static OUTPUTS_AT: Choice = Choice {
     ],
 };
 
+/// Who solves for the accelerations of forward dynamics.
+pub static ACCELERATIONS: Choice = Choice {
+    name: "Accelerations",
+    about: "Who solves for the accelerations of forward dynamics.",
+    words: &[
+        ("auto", "What costs least."),
+        (
+            "dense",
+            "Small dense matrices of the independent coordinates' tangents.",
+        ),
+        (
+            "sparse",
+            "One sparse matrix of all coordinates and constraints.",
+        ),
+    ],
+};
+
 /// Solver settings; the defaults are right for most models.
 pub static SOLVER: Object = Object {
     name: "Solver",
@@ -118,6 +135,12 @@ pub static SOLVER: Object = Object {
             Shape::Text,
             Default::Text("auto"),
             "Method of integration.",
+        ),
+        silent(
+            "accelerations",
+            Shape::Choice(&ACCELERATIONS),
+            Default::Text("auto"),
+            "Who solves for accelerations: by few dense numbers or many sparse ones.",
         ),
         default(
             "rtol",

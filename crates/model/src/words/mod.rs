@@ -26,7 +26,7 @@ use crate::shape::{
     silent,
 };
 use accuracy::{ACCURACY, AT, LEVELS, OUTPUT, PINS};
-use analysis::{ANALYSIS, ANALYSIS_KIND, OUTPUTS_AT, SAMPLE, SOLVER, TRANSMISSION};
+use analysis::{ACCELERATIONS, ANALYSIS, ANALYSIS_KIND, OUTPUTS_AT, SAMPLE, SOLVER, TRANSMISSION};
 use body::{INITIAL, POSE};
 use clearance::{CLEARANCE, CLEARANCE_MODEL, IMPACT, IMPACT_SENSE, NORMAL, NORMAL_LAW, SURFACE};
 use driver::DRIVER;
@@ -153,7 +153,7 @@ impl Definition {
 }
 
 /// All that the schema defines by a name, in its order.
-pub static DEFINITIONS: [Definition; 43] = [
+pub static DEFINITIONS: [Definition; 44] = [
     Definition::Format(&FORMATS),
     Definition::Object(&GROUND),
     Definition::Object(&BODY),
@@ -180,6 +180,7 @@ pub static DEFINITIONS: [Definition; 43] = [
     Definition::Choice(&ANALYSIS_KIND),
     Definition::Object(&SAMPLE),
     Definition::Choice(&OUTPUTS_AT),
+    Definition::Choice(&ACCELERATIONS),
     Definition::Object(&SOLVER),
     Definition::Object(&TRANSMISSION),
     Definition::Object(&PARAMETER),

@@ -43,7 +43,7 @@ use super::control::{Control, Stop};
 use super::words::{locked, unsure_friction};
 use crate::mechanism::driven::Failure;
 use crate::mechanism::phases::Phases;
-use crate::mechanism::reduced::{Reduced, is_curve};
+use crate::mechanism::reduced::{Reduced, Solver, is_curve};
 use crate::system::System;
 use flow::Flow;
 use linkdyn_model::error::Complaint;
@@ -79,7 +79,10 @@ pub fn run(
     } else {
         parts::parts(system, &assembled.q)
     };
-    let mut reduced = equations(system, &assembled, &v, !parts.is_empty())?;
+    // Where parts have smooth branches, which stand for their joints at times, there are tangents.
+    let solver = settings.solver.filter(|_| parts.is_empty());
+    let solver = solver.or((!parts.is_empty()).then_some(Solver::Tangents));
+    let mut reduced = equations(system, &assembled, &v, solver)?;
     reduced.cross(&parts, &phases);
     let mut report = Report {
         mobility: assembled.mobility,
@@ -136,7 +139,7 @@ fn equations<'s>(
     system: &'s System,
     assembled: &Assembled,
     v: &[f64],
-    has_parts: bool,
+    solver: Option<Solver>,
 ) -> Result<Reduced<'s>, Stop> {
     let singular = || {
         Stop::failed(
@@ -148,7 +151,7 @@ fn equations<'s>(
     };
     let columns = &assembled.all.free_columns;
     let point = (&assembled.q[..], v, 0.0);
-    let reduced = Reduced::new(system, columns, point, has_parts).map_err(|failure| {
+    let reduced = Reduced::new(system, columns, point, solver).map_err(|failure| {
         let massless: Vec<&str> = system
             .bodies
             .iter()

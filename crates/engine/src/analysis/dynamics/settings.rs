@@ -2,6 +2,7 @@
 
 use crate::analysis::channels::Contents;
 use crate::integrate::Method;
+use crate::mechanism::reduced::Solver;
 
 /// How exact a motion shall be.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,6 +18,8 @@ pub struct Wanted {
 pub struct Settings {
     /// Method of integration.
     pub method: Method,
+    /// Who solves for accelerations; what costs least where not given.
+    pub solver: Option<Solver>,
     /// How exact it shall be.
     pub wanted: Wanted,
     /// First step \[s\]; chosen from the motion where not given.

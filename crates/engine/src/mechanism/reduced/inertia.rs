@@ -16,6 +16,15 @@ use crate::system::Inputs;
 /// Degrees of freedom from which on entries are fewer than what is dense.
 const MANY: usize = 5;
 
+/// Who may be wanted to solve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Solver {
+    /// Dense, by tangents.
+    Tangents,
+    /// Sparse, with the multipliers.
+    Sparse,
+}
+
 /// Who solves.
 pub(super) enum Inertia {
     /// Dense, by tangents.
@@ -25,12 +34,16 @@ pub(super) enum Inertia {
 }
 
 impl Inertia {
-    /// What costs least for a mechanism.
-    pub fn of(driven: &Driven) -> Self {
-        if driven.independent.len() < MANY {
-            Inertia::Tangents(Tangents::of(driven))
+    /// Who is wanted, or else costs least for a mechanism.
+    pub fn of(driven: &Driven, solver: Option<Solver>) -> Self {
+        let cheapest = if driven.independent.len() < MANY {
+            Solver::Tangents
         } else {
-            Inertia::Sparse(Box::new(Sparse::of(driven)))
+            Solver::Sparse
+        };
+        match solver.unwrap_or(cheapest) {
+            Solver::Tangents => Inertia::Tangents(Tangents::of(driven)),
+            Solver::Sparse => Inertia::Sparse(Box::new(Sparse::of(driven))),
         }
     }
 

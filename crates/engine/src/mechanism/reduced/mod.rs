@@ -43,8 +43,8 @@ use chart::Chart;
 use curve::Curve;
 use extrapolation::Extrapolation;
 use inertia::Inertia;
+pub use inertia::Solver;
 use place::Place;
-use tangents::Tangents;
 
 /// A mechanism with freedom left.
 pub struct Reduced<'s> {
@@ -61,7 +61,8 @@ pub struct Reduced<'s> {
     balance: Vec<f64>,
     /// Factors whose position is this far from the solution are taken for those of the solution [rad or sizes].
     lag: f64,
-    /// Who solves for ü, and ü (f).
+    /// Who was wanted to solve for ü, who does, and ü (f).
+    wanted: Option<Solver>,
     inertia: Inertia,
     accelerations: Vec<f64>,
     /// The last accepted points.
@@ -77,8 +78,8 @@ pub struct Reduced<'s> {
 }
 
 impl<'s> Reduced<'s> {
-    /// At an assembled state; `columns` are coordinates that determine the rest there. Where parts have smooth branches, which
-    /// stand for their joints at times, accelerations come of tangents.
+    /// At an assembled state; `columns` are coordinates that determine the rest there. Where no solver is wanted, that
+    /// which costs least solves for accelerations; a curve has its tangent, whatever is wanted.
     ///
     /// # Errors
     /// When they do not.
@@ -86,7 +87,7 @@ impl<'s> Reduced<'s> {
         system: &'s System,
         columns: &[usize],
         (q, v, time): (&[f64], &[f64], f64),
-        has_parts: bool,
+        solver: Option<Solver>,
     ) -> Result<Self, Failure> {
         let inputs = Inputs::at_time(system, time);
         let mut driven = Driven::with_independent(system, columns, q, &inputs)?;
@@ -99,11 +100,14 @@ impl<'s> Reduced<'s> {
             Chart::Coordinates(Extrapolation::default())
         };
         let mut reduced = Reduced {
-            inertia: if has_parts {
-                Inertia::Tangents(Tangents::of(&driven))
-            } else {
-                Inertia::of(&driven)
-            },
+            inertia: Inertia::of(
+                &driven,
+                if is_curve(system, f) {
+                    Some(Solver::Tangents)
+                } else {
+                    solver
+                },
+            ),
             driven,
             inputs,
             q: q.to_vec(),
@@ -112,6 +116,7 @@ impl<'s> Reduced<'s> {
             force: zero.clone(),
             balance: zero,
             lag: 0.0,
+            wanted: solver,
             accelerations: vec![0.0; f],
             accepted: Accepted::new(time, q, v),
             at: None,
@@ -136,7 +141,7 @@ impl<'s> Reduced<'s> {
         sustained: &[bool],
     ) -> Result<Self, Failure> {
         let point = (&self.q[..], &self.v[..], time);
-        let mut other = Reduced::new(system, columns, point, self.chart.has_bridge())?;
+        let mut other = Reduced::new(system, columns, point, self.solver())?;
         let (memories, were) = (&mut other.inputs.memories, &self.inputs.memories);
         memories
             .iter_mut()
@@ -149,6 +154,14 @@ impl<'s> Reduced<'s> {
         let parts = parts.map(|parts| parts.with_sustained(sustained));
         other.chart.exchange_bridge(parts);
         Ok(other)
+    }
+
+    /// Who solves for accelerations where the rows change: with bridges there are tangents.
+    fn solver(&self) -> Option<Solver> {
+        match self.chart.has_bridge() {
+            true => Some(Solver::Tangents),
+            false => self.wanted,
+        }
     }
 
     /// Takes the change points of these parts by their smooth branches.
