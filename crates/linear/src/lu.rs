@@ -17,6 +17,7 @@
 
 mod estimate;
 mod factor;
+mod more;
 #[cfg(test)]
 mod tests;
 
@@ -247,39 +248,6 @@ impl SparseLu {
         }
         for (&column, &value) in self.order.columns().iter().zip(&*y) {
             b[column as usize] = value;
-        }
-    }
-
-    /// Overwrites K right-hand sides with their x of A x = b: `b[i]` has component i of each. One pass through the factors
-    /// does for all, and gives each what [`SparseLu::solve`] does.
-    ///
-    /// # Panics
-    /// As there.
-    pub fn solve_together<const K: usize>(&mut self, b: &mut [[f64; K]]) {
-        self.assert_ready(b.len());
-        let n = self.inverse_pivot.len();
-        if self.vectors.len() < K * n {
-            self.vectors.resize(K * n, 0.0);
-        }
-        let y = self.vectors[..K * n].as_chunks_mut::<K>().0;
-        for (&at, value) in self.position.iter().zip(&*b) {
-            y[at as usize] = *value;
-        }
-        for j in 0..n {
-            let factors = y[j];
-            for l in self.lower.column(j as u32) {
-                subtract(&mut y[l.row as usize], l.value, &factors);
-            }
-        }
-        for j in (0..n).rev() {
-            let factors = y[j].map(|y| y * self.inverse_pivot[j]);
-            y[j] = factors;
-            for u in self.upper.column(j as u32) {
-                subtract(&mut y[u.row as usize], u.value, &factors);
-            }
-        }
-        for (&column, value) in self.order.columns().iter().zip(&*y) {
-            b[column as usize] = *value;
         }
     }
 

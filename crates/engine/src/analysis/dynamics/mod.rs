@@ -41,6 +41,7 @@ use super::assembly::Assembled;
 use super::branch::singularity;
 use super::control::{Control, Stop};
 use super::words::{locked, unsure_friction};
+use crate::element::journal::{Journal, Surface};
 use crate::mechanism::driven::Failure;
 use crate::mechanism::phases::Phases;
 use crate::mechanism::reduced::{Reduced, Solver, is_curve};
@@ -79,9 +80,16 @@ pub fn run(
     } else {
         parts::parts(system, &assembled.q)
     };
-    // Where parts have smooth branches, which stand for their joints at times, there are tangents.
-    let solver = settings.solver.filter(|_| parts.is_empty());
-    let solver = solver.or((!parts.is_empty()).then_some(Solver::Tangents));
+    // Where parts have smooth branches, which stand for their joints at times, there are tangents; and so there are where rigid
+    // journals come and go as constraints, unless it is said otherwise.
+    let is_rigid = |contact: &Journal| matches!(contact.surface, Surface::Rigid(_));
+    let tangents =
+        !parts.is_empty() || settings.solver.is_none() && system.contacts.iter().any(is_rigid);
+    let solver = if tangents {
+        Some(Solver::Tangents)
+    } else {
+        settings.solver
+    };
     let mut reduced = equations(system, &assembled, &v, solver)?;
     reduced.cross(&parts, &phases);
     let mut report = Report {

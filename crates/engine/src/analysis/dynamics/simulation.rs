@@ -20,7 +20,7 @@ use super::paces::Begun;
 use super::state::State;
 use super::steps::{LastStep, Steps};
 use crate::analysis::control::Control;
-use crate::element::journal::Phase;
+use crate::element::journal::{Phase, Surface};
 use crate::mechanism::driven::Failure;
 use linkdyn_output::{Report, Trajectory};
 
@@ -209,7 +209,10 @@ impl<'s> Simulation<'s> {
             if change == Change::Begin {
                 self.state.straighten_bristle(contact);
             }
-            begun = Some((contact, change));
+            // Pieces between rigid journals begin with a jump of the forces, wherever it is.
+            if matches!(journal.surface, Surface::Compliant(_)) {
+                begun = Some((contact, change));
+            }
         }
         match begun {
             Some((contact, change)) => {

@@ -227,6 +227,13 @@ impl<'s> Driven<'s> {
 
     /// x = S_q J̃_A⁻¹ S_φ⁻¹ rhs, where `rhs` is in `self.rows`; the result goes to `x`.
     fn solve_rows(&mut self, x: &mut [f64]) {
+        self.scaled_rows(x);
+        self.lu.solve(x);
+        self.system.scale_columns(x);
+    }
+
+    /// S_φ⁻¹ of the right-hand side.
+    fn scaled_rows(&self, x: &mut [f64]) {
         for ((w, &row), scale) in x
             .iter_mut()
             .zip(&self.selection.active)
@@ -234,28 +241,6 @@ impl<'s> Driven<'s> {
         {
             *w = self.rows[row] / scale;
         }
-        self.lu.solve(x);
-        self.system.scale_columns(x);
-    }
-
-    /// x (n) with J_A x = `rows` (m) at the last factors, without independent coordinates.
-    pub(crate) fn answer(&mut self, rows: &[f64], x: &mut [f64]) {
-        self.rows[..rows.len()].copy_from_slice(rows);
-        self.rows[rows.len()..].fill(0.0);
-        self.solve_rows(x);
-    }
-
-    /// J⁻¹ (n, n) at the last factors, by columns, of a mechanism without redundancy and independent coordinates.
-    pub(crate) fn inverse(&self) -> Vec<f64> {
-        let n = self.system.n();
-        let mut columns = vec![0.0; n * n];
-        self.lu.inverse(&mut columns);
-        let scales = self.row_scales.iter();
-        for (column, scale) in columns.chunks_exact_mut(n.max(1)).zip(scales) {
-            self.system.scale_columns(column);
-            column.iter_mut().for_each(|c| *c /= scale);
-        }
-        columns
     }
 
     /// Moves `q` onto the constraints.

@@ -1,7 +1,8 @@
-//! Motions at the last factors: of the independent coordinates, and of the drivers.
+//! Motions at the last factors: of the independent coordinates, of the drivers, and of whatever rows ask for.
 
 use super::Driven;
 use crate::system::Inputs;
+use linkdyn_linear::lu::SparseLu;
 
 /// Right-hand sides that go through the factors together.
 pub const TOGETHER: usize = 4;
@@ -17,6 +18,26 @@ struct Motions<'a> {
 }
 
 impl Driven<'_> {
+    /// x (n) with J_A x = `rows` (m) at the last factors, without independent coordinates.
+    pub(crate) fn answer(&mut self, rows: &[f64], x: &mut [f64]) {
+        self.rows[..rows.len()].copy_from_slice(rows);
+        self.rows[rows.len()..].fill(0.0);
+        self.solve_rows(x);
+    }
+
+    /// J⁻¹ (n, n) at the last factors, by columns, of a mechanism without redundancy and independent coordinates.
+    pub(crate) fn inverse(&self) -> Vec<f64> {
+        let n = self.system.n();
+        let mut columns = vec![0.0; n * n];
+        self.lu.inverse(&mut columns);
+        let scales = self.row_scales.iter();
+        for (column, scale) in columns.chunks_exact_mut(n.max(1)).zip(scales) {
+            self.system.scale_columns(column);
+            column.iter_mut().for_each(|c| *c /= scale);
+        }
+        columns
+    }
+
     /// S (f × n), one tangent ∂q/∂u_k after the other: the motion that independent coordinate k alone makes.
     pub fn tangents(&mut self, tangents: &mut [f64]) {
         self.motions(None, tangents, &mut []);
@@ -38,29 +59,43 @@ impl Driven<'_> {
         self.some::<TOGETHER>(motions, tangents, &mut []);
     }
 
-    /// The motion that all independent coordinates make together (n), each by its scale to one side or the other.
-    pub fn spread(&mut self, mut is_forward: impl FnMut() -> bool, motion: &mut [f64]) {
+    /// The motion that all independent coordinates make together (n), each by its scale to one side or the other, by the factors
+    /// of another position.
+    pub fn spread(
+        &mut self,
+        factors: &mut SparseLu,
+        mut is_forward: impl FnMut() -> bool,
+        motion: &mut [f64],
+    ) {
         let system = self.system;
         self.rows.fill(0.0);
         self.independent_rows(|coordinate| {
             let scale = system.column_scale(coordinate.column);
             if is_forward() { -scale } else { scale }
         });
-        self.solve_rows(motion);
+        self.scaled_rows(motion);
+        factors.solve(motion);
+        system.scale_columns(motion);
     }
 
-    /// Brings the independent coordinates to their values and the others along, by the factors at hand, whichever position
-    /// they are of.
-    pub fn slide(&mut self, q: &mut [f64]) {
-        if !self.lu.is_factored() {
-            return;
-        }
+    /// Brings the independent coordinates to their values and the others along, by the factors of another position.
+    pub fn slide(&mut self, factors: &mut SparseLu, q: &mut [f64]) {
         self.rows.fill(0.0);
         self.independent_rows(|coordinate| q[coordinate.column] - coordinate.jet[0]);
         let mut step = std::mem::take(&mut self.work);
-        self.solve_rows(&mut step);
+        self.scaled_rows(&mut step);
+        factors.solve(&mut step);
+        self.system.scale_columns(&mut step);
         q.iter_mut().zip(&step).for_each(|(q, step)| *q += step);
         self.work = step;
+    }
+
+    /// Keeps the factors at hand in another place.
+    pub fn keep_factors(&self, place: &mut Option<SparseLu>) {
+        match place {
+            Some(kept) => kept.take_over(&self.lu),
+            None => *place = Some(self.lu.clone()),
+        }
     }
 
     fn motions(&mut self, drivers: Option<&Inputs>, tangents: &mut [f64], drift: &mut [f64]) {

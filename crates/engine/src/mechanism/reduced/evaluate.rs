@@ -1,6 +1,7 @@
 //! Position, velocity and acceleration at one point of the motion.
 
 use super::Reduced;
+use super::inertia::Inertia;
 use super::place::{Given, Place, Placed};
 use crate::mechanism::driven::Failure;
 
@@ -46,8 +47,8 @@ impl Reduced<'_> {
 
     /// q by Newton from the guess at hand, then v.
     fn solve_constraints(&mut self, rates: &[f64]) -> Result<(), Failure> {
-        if self.inertia.known_tangents().is_empty() {
-            self.driven.slide(&mut self.q);
+        if let Inertia::Sparse(sparse) = &mut self.inertia {
+            sparse.slide(&mut self.driven, &mut self.q);
         }
         let correction = self.driven.correct_by_any_rows(&mut self.q, &self.inputs)?;
         if correction.contraction > CONTRACTION || correction.first_step > FARTHEST {

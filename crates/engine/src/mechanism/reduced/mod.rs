@@ -29,6 +29,7 @@ mod mass;
 mod multipliers;
 mod place;
 mod sparse;
+mod strained;
 mod tangents;
 
 use super::dependent_forces::DependentForces;
@@ -288,13 +289,7 @@ impl<'s> Reduced<'s> {
     /// # Errors
     /// When the coordinates do not determine the rest any more.
     pub fn choose_better(&mut self) -> Result<bool, Failure> {
-        let is_better = match &mut self.inertia {
-            Inertia::Tangents(_) => {
-                better_coordinate(&self.driven, &self.accepted.tangents).is_some()
-            }
-            Inertia::Sparse(sparse) => sparse.may_be_better(&mut self.driven),
-        };
-        if !is_better {
+        if !self.has_better()? {
             return Ok(false);
         }
         self.q.copy_from_slice(&self.accepted.here.q);
@@ -305,6 +300,24 @@ impl<'s> Reduced<'s> {
         Ok(true)
     }
 
+    /// Whether another coordinate moves more than an independent one at the last accepted point.
+    fn has_better(&mut self) -> Result<bool, Failure> {
+        let Inertia::Sparse(sparse) = &mut self.inertia else {
+            return Ok(better_coordinate(&self.driven, &self.accepted.tangents).is_some());
+        };
+        if !sparse.may_be_better(&mut self.driven) {
+            return Ok(false);
+        }
+        self.at = None;
+        self.inputs
+            .set_time(self.driven.system, self.accepted.here.s);
+        self.driven.evaluation.set_position(&self.accepted.here.q);
+        self.driven.factor(&self.inputs)?;
+        let found = better_of_all(&mut self.driven).is_some();
+        sparse.note(found);
+        Ok(found)
+    }
+
     /// (u, u̇) of the position and velocity at hand.
     pub fn state(&self, y: &mut [f64]) {
         let f = self.freedom();
@@ -312,34 +325,6 @@ impl<'s> Reduced<'s> {
             y[k] = self.q[coordinate.column];
             y[f + k] = self.v[coordinate.column];
         }
-    }
-
-    /// Rows (of joints and drivers) that take the largest part in what is nearest to a self-stress at the last accepted
-    /// point; none where even that can't be factored.
-    ///
-    /// To look for them is no work of the run.
-    pub fn strained_rows(&mut self) -> Vec<usize> {
-        let done = self.driven.done;
-        let rows = self.rows_near_self_stress();
-        self.driven.done = done;
-        rows
-    }
-
-    fn rows_near_self_stress(&mut self) -> Vec<usize> {
-        let system = self.driven.system;
-        self.driven.evaluation.set_position(&self.accepted.here.q);
-        if self.driven.factor(&self.inputs).is_err() {
-            return Vec::new();
-        }
-        let n = system.n();
-        let (mut right, mut left) = (vec![1.0; n], vec![1.0; n]);
-        self.driven
-            .smallest_singular(STRAIN_ITERATIONS, &mut right, &mut left);
-        let largest = linkdyn_linear::math::max_abs(&left);
-        let rows = self.driven.active_rows().iter().zip(&left);
-        rows.filter(|(row, part)| **row < system.m() && part.abs() > STRAINED * largest)
-            .map(|(row, _)| *row)
-            .collect()
     }
 
     /// ü of the last evaluation.
@@ -393,17 +378,15 @@ impl<'s> Reduced<'s> {
         let point = [&self.q[..], &self.v, &self.a];
         self.accepted
             .keep(time, point, self.inertia.known_tangents());
+        if let Inertia::Sparse(sparse) = &mut self.inertia {
+            sparse.keep(&self.driven);
+        }
         if !self.is_smooth && self.driven.is_redundant() {
             // Where that fails, the next evaluation chooses rows anew.
             let _ = self.driven.exchange_rows();
         }
     }
 }
-
-/// Part, relative to the largest, from which a row belongs to a near self-stress.
-const STRAINED: f64 = 0.1;
-/// Inverse iterations for that self-stress: near a singular position one is enough, three are safe.
-const STRAIN_ITERATIONS: usize = 3;
 
 /// Whether the positions of a mechanism with so many degrees of freedom are a curve of one coordinate.
 pub fn is_curve(system: &System, freedom: usize) -> bool {

@@ -9,7 +9,7 @@
 //! mechanism's own, so that nothing grows faster than the number of bodies but fill-in, of which chains and loops have little.
 
 use crate::mechanism::driven::{Driven, Failure};
-use crate::mechanism::independent::{EXCHANGE, better_of_all};
+use crate::mechanism::independent::EXCHANGE;
 use crate::system::Inputs;
 use linkdyn_linear::lu::SparseLu;
 use linkdyn_linear::order::ColumnOrder;
@@ -39,6 +39,9 @@ pub(super) struct Sparse {
     gamma: Vec<f64>,
     /// The right-hand side, and the solution.
     work: Vec<f64>,
+    /// J_A's factors at the last accepted point, and the choice of rows that they are of.
+    kept: Option<SparseLu>,
+    kept_revision: u64,
     probe: Probe,
 }
 
@@ -47,7 +50,8 @@ pub(super) struct Sparse {
 struct Probe {
     motion: Vec<f64>,
     signs: u64,
-    /// What moved most when none was found to be better.
+    /// What moved most, and what did when none was found to be better.
+    most: f64,
     calm: f64,
 }
 
@@ -94,6 +98,8 @@ impl Sparse {
             unit,
             gamma: vec![0.0; m],
             work: vec![0.0; size],
+            kept: None,
+            kept_revision: 0,
             probe: Probe {
                 motion: vec![0.0; n],
                 ..Probe::default()
@@ -113,7 +119,9 @@ impl Sparse {
         a: &mut [f64],
     ) -> Result<(), Failure> {
         if self.revision != driven.revision() {
+            let (kept, revision) = (self.kept.take(), self.kept_revision);
             *self = Sparse::of(driven);
+            (self.kept, self.kept_revision) = (kept, revision);
         }
         let system = driven.system;
         driven
@@ -123,6 +131,27 @@ impl Sparse {
         driven.done.factorisations += 1;
         self.solve(driven, force, true, a);
         Ok(())
+    }
+
+    /// Keeps J_A's factors, for positions beside the point at hand.
+    pub fn keep(&mut self, driven: &Driven) {
+        driven.keep_factors(&mut self.kept);
+        self.kept_revision = driven.revision();
+    }
+
+    /// Brings independent coordinates to their values, and the others along as they move at the accepted point, so that a position
+    /// depends on nothing but that and them.
+    pub fn slide(&mut self, driven: &mut Driven, q: &mut [f64]) {
+        match &mut self.kept {
+            Some(kept) if self.kept_revision == driven.revision() && kept.is_factored() => {
+                driven.slide(kept, q);
+            }
+            Some(_) | None => {
+                for coordinate in &driven.independent {
+                    q[coordinate.column] = coordinate.jet[0];
+                }
+            }
+        }
     }
 
     /// What a force or an impulse (n) changes, at the last factors.
@@ -177,29 +206,33 @@ impl Sparse {
         system.scale_columns(x);
     }
 
-    /// Whether a coordinate may move more than twice as much as an independent one that determines it, at the last factors.
+    /// Whether a coordinate may move more than twice as much as an independent one that determines it, at the accepted point.
     pub fn may_be_better(&mut self, driven: &mut Driven) -> bool {
         let Probe {
             motion,
             signs,
             calm,
+            most,
         } = &mut self.probe;
-        driven.spread(
-            || {
-                *signs = signs
-                    .wrapping_mul(6_364_136_223_846_793_005)
-                    .wrapping_add(1_442_695_040_888_963_407);
-                *signs >> 63 == 0
-            },
-            motion,
-        );
-        let most = driven.system.scaled_norm(motion);
-        // Where it is no number, factors say nothing.
-        if most <= f64::max(PROBED * EXCHANGE, 2.0 * *calm) || most.is_nan() {
-            return false;
-        }
-        let found = better_of_all(driven).is_some();
-        *calm = if found { 0.0 } else { most };
-        found
+        let is_current = self.kept_revision == driven.revision();
+        let kept = self
+            .kept
+            .as_mut()
+            .filter(|kept| is_current && kept.is_factored());
+        let Some(kept) = kept else { return true };
+        let toss = || {
+            *signs = signs
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            *signs >> 63 == 0
+        };
+        driven.spread(kept, toss, motion);
+        *most = driven.system.scaled_norm(motion);
+        *most > f64::max(PROBED * EXCHANGE, 2.0 * *calm)
+    }
+
+    /// Notes whether what was suspected was found.
+    pub fn note(&mut self, found: bool) {
+        self.probe.calm = if found { 0.0 } else { self.probe.most };
     }
 }
