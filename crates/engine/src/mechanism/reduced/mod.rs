@@ -10,6 +10,9 @@
 //! SᵀM S ü = Sᵀ (Q − M a₀)       the efforts on u vanish
 //! ```
 //!
+//! Of much freedom S is large and dense, and SᵀMS costs as f³: there v comes of J v = −φ_t beside the given u̇, and a with λ of
+//! one sparse matrix (`inertia`, `sparse`).
+//!
 //! With one degree of freedom and drivers at rest the positions are a curve q(u), which the continuation follows once:
 //! then predictions come from it, and near a change point, where round-off of the equations grows as 1/δ³, so do S and
 //! S′ = ∂²q/∂u² (a₀ = S′ u̇²), from its smooth branch. Closed curves (a coordinate that turns round and round) are followed
@@ -25,7 +28,6 @@ mod curve;
 mod evaluate;
 mod extrapolation;
 mod inertia;
-mod mass;
 mod multipliers;
 mod place;
 mod sparse;

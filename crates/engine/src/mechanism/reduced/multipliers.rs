@@ -3,6 +3,14 @@
 use super::Reduced;
 
 impl Reduced<'_> {
+    /// What a generalized impulse P (n) changes at the point of the last evaluation: the rates u̇ (f), SᵀMS Δu̇ = Sᵀ P, and
+    /// the velocities (n).
+    pub fn impulsive_change(&mut self, impulse: &[f64], rates: &mut [f64], change: &mut [f64]) {
+        self.inertia.respond(&self.driven, impulse, change);
+        let own = self.driven.independent.iter().zip(rates);
+        own.for_each(|(coordinate, rate)| *rate = change[coordinate.column]);
+    }
+
     /// Impulses of the constraints (m) that go with an impulse P and the change of the velocities that it brings about.
     pub fn impulsive_multipliers(&mut self, impulse: &[f64], change: &[f64], lambda: &mut [f64]) {
         let mass = &self.driven.system.mass;

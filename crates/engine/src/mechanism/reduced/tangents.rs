@@ -74,9 +74,9 @@ impl Tangents {
         let mass = &driven.system.mass;
         mass.residual(force, a, &mut self.balance);
         let (n, f) = (self.balance.len(), accelerations.len());
-        for i in 0..f {
+        for (i, rate) in accelerations.iter_mut().enumerate() {
             let si = &self.s[i * n..(i + 1) * n];
-            accelerations[i] = dot(si, &self.balance);
+            *rate = dot(si, &self.balance);
             // Motions of few bodies have few components.
             self.momenta.clear();
             self.momenta.extend(mass.momenta(si));
