@@ -20,7 +20,7 @@ pub struct Variants<'a> {
 /// A row: why it has no result, inputs, responses.
 type Made = (Option<String>, Vec<f64>, Vec<f64>);
 
-/// Variants that a thread takes at once.
+/// Variants that a thread takes at once where they are found beside the nominal one; a run of its own takes long enough alone.
 const SOME: usize = 16;
 
 impl Variants<'_> {
@@ -29,9 +29,10 @@ impl Variants<'_> {
         // a chunk is written at once, so that its length is one of a list in memory
         let length = (range.end - range.start) as usize;
         let begin = || self.family.begin();
+        let some = if self.family.is_tracked() { SOME } else { 1 };
         let made: Vec<Made> = (0..length)
             .into_par_iter()
-            .with_min_len(SOME)
+            .with_min_len(some)
             .map_init(begin, |member, k| self.row(member, range.start + k as u64))
             .while_some()
             .collect();
