@@ -8,7 +8,7 @@
 //!
 //! Left-looking: column j of L and U follows from solving L x = A(:, q_j) with the columns of L found so far. The first
 //! factorisation finds the pattern of x by a depth first search through L (Gilbert & Peierls, SIAM J. Sci. Stat.
-//! Comput. 9, 1988) and picks pivots by threshold. Later ones keep pivots and pattern and only repeat the arithmetic,
+//! Comput. 9, 1988) and picks pivots by threshold. Later ones keep pivots and pattern and only repeat the arithmetic (`frozen`),
 //! as KLU does (Davis & Palamadai Natarajan, ACM TOMS 37, 2010, section 5), and start anew when the kept pivots have
 //! become bad. Where we deviate from KLU: no block triangular form, no row scaling, preferred pivots from the pairing
 //! of [`ColumnOrder::paired`], and small pivots are an error.
@@ -17,6 +17,7 @@
 
 mod estimate;
 mod factor;
+mod frozen;
 mod more;
 #[cfg(test)]
 mod tests;
@@ -28,6 +29,7 @@ use thiserror::Error;
 use super::order::ColumnOrder;
 use super::pattern::Pattern;
 use super::triangle::{NONE, Search, Triangle};
+use frozen::{Frozen, Matrix};
 
 /// A pivot smaller than this times the largest entry of its column and of its row (whichever is smaller) means singular
 /// [-].
@@ -61,13 +63,6 @@ pub struct Singular {
     pub ratio: f64,
 }
 
-/// An entry of A where the elimination wants it: in pivot order.
-#[derive(Debug, Clone, Copy)]
-struct Gather {
-    row: u32,
-    slot: u32,
-}
-
 /// LU factors of a square matrix whose pattern stays while its values change.
 ///
 /// # Examples
@@ -88,15 +83,13 @@ pub struct SparseLu {
     order: ColumnOrder,
     /// Pivot position of each original row.
     position: Vec<u32>,
-    /// A in pivot order, by columns.
-    gather_start: Vec<u32>,
-    gather: Vec<Gather>,
+    /// The factors.
+    frozen: Frozen,
+    /// They while pivots are chosen.
     lower: Triangle,
     upper: Triangle,
-    inverse_pivot: Vec<f64>,
-    /// Largest entry of the column of A, by pivot position.
+    /// Largest entry of the column and of the row of A at the last full factorisation, by pivot position.
     column_scale: Vec<f64>,
-    /// Largest entry of the row of A at the last full factorisation, by pivot position.
     row_scale: Vec<f64>,
     /// Sign of the determinant of P times that of Q.
     permutation_sign: f64,
@@ -126,14 +119,12 @@ impl SparseLu {
         assert_eq!(pattern.rows(), n, "LU wants a square pattern");
         assert_eq!(order.len(), n, "order and pattern differ in size");
         SparseLu {
-            gather: Vec::with_capacity(pattern.entries()),
-            gather_start: Vec::with_capacity(n + 1),
             pattern,
             order,
             position: vec![NONE; n],
             lower: Triangle::new(),
             upper: Triangle::new(),
-            inverse_pivot: vec![0.0; n],
+            frozen: Frozen::new(n),
             column_scale: vec![0.0; n],
             row_scale: vec![0.0; n],
             permutation_sign: 1.0,
@@ -171,54 +162,16 @@ impl SparseLu {
 
     /// The arithmetic alone, on kept pivots and pattern; false when the result is not to be used.
     fn repeat(&mut self, values: &[f64]) -> bool {
-        let n = self.inverse_pivot.len();
-        let x = &mut self.column[..n];
-        let (mut largest_lower, mut largest_upper) = (0, 0);
-        let mut small = false;
-        for j in 0..n {
-            // x = A(:, q_j)
-            let mut scale = 0;
-            for entry in
-                &self.gather[self.gather_start[j] as usize..self.gather_start[j + 1] as usize]
-            {
-                let value = values[entry.slot as usize];
-                scale = scale.max(magnitude(value));
-                x[entry.row as usize] = value;
-            }
-
-            // Subtract earlier columns of L, in order; what they are multiplied with is U(:, j).
-            let begin = self.lower.start[j] as usize;
-            let (done, rest) = self.lower.entries.split_at_mut(begin);
-            for entry in &mut self.upper.entries
-                [self.upper.start[j] as usize..self.upper.start[j + 1] as usize]
-            {
-                let k = entry.row as usize;
-                let u = std::mem::take(&mut x[k]);
-                entry.value = u;
-                largest_upper = largest_upper.max(magnitude(u));
-                for l in &done[self.lower.start[k] as usize..self.lower.start[k + 1] as usize] {
-                    x[l.row as usize] -= l.value * u;
-                }
-            }
-
-            // What is left below the pivot, over the pivot, is L(:, j).
-            let pivot = std::mem::take(&mut x[j]);
-            let inverse = 1.0 / pivot;
-            self.inverse_pivot[j] = inverse;
-            for l in &mut rest[..self.lower.start[j + 1] as usize - begin] {
-                l.value = std::mem::take(&mut x[l.row as usize]) * inverse;
-                largest_lower = largest_lower.max(magnitude(l.value));
-            }
-
-            let scale = f64::from_bits(scale);
-            self.column_scale[j] = scale;
-            let enough = pivot.abs() > SINGULAR_RATIO * scale.min(self.row_scale[j]);
-            small |= !enough;
-            largest_upper = largest_upper.max(magnitude(inverse)).max(magnitude(scale));
-        }
-        self.growth = f64::from_bits(largest_lower);
-        self.factored =
-            !small && self.growth <= GROWTH_LIMIT && f64::from_bits(largest_upper).is_finite();
+        let matrix = Matrix {
+            values,
+            scales: &self.row_scale,
+            pattern: &self.pattern,
+            columns: self.order.columns(),
+            position: &self.position,
+        };
+        let repeated = self.frozen.repeat(&matrix, &mut self.column);
+        self.growth = repeated.growth;
+        self.factored = repeated.is_sound && self.growth <= GROWTH_LIMIT;
         self.factored
     }
 
@@ -228,25 +181,11 @@ impl SparseLu {
     /// Without factors, or when b is not as long as the matrix.
     pub fn solve(&mut self, b: &mut [f64]) {
         self.assert_ready(b.len());
-        let n = self.inverse_pivot.len();
-        let y = &mut self.vector[..n];
         for (&at, &value) in self.position.iter().zip(&*b) {
-            y[at as usize] = value;
+            self.vector[at as usize] = value;
         }
-        for j in 0..n {
-            let factor = y[j];
-            for l in self.lower.column(j as u32) {
-                y[l.row as usize] -= l.value * factor;
-            }
-        }
-        for j in (0..n).rev() {
-            let factor = y[j] * self.inverse_pivot[j];
-            y[j] = factor;
-            for u in self.upper.column(j as u32) {
-                y[u.row as usize] -= u.value * factor;
-            }
-        }
-        for (&column, &value) in self.order.columns().iter().zip(&*y) {
+        self.frozen.solve(self.vector.as_chunks_mut::<1>().0);
+        for (&column, &value) in self.order.columns().iter().zip(&self.vector) {
             b[column as usize] = value;
         }
     }
@@ -257,27 +196,12 @@ impl SparseLu {
     /// Without factors, or when b is not as long as the matrix.
     pub fn solve_transposed(&mut self, b: &mut [f64]) {
         self.assert_ready(b.len());
-        let n = self.inverse_pivot.len();
-        let y = &mut self.vector[..n];
-        for (&column, value) in self.order.columns().iter().zip(&mut *y) {
+        for (&column, value) in self.order.columns().iter().zip(&mut self.vector) {
             *value = b[column as usize];
         }
-        for j in 0..n {
-            let mut rest = y[j];
-            for u in self.upper.column(j as u32) {
-                rest -= u.value * y[u.row as usize];
-            }
-            y[j] = rest * self.inverse_pivot[j];
-        }
-        for j in (0..n).rev() {
-            let mut rest = y[j];
-            for l in self.lower.column(j as u32) {
-                rest -= l.value * y[l.row as usize];
-            }
-            y[j] = rest;
-        }
+        self.frozen.solve_transposed(&mut self.vector, 1);
         for (&at, value) in self.position.iter().zip(b) {
-            *value = y[at as usize];
+            *value = self.vector[at as usize];
         }
     }
 
@@ -286,7 +210,7 @@ impl SparseLu {
     /// # Panics
     /// Without factors, or when `columns` has not n² numbers.
     pub fn inverse(&self, columns: &mut [f64]) {
-        let n = self.inverse_pivot.len();
+        let n = self.order.len();
         assert!(
             self.factored && columns.len() == n * n,
             "an inverse wants a successful factorisation before it, and n² numbers"
@@ -296,22 +220,7 @@ impl SparseLu {
         for (j, &column) in self.order.columns().iter().enumerate() {
             y[j * n + column as usize] = 1.0;
         }
-        for j in 0..n {
-            let (done, rest) = y.split_at_mut(j * n);
-            let row = &mut rest[..n];
-            for u in self.upper.column(j as u32) {
-                subtract(row, u.value, &done[u.row as usize * n..][..n]);
-            }
-            let inverse = self.inverse_pivot[j];
-            row.iter_mut().for_each(|y| *y *= inverse);
-        }
-        for j in (0..n).rev() {
-            let (head, done) = y.split_at_mut((j + 1) * n);
-            let row = &mut head[j * n..];
-            for l in self.lower.column(j as u32) {
-                subtract(row, l.value, &done[(l.row as usize - j - 1) * n..][..n]);
-            }
-        }
+        self.frozen.solve_transposed(&mut y, n);
         for (&at, column) in self.position.iter().zip(columns.chunks_exact_mut(n.max(1))) {
             column.copy_from_slice(&y[at as usize * n..][..n]);
         }
@@ -324,7 +233,7 @@ impl SparseLu {
         );
         assert_eq!(
             length,
-            self.inverse_pivot.len(),
+            self.order.len(),
             "right-hand side and matrix differ in size"
         );
     }
@@ -341,7 +250,7 @@ impl SparseLu {
 
     /// Number of entries of L and U, diagonal once.
     pub fn fill(&self) -> usize {
-        self.lower.entries.len() + self.upper.entries.len() + self.inverse_pivot.len()
+        self.frozen.fill()
     }
 
     /// Largest entry of L in the last factorisation.
@@ -353,11 +262,6 @@ impl SparseLu {
     pub fn fallbacks(&self) -> usize {
         self.fallbacks
     }
-}
-
-/// a −= factor·b.
-fn subtract(a: &mut [f64], factor: f64, b: &[f64]) {
-    a.iter_mut().zip(b).for_each(|(a, b)| *a -= factor * b);
 }
 
 /// Bits of the absolute value: ordered like it, and above infinity for NaN, so that a maximum never loses one.

@@ -34,11 +34,6 @@ impl Triangle {
             [self.start[column as usize] as usize..self.start[column as usize + 1] as usize]
     }
 
-    pub(super) fn take_over(&mut self, other: &Triangle) {
-        self.start.clone_from(&other.start);
-        self.entries.clone_from(&other.entries);
-    }
-
     pub(super) fn clear(&mut self) {
         self.entries.clear();
         self.start.truncate(1);

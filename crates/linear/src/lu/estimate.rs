@@ -55,14 +55,14 @@ impl SparseLu {
             self.factored,
             "determinant wants a successful factorisation before it"
         );
-        let pivots = self.inverse_pivot.iter();
+        let pivots = self.frozen.inverse_pivot.iter();
         let ln_abs: f64 = pivots.map(|inverse| -inverse.abs().ln()).sum();
         (self.determinant_sign(), ln_abs)
     }
 
     /// Sign of det A of the last factors.
     pub fn determinant_sign(&self) -> f64 {
-        let pivots = self.inverse_pivot.iter();
+        let pivots = self.frozen.inverse_pivot.iter();
         pivots.fold(self.permutation_sign, |sign, inverse| {
             sign * inverse.signum()
         })
@@ -70,10 +70,12 @@ impl SparseLu {
 
     /// Smallest pivot over the largest entry of its column and row, whichever is smaller [-].
     ///
-    /// The figure that [`super::SINGULAR_RATIO`] is held against; infinite for an empty matrix.
+    /// The figure that [`super::SINGULAR_RATIO`] is held against, with the scales of the last full factorisation; infinite for an
+    /// empty matrix.
     pub fn smallest_pivot_ratio(&self) -> f64 {
         let scales = self.column_scale.iter().zip(&self.row_scale);
-        self.inverse_pivot
+        self.frozen
+            .inverse_pivot
             .iter()
             .zip(scales)
             .map(|(inverse, (&column, &row))| 1.0 / (inverse.abs() * column.min(row)))
@@ -85,6 +87,7 @@ impl SparseLu {
     /// Mixed units make it small on sound matrices too; compare it along a path, not with a fixed number.
     pub fn pivot_spread(&self) -> f64 {
         let (smallest, largest) = self
+            .frozen
             .inverse_pivot
             .iter()
             .map(|inverse| inverse.abs())

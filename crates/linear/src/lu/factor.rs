@@ -1,7 +1,8 @@
 //! The full factorisation: reach, elimination, choice of pivots, and the frozen lists for the ones that follow.
 
 use super::super::triangle::{Entry, NONE};
-use super::{Gather, PIVOT_THRESHOLD, SINGULAR_RATIO, Singular, SparseLu, magnitude};
+use super::frozen::Matrix;
+use super::{PIVOT_THRESHOLD, SINGULAR_RATIO, Singular, SparseLu, magnitude};
 
 impl SparseLu {
     /// Factors with a new choice of pivots, which [`SparseLu::refactor`] then keeps.
@@ -18,7 +19,7 @@ impl SparseLu {
         self.factored = false;
         self.scan(values)?;
         self.start();
-        for step in 0..self.inverse_pivot.len() {
+        for step in 0..self.order.len() {
             let column = self.order.columns()[step] as usize;
             self.search.find(
                 step as u32,
@@ -32,7 +33,7 @@ impl SparseLu {
                 .inspect_err(|_| self.column.fill(0.0))?;
             self.store(step, pivot_row);
         }
-        self.freeze();
+        self.freeze(values);
         self.check_finite()?;
         self.factored = true;
         Ok(())
@@ -149,7 +150,7 @@ impl SparseLu {
     fn store(&mut self, step: usize, pivot_row: u32) {
         let inverse = 1.0 / std::mem::take(&mut self.column[pivot_row as usize]);
         self.position[pivot_row as usize] = step as u32;
-        self.inverse_pivot[step] = inverse;
+        self.frozen.inverse_pivot[step] = inverse;
         self.row_scale[step] = self.original_row_scale[pivot_row as usize];
         for &row in self.search.reach() {
             if self.position[row as usize] == NONE {
@@ -161,31 +162,21 @@ impl SparseLu {
         self.lower.close_column();
     }
 
-    /// Renumbers L by pivots, sorts both factors and lists A in pivot order.
-    fn freeze(&mut self) {
+    /// Renumbers L by pivots, sorts both factors, and lists the arithmetic.
+    fn freeze(&mut self, values: &[f64]) {
         for entry in &mut self.lower.entries {
             entry.row = self.position[entry.row as usize];
         }
         self.lower.sort_columns();
         self.upper.sort_columns();
-        self.gather.clear();
-        self.gather_start.clear();
-        self.gather_start.push(0);
-        for &column in self.order.columns() {
-            let column = column as usize;
-            for (&row, slot) in self
-                .pattern
-                .column(column)
-                .iter()
-                .zip(self.pattern.span(column))
-            {
-                self.gather.push(Gather {
-                    row: self.position[row as usize],
-                    slot: slot as u32,
-                });
-            }
-            self.gather_start.push(self.gather.len() as u32);
-        }
+        let matrix = Matrix {
+            values,
+            scales: &self.row_scale,
+            pattern: &self.pattern,
+            columns: self.order.columns(),
+            position: &self.position,
+        };
+        self.frozen.take(&self.lower, &self.upper, &matrix);
         self.permutation_sign = parity(&self.position, self.search.marks())
             * parity(self.order.columns(), self.search.marks());
     }

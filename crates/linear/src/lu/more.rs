@@ -1,6 +1,6 @@
 //! More than one right-hand side, and factors in more than one place.
 
-use super::{SparseLu, subtract};
+use super::SparseLu;
 
 impl SparseLu {
     /// Overwrites K right-hand sides with their x of A x = b: `b[i]` has component i of each. One pass through the factors
@@ -10,7 +10,7 @@ impl SparseLu {
     /// As there.
     pub fn solve_together<const K: usize>(&mut self, b: &mut [[f64; K]]) {
         self.assert_ready(b.len());
-        let n = self.inverse_pivot.len();
+        let n = self.order.len();
         if self.vectors.len() < K * n {
             self.vectors.resize(K * n, 0.0);
         }
@@ -18,19 +18,7 @@ impl SparseLu {
         for (&at, value) in self.position.iter().zip(&*b) {
             y[at as usize] = *value;
         }
-        for j in 0..n {
-            let factors = y[j];
-            for l in self.lower.column(j as u32) {
-                subtract(&mut y[l.row as usize], l.value, &factors);
-            }
-        }
-        for j in (0..n).rev() {
-            let factors = y[j].map(|y| y * self.inverse_pivot[j]);
-            y[j] = factors;
-            for u in self.upper.column(j as u32) {
-                subtract(&mut y[u.row as usize], u.value, &factors);
-            }
-        }
+        self.frozen.solve(y);
         for (&column, value) in self.order.columns().iter().zip(&*y) {
             b[column as usize] = *value;
         }
@@ -43,17 +31,13 @@ impl SparseLu {
             self.order.clone_from(&other.order);
         }
         self.position.clone_from(&other.position);
-        self.gather_start.clone_from(&other.gather_start);
-        self.gather.clone_from(&other.gather);
-        self.lower.take_over(&other.lower);
-        self.upper.take_over(&other.upper);
-        self.inverse_pivot.clone_from(&other.inverse_pivot);
+        self.frozen.take_over(&other.frozen);
         self.column_scale.clone_from(&other.column_scale);
         self.row_scale.clone_from(&other.row_scale);
         self.permutation_sign = other.permutation_sign;
         self.factored = other.factored;
         self.growth = other.growth;
-        let n = self.inverse_pivot.len();
+        let n = self.order.len();
         for room in [&mut self.column, &mut self.vector, &mut self.residual] {
             room.resize(n, 0.0);
         }
