@@ -65,7 +65,7 @@ pub fn off(loaded: &Loaded, part: f64, random: &mut Random) -> Vec<f64> {
 }
 
 /// What a run of the model itself gives.
-fn alone(family: &Family, values: &[f64]) -> (Option<Status>, Vec<f64>) {
+pub fn alone(family: &Family, values: &[f64]) -> (Option<Status>, Vec<f64>) {
     let none = vec![f64::NAN; family.responses().len()];
     let Ok(model) = family.model(values) else {
         return (None, none);
@@ -81,7 +81,7 @@ fn alone(family: &Family, values: &[f64]) -> (Option<Status>, Vec<f64>) {
 }
 
 /// What a member of the family gives.
-fn beside(member: &mut Member, values: &[f64], count: usize) -> (Option<Status>, Vec<f64>) {
+pub fn beside(member: &mut Member, values: &[f64], count: usize) -> (Option<Status>, Vec<f64>) {
     let mut responses = vec![f64::NAN; count];
     match member.run(values, &Control::default(), &mut responses) {
         Ok(ended) => (Some(ended.status), responses),

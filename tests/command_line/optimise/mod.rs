@@ -2,6 +2,7 @@
 
 mod paths;
 mod refused;
+mod rest;
 
 use crate::browser::Scratch;
 use serde_json::{Value, json};

@@ -130,11 +130,7 @@ pub fn bare(model: &Model, outputs: usize) -> Value {
     for key in ["forces", "initial", "accuracy", "materials"] {
         top.remove(key);
     }
-    for driver in json["drivers"]
-        .as_object_mut()
-        .expect("drivers")
-        .values_mut()
-    {
+    for driver in drivers(&mut json) {
         driver
             .as_object_mut()
             .expect("a driver")
@@ -165,6 +161,12 @@ pub fn bare(model: &Model, outputs: usize) -> Value {
         });
     }
     json
+}
+
+/// The drivers of a model; there may be none.
+fn drivers(json: &mut Value) -> impl Iterator<Item = &mut Value> {
+    let drivers = json.get_mut("drivers").and_then(Value::as_object_mut);
+    drivers.into_iter().flat_map(|all| all.values_mut())
 }
 
 /// The same with a parameter for every number of its geometry and of its motions.
@@ -202,11 +204,7 @@ pub fn parametric(model: &Model, outputs: usize) -> Value {
         }
     }
     let is_sampled = json["analysis"].get("sample").is_some();
-    for driver in json["drivers"]
-        .as_object_mut()
-        .expect("drivers")
-        .values_mut()
-    {
+    for driver in drivers(&mut json) {
         let unit = if driver["type"] == "rotation" {
             "rad"
         } else {

@@ -96,6 +96,15 @@ impl Channels {
         })
     }
 
+    /// Whether they need what joints and drivers carry.
+    pub fn have_forces(&self) -> bool {
+        self.stretches.iter().any(|stretch| match stretch {
+            Stretch::Joint(..) => true,
+            Stretch::Driver(_, wanted) => wanted.contains(&DriverQuantity::Effort),
+            Stretch::Time | Stretch::Body(..) | Stretch::Point(..) | Stretch::Energy(_) => false,
+        })
+    }
+
     /// Appends the row of a sample, at whose position and velocity the evaluation is.
     pub fn push_row(
         &self,

@@ -42,10 +42,7 @@ pub fn run(
     let watch = Stopwatch::start();
     let balance = balance(&mut held, &assembled, control)?;
     let mut recorder = Recorder::new(system, contents, 1);
-    let mut sample = Sample::new(system);
-    sample.q.copy_from_slice(&held.q);
-    sample.force.copy_from_slice(&held.force);
-    held.driven.multipliers(&held.force, &mut sample.lambda);
+    let sample = sample(&mut held);
     recorder.push(system, &held.driven.evaluation, &held.inputs, &sample);
     report.warnings.extend(warning(&balance));
     report.warnings.extend(friction_left_out(system));
@@ -58,6 +55,16 @@ pub fn run(
     report.statistics.factorisations = done.factorisations;
     report.solve = watch.read();
     Ok((recorder.trajectory, report))
+}
+
+/// A mechanism at rest where it is held.
+pub fn sample(held: &mut Held) -> Sample {
+    let mut sample = Sample::new(held.driven.system);
+    sample.q.copy_from_slice(&held.q);
+    sample.force.copy_from_slice(&held.force);
+    sample.balance.copy_from_slice(&held.force);
+    held.driven.multipliers(&held.force, &mut sample.lambda);
+    sample
 }
 
 /// What statics can't do.

@@ -76,6 +76,12 @@ impl<'s> Held<'s> {
         self.driven.independent.len()
     }
 
+    /// The columns of the minimal coordinates.
+    pub fn columns(&self) -> Vec<usize> {
+        let coordinates = self.driven.independent.iter();
+        coordinates.map(|coordinate| coordinate.column).collect()
+    }
+
     /// Scale of a minimal coordinate [m or 1].
     pub fn scale(&self, k: usize) -> f64 {
         self.driven
@@ -153,12 +159,7 @@ impl<'s> Held<'s> {
             let Some((k, column)) = better_coordinate(&self.driven, &self.tangents) else {
                 break;
             };
-            let mut columns: Vec<usize> = self
-                .driven
-                .independent
-                .iter()
-                .map(|coordinate| coordinate.column)
-                .collect();
+            let mut columns = self.columns();
             columns[k] = column;
             self.driven.choose(&columns, &self.inputs)?;
             self.settle()?;

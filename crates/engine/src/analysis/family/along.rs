@@ -3,8 +3,8 @@
 use super::Member;
 use super::around::Around;
 use super::beside::place;
+use super::needs::Needs;
 use super::slopes::{Along, Depth, Slopes, Wanted};
-use super::track::needed;
 use crate::analysis::question::Kind;
 use crate::analysis::sample::Sample;
 use crate::mechanism::driven::Driven;
@@ -82,32 +82,25 @@ impl Member<'_> {
     ) -> Option<Vec<f64>> {
         let prepared = &self.family.prepared;
         let (nominal, question) = prepared.parts();
-        let (channels, places) = needed(nominal, prepared)?;
-        let depth = match channels.are_positions() {
-            true => Depth::Positions,
-            false => Depth::Motion,
-        };
-        let has_forces = question.driven().reactions && depth != Depth::Positions;
-        if question.kind != Kind::Prescribed || nominal.links > 0 || has_forces {
+        let needs = Needs::new(prepared)?;
+        let depth = needs.depth(question.driven().reactions);
+        if question.kind != Kind::Prescribed || nominal.links > 0 || depth == Depth::Forces {
             return None;
         }
         let mechanisms = self.mechanisms.as_mut()?;
-        let numbers = lengths.iter().copied().enumerate();
-        let arounds =
-            numbers.map(|number| Around::new(mechanisms, prepared.responses(), values, number));
-        let arounds: Vec<Option<Around>> = arounds.collect();
+        let arounds = Around::all(mechanisms, prepared.responses(), values, lengths);
         let system = mechanisms.at(values, 1.0)?;
         let nodes = nodes(&system, motion)?;
         let mut inputs = Inputs::at_time(&system, nodes[0].s);
         let mut driven = Driven::new(&system, &nodes[0].q, &inputs).ok()?;
-        let mut slopes = Slopes::new(&system, places.len());
-        let mut sample = Sample::new(&system);
         let wanted = Wanted {
-            channels: &channels,
-            places: &places,
+            needs: &needs,
             depth,
         };
-        let mut all = Vec::with_capacity(times.len() * places.len() * values.len());
+        let mut slopes = Slopes::new(&system, wanted);
+        let mut derived = Around::derived(&arounds, &needs);
+        let mut sample = Sample::new(&system);
+        let mut all = Vec::with_capacity(times.len() * needs.count() * values.len());
         for &time in times {
             if !place(&mut driven, &nodes, time, &mut inputs, &mut sample.q) {
                 return None;
@@ -117,12 +110,13 @@ impl Member<'_> {
             driven.velocity(&inputs, &mut sample.v);
             driven.acceleration(&inputs, &mut sample.a);
             let instant = (&inputs, &sample);
-            let one = |around: &Option<Around>| {
+            let readers = arounds.iter().zip(&mut derived);
+            let found = readers.map(|(around, derived)| {
                 let along = Along::Parameter(around.as_ref()?);
-                slopes.along(&mut driven, instant, &along, wanted)
-            };
-            let found: Vec<Option<Vec<f64>>> = arounds.iter().map(one).collect();
-            for column in 0..places.len() {
+                slopes.along(&mut driven, instant, &along, derived)
+            });
+            let found: Vec<Option<Vec<f64>>> = found.collect();
+            for column in 0..needs.count() {
                 let of = |own: &Option<Vec<f64>>| own.as_ref().map_or(f64::NAN, |own| own[column]);
                 all.extend(found.iter().map(of));
             }

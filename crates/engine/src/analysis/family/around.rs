@@ -1,8 +1,10 @@
 //! The mechanisms around one: one parameter more or less by some steps.
 
 use super::mechanisms::Mechanisms;
+use super::needs::Needs;
 use super::stencil::{PLACES, STEP, Sums};
-use crate::analysis::responses::Responses;
+use crate::analysis::derived::Derived;
+use crate::analysis::responses::{Dual, Evaluation, Responses};
 use crate::system::System;
 
 /// The mechanisms around one along one parameter.
@@ -16,6 +18,37 @@ pub struct Around {
 }
 
 impl Around {
+    /// Around values along each parameter, which matter over some lengths.
+    pub fn all(
+        mechanisms: &mut Mechanisms,
+        responses: &Responses,
+        values: &[f64],
+        lengths: &[f64],
+    ) -> Vec<Option<Self>> {
+        let numbers = lengths.iter().copied().enumerate();
+        numbers
+            .map(|number| Around::new(mechanisms, responses, values, number))
+            .collect()
+    }
+
+    /// The parameters that responses name, with their derivatives.
+    pub fn parameters(arounds: &[Option<Self>], evaluation: &Evaluation) -> Vec<Dual<f64>> {
+        evaluation.parameters_with(arounds.len(), |place, k| {
+            let around = arounds[k].as_ref();
+            around.map_or(f64::NAN, |around| around.named[place])
+        })
+    }
+
+    /// What makes of rows what follows from them, of each of the mechanisms along each parameter.
+    pub fn derived<'a>(arounds: &'a [Option<Self>], needs: &Needs) -> Vec<Vec<Derived<'a>>> {
+        let mut all = Vec::with_capacity(arounds.len());
+        for around in arounds {
+            let systems = around.iter().flat_map(|around| &around.systems);
+            all.push(systems.filter_map(|system| needs.derived(system)).collect());
+        }
+        all
+    }
+
     /// Around values along parameter `k`, which matters over some length; none where one of these mechanisms can't be made by
     /// putting in numbers.
     pub fn new(

@@ -14,8 +14,11 @@
 mod gradient;
 
 use super::mechanisms::Mechanisms;
+use super::needs::{Room, State};
+use super::slopes::Depth;
 use super::track::{Middle, SMOOTH, Station, Track};
 use crate::analysis::clearance_link::{balance, carried};
+use crate::analysis::derived::Derived;
 use crate::analysis::responses::{Evaluation, Responses};
 use crate::analysis::sample::Sample;
 use crate::mechanism::driven::{Aside, Driven};
@@ -41,8 +44,7 @@ pub struct Beside<'f> {
     solver: Option<Aside>,
     inputs: Inputs,
     sample: Sample,
-    row: Vec<f64>,
-    wanted: Vec<f64>,
+    room: Room,
     start: Vec<f64>,
     /// δ, δ̇, δ̈ (n) at the station before and at this one.
     before: [Vec<f64>; 3],
@@ -72,8 +74,7 @@ impl<'f> Beside<'f> {
             solver: Some(track.solver.clone()),
             inputs: Inputs::still(system),
             sample: Sample::new(system),
-            row: Vec::with_capacity(track.channels.columns().len()),
-            wanted: Vec::with_capacity(track.places.len()),
+            room: track.needs.room(),
             start: zero(),
             before: three(),
             here: three(),
@@ -105,8 +106,9 @@ impl<'f> Beside<'f> {
             if self.begin(&mut driven) {
                 part = next;
                 if part == 1.0 {
-                    self.set_parameters(mechanisms);
-                    is_found = self.march(&mut driven);
+                    mechanisms.tell(self.responses, &mut self.evaluation);
+                    let mut derived = self.track.needs.derived(&system);
+                    is_found = self.march(&mut driven, derived.as_mut());
                 }
             } else {
                 length *= 0.5;
@@ -151,7 +153,7 @@ impl<'f> Beside<'f> {
     }
 
     /// Goes along all stations; whether the motion is like that of the nominal mechanism.
-    fn march(&mut self, driven: &mut Driven) -> bool {
+    fn march(&mut self, driven: &mut Driven, mut derived: Option<&mut Derived>) -> bool {
         let track = self.track;
         self.evaluation.restart();
         let (mut time, mut last) = (0.0, 0.0);
@@ -169,7 +171,7 @@ impl<'f> Beside<'f> {
                 return false;
             };
             if station.is_output {
-                self.record(driven);
+                self.record(driven, derived.as_deref_mut());
             }
             self.note(station);
             if self.looks_between || self.keeps {
@@ -182,7 +184,7 @@ impl<'f> Beside<'f> {
                 return false;
             }
         }
-        self.ask(driven);
+        self.ask(driven, derived);
         true
     }
 
@@ -202,7 +204,7 @@ impl<'f> Beside<'f> {
     }
 
     /// Looks for extremes and crossings between the outputs: the quintic between two stations is where Newton begins.
-    fn ask(&mut self, driven: &mut Driven) {
+    fn ask(&mut self, driven: &mut Driven, mut derived: Option<&mut Derived>) {
         if !self.looks_between {
             return;
         }
@@ -212,12 +214,12 @@ impl<'f> Beside<'f> {
             track,
             sample,
             inputs,
-            row,
+            room,
             report,
             ..
         } = self;
         let system = driven.system;
-        let positions = track.channels.are_positions();
+        let positions = track.needs.depth(track.reactions) == Depth::Positions;
         evaluation.ask(report, &mut |time, wanted| {
             if !place(driven, nodes, time, inputs, &mut sample.q) {
                 return false;
@@ -235,11 +237,14 @@ impl<'f> Beside<'f> {
                     return false;
                 }
             }
-            row.clear();
-            track
-                .channels
-                .push_row(system, &driven.evaluation, inputs, sample, row);
-            wanted.extend(track.places.iter().map(|&place| row[place]));
+            let state = State {
+                system,
+                evaluation: &driven.evaluation,
+                inputs,
+                sample,
+            };
+            track.needs.read(state, derived.as_deref_mut(), room);
+            wanted.extend_from_slice(&room.values);
             true
         });
     }
@@ -292,19 +297,15 @@ impl<'f> Beside<'f> {
         Some(miss)
     }
 
-    fn record(&mut self, driven: &Driven) {
-        self.row.clear();
-        self.track.channels.push_row(
-            driven.system,
-            &driven.evaluation,
-            &self.inputs,
-            &self.sample,
-            &mut self.row,
-        );
-        self.wanted.clear();
-        let places = self.track.places.iter();
-        self.wanted.extend(places.map(|&place| self.row[place]));
-        self.evaluation.row(&self.wanted);
+    fn record(&mut self, driven: &Driven, derived: Option<&mut Derived>) {
+        let state = State {
+            system: driven.system,
+            evaluation: &driven.evaluation,
+            inputs: &self.inputs,
+            sample: &self.sample,
+        };
+        self.track.needs.read(state, derived, &mut self.room);
+        self.evaluation.row(&self.room.values);
     }
 
     /// Notes δ, δ̇, δ̈ at a station.
@@ -334,16 +335,6 @@ impl<'f> Beside<'f> {
         self.residual.copy_from_slice(&driven.evaluation.phi);
         driven.answer(&self.residual, &mut self.step);
         system.scaled_norm(&self.step) <= SMOOTH
-    }
-
-    fn set_parameters(&mut self, mechanisms: &Mechanisms) {
-        for response in self.responses.list() {
-            for name in &response.parameters {
-                if let Some(value) = mechanisms.parameter(name) {
-                    self.evaluation.set_parameter(name, value);
-                }
-            }
-        }
     }
 }
 

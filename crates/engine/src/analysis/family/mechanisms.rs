@@ -1,5 +1,6 @@
 //! The mechanisms of a family: values of parameters become numbers of a system.
 
+use crate::analysis::responses::{Evaluation, Responses};
 use crate::system::System;
 use crate::system::compile::compile;
 use linkdyn_model::{Checked, Substituted, Substitution};
@@ -41,6 +42,17 @@ impl<'f> Mechanisms<'f> {
         let model = self.substitution.put(&self.mixed, &mut self.place)?;
         let kind = model.analysis.as_ref()?.kind;
         compile(model, kind).ok()
+    }
+
+    /// Tells responses the parameters that they name, of the mechanism made last.
+    pub fn tell(&self, responses: &Responses, evaluation: &mut Evaluation) {
+        for response in responses.list() {
+            for name in &response.parameters {
+                if let Some(value) = self.parameter(name) {
+                    evaluation.set_parameter(name, value);
+                }
+            }
+        }
     }
 
     /// The value of a parameter that a response names, in the mechanism made last.

@@ -3,9 +3,9 @@
 //! A [`Family`] is read, checked and compiled once. Each thread has a [`Member`] of its own, which takes values and works
 //! out the responses of the model. Where drivers prescribe the motion, the nominal mechanism is followed once, and the
 //! others are found beside it: at each station Newton's iteration begins where the difference from the nominal mechanism
-//! is predicted to be, and its contraction says that the solution found is that one (`track`). Whatever is not as simple
-//! as that is run as any model is: dynamics, statics, clearance, change points and dead centres, redundant constraints,
-//! values that are not legal.
+//! is predicted to be, and its contraction says that the solution found is that one (`track`). Of `statics` each variant is
+//! brought to rest by itself, with its numbers put in. Whatever is not as simple as that is run as any model is: dynamics,
+//! clearance, change points and dead centres, redundant constraints, values that are not legal.
 //!
 //! What comes out depends on the values alone, not on what was computed before.
 //!
@@ -33,11 +33,14 @@ mod along;
 mod around;
 mod beside;
 mod mechanisms;
+mod needs;
+mod resting;
 mod slopes;
 mod stencil;
 mod track;
 
 use super::control::Control;
+use super::question::Kind;
 use super::responses::Responses;
 use super::run::Prepared;
 use beside::Beside;
@@ -45,6 +48,8 @@ use linkdyn_model::error::Complaints;
 use linkdyn_model::{Checked, Given, Loaded, Source, Substitution};
 use linkdyn_output::Status;
 use mechanisms::Mechanisms;
+use needs::Needs;
+use resting::Resting;
 use track::{Changes, Track};
 
 /// A model with parameters that take other values.
@@ -56,14 +61,51 @@ pub struct Family {
     nominal: Vec<f64>,
     substitution: Option<Substitution>,
     prepared: Prepared,
-    track: Option<Track>,
+    ways: Ways,
+}
+
+/// How variants are worked out.
+enum Ways {
+    /// Beside the nominal mechanism, whose motion drivers prescribe.
+    Beside(Box<Track>),
+    /// At rest, by putting in numbers.
+    AtRest(Needs),
+    /// As any model is run.
+    Alone,
 }
 
 /// One thread's share of a family.
 pub struct Member<'f> {
     family: &'f Family,
     mechanisms: Option<Mechanisms<'f>>,
-    beside: Option<Beside<'f>>,
+    way: Way<'f>,
+}
+
+/// One thread's share of a way.
+enum Way<'f> {
+    Beside(Box<Beside<'f>>),
+    AtRest(Box<Resting<'f>>),
+    Alone,
+}
+
+impl Ways {
+    fn new(prepared: &Prepared, substitution: &Substitution) -> Self {
+        let (_, question) = prepared.parts();
+        let rests = question.kind == Kind::Rest;
+        let changes = Changes {
+            analysis: substitution.changes("analysis"),
+            drivers: substitution.changes("drivers"),
+        };
+        let mut responses = prepared.responses().list().iter();
+        let way = match (responses.any(|one| one.needs_report), rests) {
+            (true, _) => None,
+            (false, true) => Needs::new(prepared).map(Ways::AtRest),
+            (false, false) => {
+                Track::new(prepared, changes).map(|track| Ways::Beside(Box::new(track)))
+            }
+        };
+        way.unwrap_or(Ways::Alone)
+    }
 }
 
 /// How a variant ended.
@@ -110,13 +152,8 @@ impl Family {
             names,
             given,
         );
-        let track = substitution
-            .as_ref()
-            .map(|substitution| Changes {
-                analysis: substitution.changes("analysis"),
-                drivers: substitution.changes("drivers"),
-            })
-            .and_then(|changes| Track::new(&prepared, changes));
+        let ways = substitution.as_ref();
+        let ways = ways.map_or(Ways::Alone, |own| Ways::new(&prepared, own));
         Ok(Family {
             source: loaded.source.clone(),
             names: names.iter().map(|name| (*name).to_owned()).collect(),
@@ -127,7 +164,7 @@ impl Family {
             given,
             substitution,
             prepared,
-            track,
+            ways,
         })
     }
 
@@ -143,17 +180,22 @@ impl Family {
 
     /// Whether variants are found beside the nominal mechanism.
     pub fn is_tracked(&self) -> bool {
-        self.track.is_some()
+        matches!(self.ways, Ways::Beside(_))
     }
 
     /// Begins, for one thread.
     pub fn begin(&self) -> Member<'_> {
-        let (mechanisms, track) = (self.substitution.as_ref(), self.track.as_ref());
+        let mechanisms = self.substitution.as_ref();
         let (system, _) = self.prepared.parts();
+        let responses = self.responses();
         Member {
             family: self,
             mechanisms: mechanisms.map(|substitution| Mechanisms::new(substitution, &self.nominal)),
-            beside: track.map(|track| Beside::new(track, system, self.responses())),
+            way: match &self.ways {
+                Ways::Beside(track) => Way::Beside(Box::new(Beside::new(track, system, responses))),
+                Ways::AtRest(needs) => Way::AtRest(Box::new(Resting::new(needs, responses))),
+                Ways::Alone => Way::Alone,
+            },
         }
     }
 
@@ -177,8 +219,9 @@ impl Member<'_> {
     /// value or its range.
     ///
     /// Known are those of motions that are found beside the nominal mechanism, without friction that depends on joint forces:
-    /// extremes at smooth tops and at the ends, `at`, `first`, `last`, and sums over the rows. They are exact to round-off, some
-    /// 1e-13 of what they are made of: the equations of the instants that count are differentiated, not runs.
+    /// extremes at smooth tops and at the ends, `at`, `first`, `last`, and sums over the rows; and those of equilibria that are
+    /// stable. They are exact to round-off, some 1e-13 of what they are made of: the equations of the instants that count are
+    /// differentiated, not runs.
     ///
     /// # Errors
     /// What is wrong with a model of these values.
@@ -200,20 +243,30 @@ impl Member<'_> {
     }
 
     /// The same derivatives where these values were run last, and motions are kept ([`Member::keep_motion`]): without running
-    /// them again. NaN, all of them, where that is not so, or the variant was not found beside the nominal mechanism.
+    /// them again. NaN, all of them, where that is not so, or the variant was run as any model is.
     pub fn slopes(&mut self, values: &[f64], lengths: &[f64], gradient: &mut [f64]) {
         gradient.fill(f64::NAN);
-        if let (Some(beside), Some(mechanisms)) = (&mut self.beside, &mut self.mechanisms)
-            && beside.has(values)
-        {
-            beside.differentiate((values, lengths), mechanisms, gradient);
+        let Some(mechanisms) = &mut self.mechanisms else {
+            return;
+        };
+        let what = (values, lengths);
+        match &mut self.way {
+            Way::Beside(beside) if beside.has(values) => {
+                beside.differentiate(what, mechanisms, gradient);
+            }
+            Way::AtRest(resting) if resting.has(values) => {
+                resting.differentiate(what, mechanisms, gradient);
+            }
+            Way::Beside(_) | Way::AtRest(_) | Way::Alone => {}
         }
     }
 
     /// Keeps the motion of each run from now on, for [`Member::slopes`].
     pub fn keep_motion(&mut self) {
-        if let Some(beside) = &mut self.beside {
-            beside.keep_motion();
+        match &mut self.way {
+            Way::Beside(beside) => beside.keep_motion(),
+            Way::AtRest(resting) => resting.keep_motion(),
+            Way::Alone => {}
         }
     }
 
@@ -230,12 +283,20 @@ impl Member<'_> {
         let Member {
             family,
             mechanisms,
-            beside,
+            way,
         } = self;
-        if let (Some(beside), Some(mechanisms)) = (beside, mechanisms.as_mut())
-            && beside.run(values, mechanisms, responses)
-        {
-            return Ok(Ended::whole(responses));
+        if let Some(mechanisms) = mechanisms {
+            let ended = match way {
+                Way::Beside(beside) => {
+                    let is_found = beside.run(values, mechanisms, responses);
+                    is_found.then(|| Ended::whole(responses))
+                }
+                Way::AtRest(resting) => resting.run(values, mechanisms, control, responses),
+                Way::Alone => None,
+            };
+            if let Some(ended) = ended {
+                return Ok(ended);
+            }
         }
         let made = mechanisms.as_mut();
         let prepared = match made.and_then(|mechanisms| mechanisms.model(values)) {

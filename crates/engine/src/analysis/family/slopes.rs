@@ -15,9 +15,12 @@
 //! round-off (`stencil`); a parameter may stand in points, masses, springs, loads and motions at once. Time is a parameter
 //! with q_t = v and v_t = a.
 
+mod rest;
+
 use super::around::Around;
+use super::needs::{Needs, Room, State};
 use super::stencil::{PLACES, STEP, Sums};
-use crate::analysis::channels::Channels;
+use crate::analysis::derived::Derived;
 use crate::analysis::sample::Sample;
 use crate::mechanism::driven::Driven;
 use crate::system::{Evaluation, Inputs, System};
@@ -28,6 +31,8 @@ pub enum Along<'a> {
     Parameter(&'a Around),
     /// Time, in steps \[s\].
     Time(f64),
+    /// A motion of the mechanism at rest, in steps [–].
+    Motion(f64),
 }
 
 /// How much of an instant is wanted.
@@ -41,16 +46,41 @@ pub enum Depth {
     Forces,
 }
 
-/// The columns that are wanted: channels, and the place of each want in their row.
+/// The columns that are wanted.
 #[derive(Clone, Copy)]
-pub struct Wanted<'a> {
-    pub channels: &'a Channels,
-    pub places: &'a [usize],
+pub struct Wanted<'n> {
+    pub needs: &'n Needs,
     pub depth: Depth,
 }
 
+/// What makes of rows what follows from them: of the mechanism at each place, one where that is the same at all of them, none
+/// where nothing follows.
+pub type Readers<'r, 's> = &'r mut [Derived<'s>];
+
+/// An instant of a mechanism.
+#[derive(Clone, Copy)]
+struct Instant<'a> {
+    system: &'a System,
+    time: f64,
+    sample: &'a Sample,
+}
+
+/// What is differentiated: the equations in their order, then the columns.
+enum Stage<'a, 's> {
+    /// φ (m)
+    Positions,
+    /// J v + φ_t (m)
+    Velocities,
+    /// J a − γ (m)
+    Accelerations,
+    /// M a + Jᵀ λ − Q (n)
+    Forces,
+    Columns(Depth, Readers<'a, 's>),
+}
+
 /// Room for it.
-pub struct Slopes {
+pub struct Slopes<'n> {
+    wanted: Wanted<'n>,
     evaluation: Evaluation,
     inputs: Inputs,
     sample: Sample,
@@ -66,33 +96,34 @@ pub struct Slopes {
     product: Vec<f64>,
     other: Vec<f64>,
     pull: Vec<f64>,
-    row: Vec<f64>,
-    picked: Vec<f64>,
-}
-
-/// The mechanism and the time at a place.
-fn neighbour<'s>(along: &Along<'s>, system: &'s System, index: usize) -> (&'s System, f64, f64) {
-    let place = PLACES[index];
-    match along {
-        Along::Parameter(around) => (&around.systems[index], place * around.step, 0.0),
-        Along::Time(step) => (system, place * step, place * step),
-    }
+    room: Room,
 }
 
 impl Along<'_> {
     fn step(&self) -> f64 {
         match self {
             Along::Parameter(around) => around.step,
-            Along::Time(step) => *step,
+            Along::Time(step) | Along::Motion(step) => *step,
+        }
+    }
+
+    /// The mechanism at a place, and how far along and how much later that is.
+    fn place<'s>(&'s self, system: &'s System, index: usize) -> (&'s System, f64, f64) {
+        let by = PLACES[index] * self.step();
+        match self {
+            Along::Parameter(around) => (&around.systems[index], by, 0.0),
+            Along::Time(_) => (system, by, by),
+            Along::Motion(_) => (system, by, 0.0),
         }
     }
 }
 
-impl Slopes {
-    /// Of mechanisms like this one, and so many columns.
-    pub fn new(system: &System, columns: usize) -> Self {
+impl<'n> Slopes<'n> {
+    /// Of mechanisms like this one.
+    pub fn new(system: &System, wanted: Wanted<'n>) -> Self {
         let (n, m) = (system.n(), system.m());
         Slopes {
+            wanted,
             evaluation: Evaluation::new(system),
             inputs: Inputs::still(system),
             sample: Sample::new(system),
@@ -102,12 +133,11 @@ impl Slopes {
             lambda: vec![0.0; m],
             rows: Sums::new(m),
             forces: Sums::new(n),
-            columns: Sums::new(columns),
+            columns: Sums::new(wanted.needs.count()),
             product: vec![0.0; m],
             other: vec![0.0; m],
             pull: vec![0.0; n],
-            row: Vec::new(),
-            picked: Vec::new(),
+            room: wanted.needs.room(),
         }
     }
 
@@ -118,113 +148,174 @@ impl Slopes {
         STEP / speed.max(change).max(1e-9)
     }
 
-    /// Derivatives of the wanted columns at an instant, with its factors in `driven`; NaN of one that is not smooth there. None
-    /// where the equations are not, or are not differentiated: with forces that depend on multipliers.
+    /// Derivatives of the wanted columns at an instant, with its factors in `driven`; NaN of one that is not smooth there, and of
+    /// what is carried where forces are not, or depend on multipliers. None where the motion is not smooth.
     pub fn along(
         &mut self,
         driven: &mut Driven,
         (inputs, sample): (&Inputs, &Sample),
         along: &Along,
-        wanted: Wanted,
+        readers: Readers,
     ) -> Option<Vec<f64>> {
         let system = driven.system;
-        self.inputs.time = inputs.time;
         if driven.is_redundant() || !system.contacts.is_empty() {
             return None;
         }
-        self.positions(driven, sample, along)?;
-        if wanted.depth > Depth::Positions {
-            self.velocities(driven, sample, along)?;
-            self.accelerations(driven, sample, along)?;
-        }
-        if wanted.depth == Depth::Forces {
-            if !system.dependent_forces.is_empty() {
-                return None;
+        let time = inputs.time;
+        let instant = Instant {
+            system,
+            time,
+            sample,
+        };
+        self.motion(driven, &instant, along)?;
+        let is_known = system.dependent_forces.is_empty();
+        let depth = self.carried(is_known, driven, &instant, along);
+        Some(self.read(depth, &instant, along, readers))
+    }
+
+    /// q_p, v_p and a_p, as far as they are wanted.
+    fn motion(&mut self, driven: &mut Driven, instant: &Instant, along: &Along) -> Option<()> {
+        let depth = self.wanted.depth;
+        let Sample { v, a, .. } = instant.sample;
+        let speed = instant.system.scaled_norm(v);
+        if let Along::Time(_) = along {
+            self.position.copy_from_slice(v);
+            self.velocity.copy_from_slice(a);
+        } else {
+            self.differentiate(Stage::Positions, instant, along);
+            self.solve(driven, 1.0, |own| &mut own.position)?;
+            if depth > Depth::Positions {
+                self.differentiate(Stage::Velocities, instant, along);
+                self.solve(driven, speed, |own| &mut own.velocity)?;
             }
-            self.multipliers(driven, sample, along)?;
         }
-        Some(self.read(system, sample, (inputs.time, along), wanted))
+        if depth > Depth::Positions {
+            self.differentiate(Stage::Accelerations, instant, along);
+            let size = instant.system.scaled_norm(a).max(speed * speed);
+            self.solve(driven, size, |own| &mut own.acceleration)?;
+        }
+        Some(())
     }
 
-    /// Takes the inputs of a place.
-    fn enter<'s>(
+    /// Takes what a stage is of at all places.
+    fn differentiate(&mut self, mut stage: Stage, instant: &Instant, along: &Along) {
+        let mut sums = std::mem::take(self.sums(&stage));
+        sums.begin(along.step());
+        for (index, place) in PLACES.into_iter().enumerate() {
+            let (near, by, later) = along.place(instant.system, index);
+            self.inputs.set_time(near, instant.time + later);
+            let value = self.value(&mut stage, (near, index), instant.sample, by);
+            sums.take(place, value);
+        }
+        *self.sums(&stage) = sums;
+    }
+
+    fn sums(&mut self, stage: &Stage) -> &mut Sums {
+        match stage {
+            Stage::Positions | Stage::Velocities | Stage::Accelerations => &mut self.rows,
+            Stage::Forces => &mut self.forces,
+            Stage::Columns(..) => &mut self.columns,
+        }
+    }
+
+    /// What a stage is of at one place.
+    fn value(
         &mut self,
-        system: &'s System,
-        (along, time): (&Along<'s>, f64),
-        index: usize,
-    ) -> (&'s System, f64) {
-        let (near, by, later) = neighbour(along, system, index);
-        self.inputs.set_time(near, time + later);
-        (near, by)
+        stage: &mut Stage,
+        (near, index): (&System, usize),
+        sample: &Sample,
+        by: f64,
+    ) -> &[f64] {
+        match stage {
+            Stage::Positions => {
+                self.evaluation.set_position(&sample.q);
+                self.evaluation.eval_phi(near, &self.inputs);
+                &self.evaluation.phi
+            }
+            Stage::Velocities => {
+                self.go(Depth::Positions, sample, by);
+                self.rates(near, &sample.v);
+                self.evaluation
+                    .eval_rate(near, &self.inputs, &mut self.other);
+                add(&mut self.product, &self.other, 1.0);
+                &self.product
+            }
+            Stage::Accelerations => {
+                self.go(Depth::Positions, sample, by);
+                moved(&mut self.sample.v, &sample.v, &self.velocity, by);
+                self.evaluation.set_velocity(&self.sample.v);
+                self.rates(near, &sample.a);
+                self.evaluation
+                    .eval_gamma(near, &self.inputs, &mut self.other);
+                add(&mut self.product, &self.other, -1.0);
+                &self.product
+            }
+            Stage::Forces => {
+                self.carry(near, sample, by);
+                self.evaluation.eval_jacobian(near, &self.inputs);
+                self.evaluation
+                    .transposed_product(near, &sample.lambda, &mut self.pull);
+                add(&mut self.pull, &self.sample.balance, -1.0);
+                &self.pull
+            }
+            Stage::Columns(depth, readers) => {
+                match depth {
+                    Depth::Positions | Depth::Motion => self.go(*depth, sample, by),
+                    Depth::Forces => {
+                        self.carry(near, sample, by);
+                        moved(&mut self.sample.lambda, &sample.lambda, &self.lambda, by);
+                    }
+                }
+                let last = readers.len().saturating_sub(1);
+                self.pick(near, readers.get_mut(index.min(last)))
+            }
+        }
     }
 
-    fn positions(&mut self, driven: &mut Driven, sample: &Sample, along: &Along) -> Option<()> {
-        let system = driven.system;
-        if let Along::Time(_) = along {
-            self.position.copy_from_slice(&sample.v);
-            return Some(());
-        }
-        let time = self.inputs.time;
-        self.rows.begin(along.step());
-        self.evaluation.set_position(&sample.q);
-        for (index, place) in PLACES.into_iter().enumerate() {
-            let (near, _) = self.enter(system, (along, time), index);
-            self.evaluation.eval_phi(near, &self.inputs);
-            self.rows.take(place, &self.evaluation.phi);
-        }
-        self.solve(driven, time, 1.0, |own| &mut own.position)
+    /// J x at the place to `product`.
+    fn rates(&mut self, near: &System, x: &[f64]) {
+        self.evaluation.eval_jacobian(near, &self.inputs);
+        self.evaluation.product(near, x, &mut self.product);
     }
 
-    fn velocities(&mut self, driven: &mut Driven, sample: &Sample, along: &Along) -> Option<()> {
-        let system = driven.system;
-        if let Along::Time(_) = along {
-            self.velocity.copy_from_slice(&sample.a);
-            return Some(());
-        }
-        let time = self.inputs.time;
-        self.rows.begin(along.step());
-        for (index, place) in PLACES.into_iter().enumerate() {
-            let (near, by) = self.enter(system, (along, time), index);
-            moved(&mut self.sample.q, &sample.q, &self.position, by);
-            self.evaluation.set_position(&self.sample.q);
-            self.evaluation.eval_jacobian(near, &self.inputs);
-            self.evaluation.product(near, &sample.v, &mut self.product);
-            self.evaluation
-                .eval_rate(near, &self.inputs, &mut self.other);
-            add(&mut self.product, &self.other, 1.0);
-            self.rows.take(place, &self.product);
-        }
-        let speed = system.scaled_norm(&sample.v);
-        self.solve(driven, time, speed, |own| &mut own.velocity)
-    }
-
-    fn accelerations(&mut self, driven: &mut Driven, sample: &Sample, along: &Along) -> Option<()> {
-        let system = driven.system;
-        let time = self.inputs.time;
-        self.rows.begin(along.step());
-        for (index, place) in PLACES.into_iter().enumerate() {
-            let (near, by) = self.enter(system, (along, time), index);
-            moved(&mut self.sample.q, &sample.q, &self.position, by);
+    /// Moves position and, where they are wanted, velocity and acceleration.
+    fn go(&mut self, depth: Depth, sample: &Sample, by: f64) {
+        moved(&mut self.sample.q, &sample.q, &self.position, by);
+        self.evaluation.set_position(&self.sample.q);
+        if depth > Depth::Positions {
             moved(&mut self.sample.v, &sample.v, &self.velocity, by);
-            self.evaluation.set_position(&self.sample.q);
+            moved(&mut self.sample.a, &sample.a, &self.acceleration, by);
             self.evaluation.set_velocity(&self.sample.v);
-            self.evaluation.eval_jacobian(near, &self.inputs);
-            self.evaluation.product(near, &sample.a, &mut self.product);
-            self.evaluation
-                .eval_gamma(near, &self.inputs, &mut self.other);
-            add(&mut self.product, &self.other, -1.0);
-            self.rows.take(place, &self.product);
         }
-        let speed = system.scaled_norm(&sample.v);
-        let size = system.scaled_norm(&sample.a).max(speed * speed);
-        self.solve(driven, time, size, |own| &mut own.acceleration)
+    }
+
+    /// Moves position, velocity and acceleration, and works out what the constraints carry there.
+    fn carry(&mut self, near: &System, sample: &Sample, by: f64) {
+        self.go(Depth::Motion, sample, by);
+        self.evaluation
+            .eval_force(near, &self.inputs, &mut self.sample.force);
+        let Sample {
+            force, a, balance, ..
+        } = &mut self.sample;
+        near.mass.residual(force, a, balance);
+    }
+
+    /// The wanted columns of the place.
+    fn pick(&mut self, near: &System, derived: Option<&mut Derived>) -> &[f64] {
+        let state = State {
+            system: near,
+            evaluation: &self.evaluation,
+            inputs: &self.inputs,
+            sample: &self.sample,
+        };
+        self.wanted.needs.read(state, derived, &mut self.room);
+        &self.room.values
     }
 
     /// Puts −J⁻¹ of the rows' derivatives to a place; none where they are not smooth.
     fn solve(
         &mut self,
         driven: &mut Driven,
-        time: f64,
         typical: f64,
         to: impl FnOnce(&mut Self) -> &mut Vec<f64>,
     ) -> Option<()> {
@@ -233,7 +324,6 @@ impl Slopes {
         if !self.rows.are_smooth(scale, typical) {
             return None;
         }
-        self.inputs.time = time;
         let mut right = std::mem::take(&mut self.rows.slopes);
         right.iter_mut().for_each(|r| *r = -*r);
         let found = to(self);
@@ -243,96 +333,56 @@ impl Slopes {
         is_finite.then_some(())
     }
 
-    fn multipliers(&mut self, driven: &mut Driven, sample: &Sample, along: &Along) -> Option<()> {
-        let system = driven.system;
-        let time = self.inputs.time;
-        self.forces.begin(along.step());
-        for (index, place) in PLACES.into_iter().enumerate() {
-            let (near, by) = self.enter(system, (along, time), index);
-            self.carry(near, sample, by);
-            self.evaluation.eval_jacobian(near, &self.inputs);
-            self.evaluation
-                .transposed_product(near, &sample.lambda, &mut self.pull);
-            add(&mut self.pull, &self.sample.balance, -1.0);
-            self.forces.take(place, &self.pull);
+    /// λ_p, where it is wanted and can be had; what is known then.
+    fn carried(
+        &mut self,
+        is_known: bool,
+        driven: &mut Driven,
+        instant: &Instant,
+        along: &Along,
+    ) -> Depth {
+        if self.wanted.depth < Depth::Forces {
+            return self.wanted.depth;
         }
-        self.inputs.time = time;
-        // A torque is a force at the size of the mechanism.
-        let scale = |column: usize| 1.0 / system.column_scale(column);
-        let of = |k: usize| sample.force[k].abs().max(sample.balance[k].abs());
-        let force = (0..system.n()).map(|k| of(k) / scale(k));
-        if !self.forces.are_smooth(scale, force.fold(0.0, f64::max)) {
-            return None;
+        if !is_known {
+            return Depth::Motion;
         }
+        self.differentiate(Stage::Forces, instant, along);
         self.pull.copy_from_slice(&self.forces.slopes);
         self.pull.iter_mut().for_each(|r| *r = -*r);
         driven.multipliers(&self.pull, &mut self.lambda);
         let is_finite = self.lambda.iter().all(|own| own.is_finite());
-        is_finite.then_some(())
+        match is_finite && self.are_forces_smooth(instant) {
+            true => Depth::Forces,
+            false => Depth::Motion,
+        }
     }
 
-    /// Moves position, velocity and acceleration, and works out what the constraints carry there.
-    fn carry(&mut self, near: &System, sample: &Sample, by: f64) {
-        moved(&mut self.sample.q, &sample.q, &self.position, by);
-        moved(&mut self.sample.v, &sample.v, &self.velocity, by);
-        moved(&mut self.sample.a, &sample.a, &self.acceleration, by);
-        self.evaluation.set_position(&self.sample.q);
-        self.evaluation.set_velocity(&self.sample.v);
-        self.evaluation
-            .eval_force(near, &self.inputs, &mut self.sample.force);
-        let Sample {
-            force, a, balance, ..
-        } = &mut self.sample;
-        near.mass.residual(force, a, balance);
+    fn are_forces_smooth(&self, instant: &Instant) -> bool {
+        let Instant { system, sample, .. } = instant;
+        // A torque is a force at the size of the mechanism.
+        let scale = |column: usize| 1.0 / system.column_scale(column);
+        let of = |k: usize| sample.force[k].abs().max(sample.balance[k].abs());
+        let force = (0..system.n()).map(|k| of(k) / scale(k));
+        self.forces.are_smooth(scale, force.fold(0.0, f64::max))
     }
 
-    /// Derivatives of the columns.
+    /// Derivatives of the columns, as far as the instant is known.
     fn read(
         &mut self,
-        system: &System,
-        sample: &Sample,
-        (time, along): (f64, &Along),
-        wanted: Wanted,
+        depth: Depth,
+        instant: &Instant,
+        along: &Along,
+        readers: Readers,
     ) -> Vec<f64> {
-        self.columns.begin(along.step());
-        for (index, place) in PLACES.into_iter().enumerate() {
-            let (near, by) = self.enter(system, (along, time), index);
-            match wanted.depth {
-                Depth::Positions => {
-                    moved(&mut self.sample.q, &sample.q, &self.position, by);
-                    self.evaluation.set_position(&self.sample.q);
-                }
-                Depth::Motion => {
-                    moved(&mut self.sample.q, &sample.q, &self.position, by);
-                    moved(&mut self.sample.v, &sample.v, &self.velocity, by);
-                    moved(&mut self.sample.a, &sample.a, &self.acceleration, by);
-                    self.evaluation.set_position(&self.sample.q);
-                    self.evaluation.set_velocity(&self.sample.v);
-                }
-                Depth::Forces => {
-                    self.carry(near, sample, by);
-                    moved(&mut self.sample.lambda, &sample.lambda, &self.lambda, by);
-                }
-            }
-            self.row.clear();
-            wanted.channels.push_row(
-                near,
-                &self.evaluation,
-                &self.inputs,
-                &self.sample,
-                &mut self.row,
-            );
-            self.picked.clear();
-            let places = wanted.places.iter();
-            self.picked.extend(places.map(|&place| self.row[place]));
-            self.columns.take(place, &self.picked);
-        }
-        let columns = &self.columns;
-        let one = |index: usize| match columns.is_smooth(index) {
+        self.differentiate(Stage::Columns(depth, readers), instant, along);
+        let (columns, needs) = (&self.columns, self.wanted.needs);
+        let is_known = |index: usize| depth == Depth::Forces || !needs.is_carried(index);
+        let one = |index: usize| match columns.is_smooth(index) && is_known(index) {
             true => columns.slopes[index],
             false => f64::NAN,
         };
-        (0..wanted.places.len()).map(one).collect()
+        (0..needs.count()).map(one).collect()
     }
 }
 

@@ -20,7 +20,7 @@ pub const STEP: f64 = 1.0 / 128.0;
 const SAME: f64 = 1e-8;
 
 /// Derivatives of some values, while the places come.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Sums {
     /// Of order eight.
     pub slopes: Vec<f64>,

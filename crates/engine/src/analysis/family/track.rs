@@ -5,17 +5,16 @@
 //! singular positions. A variant that is not as smooth between them shows by the same correction (`beside`).
 
 use super::super::assembly::assemble;
-use super::super::channels::Channels;
 use super::super::control::Control;
 use super::super::driven::{path, range, refuse};
 use super::super::instants::{Instants, OutputInstant};
 use super::super::question::Kind;
 use super::super::run::Prepared;
+use super::needs::Needs;
 use crate::mechanism::continuation::{End, Parameter, Path};
 use crate::mechanism::driven::{Aside, Driven};
 use crate::system::{Inputs, System};
 use linkdyn_linear::hermite::{Node, quintic};
-use linkdyn_output::Column;
 
 /// Correction in the middle of two stations [rad, sizes of the mechanism].
 pub const SMOOTH: f64 = 1e-5;
@@ -30,9 +29,7 @@ pub struct Track {
     pub stations: Vec<Station>,
     pub solver: Aside,
     pub reactions: bool,
-    /// The columns that responses need, and for each of these its place among them.
-    pub channels: Channels,
-    pub places: Vec<usize>,
+    pub needs: Needs,
 }
 
 /// The nominal mechanism at an instant.
@@ -75,13 +72,11 @@ impl Track {
         let (system, question) = prepared.parts();
         let settings = question.driven();
         let is_sampled = matches!(settings.instants, Instants::Sampled(_));
-        let responses = prepared.responses();
         if question.kind != Kind::Prescribed
             || system.links > 0
             || settings.at_events
             || !system.initial.is_empty()
             || !system.initial_rates.is_empty()
-            || responses.list().iter().any(|one| one.needs_report)
             || changes.analysis
             || (is_sampled && changes.drivers)
             || refuse(system, settings.reactions, false).is_err()
@@ -91,36 +86,13 @@ impl Track {
         let instants = settings.instants.list(system).ok()?;
         let mut follower = Follower::new(system, &instants)?;
         let stations = follower.stations(&instants)?;
-        let (channels, places) = needed(system, prepared)?;
         Some(Track {
             stations,
             solver: follower.driven.set_aside(),
             reactions: settings.reactions,
-            channels,
-            places,
+            needs: Needs::new(prepared)?,
         })
     }
-}
-
-/// The channels that responses need, and the place of each need in their row; none where they need more than channels.
-pub fn needed(system: &System, prepared: &Prepared) -> Option<(Channels, Vec<usize>)> {
-    let (_, question) = prepared.parts();
-    let all = Channels::new(system, question.contents);
-    let needed = prepared.responses().needed();
-    // What follows from whole rows is not worked out beside the nominal mechanism.
-    if needed
-        .iter()
-        .any(|column| column.index() >= all.columns().len())
-    {
-        return None;
-    }
-    let mut sorted: Vec<usize> = needed.iter().map(|column| column.index()).collect();
-    sorted.sort_unstable();
-    let columns: Vec<Column> = sorted.iter().map(|&at| all.columns()[at].clone()).collect();
-    let places = needed
-        .iter()
-        .map(|column| sorted.partition_point(|&at| at < column.index()));
-    Some((Channels::of(columns), places.collect()))
 }
 
 impl<'s> Follower<'s> {

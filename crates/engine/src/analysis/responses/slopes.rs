@@ -8,6 +8,8 @@
 //! argmax, argmin     not known: they take second derivatives
 //! ```
 //!
+//! Where there is a single row, as at rest, it is the extreme and the mean; differences and times have nothing to change with.
+//!
 //! An extreme is known to the root of round-off only. There the slope y_t is not yet zero, and one secant of it says how far off the
 //! instant is; the derivatives are carried there.
 
@@ -132,6 +134,9 @@ impl Reduced<'_, '_> {
         let Over::Rows { value, equation } = &self.reducer.over else {
             return None;
         };
+        if let [only] = *self.rows {
+            return self.alone(value, only);
+        }
         match self.reducer.reduction {
             Reduction::Max => self.extreme(value, 1.0),
             Reduction::Min => self.extreme(value, -1.0),
@@ -161,6 +166,29 @@ impl Reduced<'_, '_> {
             }
             Reduction::At => self.crossing(value, equation.as_ref()?),
             Reduction::ArgMax | Reduction::ArgMin | Reduction::Count => None,
+        }
+    }
+
+    /// Of the only row.
+    fn alone(&mut self, program: &Program, time: f64) -> Option<Dual<f64>> {
+        match self.reducer.reduction {
+            Reduction::Max
+            | Reduction::Min
+            | Reduction::First
+            | Reduction::Last
+            | Reduction::Mean
+            | Reduction::Sum => self.held(program, time),
+            Reduction::Rms => {
+                let here = self.held(program, time)?;
+                let sign = here.value.signum();
+                let size = dual(here.value.abs(), self.count, |k| sign * slope(&here, k));
+                (here.value != 0.0).then_some(size)
+            }
+            Reduction::ArgMax | Reduction::ArgMin => Some(dual(time, self.count, |_| 0.0)),
+            Reduction::Range | Reduction::Integral | Reduction::Count => {
+                Some(dual(0.0, self.count, |_| 0.0))
+            }
+            Reduction::At => None,
         }
     }
 

@@ -2,9 +2,11 @@
 
 use super::super::around::Around;
 use super::super::mechanisms::Mechanisms;
-use super::super::slopes::{Along, Depth, Slopes, Wanted};
+use super::super::needs::{State, duals};
+use super::super::slopes::{Along, Slopes, Wanted};
 use super::{Beside, place};
 use crate::analysis::clearance_link::{balance, carried};
+use crate::analysis::derived::Derived;
 use crate::analysis::responses::Dual;
 use crate::mechanism::driven::Driven;
 use crate::system::System;
@@ -18,8 +20,11 @@ type Found = Option<Vec<Dual<f64>>>;
 struct Instants<'i, 'f, 's> {
     beside: &'i mut Beside<'f>,
     driven: Driven<'s>,
-    slopes: Slopes,
+    slopes: Slopes<'f>,
     arounds: &'i [Option<Around>],
+    /// What makes of rows what follows from them: of the mechanisms around this one, and of itself.
+    derived: Vec<Vec<Derived<'i>>>,
+    own: Option<Derived<'s>>,
     /// What was worked out, by time and whether its derivatives by time are there.
     known: Vec<(At, Found)>,
 }
@@ -48,10 +53,7 @@ impl Beside<'_> {
             return;
         }
         let responses = self.responses;
-        let numbers = lengths.iter().copied().enumerate();
-        let arounds: Vec<Option<Around>> = numbers
-            .map(|number| Around::new(mechanisms, responses, values, number))
-            .collect();
+        let arounds = Around::all(mechanisms, responses, values, lengths);
         let Some(system) = mechanisms.at(values, 1.0) else {
             return;
         };
@@ -59,14 +61,17 @@ impl Beside<'_> {
         let outputs = self.track.stations.iter().filter(|one| one.is_output);
         let rows: Vec<f64> = outputs.map(|one| one.instant.time).collect();
         let evaluation = self.evaluation.clone();
-        let parameters = evaluation.parameters_with(values.len(), |place, k| {
-            arounds[k]
-                .as_ref()
-                .map_or(f64::NAN, |around| around.named[place])
-        });
+        let parameters = Around::parameters(&arounds, &evaluation);
+        let needs = &self.track.needs;
+        let wanted = Wanted {
+            needs,
+            depth: needs.depth(self.track.reactions),
+        };
         let mut instants = Instants {
+            derived: Around::derived(&arounds, needs),
+            own: needs.derived(&system),
             driven: Driven::take_up(&system, solver),
-            slopes: Slopes::new(&system, self.track.places.len()),
+            slopes: Slopes::new(&system, wanted),
             beside: self,
             arounds: &arounds,
             known: Vec::new(),
@@ -79,14 +84,6 @@ impl Beside<'_> {
         );
         let solver = instants.driven.set_aside();
         self.solver = Some(solver);
-    }
-
-    fn depth(&self) -> Depth {
-        match (self.track.channels.are_positions(), self.track.reactions) {
-            (true, _) => Depth::Positions,
-            (false, false) => Depth::Motion,
-            (false, true) => Depth::Forces,
-        }
     }
 }
 
@@ -110,42 +107,38 @@ impl Instants<'_, '_, '_> {
             driven,
             slopes,
             arounds,
+            derived,
+            own,
             ..
         } = self;
-        let system = driven.system;
-        let wanted = Wanted {
-            channels: &beside.track.channels,
-            places: &beside.track.places,
-            depth: beside.depth(),
-        };
         let instant = (&beside.inputs, &beside.sample);
-        let step = Slopes::time_step(system, &beside.sample);
-        let parameters = arounds.iter().map(|one| one.as_ref().map(Along::Parameter));
-        let all = parameters.chain(flows.then_some(Some(Along::Time(step))));
-        let all = all.map(|along| slopes.along(driven, instant, &along?, wanted));
-        let all: Vec<Option<Vec<f64>>> = all.collect();
-        let values = wanted.places.iter().map(|&place| beside.row[place]);
-        let columns = values.enumerate().map(|(column, value)| {
-            let of = |own: &Option<Vec<f64>>| own.as_ref().map_or(f64::NAN, |own| own[column]);
-            let slopes = all.iter().map(of).enumerate();
-            Dual {
-                value,
-                slope: Ok(slopes.filter(|(_, slope)| *slope != 0.0).collect()),
-            }
+        let around = arounds.iter().zip(derived).map(|(around, derived)| {
+            let along = Along::Parameter(around.as_ref()?);
+            slopes.along(driven, instant, &along, derived)
         });
-        Some(columns.collect())
+        let mut all: Vec<Option<Vec<f64>>> = around.collect();
+        if flows {
+            let step = Slopes::time_step(driven.system, &beside.sample);
+            all.push(slopes.along(driven, instant, &Along::Time(step), own.as_mut_slice()));
+        }
+        Some(duals(&beside.room.values, &all))
     }
 
     /// Takes the mechanism to a time, with the factors there; its row stands in `row`.
     fn place(&mut self, time: f64) -> Option<()> {
-        let Instants { beside, driven, .. } = self;
+        let Instants {
+            beside,
+            driven,
+            own,
+            ..
+        } = self;
         let system: &System = driven.system;
         let Beside {
             nodes,
             inputs,
             sample,
             track,
-            row,
+            room,
             ..
         } = &mut **beside;
         if !place(driven, nodes, time, inputs, &mut sample.q) {
@@ -159,10 +152,13 @@ impl Instants<'_, '_, '_> {
             balance(system, &driven.evaluation, inputs, sample);
             carried(driven, inputs, sample).ok()?;
         }
-        row.clear();
-        track
-            .channels
-            .push_row(system, &driven.evaluation, inputs, sample, row);
+        let state = State {
+            system,
+            evaluation: &driven.evaluation,
+            inputs,
+            sample,
+        };
+        track.needs.read(state, own.as_mut(), room);
         Some(())
     }
 }

@@ -1,0 +1,231 @@
+//! The columns that responses need, and how they are read from a mechanism at an instant.
+//!
+//! Only the channels that responses name are read, and those that `derived` takes where they name what follows from rows:
+//! applied forces the poses of bodies, transmission the same, shaking forces rates, joint forces and efforts besides.
+
+use super::super::channels::Channels;
+use super::super::derived::Derived;
+use super::super::responses::Dual;
+use super::super::run::Prepared;
+use super::super::sample::Sample;
+use super::super::transmission::Transmission;
+use super::slopes::Depth;
+use crate::system::{Evaluation, Inputs, System};
+use linkdyn_output::{BodyQuantity, Channel, Column, DriverQuantity, JointQuantity};
+
+/// The columns that responses need.
+pub struct Needs {
+    channels: Channels,
+    /// Whether any follows from rows, and the transmission that is wanted then.
+    derives: bool,
+    transmission: Option<Option<Transmission>>,
+    /// Place of each need in a row of the channels, and of what follows behind them.
+    places: Vec<usize>,
+    /// Which of them are of what joints and drivers carry.
+    carried: Vec<bool>,
+}
+
+/// Room for a row.
+#[derive(Debug, Default)]
+pub struct Room {
+    row: Vec<f64>,
+    follows: Vec<f64>,
+    /// The needed columns.
+    pub values: Vec<f64>,
+}
+
+/// A mechanism at an instant.
+#[derive(Clone, Copy)]
+pub struct State<'a> {
+    pub system: &'a System,
+    pub evaluation: &'a Evaluation,
+    pub inputs: &'a Inputs,
+    pub sample: &'a Sample,
+}
+
+/// What follows from rows that a response names.
+#[derive(Debug, Default)]
+struct Follows {
+    load: bool,
+    shaking: bool,
+    transmission: bool,
+}
+
+impl Follows {
+    fn of<'c>(columns: impl Iterator<Item = &'c Column>) -> Self {
+        let mut follows = Follows::default();
+        for column in columns {
+            match column.channel {
+                Some(Channel::Load(..)) => follows.load = true,
+                Some(Channel::Shaking(_)) => follows.shaking = true,
+                Some(Channel::Transmission(_)) => follows.transmission = true,
+                Some(
+                    Channel::Time
+                    | Channel::Body(..)
+                    | Channel::Point(..)
+                    | Channel::Joint(..)
+                    | Channel::Driver(..)
+                    | Channel::Energy(_),
+                )
+                | None => {}
+            }
+        }
+        follows
+    }
+
+    fn is_any(&self) -> bool {
+        self.load || self.shaking || self.transmission
+    }
+
+    /// Whether it takes a channel.
+    fn takes(&self, channel: Channel) -> bool {
+        match channel {
+            Channel::Time
+            | Channel::Body(_, BodyQuantity::X | BodyQuantity::Y | BodyQuantity::Angle) => {
+                self.is_any()
+            }
+            Channel::Body(_, BodyQuantity::Vx | BodyQuantity::Vy | BodyQuantity::Omega)
+            | Channel::Joint(_, JointQuantity::Fx | JointQuantity::Fy | JointQuantity::Torque)
+            | Channel::Driver(_, DriverQuantity::Effort) => self.shaking,
+            Channel::Body(..)
+            | Channel::Joint(..)
+            | Channel::Driver(..)
+            | Channel::Point(..)
+            | Channel::Energy(_)
+            | Channel::Load(..)
+            | Channel::Shaking(_)
+            | Channel::Transmission(_) => false,
+        }
+    }
+}
+
+impl Needs {
+    /// Of the responses of a prepared model; none where a column is not there.
+    pub fn new(prepared: &Prepared) -> Option<Needs> {
+        let (system, question) = prepared.parts();
+        let all = Channels::new(system, question.contents);
+        let all = all.columns();
+        let behind = Derived::new(system, all, question.transmission).headings;
+        let needed = prepared.responses().needed().iter();
+        let find = |index: usize| all.get(index).or_else(|| behind.get(index - all.len()));
+        let needed: Vec<&Column> = needed
+            .map(|column| find(column.index()))
+            .collect::<Option<_>>()?;
+        let follows = Follows::of(needed.iter().copied());
+        // What follows from whole rows is not worked out with them.
+        if follows.is_any() {
+            return None;
+        }
+        let is_wanted = |column: &&Column| {
+            let is_taken = column.channel.is_some_and(|own| follows.takes(own));
+            is_taken || needed.iter().any(|own| own.channel == column.channel)
+        };
+        let mut columns: Vec<Column> = all.iter().filter(is_wanted).cloned().collect();
+        let channels = Channels::of(columns.clone());
+        let transmission = question.transmission.filter(|_| follows.transmission);
+        if follows.is_any() {
+            let derived = Derived::new(system, channels.columns(), transmission);
+            columns.extend(derived.headings);
+        }
+        let place = |own: &&Column| columns.iter().position(|one| one.channel == own.channel);
+        Some(Needs {
+            carried: needed.iter().map(|column| is_carried(column)).collect(),
+            places: needed.iter().map(place).collect::<Option<_>>()?,
+            derives: follows.is_any(),
+            transmission,
+            channels,
+        })
+    }
+
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.places.len()
+    }
+
+    /// How much of an instant they need, where forces are known.
+    pub fn depth(&self, reactions: bool) -> Depth {
+        match (self.channels.are_positions(), self.channels.have_forces()) {
+            (true, _) => Depth::Positions,
+            (false, true) if reactions => Depth::Forces,
+            (false, _) => Depth::Motion,
+        }
+    }
+
+    /// Whether a column is of what joints and drivers carry.
+    pub fn is_carried(&self, index: usize) -> bool {
+        self.carried[index]
+    }
+
+    /// Room for the rows of one thread.
+    pub fn room(&self) -> Room {
+        Room {
+            row: Vec::with_capacity(self.channels.columns().len()),
+            follows: Vec::new(),
+            values: Vec::with_capacity(self.places.len()),
+        }
+    }
+
+    /// What makes of a row of a mechanism what follows from it; none where no response needs that.
+    pub fn derived<'s>(&self, system: &'s System) -> Option<Derived<'s>> {
+        let columns = self.channels.columns();
+        self.derives
+            .then(|| Derived::new(system, columns, self.transmission))
+    }
+
+    /// Reads the needed columns of a state, with what makes what follows of the rows of its mechanism.
+    pub fn read(&self, state: State, derived: Option<&mut Derived>, room: &mut Room) {
+        let Room {
+            row,
+            follows,
+            values,
+        } = room;
+        let State {
+            system,
+            evaluation,
+            inputs,
+            sample,
+        } = state;
+        row.clear();
+        self.channels
+            .push_row(system, evaluation, inputs, sample, row);
+        if let Some(derived) = derived {
+            follows.clear();
+            derived.push(row, follows);
+            row.extend_from_slice(follows);
+        }
+        values.clear();
+        values.extend(self.places.iter().map(|&place| row[place]));
+    }
+}
+
+fn is_carried(column: &Column) -> bool {
+    match column.channel {
+        Some(
+            Channel::Joint(..) | Channel::Driver(_, DriverQuantity::Effort) | Channel::Shaking(_),
+        ) => true,
+        Some(
+            Channel::Time
+            | Channel::Body(..)
+            | Channel::Point(..)
+            | Channel::Driver(_, DriverQuantity::Value)
+            | Channel::Energy(_)
+            | Channel::Load(..)
+            | Channel::Transmission(_),
+        )
+        | None => false,
+    }
+}
+
+/// Columns with their derivatives along each thing, NaN where they are not known.
+pub fn duals(values: &[f64], slopes: &[Option<Vec<f64>>]) -> Vec<Dual<f64>> {
+    let columns = values.iter().enumerate();
+    let columns = columns.map(|(column, &value)| {
+        let of = |own: &Option<Vec<f64>>| own.as_ref().map_or(f64::NAN, |own| own[column]);
+        let slopes = slopes.iter().map(of).enumerate();
+        Dual {
+            value,
+            slope: Ok(slopes.filter(|(_, slope)| *slope != 0.0).collect()),
+        }
+    });
+    columns.collect()
+}
