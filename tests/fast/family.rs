@@ -3,7 +3,7 @@
 use crate::accuracy::told::{Random, parametric};
 use crate::models;
 use linkdyn_engine::analysis::{Control, Family, Member, Prepared};
-use linkdyn_model::{Given, Loaded, Model};
+use linkdyn_model::{Given, JointKind, Loaded, Model};
 use linkdyn_output::Status;
 use serde_json::{Value, json};
 
@@ -48,9 +48,35 @@ pub fn spread(json: &Value, kind: &str) -> Option<Loaded> {
             )
         }));
     }
+    if kind == "inverse_dynamics" {
+        responses.insert("shake".to_owned(), json!("rms(shaking.moment)"));
+        responses.insert("push".to_owned(), json!("last(shaking.fx)"));
+    }
+    transmit(&model, &mut json, &mut responses);
     json["responses"] = Value::Object(responses);
     json["analysis"]["type"] = json!(kind);
     linkdyn_model::load(json.to_string().as_bytes(), &[]).ok()
+}
+
+/// Asks for the transmission from the first driver to the body that was named last, and for its least angles.
+fn transmit(model: &Model, json: &mut Value, responses: &mut serde_json::Map<String, Value>) {
+    let moving = model.bodies.keys().filter(|name| *name != "ground");
+    let (Some(driver), Some(output)) = (model.drivers.keys().next(), moving.last()) else {
+        return;
+    };
+    json["analysis"]["transmission"] = json!({ "driver": driver, "output": output });
+    responses.insert("ratio".to_owned(), json!("last(transmission.ratio)"));
+    for (name, joint) in &model.joints {
+        let carries = matches!(
+            joint.kind,
+            JointKind::Revolute { .. } | JointKind::Slot { .. }
+        );
+        let is_of = |body: &str| joint.between.iter().any(|end| end.body == body);
+        if carries && is_of(output) && !is_of("ground") {
+            let least = format!("min(transmission.{name}.angle)");
+            responses.insert(format!("angle_{name}"), json!(least));
+        }
+    }
 }
 
 /// Values of all parameters, off by some part.

@@ -1,5 +1,6 @@
 //! Gradients of responses: closed forms, and central differences on all models.
 
+mod follows;
 mod rest;
 
 use crate::accuracy::told::Random;

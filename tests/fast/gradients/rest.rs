@@ -87,7 +87,7 @@ fn a_rod_on_a_spring_has_the_slopes_of_its_closed_form() {
 #[test]
 fn a_pushed_rod_has_the_slopes_of_its_closed_form() {
     let push = json!({ "p": { "type": "force", "at": "rod.B", "vector": ["=push", 0.0] } });
-    let responses = ["first(rod.angle)", "mean(joint.o.fx)"];
+    let responses = ["first(rod.angle)", "mean(joint.o.fx)", "max(force.p.fx)"];
     let (values, found) = gradient(lever(push, json!({}), -0.2), &responses);
     let [m, c, l, _, _, f, _] = VALUES;
     let t = -m * G * c / (f * l);
@@ -100,9 +100,10 @@ fn a_pushed_rod_has_the_slopes_of_its_closed_form() {
     );
     assert_met(
         "reaction",
-        &found[7..],
+        &found[7..14],
         &[0.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0],
     );
+    assert_met("load", &found[14..], &[0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
 }
 
 /// A rod that a motor holds: the effort is m g c cos θ. A joint's friction plays no part at rest.

@@ -112,10 +112,6 @@ impl Needs {
             .map(|column| find(column.index()))
             .collect::<Option<_>>()?;
         let follows = Follows::of(needed.iter().copied());
-        // What follows from whole rows is not worked out with them.
-        if follows.is_any() {
-            return None;
-        }
         let is_wanted = |column: &&Column| {
             let is_taken = column.channel.is_some_and(|own| follows.takes(own));
             is_taken || needed.iter().any(|own| own.channel == column.channel)
