@@ -78,17 +78,17 @@ impl Matrix<'_> {
     }
 
     /// Whether a pivot is too small to be one: by the scale of its row, or that of its column where that is less.
+    #[inline]
     fn is_small(&self, step: usize, pivot: f64) -> bool {
-        let scale = self.scales[step];
         let is_enough = |scale: f64| pivot.abs() > SINGULAR_RATIO * scale;
-        let column = || {
-            let own = &self.values[self.pattern.span(self.columns[step] as usize)];
-            let largest = own
-                .iter()
-                .fold(0.0, |most, value| f64::max(most, value.abs()));
-            scale.min(largest)
-        };
-        !is_enough(scale) && !is_enough(column())
+        !is_enough(self.scales[step]) && !is_enough(self.scales[step].min(self.column_scale(step)))
+    }
+
+    #[cold]
+    fn column_scale(&self, step: usize) -> f64 {
+        let own = &self.values[self.pattern.span(self.columns[step] as usize)];
+        let largest = |most, value: &f64| f64::max(most, value.abs());
+        own.iter().fold(0.0, largest)
     }
 }
 

@@ -57,7 +57,7 @@ impl Reduced<'_> {
             });
         }
         if correction.last_step > self.lag {
-            self.driven.factor(&self.inputs)?;
+            self.driven.refresh(&self.inputs)?;
         }
         let (driven, inputs) = (&mut self.driven, &self.inputs);
         self.inertia.velocity(driven, inputs, rates, &mut self.v);
