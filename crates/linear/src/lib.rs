@@ -8,6 +8,7 @@
 //! matching      pairing of rows with columns, structural rank
 //! order         elimination order and preferred pivots of a square matrix
 //! lu            sparse LU with frozen pivots: A x = b, Aᵀ x = b, determinant, smallest singular value
+//! gram          B Bᵀ of independent rows: the nearest point that meets conditions
 //! rank          which rows of a rectangular matrix depend on earlier ones, and how
 //! dense         singular values, null spaces and least norm solutions of small matrices
 //! small         LU and Cholesky factors of small dense matrices, without allocation
@@ -22,6 +23,7 @@
 pub mod complementary;
 pub mod dense;
 pub mod eigen;
+pub mod gram;
 pub mod hermite;
 pub mod lu;
 mod matching;

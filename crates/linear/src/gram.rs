@@ -1,0 +1,227 @@
+//! B Bᵀ x = b for a B on a frozen pattern with independent rows, and what is least by it.
+//!
+//! ```text
+//! L D Lᵀ = P (B Bᵀ) Pᵀ                         L unit lower triangular
+//! |z − z₀| least with B z = c:   B Bᵀ λ = B z₀ − c,   z = z₀ − Bᵀ λ
+//! ```
+//!
+//! A matrix of rows has as many rows as constraints, which are fewer than the coordinates and the constraints together, it is
+//! symmetric, and no pivot has to be chosen: minimum degree says in which order to eliminate, and both the products of B's entries and
+//! those of the elimination are lists that are gone through once, as in `lu`. What is lost is accuracy, since B Bᵀ has the square of
+//! B's condition. So one correction is made where c is not met (Björck, Stability analysis of the method of seminormal equations,
+//! 1987), and rows of which almost nothing is left after the others are said to be weak.
+//!
+//! Checked against the sparse LU of the whole in `gram/tests.rs`.
+
+#[cfg(test)]
+mod tests;
+
+use super::order::ColumnOrder;
+use super::pattern::square;
+
+/// What is left of a row by what it was, below which it is weak: a thousandth of its length.
+const WEAK: f64 = 1e-6;
+/// A residual that is not round-off, by what it is the difference of.
+const UNMET: f64 = 1e-14;
+
+/// Rows are dependent, or nearly.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Weak;
+
+/// Factors of B Bᵀ.
+#[derive(Debug, Clone)]
+pub struct Gram {
+    /// Row, in the order of elimination, and column of each entry of B.
+    places: Vec<[u32; 2]>,
+    /// Its values.
+    values: Vec<f64>,
+    /// Pairs of entries of a column of B, and where their product goes.
+    products: Vec<[u32; 3]>,
+    /// Position of each row in the order of elimination.
+    position: Vec<u32>,
+    /// Entries below the diagonal of each column of L.
+    lengths: Vec<u32>,
+    /// What is being eliminated: for each column the diagonal and what is below it.
+    work: Vec<f64>,
+    /// Where products of the elimination go: for each column, for each entry, those with it and the entries below it; counted from
+    /// behind the column.
+    targets: Vec<u32>,
+    /// L by columns, and row and column of each entry.
+    lower: Vec<f64>,
+    lower_places: Vec<[u32; 2]>,
+    inverse: Vec<f64>,
+    /// The right-hand side, and λ.
+    right: Vec<f64>,
+}
+
+impl Gram {
+    /// Of B (rows, columns) with entries at these places, each once.
+    pub fn new(rows: usize, places: &[[u32; 2]]) -> Self {
+        let pairs = pairs(places);
+        let row = |entry: u32| places[entry as usize][0] as usize;
+        let entries: Vec<_> = pairs
+            .iter()
+            .flat_map(|&[a, b]| [(row(a), row(b)), (row(b), row(a))])
+            .chain((0..rows).map(|row| (row, row)))
+            .collect();
+        let (pattern, _) = square(rows, &entries);
+        let order = ColumnOrder::amd(&pattern);
+        let mut position = vec![0; rows];
+        for (step, &row) in order.columns().iter().enumerate() {
+            position[row as usize] = step as u32;
+        }
+        let columns = order.columns().iter();
+        let below = columns.enumerate().map(|(step, &column)| {
+            let rows = pattern.column(column as usize).iter();
+            let rows = rows.map(|&row| position[row as usize]);
+            rows.filter(|row| *row as usize > step).collect()
+        });
+        let below = filled(below.collect());
+        let mut begin = Vec::with_capacity(rows);
+        let mut end = 0;
+        for column in &below {
+            begin.push(end);
+            end += 1 + column.len() as u32;
+        }
+        let place = |row: u32, column: u32| {
+            let [row, column] = [row.max(column), row.min(column)];
+            let above = below[column as usize].partition_point(|own| *own < row) as u32;
+            begin[column as usize] + if row == column { 0 } else { 1 + above }
+        };
+        let products = pairs.iter().map(|&[a, b]| {
+            let [one, other] = [a, b].map(|entry| position[row(entry)]);
+            [a, b, place(one, other)]
+        });
+        let mut targets = Vec::new();
+        let mut lower_places = Vec::new();
+        for (column, own) in below.iter().enumerate() {
+            let behind = begin[column] + 1 + own.len() as u32;
+            for (index, &other) in own.iter().enumerate() {
+                let rows = own[index..].iter();
+                targets.extend(rows.map(|&row| place(row, other) - behind));
+                lower_places.push([other, column as u32]);
+            }
+        }
+        let own = places.iter();
+        let own = own.map(|&[row, column]| [position[row as usize], column]);
+        Gram {
+            places: own.collect(),
+            values: vec![0.0; places.len()],
+            products: products.collect(),
+            position,
+            lengths: below.iter().map(|column| column.len() as u32).collect(),
+            work: vec![0.0; end as usize],
+            targets,
+            lower: vec![0.0; lower_places.len()],
+            lower_places,
+            inverse: vec![0.0; rows],
+            right: vec![0.0; rows],
+        }
+    }
+
+    /// The entries of B, to be written before [`Gram::factor`].
+    pub fn values_mut(&mut self) -> &mut [f64] {
+        &mut self.values
+    }
+
+    /// Factors B Bᵀ.
+    ///
+    /// # Errors
+    /// [`Weak`], also where an entry is not finite; there are no factors then.
+    pub fn factor(&mut self) -> Result<(), Weak> {
+        self.work.fill(0.0);
+        for &[a, b, target] in &self.products {
+            self.work[target as usize] += self.values[a as usize] * self.values[b as usize];
+        }
+        // What rows are by themselves, before others are taken from them.
+        let mut begin = 0;
+        for (own, length) in self.right.iter_mut().zip(&self.lengths) {
+            *own = self.work[begin];
+            begin += 1 + *length as usize;
+        }
+        let (mut x, mut targets) = (self.work.as_mut_slice(), self.targets.iter());
+        let mut lower = self.lower.iter_mut();
+        let mut is_weak = false;
+        let pivots = self.inverse.iter_mut().zip(&self.right);
+        for (&length, (inverse, whole)) in self.lengths.iter().zip(pivots) {
+            let own;
+            (own, x) = std::mem::take(&mut x).split_at_mut(1 + length as usize);
+            let [pivot, below @ ..] = own else { break };
+            is_weak |= !(*pivot > WEAK * whole && *pivot < f64::INFINITY);
+            *inverse = 1.0 / *pivot;
+            for (index, l) in (0..length as usize).zip(&mut lower) {
+                *l = below[index] * *inverse;
+                for (other, &target) in below[index..].iter().zip(&mut targets) {
+                    x[target as usize] -= other * *l;
+                }
+            }
+        }
+        if is_weak { Err(Weak) } else { Ok(()) }
+    }
+
+    /// Takes z₀ (columns) to the z nearest to it with B z = c (rows).
+    pub fn project(&mut self, z: &mut [f64], c: &[f64]) {
+        let off = self.residual(z, c);
+        self.shift(z);
+        if self.residual(z, c) > UNMET * off {
+            self.shift(z);
+        }
+    }
+
+    /// Puts B z − c to the right-hand side, in the order of elimination; its largest part.
+    fn residual(&mut self, z: &[f64], c: &[f64]) -> f64 {
+        for (c, &at) in c.iter().zip(&self.position) {
+            self.right[at as usize] = -c;
+        }
+        for (&[row, column], value) in self.places.iter().zip(&self.values) {
+            self.right[row as usize] += value * z[column as usize];
+        }
+        let right = self.right.iter();
+        right.fold(0.0, |most, right| f64::max(most, right.abs()))
+    }
+
+    /// z −= Bᵀ λ, with λ of the right-hand side.
+    fn shift(&mut self, z: &mut [f64]) {
+        let y = &mut self.right;
+        for (l, &[row, column]) in self.lower.iter().zip(&self.lower_places) {
+            y[row as usize] -= l * y[column as usize];
+        }
+        for (y, inverse) in y.iter_mut().zip(&self.inverse) {
+            *y *= inverse;
+        }
+        for (l, &[row, column]) in self.lower.iter().zip(&self.lower_places).rev() {
+            y[column as usize] -= l * y[row as usize];
+        }
+        for (&[row, column], value) in self.places.iter().zip(&self.values) {
+            z[column as usize] -= value * self.right[row as usize];
+        }
+    }
+}
+
+/// Pairs of entries in the same column, each with itself too.
+fn pairs(places: &[[u32; 2]]) -> Vec<[u32; 2]> {
+    let mut by_column: Vec<u32> = (0..places.len() as u32).collect();
+    by_column.sort_by_key(|entry| places[*entry as usize][1]);
+    let same = |a: &u32, b: &u32| places[*a as usize][1] == places[*b as usize][1];
+    let mut pairs = Vec::new();
+    for column in by_column.chunk_by(same) {
+        for (index, &a) in column.iter().enumerate() {
+            pairs.extend(column[index..].iter().map(|&b| [a, b]));
+        }
+    }
+    pairs
+}
+
+/// Rows of the columns of L from those of the matrix, both in the order of elimination and ascending: a column hands what it has below
+/// its first row on to that column.
+fn filled(mut below: Vec<Vec<u32>>) -> Vec<Vec<u32>> {
+    for column in 0..below.len() {
+        below[column].sort_unstable();
+        below[column].dedup();
+        if let [first, rest @ ..] = below[column].as_slice() {
+            let (first, rest) = (*first as usize, rest.to_vec());
+            below[first].extend(rest);
+        }
+    }
+    below
+}
