@@ -29,6 +29,7 @@ mod evaluate;
 mod extrapolation;
 mod inertia;
 mod multipliers;
+mod nearest;
 mod place;
 mod sparse;
 mod strained;

@@ -7,7 +7,9 @@
 //!
 //! J are the rows of joints and drivers that are active, those of independent coordinates left out. Its entries are the
 //! mechanism's own, so that nothing grows faster than the number of bodies but fill-in, of which chains and loops have little.
+//! Where all that moves has mass, M is eliminated first (`nearest`).
 
+use super::nearest::Nearest;
 use crate::mechanism::driven::{Driven, Failure};
 use crate::mechanism::independent::EXCHANGE;
 use crate::system::Inputs;
@@ -31,6 +33,8 @@ pub(super) struct Sparse {
     pattern: Arc<Pattern>,
     /// None before the first factorisation, whose values say in which order to eliminate.
     lu: Option<SparseLu>,
+    /// A smaller matrix that does as well, where all that moves has mass.
+    nearest: Option<Nearest>,
     /// Active rows of joints and drivers.
     rows: Vec<u32>,
     /// μ.
@@ -94,6 +98,7 @@ impl Sparse {
             values: vec![0.0; pattern.entries() + 1],
             pattern: Arc::new(pattern),
             lu: None,
+            nearest: Nearest::of(driven, &rows),
             rows,
             unit,
             gamma: vec![0.0; m],
@@ -160,6 +165,11 @@ impl Sparse {
     }
 
     fn factor(&mut self, driven: &Driven) -> Result<(), Failure> {
+        if let Some(nearest) = &mut self.nearest
+            && nearest.factor(driven)
+        {
+            return Ok(());
+        }
         for &(slot, m) in &self.inertia {
             self.values[slot as usize] = m;
         }
@@ -186,6 +196,13 @@ impl Sparse {
 
     /// x (n) of (force, γ) or (force, 0).
     fn solve(&mut self, driven: &Driven, force: &[f64], with_gamma: bool, x: &mut [f64]) {
+        if let Some(nearest) = self.nearest.as_mut().filter(|nearest| nearest.is_sound) {
+            let rows = self.rows.iter().map(|row| match with_gamma {
+                true => self.gamma[*row as usize],
+                false => 0.0,
+            });
+            return nearest.solve(force, rows, x);
+        }
         let system = driven.system;
         let (head, tail) = self.work.split_at_mut(force.len());
         for (to, force) in head.iter_mut().zip(force) {
