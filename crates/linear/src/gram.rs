@@ -22,7 +22,7 @@ use super::pattern::square;
 /// What is left of a row by what it was, below which it is weak: a thousandth of its length.
 const WEAK: f64 = 1e-6;
 /// A residual that is not round-off, by what it is the difference of.
-const UNMET: f64 = 1e-14;
+const UNMET: f64 = 1e-13;
 
 /// Rows are dependent, or nearly.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

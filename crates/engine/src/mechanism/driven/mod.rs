@@ -243,7 +243,7 @@ impl<'s> Driven<'s> {
                     })
                 };
             }
-            self.factor(inputs)?;
+            self.refresh(inputs)?;
             for (r, phi) in self.rows.iter_mut().zip(&self.evaluation.phi) {
                 *r = -phi;
             }
