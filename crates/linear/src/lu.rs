@@ -98,7 +98,7 @@ pub struct SparseLu {
     fallbacks: usize,
     /// Column being eliminated; zero between uses.
     column: Vec<f64>,
-    /// Vector being solved for, and its right-hand side when refining.
+    /// Vector being solved for, and its right-hand side when refining; none until then.
     vector: Vec<f64>,
     residual: Vec<f64>,
     /// Vectors being solved for together, interleaved; none until asked for.
@@ -133,7 +133,7 @@ impl SparseLu {
             fallbacks: 0,
             column: vec![0.0; n],
             vector: vec![0.0; n],
-            residual: vec![0.0; n],
+            residual: Vec::new(),
             vectors: Vec::new(),
             search: Search::new(n),
             original_row_scale: vec![0.0; n],

@@ -34,6 +34,12 @@ impl Triangle {
             [self.start[column as usize] as usize..self.start[column as usize + 1] as usize]
     }
 
+    /// Gives back most of the room that it did not need.
+    pub(super) fn shrink(&mut self) {
+        let count = self.entries.len();
+        self.entries.shrink_to(count + count / 8);
+    }
+
     pub(super) fn clear(&mut self) {
         self.entries.clear();
         self.start.truncate(1);

@@ -196,7 +196,8 @@ fn momenta(net: &Value, outcome: &Outcome) -> (Vec<[f64; 3]>, f64) {
 fn a_free_net_of_loops_keeps_its_momenta_and_its_energy() {
     let mut net = net(12);
     let mut drifts = Vec::new();
-    for rtol in [1e-6, 1e-9] {
+    // beyond 1e-8 round-off says more, with dense matrices as well
+    for rtol in [1e-6, 1e-8] {
         net["analysis"] = json!({ "type": "dynamics", "end": 2.0, "outputs": 41,
             "solver": { "rtol": rtol, "atol": 1e-3 * rtol, "accelerations": "sparse" } });
         let outcome = completed(&net);

@@ -34,7 +34,8 @@ impl SparseLu {
         self.assert_ready(b.len());
         // The buffer leaves the struct while both are needed; an empty vector in its place does not allocate.
         let mut residual = std::mem::take(&mut self.residual);
-        residual.copy_from_slice(b);
+        residual.clear();
+        residual.extend_from_slice(b);
         solve(self, b);
         subtract_product(self, b, &mut residual);
         solve(self, &mut residual);

@@ -169,6 +169,8 @@ impl SparseLu {
         }
         self.lower.sort_columns();
         self.upper.sort_columns();
+        self.lower.shrink();
+        self.upper.shrink();
         let matrix = Matrix {
             values,
             scales: &self.row_scale,

@@ -44,8 +44,8 @@ pub(super) struct Frozen {
     slots: Vec<u32>,
     /// Where products go: for each k, for each u of its row, those with all l, counted from behind what x has of k.
     targets: Vec<u32>,
-    /// For each k where x, L, U and targets begin, and how many of its row are placed; then where rows of a column are.
-    begin: Vec<[u32; 4]>,
+    /// For each k where x, L and targets begin, and how many of its row are placed; then where rows of a column are.
+    begin: Vec<[u32; 3]>,
     placed: Vec<u32>,
     at: Vec<u32>,
     /// Where they are not: how many entries U(:, j) has, and their rows upwards, for each j.
@@ -132,8 +132,8 @@ impl Frozen {
             }
             for u in above {
                 let k = u.row as usize;
-                let ([begin, _, row, _], [below, _]) = (self.begin[k], self.lengths[k]);
-                let place = (row + self.placed[k]) as usize;
+                let ([begin, ..], [below, _]) = (self.begin[k], self.lengths[k]);
+                let place = self.row(k) + self.placed[k] as usize;
                 self.at[k] = begin + 1 + below + self.placed[k];
                 self.upper[place] = u.value;
                 self.upper_places[place] = j as u32;
@@ -157,6 +157,12 @@ impl Frozen {
         }
     }
 
+    /// Where U(k, :) begins: the pivots and L before it are not in it.
+    fn row(&self, k: usize) -> usize {
+        let [all, lower, _] = self.begin[k];
+        (all - lower) as usize - k
+    }
+
     /// Lengths, and room for what comes.
     fn lay_out(&mut self, lower: &Triangle, upper: &Triangle) {
         let n = self.inverse_pivot.len();
@@ -171,16 +177,17 @@ impl Frozen {
         let products = products.map(|[below, beside]| u64::from(*below) * u64::from(*beside));
         self.is_listed = products.sum::<u64>() <= self.most;
         self.begin.clear();
-        let mut ends = [0; 4];
+        let mut ends = [0; 3];
         for &[below, beside] in &self.lengths {
             self.begin.push(ends);
             let products = if self.is_listed { below * beside } else { 0 };
-            let lengths = [1 + below + beside, below, beside, products];
+            let lengths = [1 + below + beside, below, products];
             let both = ends.iter_mut().zip(lengths);
             both.for_each(|(end, length)| *end += length);
         }
         self.begin.push(ends);
-        let [all, below, beside, products] = ends.map(|end| end as usize);
+        let [all, below, products] = ends.map(|end| end as usize);
+        let beside = all - n - below;
         refill(&mut self.work, all, 0.0);
         refill(&mut self.lower, below, 0.0);
         refill(&mut self.lower_places, below, [0; 2]);
@@ -259,10 +266,11 @@ impl Frozen {
             (own, rows) = rows[1..].split_at(rows[0] as usize);
             for &k in own {
                 let k = k as usize;
-                let [_, lower, upper, _] = self.begin[k];
+                let [_, lower, _] = self.begin[k];
                 self.placed[k] -= 1;
                 let u = std::mem::take(&mut x[k]);
-                self.upper[(upper + self.placed[k]) as usize] = u;
+                let place = self.row(k) + self.placed[k] as usize;
+                self.upper[place] = u;
                 spoilt += 0.0 * u;
                 let own = lower as usize..(lower + self.lengths[k][0]) as usize;
                 for (l, [row, _]) in self.lower[own.clone()].iter().zip(&self.lower_places[own]) {

@@ -38,7 +38,7 @@ impl SparseLu {
         self.factored = other.factored;
         self.growth = other.growth;
         let n = self.order.len();
-        for room in [&mut self.column, &mut self.vector, &mut self.residual] {
+        for room in [&mut self.column, &mut self.vector] {
             room.resize(n, 0.0);
         }
     }
