@@ -15,12 +15,15 @@
 //!
 //! Checked against dense LU on random matrices and linkages in `lu/tests.rs`.
 
+mod complex;
 mod estimate;
 mod factor;
 mod frozen;
 mod more;
 #[cfg(test)]
 mod tests;
+
+pub use complex::{Complex, ComplexLu};
 
 use std::sync::Arc;
 
