@@ -6,7 +6,7 @@
 //! method; but it is to be followed through each of its periods, which the method of higher order does with fewer evaluations.
 //! A stepper that is started again stays with what it has found.
 
-use super::{Counters, Dop853, Limits, Ode, Radau5, Refused, StepFailure, Stepper, Tolerance};
+use super::{Counters, Dop853, Limits, Ode, Refused, StepFailure, Stepper, Stiff, Tolerance};
 
 /// Implicit steps until their length is their own, not the explicit method's.
 const WARM: u32 = 6;
@@ -50,7 +50,7 @@ enum Mode {
 pub struct Auto {
     limits: Limits,
     explicit: Dop853,
-    implicit: Radau5,
+    implicit: Stiff,
     mode: Mode,
 }
 
@@ -60,7 +60,7 @@ impl Auto {
         Auto {
             limits,
             explicit: Dop853::new(tolerance.clone(), limits),
-            implicit: Radau5::new(tolerance, limits),
+            implicit: Stiff::new(tolerance, limits),
             mode: Mode::Explicit(None),
         }
     }
@@ -91,7 +91,10 @@ impl Auto {
         match self.mode {
             Mode::Explicit(since) if self.explicit.stiff() && self.explicit.t() != end => {
                 let now = Mark::of(&self.explicit);
-                self.implicit.limits.initial_step = Some(self.explicit.proposal());
+                self.implicit.set_limits(Limits {
+                    initial_step: Some(self.explicit.proposal()),
+                    ..self.limits
+                });
                 self.implicit.start(ode, now.t, self.explicit.y(), end)?;
                 self.mode = Mode::Trial {
                     steps: 0,
@@ -134,8 +137,9 @@ impl Auto {
 
 impl Stepper for Auto {
     fn start(&mut self, ode: &mut dyn Ode, t: f64, y: &[f64], end: f64) -> Result<(), StepFailure> {
-        (self.explicit.limits, self.implicit.limits) = (self.limits, self.limits);
-        self.implicit.reserve(ode.dimension());
+        self.explicit.limits = self.limits;
+        self.implicit.set_limits(self.limits);
+        self.implicit.reserve(ode);
         // What is on trial is tried anew.
         self.mode = match self.mode {
             Mode::Explicit(_) | Mode::Trial { .. } => Mode::Explicit(None),
@@ -168,14 +172,7 @@ impl Stepper for Auto {
     }
 
     fn counters(&self) -> Counters {
-        let (a, b) = (self.explicit.counters(), self.implicit.counters());
-        Counters {
-            steps: a.steps + b.steps,
-            rejected: a.rejected + b.rejected,
-            evaluations: a.evaluations + b.evaluations,
-            jacobians: a.jacobians + b.jacobians,
-            factorisations: a.factorisations + b.factorisations,
-        }
+        self.explicit.counters() + self.implicit.counters()
     }
 
     fn stiff(&self) -> bool {

@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use thiserror::Error;
 
-use super::{Auto, Dop853, Limits, Radau5, Stepper, Tolerance};
+use super::{Auto, Dop853, Limits, Stepper, Stiff, Tolerance};
 
 /// A method of integration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,7 +40,7 @@ impl Method {
         match self {
             Method::Auto => Box::new(Auto::new(tolerance, limits)),
             Method::Dop853 => Box::new(Dop853::new(tolerance, limits)),
-            Method::Radau5 => Box::new(Radau5::new(tolerance, limits)),
+            Method::Radau5 => Box::new(Stiff::new(tolerance, limits)),
         }
     }
 }

@@ -5,12 +5,17 @@
 //! dop853    explicit Runge–Kutta           8       7    12 f (15 with output)      smooth motion: the first choice
 //! radau5    implicit Runge–Kutta           5       3    3 f per Newton iteration,  stiff springs and dampers: where
 //!                                                       n f per Jacobian           dop853 takes far too short steps
+//! radau     the same, s = 3, 5 or 7    2 s − 1       s    s f per Newton iteration,  the same, where the equations
+//!           stages                                      their own linear systems   solve systems themselves
 //! auto      dop853, then radau5          8 | 5   7 | 3  as above                   changes over once, when stiff
 //! ```
 //!
+//! Which of the two implicit ones is taken is no choice of the user's: [`Stiff`] asks the equations whether they solve the systems
+//! of Newton's iteration themselves ([`Implicit`]).
+//!
 //! A step from t₀ to t₁ is accepted when the estimated local error e satisfies
 //! √(Σ (eᵢ / (atolᵢ + rtol · max(|yᵢ(t₀)|, |yᵢ(t₁)|)))² / n) ≤ 1. All roots in the step-size control are square roots
-//! (rounded correctly everywhere), so that a run depends on nothing but its input. `step` and `interpolate` allocate
+//! (rounded correctly everywhere) or cube roots of one library, so that a run depends on nothing but its input. `step` and `interpolate` allocate
 //! nothing.
 //!
 //! Sources: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd ed. 1993 (dop853);
@@ -23,14 +28,19 @@ mod control;
 mod dop853;
 mod dop853_tableau;
 mod method;
+mod radau;
 mod radau5;
 mod radau5_tableau;
+mod radau_tableau;
+mod stiff;
 mod stiffness;
 
 pub use auto::Auto;
 pub use dop853::Dop853;
 pub use method::{Method, UnknownMethod};
+pub use radau::Radau;
 pub use radau5::Radau5;
+pub use stiff::Stiff;
 
 /// A point where the right-hand side can't be evaluated: the step was too bold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
@@ -49,6 +59,37 @@ pub trait Ode {
     ///
     /// The last evaluation before was at exactly this point.
     fn accept(&mut self, t: f64, y: &[f64]);
+
+    /// These equations as such that solve an implicit method's linear systems themselves; none where the method has to, by
+    /// differences and dense matrices. It stays what it is while a stepper goes on.
+    fn implicit(&mut self) -> Option<&mut dyn Implicit> {
+        None
+    }
+}
+
+/// Equations that solve the linear systems with their J = ∂f/∂y by means of their own.
+pub trait Implicit {
+    /// Takes J at the last accepted point for what follows, until the next call.
+    fn linearise(&mut self) -> Result<(), Refused>;
+
+    /// Makes ready to solve with s − J, of one real s and of complex ones (real and imaginary parts); false where it can't.
+    fn factor(&mut self, real: f64, complex: &[[f64; 2]]) -> bool;
+
+    /// Overwrites b with the x of (s − J) x = b, of the real s.
+    fn solve(&mut self, b: &mut [f64]);
+
+    /// The same of a complex s by its number; real and imaginary parts of b, and of x.
+    fn solve_complex(&mut self, number: usize, b: [&mut [f64]; 2]);
+
+    /// dy = f(t, y) for a stage of the step that begins at the last accepted point: by its number, and whether this is the step's
+    /// first call for it. What is known of the stage, or of the point, may be used.
+    fn eval_stage(
+        &mut self,
+        stage: (usize, bool),
+        t: f64,
+        y: &[f64],
+        dy: &mut [f64],
+    ) -> Result<(), Refused>;
 }
 
 /// Bound of the estimated local error per step, atolᵢ + rtol · |yᵢ|.
@@ -116,6 +157,20 @@ pub struct Counters {
     pub jacobians: u64,
     /// Factorisations of the stages' matrices.
     pub factorisations: u64,
+}
+
+impl std::ops::Add for Counters {
+    type Output = Counters;
+
+    fn add(self, other: Counters) -> Counters {
+        Counters {
+            steps: self.steps + other.steps,
+            rejected: self.rejected + other.rejected,
+            evaluations: self.evaluations + other.evaluations,
+            jacobians: self.jacobians + other.jacobians,
+            factorisations: self.factorisations + other.factorisations,
+        }
+    }
 }
 
 /// An integrator that goes step by step; forwards where end > t, backwards where end < t.

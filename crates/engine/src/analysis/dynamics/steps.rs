@@ -130,14 +130,7 @@ impl Steps {
 
     /// Work done so far.
     pub fn counters(&self) -> Counters {
-        let now = self.stepper.counters();
-        Counters {
-            steps: self.before.steps + now.steps,
-            rejected: self.before.rejected + now.rejected,
-            evaluations: self.before.evaluations + now.evaluations,
-            jacobians: self.before.jacobians + now.jacobians,
-            factorisations: self.before.factorisations + now.factorisations,
-        }
+        self.before + self.stepper.counters()
     }
 }
 
