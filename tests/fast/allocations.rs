@@ -163,6 +163,24 @@ fn chain(links: usize) -> serde_json::Value {
     chain
 }
 
+/// The same with stiff springs and dampers in the pins.
+fn stiff_chain(links: usize) -> serde_json::Value {
+    let mut chain = chain(links);
+    let mut forces = serde_json::Map::new();
+    let joints = chain["joints"].as_object().expect("joints").clone();
+    for (name, joint) in joints {
+        let body = |end: usize| {
+            let point = joint["between"][end].as_str().expect("a point");
+            point.split('.').next().expect("a body").to_owned()
+        };
+        let spring = serde_json::json!({ "type": "torsion_spring", "between": [body(0), body(1)],
+            "stiffness": 1e5, "damping": 10, "free_angle": 0 });
+        forces.insert(name, spring);
+    }
+    chain["forces"] = forces.into();
+    chain
+}
+
 /// Two rods with friction in both pins.
 fn rubbing_pendulum() -> serde_json::Value {
     let mut pendulum = double_pendulum();
@@ -180,11 +198,12 @@ fn rubbing_pendulum() -> serde_json::Value {
 /// elimination for the new matrix. Loops that are redundant are left out, too: their rows are chosen anew.
 #[test]
 fn steps_of_forward_dynamics_allocate_nothing_and_repeat_bit_by_bit() {
-    for (name, json, end) in [
-        ("double pendulum", double_pendulum(), 1.0),
-        ("with friction", rubbing_pendulum(), 1.0),
-        ("a chain, sparse", chain(8), 0.5),
-        ("A02, N = 2", benchmarks::four_bars(2), 10.0),
+    for (name, json, end, method) in [
+        ("double pendulum", double_pendulum(), 1.0, Method::Auto),
+        ("with friction", rubbing_pendulum(), 1.0, Method::Auto),
+        ("a chain, sparse", chain(8), 0.5, Method::Auto),
+        ("a stiff chain, sparse", stiff_chain(8), 0.5, Method::Radau5),
+        ("A02, N = 2", benchmarks::four_bars(2), 10.0, Method::Auto),
     ] {
         let system = compiled(&json);
         let run = || {
@@ -194,7 +213,7 @@ fn steps_of_forward_dynamics_allocate_nothing_and_repeat_bit_by_bit() {
                 atol: vec![1e-6; y.len()],
                 cap: Vec::new(),
             };
-            let mut stepper = Method::Auto.stepper(tolerance, Limits::default());
+            let mut stepper = method.stepper(tolerance, Limits::default());
             stepper.start(&mut reduced, 0.0, &y, end).expect("starts");
             let mut lambda = vec![0.0; system.m()];
             let (mut counts, mut states) = (Vec::new(), Vec::with_capacity(100_000));

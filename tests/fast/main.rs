@@ -18,6 +18,8 @@ mod models;
 mod ode;
 #[path = "../common/rigid.rs"]
 mod rigid;
+#[path = "../common/row.rs"]
+mod row;
 #[path = "../common/transform.rs"]
 mod transform;
 #[path = "../common/write.rs"]

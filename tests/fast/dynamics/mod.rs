@@ -3,6 +3,7 @@
 
 mod driven;
 mod sparse;
+mod stiff;
 
 use crate::mechanisms::*;
 use linkdyn_engine::analysis::Outcome;

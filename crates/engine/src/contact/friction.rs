@@ -32,6 +32,8 @@
 //! friction*, IEEE Trans. Autom. Control 40, 1995. Compared in E. Pennestrì, V. Rossi, P. Salvini, P. P. Valentini,
 //! Nonlinear Dyn. 83, 2016.
 
+mod slopes;
+
 /// The friction force with its derivatives, and the rate of the bristles.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Value {

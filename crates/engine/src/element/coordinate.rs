@@ -4,7 +4,7 @@
 //! φ = c − (x_O, y_O or θ),   O the frame's origin         (1)  [m or rad]
 //! ```
 
-use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure};
+use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure, Slope};
 use linkdyn_linear::math::Vec2;
 
 /// One coordinate of a body at a value.
@@ -64,6 +64,20 @@ impl Constraint for Coordinate {
             Axis::Y => turn.y,
             Axis::Theta => 0.0,
         };
+    }
+
+    fn bends(&self) -> Vec<Slope> {
+        vec![[(self.origin.body, Axis::Theta); 2]]
+    }
+
+    fn bend(&self, at: &Kinematics, lambda: &[f64], values: &mut [f64]) {
+        let rho = self.origin.rho(at);
+        let along = match self.axis {
+            Axis::X => rho.x,
+            Axis::Y => rho.y,
+            Axis::Theta => 0.0,
+        };
+        values[0] = lambda[0] * along;
     }
 
     fn reaction(&self, _at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {

@@ -9,7 +9,7 @@
 //! body along u.
 
 use super::prismatic::{Guide, Slide};
-use super::{Axis, BodyId, Constraint, Entry, Kinematics, Measure};
+use super::{Axis, BodyId, Constraint, Entry, Kinematics, Measure, Slope};
 use linkdyn_linear::math::Vec2;
 
 /// Where a driver's value stands in [`Kinematics::drive`].
@@ -106,6 +106,15 @@ impl Constraint for Translation {
         gamma[0] = u.dot(&turn) + 2.0 * omega * n.dot(&d_rate)
             - omega * omega * u.dot(&d)
             - at.drive[self.drive.0][2];
+    }
+
+    fn bends(&self) -> Vec<Slope> {
+        self.guide.bends().to_vec()
+    }
+
+    fn bend(&self, at: &Kinematics, lambda: &[f64], values: &mut [f64]) {
+        let n = self.guide.at(at).u;
+        values.copy_from_slice(&self.guide.bend(at, n, -lambda[0]));
     }
 
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {

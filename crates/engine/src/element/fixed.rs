@@ -7,8 +7,8 @@
 //!
 //! λ is force and torque of the first body on the second, at the second body's point.
 
-use super::revolute::{point_entries, point_jacobian};
-use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure};
+use super::revolute::{point_bend, point_bends, point_entries, point_jacobian};
+use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure, Slope};
 use linkdyn_linear::math::Vec2;
 use std::sync::Arc;
 
@@ -56,6 +56,15 @@ impl Constraint for Fixed {
     fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
         let g = self.second.centripetal(at) - self.first.centripetal(at);
         gamma.copy_from_slice(&[g.x, g.y, 0.0]);
+    }
+
+    fn bends(&self) -> Vec<Slope> {
+        point_bends(&self.first, &self.second)
+    }
+
+    fn bend(&self, at: &Kinematics, lambda: &[f64], values: &mut [f64]) {
+        let force = Vec2::new(lambda[0], lambda[1]);
+        point_bend(at, (&self.first, &self.second), force, values);
     }
 
     fn reaction(&self, _at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {

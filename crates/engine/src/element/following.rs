@@ -3,8 +3,9 @@
 //! Symbols as in [`super::journal`].
 
 use super::journal::{Contact, Journal};
+use super::span::{BOTH, Span, all_pairs};
 use super::{
-    Applied, Axis, Constraint, ConstraintDependentForce, Entry, Kinematics, Marker, Measure,
+    Applied, Axis, Constraint, ConstraintDependentForce, Entry, Kinematics, Marker, Measure, Slope,
     direction,
 };
 use crate::contact::friction;
@@ -79,6 +80,11 @@ impl Journal {
     }
 }
 
+/// Rows and columns of the upper half of a matrix over two bodies.
+fn upper() -> impl Iterator<Item = (usize, usize)> {
+    (0..BOTH).flat_map(|row| (row..BOTH).map(move |column| (row, column)))
+}
+
 impl Following {
     /// n and d.
     fn normal(&self, at: &Kinematics) -> (Vec2, f64) {
@@ -131,6 +137,28 @@ impl Constraint for Following {
         let across = perp(n).dot(&(self.journal.velocity(at) - self.bearing.velocity(at)));
         let along = n.dot(&(self.journal.centripetal(at) - self.bearing.centripetal(at)));
         gamma[0] = -along - across * across / distance;
+    }
+
+    fn bends(&self) -> Vec<Slope> {
+        let pairs = all_pairs(&self.bearing, &self.journal);
+        upper()
+            .map(|(row, column)| pairs[row * BOTH + column])
+            .collect()
+    }
+
+    fn bend(&self, at: &Kinematics, lambda: &[f64], values: &mut [f64]) {
+        let (n, distance) = self.normal(at);
+        let span = Span::at(at, &self.bearing, &self.journal);
+        let mut block = [0.0; BOTH * BOTH];
+        for column in 0..BOTH {
+            let moved = span.spread(column);
+            let across = (moved - n * n.dot(&moved)) * (lambda[0] / distance);
+            span.add_force(across, column, &mut block);
+        }
+        span.add_turned(n * lambda[0], &mut block);
+        for (value, (row, column)) in values.iter_mut().zip(upper()) {
+            *value = block[row * BOTH + column];
+        }
     }
 
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {

@@ -22,7 +22,7 @@
 //! λ is the moment of that force on the second wheel about its point, F = −λ/R₂ t the force. Teeth with pressure angle ψ
 //! press the wheels apart by |F| tan ψ besides, along e: no motion or torque depends on it, and it is left out.
 
-use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure};
+use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure, Slope};
 use linkdyn_linear::math::{Vec2, perp};
 
 /// Two wheels that mesh.
@@ -110,6 +110,33 @@ impl Constraint for Gear {
         let quadratic =
             omega * omega * t.dot(&self.span(at)) + 2.0 * omega * e.dot(&d_rate) - t.dot(&turn);
         gamma[0] = self.curvature() * quadratic;
+    }
+
+    fn bends(&self) -> Vec<Slope> {
+        let turn = |body: BodyId| (body, Axis::Theta);
+        let (a, b, c) = (
+            turn(self.first.body),
+            turn(self.second.body),
+            turn(self.carrier),
+        );
+        let place = |body: BodyId| [Axis::X, Axis::Y].map(|axis| [(body, axis), c]);
+        let mut bends = [place(self.first.body), place(self.second.body)].concat();
+        bends.extend([[a, a], [a, c], [b, b], [b, c], [c, c]]);
+        bends
+    }
+
+    fn bend(&self, at: &Kinematics, lambda: &[f64], values: &mut [f64]) {
+        let (e, t) = self.directions(at);
+        let k = self.curvature() * lambda[0];
+        let (first, second) = (
+            k * t.dot(&self.first.rho(at)),
+            k * t.dot(&self.second.rho(at)),
+        );
+        let across = k * t.dot(&self.span(at));
+        let e = e * k;
+        values.copy_from_slice(&[
+            e.x, e.y, -e.x, -e.y, first, -first, -second, second, -across,
+        ]);
     }
 
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {

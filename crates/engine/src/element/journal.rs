@@ -18,7 +18,8 @@
 //! within a step every law is the analytic branch that the phase says, also a little beyond its end, so that steps are
 //! smooth and their events can be located.
 
-use super::{Applied, BodyId, Constraint, Entry, Kinematics, Marker, Measure, direction};
+use super::span::{BOTH, Span, all_pairs};
+use super::{Applied, BodyId, Constraint, Entry, Kinematics, Marker, Measure, Slope, direction};
 use crate::contact::impact::Sense;
 use crate::contact::{friction, normal};
 use linkdyn_linear::math::{Vec2, perp};
@@ -197,6 +198,72 @@ impl Journal {
         }
         let reading = self.read(at, memory);
         self.press(at, &reading, [reading.normal, reading.tangential], to);
+    }
+
+    /// Where the derivatives of the contact's forces can be non-zero, in the order [`Journal::slope`] writes.
+    pub fn slopes(&self) -> Vec<Slope> {
+        all_pairs(&self.bearing, &self.journal)
+    }
+
+    /// Their values, of surfaces without bristles.
+    ///
+    /// ```text
+    /// ∂n = t (t·∂e)/d,  ∂t = −n (t·∂e)/d,  ∂δ̇ = n·∂ė + (t·ė)(t·∂e)/d
+    /// ∂v_t = t·∂ė − (n·ė)(t·∂e)/d + a_j ∂ω₂ − a_b ∂ω₁ − (ω₁ + ω₂) ∂δ/2
+    /// ```
+    pub fn slope(
+        &self,
+        at: &Kinematics,
+        memory: &Contact,
+        position: &mut [f64],
+        velocity: &mut [f64],
+    ) {
+        position.fill(0.0);
+        velocity.fill(0.0);
+        let (Phase::Contact, Surface::Compliant(laws)) = (memory.phase, &self.surface) else {
+            return;
+        };
+        let reading = self.read(at, memory);
+        let Some((n, distance)) = direction(reading.eccentricity) else {
+            return;
+        };
+        let t = perp(n);
+        let e_rate = self.journal.velocity(at) - self.bearing.velocity(at);
+        let [by_depth, by_rate] =
+            laws.normal
+                .continued_slopes(reading.penetration, reading.rate, memory.approach);
+        let [by_sliding, by_normal] =
+            laws.friction
+                .slopes_on_piece(memory.piece, reading.sliding, reading.normal);
+        let spin = self.journal.omega(at) + self.bearing.omega(at);
+        let span = Span::at(at, &self.bearing, &self.journal);
+        for column in 0..BOTH {
+            let (moved, turned) = (span.spread(column), span.turn(column));
+            let (deeper, angle) = (n.dot(&moved), t.dot(&moved) / distance);
+            let rate = n.dot(&turned) + t.dot(&e_rate) * angle;
+            let sliding = t.dot(&turned) - n.dot(&e_rate) * angle - 0.5 * spin * deeper;
+            let normal = by_depth * deeper + by_rate * rate;
+            let tangential = by_sliding * sliding + by_normal * normal;
+            let change = t * (tangential - reading.normal * angle)
+                - n * (normal + reading.tangential * angle);
+            span.add_force(change, column, position);
+            position[5 * BOTH + column] +=
+                reading.arms[1] * tangential - 0.5 * deeper * reading.tangential;
+            position[2 * BOTH + column] -=
+                reading.arms[0] * tangential + 0.5 * deeper * reading.tangential;
+
+            let spun = match column {
+                2 => -reading.arms[0],
+                5 => reading.arms[1],
+                _ => 0.0,
+            };
+            let normal = by_rate * deeper;
+            let tangential = by_sliding * (t.dot(&moved) + spun) + by_normal * normal;
+            span.add_force(t * tangential - n * normal, column, velocity);
+            velocity[5 * BOTH + column] += reading.arms[1] * tangential;
+            velocity[2 * BOTH + column] -= reading.arms[0] * tangential;
+        }
+        span.add_turned(reading.force, position);
     }
 
     /// Adds a normal and a tangential force at the contact of a reading, on both bodies.

@@ -5,9 +5,9 @@
 //! torque  T(t) on the body, −T on the other  [N·m]
 //! ```
 
-use super::{Applied, BodyId, Force, Kinematics, Marker};
+use super::{Applied, Axis, BodyId, Force, Kinematics, Marker, Slope};
 use crate::motion::Law;
-use linkdyn_linear::math::Vec2;
+use linkdyn_linear::math::{Vec2, perp};
 
 /// A force at a point.
 #[derive(Debug, Clone)]
@@ -40,6 +40,24 @@ impl Force for PointLoad {
         to.add_force(at, &self.at, self.force(at));
     }
 
+    fn slopes(&self) -> Vec<Slope> {
+        let theta = (self.at.body, Axis::Theta);
+        Axis::ALL.map(|axis| [(self.at.body, axis), theta]).to_vec()
+    }
+
+    fn slope(&self, at: &Kinematics, position: &mut [f64], velocity: &mut [f64]) {
+        velocity.fill(0.0);
+        let force = self.force(at);
+        // A force that turns with its body has the same moment about the centre of mass.
+        let by_turn = if self.follows_body {
+            let turned = perp(force);
+            [turned.x, turned.y, 0.0]
+        } else {
+            [0.0, 0.0, -self.at.rho(at).dot(&force)]
+        };
+        position.copy_from_slice(&by_turn);
+    }
+
     fn potential(&self, _at: &Kinematics) -> f64 {
         0.0
     }
@@ -70,6 +88,12 @@ impl Force for Torque {
         to.add(self.body, Vec2::zeros(), torque);
         to.add(self.relative_to, Vec2::zeros(), -torque);
     }
+
+    fn slopes(&self) -> Vec<Slope> {
+        Vec::new()
+    }
+
+    fn slope(&self, _at: &Kinematics, _position: &mut [f64], _velocity: &mut [f64]) {}
 
     fn potential(&self, _at: &Kinematics) -> f64 {
         0.0

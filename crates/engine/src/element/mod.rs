@@ -30,6 +30,7 @@ pub mod load;
 pub mod prismatic;
 pub mod revolute;
 pub mod slot;
+pub(crate) mod span;
 pub mod spring;
 pub mod torsion_spring;
 
@@ -161,6 +162,9 @@ pub enum Measure {
 /// One entry of a constraint's Jacobian block: (row in the block, body, coordinate).
 pub type Entry = (usize, BodyId, Axis);
 
+/// One entry of a derivative by coordinates: that of the force on the first, by the second.
+pub type Slope = [(BodyId, Axis); 2];
+
 /// Equations φ = 0 of one joint or driver. Slices are as long as [`Constraint::rows`] or [`Constraint::entries`] say.
 pub trait Constraint: Send + Sync {
     /// What each row is measured in; its length is the number of rows.
@@ -175,6 +179,14 @@ pub trait Constraint: Send + Sync {
     fn rate(&self, at: &Kinematics, phi_t: &mut [f64]);
     /// γ [m/s² or rad/s²].
     fn gamma(&self, at: &Kinematics, gamma: &mut [f64]);
+    /// Where ∂(Jᵀλ)/∂q can be non-zero, in the order [`Constraint::bend`] writes; it is symmetric, and of two entries beside the
+    /// diagonal one stands here.
+    /// None where φ is linear in q.
+    fn bends(&self) -> Vec<Slope> {
+        Vec::new()
+    }
+    /// Values of these entries.
+    fn bend(&self, _at: &Kinematics, _lambda: &[f64], _values: &mut [f64]) {}
     /// Force on the second body (global axes) \[N\] and torque [N·m] that the multipliers mean.
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64);
     /// The same equations with other numbers of the two bodies; none where they are more than geometry between two bodies
@@ -216,6 +228,10 @@ impl<'a> Applied<'a> {
 pub trait Force: Send + Sync {
     /// Adds its generalized forces.
     fn apply(&self, at: &Kinematics, to: &mut Applied);
+    /// Where the derivatives of these by coordinates and velocities can be non-zero, in the order [`Force::slope`] writes.
+    fn slopes(&self) -> Vec<Slope>;
+    /// Values of ∂Q/∂q and ∂Q/∂v there.
+    fn slope(&self, at: &Kinematics, position: &mut [f64], velocity: &mut [f64]);
     /// Potential energy \[J\]; zero for what has none.
     fn potential(&self, at: &Kinematics) -> f64;
     /// Whether its work is the change of its potential energy.
@@ -246,5 +262,7 @@ pub(crate) fn direction(a: Vec2) -> Option<(Vec2, f64)> {
     (length > f64::MIN_POSITIVE).then(|| (a / length, length))
 }
 
+#[cfg(test)]
+mod slope_tests;
 #[cfg(test)]
 pub(crate) mod tests;

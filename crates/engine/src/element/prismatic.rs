@@ -10,7 +10,7 @@
 //!
 //! λ₁ n is the force and λ₂ the torque of the first body on the second, at the second body's point.
 
-use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure};
+use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure, Slope};
 use linkdyn_linear::math::{Vec2, perp};
 use std::sync::Arc;
 
@@ -92,6 +92,37 @@ impl Guide {
         n.dot(&turn) - omega * omega * n.dot(&d) - 2.0 * omega * u.dot(&d_rate)
     }
 
+    /// Where −n·d and −u·d bend.
+    pub(super) fn bends(&self) -> [Slope; 7] {
+        let (a, b) = (self.first.body, self.second.body);
+        let (a_turn, b_turn) = ((a, Axis::Theta), (b, Axis::Theta));
+        [
+            [(a, Axis::X), a_turn],
+            [(a, Axis::Y), a_turn],
+            [(b, Axis::X), a_turn],
+            [(b, Axis::Y), a_turn],
+            [a_turn, a_turn],
+            [a_turn, b_turn],
+            [b_turn, b_turn],
+        ]
+    }
+
+    /// Values of [`Guide::bends`] for λ n·d, of a direction n that turns with the first body.
+    pub(super) fn bend(&self, at: &Kinematics, n: Vec2, lambda: f64) -> [f64; 7] {
+        let Slide { d, rho1, rho2, .. } = self.at(at);
+        let turned = perp(n) * lambda;
+        let n = n * lambda;
+        [
+            -turned.x,
+            -turned.y,
+            turned.x,
+            turned.y,
+            -n.dot(&(d + rho1)),
+            n.dot(&rho2),
+            -n.dot(&rho2),
+        ]
+    }
+
     pub(super) fn entries(&self, row: usize) -> [Entry; 6] {
         let (a, b) = (self.first.body, self.second.body);
         [
@@ -145,6 +176,15 @@ impl Constraint for Prismatic {
 
     fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
         gamma.copy_from_slice(&[self.guide.across_gamma(at), 0.0]);
+    }
+
+    fn bends(&self) -> Vec<Slope> {
+        self.guide.bends().to_vec()
+    }
+
+    fn bend(&self, at: &Kinematics, lambda: &[f64], values: &mut [f64]) {
+        let n = self.guide.at(at).n;
+        values.copy_from_slice(&self.guide.bend(at, n, -lambda[0]));
     }
 
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {

@@ -10,7 +10,7 @@
 //! λ is the force of the first body on the second, at the second body's point.
 //! With an offset the joint is the massless equivalent clearance link of Earles and Wu (1972): e = journal − bearing.
 
-use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure};
+use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure, Slope};
 use linkdyn_linear::math::Vec2;
 use std::sync::Arc;
 
@@ -56,6 +56,23 @@ pub(super) fn point_jacobian(at: &Kinematics, first: &Marker, second: &Marker, v
     values.copy_from_slice(&[1.0, -a.y, 1.0, a.x, -1.0, b.y, -1.0, -b.x]);
 }
 
+/// Where points that are held together bend: only by their bodies' angles.
+pub(super) fn point_bends(first: &Marker, second: &Marker) -> Vec<Slope> {
+    [first, second]
+        .map(|marker| [(marker.body, Axis::Theta); 2])
+        .to_vec()
+}
+
+/// Values of [`point_bends`].
+pub(super) fn point_bend(
+    at: &Kinematics,
+    (first, second): (&Marker, &Marker),
+    force: Vec2,
+    values: &mut [f64],
+) {
+    values.copy_from_slice(&[-first.rho(at).dot(&force), second.rho(at).dot(&force)]);
+}
+
 impl Constraint for Revolute {
     fn rows(&self) -> &'static [Measure] {
         &[Measure::Length, Measure::Length]
@@ -82,6 +99,15 @@ impl Constraint for Revolute {
     fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
         let g = self.second.centripetal(at) - self.first.centripetal(at) - self.offset(at, 2);
         gamma.copy_from_slice(&[g.x, g.y]);
+    }
+
+    fn bends(&self) -> Vec<Slope> {
+        point_bends(&self.first, &self.second)
+    }
+
+    fn bend(&self, at: &Kinematics, lambda: &[f64], values: &mut [f64]) {
+        let force = Vec2::new(lambda[0], lambda[1]);
+        point_bend(at, (&self.first, &self.second), force, values);
     }
 
     fn reaction(&self, _at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {

@@ -12,7 +12,7 @@
 //! The row is the first of a prismatic joint with the same guide.
 
 use super::prismatic::Guide;
-use super::{BodyId, Constraint, Entry, Kinematics, Measure};
+use super::{BodyId, Constraint, Entry, Kinematics, Measure, Slope};
 use linkdyn_linear::math::Vec2;
 use std::sync::Arc;
 
@@ -46,6 +46,15 @@ impl Constraint for Slot {
 
     fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
         gamma[0] = self.guide.across_gamma(at);
+    }
+
+    fn bends(&self) -> Vec<Slope> {
+        self.guide.bends().to_vec()
+    }
+
+    fn bend(&self, at: &Kinematics, lambda: &[f64], values: &mut [f64]) {
+        let n = self.guide.at(at).n;
+        values.copy_from_slice(&self.guide.bend(at, n, -lambda[0]));
     }
 
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {

@@ -4,9 +4,11 @@
 //! d = P₂ − P₁,  l = |d|,  u = d/l,  l̇ = u·ḋ
 //! S = k (l − l₀) + c l̇                 [N], pulls the points together
 //! force on the first body +S u, on the second −S u;   V = ½ k (l − l₀)²
+//! ∂(S u) = u (k u·∂d + c (u·∂ḋ + ḋ·P ∂d/l)) + S P ∂d/l,   P = I − u uᵀ
 //! ```
 
-use super::{Applied, Force, Kinematics, Marker, direction};
+use super::span::{BOTH, Span, all_pairs};
+use super::{Applied, Force, Kinematics, Marker, Slope, direction};
 use crate::motion::Law;
 
 /// A spring and damper between two points.
@@ -36,6 +38,33 @@ impl Force for Spring {
             self.stiffness * (length - self.free_length.jet(at.time)[0]) + self.damping * rate;
         to.add_force(at, &self.first, u * pull);
         to.add_force(at, &self.second, u * -pull);
+    }
+
+    fn slopes(&self) -> Vec<Slope> {
+        all_pairs(&self.first, &self.second)
+    }
+
+    fn slope(&self, at: &Kinematics, position: &mut [f64], velocity: &mut [f64]) {
+        position.fill(0.0);
+        velocity.fill(0.0);
+        let d = self.second.place(at) - self.first.place(at);
+        let Some((u, length)) = direction(d) else {
+            return;
+        };
+        let d_rate = self.second.velocity(at) - self.first.velocity(at);
+        let stretch = length - self.free_length.jet(at.time)[0];
+        let pull = self.stiffness * stretch + self.damping * u.dot(&d_rate);
+        let span = Span::at(at, &self.first, &self.second);
+        for column in 0..BOTH {
+            let (moved, turned) = (span.spread(column), span.turn(column));
+            let across = (moved - u * u.dot(&moved)) / length;
+            let along = self.stiffness * u.dot(&moved)
+                + self.damping * (u.dot(&turned) + d_rate.dot(&across));
+            span.add_force(-(u * along + across * pull), column, position);
+            let damped = u * (-self.damping * u.dot(&moved));
+            span.add_force(damped, column, velocity);
+        }
+        span.add_turned(u * -pull, position);
     }
 
     fn potential(&self, at: &Kinematics) -> f64 {

@@ -3,6 +3,7 @@
 use super::coordinate::Coordinate;
 use super::driven::{DriveId, Rotation, Translation};
 use super::fixed::Fixed;
+use super::following::Following;
 use super::gear::Gear;
 use super::load::{PointLoad, Torque};
 use super::prismatic::{Guide, Prismatic};
@@ -13,7 +14,7 @@ use super::torsion_spring::TorsionSpring;
 use super::*;
 use crate::motion::Law;
 
-fn marker(body: usize, x: f64, y: f64) -> Marker {
+pub(super) fn marker(body: usize, x: f64, y: f64) -> Marker {
     Marker {
         body: BodyId(body),
         s: Vec2::new(x, y),
@@ -85,6 +86,14 @@ fn joints() -> Vec<Named> {
             }),
         ),
         ("slot", Box::new(Slot { guide: guide() })),
+        (
+            "following",
+            Box::new(Following {
+                bearing: first,
+                journal: second,
+                clearance: 0.4,
+            }),
+        ),
         ("gear", Box::new(gear(3, -1.7))),
         ("internal gear on ground", Box::new(gear(0, 2.5))),
         (
@@ -143,8 +152,8 @@ fn drivers_and_initial_values() -> Vec<Named> {
     ]
 }
 
-const Q0: [f64; 9] = [0.1, -0.3, 0.7, 1.2, 0.4, -1.1, -0.6, 0.2, 0.5];
-const V0: [f64; 9] = [0.5, 1.1, -0.8, -0.6, 0.9, 1.7, 0.3, -1.2, 1.3];
+pub(super) const Q0: [f64; 9] = [0.1, -0.3, 0.7, 1.2, 0.4, -1.1, -0.6, 0.2, 0.5];
+pub(super) const V0: [f64; 9] = [0.5, 1.1, -0.8, -0.6, 0.9, 1.7, 0.3, -1.2, 1.3];
 const A0: [f64; 9] = [-0.2, 0.3, 0.9, 1.4, -0.5, -1.2, 0.8, 0.1, -0.7];
 
 /// Calls `f` with the instant t along q(t) = q₀ + v₀ t + a₀ t²/2 and matching inputs.
@@ -156,7 +165,7 @@ fn along<T>(t: f64, f: impl Fn(&Kinematics) -> T) -> T {
     at_state(t, &q, &v, f)
 }
 
-fn at_state<T>(t: f64, q: &[f64], v: &[f64], f: impl Fn(&Kinematics) -> T) -> T {
+pub(super) fn at_state<T>(t: f64, q: &[f64], v: &[f64], f: impl Fn(&Kinematics) -> T) -> T {
     let pose = |k: usize| Pose::new(q[k], q[k + 1], q[k + 2]);
     let poses = [Pose::GROUND, pose(0), pose(3), pose(6)];
     let twist = |k: usize| Twist {

@@ -4,7 +4,7 @@
 //! T = k (θ₂ − θ₁ − β₀) + c (ω₂ − ω₁)    [N·m] on the first body, −T on the second;   V = ½ k (θ₂ − θ₁ − β₀)²
 //! ```
 
-use super::{Applied, BodyId, Force, Kinematics};
+use super::{Applied, Axis, BodyId, Force, Kinematics, Slope};
 use crate::motion::Law;
 use linkdyn_linear::math::Vec2;
 
@@ -42,6 +42,17 @@ impl Force for TorsionSpring {
         let torque = self.stiffness * self.twist(at) + self.damping * self.rate(at);
         to.add(self.first, Vec2::zeros(), torque);
         to.add(self.second, Vec2::zeros(), -torque);
+    }
+
+    fn slopes(&self) -> Vec<Slope> {
+        let [a, b] = [self.first, self.second].map(|body| (body, Axis::Theta));
+        vec![[a, a], [a, b], [b, a], [b, b]]
+    }
+
+    fn slope(&self, _at: &Kinematics, position: &mut [f64], velocity: &mut [f64]) {
+        let block = |by: f64| [-by, by, by, -by];
+        position.copy_from_slice(&block(self.stiffness));
+        velocity.copy_from_slice(&block(self.damping));
     }
 
     fn potential(&self, at: &Kinematics) -> f64 {

@@ -16,6 +16,7 @@ mod matrices;
 mod roles;
 mod rows;
 mod scale;
+mod slopes;
 
 pub use eval::{Evaluation, Inputs};
 pub use mass::Mass;
@@ -23,6 +24,7 @@ pub use matrices::{Terms, write_matrix_market};
 pub use roles::{DriverRole, ForceData, ForceRole, JointRole};
 pub use rows::{ContactRows, Extent};
 pub use scale::Scale;
+pub(crate) use slopes::Slopes;
 
 use crate::element::journal::{Bearing, ContactId, Journal};
 use crate::element::{

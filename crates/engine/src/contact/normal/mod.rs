@@ -60,6 +60,9 @@ pub enum Law {
     },
 }
 
+/// Least depth at which slopes are taken \[m\]: some laws have none at zero.
+const SHALLOWEST: f64 = 1e-100;
+
 impl Law {
     /// F(δ, δ̇; δ̇₀) with its derivatives; `approach` δ̇₀ is the rate remembered from the start of the contact.
     pub fn force(&self, penetration: f64, rate: f64, approach: f64) -> Value {
@@ -107,6 +110,26 @@ impl Law {
             Law::KelvinVoigt { damping, .. } => elastic + damping * rate,
             Law::Dissipative { hysteresis, .. } | Law::Cylindrical { hysteresis, .. } => {
                 elastic * loss_factor(hysteresis, rate, approach)
+            }
+        }
+    }
+
+    /// Derivatives of [`Law::continued`] by δ and δ̇.
+    pub(crate) fn continued_slopes(&self, penetration: f64, rate: f64, approach: f64) -> [f64; 2] {
+        let (elastic, slope) = self.elastic(penetration.abs().max(SHALLOWEST));
+        match *self {
+            Law::Hertz { .. } => [slope, 0.0],
+            Law::KelvinVoigt { damping, .. } => [slope, damping],
+            Law::Dissipative { hysteresis, .. } | Law::Cylindrical { hysteresis, .. } => {
+                let loss = if approach > 0.0 {
+                    hysteresis / approach
+                } else {
+                    0.0
+                };
+                [
+                    slope * loss_factor(hysteresis, rate, approach),
+                    elastic.copysign(penetration) * loss,
+                ]
             }
         }
     }

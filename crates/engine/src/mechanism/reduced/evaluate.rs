@@ -16,6 +16,9 @@ impl Reduced<'_> {
     /// # Errors
     /// Where the position can't be solved on its branch, or the mass matrix is singular.
     pub fn evaluate(&mut self, time: f64, y: &[f64]) -> Result<(), Failure> {
+        if self.evaluate_straight(time, y) {
+            return Ok(());
+        }
         let system = self.driven.system;
         let f = self.freedom();
         self.at = None;
@@ -28,6 +31,11 @@ impl Reduced<'_> {
             accepted: &self.accepted,
         };
         let placed = self.chart.place(given, &mut self.driven, &mut self.q)?;
+        // The last stage of an implicit step is at its end.
+        let stages = self.stages.as_ref();
+        if let Some(q) = stages.and_then(|stages| stages.position_at(time)) {
+            self.q.copy_from_slice(q);
+        }
         let given = u.iter().zip(rates);
         for (coordinate, (u, rate)) in self.driven.independent.iter_mut().zip(given) {
             coordinate.jet = [*u, *rate, 0.0];

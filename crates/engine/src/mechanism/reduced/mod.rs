@@ -28,10 +28,13 @@ mod curve;
 mod evaluate;
 mod extrapolation;
 mod inertia;
+mod keep;
 mod multipliers;
 mod nearest;
 mod place;
+mod saddle;
 mod sparse;
+mod stages;
 mod strained;
 mod tangents;
 
@@ -49,6 +52,7 @@ use extrapolation::Extrapolation;
 use inertia::Inertia;
 pub use inertia::Solver;
 use place::Place;
+use stages::Stages;
 
 /// A mechanism with freedom left.
 pub struct Reduced<'s> {
@@ -69,6 +73,8 @@ pub struct Reduced<'s> {
     wanted: Option<Solver>,
     inertia: Inertia,
     accelerations: Vec<f64>,
+    /// What an implicit method needs, once one has asked.
+    stages: Option<Box<Stages>>,
     /// The last accepted points.
     accepted: Accepted,
     /// Where q, v, a are.
@@ -122,6 +128,7 @@ impl<'s> Reduced<'s> {
             lag: 0.0,
             wanted: solver,
             accelerations: vec![0.0; f],
+            stages: None,
             accepted: Accepted::new(time, q, v),
             at: None,
             chart,
@@ -348,46 +355,9 @@ impl<'s> Reduced<'s> {
         solved
     }
 
-    /// (t, (u, u̇)) is the end of an accepted step: it serves for predictions from now on.
-    pub fn accept(&mut self, time: f64, y: &[f64]) {
-        // First-same-as-last methods have just been there.
-        let f = self.freedom();
-        let there = self.at == Some(time)
-            && self
-                .driven
-                .independent
-                .iter()
-                .enumerate()
-                .all(|(k, coordinate)| coordinate.jet[0] == y[k] && coordinate.jet[1] == y[f + k]);
-        if there || self.evaluate(time, y).is_ok() {
-            self.keep(time);
-        }
-    }
-
     /// When a step first passed a change point with forces that depend on multipliers.
     pub fn passed_change_point(&self) -> Option<f64> {
         self.passed
-    }
-
-    fn keep(&mut self, time: f64) {
-        if self.passed.is_none()
-            && !self.driven.system.dependent_forces.is_empty()
-            && let Some(curve) = self.chart.curve()
-        {
-            let column = self.driven.independent[0].column;
-            let (from, to) = (self.accepted.here.q[column], self.q[column]);
-            self.passed = curve.has_change_point_between(from, to).then_some(time);
-        }
-        let point = [&self.q[..], &self.v, &self.a];
-        self.accepted
-            .keep(time, point, self.inertia.known_tangents());
-        if let Inertia::Sparse(sparse) = &mut self.inertia {
-            sparse.keep(&self.driven);
-        }
-        if !self.is_smooth && self.driven.is_redundant() {
-            // Where that fails, the next evaluation chooses rows anew.
-            let _ = self.driven.exchange_rows();
-        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! The flow between events: the equations that are integrated, with the memories of contacts and the energy ledger beside them
 //! (see [`super::state`] for y).
 
+mod implicit;
 mod marks;
 mod sustained;
 mod tolerance;
@@ -8,7 +9,7 @@ mod tolerance;
 use super::modes::largest_guard;
 use super::state::{Layout, State};
 use crate::element::journal::{Contact, ContactId, Phase, Reading};
-use crate::integrate::{Ode, Refused};
+use crate::integrate::{Implicit, Ode, Refused};
 use crate::mechanism::driven::Failure;
 use crate::mechanism::phases::Phases;
 use crate::mechanism::reduced::Reduced;
@@ -31,6 +32,8 @@ pub struct Flow<'s> {
     /// Multipliers (m).
     lambda: Vec<f64>,
     marks: Marks,
+    /// The real and complex numbers that an implicit method's systems are of.
+    shifts: Vec<[f64; 2]>,
 }
 
 impl<'s> Flow<'s> {
@@ -49,6 +52,7 @@ impl<'s> Flow<'s> {
             refusal: None,
             lambda: vec![0.0; system.m()],
             marks: Marks::new(),
+            shifts: Vec::with_capacity(4),
         }
     }
 
@@ -191,6 +195,21 @@ impl<'s> Flow<'s> {
         self.refusal.unwrap_or(Failure::Singular)
     }
 
+    /// f at the point of the last evaluation.
+    pub(super) fn eval_rates(&mut self, t: f64, y: &[f64], dy: &mut [f64]) {
+        rates(&self.equations, y, dy);
+        for (force, dependent) in self.system().dependent_forces.iter().enumerate() {
+            if let Some(component) = self.layout.memory(force) {
+                let at = self.equations.kinematics();
+                let memory = self.equations.inputs.memories[force];
+                dy[component] = dependent.force.memory_rate(&at, memory);
+            }
+        }
+        if !self.sustained.is_empty() {
+            self.eval_ledger(t, dy);
+        }
+    }
+
     /// Rates of W, D, I, S and of the contacts' bristles.
     fn eval_ledger(&mut self, t: f64, dy: &mut [f64]) {
         let system = self.system();
@@ -252,6 +271,40 @@ impl Ode for Reduced<'_> {
     fn accept(&mut self, t: f64, y: &[f64]) {
         Reduced::accept(self, t, &y[..2 * self.freedom()]);
     }
+
+    fn implicit(&mut self) -> Option<&mut dyn Implicit> {
+        self.is_implicit().then_some(self as &mut dyn Implicit)
+    }
+}
+
+impl Implicit for Reduced<'_> {
+    fn linearise(&mut self) -> Result<(), Refused> {
+        Reduced::linearise(self).map_err(|_| Refused)
+    }
+
+    fn factor(&mut self, real: f64, complex: &[[f64; 2]]) -> bool {
+        self.factor_shifted(real, complex)
+    }
+
+    fn solve(&mut self, b: &mut [f64]) {
+        self.solve_shifted(b);
+    }
+
+    fn solve_complex(&mut self, number: usize, b: [&mut [f64]; 2]) {
+        self.solve_shifted_complex(number, b);
+    }
+
+    fn eval_stage(
+        &mut self,
+        stage: (usize, bool),
+        t: f64,
+        y: &[f64],
+        dy: &mut [f64],
+    ) -> Result<(), Refused> {
+        self.evaluate_stage(stage, t, y).map_err(|_| Refused)?;
+        rates(self, y, dy);
+        Ok(())
+    }
 }
 
 impl Ode for Flow<'_> {
@@ -263,21 +316,15 @@ impl Ode for Flow<'_> {
         let evaluated = self.evaluate(t, y);
         self.refusal = evaluated.err();
         evaluated.map_err(|_| Refused)?;
-        rates(&self.equations, y, dy);
-        for (force, dependent) in self.system().dependent_forces.iter().enumerate() {
-            if let Some(component) = self.layout.memory(force) {
-                let at = self.equations.kinematics();
-                let memory = self.equations.inputs.memories[force];
-                dy[component] = dependent.force.memory_rate(&at, memory);
-            }
-        }
-        if !self.sustained.is_empty() {
-            self.eval_ledger(t, dy);
-        }
+        self.eval_rates(t, y, dy);
         Ok(())
     }
 
     fn accept(&mut self, t: f64, y: &[f64]) {
         Ode::accept(&mut self.equations, t, y);
+    }
+
+    fn implicit(&mut self) -> Option<&mut dyn Implicit> {
+        self.is_implicit().then_some(self as &mut dyn Implicit)
     }
 }

@@ -1,0 +1,218 @@
+//! The shared check of what elements say of the derivatives of their forces.
+
+use super::journal::{Compliant, Contact, Journal, Phase, Surface};
+use super::load::{PointLoad, Torque};
+use super::spring::Spring;
+use super::tests::{Q0, V0, all_constraints, at_state, marker};
+use super::torsion_spring::TorsionSpring;
+use super::*;
+use crate::contact::{friction, normal};
+use crate::motion::Law;
+
+/// Writes ∂Q/∂q and ∂Q/∂v of an element.
+type Say<'a> = dyn Fn(&Kinematics, &mut [f64], &mut [f64]) + 'a;
+
+/// ∂Q/∂q and ∂Q/∂v of an element (9 × 9 by rows), by what it says and by differences of its forces, with the largest entry.
+fn hold(name: &str, slopes: &[Slope], say: &Say, apply: &dyn Fn(&Kinematics, &mut Applied)) {
+    let layout = Layout::rigid(3);
+    let values = [vec![0.0; slopes.len()], vec![0.0; slopes.len()]];
+    let mut said = [[0.0; 81]; 2];
+    let values = at_state(0.0, &Q0, &V0, |at| {
+        let [mut position, mut velocity] = values.clone();
+        say(at, &mut position, &mut velocity);
+        [position, velocity]
+    })
+    .map(|found| found.to_vec());
+    for (said, values) in said.iter_mut().zip(&values) {
+        for ([row, column], value) in slopes.iter().zip(values) {
+            if let (Some(row), Some(column)) = (
+                layout.column(row.0, row.1),
+                layout.column(column.0, column.1),
+            ) {
+                said[9 * row + column] += value;
+            }
+        }
+    }
+    let force = |q: &[f64], v: &[f64]| {
+        at_state(0.0, q, v, |at| {
+            let mut force = [0.0; 9];
+            apply(at, &mut Applied::to(&mut force, &layout));
+            force
+        })
+    };
+    let h = 1e-6;
+    let largest = said
+        .iter()
+        .flatten()
+        .fold(1.0, |most: f64, value| most.max(value.abs()));
+    for column in 0..9 {
+        for (kind, said) in said.iter().enumerate() {
+            let moved = |by: f64| {
+                let (mut q, mut v) = (Q0, V0);
+                [&mut q, &mut v][kind][column] += by;
+                force(&q, &v)
+            };
+            let (low, high) = (moved(-h), moved(h));
+            for row in 0..9 {
+                let difference = (high[row] - low[row]) / (2.0 * h);
+                let value = said[9 * row + column];
+                assert!(
+                    (difference - value).abs() < 1e-8 * largest,
+                    "{name}, {}: row {row}, column {column}: {difference} {value}",
+                    ["position", "velocity"][kind]
+                );
+            }
+        }
+    }
+}
+
+fn constant(value: f64) -> Law {
+    Law::Polynomial(vec![value])
+}
+
+#[test]
+fn slopes_are_the_derivatives_of_forces() {
+    let (first, second) = (marker(1, 0.3, -0.2), marker(2, -0.4, 0.1));
+    let load = |follows_body: bool| PointLoad {
+        at: first,
+        vector: [constant(1.5), constant(-0.7)],
+        follows_body,
+    };
+    let spring = |first: Marker| Spring {
+        first,
+        second,
+        stiffness: 12.0,
+        damping: 1.7,
+        free_length: constant(0.4),
+    };
+    let forces: Vec<(&str, Box<dyn Force>)> = vec![
+        ("spring", Box::new(spring(first))),
+        ("spring to ground", Box::new(spring(marker(0, 1.0, 0.3)))),
+        (
+            "torsion spring",
+            Box::new(TorsionSpring {
+                first: BodyId(1),
+                second: BodyId(2),
+                stiffness: 3.0,
+                damping: 0.4,
+                free_angle: constant(0.1),
+            }),
+        ),
+        ("load", Box::new(load(false))),
+        ("load that follows", Box::new(load(true))),
+        (
+            "torque",
+            Box::new(Torque {
+                body: BodyId(2),
+                relative_to: BodyId(1),
+                value: constant(0.5),
+            }),
+        ),
+    ];
+    for (name, force) in forces {
+        hold(
+            name,
+            &force.slopes(),
+            &|at, position, velocity| force.slope(at, position, velocity),
+            &|at, to| force.apply(at, to),
+        );
+    }
+}
+
+#[test]
+fn slopes_are_the_derivatives_of_contact_forces() {
+    let normals = [
+        normal::Law::Hertz {
+            stiffness: 40.0,
+            exponent: 1.5,
+        },
+        normal::Law::KelvinVoigt {
+            stiffness: 30.0,
+            damping: 2.0,
+        },
+        normal::Law::Dissipative {
+            stiffness: 25.0,
+            exponent: 1.5,
+            hysteresis: 0.3,
+        },
+    ];
+    let frictions = [
+        (friction::Law::None, 0),
+        (
+            friction::Law::Coulomb {
+                coefficient: 0.3,
+                threshold: 0.1,
+            },
+            1,
+        ),
+        // On the ramp, far beyond its end.
+        (
+            friction::Law::Coulomb {
+                coefficient: 0.3,
+                threshold: 0.1,
+            },
+            0,
+        ),
+    ];
+    for normal in normals {
+        for (friction, piece) in frictions {
+            let journal = Journal {
+                bearing: marker(1, 0.3, -0.2),
+                journal: marker(2, -0.4, 0.1),
+                clearance: 0.2,
+                bearing_radius: 0.5,
+                surface: Surface::Compliant(Compliant { normal, friction }),
+            };
+            let memory = Contact {
+                phase: Phase::Contact,
+                approach: 2.0,
+                piece,
+                bristle: 0.0,
+            };
+            let name = format!("{:?}", journal.surface);
+            hold(
+                &name,
+                &journal.slopes(),
+                &|at, position, velocity| journal.slope(at, &memory, position, velocity),
+                &|at, to| journal.apply(at, &memory, to),
+            );
+        }
+    }
+}
+
+#[test]
+fn bends_are_the_derivatives_of_what_multipliers_do() {
+    for (name, constraint) in all_constraints() {
+        let lambda: Vec<f64> = (0..constraint.rows().len())
+            .map(|k| 1.5 - 0.7 * k as f64)
+            .collect();
+        let bends = constraint.bends();
+        // Each entry beside the diagonal stands for two.
+        let mut slopes = bends.clone();
+        slopes.extend(bends.iter().map(|[row, column]| [*column, *row]));
+        hold(
+            name,
+            &slopes,
+            &|at, position, _| {
+                let (upper, lower) = position.split_at_mut(bends.len());
+                constraint.bend(at, &lambda, upper);
+                lower.copy_from_slice(upper);
+                for (value, [row, column]) in lower.iter_mut().zip(&bends) {
+                    if row == column {
+                        *value = 0.0;
+                    }
+                }
+            },
+            &|at, to| {
+                let entries = constraint.entries();
+                let mut values = vec![0.0; entries.len()];
+                constraint.jacobian(at, &mut values);
+                for ((row, body, axis), value) in entries.into_iter().zip(values) {
+                    let mut force = [0.0; 3];
+                    force[axis as usize] = value * lambda[row];
+                    to.add(body, Vec2::new(force[0], force[1]), force[2]);
+                }
+            },
+        );
+    }
+}

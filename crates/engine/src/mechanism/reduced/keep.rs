@@ -1,0 +1,50 @@
+//! What is kept of the ends of accepted steps.
+
+use super::Reduced;
+use super::inertia::Inertia;
+
+impl Reduced<'_> {
+    /// (t, (u, u̇)) is the end of an accepted step: it serves for predictions from now on.
+    pub fn accept(&mut self, time: f64, y: &[f64]) {
+        // First-same-as-last methods have just been there.
+        let f = self.freedom();
+        let there = self.at == Some(time)
+            && self
+                .driven
+                .independent
+                .iter()
+                .enumerate()
+                .all(|(k, coordinate)| coordinate.jet[0] == y[k] && coordinate.jet[1] == y[f + k]);
+        if there || self.evaluate(time, y).is_ok() {
+            self.keep(time);
+        }
+    }
+
+    fn keep_factors(&mut self) {
+        if let Inertia::Sparse(sparse) = &mut self.inertia {
+            sparse.keep(&self.driven);
+        }
+    }
+
+    /// Keeps the point at hand.
+    pub(super) fn keep(&mut self, time: f64) {
+        if self.passed.is_none()
+            && !self.driven.system.dependent_forces.is_empty()
+            && let Some(curve) = self.chart.curve()
+        {
+            let column = self.driven.independent[0].column;
+            let (from, to) = (self.accepted.here.q[column], self.q[column]);
+            self.passed = curve.has_change_point_between(from, to).then_some(time);
+        }
+        let point = [&self.q[..], &self.v, &self.a];
+        self.accepted
+            .keep(time, point, self.inertia.known_tangents());
+        self.keep_factors();
+        if !self.is_smooth && self.driven.is_redundant() {
+            // Where that fails, the next evaluation chooses rows anew.
+            let _ = self.driven.exchange_rows();
+            self.keep_factors();
+        }
+        self.keep_stages();
+    }
+}
