@@ -23,7 +23,7 @@ pub struct ComplexLu {
 impl ComplexLu {
     /// Makes room for factors on the pattern of `real`.
     pub fn reserve(&mut self, real: &SparseLu) {
-        let (n, zero) = (real.inverse_pivot.len(), [0.0; 2]);
+        let (n, zero) = (real.order.len(), [0.0; 2]);
         self.lower.resize(real.lower.entries.len(), zero);
         self.upper.resize(real.upper.entries.len(), zero);
         for vector in [&mut self.inverse_pivot, &mut self.column, &mut self.vector] {
@@ -36,16 +36,17 @@ impl ComplexLu {
     /// # Panics
     /// Without factors of `real`, or when there is not one value per entry of its pattern.
     pub fn factor(&mut self, real: &SparseLu, values: &[Complex]) -> bool {
-        let n = real.inverse_pivot.len();
+        let n = real.order.len();
         real.assert_ready(n);
         assert_eq!(values.len(), real.pattern.entries(), "one value per entry");
         self.reserve(real);
         let x = &mut self.column[..n];
         let (mut growth, mut is_sound) = (0.0, true);
         for j in 0..n {
-            let gathered = real.gather_start[j] as usize..real.gather_start[j + 1] as usize;
-            for entry in &real.gather[gathered] {
-                x[entry.row as usize] = values[entry.slot as usize];
+            let column = real.order.columns()[j] as usize;
+            let rows = real.pattern.column(column).iter();
+            for (&row, value) in rows.zip(&values[real.pattern.span(column)]) {
+                x[real.position[row as usize] as usize] = *value;
             }
             let above = real.upper.start[j] as usize..real.upper.start[j + 1] as usize;
             for (entry, to) in real.upper.entries[above.clone()]
@@ -88,7 +89,7 @@ impl ComplexLu {
     /// # Panics
     /// Without factors, or when b is not as long as the matrix.
     pub fn solve(&mut self, real: &SparseLu, b: &mut [Complex]) {
-        let n = real.inverse_pivot.len();
+        let n = real.order.len();
         assert!(
             self.factored && b.len() == n,
             "solve wants factors of the same size before it"

@@ -35,6 +35,8 @@ pub(super) struct Sparse {
     lu: Option<SparseLu>,
     /// A smaller matrix that does as well, where all that moves has mass.
     nearest: Option<Nearest>,
+    /// It is not wanted.
+    is_whole: bool,
     /// Active rows of joints and drivers.
     rows: Vec<u32>,
     /// μ.
@@ -101,6 +103,7 @@ impl Sparse {
             pattern: Arc::new(pattern),
             lu: None,
             nearest: Nearest::of(driven, &rows),
+            is_whole: false,
             rows,
             unit,
             gamma: vec![0.0; m],
@@ -128,8 +131,12 @@ impl Sparse {
     ) -> Result<(), Failure> {
         if self.revision != driven.revision() {
             let (kept, revision) = (self.kept.take(), self.kept_revision);
+            let is_whole = self.is_whole;
             *self = Sparse::of(driven);
             (self.kept, self.kept_revision) = (kept, revision);
+            if is_whole {
+                self.take_whole();
+            }
         }
         let system = driven.system;
         driven
@@ -145,7 +152,13 @@ impl Sparse {
         Ok(())
     }
 
-    /// Multipliers of the last accelerations (m): those of the active rows, the others are zero.
+    /// Solves the whole matrix from now on, for those who want multipliers and factors.
+    pub fn take_whole(&mut self) {
+        self.is_whole = true;
+        self.nearest = None;
+    }
+
+    /// Multipliers of the last accelerations (m), where the whole matrix is solved: those of the active rows, the others are zero.
     pub fn multipliers(&self) -> &[f64] {
         &self.lambda
     }

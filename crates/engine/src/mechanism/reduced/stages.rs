@@ -95,6 +95,9 @@ impl Reduced<'_> {
     fn begin_stages(&mut self) -> Result<(), Failure> {
         if self.stages.is_none() {
             self.stages = Some(Box::new(Stages::of(self)));
+            if let Inertia::Sparse(sparse) = &mut self.inertia {
+                sparse.take_whole();
+            }
             // At the accepted point once more, for what was not kept.
             let (time, mut y) = (self.accepted.here.s, vec![0.0; 2 * self.freedom()]);
             let before = self.accepted.set_aside();
