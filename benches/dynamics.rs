@@ -27,6 +27,7 @@ enum Problem {
     Pendulum,
     FourBars(usize),
     Squeezer,
+    Chain(usize),
 }
 
 /// A row: a problem, the error wanted, the CPU time aimed at [ms].
@@ -36,7 +37,7 @@ struct Case {
     goal: f64,
 }
 
-const CASES: [Case; 9] = [
+const CASES: [Case; 12] = [
     Case {
         problem: Problem::Pendulum,
         error: 1e-6,
@@ -82,6 +83,21 @@ const CASES: [Case; 9] = [
         error: 1e-6,
         goal: 5.0,
     },
+    Case {
+        problem: Problem::Chain(10),
+        error: 1e-5,
+        goal: 3.0,
+    },
+    Case {
+        problem: Problem::Chain(50),
+        error: 1e-5,
+        goal: 60.0,
+    },
+    Case {
+        problem: Problem::Chain(100),
+        error: 1e-5,
+        goal: 250.0,
+    },
 ];
 
 impl Problem {
@@ -90,6 +106,7 @@ impl Problem {
             Problem::Pendulum => benchmarks::pendulum(),
             Problem::FourBars(loops) => benchmarks::four_bars(loops),
             Problem::Squeezer => benchmarks::squeezer(),
+            Problem::Chain(links) => benchmarks::chain(links),
         }
     }
 
@@ -98,6 +115,7 @@ impl Problem {
             Problem::Pendulum => "A01".into(),
             Problem::FourBars(loops) => format!("A02-{loops}"),
             Problem::Squeezer => "A03".into(),
+            Problem::Chain(links) => format!("chain-{links}"),
         }
     }
 
@@ -118,6 +136,15 @@ impl Problem {
         match self {
             Problem::Pendulum => distance("rod.P", &benchmarks::pendulum_place()),
             Problem::FourBars(loops) => distance("rocker0.B", &benchmarks::four_bars_place(loops)),
+            Problem::Chain(links) => {
+                let [x, y] = benchmarks::chain_tip(links);
+                let tip = |axis| {
+                    *values(&format!("l{}.B.{axis}", links - 1))
+                        .last()
+                        .expect("a row")
+                };
+                (tip("x") - x).hypot(tip("y") - y)
+            }
             Problem::Squeezer => {
                 let last = |body: usize| *values(&format!("k{body}.angle")).last().expect("a row");
                 let angles = [

@@ -60,8 +60,8 @@ pub fn spread(json: &Value, kind: &str) -> Option<Loaded> {
 
 /// Asks for the transmission from the first driver to the body that was named last, and for its least angles.
 fn transmit(model: &Model, json: &mut Value, responses: &mut serde_json::Map<String, Value>) {
-    let moving = model.bodies.keys().filter(|name| *name != "ground");
-    let (Some(driver), Some(output)) = (model.drivers.keys().next(), moving.last()) else {
+    let mut moving = model.bodies.keys().filter(|name| *name != "ground");
+    let (Some(driver), Some(output)) = (model.drivers.keys().next(), moving.next_back()) else {
         return;
     };
     json["analysis"]["transmission"] = json!({ "driver": driver, "output": output });
