@@ -37,67 +37,27 @@ struct Case {
     goal: f64,
 }
 
+const fn case(problem: Problem, error: f64, goal: f64) -> Case {
+    Case {
+        problem,
+        error,
+        goal,
+    }
+}
+
 const CASES: [Case; 12] = [
-    Case {
-        problem: Problem::Pendulum,
-        error: 1e-6,
-        goal: 1.0,
-    },
-    Case {
-        problem: Problem::FourBars(1),
-        error: 1e-4,
-        goal: 1.5,
-    },
-    Case {
-        problem: Problem::FourBars(1),
-        error: 1e-6,
-        goal: 3.0,
-    },
-    Case {
-        problem: Problem::FourBars(10),
-        error: 1e-4,
-        goal: 6.0,
-    },
-    Case {
-        problem: Problem::FourBars(40),
-        error: 1e-4,
-        goal: 30.0,
-    },
-    Case {
-        problem: Problem::FourBars(100),
-        error: 1e-4,
-        goal: 80.0,
-    },
-    Case {
-        problem: Problem::FourBars(1000),
-        error: 1e-3,
-        goal: 1000.0,
-    },
-    Case {
-        problem: Problem::Squeezer,
-        error: 1e-3,
-        goal: 2.0,
-    },
-    Case {
-        problem: Problem::Squeezer,
-        error: 1e-6,
-        goal: 5.0,
-    },
-    Case {
-        problem: Problem::Chain(10),
-        error: 1e-5,
-        goal: 3.0,
-    },
-    Case {
-        problem: Problem::Chain(50),
-        error: 1e-5,
-        goal: 60.0,
-    },
-    Case {
-        problem: Problem::Chain(100),
-        error: 1e-5,
-        goal: 250.0,
-    },
+    case(Problem::Pendulum, 1e-6, 1.0),
+    case(Problem::FourBars(1), 1e-4, 1.5),
+    case(Problem::FourBars(1), 1e-6, 3.0),
+    case(Problem::FourBars(10), 1e-4, 6.0),
+    case(Problem::FourBars(40), 1e-4, 30.0),
+    case(Problem::FourBars(100), 1e-4, 80.0),
+    case(Problem::FourBars(1000), 1e-3, 1000.0),
+    case(Problem::Squeezer, 1e-3, 2.0),
+    case(Problem::Squeezer, 1e-6, 5.0),
+    case(Problem::Chain(10), 1e-5, 3.0),
+    case(Problem::Chain(50), 1e-5, 60.0),
+    case(Problem::Chain(100), 1e-5, 250.0),
 ];
 
 impl Problem {
