@@ -44,7 +44,9 @@ pub fn rename_and_reverse(model: &Model) -> Model {
     model.forces = reversed(model.forces);
     for force in model.forces.values_mut() {
         match &mut force.kind {
-            ForceKind::Spring { between, .. } => between.iter_mut().for_each(reference),
+            ForceKind::Spring { between, .. } | ForceKind::Actuator { between, .. } => {
+                between.iter_mut().for_each(reference);
+            }
             ForceKind::TorsionSpring { between, .. } => {
                 between.iter_mut().for_each(|body| *body = renamed(body));
             }

@@ -6,7 +6,8 @@ mod rename;
 
 use indexmap::IndexMap;
 use linkdyn_model::{
-    Driver, DriverKind, Force, ForceKind, Frame, GROUND, Joint, JointKind, Model, Motion, Value,
+    Driver, DriverKind, Force, ForceKind, Formula, Frame, GROUND, Joint, JointKind, Model, Motion,
+    Value,
 };
 
 pub use rename::{rename_and_reverse, renamed};
@@ -68,6 +69,15 @@ fn affine_value(value: &Value, factor: f64, offset: f64) -> Value {
     match value {
         Value::Constant(value) => Value::Constant(value * factor + offset),
         Value::Motion(motion) => Value::Motion(affine(motion, factor, offset)),
+        // relative to other bodies, or it would have to be turned as well
+        Value::Formula(formula) => {
+            assert_eq!(offset, 0.0, "a formula of a force");
+            let text = formula.formula.trim_start().trim_start_matches('=');
+            Value::Formula(Formula {
+                formula: format!("={factor:?}*({text})"),
+                parameters: formula.parameters.clone(),
+            })
+        }
     }
 }
 
@@ -189,7 +199,7 @@ pub fn rotate(model: &Model, angle: f64) -> Model {
 fn rotate_force(kind: &ForceKind, angle: f64) -> Vec<(&'static str, ForceKind)> {
     let mut kind = kind.clone();
     match &mut kind {
-        ForceKind::Spring { .. } | ForceKind::Torque { .. } => {}
+        ForceKind::Spring { .. } | ForceKind::Actuator { .. } | ForceKind::Torque { .. } => {}
         ForceKind::TorsionSpring {
             between,
             free_angle,
@@ -272,7 +282,7 @@ pub fn mirror(model: &Model) -> Model {
     each_sampled_angle(&mut model, |value| -value);
     for force in model.forces.values_mut() {
         match &mut force.kind {
-            ForceKind::Spring { .. } => {}
+            ForceKind::Spring { .. } | ForceKind::Actuator { .. } => {}
             ForceKind::TorsionSpring {
                 free_angle: value, ..
             }

@@ -244,6 +244,7 @@ impl Scale {
         match law {
             Law::Constant(value) => json!(value * unit),
             Law::Motion(motion) => self.motion(motion, unit),
+            Law::Formula(formula) => json!(formula.formula),
         }
     }
 
@@ -258,6 +259,8 @@ impl Scale {
             } => json!({ "type": "spring",
                 "between": between.each_ref().map(PointRef::to_string), "stiffness": stiffness / self.length,
                 "damping": damping / self.length, "free_length": self.law(free_length, self.length) }),
+            ForceKind::Actuator { between, force } => json!({ "type": "actuator",
+                "between": between.each_ref().map(PointRef::to_string), "force": self.law(force, 1.0) }),
             ForceKind::TorsionSpring {
                 between,
                 stiffness,

@@ -41,6 +41,7 @@ mod extremes;
 mod face;
 mod family;
 mod flat_start;
+mod formulas;
 mod golden;
 mod gradients;
 mod impacts;

@@ -45,6 +45,7 @@ fn add_loads(model: &Model, derived: &Trajectory, outcome: &Outcome, sums: &mut 
             }
             ForceKind::Torque { .. }
             | ForceKind::Spring { .. }
+            | ForceKind::Actuator { .. }
             | ForceKind::TorsionSpring { .. } => {}
         }
     }

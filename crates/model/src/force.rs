@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::driver::Motion;
+use super::formula::Formula;
 use super::joint::PointRef;
 
 /// A value that may vary with time.
@@ -13,6 +14,9 @@ pub enum Value {
     Constant(f64),
     /// A law of time.
     Motion(Motion),
+    /// A function of what moves; `free_length` and `free_angle` are none.
+    #[doc(hidden)]
+    Formula(Formula),
 }
 
 impl Default for Value {
@@ -57,6 +61,14 @@ pub enum ForceKind {
         /// \[m\]
         #[serde(default)]
         free_length: Value,
+    },
+    /// Along the line of two points, a hydraulic cylinder or a gas spring: a force that pushes them apart \[N\].
+    #[doc(hidden)]
+    Actuator {
+        /// Two points, `body.point`.
+        between: [PointRef; 2],
+        /// \[N\]
+        force: Value,
     },
     /// Between two bodies: torque on the first k(θ₂ − θ₁ − θ₀) + c(ω₂ − ω₁), the opposite on the second.
     TorsionSpring {

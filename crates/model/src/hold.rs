@@ -33,7 +33,9 @@ pub fn unheld(model: &Model) -> Option<Complaint> {
             .map(|end| end.body.as_str())
     };
     let by_spring = model.forces.values().any(|force| match &force.kind {
-        ForceKind::Spring { between, .. } => between.iter().any(|end| end.body == GROUND),
+        ForceKind::Spring { between, .. } | ForceKind::Actuator { between, .. } => {
+            between.iter().any(|end| end.body == GROUND)
+        }
         ForceKind::TorsionSpring { between, .. } => between.iter().any(|body| body == GROUND),
         ForceKind::Load { .. } | ForceKind::Torque { .. } => false,
     });

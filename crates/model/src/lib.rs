@@ -13,6 +13,8 @@ pub mod driver;
 pub mod error;
 pub mod fit;
 pub mod force;
+#[doc(hidden)]
+pub mod formula;
 pub mod joint;
 pub mod optimise;
 pub mod response;
@@ -59,6 +61,8 @@ pub use expression::Given;
 pub use expression::{Derivatives, Interval, Leaf, Parameter};
 pub use fit::Fit;
 pub use force::{Force, ForceKind, Frame, Value};
+#[doc(hidden)]
+pub use formula::Formula;
 pub use gate::Checked;
 pub use hold::unheld;
 pub use joint::{Joint, JointKind, PointRef};

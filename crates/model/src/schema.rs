@@ -329,7 +329,7 @@ fn at(shape: &Shape, field: Option<&Field>) -> Keys {
             },
             "minItems": 2
         })),
-        Shape::Varying(dimension) => keys(json!({
+        Shape::Varying(dimension) | Shape::Formula(dimension) => keys(json!({
             "anyOf": [quantity(Measure::Of(*dimension)), reference(MOTION.name)],
             "x-driven": dimension.name()
         })),

@@ -144,6 +144,8 @@ pub enum Shape {
     Table,
     /// A quantity, or a motion of it.
     Varying(Dimension),
+    /// The same, or an expression of what moves.
+    Formula(Dimension),
     /// One elastic material, or one of the bearing and one of the journal.
     Materials,
     /// Things of one kind by their names.

@@ -25,6 +25,7 @@ fn of_value<'m>(value: &'m mut Value, numbers: &mut Vec<&'m mut f64>) {
     match value {
         Value::Constant(number) => numbers.push(number),
         Value::Motion(motion) => of_motion(motion, numbers),
+        Value::Formula(_) => {}
     }
 }
 
@@ -73,7 +74,9 @@ pub fn numbers(model: &mut Model) -> Vec<&mut f64> {
                     .iter_mut()
                     .for_each(|part| of_value(part, &mut numbers));
             }
-            ForceKind::Torque { value, .. } => of_value(value, &mut numbers),
+            ForceKind::Torque { value, .. } | ForceKind::Actuator { force: value, .. } => {
+                of_value(value, &mut numbers);
+            }
         }
     }
     if let Some(analysis) = &mut model.analysis {
@@ -173,7 +176,7 @@ pub fn names(model: &mut Model) -> Vec<&mut String> {
     }
     for force in model.forces.values_mut() {
         match &mut force.kind {
-            ForceKind::Spring { between, .. } => {
+            ForceKind::Spring { between, .. } | ForceKind::Actuator { between, .. } => {
                 names.extend(between.iter_mut().flat_map(of_point));
             }
             ForceKind::TorsionSpring { between, .. } => names.extend(between),

@@ -1,7 +1,7 @@
 //! Applied forces and torques as columns: their vectors in global axes, row by row.
 
-use super::rows::{Columns, Frame};
-use crate::motion::Law;
+use super::rows::{Columns, Frame, Replay};
+use crate::element::formula::Strength;
 use crate::system::{ForceRole, System};
 use linkdyn_linear::math::Vec2;
 use linkdyn_output::{Channel, Column, LoadQuantity};
@@ -9,14 +9,16 @@ use linkdyn_output::{Channel, Column, LoadQuantity};
 /// A load as its columns have it.
 enum Load<'s> {
     /// Components in the axes of a body.
-    Force([&'s Law; 2], Frame),
-    Torque(&'s Law),
+    Force([&'s Strength; 2], Frame),
+    Torque(&'s Strength),
 }
 
 /// Columns `force.NAME.fx`, `fy` \[N\] or `force.NAME.torque` [N·m] of the loads.
 pub struct Loads<'s> {
     pub headings: Vec<Column>,
     loads: Vec<Load<'s>>,
+    /// The mechanism in a row, where a load asks how it moves.
+    replay: Option<Replay<'s>>,
 }
 
 impl<'s> Loads<'s> {
@@ -46,19 +48,31 @@ impl<'s> Loads<'s> {
                 ForceRole::Spring { .. } => {}
             }
         }
-        Loads { headings, loads }
+        let is_asked = !system.formulas.is_empty();
+        Loads {
+            headings,
+            loads,
+            replay: is_asked.then(|| Replay::new(system, columns)).flatten(),
+        }
     }
 
-    /// Appends the loads of a row.
-    pub fn push(&self, row: &[f64], line: &mut Vec<f64>) {
+    /// Appends the loads of a row; NaN where they follow from what the row does not have.
+    pub fn push(&mut self, row: &[f64], line: &mut Vec<f64>) {
+        if let Some(replay) = &mut self.replay {
+            replay.take(row);
+        }
+        let value = |strength: &Strength| match (strength, &self.replay) {
+            (Strength::OfTime(law), _) => law.jet(row[0])[0],
+            (Strength::OfMotion(_), Some(replay)) => strength.value(&replay.kinematics()),
+            (Strength::OfMotion(_), None) => f64::NAN,
+        };
         for load in &self.loads {
             match load {
                 Load::Force([x, y], frame) => {
-                    let vector = Vec2::new(x.jet(row[0])[0], y.jet(row[0])[0]);
-                    let vector = frame.turn(row, vector);
+                    let vector = frame.turn(row, Vec2::new(value(x), value(y)));
                     line.extend([vector.x, vector.y]);
                 }
-                Load::Torque(value) => line.push(value.jet(row[0])[0]),
+                Load::Torque(strength) => line.push(value(strength)),
             }
         }
     }

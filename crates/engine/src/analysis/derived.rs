@@ -74,7 +74,7 @@ impl<'s> Derived<'s> {
 /// Applied forces and torques at the instants of a table with the poses of all bodies; none where the model can't be run.
 pub fn loads(model: &Checked, results: &Trajectory) -> Option<Trajectory> {
     let system = compile(model, model.analysis.as_ref()?.kind).ok()?;
-    let loads = Loads::new(&system, &Columns::of(&results.columns));
+    let mut loads = Loads::new(&system, &Columns::of(&results.columns));
     let mut table = Trajectory::new(loads.headings.clone());
     for row in results.rows() {
         loads.push(row, &mut table.data);

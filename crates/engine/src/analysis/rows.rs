@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use crate::element::{BodyId, Marker};
-use crate::system::System;
+use crate::element::{BodyId, Kinematics, Marker};
+use crate::system::{Evaluation, Inputs, System};
 use linkdyn_linear::math::Vec2;
 use linkdyn_output::{BodyQuantity, Channel, Column};
 
@@ -115,6 +115,46 @@ impl States {
             let columns = system.layout.moving(k);
             columns.write(v, [vx + omega * rho.y, vy - omega * rho.x, omega]);
         }
+    }
+}
+
+/// A mechanism at the state of a row.
+pub struct Replay<'s> {
+    pub system: &'s System,
+    states: States,
+    evaluation: Evaluation,
+    inputs: Inputs,
+    /// Coordinates (n).
+    pub q: Vec<f64>,
+    v: Vec<f64>,
+}
+
+impl<'s> Replay<'s> {
+    /// Of a table; none where a pose is not in it.
+    pub fn new(system: &'s System, columns: &Columns) -> Option<Self> {
+        let zero = vec![0.0; system.n()];
+        Some(Replay {
+            system,
+            states: States::of(system, columns)?,
+            evaluation: Evaluation::new(system),
+            inputs: Inputs::still(system),
+            q: zero.clone(),
+            v: zero,
+        })
+    }
+
+    /// Takes the state of a row.
+    pub fn take(&mut self, row: &[f64]) {
+        self.inputs.set_time(self.system, row[0]);
+        self.states.position(self.system, row, &mut self.q);
+        self.states.velocity(self.system, row, &mut self.v);
+        self.evaluation.set_position(&self.q);
+        self.evaluation.set_velocity(&self.v);
+    }
+
+    /// What elements look at there.
+    pub fn kinematics(&self) -> Kinematics<'_> {
+        self.evaluation.kinematics(&self.inputs)
     }
 }
 

@@ -9,9 +9,9 @@
 //! but for a torque whose `relative_to` is ground. So F = Σ (weights and applied forces) − d/dt Σ m v, and likewise M
 //! (Berkof and Lowen, J. Eng. Ind. 91, 1969, of the inertia part alone). Checked against that balance in `tests/fast/shaking.rs`.
 
-use super::rows::{Columns, Frame, Place, States};
+use super::rows::{Columns, Frame, Place, Replay};
 use crate::element::{Applied, BodyId};
-use crate::system::{DriverRole, Evaluation, Inputs, System};
+use crate::system::{DriverRole, System};
 use linkdyn_linear::math::Vec2;
 use linkdyn_output::{Channel, Column, DriverQuantity, JointQuantity, ShakingQuantity};
 
@@ -68,7 +68,7 @@ impl<'s> Shaking<'s> {
             .iter()
             .any(|share| matches!(share, Share::Element { .. }));
         Some(Shaking {
-            exerted: Exerted::new(system, States::of(system, columns)?),
+            exerted: Exerted::new(Replay::new(system, columns)?),
             shares,
             has_elements,
         })
@@ -77,7 +77,7 @@ impl<'s> Shaking<'s> {
     /// Appends force and moment of a row.
     pub fn push(&mut self, row: &[f64], line: &mut Vec<f64>) {
         if self.has_elements {
-            self.exerted.take(row);
+            self.exerted.replay.take(row);
         }
         let mut sum = Wrench::default();
         for share in &self.shares {
@@ -135,48 +135,27 @@ impl Share {
 
 /// What force elements exert at the state of a row.
 struct Exerted<'s> {
-    system: &'s System,
-    states: States,
-    evaluation: Evaluation,
-    inputs: Inputs,
-    q: Vec<f64>,
-    v: Vec<f64>,
+    replay: Replay<'s>,
     pull: Vec<f64>,
 }
 
 impl<'s> Exerted<'s> {
-    fn new(system: &'s System, states: States) -> Self {
-        let zero = vec![0.0; system.n()];
+    fn new(replay: Replay<'s>) -> Self {
         Exerted {
-            system,
-            states,
-            evaluation: Evaluation::new(system),
-            inputs: Inputs::still(system),
-            q: zero.clone(),
-            v: zero.clone(),
-            pull: zero,
+            pull: vec![0.0; replay.system.n()],
+            replay,
         }
-    }
-
-    /// Takes the state of a row.
-    fn take(&mut self, row: &[f64]) {
-        let system = self.system;
-        self.inputs.set_time(system, row[0]);
-        self.states.position(system, row, &mut self.q);
-        self.states.velocity(system, row, &mut self.v);
-        self.evaluation.set_position(&self.q);
-        self.evaluation.set_velocity(&self.v);
     }
 
     /// Centre of mass of a moving body, and force and torque about it that an element exerts there.
     fn by(&mut self, element: usize, body: usize) -> (Vec2, Vec2, f64) {
-        let columns = self.system.layout.moving(body);
+        let system = self.replay.system;
+        let columns = system.layout.moving(body);
         self.pull[columns.range()].fill(0.0);
-        let at = self.evaluation.kinematics(&self.inputs);
-        let mut to = Applied::to(&mut self.pull, &self.system.layout);
-        self.system.forces[element].apply(&at, &mut to);
+        let mut to = Applied::to(&mut self.pull, &system.layout);
+        system.forces[element].apply(&self.replay.kinematics(), &mut to);
         let [fx, fy, torque] = columns.read(&self.pull);
-        let [x, y, _] = columns.read(&self.q);
+        let [x, y, _] = columns.read(&self.replay.q);
         (Vec2::new(x, y), Vec2::new(fx, fy), torque)
     }
 }

@@ -148,6 +148,7 @@ mod tests {
             twists,
             drive: &[],
             offset: &[],
+            sides: &[],
             time: 0.0,
         }
     }

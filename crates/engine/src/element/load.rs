@@ -1,12 +1,15 @@
 //! Given loads: a force at a point (vector in the ground's or the body's frame), and a torque.
 //!
 //! ```text
-//! force   F = (F_x(t), F_y(t)) or A F      [N] at the point
-//! torque  T(t) on the body, −T on the other  [N·m]
+//! force   F = (F_x, F_y) or A (F_x, F_y)   [N] at the point
+//! torque  T on the body, −T on the other   [N·m]
 //! ```
+//!
+//! F_x, F_y, T are laws of time or functions of what moves (see [`super::formula`]).
 
+use super::formula::Strength;
 use super::{Applied, Axis, BodyId, Force, Kinematics, Marker, Slope};
-use crate::motion::Law;
+
 use linkdyn_linear::math::{Vec2, perp};
 
 /// A force at a point.
@@ -15,7 +18,7 @@ pub struct PointLoad {
     /// The point.
     pub at: Marker,
     /// Components \[N\].
-    pub vector: [Law; 2],
+    pub vector: [Strength; 2],
     /// The vector turns with the body.
     pub follows_body: bool,
 }
@@ -23,10 +26,14 @@ pub struct PointLoad {
 impl PointLoad {
     /// In the ground frame \[N\].
     fn force(&self, at: &Kinematics) -> Vec2 {
-        let given = Vec2::new(
-            self.vector[0].jet(at.time)[0],
-            self.vector[1].jet(at.time)[0],
-        );
+        let [x, y] = &self.vector;
+        self.turned(at, Vec2::new(x.value(at), y.value(at)))
+    }
+}
+
+impl PointLoad {
+    /// A vector of its frame in the ground's.
+    fn turned(&self, at: &Kinematics, given: Vec2) -> Vec2 {
         if self.follows_body {
             at.poses[self.at.body.0].turn(given)
         } else {
@@ -42,7 +49,11 @@ impl Force for PointLoad {
 
     fn slopes(&self) -> Vec<Slope> {
         let theta = (self.at.body, Axis::Theta);
-        Axis::ALL.map(|axis| [(self.at.body, axis), theta]).to_vec()
+        let of_strengths = self.vector.iter().flat_map(Strength::columns);
+        let columns = [theta].into_iter().chain(of_strengths);
+        columns
+            .flat_map(|column| Axis::ALL.map(|axis| [(self.at.body, axis), column]))
+            .collect()
     }
 
     fn slope(&self, at: &Kinematics, position: &mut [f64], velocity: &mut [f64]) {
@@ -55,7 +66,19 @@ impl Force for PointLoad {
         } else {
             [0.0, 0.0, -self.at.rho(at).dot(&force)]
         };
-        position.copy_from_slice(&by_turn);
+        position[..3].copy_from_slice(&by_turn);
+        let rho = self.at.rho(at);
+        let mut place = 3;
+        for (strength, unit) in self.vector.iter().zip([Vec2::x(), Vec2::y()]) {
+            let unit = self.turned(at, unit);
+            let rows = [unit.x, unit.y, rho.x * unit.y - rho.y * unit.x];
+            strength.each_slope(at, |[of_q, of_v]| {
+                for row in rows {
+                    (position[place], velocity[place]) = (row * of_q, row * of_v);
+                    place += 1;
+                }
+            });
+        }
     }
 
     fn potential(&self, _at: &Kinematics) -> f64 {
@@ -79,21 +102,33 @@ pub struct Torque {
     /// The body that it reacts on.
     pub relative_to: BodyId,
     /// [N·m]
-    pub value: Law,
+    pub value: Strength,
 }
 
 impl Force for Torque {
     fn apply(&self, at: &Kinematics, to: &mut Applied) {
-        let torque = self.value.jet(at.time)[0];
+        let torque = self.value.value(at);
         to.add(self.body, Vec2::zeros(), torque);
         to.add(self.relative_to, Vec2::zeros(), -torque);
     }
 
     fn slopes(&self) -> Vec<Slope> {
-        Vec::new()
+        let rows = [self.body, self.relative_to].map(|body| (body, Axis::Theta));
+        let columns = self.value.columns().into_iter();
+        columns
+            .flat_map(|column| rows.map(|row| [row, column]))
+            .collect()
     }
 
-    fn slope(&self, _at: &Kinematics, _position: &mut [f64], _velocity: &mut [f64]) {}
+    fn slope(&self, at: &Kinematics, position: &mut [f64], velocity: &mut [f64]) {
+        let mut place = 0;
+        self.value.each_slope(at, |[of_q, of_v]| {
+            for sign in [1.0, -1.0] {
+                (position[place], velocity[place]) = (sign * of_q, sign * of_v);
+                place += 1;
+            }
+        });
+    }
 
     fn potential(&self, _at: &Kinematics) -> f64 {
         0.0
@@ -104,7 +139,6 @@ impl Force for Torque {
     }
 
     fn supplied(&self, at: &Kinematics) -> f64 {
-        self.value.jet(at.time)[0]
-            * (at.twists[self.body.0].omega - at.twists[self.relative_to.0].omega)
+        self.value.value(at) * (at.twists[self.body.0].omega - at.twists[self.relative_to.0].omega)
     }
 }

@@ -18,16 +18,19 @@
 //! compiler asks for in `system::compile`, its entry in `tests::all_constraints` (the shared finite-difference check), a
 //! bundled model that uses it, a row in `docs/format.md`.
 
+pub mod actuator;
 pub mod coordinate;
 pub mod coordinates;
 pub mod driven;
 pub mod fixed;
 pub mod following;
+pub mod formula;
 pub mod gear;
 pub mod joint_friction;
 pub mod journal;
 pub mod load;
 pub mod prismatic;
+pub mod quantity;
 pub mod revolute;
 pub mod slot;
 pub(crate) mod span;
@@ -103,6 +106,8 @@ pub struct Kinematics<'a> {
     pub drive: &'a [Jet],
     /// Prescribed offsets of joints with a clearance link, with two derivatives [m, m/s, m/s²].
     pub offset: &'a [[Vec2; 3]],
+    /// The sides of kinks that formulas hold; empty where each is on that of its values.
+    pub sides: &'a [i32],
     /// \[s\]
     pub time: f64,
 }

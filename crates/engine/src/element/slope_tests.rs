@@ -1,7 +1,10 @@
 //! The shared check of what elements say of the derivatives of their forces.
 
+use super::actuator::Actuator;
+use super::formula::{Formula, Function, Strength};
 use super::journal::{Compliant, Contact, Journal, Phase, Surface};
 use super::load::{PointLoad, Torque};
+use super::quantity::{Measured, Quantity};
 use super::spring::Spring;
 use super::tests::{Q0, V0, all_constraints, at_state, marker};
 use super::torsion_spring::TorsionSpring;
@@ -66,6 +69,96 @@ fn hold(name: &str, slopes: &[Slope], say: &Say, apply: &dyn Fn(&Kinematics, &mu
     }
 }
 
+/// s₁ s₂ + 2 s₁ + s₂ |s₂|.
+#[derive(Debug)]
+struct Mixed;
+
+impl Function for Mixed {
+    fn value(&self, inputs: &[f64], _: Option<&[i32]>) -> f64 {
+        inputs[0] * inputs[1] + 2.0 * inputs[0] + inputs[1] * inputs[1].abs()
+    }
+
+    fn slope(&self, inputs: &[f64], index: usize, _: Option<&[i32]>) -> f64 {
+        [inputs[1] + 2.0, inputs[0] + 2.0 * inputs[1].abs()][index]
+    }
+
+    fn kinks(&self) -> usize {
+        0
+    }
+
+    fn take_sides(&self, _: &[f64], _: &mut [i32]) {}
+
+    fn beyond(&self, _: &[f64], _: &[i32], _: &[f64]) -> f64 {
+        -1.0
+    }
+}
+
+fn hold_force(name: &str, force: &dyn Force) {
+    hold(
+        name,
+        &force.slopes(),
+        &|at, position, velocity| force.slope(at, position, velocity),
+        &|at, to| force.apply(at, to),
+    );
+}
+
+#[test]
+fn slopes_are_the_derivatives_of_formulas() {
+    let (first, second) = (marker(1, 0.3, -0.2), marker(2, -0.4, 0.1));
+    let along = |body: usize| Measured::Along {
+        first: marker(0, 0.2, 0.1),
+        second: marker(body, 0.3, -0.2),
+        axis: Vec2::new(0.6, 0.8),
+    };
+    let slide = Measured::Along {
+        first,
+        second,
+        axis: Vec2::new(0.6, 0.8),
+    };
+    let apart = Measured::Distance { first, second };
+    let turn = Measured::Turn {
+        first: BodyId(1),
+        second: BodyId(3),
+    };
+    let measured = [along(1), along(3), slide, apart, turn];
+    let quantities = measured.map(|one| [Quantity::Value(one), Quantity::Rate(one)]);
+    let formula = |arguments: &[Quantity]| {
+        Strength::OfMotion(Arc::new(Formula {
+            function: Arc::new(Mixed),
+            arguments: arguments.to_vec(),
+            first: 0,
+            force: 0,
+        }))
+    };
+    let mut forces: Vec<(&str, Box<dyn Force>)> = Vec::new();
+    for pair in &quantities {
+        let vector = [formula(pair), formula(&[Quantity::Time, pair[0]])];
+        for follows_body in [false, true] {
+            let load = PointLoad {
+                at: second,
+                vector: vector.clone(),
+                follows_body,
+            };
+            forces.push(("load by a formula", Box::new(load)));
+        }
+        let torque = Torque {
+            body: BodyId(2),
+            relative_to: BodyId(1),
+            value: formula(pair),
+        };
+        forces.push(("torque by a formula", Box::new(torque)));
+        let actuator = Actuator {
+            first,
+            second,
+            force: formula(pair),
+        };
+        forces.push(("actuator", Box::new(actuator)));
+    }
+    for (name, force) in forces {
+        hold_force(name, &*force);
+    }
+}
+
 fn constant(value: f64) -> Law {
     Law::Polynomial(vec![value])
 }
@@ -75,7 +168,7 @@ fn slopes_are_the_derivatives_of_forces() {
     let (first, second) = (marker(1, 0.3, -0.2), marker(2, -0.4, 0.1));
     let load = |follows_body: bool| PointLoad {
         at: first,
-        vector: [constant(1.5), constant(-0.7)],
+        vector: [constant(1.5), constant(-0.7)].map(Strength::OfTime),
         follows_body,
     };
     let spring = |first: Marker| Spring {
@@ -105,17 +198,12 @@ fn slopes_are_the_derivatives_of_forces() {
             Box::new(Torque {
                 body: BodyId(2),
                 relative_to: BodyId(1),
-                value: constant(0.5),
+                value: Strength::OfTime(constant(0.5)),
             }),
         ),
     ];
     for (name, force) in forces {
-        hold(
-            name,
-            &force.slopes(),
-            &|at, position, velocity| force.slope(at, position, velocity),
-            &|at, to| force.apply(at, to),
-        );
+        hold_force(name, &*force);
     }
 }
 

@@ -4,6 +4,7 @@ use super::coordinate::Coordinate;
 use super::driven::{DriveId, Rotation, Translation};
 use super::fixed::Fixed;
 use super::following::Following;
+use super::formula::Strength;
 use super::gear::Gear;
 use super::load::{PointLoad, Torque};
 use super::prismatic::{Guide, Prismatic};
@@ -188,6 +189,7 @@ pub(super) fn at_state<T>(t: f64, q: &[f64], v: &[f64], f: impl Fn(&Kinematics) 
         twists: &twists,
         drive: &drive,
         offset: &offset,
+        sides: &[],
         time: t,
     })
 }
@@ -372,13 +374,13 @@ fn dampers_take_power_and_loads_act_where_they_say() {
     // A unit force along the body's x axis at (0.3, −0.2): moment +0.2 whatever the pose.
     let load = PointLoad {
         at: marker(1, 0.3, -0.2),
-        vector: [constant(1.0), constant(0.0)],
+        vector: [constant(1.0), constant(0.0)].map(Strength::OfTime),
         follows_body: true,
     };
     let torque = Torque {
         body: BodyId(2),
         relative_to: BodyId(1),
-        value: constant(0.5),
+        value: Strength::OfTime(constant(0.5)),
     };
     at_state(0.0, &Q0, &V0, |at| {
         let mut q = [0.0; 9];

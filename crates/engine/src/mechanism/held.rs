@@ -13,7 +13,7 @@
 
 use super::driven::{Driven, Failure};
 use super::independent::better_coordinate;
-use crate::system::{Evaluation, Inputs, System};
+use crate::system::{Evaluation, Inputs, Slopes, System};
 use linkdyn_linear::math::{dot, max_abs};
 
 /// Contraction of Newton above which a position is refused: its branch is not certain.
@@ -283,31 +283,24 @@ impl<'s> Held<'s> {
         gradient
     }
 
-    /// C (f × f, by rows).
+    /// C (f × f, by rows), exact at rest.
     pub fn damping(&self) -> Vec<f64> {
         let (f, system) = (self.freedom(), self.driven.system);
+        let slopes = Slopes::of(system);
+        let mut by_position = vec![0.0; slopes.forces.len()];
+        let mut by_velocity = by_position.clone();
+        let evaluation = &self.driven.evaluation;
+        let at = (system, &self.inputs);
+        slopes.eval_forces(evaluation, at, &mut by_position, &mut by_velocity);
         let mut damping = vec![0.0; f * f];
-        let mut evaluation = Evaluation::new(system);
-        evaluation.set_position(&self.q);
-        let (mut v, mut ahead, mut behind) =
-            (self.q.clone(), self.force.clone(), self.force.clone());
-        for j in 0..f {
-            let scale = self.scale(j);
-            for (sign, force) in [(scale, &mut ahead), (-scale, &mut behind)] {
-                v.iter_mut()
-                    .zip(self.tangent(j))
-                    .for_each(|(v, s)| *v = sign * s);
-                evaluation.set_velocity(&v);
-                evaluation.eval_force(system, &self.inputs, force);
-            }
+        for (place, slope) in slopes.forces.iter().zip(&by_velocity) {
+            let &[Some(row), Some(column)] = place else {
+                continue;
+            };
             for i in 0..f {
-                let change: f64 = self
-                    .tangent(i)
-                    .iter()
-                    .zip(ahead.iter().zip(&behind))
-                    .map(|(s, (a, b))| s * (a - b))
-                    .sum();
-                damping[i * f + j] = -change / (2.0 * scale);
+                for j in 0..f {
+                    damping[i * f + j] -= self.tangent(i)[row] * slope * self.tangent(j)[column];
+                }
             }
         }
         damping

@@ -18,6 +18,8 @@ pub struct Inputs {
     pub(crate) contacts: Vec<Contact>,
     /// What the forces that depend on multipliers remember.
     pub(crate) memories: Vec<f64>,
+    /// Sides of the formulas' kinks that a motion holds; empty where none are held.
+    pub(crate) sides: Vec<i32>,
     /// What is added to φ (m) [m or rad]: gaps that joints are given; empty where there are none.
     pub(crate) gaps: Vec<f64>,
     /// \[s\]
@@ -39,6 +41,7 @@ impl Inputs {
             offset: vec![[Vec2::zeros(); 3]; system.links],
             contacts: vec![Contact::default(); system.contacts.len()],
             memories: vec![0.0; system.dependent_forces.len()],
+            sides: Vec::new(),
             gaps: Vec::new(),
             time: 0.0,
         }
@@ -85,6 +88,7 @@ impl Evaluation {
             twists: &self.twists,
             drive: &inputs.drive,
             offset: &inputs.offset,
+            sides: &inputs.sides,
             time: inputs.time,
         }
     }
@@ -172,6 +176,23 @@ impl Evaluation {
         for (contact, memory) in system.contacts.iter().zip(&inputs.contacts) {
             contact.apply(&at, memory, &mut applied);
         }
+    }
+
+    /// Takes the sides on which the formulas' kinks are at the position and velocity taken.
+    pub(crate) fn take_sides(&self, system: &System, inputs: &mut Inputs) {
+        let mut sides = std::mem::take(&mut inputs.sides);
+        sides.resize(system.kinks.len(), 0);
+        let at = self.kinematics(inputs);
+        for formula in &system.formulas {
+            formula.take_sides(&at, &mut sides);
+        }
+        inputs.sides = sides;
+    }
+
+    /// How far a formula's kinks are beyond the sides that are held, by their scales [–].
+    pub(crate) fn beyond(&self, system: &System, inputs: &Inputs, formula: usize) -> f64 {
+        let at = self.kinematics(inputs);
+        system.formulas[formula].beyond(&at, &system.kinks)
     }
 
     /// A contact at the position and velocity taken.

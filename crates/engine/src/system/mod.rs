@@ -26,6 +26,7 @@ pub use rows::{ContactRows, Extent};
 pub use scale::Scale;
 pub(crate) use slopes::Slopes;
 
+use crate::element::formula::Formula;
 use crate::element::journal::{Bearing, ContactId, Journal};
 use crate::element::{
     Axis, BodyId, Constraint, ConstraintDependentForce, Force, Layout, Marker, Measure,
@@ -188,6 +189,10 @@ pub struct System {
     pub(crate) forces: Vec<Arc<dyn Force>>,
     /// What each of them is.
     pub(crate) force_data: Vec<ForceData>,
+    /// Those that are functions of what moves, in their order.
+    pub(crate) formulas: Vec<Arc<Formula>>,
+    /// Scales of their kinks, in SI.
+    pub(crate) kinks: Vec<f64>,
     /// Forces that depend on multipliers; no part of [`Evaluation::eval_force`].
     pub(crate) dependent_forces: Vec<DependentForce>,
     /// Joints with clearance by contact force, in the order of the joints.

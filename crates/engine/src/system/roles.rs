@@ -2,7 +2,7 @@
 
 use super::JointId;
 use crate::element::BodyId;
-use crate::motion::Law;
+use crate::element::formula::Strength;
 use linkdyn_linear::math::Vec2;
 
 /// What a joint is.
@@ -58,7 +58,7 @@ pub enum DriverRole {
 /// What a force element is.
 #[derive(Debug, Clone)]
 pub enum ForceRole {
-    /// A spring or damper between two bodies.
+    /// A spring, damper or actuator between two bodies.
     Spring {
         /// Its two bodies.
         between: [BodyId; 2],
@@ -66,14 +66,14 @@ pub enum ForceRole {
     /// A force from outside at a point.
     Load {
         /// Components \[N\].
-        vector: [Law; 2],
+        vector: [Strength; 2],
         /// The body whose axes the components are in.
         frame: BodyId,
     },
     /// A torque on a body.
     Torque {
         /// [N·m]
-        value: Law,
+        value: Strength,
         /// The body, and the one that exerts the torque; none where it comes from outside.
         between: Option<[BodyId; 2]>,
     },

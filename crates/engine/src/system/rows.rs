@@ -141,6 +141,8 @@ impl System {
             initial_rates: Vec::new(),
             forces: Vec::new(),
             force_data: Vec::new(),
+            formulas: Vec::new(),
+            kinks: Vec::new(),
             dependent_forces: Vec::new(),
             contacts: Vec::new(),
             contact_rows: Vec::new(),

@@ -70,8 +70,8 @@ impl<T: Real> Dual<T> {
         Dual { value, slope }
     }
 
-    /// A step function.
-    fn step(&self, value: T, jumps: bool, reason: &'static str) -> Self {
+    /// A function that is flat but where it jumps.
+    fn flat(&self, value: T, jumps: bool, reason: &'static str) -> Self {
         let slope = match &self.slope {
             Err(reason) => Err(*reason),
             Ok(gradient) if jumps && !gradient.is_empty() => Err(reason),
@@ -262,15 +262,19 @@ impl<T: Real> Number for Dual<T> {
     }
     fn floor(&self) -> Self {
         let jumps = self.value.jumps(0.0);
-        self.step(self.value.floor(), jumps, "floor jumps here")
+        self.flat(self.value.floor(), jumps, "floor jumps here")
     }
     fn ceil(&self) -> Self {
         let jumps = self.value.jumps(0.0);
-        self.step(self.value.ceil(), jumps, "ceil jumps here")
+        self.flat(self.value.ceil(), jumps, "ceil jumps here")
     }
     fn round(&self) -> Self {
         let jumps = self.value.jumps(0.5);
-        self.step(self.value.round(), jumps, "round jumps here")
+        self.flat(self.value.round(), jumps, "round jumps here")
+    }
+    fn step(&self) -> Self {
+        let jumps = self.value.is_zero();
+        self.flat(self.value.step(), jumps, "step jumps here")
     }
 }
 

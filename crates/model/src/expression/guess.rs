@@ -108,4 +108,7 @@ impl Number for Guess {
     fn round(&self) -> Self {
         self.map(f64::round)
     }
+    fn step(&self) -> Self {
+        self.map(|x| x.step())
+    }
 }

@@ -337,6 +337,9 @@ impl Number for Interval {
     fn round(&self) -> Interval {
         Interval::new(self.least.round(), self.most.round())
     }
+    fn step(&self) -> Interval {
+        Interval::new(self.least.step(), self.most.step())
+    }
 }
 
 impl Real for Interval {

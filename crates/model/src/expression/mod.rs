@@ -17,6 +17,7 @@ mod derivatives;
 mod dual;
 mod guess;
 mod interval;
+mod moving;
 mod naming;
 mod number;
 mod parameters;
@@ -26,6 +27,7 @@ mod quantity;
 mod reduction;
 mod results;
 mod split;
+mod tangent;
 mod written;
 
 pub use chain::Given;
@@ -35,7 +37,9 @@ pub(super) use derivatives::Recorded;
 pub use derivatives::{Derivatives, Leaf};
 pub use dual::Dual;
 pub use interval::Interval;
+pub use moving::{DEEPEST_STACK, MOST_ARGUMENTS, Moving};
 pub(super) use naming::with_article;
+pub use number::Number;
 pub(super) use number::Real;
 pub use parameters::Parameter;
 pub(super) use parameters::{Found, Parameters};
@@ -43,9 +47,9 @@ pub use program::Program;
 pub(super) use quantity::{Fault, Pure, Quantity};
 pub use reduction::Reduction;
 pub use results::{Known, Place, Results};
+pub use tangent::Tangent;
 pub(super) use written::quantity;
 
-use number::Number;
 use parse::Parser;
 use quantity::Outcome;
 
@@ -84,10 +88,15 @@ enum Function {
     Floor,
     Ceil,
     Round,
+    Step,
+    Sign,
+    Clamp,
+    Modulo,
+    Table,
 }
 
 /// Name, function, least and most values that it takes.
-const FUNCTIONS: [(&str, Function, usize, usize); 17] = [
+const FUNCTIONS: [(&str, Function, usize, usize); 22] = [
     ("sin", Function::Sin, 1, 1),
     ("cos", Function::Cos, 1, 1),
     ("tan", Function::Tan, 1, 1),
@@ -105,6 +114,17 @@ const FUNCTIONS: [(&str, Function, usize, usize); 17] = [
     ("floor", Function::Floor, 1, 1),
     ("ceil", Function::Ceil, 1, 1),
     ("round", Function::Round, 1, 1),
+    ("step", Function::Step, 1, 1),
+    ("sign", Function::Sign, 1, 1),
+    ("clamp", Function::Clamp, 3, 3),
+    ("mod", Function::Modulo, 2, 2),
+    ("table", Function::Table, 5, usize::MAX),
+];
+
+/// Functions whose names no parameter has; files may have parameters that are called like those that came later.
+const RESERVED: [&str; 17] = [
+    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "abs", "min", "max", "hypot",
+    "exp", "ln", "floor", "ceil", "round",
 ];
 
 /// The one constant.
@@ -282,6 +302,13 @@ fn call<N: Number>(
         Function::Floor => first.function("floor", N::floor),
         Function::Ceil => first.function("ceil", N::ceil),
         Function::Round => first.function("round", N::round),
+        Function::Step => Ok(first.sided(N::step)),
+        Function::Sign => Ok(first.sided(N::sign)),
+        Function::Clamp => first.max(second)?.min(rest.get(1).unwrap_or(second)),
+        Function::Modulo => first.modulo(second),
+        Function::Table => Err(Fault::new(
+            "a table stands in a force that depends on what moves",
+        )),
     }
 }
 

@@ -68,6 +68,16 @@ pub trait Number: Clone {
     fn ceil(&self) -> Self;
     /// The nearest whole number, of two the one further from zero.
     fn round(&self) -> Self;
+    /// 1 from zero on, 0 below.
+    fn step(&self) -> Self;
+    /// −1, 0 or 1.
+    fn sign(&self) -> Self {
+        self.step().subtract(&self.negate().step())
+    }
+    /// What is left of x when it is divided by y, from zero to y.
+    fn modulo(&self, period: &Self) -> Self {
+        self.subtract(&self.divide(period).floor().multiply(period))
+    }
 }
 
 /// A number by which derivatives can be carried.
@@ -170,6 +180,13 @@ impl Number for f64 {
     }
     fn round(&self) -> f64 {
         f64::round(*self)
+    }
+    fn step(&self) -> f64 {
+        match self.partial_cmp(&0.0) {
+            Some(Ordering::Less) => 0.0,
+            Some(Ordering::Equal | Ordering::Greater) => 1.0,
+            None => f64::NAN,
+        }
     }
 }
 

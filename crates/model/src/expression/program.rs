@@ -1,6 +1,7 @@
 //! The arithmetic of an expression whose dimensions were checked: numbers in SI on a stack, without allocation.
 
 use super::dual::Dual;
+use super::moving::DEEPEST_STACK;
 use super::number::Number;
 use super::{Function, Step};
 
@@ -184,6 +185,101 @@ impl Program {
     }
 }
 
+/// A program of a motion, whose functions are on one side of their kinks each (see [`super::moving`]). Nothing is allocated.
+impl Program {
+    /// How many kinks it has.
+    pub fn kinks(&self) -> usize {
+        let is_kinked =
+            |step: &&Do<usize>| matches!(step, Do::Call(function, _) if function.is_kinked());
+        self.0.iter().filter(is_kinked).count()
+    }
+
+    /// Its value with all kinks on the sides that are held; on those of the values, where none are.
+    pub fn value_on<N: Number + Copy>(
+        &self,
+        inputs: &[N],
+        parameters: &[f64],
+        held: Option<&[i32]>,
+    ) -> N {
+        let mut kink = 0;
+        self.walk(inputs, parameters, |function, values, numbers| {
+            let side = match held {
+                Some(held) => held[kink],
+                None => function.side(numbers),
+            };
+            kink += 1;
+            function.on_side(values, side)
+        })
+    }
+
+    /// The sides on which its kinks are.
+    pub fn take_sides(&self, inputs: &[f64], parameters: &[f64], sides: &mut [i32]) {
+        let mut own = sides.iter_mut();
+        self.walk(inputs, parameters, |function, values, numbers| {
+            let side = function.side(numbers);
+            own.next().into_iter().for_each(|own: &mut i32| *own = side);
+            function.on_side(values, side)
+        });
+    }
+
+    /// How far the kinks are beyond the sides that are held, each measured by its scale: the largest; below zero where none is.
+    pub fn beyond(
+        &self,
+        inputs: &[f64],
+        parameters: &[f64],
+        (held, scales): (&[i32], &[f64]),
+    ) -> f64 {
+        let (mut kink, mut most) = (0, f64::NEG_INFINITY);
+        self.walk(inputs, parameters, |function, values, numbers| {
+            let side = held[kink];
+            most = most.max(function.beyond(numbers, side) / scales[kink]);
+            kink += 1;
+            function.on_side(values, side)
+        });
+        most
+    }
+
+    fn walk<N: Number + Copy>(
+        &self,
+        inputs: &[N],
+        parameters: &[f64],
+        mut kinked: impl FnMut(Function, &[N], &[f64]) -> N,
+    ) -> N {
+        let mut stack = [N::of(0.0); DEEPEST_STACK];
+        let mut numbers = [0.0; DEEPEST_STACK];
+        let mut depth = 0;
+        for step in &self.0 {
+            let taken = match step {
+                Do::Push(_) | Do::Parameter(_) | Do::Input(_) => 0,
+                Do::Negate => 1,
+                Do::Add | Do::Subtract | Do::Multiply | Do::Divide | Do::Power => 2,
+                Do::Call(_, count) => *count,
+            };
+            let from = depth - taken;
+            let values = &stack[from..depth];
+            let result = match *step {
+                Do::Push(value) => N::of(value),
+                Do::Parameter(index) => N::of(parameters[index]),
+                Do::Input(input) => inputs[input],
+                Do::Negate => values[0].negate(),
+                Do::Add => values[0].add(&values[1]),
+                Do::Subtract => values[0].subtract(&values[1]),
+                Do::Multiply => values[0].multiply(&values[1]),
+                Do::Divide => values[0].divide(&values[1]),
+                Do::Power => values[0].power(&values[1]),
+                Do::Call(function, _) if function.is_kinked() => {
+                    kinked(function, values, &numbers[from..depth])
+                }
+                Do::Call(function, _) => call(function, values),
+            };
+            stack[from] = result;
+            numbers[from] = result.shown();
+            depth = from + 1;
+        }
+        stack[0]
+    }
+}
+
 /// Puts a result in the place of the values that it takes, as many as the reader made sure are there.
 fn take<N>(stack: &mut Vec<N>, count: usize, result: impl FnOnce(&[N]) -> N) {
     let from = stack.len().saturating_sub(count);
@@ -217,5 +313,13 @@ fn call<N: Number>(function: Function, values: &[N]) -> N {
         Function::Floor => first.floor(),
         Function::Ceil => first.ceil(),
         Function::Round => first.round(),
+        Function::Step => first.step(),
+        Function::Sign => first.sign(),
+        Function::Clamp => first.max(second).min(values.get(2).unwrap_or(second)),
+        Function::Modulo => first.modulo(second),
+        Function::Table => {
+            let numbers: Vec<f64> = values.iter().map(N::shown).collect();
+            function.on_side(values, function.side(&numbers))
+        }
     }
 }

@@ -307,6 +307,25 @@ impl<N: Number> Quantity<N> {
         )
     }
 
+    /// A function of its sign alone.
+    pub fn sided(&self, function: fn(&N) -> N) -> Self {
+        Quantity {
+            value: function(&self.value),
+            exponents: [0; 4],
+            pure: Pure::Ratio,
+        }
+    }
+
+    /// What is left of it when another one is taken off as often as it fits in.
+    pub fn modulo(&self, period: &Self) -> Outcome<N> {
+        if period.value.is_zero() {
+            return Err(Fault::new("this divides by zero"));
+        }
+        let exponents = self.common(period, "compared")?;
+        let value = self.value.modulo(&period.value);
+        Self::made(value, exponents, self.pure.max(period.pure))
+    }
+
     /// The angle of a vector, from its y and x.
     pub fn atan2(&self, x: &Self) -> Outcome<N> {
         self.common(x, "the components of one vector")?;

@@ -2,7 +2,7 @@
 
 use super::super::node::excerpt;
 use super::super::units::{Unit, UnitFault, split_quantity, with_decimal_point};
-use super::{Expression, FUNCTIONS, Fault, PI, Quantity};
+use super::{Expression, Fault, PI, Quantity, RESERVED};
 
 /// How a parameter is written.
 pub enum Written {
@@ -25,7 +25,7 @@ pub fn refused_name(name: &str) -> Option<(String, &'static str)> {
             "the name of a parameter consists of letters, digits and _, with a letter first";
         return Some((message.into(), "as in crank_length or r2"));
     }
-    if name == PI || name == "note" || FUNCTIONS.iter().any(|row| row.0 == name) {
+    if name == PI || name == "note" || RESERVED.contains(&name) {
         return Some((
             format!("{name:?} has a meaning of its own"),
             "give the parameter another name",

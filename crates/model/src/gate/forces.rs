@@ -1,7 +1,9 @@
 //! Forces act on what can move; times of tables increase.
 
 use super::Rules;
+use crate::dimension::Dimension;
 use crate::error::Complaint;
+use crate::response::Catalogue;
 use crate::{ForceKind, GROUND, Motion, Value};
 
 /// Warns of a force or a torque that acts on nothing that can move.
@@ -27,6 +29,7 @@ pub(super) fn forces(rules: &mut Rules<'_>) {
                 }
             }
             ForceKind::Spring { .. }
+            | ForceKind::Actuator { .. }
             | ForceKind::TorsionSpring { .. }
             | ForceKind::Load { .. }
             | ForceKind::Torque { .. } => None,
@@ -40,9 +43,11 @@ pub(super) fn forces(rules: &mut Rules<'_>) {
     }
 }
 
-/// Complains about the first time of each table that is not later than the one before.
+/// Complains about the first time of each table that is not later than the one before, and about formulas that can't be
+/// evaluated.
 pub(super) fn motions(rules: &mut Rules<'_>) {
     let model = rules.model;
+    let mut catalogue = None;
     for (name, driver) in &model.drivers {
         motion(rules, &driver.motion, &format!("drivers.{name}.motion"));
     }
@@ -51,17 +56,48 @@ pub(super) fn motions(rules: &mut Rules<'_>) {
         match &force.kind {
             ForceKind::Spring { free_length, .. } => {
                 value(rules, free_length, &format!("{path}.free_length"));
+                formula(
+                    rules,
+                    &mut catalogue,
+                    (free_length, None),
+                    &format!("{path}.free_length"),
+                );
             }
             ForceKind::TorsionSpring { free_angle, .. } => {
                 value(rules, free_angle, &format!("{path}.free_angle"));
+                formula(
+                    rules,
+                    &mut catalogue,
+                    (free_angle, None),
+                    &format!("{path}.free_angle"),
+                );
             }
             ForceKind::Load { vector, .. } => {
                 for (index, part) in vector.iter().enumerate() {
-                    value(rules, part, &format!("{path}.vector[{index}]"));
+                    let path = format!("{path}.vector[{index}]");
+                    value(rules, part, &path);
+                    formula(rules, &mut catalogue, (part, Some(Dimension::Force)), &path);
                 }
             }
             ForceKind::Torque { value: torque, .. } => {
-                value(rules, torque, &format!("{path}.value"));
+                let path = format!("{path}.value");
+                value(rules, torque, &path);
+                formula(
+                    rules,
+                    &mut catalogue,
+                    (torque, Some(Dimension::Torque)),
+                    &path,
+                );
+            }
+            ForceKind::Actuator { force, .. } => {
+                let path = format!("{path}.force");
+                value(rules, force, &path);
+                formula(
+                    rules,
+                    &mut catalogue,
+                    (force, Some(Dimension::Force)),
+                    &path,
+                );
             }
         }
     }
@@ -69,8 +105,38 @@ pub(super) fn motions(rules: &mut Rules<'_>) {
 
 fn value(rules: &mut Rules<'_>, value: &Value, path: &str) {
     match value {
-        Value::Constant(_) => {}
+        Value::Constant(_) | Value::Formula(_) => {}
         Value::Motion(of_time) => motion(rules, of_time, path),
+    }
+}
+
+/// Complains about a formula that can't be evaluated, or is not of the dimension that is wanted; about any where none is.
+fn formula(
+    rules: &mut Rules<'_>,
+    catalogue: &mut Option<Catalogue>,
+    (value, wanted): (&Value, Option<Dimension>),
+    path: &str,
+) {
+    let Value::Formula(formula) = value else {
+        return;
+    };
+    // a name that is faulty elsewhere is not blamed once more
+    if !rules.complaints.is_empty() || !rules.holes.is_empty() {
+        return;
+    }
+    let Some(wanted) = wanted else {
+        let message = "this follows a law of time, and not what moves";
+        rules.complain(
+            path,
+            message,
+            "an \"actuator\" or a \"torque\" takes a formula",
+        );
+        return;
+    };
+    let catalogue = catalogue.get_or_insert_with(|| Catalogue::of(rules.model));
+    if let Some(complaint) = formula.fault(catalogue, wanted) {
+        let path = path.to_owned();
+        rules.complaints.push(Complaint { path, ..complaint });
     }
 }
 

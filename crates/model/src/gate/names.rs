@@ -103,7 +103,9 @@ impl Names<'_, '_> {
         for (name, force) in &self.model.forces {
             let path = format!("forces.{name}");
             match &force.kind {
-                ForceKind::Spring { between, .. } => self.points(between, &path),
+                ForceKind::Spring { between, .. } | ForceKind::Actuator { between, .. } => {
+                    self.points(between, &path);
+                }
                 ForceKind::TorsionSpring { between, .. } => {
                     for (index, body) in between.iter().enumerate() {
                         self.name(&format!("{path}.between[{index}]"), Named::Body, body);

@@ -86,6 +86,15 @@ impl Look<'_> {
         }
     }
 
+    /// A number, a motion, or a formula, in which nothing is out of its range.
+    fn varying(&mut self, value: &Tree) {
+        match value {
+            Tree::Number(number) => self.number(*number, Bound::Any),
+            formula if formula.get("formula").is_some() => {}
+            motion => self.value(motion, &Shape::Tagged(&MOTION)),
+        }
+    }
+
     fn value(&mut self, tree: &Tree, shape: &Shape) {
         match (shape, tree) {
             (
@@ -98,8 +107,7 @@ impl Look<'_> {
             (Shape::ContactStiffness, Tree::Number(number)) => {
                 self.number(*number, Bound::Above(0.0));
             }
-            (Shape::Varying(_), Tree::Number(number)) => self.number(*number, Bound::Any),
-            (Shape::Varying(_), motion) => self.value(motion, &Shape::Tagged(&MOTION)),
+            (Shape::Varying(_) | Shape::Formula(_), value) => self.varying(value),
             (Shape::Count(least, most), Tree::Count(count)) => {
                 let bound = Bound::Between(*least as f64, *most as f64);
                 self.number(*count as f64, bound);

@@ -3,11 +3,13 @@
 use serde_json::{Map, Value, json};
 
 use super::{Printer, plain};
-use crate::Response;
+use crate::dimension::Dimension;
+use crate::formula::Formula;
 use crate::node::{Kind, Node, Origin};
+use crate::response::{Response, self_contained};
 use crate::shape::Shape;
 use crate::tree::Tree;
-use crate::walk::Driven;
+use crate::walk::{Driven, Walk};
 
 impl Printer<'_> {
     /// A response as the file says it, else with the values of its parameters.
@@ -31,7 +33,7 @@ impl Printer<'_> {
         let Ok(response) = serde_json::from_value::<Response>(tree.clone()) else {
             return tree;
         };
-        let text = response.self_contained();
+        let text = self_contained(&response.value, &response.parameters);
         if response.limits.is_none() && response.unit.is_none() {
             return text.into();
         }
@@ -42,6 +44,34 @@ impl Printer<'_> {
         }
         out.extend(response.unit.map(|unit| ("unit".to_owned(), unit.into())));
         Value::Object(out)
+    }
+
+    /// An expression of what moves as the file says it, else with the values of its parameters.
+    pub(super) fn formula(
+        &mut self,
+        tree: &Tree,
+        of: Dimension,
+        written: Option<&Node>,
+        driven: Driven,
+    ) -> Value {
+        if tree.get("formula").is_none() {
+            return self.value(tree, &Shape::Varying(of), written, driven);
+        }
+        let tree = without_nulls(plain(tree));
+        let shape = &Shape::Formula(of);
+        let says = |walk: &mut Walk<'_>, node: &Node| {
+            let value = walk.sound(node, shape, driven).map(without_nulls);
+            value.as_ref() == Some(&tree)
+        };
+        if let Some(node) = written
+            && says(&mut self.walk, node)
+        {
+            return node.to_value();
+        }
+        match serde_json::from_value::<Formula>(tree.clone()) {
+            Ok(formula) => self_contained(&formula.formula, &formula.parameters).into(),
+            Err(_) => tree,
+        }
     }
 
     /// A limit in SI, with its unit where plain numbers of the file are in another one.

@@ -16,6 +16,7 @@ pub struct Catalogue {
     /// With what each drives.
     pub(super) drivers: Vec<(String, Option<Dimension>)>,
     pub(super) loads: Vec<Load>,
+    pub(super) springs: Vec<Load>,
     /// What drives and what is driven, where the analysis wants a transmission.
     pub(super) transmission: Option<[Dimension; 2]>,
 }
@@ -23,7 +24,7 @@ pub struct Catalogue {
 #[derive(Debug, Clone)]
 pub(super) struct Load {
     pub(super) name: String,
-    /// A torque, not a force.
+    /// A torque, not a force; of a spring, one of torsion.
     pub(super) turns: bool,
 }
 
@@ -32,6 +33,8 @@ pub(super) struct Joint {
     pub(super) name: String,
     /// Whether it slides.
     pub(super) slides: bool,
+    /// Whether its bodies turn against each other about its points.
+    pub(super) turns: bool,
 }
 
 impl Catalogue {
@@ -48,8 +51,15 @@ impl Catalogue {
                 joint.kind,
                 JointKind::Prismatic { .. } | JointKind::Slot { .. }
             );
-            let name = name.clone();
-            catalogue.joints.push(Joint { name, slides });
+            let turns = matches!(
+                joint.kind,
+                JointKind::Revolute { .. } | JointKind::Slot { .. }
+            );
+            catalogue.joints.push(Joint {
+                name: name.clone(),
+                slides,
+                turns,
+            });
         }
         for (name, driver) in &model.drivers {
             let dimension = match driver.kind {
@@ -59,13 +69,16 @@ impl Catalogue {
             catalogue.drivers.push((name.clone(), Some(dimension)));
         }
         for (name, force) in &model.forces {
-            let turns = match force.kind {
-                ForceKind::Load { .. } => false,
-                ForceKind::Torque { .. } => true,
-                ForceKind::Spring { .. } | ForceKind::TorsionSpring { .. } => continue,
+            let (list, turns) = match force.kind {
+                ForceKind::Load { .. } => (&mut catalogue.loads, false),
+                ForceKind::Torque { .. } => (&mut catalogue.loads, true),
+                ForceKind::Spring { .. } | ForceKind::Actuator { .. } => {
+                    (&mut catalogue.springs, false)
+                }
+                ForceKind::TorsionSpring { .. } => (&mut catalogue.springs, true),
             };
             let name = name.clone();
-            catalogue.loads.push(Load { name, turns });
+            list.push(Load { name, turns });
         }
         let analysis = model.analysis.as_ref();
         if let Some(wanted) = analysis.and_then(|analysis| analysis.transmission.as_ref()) {
@@ -107,8 +120,12 @@ impl Catalogue {
         }
         for (name, member) in members("joints") {
             let slides = matches!(kind(&member.node).as_deref(), Some("prismatic" | "slot"));
-            let name = name.clone();
-            catalogue.joints.push(Joint { name, slides });
+            let turns = matches!(kind(&member.node).as_deref(), Some("revolute" | "slot"));
+            catalogue.joints.push(Joint {
+                name: name.clone(),
+                slides,
+                turns,
+            });
         }
         for (name, member) in members("drivers") {
             let dimension = match kind(&member.node).as_deref() {
@@ -119,13 +136,15 @@ impl Catalogue {
             catalogue.drivers.push((name.clone(), dimension));
         }
         for (name, member) in members("forces") {
-            let turns = match kind(&member.node).as_deref() {
-                Some("force") => false,
-                Some("torque") => true,
+            let (list, turns) = match kind(&member.node).as_deref() {
+                Some("force") => (&mut catalogue.loads, false),
+                Some("torque") => (&mut catalogue.loads, true),
+                Some("spring" | "actuator") => (&mut catalogue.springs, false),
+                Some("torsion_spring") => (&mut catalogue.springs, true),
                 _ => continue,
             };
             let name = name.clone();
-            catalogue.loads.push(Load { name, turns });
+            list.push(Load { name, turns });
         }
         let wanted = root
             .get("analysis")

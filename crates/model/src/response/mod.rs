@@ -1,11 +1,13 @@
 //! Responses: named numbers of a run, such as a stroke or a peak.
 
+mod arguments;
 mod catalogue;
 mod facts;
 mod names;
 
 pub use crate::expression::{
-    Compiled, Dual, Input, Known, Over, Place, Program, Reduce, Reduction, Results, Values,
+    Compiled, DEEPEST_STACK, Dual, Input, Known, MOST_ARGUMENTS, Moving, Number, Over, Place,
+    Program, Reduce, Reduction, Results, Tangent, Values,
 };
 pub use catalogue::Catalogue;
 pub use facts::{ClearanceSum, EVENTS, Fact, Item, List};
@@ -69,22 +71,20 @@ impl Response {
     }
 }
 
-impl Response {
-    /// The expression with the values of parameters in the place of their names.
-    pub(crate) fn self_contained(&self) -> String {
-        let mut text = self.value.clone();
-        let names: Vec<String> = self.parameters.keys().cloned().collect();
-        let find = |name: &str| self.parameters.get_index_of(name);
-        // whatever else is named stays as it is
-        let Ok(expression) = Expression::response(&self.value, &find, &names, &Anything) else {
-            return text;
-        };
-        for (at, index) in expression.places().into_iter().rev() {
-            let value = self.parameters[index].text();
-            text.replace_range(at..at + names[index].len(), &value);
-        }
-        text
+/// An expression with the values of parameters in the place of their names.
+pub(crate) fn self_contained(text: &str, parameters: &IndexMap<String, Constant>) -> String {
+    let mut whole = text.to_owned();
+    let names: Vec<String> = parameters.keys().cloned().collect();
+    let find = |name: &str| parameters.get_index_of(name);
+    // whatever else is named stays as it is
+    let Ok(expression) = Expression::response(text, &find, &names, &Anything) else {
+        return whole;
+    };
+    for (at, index) in expression.places().into_iter().rev() {
+        let value = parameters[index].text();
+        whole.replace_range(at..at + names[index].len(), &value);
     }
+    whole
 }
 
 /// Takes any name for that of a column.
@@ -126,7 +126,7 @@ impl Constant {
         }
     }
 
-    fn quantity(&self) -> Quantity {
+    pub(crate) fn quantity(&self) -> Quantity {
         Quantity::of_powers(self.value, self.powers)
     }
 }

@@ -145,7 +145,8 @@ fn force<'m, 'p>(
             },
             "free_angle",
         )
-        | (ForceKind::Torque { value, .. }, "value") => self::value(value, path),
+        | (ForceKind::Torque { value, .. }, "value")
+        | (ForceKind::Actuator { force: value, .. }, "force") => self::value(value, path),
         (ForceKind::Load { vector, .. }, "vector") => {
             let index = path.next()?.parse::<usize>().ok()?;
             value(vector.get_mut(index)?, path)
@@ -161,5 +162,7 @@ fn value<'m, 'p>(
     match value {
         Value::Constant(value) => path.next().is_none().then_some(value),
         Value::Motion(law) => motion(law, path),
+        // what its parameters are is no number of its place
+        Value::Formula(_) => None,
     }
 }

@@ -19,7 +19,8 @@ pub fn filler(shape: &Shape) -> Value {
         | Shape::Coefficient(_)
         | Shape::ContactStiffness
         | Shape::Limit
-        | Shape::Varying(_) => Value::from(0.0),
+        | Shape::Varying(_)
+        | Shape::Formula(_) => Value::from(0.0),
         Shape::Count(least, _) => Value::from(*least),
         Shape::Direction => Value::from(vec![1.0, 0.0]),
         Shape::Place => Value::from(vec![0.0, 0.0]),

@@ -5,6 +5,7 @@
 //! anything else for it.
 
 mod filler;
+mod formula;
 mod lists;
 mod object;
 mod optimise;
@@ -30,11 +31,11 @@ use crate::expression::{Found, Parameter, Parameters, Recorded};
 use crate::gate::Holes;
 use crate::node::{Kind, Node, Origin};
 use crate::response::Catalogue;
-use crate::shape::{Bound, Choice, Measure, Shape, Tagged};
+use crate::shape::{Bound, Choice, Shape, Tagged};
 use crate::source::Source;
 use crate::suggest;
 use crate::tolerance::Tolerance;
-use crate::words::{FILE, MATERIAL, MOTION, SEPARATE};
+use crate::words::{FILE, MATERIAL, SEPARATE};
 
 /// Complaints after which the rest is only counted; placing them takes time.
 const ENOUGH: usize = 200;
@@ -270,16 +271,11 @@ impl<'a> Walk<'a> {
             Shape::Pair(of) => self.list(node, of, (2, Some(2)), path, driven),
             Shape::List(of, least) => self.list(node, of, (*least, None), path, driven),
             Shape::Table => self.table(node, path, driven),
-            Shape::Varying(dimension) => {
-                let driven = Driven::Dimension(*dimension);
-                match node.kind {
-                    Kind::Object(_) => self.tagged(node, &MOTION, path, driven),
-                    _ => {
-                        let measure = Measure::Of(*dimension);
-                        self.quantity(node, measure, path, driven).map(Value::from)
-                    }
-                }
-            }
+            Shape::Formula(dimension) => match self.formula(node, *dimension, path) {
+                Some(read) => read,
+                None => self.varying(node, *dimension, path),
+            },
+            Shape::Varying(dimension) => self.varying(node, *dimension, path),
             Shape::Materials => {
                 let keys = |object: &crate::shape::Object| match &node.kind {
                     Kind::Object(members) => members.keys().filter(|key| object.has(key)).count(),

@@ -51,6 +51,25 @@ pub static FORCE: Tagged = Tagged {
             either: Some(DAMPED),
         },
         Object {
+            name: "actuator",
+            about: "Along the line of two points, a hydraulic cylinder or a gas spring: a force that pushes them apart \\[N\\].",
+            fields: &[
+                required(
+                    "between",
+                    Shape::Pair(&Shape::Point),
+                    "Two points, `body.point`.",
+                ),
+                required(
+                    "force",
+                    Shape::Formula(Dimension::Force),
+                    "\\[N\\]; negative, it pulls them together.",
+                ),
+            ],
+            refused: &[],
+            drives: Drives::Nothing,
+            either: None,
+        },
+        Object {
             name: "torsion_spring",
             about: "Between two bodies: torque on the first k(θ₂ − θ₁ − θ₀) + c(ω₂ − ω₁), the opposite on the second.",
             fields: &[
@@ -92,7 +111,7 @@ pub static FORCE: Tagged = Tagged {
                 required("at", Shape::Point, "The point, `body.point`."),
                 required(
                     "vector",
-                    Shape::Pair(&Shape::Varying(Dimension::Force)),
+                    Shape::Pair(&Shape::Formula(Dimension::Force)),
                     "\\[N\\]",
                 ),
                 silent("frame", Shape::Choice(&FRAME), Default::Text("ground"), ""),
@@ -106,7 +125,7 @@ pub static FORCE: Tagged = Tagged {
             about: "A torque [N·m] on a body; `relative_to` takes the opposite.",
             fields: &[
                 required("body", Shape::Name(Named::Body), ""),
-                required("value", Shape::Varying(Dimension::Torque), "[N·m]"),
+                required("value", Shape::Formula(Dimension::Torque), "[N·m]"),
                 optional(
                     "relative_to",
                     Shape::Name(Named::Body),

@@ -54,6 +54,13 @@ impl Shape {
                 damper: *stiffness == 0.0,
                 damped: *stiffness != 0.0 && *damping != 0.0,
             }),
+            // a cylinder with its piston
+            ForceKind::Actuator { between, .. } => self.springs.push(Spring {
+                name,
+                between: numbers.ends(between),
+                damper: true,
+                damped: false,
+            }),
             ForceKind::TorsionSpring {
                 between, stiffness, ..
             } => {

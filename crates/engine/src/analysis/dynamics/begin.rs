@@ -10,6 +10,7 @@ use super::settings::{Settings, Wanted};
 use super::simulation::Simulation;
 use super::state::State;
 use super::steps::Steps;
+use super::switches::Switches;
 use super::words::{deep_start, describe};
 use crate::analysis::control::Stop;
 use crate::element::journal::Surface;
@@ -45,6 +46,7 @@ impl<'s> Simulation<'s> {
         let mut state = State::new(flow.layout());
         first_phases(&mut flow, &state, &mut ledger)?;
         flow.store(&mut state);
+        flow.hold_sides();
         let started = Steps::new(settings, Wanted { rtol, atol }, (&mut flow, &state), end);
         let steps = started.map_err(|fault| {
             let message = describe(fault, 0.0, "", &flow.system().display);
@@ -61,6 +63,7 @@ impl<'s> Simulation<'s> {
             steps,
             event: None,
             ledger,
+            switches: Switches::default(),
             jams: Jams::new(),
             margins: Margins::new(),
             extremes,

@@ -2,7 +2,7 @@
 
 use super::fault::Fault;
 use super::flow::Flow;
-use super::words::{culprits, describe, jam, tight};
+use super::words::{chatters, culprits, describe, jam, no_value, tight};
 use crate::analysis::words::locked;
 use crate::mechanism::driven::Failure;
 use linkdyn_model::display::DisplayUnits;
@@ -45,6 +45,8 @@ impl Ended {
                 Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. },
             )
             | Fault::TooSmall { .. }
+            | Fault::Chatters { .. }
+            | Fault::NoValue { .. }
             | Fault::Indivisible { .. } => format!("the position at t = {when} can't be solved"),
         };
         Ended {
@@ -81,6 +83,8 @@ fn told(
     jammed: &[usize],
 ) -> (Status, String) {
     let refused = match fault {
+        Fault::Chatters { force } => return (Status::StepTooSmall, chatters(flow, force, now)),
+        Fault::NoValue { force } => return (Status::Singular, no_value(flow, force, now)),
         Fault::TooSmall { .. } => false,
         Fault::Indivisible { .. } | Fault::Unsolved(_) => true,
     };

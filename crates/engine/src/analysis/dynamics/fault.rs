@@ -24,6 +24,18 @@ pub enum Fault {
         /// The shortest part \[s\].
         h: f64,
     },
+    /// The formula of the force with this index jumps back and forth.
+    #[error("a formula jumps back and forth without end")]
+    Chatters {
+        /// Index of the force.
+        force: usize,
+    },
+    /// The formula of the force with this index has no value.
+    #[error("a formula has no value")]
+    NoValue {
+        /// Index of the force.
+        force: usize,
+    },
     /// The mechanism can't be evaluated.
     #[error(transparent)]
     Unsolved(#[from] Failure),
@@ -34,7 +46,10 @@ impl Fault {
     pub fn of_part(self) -> Fault {
         match self {
             Fault::TooSmall { t, h } => Fault::Indivisible { t, h },
-            Fault::Indivisible { .. } | Fault::Unsolved(_) => self,
+            Fault::Indivisible { .. }
+            | Fault::Chatters { .. }
+            | Fault::NoValue { .. }
+            | Fault::Unsolved(_) => self,
         }
     }
 
@@ -46,6 +61,8 @@ impl Fault {
             ) => Some(residual),
             Fault::Unsolved(Failure::Singular | Failure::Locked { .. })
             | Fault::TooSmall { .. }
+            | Fault::Chatters { .. }
+            | Fault::NoValue { .. }
             | Fault::Indivisible { .. } => None,
         };
         let system = flow.system();
@@ -57,11 +74,17 @@ impl Fault {
             Fault::Unsolved(
                 Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. },
             ) => flow.equations.strained_rows(),
-            Fault::TooSmall { .. } | Fault::Indivisible { .. } => Vec::new(),
+            Fault::TooSmall { .. }
+            | Fault::Indivisible { .. }
+            | Fault::Chatters { .. }
+            | Fault::NoValue { .. } => Vec::new(),
         };
         let owner = |row: &usize| system.origin_name(&system.block_of_row(*row).origin);
         let mut owners: Vec<String> = rows.iter().map(owner).collect();
         owners.dedup();
+        if let Fault::Chatters { force } | Fault::NoValue { force } = self {
+            owners.push(format!("force \"{}\"", system.force_data[force].name));
+        }
         Reason {
             time,
             cause: self.to_string(),

@@ -35,6 +35,7 @@ mod simulation;
 mod start;
 mod state;
 mod steps;
+mod switches;
 mod words;
 
 use super::assembly::Assembled;

@@ -19,6 +19,7 @@ use super::modes::{Change, change};
 use super::paces::Begun;
 use super::state::State;
 use super::steps::{LastStep, Steps};
+use super::switches::Switches;
 use crate::analysis::control::Control;
 use crate::element::journal::{Phase, Surface};
 use crate::mechanism::driven::Failure;
@@ -36,6 +37,7 @@ pub struct Simulation<'s> {
     /// Where, within the last step, a contact changes its phase.
     pub(super) event: Option<f64>,
     pub(super) ledger: Ledger,
+    pub(super) switches: Switches,
     pub(super) jams: Jams,
     /// How far the friction of ideal joints was from locking them.
     pub(super) margins: Margins,
@@ -70,6 +72,11 @@ impl<'s> Simulation<'s> {
         Ok(())
     }
 
+    /// Whether anything may end a piece of the motion.
+    fn has_guards(&self) -> bool {
+        !self.ledger.is_empty() || self.flow.has_kinks()
+    }
+
     /// What happens at the end of the last step, and one step more.
     fn advance(&mut self) -> Result<(), Fault> {
         let now = self.reached();
@@ -89,7 +96,7 @@ impl<'s> Simulation<'s> {
             self.steps.step(&mut self.flow)?;
         }
         self.margins.note(&self.flow, self.steps.time());
-        if !self.ledger.is_empty() {
+        if self.has_guards() {
             self.locate()?;
         }
         let piece = Piece {
@@ -97,7 +104,7 @@ impl<'s> Simulation<'s> {
             until: self.reached(),
             has_event: self.event.is_some(),
         };
-        let is_smooth = self.ledger.is_empty();
+        let is_smooth = !self.has_guards();
         let (mut step, ledger, extremes) = self.last_step();
         if let Some(extremes) = extremes {
             if is_smooth {
@@ -214,6 +221,10 @@ impl<'s> Simulation<'s> {
                 begun = Some((contact, change));
             }
         }
+        if let Some(force) = self.flow.switching() {
+            self.switches.note(force, time, self.flow.system())?;
+            self.flow.hold_sides();
+        }
         match begun {
             Some((contact, change)) => {
                 let presses = |other: usize| other != contact && self.flow.is_in_contact(other);
@@ -246,7 +257,7 @@ impl<'s> Simulation<'s> {
                     if time > self.steps.previous() =>
                 {
                     self.halve(time)?;
-                    if !self.ledger.is_empty() {
+                    if self.has_guards() {
                         self.locate()?;
                     }
                     while self.reached() < time {

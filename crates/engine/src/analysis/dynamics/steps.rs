@@ -153,6 +153,9 @@ fn stepper(
 impl Flow<'_> {
     /// What a step that can't be taken means: the stepper knows only that it was refused, the flow why.
     fn stopped(&self, failure: StepFailure) -> Fault {
+        if let Some(force) = self.without_value() {
+            return Fault::NoValue { force };
+        }
         match failure {
             StepFailure::TooSmall { t, h } => Fault::TooSmall { t, h },
             StepFailure::Refused { .. } => self.refused(Refused),

@@ -105,6 +105,28 @@ pub(super) fn tight(flow: &Flow) -> String {
     )
 }
 
+/// A formula that drives the motion back to where it jumps, from either side.
+pub(super) fn chatters(flow: &Flow, force: usize, now: f64) -> String {
+    let system = flow.system();
+    format!(
+        "at t = {} the formula of force \"{}\" holds the motion where it jumps: it changes its side again and again without \
+         end; the rows until there are kept. A force that brakes is friction of a joint, or smooth, as in v/sqrt(v^2 + v0^2)",
+        system.display.time(now),
+        system.force_data[force].name
+    )
+}
+
+/// A formula with a root of a negative number, a division by zero, or the like.
+pub(super) fn no_value(flow: &Flow, force: usize, now: f64) -> String {
+    let system = flow.system();
+    format!(
+        "beyond t = {} the formula of force \"{}\" has no value (a root of a negative number, a division by zero, or the \
+         like); the rows until there are kept",
+        system.display.time(now),
+        system.force_data[force].name
+    )
+}
+
 /// What a failed step means; `what` says what is singular.
 pub(super) fn describe(fault: Fault, now: f64, what: &str, display: &DisplayUnits) -> String {
     match fault {
@@ -114,7 +136,10 @@ pub(super) fn describe(fault: Fault, now: f64, what: &str, display: &DisplayUnit
             display.time(t),
             display.time_to(h, 2)
         ),
-        Fault::Indivisible { .. } | Fault::Unsolved(_) => format!(
+        Fault::Indivisible { .. }
+        | Fault::Chatters { .. }
+        | Fault::NoValue { .. }
+        | Fault::Unsolved(_) => format!(
             "the motion can't be followed beyond t = {}: the constraints are singular there{what}; the rows until there are kept",
             display.time(now)
         ),

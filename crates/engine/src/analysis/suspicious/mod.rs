@@ -267,7 +267,8 @@ fn speeds(model: &Model, analysis: &Analysis, found: &mut Vec<Complaint>) {
             | ForceKind::TorsionSpring {
                 free_angle: value, ..
             }
-            | ForceKind::Torque { value, .. } => vec![value],
+            | ForceKind::Torque { value, .. }
+            | ForceKind::Actuator { force: value, .. } => vec![value],
             ForceKind::Load { vector, .. } => vector.iter().collect(),
         };
         for value in values {

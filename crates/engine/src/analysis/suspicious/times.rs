@@ -38,6 +38,7 @@ pub(in crate::analysis) fn tables(model: &Model, end: f64) -> Vec<Complaint> {
                 vec![(format!("{path}.free_angle"), free_angle)]
             }
             ForceKind::Torque { value, .. } => vec![(format!("{path}.value"), value)],
+            ForceKind::Actuator { force, .. } => vec![(format!("{path}.force"), force)],
             ForceKind::Load { vector, .. } => vector
                 .iter()
                 .enumerate()

@@ -159,6 +159,7 @@ impl<'s> Reduced<'s> {
             .zip(were)
             .for_each(|(memory, was)| *memory = *was);
         other.inputs.contacts.clone_from(&self.inputs.contacts);
+        other.inputs.sides.clone_from(&self.inputs.sides);
         other.lag = self.lag;
         other.driven.done = self.driven.done;
         let parts = self.chart.exchange_bridge(None);
@@ -219,6 +220,12 @@ impl<'s> Reduced<'s> {
     /// Places, velocities and inputs there, for elements.
     pub fn kinematics(&self) -> Kinematics<'_> {
         self.driven.evaluation.kinematics(&self.inputs)
+    }
+
+    /// Holds formulas on the sides of their kinks on which they are there.
+    pub fn take_sides(&mut self) {
+        let (evaluation, system) = (&self.driven.evaluation, self.driven.system);
+        evaluation.take_sides(system, &mut self.inputs);
     }
 
     /// The forces that depend on multipliers there.

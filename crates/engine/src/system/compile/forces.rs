@@ -1,68 +1,113 @@
-//! Springs, loads and torques.
+//! Springs, actuators, loads and torques.
 
 use super::Compiler;
 use super::laws::value_law;
+use crate::element::actuator::Actuator;
 use crate::element::load::{PointLoad, Torque};
 use crate::element::spring::Spring;
 use crate::element::torsion_spring::TorsionSpring;
 use crate::element::{BodyId, Force as ForceElement};
-use crate::system::ForceData;
-use linkdyn_model::{ForceKind, Frame};
+use crate::system::{ForceData, ForceRole};
+use linkdyn_model::{ForceKind, Frame, PointRef, Value};
 use std::sync::Arc;
+
+/// A force element, and what it is for results beside the equations.
+type Lowered = (Arc<dyn ForceElement>, ForceRole);
 
 impl Compiler<'_> {
     pub(super) fn add_forces(&mut self) {
         for (name, force) in &self.model.forces {
-            let element: Arc<dyn ForceElement> = match &force.kind {
-                ForceKind::Spring {
-                    between,
-                    stiffness,
-                    damping,
-                    free_length,
-                } => Arc::new(Spring {
-                    first: self.marker(&between[0]),
-                    second: self.marker(&between[1]),
-                    stiffness: *stiffness,
-                    damping: *damping,
-                    free_length: value_law(free_length),
-                }),
-                ForceKind::TorsionSpring {
-                    between,
-                    stiffness,
-                    damping,
-                    free_angle,
-                } => Arc::new(TorsionSpring {
-                    first: self.body(&between[0]),
-                    second: self.body(&between[1]),
-                    stiffness: *stiffness,
-                    damping: *damping,
-                    free_angle: value_law(free_angle),
-                }),
-                ForceKind::Load { at, vector, frame } => Arc::new(PointLoad {
-                    at: self.marker(at),
-                    vector: [value_law(&vector[0]), value_law(&vector[1])],
-                    follows_body: match frame {
-                        Frame::Ground => false,
-                        Frame::Body => true,
-                    },
-                }),
-                ForceKind::Torque {
-                    body,
-                    value,
-                    relative_to,
-                } => Arc::new(Torque {
-                    body: self.body(body),
-                    relative_to: relative_to
-                        .as_deref()
-                        .map_or(BodyId::GROUND, |name| self.body(name)),
-                    value: value_law(value),
-                }),
-            };
+            let (element, role) = self.lower_force(&force.kind);
             self.system.forces.push(element);
             self.system.force_data.push(ForceData {
                 name: name.clone(),
-                role: self.force_role(&force.kind),
+                role,
             });
         }
+    }
+
+    fn lower_force(&mut self, kind: &ForceKind) -> Lowered {
+        match kind {
+            ForceKind::Spring {
+                between: ends,
+                stiffness,
+                damping,
+                free_length,
+            } => {
+                let [first, second] = ends.each_ref().map(|end| self.marker(end));
+                let between = [first.body, second.body];
+                let spring = Spring {
+                    first,
+                    second,
+                    stiffness: *stiffness,
+                    damping: *damping,
+                    free_length: value_law(free_length),
+                };
+                (Arc::new(spring), ForceRole::Spring { between })
+            }
+            ForceKind::Actuator {
+                between: ends,
+                force,
+            } => {
+                let [first, second] = ends.each_ref().map(|end| self.marker(end));
+                let between = [first.body, second.body];
+                let force = self.strength(force);
+                let actuator = Actuator {
+                    first,
+                    second,
+                    force,
+                };
+                (Arc::new(actuator), ForceRole::Spring { between })
+            }
+            ForceKind::TorsionSpring {
+                between,
+                stiffness,
+                damping,
+                free_angle,
+            } => {
+                let [first, second] = between.each_ref().map(|body| self.body(body));
+                let between = [first, second];
+                let spring = TorsionSpring {
+                    first,
+                    second,
+                    stiffness: *stiffness,
+                    damping: *damping,
+                    free_angle: value_law(free_angle),
+                };
+                (Arc::new(spring), ForceRole::Spring { between })
+            }
+            ForceKind::Load { at, vector, frame } => self.lower_load(at, vector, *frame),
+            ForceKind::Torque {
+                body,
+                value,
+                relative_to,
+            } => {
+                let body = self.body(body);
+                let other = relative_to.as_deref().map(|name| self.body(name));
+                let value = self.strength(value);
+                let torque = Torque {
+                    body,
+                    relative_to: other.unwrap_or(BodyId::GROUND),
+                    value: value.clone(),
+                };
+                let between = other.map(|other| [body, other]);
+                (Arc::new(torque), ForceRole::Torque { value, between })
+            }
+        }
+    }
+
+    fn lower_load(&mut self, at: &PointRef, vector: &[Value; 2], frame: Frame) -> Lowered {
+        let at = self.marker(at);
+        let vector = vector.each_ref().map(|one| self.strength(one));
+        let frame = match frame {
+            Frame::Ground => BodyId::GROUND,
+            Frame::Body => at.body,
+        };
+        let load = PointLoad {
+            at,
+            vector: vector.clone(),
+            follows_body: frame != BodyId::GROUND,
+        };
+        (Arc::new(load), ForceRole::Load { vector, frame })
     }
 }

@@ -33,5 +33,7 @@ pub fn value_law(value: &Value) -> Law {
     match value {
         Value::Constant(value) => Law::Polynomial(vec![*value]),
         Value::Motion(motion) => law(motion),
+        // the gate lets these stand only where a force is wanted
+        Value::Formula(_) => Law::Polynomial(vec![0.0]),
     }
 }

@@ -3,6 +3,7 @@
 mod contact_parameters;
 mod drivers;
 mod forces;
+mod formulas;
 mod joints;
 mod laws;
 mod needs;
@@ -15,6 +16,7 @@ use super::{BodyData, Extent, Mass, Origin, OutputPoint, Scale, System};
 use crate::element::{BodyId, Constraint, Layout, Marker, Pose};
 use linkdyn_linear::math::Vec2;
 use linkdyn_model::error::{Complaint, Complaints};
+use linkdyn_model::response::Catalogue;
 use linkdyn_model::{AnalysisKind, Body, Checked, GROUND, Model, PointRef};
 use needs::{Joints, missing};
 use std::collections::HashMap;
@@ -58,6 +60,10 @@ struct Compiler<'a> {
     ids: HashMap<&'a str, BodyId>,
     /// Centre of mass in the body's frame, by body id.
     com: Vec<Vec2>,
+    /// The names of what moves, once a formula has asked for them.
+    catalogue: Option<Catalogue>,
+    /// Exponents of what the formulas' kinks compare.
+    kinks: Vec<[f64; 4]>,
     system: System,
 }
 
@@ -80,6 +86,8 @@ impl<'a> Compiler<'a> {
             initial_rates: Vec::new(),
             forces: Vec::new(),
             force_data: Vec::new(),
+            formulas: Vec::new(),
+            kinks: Vec::new(),
             dependent_forces: Vec::new(),
             contacts: Vec::new(),
             contact_rows: Vec::new(),
@@ -101,6 +109,8 @@ impl<'a> Compiler<'a> {
             joints,
             ids,
             com,
+            catalogue: None,
+            kinks: Vec::new(),
             system,
         }
     }
@@ -115,6 +125,7 @@ impl<'a> Compiler<'a> {
         self.add_initial();
         self.add_forces();
         self.system.scale = Scale::of(&self.system);
+        self.system.kinks = self.kinks();
         for point in &self.model.points {
             let marker = self.marker(point);
             self.system.points.push(OutputPoint {

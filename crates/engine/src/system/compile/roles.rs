@@ -1,10 +1,10 @@
 //! What joints, drivers and forces are, kept beside their equations.
 
-use super::{Compiler, value_law};
+use super::Compiler;
 use crate::element::BodyId;
-use crate::system::{DriverRole, ForceRole, JointId, JointRole};
+use crate::system::{DriverRole, JointId, JointRole};
 use linkdyn_linear::math::{Vec2, unit};
-use linkdyn_model::{DriverKind, ForceKind, Frame, JointKind};
+use linkdyn_model::{DriverKind, JointKind};
 
 /// What a joint is.
 pub(super) fn joint_role(kind: &JointKind) -> JointRole {
@@ -35,41 +35,6 @@ impl Compiler<'_> {
             DriverKind::Translation { joint } => DriverRole::Translation {
                 // The loader knows each joint that a driver names.
                 joint: JointId(self.model.joints.get_index_of(joint).unwrap_or_default()),
-            },
-        }
-    }
-
-    /// What a force element is.
-    pub(super) fn force_role(&self, kind: &ForceKind) -> ForceRole {
-        match kind {
-            ForceKind::Spring {
-                between: [first, second],
-                ..
-            } => ForceRole::Spring {
-                between: [self.body(&first.body), self.body(&second.body)],
-            },
-            ForceKind::TorsionSpring {
-                between: [first, second],
-                ..
-            } => ForceRole::Spring {
-                between: [self.body(first), self.body(second)],
-            },
-            ForceKind::Load { at, vector, frame } => ForceRole::Load {
-                vector: [value_law(&vector[0]), value_law(&vector[1])],
-                frame: match frame {
-                    Frame::Ground => BodyId::GROUND,
-                    Frame::Body => self.body(&at.body),
-                },
-            },
-            ForceKind::Torque {
-                body,
-                value,
-                relative_to,
-            } => ForceRole::Torque {
-                value: value_law(value),
-                between: relative_to
-                    .as_deref()
-                    .map(|other| [self.body(body), self.body(other)]),
             },
         }
     }

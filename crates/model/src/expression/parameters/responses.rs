@@ -1,10 +1,16 @@
 //! Texts of responses, in which parameters are named.
 
 use super::Parameters;
-use crate::expression::{Compiled, Expression, Misfit, Quantity, Results};
+use crate::expression::{Compiled, Expression, Misfit, Moving, Quantity, Results};
 
 /// What a response measures, and its parameters.
 type Measured = Option<(Quantity, Vec<(String, Quantity)>)>;
+
+/// An expression of what moves, and its parameters.
+type Moved = Option<(Moving, Vec<(String, Quantity)>)>;
+
+/// Parameters of a text, with their values.
+type Named<'a> = Option<(Vec<usize>, Vec<(&'a str, Quantity)>)>;
 
 impl Parameters {
     /// What a response measures, and the parameters that it names; none where one of these has no value.
@@ -12,20 +18,48 @@ impl Parameters {
     /// # Errors
     /// What is wrong with it, and where.
     pub fn response(&mut self, text: &str, results: &dyn Results) -> Result<Measured, Misfit> {
+        let Some((named, constants)) = self.named(text, results)? else {
+            return Ok(None);
+        };
+        let compiled = Compiled::read(text, &constants, results, self.degrees)?;
+        let constants = constants.into_iter();
+        let constants = constants
+            .map(|(name, value)| (name.to_owned(), value))
+            .collect();
+        named.iter().for_each(|&index| self.used[index] = true);
+        Ok(Some((compiled.quantity, constants)))
+    }
+
+    /// An expression of what moves, and the parameters that it names; none where one of these has no value.
+    ///
+    /// # Errors
+    /// What is wrong with it, and where.
+    pub fn moving(&mut self, text: &str, results: &dyn Results) -> Result<Moved, Misfit> {
+        let (named, constants) = match self.named(text, results)? {
+            Some(found) => found,
+            None => return Ok(None),
+        };
+        let moving = Moving::read(text, &constants, results, self.degrees)?;
+        let constants = constants.into_iter();
+        let constants = constants
+            .map(|(name, value)| (name.to_owned(), value))
+            .collect();
+        if moving.has_arguments() {
+            named.iter().for_each(|&index| self.used[index] = true);
+        }
+        Ok(Some((moving, constants)))
+    }
+
+    /// The parameters that a text names, with their values; none where one has none.
+    fn named(&self, text: &str, results: &dyn Results) -> Result<Named<'_>, Misfit> {
         let find = |name: &str| self.places.get(name).copied();
         let expression = Expression::response(text, &find, &self.names, results)?;
         let mut named: Vec<usize> = expression.parameters().collect();
         named.sort_unstable();
         named.dedup();
-        named.iter().for_each(|&index| self.used[index] = true);
         let value = |&index: &usize| Some((self.names[index].as_str(), self.values[index]?));
-        let Some(constants) = named.iter().map(value).collect::<Option<Vec<_>>>() else {
-            return Ok(None);
-        };
-        let compiled = Compiled::read(text, &constants, results, self.degrees)?;
-        let constants = constants.into_iter();
-        let constants = constants.map(|(name, value)| (name.to_owned(), value));
-        Ok(Some((compiled.quantity, constants.collect())))
+        let constants = named.iter().map(value).collect::<Option<Vec<_>>>();
+        Ok(constants.map(|constants| (named, constants)))
     }
 
     /// A text with what responses say in the place of their names; those of parameters stay.

@@ -6,7 +6,7 @@ mod response;
 pub use response::EQUATIONS;
 
 use super::quantity::{Fault, Quantity};
-use super::{FUNCTIONS, LONGEST, Misfit, PI, Results, Step};
+use super::{FUNCTIONS, Function, LONGEST, Misfit, PI, Results, Step};
 use crate::suggest;
 use number::is_unit;
 
@@ -243,7 +243,12 @@ impl<'a> Parser<'a> {
         let open = self.at;
         match FUNCTIONS.iter().find(|row| row.0 == word) {
             Some(&(name, function, least, most)) => {
-                let count = self.values(open)?;
+                // the points of a table are divided
+                let signs: &[char] = match function {
+                    Function::Table => &[',', ';'],
+                    _ => &[','],
+                };
+                let count = self.values(open, signs)?;
                 check_count(at, name, count, [least, most])?;
                 self.steps.push((at, Step::Call(function, count)));
                 Ok(())
@@ -291,11 +296,11 @@ impl<'a> Parser<'a> {
     }
 
     /// Values in brackets; how many.
-    fn values(&mut self, open: usize) -> Read<usize> {
+    fn values(&mut self, open: usize, signs: &[char]) -> Read<usize> {
         self.at += 1;
         let mut count = 1;
         self.one_value()?;
-        while self.take(&[',']).is_some() {
+        while self.take(signs).is_some() {
             self.one_value()?;
             count += 1;
         }

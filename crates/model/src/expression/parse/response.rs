@@ -83,7 +83,7 @@ impl<'a> Parser<'a> {
 
     /// A reduction whose values begin here; max and min of two or more are the greater and the smaller one.
     fn reduction(&mut self, at: usize, reduction: Reduction) -> Read<()> {
-        let count = self.values(self.at)?;
+        let count = self.values(self.at, &[','])?;
         let word = reduction.word();
         let both = FUNCTIONS.iter().find(|row| row.0 == word && count > 1);
         let step = match both {

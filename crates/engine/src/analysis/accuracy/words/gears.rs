@@ -83,6 +83,7 @@ pub(in crate::analysis::accuracy) fn gear_curvature(system: &System, joint: usiz
         twists: &twists,
         drive: &[],
         offset: &[],
+        sides: &[],
         time: 0.0,
     };
     let mut values = vec![0.0; block.entries];

@@ -1,6 +1,7 @@
 //! The flow between events: the equations that are integrated, with the memories of contacts and the energy ledger beside them
 //! (see [`super::state`] for y).
 
+mod formulas;
 mod implicit;
 mod marks;
 mod sustained;
@@ -167,17 +168,21 @@ impl<'s> Flow<'s> {
     pub fn largest_guard(&self) -> f64 {
         let scale = &self.system().scale;
         let contacts = self.system().contacts.iter().zip(self.memories());
-        contacts.enumerate().fold(
-            f64::NEG_INFINITY,
-            |largest, (contact, (journal, memory))| {
+        let of_formulas = if self.has_kinks() {
+            self.formula_guard()
+        } else {
+            f64::NEG_INFINITY
+        };
+        contacts
+            .enumerate()
+            .fold(of_formulas, |largest, (contact, (journal, memory))| {
                 largest.max(largest_guard(
                     scale,
                     journal,
                     memory,
                     &self.reading(contact),
                 ))
-            },
-        )
+            })
     }
 
     /// Elastic energy of a contact at the point of the last evaluation, in the phase of `memory` \[J\].
@@ -207,6 +212,8 @@ impl<'s> Flow<'s> {
         }
         if !self.sustained.is_empty() {
             self.eval_ledger(t, dy);
+        } else if self.has_kinks() {
+            self.marks.note(t, self.formula_guard());
         }
     }
 
@@ -228,6 +235,9 @@ impl<'s> Flow<'s> {
         }
         dy[self.layout.work()] = power;
         let mut largest = f64::NEG_INFINITY;
+        if self.has_kinks() {
+            largest = self.formula_guard();
+        }
         for (contact, journal) in system.contacts.iter().enumerate() {
             let reading = self.reading(contact);
             let memory = &self.memories()[contact];

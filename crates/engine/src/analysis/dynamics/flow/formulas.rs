@@ -1,0 +1,47 @@
+//! Formulas whose kinks are held on one side each, so that the flow is smooth between events.
+
+use super::Flow;
+
+/// How far beyond its side a kink is before that counts, by its scale: above what velocities resolve.
+const PAST: f64 = 1e-12;
+
+impl Flow<'_> {
+    /// Whether any formula has kinks.
+    pub fn has_kinks(&self) -> bool {
+        !self.system().kinks.is_empty()
+    }
+
+    /// Holds all formulas on the sides on which they are at the point of the last evaluation.
+    pub fn hold_sides(&mut self) {
+        if self.has_kinks() {
+            self.equations.take_sides();
+        }
+    }
+
+    /// The largest guard of the formulas at the point of the last evaluation: positive where one is beyond its side.
+    pub(super) fn formula_guard(&self) -> f64 {
+        let formulas = 0..self.system().formulas.len();
+        let guards = formulas.map(|formula| self.beyond(formula));
+        guards.fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    fn beyond(&self, formula: usize) -> f64 {
+        let (system, inputs) = (self.system(), &self.equations.inputs);
+        self.equations.evaluation().beyond(system, inputs, formula) - PAST
+    }
+
+    /// The force of the first formula that is beyond its side at the point of the last evaluation.
+    pub fn switching(&self) -> Option<usize> {
+        let mut formulas = (0..self.system().formulas.len()).filter(|_| self.has_kinks());
+        let formula = formulas.find(|formula| self.beyond(*formula) > 0.0)?;
+        Some(self.system().formulas[formula].force)
+    }
+
+    /// The force of the first formula that has no value at the point of the last evaluation.
+    pub fn without_value(&self) -> Option<usize> {
+        let at = self.equations.kinematics();
+        let mut formulas = self.system().formulas.iter();
+        let formula = formulas.find(|formula| !formula.value(&at).is_finite())?;
+        Some(formula.force)
+    }
+}

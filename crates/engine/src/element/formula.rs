@@ -1,0 +1,137 @@
+//! Strengths of loads: laws of time, and functions of what moves.
+//!
+//! ```text
+//! f = f(s₁ … s_k)          s quantities of the motion (see [`super::quantity`])
+//! ∂f/∂q = Σ ∂f/∂s ∂s/∂q,   ∂f/∂v = Σ ∂f/∂s ∂s/∂v
+//! ```
+//!
+//! A function may have kinks and jumps, and is smooth on either **side** of each. That side holds which [`Kinematics::sides`]
+//! says, in a motion between its events, else the one on which the values are.
+
+use super::quantity::Quantity;
+use super::span::BOTH;
+use super::{Axis, BodyId, Kinematics};
+use crate::motion::Law;
+use std::fmt::Debug;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// Quantities that a formula takes at most.
+pub const MOST_ARGUMENTS: usize = 16;
+
+/// A function of some numbers with kinks, evaluated without allocation. `held` has a side for each kink; with none the values
+/// say which.
+pub trait Function: Debug + Send + Sync {
+    /// f
+    fn value(&self, inputs: &[f64], held: Option<&[i32]>) -> f64;
+    /// ∂f/∂s of the input with this index.
+    fn slope(&self, inputs: &[f64], index: usize, held: Option<&[i32]>) -> f64;
+    /// Number of kinks.
+    fn kinks(&self) -> usize;
+    /// The sides on which the kinks are.
+    fn take_sides(&self, inputs: &[f64], sides: &mut [i32]);
+    /// How far beyond the sides that are held the kinks are, by their scales: the largest [–].
+    fn beyond(&self, inputs: &[f64], held: &[i32], scales: &[f64]) -> f64;
+}
+
+/// A function of what moves.
+#[derive(Debug, Clone)]
+pub struct Formula {
+    /// Its arithmetic.
+    pub function: Arc<dyn Function>,
+    /// What it takes.
+    pub arguments: Vec<Quantity>,
+    /// Index of its first kink in [`Kinematics::sides`].
+    pub first: usize,
+    /// Index of the force that it is of.
+    pub force: usize,
+}
+
+/// A law of time, or a function of what moves.
+#[derive(Debug, Clone)]
+pub enum Strength {
+    /// f(t)
+    OfTime(Law),
+    /// f(t, q, v)
+    OfMotion(Arc<Formula>),
+}
+
+impl Strength {
+    /// Its value in SI.
+    pub fn value(&self, at: &Kinematics) -> f64 {
+        match self {
+            Strength::OfTime(law) => law.jet(at.time)[0],
+            Strength::OfMotion(formula) => formula.value(at),
+        }
+    }
+
+    /// The coordinates that change it.
+    pub fn columns(&self) -> Vec<(BodyId, Axis)> {
+        match self {
+            Strength::OfTime(_) => Vec::new(),
+            Strength::OfMotion(formula) => formula.columns(),
+        }
+    }
+
+    /// Tells its derivatives by these coordinates and by their rates, one by one.
+    pub fn each_slope(&self, at: &Kinematics, mut tell: impl FnMut([f64; 2])) {
+        if let Strength::OfMotion(formula) = self {
+            formula.each_slope(at, &mut tell);
+        }
+    }
+}
+
+impl Formula {
+    fn inputs(&self, at: &Kinematics) -> [f64; MOST_ARGUMENTS] {
+        let mut inputs = [0.0; MOST_ARGUMENTS];
+        for (input, quantity) in inputs.iter_mut().zip(&self.arguments) {
+            *input = quantity.value(at);
+        }
+        inputs
+    }
+
+    /// Its kinks among all.
+    pub fn kinks(&self) -> Range<usize> {
+        self.first..self.first + self.function.kinks()
+    }
+
+    fn held<'a>(&self, at: &Kinematics<'a>) -> Option<&'a [i32]> {
+        (!at.sides.is_empty()).then(|| &at.sides[self.kinks()])
+    }
+
+    /// Its value in SI.
+    pub fn value(&self, at: &Kinematics) -> f64 {
+        self.function.value(&self.inputs(at), self.held(at))
+    }
+
+    fn columns(&self) -> Vec<(BodyId, Axis)> {
+        self.arguments.iter().flat_map(Quantity::columns).collect()
+    }
+
+    fn each_slope(&self, at: &Kinematics, tell: &mut impl FnMut([f64; 2])) {
+        let (inputs, held) = (self.inputs(at), self.held(at));
+        for (index, quantity) in self.arguments.iter().enumerate() {
+            if matches!(quantity, Quantity::Time | Quantity::Drive(_)) {
+                continue;
+            }
+            let by = self.function.slope(&inputs, index, held);
+            let (mut position, mut velocity) = ([0.0; BOTH], [0.0; BOTH]);
+            quantity.slopes(at, &mut position, &mut velocity);
+            for (position, velocity) in position.iter().zip(&velocity) {
+                tell([by * position, by * velocity]);
+            }
+        }
+    }
+
+    /// Takes the sides on which its kinks are.
+    pub fn take_sides(&self, at: &Kinematics, sides: &mut [i32]) {
+        let own = &mut sides[self.kinks()];
+        self.function.take_sides(&self.inputs(at), own);
+    }
+
+    /// How far beyond the sides that are held it is, by the scales of all kinks [–].
+    pub fn beyond(&self, at: &Kinematics, scales: &[f64]) -> f64 {
+        let (held, scales) = (&at.sides[self.kinks()], &scales[self.kinks()]);
+        self.function.beyond(&self.inputs(at), held, scales)
+    }
+}

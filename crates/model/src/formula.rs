@@ -1,0 +1,207 @@
+//! Formulas: forces as functions of what moves, `"value": "=stall*(1 - crank.omega/idle)"`.
+
+use std::cell::RefCell;
+
+use indexmap::IndexMap;
+use serde::{Deserialize, Serialize};
+
+use crate::dimension::{Dimension, Powers};
+use crate::error::Complaint;
+use crate::expression::{Known, Misfit, Moving, Place, Results};
+use crate::joint::PointRef;
+use crate::node::excerpt;
+use crate::response::{Catalogue, Constant};
+use crate::suggest;
+
+/// A force, or a part of one, as a function of time and of quantities that move.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+pub struct Formula {
+    /// The expression with its sign, `=-c*slider.vx`.
+    pub formula: String,
+    /// The parameters that it names.
+    #[serde(default)]
+    pub parameters: IndexMap<String, Constant>,
+}
+
+/// What a formula takes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Argument {
+    /// Time \[s\].
+    Time,
+    /// Value of a driver \[rad or m\].
+    Driver(String),
+    /// A coordinate of a body's frame \[m or rad\].
+    Body(String, Coordinate, Order),
+    /// A coordinate of a point, never an angle \[m\].
+    Point(PointRef, Coordinate, Order),
+    /// Distance of a spring's points \[m\], or angle of the second body of a torsion spring in the first \[rad\].
+    Spring(String, Order),
+    /// Angle of a joint's second body in the first \[rad\].
+    Turn(String, Order),
+    /// Slide of a joint along its axis, first point to second \[m\].
+    Slide(String, Order),
+}
+
+/// A coordinate of a frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Coordinate {
+    /// \[m\]
+    X,
+    /// \[m\]
+    Y,
+    /// \[rad\]
+    Angle,
+}
+
+/// A quantity or its rate.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Order {
+    /// The quantity.
+    Value,
+    /// Its derivative by time.
+    Rate,
+}
+
+/// A formula that can be evaluated.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CompiledFormula {
+    /// Its arithmetic; inputs are indexes of the arguments.
+    pub moving: Moving,
+    /// Values of its parameters, in SI.
+    pub parameters: Vec<f64>,
+    /// What it takes.
+    pub arguments: Vec<Argument>,
+}
+
+impl Formula {
+    /// A formula that names no parameters.
+    pub fn new(formula: impl Into<String>) -> Self {
+        Formula {
+            formula: formula.into(),
+            parameters: IndexMap::new(),
+        }
+    }
+
+    /// Finds out how to evaluate it in a model.
+    ///
+    /// # Errors
+    /// What is wrong with the text, at no path.
+    pub fn compile(&self, catalogue: &Catalogue) -> Result<CompiledFormula, Complaint> {
+        let parameters = self.parameters.iter();
+        let parameters: Vec<_> = parameters
+            .map(|(name, constant)| (name.as_str(), constant.quantity()))
+            .collect();
+        let arguments = Arguments::of(catalogue);
+        let moving = Moving::read(&self.formula, &parameters, &arguments, false);
+        let moving = moving.map_err(|Misfit { fault, .. }| Complaint {
+            hint: fault.hint,
+            ..Complaint::new("", fault.message)
+        })?;
+        Ok(CompiledFormula {
+            moving,
+            parameters: self.parameters.values().map(|one| one.value).collect(),
+            arguments: arguments.found.into_inner(),
+        })
+    }
+
+    /// What is wrong with it where a quantity of a dimension is wanted.
+    pub(crate) fn fault(&self, catalogue: &Catalogue, wanted: Dimension) -> Option<Complaint> {
+        match self.compile(catalogue) {
+            Ok(compiled) => misfit(&compiled.moving, wanted),
+            Err(complaint) => Some(complaint),
+        }
+    }
+}
+
+/// Why an expression of the motion can't stand where a dimension is wanted.
+pub(crate) fn misfit(moving: &Moving, wanted: Dimension) -> Option<Complaint> {
+    if moving.fits(wanted.powers()) {
+        return None;
+    }
+    let place = crate::expression::with_article(wanted.name(), wanted.si());
+    let message = format!(
+        "this is {}, where {place} is wanted",
+        moving.quantity.words()
+    );
+    let complaint = Complaint::new("", message);
+    Some(complaint.hint("its factors carry units, as in -0.5 N*s/m * slider.vx"))
+}
+
+/// The names of what moves, and which of them a text has named.
+pub(crate) struct Arguments<'a> {
+    catalogue: &'a Catalogue,
+    found: RefCell<Vec<Argument>>,
+}
+
+impl<'a> Arguments<'a> {
+    /// Of a model.
+    pub fn of(catalogue: &'a Catalogue) -> Self {
+        Arguments {
+            catalogue,
+            found: RefCell::default(),
+        }
+    }
+}
+
+impl Results for Arguments<'_> {
+    fn find(&self, name: &str) -> Option<Known> {
+        let argument = self.catalogue.argument(name)?;
+        let powers = argument.powers(self.catalogue);
+        let mut found = self.found.borrow_mut();
+        let known = found.iter().position(|one| *one == argument);
+        let index = known.unwrap_or_else(|| {
+            found.push(argument);
+            found.len() - 1
+        });
+        Some(Known {
+            place: Place::Row(index),
+            powers,
+        })
+    }
+
+    fn missing(&self, name: &str, parameters: &[String]) -> Complaint {
+        if Results::find(self.catalogue, name).is_some() {
+            let message = format!("{name} follows from the forces, and can't be in one");
+            return Complaint::new("", message).hint("places, angles and their rates can, and t");
+        }
+        let message = format!(
+            "there is no parameter, and nothing that moves, called {:?}",
+            excerpt(name)
+        );
+        let said = Complaint::new("", message);
+        let names = self.catalogue.arguments();
+        let all = names.iter().chain(parameters).map(String::as_str);
+        match suggest::nearest(name, all) {
+            Some(near) => said.hint(format!("did you mean {near:?}?")),
+            None => said.hint(
+                "as in crank.angle, slider.vx, rod.B.y, joint.guide.slide, force.shock.length or t",
+            ),
+        }
+    }
+}
+
+impl Argument {
+    /// Its dimension.
+    fn powers(&self, catalogue: &Catalogue) -> Powers {
+        let (is_angle, order) = match self {
+            Argument::Time => return Dimension::Time.powers(),
+            Argument::Driver(name) => {
+                let driven = catalogue.drives(name);
+                return driven.unwrap_or(Dimension::Angle).powers();
+            }
+            Argument::Body(_, coordinate, order) | Argument::Point(_, coordinate, order) => {
+                (*coordinate == Coordinate::Angle, order)
+            }
+            Argument::Spring(name, order) => (catalogue.spring_turns(name) == Some(true), order),
+            Argument::Turn(_, order) => (true, order),
+            Argument::Slide(_, order) => (false, order),
+        };
+        let dimension = match (is_angle, order) {
+            (true, Order::Value) => Dimension::Angle,
+            (true, Order::Rate) => Dimension::AngularVelocity,
+            (false, Order::Value) => Dimension::Length,
+            (false, Order::Rate) => Dimension::Velocity,
+        };
+        dimension.powers()
+    }
+}

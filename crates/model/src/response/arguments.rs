@@ -1,0 +1,112 @@
+//! The names of what moves, for formulas.
+
+use super::Catalogue;
+use crate::dimension::Dimension;
+use crate::formula::{Argument, Coordinate, Order};
+use crate::joint::PointRef;
+
+const BODY: [(&str, Coordinate, Order); 6] = [
+    ("x", Coordinate::X, Order::Value),
+    ("y", Coordinate::Y, Order::Value),
+    ("angle", Coordinate::Angle, Order::Value),
+    ("vx", Coordinate::X, Order::Rate),
+    ("vy", Coordinate::Y, Order::Rate),
+    ("omega", Coordinate::Angle, Order::Rate),
+];
+/// Of joints and torsion springs.
+const TURN: [(&str, Order); 2] = [("angle", Order::Value), ("omega", Order::Rate)];
+const SLIDE: [(&str, Order); 2] = [("slide", Order::Value), ("rate", Order::Rate)];
+/// Of springs.
+const STRETCH: [(&str, Order); 2] = [("length", Order::Value), ("rate", Order::Rate)];
+
+fn order(words: [(&str, Order); 2], word: &str) -> Option<Order> {
+    let row = words.iter().find(|row| row.0 == word)?;
+    Some(row.1)
+}
+
+impl Catalogue {
+    /// What a name stands for; none where nothing that moves is called so.
+    pub(crate) fn argument(&self, name: &str) -> Option<Argument> {
+        if name == "t" || name == "time" {
+            return Some(Argument::Time);
+        }
+        let (owner, word) = name.rsplit_once('.')?;
+        let row = || BODY.iter().find(|row| row.0 == word);
+        if self.bodies.iter().any(|body| body == owner)
+            && let Some(&(_, coordinate, order)) = row()
+        {
+            return Some(Argument::Body(owner.to_owned(), coordinate, order));
+        }
+        if self
+            .points
+            .iter()
+            .chain(&self.unwanted)
+            .any(|point| point == owner)
+            && let Some(&(_, coordinate, order)) = row()
+            && coordinate != Coordinate::Angle
+        {
+            let point = PointRef::try_from(owner.to_owned()).ok()?;
+            return Some(Argument::Point(point, coordinate, order));
+        }
+        let known = |name: &str| self.drives(name).is_some();
+        match name.split_once('.')? {
+            ("driver", driver) if known(driver) => Some(Argument::Driver(driver.to_owned())),
+            ("driver", rest) => {
+                let driver = rest.strip_suffix(".value").filter(|driver| known(driver))?;
+                Some(Argument::Driver(driver.to_owned()))
+            }
+            ("joint", rest) => {
+                let (joint, word) = rest.rsplit_once('.')?;
+                let own = self.joints.iter().find(|one| one.name == joint)?;
+                let slide = order(SLIDE, word).filter(|_| own.slides);
+                let turn = order(TURN, word).filter(|_| own.turns);
+                let slide = slide.map(|order| Argument::Slide(joint.to_owned(), order));
+                slide.or_else(|| Some(Argument::Turn(joint.to_owned(), turn?)))
+            }
+            ("force", rest) => {
+                let (spring, word) = rest.rsplit_once('.')?;
+                let words = if self.spring_turns(spring)? {
+                    TURN
+                } else {
+                    STRETCH
+                };
+                Some(Argument::Spring(spring.to_owned(), order(words, word)?))
+            }
+            (_, _) => None,
+        }
+    }
+
+    /// Of a driver, where there is one of this name and it is known what it drives.
+    pub(crate) fn drives(&self, name: &str) -> Option<Dimension> {
+        self.drivers.iter().find(|one| one.0 == name)?.1
+    }
+
+    /// Whether a spring is one of torsion; none where there is no such spring.
+    pub(crate) fn spring_turns(&self, name: &str) -> Option<bool> {
+        let spring = self.springs.iter().find(|one| one.name == name)?;
+        Some(spring.turns)
+    }
+
+    /// Names that a slip of the pen may have meant.
+    pub(crate) fn arguments(&self) -> Vec<String> {
+        let mut names = vec!["time".to_owned()];
+        for body in &self.bodies {
+            names.extend(BODY.map(|row| format!("{body}.{}", row.0)));
+        }
+        for point in self.points.iter().chain(&self.unwanted) {
+            let words = BODY.iter().filter(|row| row.1 != Coordinate::Angle);
+            names.extend(words.map(|row| format!("{point}.{}", row.0)));
+        }
+        for joint in &self.joints {
+            let slides = SLIDE.iter().filter(|_| joint.slides);
+            let words = TURN.iter().filter(|_| joint.turns).chain(slides);
+            names.extend(words.map(|row| format!("joint.{}.{}", joint.name, row.0)));
+        }
+        for spring in &self.springs {
+            let words = if spring.turns { TURN } else { STRETCH };
+            names.extend(words.map(|row| format!("force.{}.{}", spring.name, row.0)));
+        }
+        names.extend(self.drivers.iter().map(|one| format!("driver.{}", one.0)));
+        names
+    }
+}

@@ -1,0 +1,87 @@
+//! Expressions of what moves, where forces are wanted.
+
+use serde_json::{Value, json};
+
+use super::{Driven, Walk};
+use crate::dimension::Dimension;
+use crate::error::Complaint;
+use crate::expression::{Misfit, is_expression};
+use crate::formula::{Arguments, misfit};
+use crate::node::{Kind, Node};
+use crate::response::{Catalogue, Constant};
+use crate::shape::Measure;
+use crate::words::MOTION;
+
+impl Walk<'_> {
+    /// A quantity, or a motion of it.
+    pub(super) fn varying(&mut self, node: &Node, of: Dimension, path: &str) -> Option<Value> {
+        let driven = Driven::Dimension(of);
+        match node.kind {
+            Kind::Object(_) => self.tagged(node, &MOTION, path, driven),
+            _ => {
+                let value = self.quantity(node, Measure::Of(of), path, driven);
+                value.map(Value::from)
+            }
+        }
+    }
+
+    /// A formula, or its fault; nothing where a text names nothing that moves.
+    pub(super) fn formula(
+        &mut self,
+        node: &Node,
+        wanted: Dimension,
+        path: &str,
+    ) -> Option<Option<Value>> {
+        let Kind::String(text) = &node.kind else {
+            return None;
+        };
+        if !is_expression(text) {
+            return None;
+        }
+        let root = &self.source.root;
+        let catalogue = self
+            .catalogue
+            .take()
+            .unwrap_or_else(|| Catalogue::of_file(root));
+        let read = self.parameters.moving(text, &Arguments::of(&catalogue));
+        self.catalogue = Some(catalogue);
+        match read {
+            Ok(Some((moving, _))) if !moving.has_arguments() => None,
+            Ok(Some((moving, constants))) => {
+                if let Some(complaint) = misfit(&moving, wanted) {
+                    let path = path.to_owned();
+                    self.complain(node, Complaint { path, ..complaint });
+                    return Some(None);
+                }
+                let constants = constants
+                    .into_iter()
+                    .map(|(name, value)| (name, json!(Constant::new(value))));
+                let parameters = Value::Object(constants.collect());
+                Some(Some(json!({ "formula": text, "parameters": parameters })))
+            }
+            Ok(None) => None,
+            Err(Misfit { at, fault }) if names_a_part(text) => {
+                let complaint = Complaint {
+                    hint: fault.hint,
+                    ..Complaint::new(path, fault.message)
+                };
+                self.complain_at(node, Some(at), complaint);
+                Some(None)
+            }
+            Err(_) => None,
+        }
+    }
+}
+
+/// Whether a text names something by its owner, as in `crank.angle`, which no parameter is.
+fn names_a_part(text: &str) -> bool {
+    let is_letter = |c: Option<char>| c.is_some_and(|c| c.is_alphabetic() || c == '_');
+    let dotted = text.match_indices('.').any(|(at, _)| {
+        let before = text[..at].chars().rev();
+        let word: Vec<char> = before
+            .take_while(|c| c.is_alphanumeric() || *c == '_')
+            .collect();
+        is_letter(word.last().copied()) && is_letter(text[at + 1..].chars().next())
+    });
+    dotted || text.contains('\'')
+}
