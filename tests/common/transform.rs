@@ -7,7 +7,7 @@ mod rename;
 use indexmap::IndexMap;
 use linkdyn_model::{
     Driver, DriverKind, Force, ForceKind, Formula, Frame, GROUND, Joint, JointKind, Model, Motion,
-    Value,
+    Paced, Rise, Segment, Value,
 };
 
 pub use rename::{rename_and_reverse, renamed};
@@ -16,6 +16,36 @@ pub use rename::{rename_and_reverse, renamed};
 pub fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
     let (sin, cos) = angle.sin_cos();
     [cos * x - sin * y, sin * x + cos * y]
+}
+
+fn rise(one: &Rise, factor: f64, offset: f64) -> Rise {
+    Rise {
+        start: one.start * factor + offset,
+        rise: one.rise.map(|rise| rise * factor),
+        end: one.end.map(|end| end * factor + offset),
+        ..*one
+    }
+}
+
+fn paced(one: &Paced, factor: f64, offset: f64) -> Paced {
+    let limit = |limit: Option<f64>| limit.map(|limit| limit * factor.abs());
+    Paced {
+        start: one.start * factor + offset,
+        rise: one.rise.map(|rise| rise * factor),
+        end: one.end.map(|end| end * factor + offset),
+        velocity: limit(one.velocity),
+        acceleration: limit(one.acceleration),
+        jerk: limit(one.jerk),
+        ..*one
+    }
+}
+
+fn segment(one: &Segment, factor: f64, offset: f64) -> Segment {
+    Segment {
+        rise: one.rise.map(|rise| rise * factor),
+        end: one.end.map(|end| end * factor + offset),
+        ..*one
+    }
 }
 
 /// f(t) ↦ factor·f(t) + offset.
@@ -43,11 +73,36 @@ fn affine(motion: &Motion, factor: f64, offset: f64) -> Motion {
             frequency: *frequency,
             phase: *phase,
         },
-        Motion::Table { points } => Motion::Table {
+        Motion::Table {
+            points,
+            interpolation,
+        } => Motion::Table {
             points: points
                 .iter()
                 .map(|[t, value]| [*t, value * factor + offset])
                 .collect(),
+            interpolation: *interpolation,
+        },
+        Motion::Cycloidal(one) => Motion::Cycloidal(rise(one, factor, offset)),
+        Motion::Polynomial345(one) => Motion::Polynomial345(rise(one, factor, offset)),
+        Motion::Polynomial4567(one) => Motion::Polynomial4567(rise(one, factor, offset)),
+        Motion::ModifiedSine(one) => Motion::ModifiedSine(rise(one, factor, offset)),
+        Motion::ModifiedTrapezoid(one) => Motion::ModifiedTrapezoid(rise(one, factor, offset)),
+        Motion::TrapezoidalVelocity(one) => Motion::TrapezoidalVelocity(paced(one, factor, offset)),
+        Motion::SCurve(one) => Motion::SCurve(paced(one, factor, offset)),
+        Motion::Sequence {
+            start,
+            begin,
+            segments,
+            repeat,
+        } => Motion::Sequence {
+            start: start * factor + offset,
+            begin: *begin,
+            segments: segments
+                .iter()
+                .map(|one| segment(one, factor, offset))
+                .collect(),
+            repeat: *repeat,
         },
         Motion::ConstantVelocity { start, velocity } => Motion::ConstantVelocity {
             start: start * factor + offset,

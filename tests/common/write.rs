@@ -225,9 +225,21 @@ impl Scale {
                 phase,
             } => json!({ "type": "harmonic",
                 "offset": offset * unit, "amplitude": amplitude * unit, "frequency": frequency, "phase": phase * self.angle }),
-            Motion::Table { points } => {
-                json!({ "type": "table", "points": points.iter().map(|[t, f]| [*t, f * unit]).collect::<Vec<_>>() })
+            Motion::Table {
+                points,
+                interpolation,
+            } => {
+                json!({ "type": "table", "points": points.iter().map(|[t, f]| [*t, f * unit]).collect::<Vec<_>>(),
+                    "interpolation": interpolation })
             }
+            Motion::Cycloidal(_)
+            | Motion::Polynomial345(_)
+            | Motion::Polynomial4567(_)
+            | Motion::ModifiedSine(_)
+            | Motion::ModifiedTrapezoid(_)
+            | Motion::TrapezoidalVelocity(_)
+            | Motion::SCurve(_)
+            | Motion::Sequence { .. } => scaled(&json!(motion), unit),
             Motion::ConstantVelocity { start, velocity } => {
                 json!({ "type": "constant_velocity", "start": start * unit, "velocity": velocity * unit })
             }
@@ -285,4 +297,22 @@ impl Scale {
             }
         }
     }
+}
+
+/// A rise or a sequence with its values in another unit; what is not said is left out.
+fn scaled(motion: &Value, unit: f64) -> Value {
+    let Some(members) = motion.as_object() else {
+        return motion.clone();
+    };
+    let values = ["start", "rise", "end", "velocity", "acceleration", "jerk"];
+    let written = members.iter().filter(|(_, value)| !value.is_null());
+    let written = written.map(|(key, value)| {
+        let value = match (value, value.as_f64()) {
+            (Value::Array(parts), _) => parts.iter().map(|part| scaled(part, unit)).collect(),
+            (_, Some(number)) if values.contains(&key.as_str()) => json!(number * unit),
+            (other, _) => other.clone(),
+        };
+        (key.clone(), value)
+    });
+    Value::Object(written.collect())
 }

@@ -110,6 +110,37 @@ fn a_slider_crank_has_the_slopes_of_its_closed_forms() {
     }
 }
 
+/// Of a cycloidal rise h in T: the angle h (z − sin(2πz)/2π) at z = t/T, and the peak 2π h/T² of its acceleration.
+#[test]
+fn a_rise_has_the_slopes_of_its_closed_forms() {
+    let sets = [
+        "parameters.h=1 rad",
+        "parameters.T=0.5 s",
+        "analysis.type=kinematics",
+        "analysis.end=0.3",
+        "analysis.outputs=31",
+        "drivers.motor.motion={\"type\":\"cycloidal\",\"rise\":\"=h\",\"duration\":\"=T\"}",
+    ];
+    let responses = ["last(crank.angle)", "max(abs(crank.alpha))"];
+    let family = family("slider-crank", &sets, &responses, &["h", "T"]);
+    for (h, t) in [(1.0, 0.5), (0.8, 0.45)] {
+        let (values, found) = gradient(&family, &[h, t]);
+        let z = 0.3 / t;
+        let angle = z - (TAU * z).sin() / TAU;
+        let speed = 1.0 - (TAU * z).cos();
+        assert!((values[0] - h * angle).abs() < 1e-14, "{values:?}");
+        assert_met(responses[0], &found[..2], &[angle, -h * speed * z / t]);
+        let peak = TAU / (t * t);
+        assert!((values[1] - h * peak).abs() < 1e-9 * peak, "{values:?}");
+        for (found, exact) in found[2..].iter().zip([peak, -2.0 * h * peak / t]) {
+            assert!(
+                (found - exact).abs() < 1e-9 * exact.abs(),
+                "{found} {exact}"
+            );
+        }
+    }
+}
+
 /// The angle of transmission is least where crank and base lie in line: cos μ = (b² + c² − (d − a)²)/2bc.
 #[test]
 fn a_four_bar_has_the_slopes_of_its_angle_of_transmission() {

@@ -130,6 +130,33 @@ fn toleranced() -> Value {
     }))
 }
 
+fn rises() -> Vec<Value> {
+    vec![
+        minimal(&motion(
+            &json!({ "type": "cycloidal", "rise": "30 deg", "duration": "0.2 s" }),
+        )),
+        minimal(&motion(
+            &json!({ "type": "modified_sine", "start": 1, "end": 0, "begin": "1 ms", "duration": 1 }),
+        )),
+        minimal(&motion(
+            &json!({ "type": "trapezoidal_velocity", "rise": 1, "velocity": "60 rpm", "acceleration": 9 }),
+        )),
+        minimal(&motion(
+            &json!({ "type": "s_curve", "rise": 1, "duration": 1, "ramp": 0.2, "rounding": 1 }),
+        )),
+        minimal(&motion(
+            &json!({ "type": "s_curve", "rise": 1, "velocity": 1, "acceleration": 2, "jerk": "1 rad/s^3" }),
+        )),
+        minimal(&motion(
+            &json!({ "type": "sequence", "repeat": 4, "segments": [
+            { "law": "polynomial_4_5_6_7", "rise": 1, "duration": 1 }, { "dwell": 1, "note": "weld" }] }),
+        )),
+        minimal(&motion(
+            &json!({ "type": "table", "interpolation": "monotone", "points": [[0, 0], [1, 1]] }),
+        )),
+    ]
+}
+
 fn good() -> Vec<Value> {
     let mut models = vec![
         serde_json::from_str(EXAMPLE).unwrap(),
@@ -181,6 +208,7 @@ fn good() -> Vec<Value> {
                         "max_wall_time": "2 min" } } }),
         ),
     ];
+    models.extend(rises());
     models.extend(clearances());
     models.push(toleranced());
     models[1]["bodies"]["note"] = json!("a remark, not a body");
@@ -266,6 +294,13 @@ fn bad_structure_satisfies_neither() {
         json!({ "forces": { "s": { "type": "spring", "between": ["ground.O", "bar.A"], "free_length": 1 } } }),
         motion(&json!({ "type": "polynomial", "coefficients": [] })),
         motion(&json!({ "type": "table", "points": [[0, 0], [1, 2, 3]] })),
+        motion(&json!({ "type": "table", "interpolation": "cubic", "points": [[0, 0], [1, 2]] })),
+        motion(&json!({ "type": "cycloidal", "duration": 1 })),
+        motion(&json!({ "type": "cycloidal", "rise": 1, "end": 1, "duration": 1 })),
+        motion(&json!({ "type": "cycloidal", "rise": 1, "duration": 0 })),
+        motion(&json!({ "type": "s_curve", "rise": 1, "duration": 1, "velocity": 1 })),
+        motion(&json!({ "type": "sequence", "segments": [{ "rise": 1 }] })),
+        motion(&json!({ "type": "sequence", "segments": [{ "dwell": 1, "law": "cycloidal" }] })),
         clearance(&json!({ "model": "sloppy" })),
         clearance(&json!({ "model": "ideal", "normal": { "law": "hertz", "restitution": 2 } })),
         json!({ "analysis": { "type": "statics", "outputs": 1.5 } }),

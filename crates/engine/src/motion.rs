@@ -5,13 +5,22 @@
 //! | polynomial            | Σ c_k t^k                             |
 //! | harmonic              | o + A sin(2π ν t + φ)                 |
 //! | table                 | natural cubic spline through (t, f)   |
+//! | pieces                | other tables, rises, sequences        |
 //! | constant velocity     | s + v t                               |
 //! | constant acceleration | s + v t + a t²/2                      |
 //!
 //! A table is interpolated by the natural cubic spline (f″ = 0 at both ends; de Boor, A Practical Guide to Splines,
-//! 2001, ch. IV) and goes on as a straight line beyond its ends, so f, f′, f″ are continuous everywhere.
+//! 2001, ch. IV) and goes on as a straight line beyond its ends, so f, f′, f″ are continuous everywhere. Pieces are continuous in f; where f′ or f″ jumps,
+//! [`Law::next_break`] says so, and what stands there is the value after the jump.
+
+mod pieces;
+pub mod rise;
+mod spline;
+mod table;
 
 use linkdyn_linear::math::max_abs;
+pub use pieces::Pieces;
+pub use spline::Spline;
 use std::f64::consts::{PI, TAU};
 
 /// Value, first and second derivative.
@@ -35,63 +44,8 @@ pub enum Law {
     },
     /// A table.
     Spline(Spline),
-}
-
-/// Natural cubic spline: knots, values and second derivatives, all of length n ≥ 2.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Spline {
-    t: Vec<f64>,
-    f: Vec<f64>,
-    curvature: Vec<f64>,
-}
-
-impl Spline {
-    /// Spline through points with strictly increasing times.
-    pub fn natural(points: &[[f64; 2]]) -> Self {
-        let n = points.len();
-        let t: Vec<f64> = points.iter().map(|p| p[0]).collect();
-        let f: Vec<f64> = points.iter().map(|p| p[1]).collect();
-        let mut curvature = vec![0.0; n];
-        // Tridiagonal system for the inner second derivatives, eliminated downwards.
-        let mut factor = vec![0.0; n];
-        for i in 1..n.saturating_sub(1) {
-            let (h0, h1) = (t[i] - t[i - 1], t[i + 1] - t[i]);
-            let rhs = 6.0 * ((f[i + 1] - f[i]) / h1 - (f[i] - f[i - 1]) / h0);
-            let pivot = 2.0 * (h0 + h1) - h0 * factor[i - 1];
-            factor[i] = h1 / pivot;
-            curvature[i] = (rhs - h0 * curvature[i - 1]) / pivot;
-        }
-        for i in (1..n.saturating_sub(1)).rev() {
-            curvature[i] -= factor[i] * curvature[i + 1];
-        }
-        Spline { t, f, curvature }
-    }
-
-    fn jet(&self, t: f64) -> Jet {
-        let last = self.t.len() - 1;
-        // Beyond the ends: the end tangent (f″ = 0 there).
-        for (inside, end) in [(t >= self.t[0], 0), (t <= self.t[last], last)] {
-            if !inside {
-                let edge = self.piece(end.min(last - 1), self.t[end]);
-                return [edge[0] + edge[1] * (t - self.t[end]), edge[1], 0.0];
-            }
-        }
-        let k = self.t.partition_point(|&knot| knot <= t).clamp(1, last) - 1;
-        self.piece(k, t)
-    }
-
-    fn piece(&self, k: usize, t: f64) -> Jet {
-        let h = self.t[k + 1] - self.t[k];
-        let (a, b) = (self.t[k + 1] - t, t - self.t[k]);
-        let (m0, m1) = (self.curvature[k], self.curvature[k + 1]);
-        let slope = (self.f[k + 1] - self.f[k]) / h;
-        [
-            self.f[k] + slope * b
-                - (m0 * (h * h - a * a) * a + m1 * (h * h - b * b) * b) / (6.0 * h),
-            slope + (m1 * (3.0 * b * b - h * h) - m0 * (3.0 * a * a - h * h)) / (6.0 * h),
-            (m0 * a + m1 * b) / h,
-        ]
-    }
+    /// What is made of pieces.
+    Pieces(Pieces),
 }
 
 impl Law {
@@ -124,6 +78,7 @@ impl Law {
                 ]
             }
             Law::Spline(s) => s.jet(t),
+            Law::Pieces(pieces) => pieces.jet(t),
         }
     }
 
@@ -141,10 +96,11 @@ impl Law {
             Law::Harmonic { frequency, .. } if !self.is_constant() => TAU * frequency.abs(),
             Law::Harmonic { .. } => 0.0,
             Law::Spline(s) => {
-                let pieces = s.t.windows(2).zip(s.f.windows(2));
+                let pieces = s.times().windows(2).zip(s.values().windows(2));
                 let slopes = pieces.map(|(t, f)| ((f[1] - f[0]) / (t[1] - t[0])).abs() / unit);
                 slopes.fold(0.0, f64::max)
             }
+            Law::Pieces(pieces) => pieces.speed() / unit,
         }
     }
 
@@ -157,7 +113,25 @@ impl Law {
                 frequency,
                 ..
             } => *amplitude == 0.0 || *frequency == 0.0,
-            Law::Spline(s) => s.f.iter().all(|&f| f == s.f[0]),
+            Law::Spline(s) => s.values().iter().all(|&f| f == s.values()[0]),
+            Law::Pieces(pieces) => pieces.speed() == 0.0,
+        }
+    }
+
+    /// Whether it has breaks.
+    pub fn has_breaks(&self) -> bool {
+        match self {
+            Law::Polynomial(_) | Law::Harmonic { .. } | Law::Spline(_) => false,
+            Law::Pieces(pieces) => pieces.has_breaks(),
+        }
+    }
+
+    /// The first time after `t` at which the law has no Taylor series that holds on both sides; of a table's spline, whose third
+    /// derivative jumps alone, none.
+    pub fn next_break(&self, t: f64) -> Option<f64> {
+        match self {
+            Law::Polynomial(_) | Law::Harmonic { .. } | Law::Spline(_) => None,
+            Law::Pieces(pieces) => pieces.next_break(t),
         }
     }
 
@@ -167,9 +141,11 @@ impl Law {
         match self {
             Law::Polynomial(_) => Box::new(self.turns_between([end].into_iter(), end)),
             Law::Spline(s) => {
-                let knots = s.t.iter().copied().filter(move |&t| t > 0.0 && t < end);
+                let knots = s.times().iter().copied();
+                let knots = knots.filter(move |&t| t > 0.0 && t < end);
                 Box::new(self.turns_between(knots.chain([end]), end))
             }
+            Law::Pieces(pieces) => Box::new(pieces.turns(end)),
             Law::Harmonic {
                 frequency, phase, ..
             } => Box::new(self.turns_of_wave(*frequency, *phase, end)),
@@ -231,7 +207,8 @@ impl Law {
         let mut left = 0.0;
         let most = match self {
             Law::Harmonic { .. } => REPEATS,
-            Law::Polynomial(_) | Law::Spline(_) => usize::MAX,
+            Law::Pieces(pieces) if pieces.repeats() => REPEATS,
+            Law::Polynomial(_) | Law::Spline(_) | Law::Pieces(_) => usize::MAX,
         };
         let ends = self.turning_times(end).chain([end]).take(most);
         ends.map(move |right| (std::mem::replace(&mut left, right), right))
@@ -331,5 +308,9 @@ pub(crate) fn bisect(f: impl Fn(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
     0.5 * (a + b)
 }
 
+#[cfg(test)]
+mod piece_tests;
+#[cfg(test)]
+mod rise_tests;
 #[cfg(test)]
 mod tests;

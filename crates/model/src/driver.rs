@@ -1,6 +1,8 @@
-//! Drivers: prescribed motions.
+//! Drivers: prescribed coordinates.
 
 use serde::{Deserialize, Serialize};
+
+use crate::motion::Motion;
 
 /// A prescribed coordinate.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
@@ -32,53 +34,5 @@ pub enum DriverKind {
     Translation {
         /// Name of the prismatic joint or slot.
         joint: String,
-    },
-}
-
-/// A law of time f(t), SI (driven dimension, s, Hz, rad).
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(tag = "type", rename_all = "snake_case")]
-pub enum Motion {
-    /// Σ c_k t^k.
-    Polynomial {
-        /// c₀, c₁, c₂ …; a plain c_k is in the driven dimension's unit per second^k.
-        coefficients: Vec<f64>,
-    },
-    /// offset + amplitude·sin(2π·frequency·t + phase).
-    Harmonic {
-        /// Middle of the oscillation.
-        #[serde(default)]
-        offset: f64,
-        /// Half of its width.
-        amplitude: f64,
-        /// \[Hz\]
-        frequency: f64,
-        /// \[rad\]
-        #[serde(default)]
-        phase: f64,
-    },
-    /// Cubic spline through (t, value); times strictly increasing, at least two.
-    Table {
-        /// [[t, value], …]
-        points: Vec<[f64; 2]>,
-    },
-    /// start + velocity·t.
-    ConstantVelocity {
-        /// Value at t = 0.
-        #[serde(default)]
-        start: f64,
-        /// Rate at t = 0.
-        velocity: f64,
-    },
-    /// start + velocity·t + acceleration·t²/2.
-    ConstantAcceleration {
-        /// Value at t = 0.
-        #[serde(default)]
-        start: f64,
-        /// Rate at t = 0.
-        #[serde(default)]
-        velocity: f64,
-        /// Rate of the rate.
-        acceleration: f64,
     },
 }

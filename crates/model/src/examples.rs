@@ -7,7 +7,7 @@ pub(super) const UNITS: &str =
 const MOTION: &str = r#""motion": { "type": "constant_velocity", "velocity": "60 rpm" }"#;
 
 /// Keys and how to write them; what is to be said before that.
-const EXAMPLES: [(&str, &str, &str); 46] = [
+const EXAMPLES: [(&str, &str, &str); 48] = [
     ("format", "", r#""format": "linkdyn/1""#),
     ("units", "", UNITS),
     ("gravity", "", r#""gravity": [0, -9.81]"#),
@@ -46,6 +46,12 @@ const EXAMPLES: [(&str, &str, &str); 46] = [
         "acceleration",
         "",
         r#""acceleration": "2 rad/s^2", or "10 mm/s^2" of a slide"#,
+    ),
+    ("duration", "", r#""duration": "0.2 s""#),
+    (
+        "segments",
+        "",
+        r#""segments": [{ "law": "cycloidal", "rise": "30 deg", "duration": "0.2 s" }, { "dwell": "0.1 s" }]"#,
     ),
     ("body", "the name of a body, ", r#""body": "crank""#),
     (

@@ -2,9 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::driver::Motion;
 use super::formula::Formula;
 use super::joint::PointRef;
+use super::motion::Motion;
 
 /// A value that may vary with time.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]

@@ -30,6 +30,7 @@ mod gate;
 mod hold;
 mod json;
 mod load;
+mod motion;
 mod node;
 mod print;
 mod schema;
@@ -55,7 +56,7 @@ pub use clearance::{
     Normal, NormalLaw, Surface,
 };
 pub use dimension::{Dimension, Powers};
-pub use driver::{Driver, DriverKind, Motion};
+pub use driver::{Driver, DriverKind};
 #[doc(hidden)]
 pub use expression::Given;
 pub use expression::{Derivatives, Interval, Leaf, Parameter};
@@ -67,6 +68,9 @@ pub use gate::Checked;
 pub use hold::unheld;
 pub use joint::{Joint, JointKind, PointRef};
 pub use load::{Loaded, load, load_file};
+pub use motion::Motion;
+#[doc(hidden)]
+pub use motion::{Interpolation, Paced, Rise, RiseLaw, Segment};
 pub use optimise::Optimise;
 pub use response::Response;
 pub use schema::schema;

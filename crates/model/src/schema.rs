@@ -228,6 +228,7 @@ fn measure_name(measure: Measure) -> &'static str {
         Measure::Driven => "driven",
         Measure::DrivenVelocity => "driven velocity",
         Measure::DrivenAcceleration => "driven acceleration",
+        Measure::DrivenJerk => "driven jerk",
         Measure::DrivenCoefficient => "driven coefficient",
     }
 }

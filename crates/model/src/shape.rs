@@ -56,6 +56,8 @@ pub enum Measure {
     DrivenVelocity,
     /// The rate of its rate.
     DrivenAcceleration,
+    /// The rate of that.
+    DrivenJerk,
     /// Its derivative of the order of the place in the list.
     DrivenCoefficient,
 }

@@ -210,6 +210,12 @@ fn numbers_of_all_laws_of_motion_have_their_influence() {
         json!({ "type": "harmonic", "offset": 1.1, "amplitude": 0.3, "frequency": 0.9, "phase": 0.4 }),
         json!({ "type": "table", "points": [[0.0, 1.0], [0.3, 1.4], [0.6, 1.1], [1.2, 2.0]] }),
         json!({ "type": "polynomial", "coefficients": [1.0, 0.4, -0.3, 0.1] }),
+        json!({ "type": "table", "interpolation": "periodic", "points": [[0.0, 1.0], [0.3, 1.4], [0.6, 1.1], [1.2, 1.3]] }),
+        json!({ "type": "cycloidal", "start": 1.0, "rise": 0.7, "duration": 0.8 }),
+        json!({ "type": "s_curve", "start": 1.0, "end": 1.7, "duration": 0.8 }),
+        json!({ "type": "sequence", "start": 1.0, "repeat": 2, "segments": [
+            { "law": "modified_sine", "rise": 0.7, "duration": 0.3 },
+            { "law": "trapezoidal_velocity", "end": 1.2, "duration": 0.2 }] }),
     ];
     for motion in motions {
         let mut json = models::load_bundled("four-bar", &[]).to_json();

@@ -183,7 +183,7 @@ fn numbers_arrive_in_si() {
         panic!()
     };
     assert_eq!(coefficients, &[60.0 * degree, 10.0]);
-    let linkdyn_model::Motion::Table { points } = &model.drivers["pusher"].motion else {
+    let linkdyn_model::Motion::Table { points, .. } = &model.drivers["pusher"].motion else {
         panic!()
     };
     assert_eq!(points, &[[0.0, 0.0], [1.0, 0.005]]);

@@ -60,13 +60,14 @@ const GEAR: &str = r#""axis": [1, 0] },
     "g": { "type": "gear", "between": ["crank.O", "rocker.Q"], "ratio": -2 }"#;
 
 /// The bad models by theme.
-const CASES: [&[Case]; 11] = [
+const CASES: [&[Case]; 12] = [
     cases::words::CASES,
     cases::expressions::CASES,
     cases::bodies::CASES,
     cases::joints::CASES,
     cases::clearances::CASES,
     cases::drivers::CASES,
+    cases::laws::CASES,
     cases::analysis::CASES,
     cases::syntax::CASES,
     cases::tolerances::CASES,

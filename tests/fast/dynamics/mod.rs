@@ -1,6 +1,7 @@
 //! Laws of free motion: energy, drivers among free coordinates, forward and inverse dynamics against each other, stiffness,
 //! and errors that follow the tolerance. Motions with known answers are reference cases in `validation/`.
 
+mod breaks;
 mod driven;
 mod sparse;
 mod stiff;

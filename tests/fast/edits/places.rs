@@ -11,7 +11,46 @@ fn of_motion<'m>(motion: &'m mut Motion, numbers: &mut Vec<&'m mut f64>) {
             frequency,
             phase,
         } => numbers.extend([offset, amplitude, frequency, phase]),
-        Motion::Table { points } => numbers.extend(points.iter_mut().flatten()),
+        Motion::Table { points, .. } => numbers.extend(points.iter_mut().flatten()),
+        Motion::Cycloidal(rise)
+        | Motion::Polynomial345(rise)
+        | Motion::Polynomial4567(rise)
+        | Motion::ModifiedSine(rise)
+        | Motion::ModifiedTrapezoid(rise) => {
+            numbers.extend([&mut rise.start, &mut rise.begin, &mut rise.duration]);
+            numbers.extend(rise.rise.iter_mut().chain(&mut rise.end));
+        }
+        Motion::TrapezoidalVelocity(rise) | Motion::SCurve(rise) => {
+            numbers.extend([&mut rise.start, &mut rise.begin]);
+            let given = [
+                &mut rise.rise,
+                &mut rise.end,
+                &mut rise.duration,
+                &mut rise.ramp,
+            ];
+            numbers.extend(given.into_iter().flatten());
+            let limits = [&mut rise.velocity, &mut rise.acceleration, &mut rise.jerk];
+            numbers.extend(limits.into_iter().flatten().chain(&mut rise.rounding));
+        }
+        Motion::Sequence {
+            start,
+            begin,
+            segments,
+            ..
+        } => {
+            numbers.extend([start, begin]);
+            for part in segments {
+                let own = [
+                    &mut part.rise,
+                    &mut part.end,
+                    &mut part.duration,
+                    &mut part.ramp,
+                    &mut part.rounding,
+                    &mut part.dwell,
+                ];
+                numbers.extend(own.into_iter().flatten());
+            }
+        }
         Motion::ConstantVelocity { start, velocity } => numbers.extend([start, velocity]),
         Motion::ConstantAcceleration {
             start,

@@ -199,6 +199,8 @@ pub struct System {
     pub(crate) contacts: Vec<Journal>,
     /// Rows that may come into force for each of them.
     pub(crate) contact_rows: Vec<ContactRows>,
+    /// Laws of drivers and forces that have breaks.
+    pub(crate) broken: Vec<Law>,
     /// [m/s²]
     pub(crate) gravity: Vec2,
     /// M; zero where unknown.
@@ -246,6 +248,12 @@ impl System {
             entry,
             entries,
         });
+    }
+
+    /// The first time after `t` at which a law of time has a break.
+    pub(crate) fn next_break(&self, t: f64) -> Option<f64> {
+        let breaks = self.broken.iter().filter_map(|law| law.next_break(t));
+        breaks.reduce(f64::min)
     }
 
     /// Number of coordinates n.

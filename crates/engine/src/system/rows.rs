@@ -146,6 +146,7 @@ impl System {
             dependent_forces: Vec::new(),
             contacts: Vec::new(),
             contact_rows: Vec::new(),
+            broken: Vec::new(),
             gravity: self.gravity,
             mass,
             masses_known: self.masses_known,

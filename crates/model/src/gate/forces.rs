@@ -1,10 +1,10 @@
-//! Forces act on what can move; times of tables increase.
+//! Forces act on what can move.
 
 use super::Rules;
 use crate::dimension::Dimension;
 use crate::error::Complaint;
 use crate::response::Catalogue;
-use crate::{ForceKind, GROUND, Motion, Value};
+use crate::{ForceKind, GROUND, Value};
 
 /// Warns of a force or a torque that acts on nothing that can move.
 pub(super) fn forces(rules: &mut Rules<'_>) {
@@ -43,70 +43,33 @@ pub(super) fn forces(rules: &mut Rules<'_>) {
     }
 }
 
-/// Complains about the first time of each table that is not later than the one before, and about formulas that can't be
-/// evaluated.
-pub(super) fn motions(rules: &mut Rules<'_>) {
+/// Complains about formulas that can't be evaluated.
+pub(super) fn formulas(rules: &mut Rules<'_>) {
     let model = rules.model;
     let mut catalogue = None;
-    for (name, driver) in &model.drivers {
-        motion(rules, &driver.motion, &format!("drivers.{name}.motion"));
-    }
+    let mut look = |value: &Value, wanted: Option<Dimension>, path: String| {
+        formula(rules, &mut catalogue, (value, wanted), path);
+    };
     for (name, force) in &model.forces {
-        let path = format!("forces.{name}");
+        let path = |key: &str| format!("forces.{name}.{key}");
         match &force.kind {
-            ForceKind::Spring { free_length, .. } => {
-                value(rules, free_length, &format!("{path}.free_length"));
-                formula(
-                    rules,
-                    &mut catalogue,
-                    (free_length, None),
-                    &format!("{path}.free_length"),
-                );
-            }
+            ForceKind::Spring { free_length, .. } => look(free_length, None, path("free_length")),
             ForceKind::TorsionSpring { free_angle, .. } => {
-                value(rules, free_angle, &format!("{path}.free_angle"));
-                formula(
-                    rules,
-                    &mut catalogue,
-                    (free_angle, None),
-                    &format!("{path}.free_angle"),
-                );
+                look(free_angle, None, path("free_angle"));
             }
             ForceKind::Load { vector, .. } => {
                 for (index, part) in vector.iter().enumerate() {
-                    let path = format!("{path}.vector[{index}]");
-                    value(rules, part, &path);
-                    formula(rules, &mut catalogue, (part, Some(Dimension::Force)), &path);
+                    let path = path(&format!("vector[{index}]"));
+                    look(part, Some(Dimension::Force), path);
                 }
             }
-            ForceKind::Torque { value: torque, .. } => {
-                let path = format!("{path}.value");
-                value(rules, torque, &path);
-                formula(
-                    rules,
-                    &mut catalogue,
-                    (torque, Some(Dimension::Torque)),
-                    &path,
-                );
+            ForceKind::Torque { value, .. } => {
+                look(value, Some(Dimension::Torque), path("value"));
             }
             ForceKind::Actuator { force, .. } => {
-                let path = format!("{path}.force");
-                value(rules, force, &path);
-                formula(
-                    rules,
-                    &mut catalogue,
-                    (force, Some(Dimension::Force)),
-                    &path,
-                );
+                look(force, Some(Dimension::Force), path("force"));
             }
         }
-    }
-}
-
-fn value(rules: &mut Rules<'_>, value: &Value, path: &str) {
-    match value {
-        Value::Constant(_) | Value::Formula(_) => {}
-        Value::Motion(of_time) => motion(rules, of_time, path),
     }
 }
 
@@ -115,7 +78,7 @@ fn formula(
     rules: &mut Rules<'_>,
     catalogue: &mut Option<Catalogue>,
     (value, wanted): (&Value, Option<Dimension>),
-    path: &str,
+    path: String,
 ) {
     let Value::Formula(formula) = value else {
         return;
@@ -126,35 +89,11 @@ fn formula(
     }
     let Some(wanted) = wanted else {
         let message = "this follows a law of time, and not what moves";
-        rules.complain(
-            path,
-            message,
-            "an \"actuator\" or a \"torque\" takes a formula",
-        );
-        return;
+        let hint = "an \"actuator\" or a \"torque\" takes a formula";
+        return rules.complain(path, message, hint);
     };
     let catalogue = catalogue.get_or_insert_with(|| Catalogue::of(rules.model));
     if let Some(complaint) = formula.fault(catalogue, wanted) {
-        let path = path.to_owned();
         rules.complaints.push(Complaint { path, ..complaint });
-    }
-}
-
-fn motion(rules: &mut Rules<'_>, motion: &Motion, path: &str) {
-    let points = match motion {
-        Motion::Table { points } => points,
-        Motion::Polynomial { .. }
-        | Motion::Harmonic { .. }
-        | Motion::ConstantVelocity { .. }
-        | Motion::ConstantAcceleration { .. } => return,
-    };
-    let place = |index: usize| format!("{path}.points[{index}][0]");
-    for (index, pair) in points.windows(2).enumerate() {
-        let known = !rules.holes.has(&place(index)) && !rules.holes.has(&place(index + 1));
-        if known && pair[1][0] <= pair[0][0] {
-            let message = "the time is not later than that of the point before";
-            rules.complain(place(index + 1), message, "the times of a table increase");
-            return;
-        }
     }
 }

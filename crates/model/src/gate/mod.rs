@@ -9,6 +9,7 @@ mod clearance;
 mod drivers;
 mod forces;
 mod holes;
+mod motions;
 mod names;
 mod optimise;
 mod ranges;
@@ -142,7 +143,8 @@ fn inspect(model: &Model, holes: Holes) -> Said {
     rules.joints();
     drivers::drivers(&mut rules);
     forces::forces(&mut rules);
-    forces::motions(&mut rules);
+    motions::motions(&mut rules);
+    forces::formulas(&mut rules);
     names::initial(&mut rules);
     names::wanted_points(&mut rules);
     analysis::analysis(&mut rules);

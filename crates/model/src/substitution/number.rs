@@ -1,9 +1,9 @@
 //! The numbers of a model by the paths of their places in a file.
 
 use crate::Model;
-use crate::driver::Motion;
 use crate::force::{ForceKind, Value};
 use crate::joint::JointKind;
+use crate::motion::Motion;
 
 /// The steps of a path, `bodies.crank.points.A[0]`: names and indexes.
 pub fn steps(path: &str) -> impl Iterator<Item = &str> {
@@ -116,6 +116,45 @@ fn motion<'m, 'p>(
         (Motion::ConstantAcceleration { start, .. }, "start") => Some(start),
         (Motion::ConstantAcceleration { velocity, .. }, "velocity") => Some(velocity),
         (Motion::ConstantAcceleration { acceleration, .. }, "acceleration") => Some(acceleration),
+        (
+            Motion::Cycloidal(rise)
+            | Motion::Polynomial345(rise)
+            | Motion::Polynomial4567(rise)
+            | Motion::ModifiedSine(rise)
+            | Motion::ModifiedTrapezoid(rise),
+            key,
+        ) => match key {
+            "start" => Some(&mut rise.start),
+            "rise" => rise.rise.as_mut(),
+            "end" => rise.end.as_mut(),
+            "begin" => Some(&mut rise.begin),
+            "duration" => Some(&mut rise.duration),
+            _ => None,
+        },
+        // on ramps there are rules beyond signs
+        (Motion::TrapezoidalVelocity(rise) | Motion::SCurve(rise), key) => match key {
+            "start" => Some(&mut rise.start),
+            "rise" => rise.rise.as_mut(),
+            "end" => rise.end.as_mut(),
+            "begin" => Some(&mut rise.begin),
+            "duration" => rise.duration.as_mut(),
+            "velocity" => rise.velocity.as_mut(),
+            "acceleration" => rise.acceleration.as_mut(),
+            "jerk" => rise.jerk.as_mut(),
+            _ => None,
+        },
+        (Motion::Sequence { start, .. }, "start") => Some(start),
+        (Motion::Sequence { begin, .. }, "begin") => Some(begin),
+        (Motion::Sequence { segments, .. }, "segments") => {
+            let segment = segments.get_mut(path.next()?.parse::<usize>().ok()?)?;
+            match path.next()? {
+                "rise" => segment.rise.as_mut(),
+                "end" => segment.end.as_mut(),
+                "duration" => segment.duration.as_mut(),
+                "dwell" => segment.dwell.as_mut(),
+                _ => None,
+            }
+        }
         _ => None,
     }
 }

@@ -177,6 +177,7 @@ impl Walk<'_> {
                 let complaint = Complaint::new(join(path, second), message);
                 let at = node.get(second).unwrap_or(node);
                 self.complain(at, complaint.hint("keep one of them"));
+                self.holes.add(&join(path, second));
             }
             (true, _) | (_, true) => {}
         }

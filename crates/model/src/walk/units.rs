@@ -164,6 +164,7 @@ impl Units {
             (Measure::DrivenAcceleration, Driven::Dimension(dimension)) => {
                 Some(self.rate(dimension, 2))
             }
+            (Measure::DrivenJerk, Driven::Dimension(dimension)) => Some(self.rate(dimension, 3)),
             (Measure::DrivenCoefficient, Driven::Coefficient(dimension, order)) => {
                 Some(self.derivative(dimension, order))
             }
@@ -171,6 +172,7 @@ impl Units {
                 Measure::Driven
                 | Measure::DrivenVelocity
                 | Measure::DrivenAcceleration
+                | Measure::DrivenJerk
                 | Measure::DrivenCoefficient,
                 Driven::Nothing
                 | Driven::Dimension(_)

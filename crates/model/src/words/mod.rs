@@ -8,6 +8,7 @@ mod driver;
 mod force;
 mod friction;
 mod joint;
+mod motion;
 mod optimise;
 mod parameter;
 mod response;
@@ -15,7 +16,7 @@ mod study;
 
 pub use body::{BODY, GROUND, LENGTH, PLACE};
 pub use clearance::{MATERIAL, SEPARATE};
-pub use driver::MOTION;
+pub use motion::MOTION;
 pub use parameter::PARAMETER;
 pub use response::RESPONSE;
 use study::{INDICES, METHOD, STUDY};
@@ -33,6 +34,7 @@ use driver::DRIVER;
 use force::{FORCE, FRAME};
 use friction::{FRICTION, FRICTION_LAW};
 use joint::JOINT;
+use motion::{INTERPOLATION, RISE_LAW, SEGMENT};
 use optimise::{CURVE, OBJECTIVE, OPTIMISE};
 use parameter::DISTRIBUTION;
 
@@ -153,7 +155,7 @@ impl Definition {
 }
 
 /// All that the schema defines by a name, in its order.
-pub static DEFINITIONS: [Definition; 44] = [
+pub static DEFINITIONS: [Definition; 47] = [
     Definition::Format(&FORMATS),
     Definition::Object(&GROUND),
     Definition::Object(&BODY),
@@ -198,4 +200,7 @@ pub static DEFINITIONS: [Definition; 44] = [
     Definition::Object(&OPTIMISE),
     Definition::Object(&OBJECTIVE),
     Definition::Object(&CURVE),
+    Definition::Object(&SEGMENT),
+    Definition::Choice(&RISE_LAW),
+    Definition::Choice(&INTERPOLATION),
 ];

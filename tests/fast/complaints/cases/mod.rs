@@ -8,6 +8,7 @@ pub mod clearances;
 pub mod drivers;
 pub mod expressions;
 pub mod joints;
+pub mod laws;
 pub mod sets;
 pub mod slips;
 pub mod syntax;

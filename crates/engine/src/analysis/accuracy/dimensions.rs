@@ -89,7 +89,7 @@ pub(super) enum MotionNumber {
         frequency: f64,
         phase: f64,
     },
-    /// A value of a table: ∂f is the spline through 1 there and 0 elsewhere.
+    /// A value in which the motion is linear: ∂f is the motion with 1 there and 0 elsewhere.
     Value(crate::motion::Law),
 }
 

@@ -83,6 +83,11 @@ impl<'s> Simulation<'s> {
         if let Some(time) = self.event.take() {
             self.change(time)?;
         }
+        if let Some(time) = self.steps.at_break(&self.flow) {
+            self.state.take(self.flow.layout(), self.steps.y());
+            self.steps
+                .begin_at_break(&mut self.flow, &self.state, time)?;
+        }
         if self.flow.equations.choose_better()? {
             self.state.take(self.flow.layout(), self.steps.y());
             self.flow.store(&mut self.state);

@@ -7,6 +7,10 @@ use super::settings::{Settings, Wanted};
 use super::state::State;
 use crate::integrate::{Counters, Limits, Method, Refused, StepFailure, Stepper};
 
+/// How far before a break of a law steps end, of the time of the run \[–\]: so that no stage sees what comes after it, by far less
+/// than the motion is known to.
+const BEFORE_BREAK: f64 = 16.0 * f64::EPSILON;
+
 /// The stepper at work.
 pub struct Steps {
     method: Method,
@@ -92,12 +96,44 @@ impl Steps {
         self.restart(flow, (time, state.as_slice()), step, self.end)
     }
 
+    /// How near steps come to a break \[s\].
+    fn margin(&self) -> f64 {
+        BEFORE_BREAK * self.end
+    }
+
+    /// The break of a law to which the last step has led \[s\].
+    pub fn at_break(&self, flow: &Flow) -> Option<f64> {
+        let time = self.time();
+        let next = flow.system().next_break(time)?;
+        (time > 0.0 && next - time <= 2.0 * self.margin() && next <= self.end).then_some(next)
+    }
+
+    /// Starts again at a break, with steps of whatever length fits there.
+    ///
+    /// # Errors
+    /// Where the equations can't be evaluated there.
+    pub fn begin_at_break(
+        &mut self,
+        flow: &mut Flow,
+        state: &State,
+        time: f64,
+    ) -> Result<(), Fault> {
+        self.restart(flow, (time, state.as_slice()), None, self.end)
+    }
+
+    /// How far the next step may go: no law has a break on the way.
+    fn ahead(&self, flow: &Flow) -> f64 {
+        let next = flow.system().next_break(self.time() + 2.0 * self.margin());
+        next.map_or(self.end, |next| (next - self.margin()).min(self.end))
+    }
+
     /// One step.
     ///
     /// # Errors
     /// Where it can't be taken.
     pub fn step(&mut self, flow: &mut Flow) -> Result<(), Fault> {
-        let taken = self.stepper.step(flow, self.end);
+        let ahead = self.ahead(flow);
+        let taken = self.stepper.step(flow, ahead);
         taken.map_err(|failure| flow.stopped(failure))?;
         self.paces.note((self.time() - self.previous()).abs());
         Ok(())

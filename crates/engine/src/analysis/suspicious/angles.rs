@@ -83,6 +83,21 @@ pub(super) fn angles(model: &Model, degrees: bool, found: &mut Vec<Complaint>) {
                 Motion::ConstantVelocity { start, .. } | Motion::ConstantAcceleration { start, .. },
             ) => Some(("start", *start)),
             (DriverKind::Rotation { .. }, Motion::Harmonic { .. } | Motion::Table { .. }) => None,
+            (
+                DriverKind::Rotation { .. },
+                Motion::Cycloidal(rise)
+                | Motion::Polynomial345(rise)
+                | Motion::Polynomial4567(rise)
+                | Motion::ModifiedSine(rise)
+                | Motion::ModifiedTrapezoid(rise),
+            ) => Some(("start", rise.start)),
+            (
+                DriverKind::Rotation { .. },
+                Motion::TrapezoidalVelocity(rise) | Motion::SCurve(rise),
+            ) => Some(("start", rise.start)),
+            (DriverKind::Rotation { .. }, Motion::Sequence { start, .. }) => {
+                Some(("start", *start))
+            }
         };
         if let Some((key, start)) = start {
             look(format!("drivers.{name}.motion.{key}"), start);
@@ -114,7 +129,7 @@ fn radians(model: &Model, found: &mut Vec<Complaint>) {
                     ("amplitude".into(), *amplitude, RATES[0]),
                 ]
             }
-            Motion::Table { points } => travel(points)
+            Motion::Table { points, .. } => travel(points)
                 .map(|travel| ("points".into(), travel, RATES[0]))
                 .to_vec(),
             Motion::ConstantVelocity { velocity, .. } => {
@@ -129,6 +144,29 @@ fn radians(model: &Model, found: &mut Vec<Complaint>) {
                     ("velocity".into(), *velocity, RATES[1]),
                     ("acceleration".into(), *acceleration, RATES[2]),
                 ]
+            }
+            Motion::Cycloidal(rise)
+            | Motion::Polynomial345(rise)
+            | Motion::Polynomial4567(rise)
+            | Motion::ModifiedSine(rise)
+            | Motion::ModifiedTrapezoid(rise) => heights("", rise.rise, rise.end),
+            Motion::TrapezoidalVelocity(rise) | Motion::SCurve(rise) => {
+                let limits = [
+                    ("velocity", rise.velocity, RATES[1]),
+                    ("acceleration", rise.acceleration, RATES[2]),
+                ];
+                let limits = limits.into_iter();
+                let limits = limits.filter_map(|(key, value, per)| Some((key.into(), value?, per)));
+                let heights = heights("", rise.rise, rise.end);
+                heights.into_iter().chain(limits).collect()
+            }
+            Motion::Sequence { segments, .. } => {
+                let parts = segments.iter().enumerate();
+                parts
+                    .flat_map(|(index, part)| {
+                        heights(&format!("segments[{index}]."), part.rise, part.end)
+                    })
+                    .collect()
             }
         };
         let odd = looked
@@ -149,6 +187,14 @@ fn radians(model: &Model, found: &mut Vec<Complaint>) {
             Complaint::new(format!("drivers.{name}.motion.{key}"), message).hint(hint)
         }));
     }
+}
+
+/// How far a rise goes, with its key.
+fn heights(path: &str, rise: Option<f64>, end: Option<f64>) -> Vec<(String, f64, &'static str)> {
+    let given = [("rise", rise), ("end", end)].into_iter();
+    given
+        .filter_map(|(key, value)| Some((format!("{path}{key}"), value?, RATES[0])))
+        .collect()
 }
 
 /// The unit of time of a derivative, by its order.

@@ -12,7 +12,7 @@ const LEAST_PART: f64 = 1.0 / 50.0;
 pub(in crate::analysis) fn tables(model: &Model, end: f64) -> Vec<Complaint> {
     let mut found = Vec::new();
     let mut look = |path: String, motion: &Motion| {
-        let Motion::Table { points } = motion else {
+        let Motion::Table { points, .. } = motion else {
             return;
         };
         let last = points.last().map_or(0.0, |point| point[0]);

@@ -91,6 +91,7 @@ impl<'a> Compiler<'a> {
             dependent_forces: Vec::new(),
             contacts: Vec::new(),
             contact_rows: Vec::new(),
+            broken: laws::broken(model),
             gravity: Vec2::from(model.gravity),
             mass: Mass::default(),
             masses_known: true,

@@ -12,6 +12,7 @@
 
 mod forces;
 mod gears;
+mod motions;
 mod names;
 mod outputs;
 mod parameters;

@@ -1,14 +1,14 @@
 //! Points, columns and dimensions of a model by name.
 
-use super::super::dimensions::{Dimension, Dimensions, MotionNumber, Point, PointId};
+use super::super::dimensions::{Dimension, Dimensions, Point, PointId};
 use super::super::grip::{Grip, Hold, driver_block};
 use super::super::output::{Output, Place};
 use super::gears::{add_mesh, add_wheels, carrier, drawn, mesh};
+use super::motions::{add_motions, motion_values};
 use crate::element::{BodyId, Marker};
-use crate::motion::Law;
 use crate::system::{DriverRole, System};
 use linkdyn_linear::math::Vec2;
-use linkdyn_model::{GROUND, JointKind, Model, Motion};
+use linkdyn_model::{GROUND, JointKind, Model};
 use std::collections::HashMap;
 
 /// Bodies and points of a model by name, with their numbers.
@@ -243,84 +243,7 @@ pub(in crate::analysis::accuracy) fn dimension_values(model: &Model, system: &Sy
         }
     }
     for data in model.drivers.values() {
-        match &data.motion {
-            Motion::Polynomial { coefficients } => values.extend(coefficients),
-            Motion::ConstantVelocity { start, velocity } => values.extend([start, velocity]),
-            Motion::ConstantAcceleration {
-                start,
-                velocity,
-                acceleration,
-            } => values.extend([start, velocity, acceleration]),
-            Motion::Harmonic {
-                offset,
-                amplitude,
-                frequency,
-                phase,
-            } => values.extend([offset, amplitude, phase, frequency]),
-            Motion::Table { points } => values.extend(points.iter().map(|point| point[1])),
-        }
+        values.extend(motion_values(&data.motion));
     }
     values
-}
-
-fn add_motions(found: &mut Dimensions, model: &Model) {
-    for (driver, (name, data)) in model.drivers.iter().enumerate() {
-        let mut add = |key: &str, number: MotionNumber| {
-            let dimension = found.add(Dimension::Motion { driver, number });
-            found.tell(format!("drivers.{name}.motion.{key}"), dimension, 1.0);
-        };
-        let power = |exponent: i32, factor: f64| MotionNumber::Power { exponent, factor };
-        match &data.motion {
-            Motion::Polynomial { coefficients } => {
-                for k in 0..coefficients.len() {
-                    add(&format!("coefficients[{k}]"), power(k as i32, 1.0));
-                }
-            }
-            Motion::ConstantVelocity { .. } => {
-                add("start", power(0, 1.0));
-                add("velocity", power(1, 1.0));
-            }
-            Motion::ConstantAcceleration { .. } => {
-                add("start", power(0, 1.0));
-                add("velocity", power(1, 1.0));
-                add("acceleration", power(2, 0.5));
-            }
-            &Motion::Harmonic {
-                amplitude,
-                frequency,
-                phase,
-                ..
-            } => {
-                add("offset", power(0, 1.0));
-                add("amplitude", MotionNumber::Amplitude { frequency, phase });
-                add(
-                    "phase",
-                    MotionNumber::Phase {
-                        amplitude,
-                        frequency,
-                        phase,
-                    },
-                );
-                add(
-                    "frequency",
-                    MotionNumber::Frequency {
-                        amplitude,
-                        frequency,
-                        phase,
-                    },
-                );
-            }
-            Motion::Table { points } => {
-                for index in 0..points.len() {
-                    let unit: Vec<[f64; 2]> = points
-                        .iter()
-                        .enumerate()
-                        .map(|(k, [t, _])| [*t, f64::from(u8::from(k == index))])
-                        .collect();
-                    let law = Law::Spline(crate::motion::Spline::natural(&unit));
-                    add(&format!("points[{index}][1]"), MotionNumber::Value(law));
-                }
-            }
-        }
-    }
 }
