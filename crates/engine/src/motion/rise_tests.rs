@@ -1,7 +1,7 @@
 use super::Pieces;
 use super::rise::{Limits, Segment, Shape, sequence};
 use crate::motion::Law;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 pub const SHAPES: [Shape; 9] = [
     Shape::Cycloidal,
@@ -56,7 +56,7 @@ fn peaks(law: &Pieces, duration: f64) -> [f64; 3] {
 #[test]
 fn peaks_are_the_published_factors() {
     let published = [
-        (SHAPES[0], [2.0, 6.283, 39.5], [5e-4, 5e-4, 5e-2]),
+        (SHAPES[0], [2.0, TAU, 39.5], [5e-4, 5e-4, 5e-2]),
         (SHAPES[1], [1.875, 5.773, 60.0], [5e-4, 1e-3, 2e-2]),
         (SHAPES[2], [2.1875, 7.513, 52.5], [5e-5, 5e-4, 1e-2]),
         (SHAPES[3], [1.760, 5.528, 69.47], [5e-4, 5e-4, 5e-3]),
