@@ -1,7 +1,8 @@
 //! Forces as functions of what moves, against closed forms.
 
 use crate::mechanisms::*;
-use linkdyn_engine::analysis::{Control, Outcome, modes};
+use linkdyn_engine::analysis::{Control, Family, Outcome, modes};
+use linkdyn_model::Given;
 use linkdyn_output::Status;
 use serde_json::{Value, json};
 use std::f64::consts::PI;
@@ -202,6 +203,40 @@ fn a_table_over_the_angle_does_its_work_in_each_turn() {
             (energy - known).abs() < 1e-11 * known,
             "{angle}: {energy} {known}"
         );
+    }
+}
+
+#[test]
+fn variants_and_gradients_take_the_parameters_of_formulas() {
+    // effort k θ + c ω², at 3 rad and 3 rad/s
+    let parameters = json!({ "k": "2 N*m/rad", "c": "0.1 N*m*s^2/rad^2" });
+    let mut model = rotor(
+        "=-k*rotor.angle - c*rotor.omega*abs(rotor.omega)",
+        parameters,
+    );
+    model["drivers"] = json!({ "motor": { "type": "rotation", "body": "rotor",
+        "motion": { "type": "constant_velocity", "velocity": 3.0 } } });
+    model["analysis"] = json!({ "type": "inverse_dynamics", "end": 1.0, "outputs": 5 });
+    model["responses"] =
+        json!({ "effort": "last(driver.motor.effort)", "torque": "last(force.m.torque)" });
+    let family = Family::new(&loaded(&model), &["k", "c"], Given::Values).expect("it runs");
+    let mut member = family.begin();
+    for [k, c] in [[2.0, 0.1], [2.5, 0.07]] {
+        let (mut values, mut slopes) = ([f64::NAN; 2], [f64::NAN; 4]);
+        let (given, control) = ([k, c], Control::default());
+        let ended = member.gradient(&given, &given, &control, &mut values, &mut slopes);
+        ended.expect("it runs");
+        let known = 3.0 * k + 9.0 * c;
+        for (found, known) in values
+            .into_iter()
+            .chain(slopes)
+            .zip([known, -known, 3.0, 9.0, -3.0, -9.0])
+        {
+            assert!(
+                (found - known).abs() < 1e-11 * known.abs(),
+                "{found} {known}"
+            );
+        }
     }
 }
 

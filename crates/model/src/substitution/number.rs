@@ -201,7 +201,10 @@ fn value<'m, 'p>(
     match value {
         Value::Constant(value) => path.next().is_none().then_some(value),
         Value::Motion(law) => motion(law, path),
-        // what its parameters are is no number of its place
-        Value::Formula(_) => None,
+        Value::Formula(formula) => {
+            (path.next()? == "parameters").then_some(())?;
+            let constant = formula.parameters.get_mut(path.next()?)?;
+            Some(&mut constant.value)
+        }
     }
 }

@@ -53,6 +53,11 @@ impl Walk<'_> {
                     self.complain(node, Complaint { path, ..complaint });
                     return Some(None);
                 }
+                // its parameters are numbers of the model like any other
+                for (name, _) in &constants {
+                    let place = format!("{path}.parameters.{name}");
+                    self.record(&format!("={name}"), &place, || 1.0);
+                }
                 let constants = constants
                     .into_iter()
                     .map(|(name, value)| (name, json!(Constant::new(value))));

@@ -158,7 +158,7 @@ impl Walk<'_> {
     }
 
     /// Keeps an expression and where it stands, if that is asked for.
-    fn record(&mut self, text: &str, path: &str, factor: impl FnOnce() -> f64) {
+    pub(super) fn record(&mut self, text: &str, path: &str, factor: impl FnOnce() -> f64) {
         if let Some(record) = &mut self.record {
             record.push(Recorded {
                 path: path.to_owned(),
