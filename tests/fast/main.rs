@@ -57,4 +57,5 @@ mod shaking;
 mod similarity;
 mod singular;
 mod statics;
+mod sticking;
 mod transmission;

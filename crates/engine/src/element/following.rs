@@ -1,15 +1,16 @@
-//! A rigid journal that stays on the surface of its bearing: a constraint, and the friction that goes with its multiplier.
+//! A rigid journal that stays on the surface of its bearing: it slides there, with friction by the multiplier of a constraint, or
+//! it sticks and rolls, which is a second constraint.
 //!
-//! Symbols as in [`super::journal`].
+//! Symbols as in [`super::journal`], and φ_e the angle of e. On the surface δ = 0, and the arms R_b and r = R_b − c are constant.
 
-use super::journal::{Contact, Journal};
+use super::journal::{Contact, ContactId, Journal};
 use super::span::{BOTH, Span, all_pairs};
 use super::{
-    Applied, Axis, Constraint, ConstraintDependentForce, Entry, Kinematics, Marker, Measure, Slope,
-    direction,
+    Applied, Axis, BodyId, Constraint, ConstraintDependentForce, Entry, Kinematics, Marker,
+    Measure, Slope, direction,
 };
-use crate::contact::friction;
 use linkdyn_linear::math::{Vec2, perp};
+use std::f64::consts::{PI, TAU};
 
 /// A rigid journal on the surface of its bearing.
 ///
@@ -30,13 +31,36 @@ pub struct Following {
     pub clearance: f64,
 }
 
-/// Friction of a rigid journal on the surface that it follows: T along t by the multiplier N, at the contact on both bodies.
+/// A rigid journal that sticks to the surface of its bearing.
+///
+/// ```text
+/// φ = [ |P₂ − P₁| − c ]                       (2)  [m]
+///     [ A − (c φ_e + r θ₂ − R_b θ₁) ]         v_t = d(c φ_e + r θ₂ − R_b θ₁)/dt on the surface
+/// γ₂ = (c/d) (t·(−ω₂² ρ₂ + ω₁² ρ₁) − 2 (t·ė)(n·ė)/d)
+/// ```
+///
+/// No sliding is a holonomic constraint: what it keeps, A, is the anchor of [`Contact`], of the instant at which sliding ended. The
+/// multipliers are N and T \[N\]. Friction holds the journal while |T| ≤ μ N.
+#[derive(Debug, Clone, Copy)]
+pub struct Sticking {
+    /// The journal on the surface.
+    pub following: Following,
+    /// R_b \[m\]
+    pub bearing_radius: f64,
+    /// Whose anchor it is.
+    pub id: ContactId,
+}
+
+/// Friction of a rigid journal that slides on its bearing: T = −μ N s along t, at the contact on both bodies, with the way s = ±1 in
+/// which it slides.
 #[derive(Debug, Clone)]
 pub struct FollowingFriction {
     /// The journal and its bearing.
     pub journal: Journal,
-    /// Friction between them.
-    pub law: friction::Law,
+    /// μ [–].
+    pub coefficient: f64,
+    /// Whose way of sliding it is.
+    pub id: ContactId,
 }
 
 impl ConstraintDependentForce for FollowingFriction {
@@ -46,10 +70,8 @@ impl ConstraintDependentForce for FollowingFriction {
     }
 
     fn size(&self, at: &Kinematics, _memory: f64, lambda: &[f64], slope: &mut [f64]) -> f64 {
-        let reading = self.journal.read(at, &Contact::default());
-        let friction = self.law.force(reading.sliding, lambda[0], 0.0);
-        slope[0] = friction.d_normal;
-        friction.force
+        slope[0] = -self.coefficient * f64::from(at.contacts[self.id.0].piece);
+        slope[0] * lambda[0]
     }
 
     fn reaction(&self, at: &Kinematics, size: f64) -> (Vec2, f64) {
@@ -78,6 +100,11 @@ impl Journal {
             clearance: self.clearance,
         }
     }
+
+    /// The constraints while it sticks there.
+    pub fn sticking(&self, id: ContactId) -> Sticking {
+        self.following().stuck(self.bearing_radius, id)
+    }
 }
 
 /// Rows and columns of the upper half of a matrix over two bodies.
@@ -86,6 +113,15 @@ fn upper() -> impl Iterator<Item = (usize, usize)> {
 }
 
 impl Following {
+    /// The constraints of one that sticks.
+    pub fn stuck(self, bearing_radius: f64, id: ContactId) -> Sticking {
+        Sticking {
+            following: self,
+            bearing_radius,
+            id,
+        }
+    }
+
     /// n and d.
     fn normal(&self, at: &Kinematics) -> (Vec2, f64) {
         let e = self.journal.place(at) - self.bearing.place(at);
@@ -163,5 +199,116 @@ impl Constraint for Following {
 
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         (self.normal(at).0 * -lambda[0], 0.0)
+    }
+}
+
+impl Sticking {
+    /// c φ_e + r θ₂ − R_b θ₁ at an instant \[m\], with the angle φ_e of e within half a turn.
+    pub fn rolled(&self, at: &Kinematics) -> f64 {
+        self.following.clearance * self.angle(at) - self.turned(at)
+    }
+
+    /// φ_e, −π to π \[rad\].
+    fn angle(&self, at: &Kinematics) -> f64 {
+        let (n, _) = self.following.normal(at);
+        n.y.atan2(n.x)
+    }
+
+    /// R_b θ₁ − r θ₂ \[m\].
+    fn turned(&self, at: &Kinematics) -> f64 {
+        let angle = |body: BodyId| at.poses[body.0].theta;
+        let [bearing, journal] = [self.following.bearing, self.following.journal];
+        self.bearing_radius * angle(bearing.body) - self.journal_radius() * angle(journal.body)
+    }
+
+    /// r \[m\]
+    fn journal_radius(&self) -> f64 {
+        self.bearing_radius - self.following.clearance
+    }
+}
+
+impl Constraint for Sticking {
+    fn rows(&self) -> &'static [Measure] {
+        &[Measure::Length, Measure::Length]
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        let first = self.following.entries();
+        let second = first.iter().map(|&(_, body, axis)| (1, body, axis));
+        first.iter().copied().chain(second).collect()
+    }
+
+    fn position(&self, at: &Kinematics, phi: &mut [f64]) {
+        let c = self.following.clearance;
+        self.following.position(at, &mut phi[..1]);
+        // Of all turns of e the one that is nearest to what the bodies' angles say.
+        let wanted = (at.contacts[self.id.0].anchor + self.turned(at)) / c;
+        let off = (wanted - self.angle(at)).rem_euclid(TAU);
+        phi[1] = c * if off > PI { off - TAU } else { off };
+    }
+
+    fn jacobian(&self, at: &Kinematics, values: &mut [f64]) {
+        let (first, second) = values.split_at_mut(BOTH);
+        self.following.jacobian(at, first);
+        let (n, distance) = self.following.normal(at);
+        let across = perp(n) * (-self.following.clearance / distance);
+        let span = Span::at(at, &self.following.bearing, &self.following.journal);
+        for (column, value) in second.iter_mut().enumerate() {
+            *value = across.dot(&span.spread(column));
+        }
+        second[2] += self.bearing_radius;
+        second[5] -= self.journal_radius();
+    }
+
+    fn rate(&self, _at: &Kinematics, phi_t: &mut [f64]) {
+        phi_t.fill(0.0);
+    }
+
+    fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
+        let Following {
+            bearing,
+            journal,
+            clearance,
+        } = &self.following;
+        self.following.gamma(at, &mut gamma[..1]);
+        let (n, distance) = self.following.normal(at);
+        let t = perp(n);
+        let e_rate = journal.velocity(at) - bearing.velocity(at);
+        let along = t.dot(&(journal.centripetal(at) - bearing.centripetal(at)));
+        let turning = 2.0 * t.dot(&e_rate) * n.dot(&e_rate) / distance;
+        gamma[1] = clearance / distance * (along - turning);
+    }
+
+    fn bends(&self) -> Vec<Slope> {
+        self.following.bends()
+    }
+
+    fn bend(&self, at: &Kinematics, lambda: &[f64], values: &mut [f64]) {
+        self.following.bend(at, &lambda[..1], values);
+        let Following {
+            bearing,
+            journal,
+            clearance,
+        } = &self.following;
+        let (n, distance) = self.following.normal(at);
+        let t = perp(n);
+        let span = Span::at(at, bearing, journal);
+        // Of −c T ∂φ_e/∂e = −c T t/d.
+        let size = -clearance * lambda[1] / distance;
+        let mut block = [0.0; BOTH * BOTH];
+        for column in 0..BOTH {
+            let moved = span.spread(column) / distance;
+            let turned = (n * t.dot(&moved) + t * n.dot(&moved)) * -size;
+            span.add_force(turned, column, &mut block);
+        }
+        span.add_turned(t * size, &mut block);
+        for (value, (row, column)) in values.iter_mut().zip(upper()) {
+            *value += block[row * BOTH + column];
+        }
+    }
+
+    fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
+        let n = self.following.normal(at).0;
+        (perp(n) * lambda[1] - n * lambda[0], 0.0)
     }
 }

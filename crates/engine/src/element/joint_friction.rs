@@ -149,6 +149,7 @@ mod tests {
             drive: &[],
             offset: &[],
             sides: &[],
+            contacts: &[],
             time: 0.0,
         }
     }

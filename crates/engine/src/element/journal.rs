@@ -47,10 +47,24 @@ pub struct Contact {
     pub phase: Phase,
     /// Speed at which this episode's contact was approached, δ̇₀ [m/s].
     pub approach: f64,
-    /// Piece of the friction law that holds.
+    /// Piece of the friction law that holds; of a rigid journal the way it slides, ±1, or 0 where it sticks.
     pub piece: i8,
     /// Bristles' deflection z of the friction law \[m\].
     pub bristle: f64,
+    /// Where a rigid journal sticks: what its rolling keeps \[m\], see [`Sticking`](super::following::Sticking).
+    pub anchor: f64,
+}
+
+/// How a rigid journal stays on its bearing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Hold {
+    /// It does not.
+    #[default]
+    Free,
+    /// It slides along the surface.
+    Slides,
+    /// It rolls on the surface.
+    Sticks,
 }
 
 /// A joint with clearance as a contact.
@@ -95,22 +109,6 @@ pub struct Rigid {
     pub friction: f64,
     /// What e compares.
     pub sense: Sense,
-    /// Sliding velocity up to which friction on the surface grows from zero [m/s].
-    pub threshold: f64,
-}
-
-impl Rigid {
-    /// Friction while the journal follows the surface.
-    pub fn friction_law(&self) -> friction::Law {
-        if self.friction > 0.0 {
-            friction::Law::Coulomb {
-                coefficient: self.friction,
-                threshold: self.threshold,
-            }
-        } else {
-            friction::Law::None
-        }
-    }
 }
 
 /// A contact at an instant.
@@ -139,13 +137,18 @@ pub struct Reading {
 }
 
 impl Reading {
-    /// Forces of a rigid journal on its bearing's surface, which its constraint has.
-    pub fn follow(&mut self, normal: f64, tangential: f64) {
+    /// Forces of a rigid journal that slides on its bearing's surface.
+    pub fn slide(&mut self, normal: f64, tangential: f64) {
         (self.normal, self.tangential) = (normal, tangential);
         // The constraint tells the normal force among the reactions.
         let n = direction(self.eccentricity).map_or(Vec2::x(), |(n, _)| n);
         self.force = perp(n) * tangential;
         self.dissipation = -tangential * self.sliding;
+    }
+
+    /// Forces of a rigid journal that sticks there, which are among the reactions.
+    pub fn stick(&mut self, [normal, tangential]: [f64; 2]) {
+        (self.normal, self.tangential) = (normal, tangential);
     }
 }
 

@@ -40,6 +40,7 @@ pub mod torsion_spring;
 pub use coordinates::{Axis, BodyColumns, BodyId, Layout};
 
 use crate::motion::Jet;
+use journal::Contact;
 use linkdyn_linear::math::{Vec2, perp};
 use std::sync::Arc;
 
@@ -95,7 +96,7 @@ pub struct Twist {
 }
 
 /// Places and velocities of all bodies at one instant, with what is prescribed from outside: all that an element may look
-/// at. Index of the slices: body id (0 = ground), driver, offset.
+/// at. Index of the slices: body id (0 = ground), driver, offset, contact.
 #[derive(Debug, Clone, Copy)]
 pub struct Kinematics<'a> {
     /// Places of all bodies.
@@ -108,6 +109,8 @@ pub struct Kinematics<'a> {
     pub offset: &'a [[Vec2; 3]],
     /// The sides of kinks that formulas hold; empty where each is on that of its values.
     pub sides: &'a [i32],
+    /// What contacts remember.
+    pub contacts: &'a [Contact],
     /// \[s\]
     pub time: f64,
 }

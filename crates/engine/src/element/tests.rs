@@ -6,6 +6,7 @@ use super::fixed::Fixed;
 use super::following::Following;
 use super::formula::Strength;
 use super::gear::Gear;
+use super::journal::{Contact, ContactId};
 use super::load::{PointLoad, Torque};
 use super::prismatic::{Guide, Prismatic};
 use super::revolute::{OffsetId, Revolute};
@@ -54,6 +55,11 @@ pub(crate) fn all_constraints() -> Vec<Named> {
 
 fn joints() -> Vec<Named> {
     let (first, second) = (marker(1, 0.3, -0.2), marker(2, -0.4, 0.1));
+    let following = Following {
+        bearing: first,
+        journal: second,
+        clearance: 0.4,
+    };
     vec![
         (
             "revolute",
@@ -87,14 +93,8 @@ fn joints() -> Vec<Named> {
             }),
         ),
         ("slot", Box::new(Slot { guide: guide() })),
-        (
-            "following",
-            Box::new(Following {
-                bearing: first,
-                journal: second,
-                clearance: 0.4,
-            }),
-        ),
+        ("following", Box::new(following)),
+        ("sticking", Box::new(following.stuck(1.3, ContactId(0)))),
         ("gear", Box::new(gear(3, -1.7))),
         ("internal gear on ground", Box::new(gear(0, 2.5))),
         (
@@ -190,6 +190,7 @@ pub(super) fn at_state<T>(t: f64, q: &[f64], v: &[f64], f: impl Fn(&Kinematics) 
         drive: &drive,
         offset: &offset,
         sides: &[],
+        contacts: &[Contact::default()],
         time: t,
     })
 }

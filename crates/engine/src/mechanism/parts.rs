@@ -15,6 +15,7 @@ use super::continuation::{Branch, HALF_TURN, Parameter, Path, follow};
 use super::driven::{Driven, Failure};
 use super::independent::better_coordinate;
 use super::phases::{Exchanged, Phases, Windows};
+use crate::element::journal::Hold;
 use crate::element::{Axis, BodyId, Constraint, Entry, Kinematics, Measure};
 use crate::system::{Inputs, System};
 use linkdyn_linear::hermite::Node;
@@ -44,8 +45,8 @@ pub struct Part {
 pub struct Parts<'s> {
     parts: Vec<Followed<'s>>,
     phases: &'s Phases<'s>,
-    /// Contacts that are constraints.
-    sustained: Vec<bool>,
+    /// How contacts are held.
+    holds: Vec<Hold>,
     now: Windows,
     next: Windows,
     /// Solvers not in use.
@@ -59,18 +60,18 @@ impl<'s> Parts<'s> {
         Parts {
             parts: parts.iter().map(Followed::new).collect(),
             phases,
-            sustained: Vec::new(),
+            holds: Vec::new(),
             now: none.clone(),
             next: none,
             others: Vec::new(),
         }
     }
 
-    /// The same parts with other contacts as constraints.
-    pub fn with_sustained(self, sustained: &[bool]) -> Self {
+    /// The same parts with contacts that are held otherwise.
+    pub fn with_holds(self, holds: &[Hold]) -> Self {
         let none = vec![None; self.parts.len()];
         Parts {
-            sustained: sustained.to_vec(),
+            holds: holds.to_vec(),
             now: none.clone(),
             next: none,
             others: Vec::new(),
@@ -131,7 +132,7 @@ impl<'s> Parts<'s> {
 
     /// The system with the smooth branches of the next windows.
     fn system(&self) -> &'s System {
-        self.phases.get(&self.sustained, &self.next, || {
+        self.phases.get(&self.holds, &self.next, || {
             let mut exchanged = Exchanged::new();
             for (part, window) in self.parts.iter().zip(&self.next) {
                 if let Some(window) = window {

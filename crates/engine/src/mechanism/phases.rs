@@ -5,6 +5,7 @@
 //! motion comes back to few of them often.
 
 use crate::element::Constraint;
+use crate::element::journal::Hold;
 use crate::system::System;
 use std::sync::{Arc, OnceLock};
 
@@ -25,7 +26,7 @@ type Link = OnceLock<Box<Phase>>;
 
 /// One of them, and the next.
 struct Phase {
-    sustained: Vec<bool>,
+    holds: Vec<Hold>,
     windows: Windows,
     system: System,
     next: Link,
@@ -40,29 +41,29 @@ impl<'m> Phases<'m> {
         }
     }
 
-    /// The system in which the contacts of `sustained` are constraints, and the parts are in these windows; `exchanged` makes
-    /// what stands for them there.
+    /// The system in which the contacts are held so, and the parts are in these windows; `exchanged` makes what stands for them
+    /// there.
     pub fn get(
         &self,
-        sustained: &[bool],
+        holds: &[Hold],
         windows: &Windows,
         exchanged: impl FnOnce() -> Exchanged,
     ) -> &System {
-        if !sustained.contains(&true) && windows.iter().all(Option::is_none) {
+        if holds.iter().all(|hold| *hold == Hold::Free) && windows.iter().all(Option::is_none) {
             return self.whole;
         }
         let mut link = &self.first;
         while let Some(phase) = link.get() {
-            if phase.sustained == sustained && phase.windows == *windows {
+            if phase.holds == holds && phase.windows == *windows {
                 return &phase.system;
             }
             link = &phase.next;
         }
         let made = link.get_or_init(|| {
             Box::new(Phase {
-                sustained: sustained.to_vec(),
+                holds: holds.to_vec(),
                 windows: windows.clone(),
-                system: self.whole.with_rows(sustained, exchanged()),
+                system: self.whole.with_rows(holds, exchanged()),
                 next: Link::new(),
             })
         });

@@ -89,6 +89,7 @@ impl Evaluation {
             drive: &inputs.drive,
             offset: &inputs.offset,
             sides: &inputs.sides,
+            contacts: &inputs.contacts,
             time: inputs.time,
         }
     }

@@ -4,7 +4,8 @@
 //!
 //! ```text
 //! contact in flight       no row; impacts, or the force of the overlap
-//! contact sustained       |P₂ − P₁| − c = 0, and friction by its multiplier           rigid surfaces only
+//! contact that slides     |P₂ − P₁| − c = 0, and friction by its multiplier           rigid surfaces only
+//! contact that sticks     the same, and no sliding                                    the same
 //! contact closed          P₁ − P₂ = 0                                                 where a motion starts from
 //! joints of a part        by themselves, as a system of the part's bodies alone
 //! ```
@@ -12,6 +13,7 @@
 //! From these a mask picks. The constraints themselves are shared, none is made anew.
 
 use super::{Block, DependentForce, JointId, Mass, Origin, System};
+use crate::element::journal::Hold;
 use crate::element::{BodyId, Constraint, ConstraintDependentForce, Layout};
 use linkdyn_linear::math::Vec2;
 use std::sync::Arc;
@@ -25,7 +27,9 @@ pub struct ContactRows {
     pub(crate) closed: Arc<dyn Constraint>,
     /// That of a rigid journal which stays on the surface of its bearing.
     pub(crate) sustained: Arc<dyn Constraint>,
-    /// Its friction there, where there is some.
+    /// Those of one that sticks there.
+    pub(crate) stuck: Arc<dyn Constraint>,
+    /// Its friction while it slides, where there is some.
     pub(crate) friction: Option<Arc<dyn ConstraintDependentForce>>,
 }
 
@@ -74,23 +78,28 @@ pub(super) fn reach(extents: &[Extent]) -> f64 {
 }
 
 impl System {
-    /// The system in which the contacts of `sustained` (by contact) are constraints, with their friction behind that of the
-    /// joints, and with other constraints in the place of those of some blocks.
+    /// The system in which contacts are held so (by contact), with their friction behind that of the joints, and with other
+    /// constraints in the place of those of some blocks.
     pub(crate) fn with_rows(
         &self,
-        sustained: &[bool],
+        holds: &[Hold],
         exchanged: Vec<(usize, Arc<dyn Constraint>)>,
     ) -> System {
         let mut system = self.clone();
         let mut constraints = exchanged;
-        let in_force = self.contact_rows.iter().zip(sustained);
-        for (rows, _) in in_force.filter(|(_, is_sustained)| **is_sustained) {
-            constraints.push((rows.block, rows.sustained.clone()));
-            let friction = rows.friction.iter().map(|force| DependentForce {
-                force: force.clone(),
-                block: rows.block,
-            });
-            system.dependent_forces.extend(friction);
+        for (rows, hold) in self.contact_rows.iter().zip(holds) {
+            match hold {
+                Hold::Free => {}
+                Hold::Slides => {
+                    constraints.push((rows.block, rows.sustained.clone()));
+                    let friction = rows.friction.iter().map(|force| DependentForce {
+                        force: force.clone(),
+                        block: rows.block,
+                    });
+                    system.dependent_forces.extend(friction);
+                }
+                Hold::Sticks => constraints.push((rows.block, rows.stuck.clone())),
+            }
         }
         system.exchange(constraints);
         system

@@ -38,10 +38,10 @@ impl<'s> Simulation<'s> {
     pub fn begin(settings: &Settings, mut flow: Flow<'s>, end: f64) -> Result<Self, Stop> {
         let mut ledger = Ledger::new(flow.system());
         let Wanted { mut rtol, atol } = settings.wanted;
-        flow.equations.set_lag(LAG * rtol);
+        flow.set_lag(LAG * rtol);
         if !ledger.is_empty() {
             rtol = (IMPACTS * rtol).max(FINEST.min(rtol));
-            flow.equations.set_lag(CONTACT_LAG.min(LAG * rtol));
+            flow.set_lag(CONTACT_LAG.min(LAG * rtol));
         }
         let mut state = State::new(flow.layout());
         first_phases(&mut flow, &state, &mut ledger)?;

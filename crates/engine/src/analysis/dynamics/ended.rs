@@ -93,7 +93,9 @@ fn told(
         .dependent_forces()
         .locked()
         .filter(|_| refused)
-        .or(ahead);
+        .or(ahead)
+        // Friction of a contact that has let go since is not among them any more.
+        .filter(|&force| force < flow.system().dependent_forces.len());
     if let Some(force) = lock {
         let who = locked(flow.system(), force);
         let when = flow.system().display.time(now);

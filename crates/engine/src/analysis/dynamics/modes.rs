@@ -12,13 +12,14 @@
 //! rigid surfaces:
 //! flight     min(δ, δ̇)                      an impact
 //! contact    −N                             the multiplier of the journal on the surface would pull
-//!            v_t − v_up,  v_low − v_t       the friction law goes over to its next piece
+//!            −s v_t                         it slides no more in the way s
+//!            |T| − μ N                      it sticks, and friction can't hold it any longer
 //! ```
 //!
 //! Between events the equations are smooth; events are located on the step's continuous extension.
 
 use crate::contact::friction;
-use crate::element::journal::{Contact, Journal, Phase, Reading, Surface};
+use crate::element::journal::{Contact, Journal, Phase, Reading, Rigid, Surface};
 use crate::system::Scale;
 
 /// A journal has left where it is this far, in parts of the bearing's clearance, from the surface: well above round-off.
@@ -30,9 +31,11 @@ const PULL: f64 = 1e-9;
 /// Sliding velocity past the end of a piece of the friction law from which the next piece holds [L/T]: as little as
 /// velocities resolve, for the law is continuous there.
 const PAST: f64 = 1e-12;
-/// The same for journals that follow rigid bearings, in parts of the threshold: their forces are large where they wedge, and
-/// round-off in their velocities too.
-const PAST_RIGID: f64 = 1e-4;
+/// Sliding of a journal on a rigid bearing that is round-off [L/T]: forces are large where journals wedge, and round-off in their
+/// velocities too.
+pub const STILL: f64 = 1e-9;
+/// Part of the friction that is round-off where a journal sticks.
+const GRIP: f64 = 1e-8;
 
 /// The largest of a contact's guards, with round-off by the mechanism's own length, mass and time.
 pub fn largest_guard(scale: &Scale, journal: &Journal, memory: &Contact, reading: &Reading) -> f64 {
@@ -43,8 +46,9 @@ pub fn largest_guard(scale: &Scale, journal: &Journal, memory: &Contact, reading
             let approach = reading.rate - CREEP * scale.velocity();
             reading.penetration.min(approach * scale.time)
         }
-        (Surface::Rigid(rigid), Phase::Contact) => lets_go(scale, reading)
-            .max(past(&rigid.friction_law(), memory, reading) - PAST_RIGID * rigid.threshold),
+        (Surface::Rigid(rigid), Phase::Contact) => {
+            lets_go(scale, reading).max(turns(scale, rigid, memory, reading))
+        }
         (Surface::Compliant(laws), Phase::Contact) => {
             let hold = laws
                 .normal
@@ -61,8 +65,22 @@ pub fn largest_guard(scale: &Scale, journal: &Journal, memory: &Contact, reading
     }
 }
 
+/// Positive where a rigid journal on its bearing goes over from sliding to something else, or from sticking.
+fn turns(scale: &Scale, rigid: &Rigid, memory: &Contact, reading: &Reading) -> f64 {
+    if rigid.friction == 0.0 {
+        return f64::NEG_INFINITY;
+    }
+    match memory.piece {
+        0 => {
+            let most = rigid.friction * reading.normal;
+            reading.tangential.abs() - (1.0 + GRIP) * most - PULL * scale.force()
+        }
+        way => -f64::from(way) * reading.sliding - STILL * scale.velocity(),
+    }
+}
+
 /// Positive where a rigid journal that follows its bearing would be pulled.
-pub fn lets_go(scale: &Scale, reading: &Reading) -> f64 {
+fn lets_go(scale: &Scale, reading: &Reading) -> f64 {
     -reading.normal - PULL * scale.force()
 }
 
@@ -120,13 +138,9 @@ pub fn change(
             Change::Piece
         })
     };
-    let laws = match &journal.surface {
-        Surface::Compliant(laws) => laws,
-        // All else that a rigid journal does comes with impulses.
-        Surface::Rigid(rigid) if memory.phase == Phase::Contact => {
-            return next_piece(&rigid.friction_law(), memory, PAST_RIGID * rigid.threshold);
-        }
-        Surface::Rigid(_) => return None,
+    let Surface::Compliant(laws) = &journal.surface else {
+        // What a rigid journal does comes with impulses.
+        return None;
     };
     match memory.phase {
         Phase::Flight => (reading.penetration > 0.0).then(|| {
@@ -174,6 +188,6 @@ pub fn state(journal: &Journal, memory: &Contact) -> f64 {
 pub fn sticks(journal: &Journal, memory: &Contact) -> bool {
     match &journal.surface {
         Surface::Compliant(laws) => laws.friction.sticks(memory.piece),
-        Surface::Rigid(rigid) => rigid.friction_law().sticks(memory.piece),
+        Surface::Rigid(rigid) => rigid.friction > 0.0 && memory.piece == 0,
     }
 }

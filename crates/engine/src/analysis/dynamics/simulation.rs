@@ -21,7 +21,7 @@ use super::state::State;
 use super::steps::{LastStep, Steps};
 use super::switches::Switches;
 use crate::analysis::control::Control;
-use crate::element::journal::{Phase, Surface};
+use crate::element::journal::{Hold, Phase};
 use crate::mechanism::driven::Failure;
 use linkdyn_output::{Report, Trajectory};
 
@@ -187,9 +187,10 @@ impl<'s> Simulation<'s> {
 
     /// Ends a jam at the last accepted point, where the next step would be none; whether there was one.
     fn loosen(&mut self, time: f64) -> bool {
-        let sustained = self.flow.sustained();
-        let jams = |contact: usize| sustained[contact] && self.flow.has_rigid_friction(contact);
-        if !(0..sustained.len()).any(jams) {
+        let holds = self.flow.holds();
+        let jams =
+            |contact: usize| holds[contact] != Hold::Free && self.flow.has_rigid_friction(contact);
+        if !(0..holds.len()).any(jams) {
             return false;
         }
         self.state.take(self.flow.layout(), self.steps.y());
@@ -221,10 +222,7 @@ impl<'s> Simulation<'s> {
             if change == Change::Begin {
                 self.state.straighten_bristle(contact);
             }
-            // Pieces between rigid journals begin with a jump of the forces, wherever it is.
-            if matches!(journal.surface, Surface::Compliant(_)) {
-                begun = Some((contact, change));
-            }
+            begun = Some((contact, change));
         }
         if let Some(force) = self.flow.switching() {
             self.switches.note(force, time, self.flow.system())?;

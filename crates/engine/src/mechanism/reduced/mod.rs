@@ -44,6 +44,7 @@ use super::independent::{better_coordinate, better_of_all};
 use super::parts::{Part, Parts};
 use super::phases::Phases;
 use crate::element::Kinematics;
+use crate::element::journal::Hold;
 use crate::system::{Evaluation, Inputs, System};
 use accepted::Accepted;
 use chart::Chart;
@@ -100,11 +101,23 @@ impl<'s> Reduced<'s> {
         solver: Option<Solver>,
     ) -> Result<Self, Failure> {
         let inputs = Inputs::at_time(system, time);
+        let is_curve = is_curve(system, columns.len());
+        Reduced::with_inputs(system, columns, (q, v, inputs), (solver, is_curve))
+    }
+
+    /// The same with what contacts and forces remember.
+    fn with_inputs(
+        system: &'s System,
+        columns: &[usize],
+        (q, v, inputs): (&[f64], &[f64], Inputs),
+        (solver, is_curve): (Option<Solver>, bool),
+    ) -> Result<Self, Failure> {
+        let time = inputs.time;
         let mut driven = Driven::with_independent(system, columns, q, &inputs)?;
         driven.measures_residual = false;
         let (n, f) = (system.n(), columns.len());
         let zero = vec![0.0; n];
-        let chart = if is_curve(system, f) {
+        let chart = if is_curve {
             Chart::Curve(Box::new(Curve::new(n, Extrapolation::default())))
         } else {
             Chart::Coordinates(Extrapolation::default())
@@ -112,7 +125,7 @@ impl<'s> Reduced<'s> {
         let mut reduced = Reduced {
             inertia: Inertia::of(
                 &driven,
-                if is_curve(system, f) {
+                if is_curve {
                     Some(Solver::Tangents)
                 } else {
                     solver
@@ -149,21 +162,21 @@ impl<'s> Reduced<'s> {
         system: &'s System,
         columns: &[usize],
         time: f64,
-        sustained: &[bool],
+        holds: &[Hold],
     ) -> Result<Self, Failure> {
-        let point = (&self.q[..], &self.v[..], time);
-        let mut other = Reduced::new(system, columns, point, self.solver())?;
-        let (memories, were) = (&mut other.inputs.memories, &self.inputs.memories);
-        memories
-            .iter_mut()
-            .zip(were)
-            .for_each(|(memory, was)| *memory = *was);
-        other.inputs.contacts.clone_from(&self.inputs.contacts);
-        other.inputs.sides.clone_from(&self.inputs.sides);
+        let mut inputs = Inputs::at_time(system, time);
+        let memories = inputs.memories.iter_mut().zip(&self.inputs.memories);
+        memories.for_each(|(memory, was)| *memory = *was);
+        inputs.contacts.clone_from(&self.inputs.contacts);
+        inputs.sides.clone_from(&self.inputs.sides);
+        // A journal that rolls round and round has no closed curve, and does so for a short time only.
+        let is_curve = is_curve(system, columns.len()) && !holds.contains(&Hold::Sticks);
+        let point = (&self.q[..], &self.v[..], inputs);
+        let mut other = Reduced::with_inputs(system, columns, point, (self.solver(), is_curve))?;
         other.lag = self.lag;
         other.driven.done = self.driven.done;
         let parts = self.chart.exchange_bridge(None);
-        let parts = parts.map(|parts| parts.with_sustained(sustained));
+        let parts = parts.map(|parts| parts.with_holds(holds));
         other.chart.exchange_bridge(parts);
         Ok(other)
     }

@@ -126,7 +126,7 @@ impl Compiler<'_> {
             }
             ClearanceModel::TwoState | ClearanceModel::ThreeState | ClearanceModel::Contact => {
                 let contact = ContactId(self.system.contacts.len());
-                self.add_contact(k, name, bearing(clearance), points);
+                self.add_contact((k, contact), name, bearing(clearance), points);
                 Made {
                     constraint: Arc::new(Free),
                     contact: Some(contact),
@@ -137,7 +137,13 @@ impl Compiler<'_> {
     }
 
     /// A journal in its bearing, with all rows that may come into force for it.
-    fn add_contact(&mut self, joint: usize, name: &str, bearing: Bearing, points: [Marker; 2]) {
+    fn add_contact(
+        &mut self,
+        (joint, id): (usize, ContactId),
+        name: &str,
+        bearing: Bearing,
+        points: [Marker; 2],
+    ) {
         let [first, second] = points;
         let journal = Journal {
             bearing: first,
@@ -149,7 +155,8 @@ impl Compiler<'_> {
         let friction: Option<Arc<dyn ConstraintDependentForce>> = match &journal.surface {
             Surface::Rigid(rigid) if rigid.friction > 0.0 => Some(Arc::new(FollowingFriction {
                 journal: journal.clone(),
-                law: rigid.friction_law(),
+                coefficient: rigid.friction,
+                id,
             })),
             Surface::Rigid(_) | Surface::Compliant(_) => None,
         };
@@ -161,6 +168,7 @@ impl Compiler<'_> {
                 offset: None,
             }),
             sustained: Arc::new(journal.following()),
+            stuck: Arc::new(journal.sticking(id)),
             friction,
         });
         self.system.contacts.push(journal);

@@ -84,6 +84,7 @@ pub(in crate::analysis::accuracy) fn gear_curvature(system: &System, joint: usiz
         drive: &[],
         offset: &[],
         sides: &[],
+        contacts: &[],
         time: 0.0,
     };
     let mut values = vec![0.0; block.entries];

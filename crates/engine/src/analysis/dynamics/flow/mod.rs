@@ -16,7 +16,7 @@ use crate::mechanism::phases::Phases;
 use crate::mechanism::reduced::Reduced;
 use crate::system::System;
 use marks::Marks;
-use sustained::Sustained;
+use sustained::{Grip, Sustained};
 
 /// A mechanism in motion, with the rows of the moment.
 pub struct Flow<'s> {
@@ -27,6 +27,8 @@ pub struct Flow<'s> {
     /// Contacts whose journals stay on their bearings, as constraints.
     sustained: Vec<Option<Sustained>>,
     layout: Layout,
+    /// Factors are kept where the position is this far from theirs, without sustained contacts [rad or sizes].
+    lag: f64,
     moving_drivers: bool,
     /// Why the last evaluation for a stepper was refused, where it was.
     refusal: Option<Failure>,
@@ -44,6 +46,7 @@ impl<'s> Flow<'s> {
         Flow {
             layout: Layout::new(system, equations.freedom()),
             equations,
+            lag: 0.0,
             phases,
             sustained: vec![None; system.contacts.len()],
             moving_drivers: system
@@ -60,6 +63,12 @@ impl<'s> Flow<'s> {
     /// The mechanism with its rows of the moment.
     pub fn system(&self) -> &'s System {
         self.equations.system()
+    }
+
+    /// Factors are kept where the position is this far from theirs [rad or sizes].
+    pub fn set_lag(&mut self, lag: f64) {
+        self.lag = lag;
+        self.equations.set_lag(lag);
     }
 
     /// Where the parts of y are.
@@ -93,10 +102,15 @@ impl<'s> Flow<'s> {
         let evaluation = self.equations.evaluation();
         let mut reading = evaluation.contact(self.system(), inputs, ContactId(contact));
         if let Some(sustained) = &self.sustained[contact] {
-            let friction = sustained.friction.map_or(0.0, |force| {
-                self.equations.dependent_forces().sizes()[force]
-            });
-            reading.follow(sustained.normal_force, friction);
+            let normal = sustained.normal_force;
+            match sustained.grip {
+                Grip::None => reading.slide(normal, 0.0),
+                Grip::Slides(force) => {
+                    let sizes = self.equations.dependent_forces().sizes();
+                    reading.slide(normal, sizes[force]);
+                }
+                Grip::Sticks(tangential) => reading.stick([normal, tangential]),
+            }
         }
         reading
     }
@@ -229,7 +243,7 @@ impl<'s> Flow<'s> {
         power += dependent.power(self.equations.velocity());
         // Of contacts it counts as dissipated there.
         for (contact, sustained) in self.sustained.iter().enumerate() {
-            if sustained.is_some_and(|sustained| sustained.friction.is_some()) {
+            if sustained.is_some_and(|held| matches!(held.grip, Grip::Slides(_))) {
                 power += self.reading(contact).dissipation;
             }
         }

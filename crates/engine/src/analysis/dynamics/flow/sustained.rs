@@ -2,7 +2,7 @@
 
 use super::Flow;
 use crate::analysis::assembly::ranks;
-use crate::element::journal::Surface;
+use crate::element::journal::{Hold, Surface};
 use crate::mechanism::driven::Failure;
 use crate::mechanism::phases::{Exchanged, Windows};
 use crate::system::{Inputs, System};
@@ -14,14 +14,33 @@ pub(super) struct Sustained {
     pub row: usize,
     /// Its multiplier at the point of the last evaluation \[N\].
     pub normal_force: f64,
-    /// Its friction, as a force that depends on multipliers.
-    pub friction: Option<usize>,
+    pub grip: Grip,
+}
+
+/// What a sustained contact does along the surface.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Grip {
+    /// It is smooth.
+    None,
+    /// Its friction is this force that depends on multipliers.
+    Slides(usize),
+    /// It sticks, by the second row; its multiplier at the point of the last evaluation \[N\].
+    Sticks(f64),
 }
 
 impl Flow<'_> {
-    /// Whether each contact is sustained.
-    pub fn sustained(&self) -> Vec<bool> {
-        self.sustained.iter().map(Option::is_some).collect()
+    /// How each contact is held.
+    pub fn holds(&self) -> Vec<Hold> {
+        let contacts = self.sustained.iter();
+        let holds = contacts.map(|sustained| match sustained {
+            None => Hold::Free,
+            Some(Sustained {
+                grip: Grip::Sticks(_),
+                ..
+            }) => Hold::Sticks,
+            Some(_) => Hold::Slides,
+        });
+        holds.collect()
     }
 
     /// Whether any contact is sustained.
@@ -29,22 +48,37 @@ impl Flow<'_> {
         self.sustained.iter().any(Option::is_some)
     }
 
-    /// Whether a contact is one of rigid surfaces with friction.
-    pub fn has_rigid_friction(&self, contact: usize) -> bool {
-        matches!(&self.system().contacts[contact].surface, Surface::Rigid(rigid) if rigid.friction > 0.0)
+    /// μ of a contact of rigid surfaces, 0 of any other.
+    pub fn rigid_friction(&self, contact: usize) -> f64 {
+        match &self.system().contacts[contact].surface {
+            Surface::Rigid(rigid) => rigid.friction,
+            Surface::Compliant(_) => 0.0,
+        }
     }
 
-    /// Goes on with these sustained contacts, from the position and velocities at hand.
+    /// Whether a contact is one of rigid surfaces with friction.
+    pub fn has_rigid_friction(&self, contact: usize) -> bool {
+        self.rigid_friction(contact) > 0.0
+    }
+
+    /// Goes on with contacts that are held so, from the position and velocities at hand.
     ///
     /// # Errors
     /// Where the constraints of these contacts are singular.
-    pub fn sustain(&mut self, sustained: &[bool], time: f64) -> Result<(), Failure> {
-        let system: &System = self.phases.get(sustained, &Windows::new(), Exchanged::new);
+    pub fn hold(&mut self, holds: &[Hold], time: f64) -> Result<(), Failure> {
+        let system: &System = self.phases.get(holds, &Windows::new(), Exchanged::new);
         let inputs = Inputs::at_time(system, time);
         let (_, all) = ranks(system, self.equations.position(), &inputs);
         self.equations = self
             .equations
-            .with_rows(system, &all.free_columns, time, sustained)?;
+            .with_rows(system, &all.free_columns, time, holds)?;
+        // Directions of a contact turn over lengths as short as its clearance.
+        let held = system.contacts.iter().zip(holds);
+        let held = held.filter(|(_, hold)| **hold != Hold::Free);
+        let turn = held.fold(1.0, |least: f64, (contact, _)| {
+            least.min(contact.clearance / system.size)
+        });
+        self.equations.set_lag(turn * self.lag);
         self.layout.set_freedom(self.equations.freedom());
         self.lambda.resize(system.m(), 0.0);
         let rows = system.joints.iter().zip(&system.blocks);
@@ -52,15 +86,25 @@ impl Flow<'_> {
         // Those of contacts stand behind the joints' own.
         let mut next = self.layout.forces();
         for (contact, (_, block)) in rows.enumerate() {
-            let has_friction = sustained[contact] && self.has_rigid_friction(contact);
+            let grip = match holds[contact] {
+                Hold::Free => {
+                    self.sustained[contact] = None;
+                    continue;
+                }
+                Hold::Slides if self.has_rigid_friction(contact) => {
+                    next += 1;
+                    Grip::Slides(next - 1)
+                }
+                Hold::Slides => Grip::None,
+                Hold::Sticks => Grip::Sticks(0.0),
+            };
             // Where the contact goes on, the force of the last evaluation stands until the next.
             let before = self.sustained[contact].map_or(0.0, |before| before.normal_force);
-            self.sustained[contact] = sustained[contact].then_some(Sustained {
+            self.sustained[contact] = Some(Sustained {
                 row: block.row,
                 normal_force: before,
-                friction: has_friction.then_some(next),
+                grip,
             });
-            next += usize::from(has_friction);
         }
         Ok(())
     }
@@ -71,19 +115,34 @@ impl Flow<'_> {
             self.equations.multipliers(&mut self.lambda);
             for sustained in self.sustained.iter_mut().flatten() {
                 sustained.normal_force = self.lambda[sustained.row];
+                if let Grip::Sticks(force) = &mut sustained.grip {
+                    *force = self.lambda[sustained.row + 1];
+                }
             }
         }
     }
 
-    /// The sustained contact that an impulse and its change of the velocities pull most, and its own impulse.
-    pub fn pulled(&mut self, impulse: &[f64], change: &[f64]) -> Option<(usize, f64)> {
-        self.has_sustained().then(|| {
-            self.equations
-                .impulsive_multipliers(impulse, change, &mut self.lambda);
-        })?;
-        let contacts = self.sustained.iter().enumerate();
-        let pulls = contacts
-            .filter_map(|(contact, sustained)| Some((contact, self.lambda[(*sustained)?.row])));
-        pulls.min_by(|a, b| a.1.total_cmp(&b.1))
+    /// How far an impulse and its change of the velocities pull the sustained contacts beyond what they can take, at worst \[N·s\]: by
+    /// a pull, or along the surface by more than friction holds of one that sticks.
+    pub fn strain(&mut self, impulse: &[f64], change: &[f64]) -> f64 {
+        if !self.has_sustained() {
+            return 0.0;
+        }
+        self.equations
+            .impulsive_multipliers(impulse, change, &mut self.lambda);
+        let strains = self.sustained.iter().enumerate().map(|(contact, held)| {
+            let Some(held) = held else {
+                return 0.0;
+            };
+            let normal = self.lambda[held.row];
+            match held.grip {
+                Grip::None | Grip::Slides(_) => -normal,
+                Grip::Sticks(_) => {
+                    let most = self.rigid_friction(contact) * normal;
+                    (-normal).max(self.lambda[held.row + 1].abs() - most)
+                }
+            }
+        });
+        strains.fold(0.0, f64::max)
     }
 }

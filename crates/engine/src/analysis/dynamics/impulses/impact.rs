@@ -9,6 +9,7 @@
 //! (p_n, p_t) by [`crate::contact::impact`]. Sustained contacts take part as constraints; where the impulse would pull one
 //! of them, they part, and the impulses of all come of one problem (see [`super::touching`]).
 
+use super::grips::{Along, Grips};
 use super::point::Point;
 use super::touching::Touching;
 use crate::analysis::dynamics::flow::Flow;
@@ -16,7 +17,7 @@ use crate::analysis::dynamics::state::Sums;
 use crate::contact::impact::resolve;
 use crate::element::journal::{Reading, Rigid};
 
-/// Impulse by which a sustained contact may be pulled, in parts of the impact's, before it parts.
+/// Impulse by which a sustained contact may be pulled, or stick beyond its friction, in parts of the impact's.
 const PULLED: f64 = 1e-9;
 
 /// What an impact does.
@@ -25,19 +26,13 @@ pub(super) struct Strike {
     pub impulse: [f64; 2],
     /// Its energy lost, normal impulse and sliding.
     pub sums: Sums,
-    /// Sustained contacts part; the impulse is no more than a direction where they leave it no way.
+    /// Sustained contacts part, or slide; the impulse is no more than a direction where they leave it no way.
     pub parts: bool,
 }
 
 impl Strike {
     /// The impact of a journal with the velocities of `reading`.
-    pub fn new(
-        flow: &mut Flow,
-        contact: usize,
-        point: &Point,
-        law: &Rigid,
-        reading: &Reading,
-    ) -> Self {
+    pub fn new(flow: &mut Flow, point: &Point, law: &Rigid, reading: &Reading) -> Self {
         let velocity = [-reading.rate, reading.sliding];
         let found = resolve(
             point.mass,
@@ -64,7 +59,7 @@ impl Strike {
             point.sum(&point.forces, found.impulse),
             point.sum(&point.changes, found.impulse),
         );
-        let pulled = flow.pulled(&impulse, &change);
+        let strain = flow.strain(&impulse, &change);
         Strike {
             impulse: found.impulse,
             sums: Sums {
@@ -72,8 +67,7 @@ impl Strike {
                 impulse: found.impulse[0],
                 sliding: found.sliding,
             },
-            parts: pulled
-                .is_some_and(|(other, pull)| other != contact && pull < -PULLED * found.impulse[0]),
+            parts: strain > PULLED * found.impulse[0],
         }
     }
 
@@ -84,7 +78,8 @@ impl Strike {
 }
 
 /// Impulses of an impact from which sustained contacts part: they and the journal that strikes get p ≥ 0 all at once, so that
-/// δ̇₊ ≤ −e δ̇₋ (e = 0 for all but that journal), and δ̇₊ = −e δ̇₋ where p > 0 (Moreau 1988). `ratio` is p_t/p_n where it strikes.
+/// δ̇₊ ≤ −e δ̇₋ (e = 0 for all but that journal), and δ̇₊ = −e δ̇₋ where p > 0 (Moreau 1988). `ratio` is p_t/p_n where it strikes;
+/// those that stick are held by their friction as far as it goes.
 pub(super) fn together(
     flow: &Flow,
     touching: &Touching,
@@ -93,23 +88,24 @@ pub(super) fn together(
     ratio: f64,
 ) -> Option<Vec<[f64; 2]>> {
     let mut wanted = touching.approaches(flow);
+    let slidings = touching.slidings(flow);
     let struck = |k: usize| touching.contacts[k] == striking;
     for (k, rate) in wanted.iter_mut().enumerate() {
         if struck(k) {
             *rate *= 1.0 + restitution;
         }
     }
+    let along = touching.along(flow);
+    let smooth = vec![Along::Slides(0.0); touching.len()];
+    let rough = along.iter().enumerate().map(|(k, along)| match along {
+        _ if struck(k) => Along::Slides(ratio),
+        Along::Slides(_) => Along::Slides(0.0),
+        Along::Rests(most) => Along::Rests(*most),
+    });
     // With friction there may be no such impulses, or some that give energy; without there are always some that take it.
-    [ratio, 0.0].into_iter().find_map(|ratio| {
-        let ratios: Vec<f64> = (0..touching.len())
-            .map(|k| if struck(k) { ratio } else { 0.0 })
-            .collect();
-        let (_, impulses) = touching.solve(&ratios, &wanted)?;
-        let pushes: Vec<[f64; 2]> = ratios
-            .iter()
-            .zip(&impulses)
-            .map(|(ratio, impulse)| [*impulse, ratio * impulse])
-            .collect();
-        (ratio == 0.0 || touching.work(flow, &pushes) <= 0.0).then_some(pushes)
+    [rough.collect(), smooth].into_iter().find_map(|along| {
+        let (_, pushes) = Grips::new(touching, &along, [&wanted, &slidings]).solve()?;
+        let smooth = pushes.iter().all(|push| push[1] == 0.0);
+        (smooth || touching.work(flow, &pushes) <= 0.0).then_some(pushes)
     })
 }

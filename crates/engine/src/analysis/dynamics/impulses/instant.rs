@@ -1,12 +1,13 @@
 //! The mechanism at an instant at which contacts act at once: its state, its constraints, and the books on both.
 
+use super::grips::Mode;
 use super::jamming::Jams;
 use super::point::Point;
 use super::touching::Touching;
 use crate::analysis::dynamics::flow::Flow;
 use crate::analysis::dynamics::ledger::{Entry, Ledger};
 use crate::analysis::dynamics::state::{State, Sums};
-use crate::element::journal::{Contact, Phase, Reading, Surface};
+use crate::element::journal::{Contact, ContactId, Hold, Phase, Reading};
 use crate::mechanism::driven::Failure;
 use linkdyn_linear::math::dot;
 
@@ -95,19 +96,19 @@ impl Instant<'_, '_> {
         history.end();
     }
 
-    /// No contact is sustained from here; those that were.
-    pub(super) fn release_all(&mut self) -> Result<Vec<bool>, Failure> {
-        let were = self.flow.sustained();
-        self.exchange_rows(&vec![false; were.len()])?;
+    /// No contact is sustained from here; how they were held.
+    pub(super) fn release_all(&mut self) -> Result<Vec<Hold>, Failure> {
+        let were = self.flow.holds();
+        self.exchange_rows(&vec![Hold::Free; were.len()])?;
         Ok(were)
     }
 
-    /// The equations with these contacts as constraints, from the position and velocities at hand.
-    fn exchange_rows(&mut self, sustained: &[bool]) -> Result<(), Failure> {
-        if let Err(failure) = self.flow.sustain(sustained, self.time) {
+    /// The equations with contacts that are held so, from the position and velocities at hand.
+    fn exchange_rows(&mut self, holds: &[Hold]) -> Result<(), Failure> {
+        if let Err(failure) = self.flow.hold(holds, self.time) {
             if let Failure::Locked { .. } = failure {
-                self.jams.contacts = (0..sustained.len())
-                    .filter(|&contact| sustained[contact])
+                self.jams.contacts = (0..holds.len())
+                    .filter(|&contact| holds[contact] != Hold::Free)
                     .collect();
             }
             return Err(failure);
@@ -117,32 +118,55 @@ impl Instant<'_, '_> {
         self.evaluate()
     }
 
-    /// These contacts are sustained from here; those that were and are not any more end their episodes.
-    pub(super) fn sustain(&mut self, sustained: &[bool]) -> Result<(), Failure> {
-        self.exchange_rows(sustained)?;
-        for (contact, &stays) in sustained.iter().enumerate() {
-            let Surface::Rigid(rigid) = self.flow.system().contacts[contact].surface else {
-                continue;
+    /// All contacts do this from here, which were held so before; those that leave end their episodes.
+    pub(super) fn take(&mut self, were: &[Hold], modes: &[Mode]) -> Result<(), Failure> {
+        let mut holds = vec![Hold::Free; modes.len()];
+        for (contact, mode) in modes.iter().enumerate() {
+            let journal = &self.flow.system().contacts[contact];
+            let (hold, way, anchor) = match *mode {
+                Mode::Leaves => continue,
+                Mode::Slips(ratio) => (Hold::Slides, -sign(ratio), 0.0),
+                Mode::Sticks if were[contact] == Hold::Sticks => {
+                    (Hold::Sticks, 0, self.flow.memories()[contact].anchor)
+                }
+                Mode::Sticks => {
+                    let sticking = journal.sticking(ContactId(contact));
+                    let anchor = sticking.rolled(&self.flow.equations.kinematics());
+                    (Hold::Sticks, 0, anchor)
+                }
             };
+            holds[contact] = hold;
+            let memory = self.flow.memory_mut(contact);
+            (memory.piece, memory.anchor) = (way, anchor);
+        }
+        self.exchange_rows(&holds)?;
+        for (contact, &hold) in holds.iter().enumerate() {
+            let stays = hold != Hold::Free;
             let reading = self.flow.reading(contact);
             let entry = self.entry(contact, &reading);
+            let history = self.ledger.history(contact);
             match (self.flow.is_in_contact(contact), stays) {
                 (true, false) => {
-                    let history = self.ledger.history(contact);
                     history.go_on(&entry);
                     history.rest(&entry);
                     history.end();
                     *self.flow.memory_mut(contact) = Contact::default();
                 }
                 (false, true) => {
-                    self.ledger.history(contact).begin(&entry);
-                    let memory = self.flow.memory_mut(contact);
-                    memory.phase = Phase::Contact;
-                    memory.piece = rigid.friction_law().piece(reading.sliding);
+                    history.begin(&entry);
+                    self.flow.memory_mut(contact).phase = Phase::Contact;
+                }
+                (true, true) if were[contact] != Hold::Free && were[contact] != hold => {
+                    history.switch(self.time, hold == Hold::Sticks);
                 }
                 (true, true) | (false, false) => {}
             }
         }
         Ok(())
     }
+}
+
+/// −1, 0 or 1.
+fn sign(x: f64) -> i8 {
+    i8::from(x > 0.0) - i8::from(x < 0.0)
 }

@@ -1,9 +1,10 @@
-//! What contacts of rigid surfaces do at an instant: impacts, sustained contacts that begin and end, and jams.
+//! What contacts of rigid surfaces do at an instant: impacts, sustained contacts that begin, stick, slip and end, and jams.
 //!
 //! Several impacts at one instant are taken one after the other until none approaches. An impact whose rebound would come back
 //! after a flight lower than a small part of the clearance, v²/(2 δ̈), is one of infinitely many in a finite time: the journal
 //! loses its normal velocity and stays on the surface, as a sustained contact.
 
+mod grips;
 mod impact;
 mod instant;
 mod jamming;
@@ -11,12 +12,13 @@ mod point;
 mod touching;
 
 use super::flow::Flow;
-use super::modes::{largest_guard, lets_go};
+use super::modes::largest_guard;
 use super::words::TIGHT;
-use crate::element::journal::{Contact, Phase, Reading, Rigid, Surface};
+use crate::element::journal::{Contact, Hold, Phase, Reading, Rigid, Surface};
 use crate::mechanism::driven::Failure;
+use grips::{Grips, Mode};
 use impact::Strike;
-use jamming::{Way, rounds};
+use jamming::{Way, stop};
 use point::{LOWEST, Point, approach_acceleration, at_rest, touches};
 use touching::Touching;
 
@@ -47,6 +49,21 @@ impl<'a, 's> Impulses<'a, 's> {
     /// # Errors
     /// Where no impulses answer the motion.
     pub fn resolve(&mut self) -> Result<(), Failure> {
+        let resolved = self.try_to_resolve();
+        resolved.map_err(|failure| self.of_contacts(failure))
+    }
+
+    /// What locks by the friction of contacts is a jam: the joints' own forces stand in every phase, those of contacts do not.
+    fn of_contacts(&self, failure: Failure) -> Failure {
+        match failure {
+            Failure::Locked { force } if force >= self.at.flow.layout().forces() => {
+                Failure::Singular
+            }
+            other => other,
+        }
+    }
+
+    fn try_to_resolve(&mut self) -> Result<(), Failure> {
         for round in 0.. {
             let Some(contact) = acting(self.at.flow) else {
                 break;
@@ -81,7 +98,7 @@ impl<'a, 's> Impulses<'a, 's> {
         let point = Point::new(self.at.flow, contact, reading);
         let entry = self.at.entry(contact, reading);
         let height = self.lowest * journal.clearance;
-        let mut strike = Strike::new(self.at.flow, contact, &point, &rigid, reading);
+        let mut strike = Strike::new(self.at.flow, &point, &rigid, reading);
         // Where it comes back at once, it stays.
         let before = self.at.state.clone();
         point.apply(self.at.state.rates_mut(), strike.impulse);
@@ -104,7 +121,7 @@ impl<'a, 's> Impulses<'a, 's> {
             ..rigid
         };
         if stays {
-            strike = Strike::new(self.at.flow, contact, &point, &law, reading);
+            strike = Strike::new(self.at.flow, &point, &law, reading);
         }
         if strike.parts {
             self.strike_together(contact, law.restitution, strike.ratio())?;
@@ -133,20 +150,18 @@ impl<'a, 's> Impulses<'a, 's> {
                 at_rest(self.at.flow)
             };
             self.settle(slow)?;
-            if self.at.flow.sustained()[contact] {
-                self.note_sustained(contact, &rigid, height);
+            if self.at.flow.holds()[contact] != Hold::Free {
+                self.note_sustained(contact, height);
             }
         }
         Ok(())
     }
 
     /// The contact is sustained after an impact whose rebound would be lower than `height`.
-    fn note_sustained(&mut self, contact: usize, law: &Rigid, height: f64) {
+    fn note_sustained(&mut self, contact: usize, height: f64) {
         let height = self.at.flow.system().display.length_to(height, 2);
         let history = self.at.ledger.history(contact);
         history.sustain(self.at.time, &height);
-        let sliding = self.at.flow.reading(contact).sliding;
-        self.at.flow.memory_mut(contact).piece = law.friction_law().piece(sliding);
     }
 
     /// An impact from which sustained contacts part. `ratio` is p_t/p_n where it strikes.
@@ -157,7 +172,7 @@ impl<'a, 's> Impulses<'a, 's> {
         ratio: f64,
     ) -> Result<(), Failure> {
         let were = self.at.release_all()?;
-        let contacts = (0..were.len()).filter(|&other| were[other] || other == contact);
+        let contacts = (0..were.len()).filter(|&k| were[k] != Hold::Free || k == contact);
         let touching = Touching::new(self.at.flow, contacts.collect());
         let pushes = impact::together(self.at.flow, &touching, contact, restitution, ratio);
         self.at
@@ -166,11 +181,12 @@ impl<'a, 's> Impulses<'a, 's> {
 
     /// Journals that touch their bearings with speeds below `slow` lose what brings them nearer, all at once, and of those
     /// that stay the ones that press are sustained: with p, N ≥ 0 their impulses and normal forces, δ̇ = v − W p ≤ 0 and then
-    /// δ̈ = b − W N − W_t T(N) ≤ 0, in each pair one of the two zero.
+    /// δ̈ = b − W N − W_t T ≤ 0, in each pair one of the two zero, and T
+    /// by [`grips`].
     fn settle(&mut self, slow: f64) -> Result<(), Failure> {
         let were = self.at.release_all()?;
         let flow = &*self.at.flow;
-        let contacts = (0..were.len()).filter(|&k| were[k] || touches(flow, k, slow));
+        let contacts = (0..were.len()).filter(|&k| were[k] != Hold::Free || touches(flow, k, slow));
         let contacts = contacts.collect();
         let touching = Touching::new(self.at.flow, contacts);
         let rates = touching.approaches(self.at.flow);
@@ -184,7 +200,7 @@ impl<'a, 's> Impulses<'a, 's> {
         let free: Vec<f64> = (0..touching.len())
             .map(|k| {
                 // What an impact has stopped may leave by round-off.
-                let was = were[touching.contacts[k]];
+                let was = were[touching.contacts[k]] != Hold::Free;
                 let least = if was { slow } else { at_rest(flow) };
                 if stays[k] || rates[k].abs() <= least {
                     touching.approach_acceleration(flow, k)
@@ -193,50 +209,48 @@ impl<'a, 's> Impulses<'a, 's> {
                 }
             })
             .collect();
-        let presses = touching.solve(&touching.friction_ratios(flow), &free);
-        let Some((presses, _)) = presses else {
-            return self.end_jam(&touching, 0.0);
+        let (along, slides) = (touching.along(flow), touching.sliding_accelerations(flow));
+        let Some((found, _)) = Grips::new(&touching, &along, [&free, &slides]).solve() else {
+            let way = Way::find(self.at.flow, &touching);
+            return self.end_jam(&touching, way);
         };
-        let mut sustained = vec![false; were.len()];
-        let contacts = touching.contacts.iter().zip(&presses);
-        contacts.for_each(|(&contact, &presses)| sustained[contact] = presses);
-        match self.at.sustain(&sustained) {
+        // What is left of the velocities where an event was located goes by impulses too, which take no energy.
+        let left = [
+            touching.approaches(self.at.flow),
+            touching.slidings(self.at.flow),
+        ];
+        let pushes = Grips::new(&touching, &along, [&left[0], &left[1]]).resting(&found);
+        if let Some(pushes) = pushes {
+            self.at.push_all(&touching, &pushes)?;
+        }
+        let mut modes = vec![Mode::Leaves; were.len()];
+        let contacts = touching.contacts.iter().zip(found);
+        contacts.for_each(|(&contact, mode)| modes[contact] = mode);
+        match self.at.take(&were, &modes) {
             // These forces answer the motion, but do not come of those without friction.
-            Err(Failure::Locked { .. }) => self.end_jam(&touching, 0.0),
+            Err(Failure::Locked { .. }) => {
+                let way = Way::find(self.at.flow, &touching);
+                self.end_jam(&touching, way)
+            }
             gone => gone,
         }
     }
 
-    /// Impulses that stop sliding in a jam, and what comes of them. `loose` is the largest d, in parts of the leader's inverse
-    /// mass.
-    fn end_jam(&mut self, touching: &Touching, loose: f64) -> Result<(), Failure> {
+    /// Impulses that stop sliding in a jam, and what comes of them. `way` is how it jams.
+    fn end_jam(&mut self, touching: &Touching, way: Option<Way>) -> Result<(), Failure> {
         self.at.jams.begin(self.at.flow, touching, self.at.time)?;
-        let mut way = Way::find(self.at.flow, touching).ok_or(Failure::Singular)?;
-        let leader = touching.contacts[way.leader];
-        // One contact by itself is an impact from its beginning, and restitution gives back of all that it presses in.
-        let alone = way.margin < 0.0 && way.sizes.iter().filter(|size| **size != 0.0).count() == 1;
-        if alone {
+        if let Some(way) = way.as_ref().filter(|way| way.is_alone()) {
+            // One contact by itself is an impact from its beginning, and restitution gives back of all that it presses in.
+            let leader = touching.contacts[way.leader];
+            let none = self.at.flow.memories().len();
             self.at
-                .sustain(&vec![false; self.at.flow.memories().len()])?;
+                .take(&vec![Hold::Free; none], &vec![Mode::Leaves; none])?;
             let mut reading = self.at.flow.reading(leader);
             reading.rate = 0.0;
             self.impact(leader, &reading)?;
         } else {
-            let mut most = loose;
-            for _ in 0..rounds(touching) {
-                if way.margin > most {
-                    break;
-                }
-                let Some(pushes) = way.until_one_stops(self.at.flow, touching) else {
-                    break;
-                };
-                self.at.push_all(touching, &pushes)?;
-                way = Way::find(self.at.flow, touching).ok_or(Failure::Singular)?;
-                most = 0.0;
-            }
-            let pushes = way.come_to_rest(self.at.flow, touching);
-            self.at
-                .push_all(touching, &pushes.ok_or(Failure::Singular)?)?;
+            let pushes = stop(self.at.flow, touching, way.as_ref()).ok_or(Failure::Singular)?;
+            self.at.push_all(touching, &pushes)?;
             self.settle(at_rest(self.at.flow))?;
         }
         self.at.jams.contacts.clear();
@@ -248,12 +262,23 @@ impl<'a, 's> Impulses<'a, 's> {
     /// # Errors
     /// Where there is none, or no impulses end it.
     pub fn loosen(&mut self) -> Result<(), Failure> {
-        self.at.evaluate()?;
+        let loosened = self.try_to_loosen();
+        loosened.map_err(|failure| self.of_contacts(failure))
+    }
+
+    fn try_to_loosen(&mut self) -> Result<(), Failure> {
+        let is_answered = self.at.is_answered()?;
+        let margin = self.at.flow.equations.dependent_forces().margin();
         let were = self.at.release_all()?;
-        let contacts = (0..were.len()).filter(|&contact| were[contact]);
+        let contacts = (0..were.len()).filter(|&contact| were[contact] != Hold::Free);
         let touching = Touching::new(self.at.flow, contacts.collect());
-        self.end_jam(&touching, TIGHT)?;
-        self.resolve()
+        let way = Way::find(self.at.flow, &touching);
+        let jams = way.as_ref().is_some_and(|way| way.margin <= TIGHT);
+        if is_answered && margin > TIGHT && !jams {
+            return Err(Failure::Singular);
+        }
+        self.end_jam(&touching, way)?;
+        self.try_to_resolve()
     }
 }
 
@@ -263,12 +288,7 @@ fn acting(flow: &Flow) -> Option<usize> {
     (0..system.contacts.len()).find(|&contact| {
         let journal = &system.contacts[contact];
         let (memory, reading) = (&flow.memories()[contact], flow.reading(contact));
-        // What friction does asks for no impulse.
-        let guard = if memory.phase == Phase::Contact {
-            lets_go(&system.scale, &reading)
-        } else {
-            largest_guard(&system.scale, journal, memory, &reading)
-        };
-        matches!(journal.surface, Surface::Rigid(_)) && guard > 0.0
+        matches!(journal.surface, Surface::Rigid(_))
+            && largest_guard(&system.scale, journal, memory, &reading) > 0.0
     })
 }

@@ -1,7 +1,8 @@
 //! The point at which a rigid journal touches its bearing: what impulses there change, and what friction does there.
 
 use crate::analysis::dynamics::flow::Flow;
-use crate::element::journal::{Reading, Rigid, Surface};
+use crate::analysis::dynamics::modes::STILL;
+use crate::element::journal::{ContactId, Reading, Surface};
 use crate::element::{Applied, Constraint};
 use linkdyn_linear::math::dot;
 
@@ -9,6 +10,9 @@ use linkdyn_linear::math::dot;
 pub(super) const LOWEST: f64 = 1e-9;
 /// Normal speed of a journal that stays where it is [L/T]: above what approaches by round-off.
 const AT_REST: f64 = 1e-9;
+
+/// Sliding at which it has ended, in parts of what ends it.
+const BEYOND: f64 = 10.0;
 
 /// The same in a motion [m/s].
 pub(super) fn at_rest(flow: &Flow) -> f64 {
@@ -75,26 +79,10 @@ impl Point {
     }
 }
 
-/// T/N of a rigid journal that begins to slide on its bearing.
-pub(super) fn friction_ratio(flow: &Flow, contact: usize) -> f64 {
-    match &flow.system().contacts[contact].surface {
-        Surface::Rigid(rigid) => {
-            rigid
-                .friction_law()
-                .force(flow.reading(contact).sliding, 1.0, 0.0)
-                .force
-        }
-        Surface::Compliant(_) => 0.0,
-    }
-}
-
-/// The surfaces of a journal that slides no faster than its threshold, where there is friction.
-pub(super) fn sticking(flow: &Flow, contact: usize) -> Option<Rigid> {
-    let Surface::Rigid(rigid) = flow.system().contacts[contact].surface else {
-        return None;
-    };
-    (rigid.friction > 0.0 && flow.reading(contact).sliding.abs() <= rigid.threshold)
-        .then_some(rigid)
+/// Sliding velocity up to which a journal does not slide [m/s]: where the guard of sliding becomes positive it is a little beyond
+/// that.
+pub(super) fn still(flow: &Flow) -> f64 {
+    BEYOND * STILL * flow.system().scale.velocity()
 }
 
 /// Whether a rigid journal is on its bearing's surface, slower than `slow`.
@@ -112,4 +100,12 @@ pub(super) fn approach_acceleration(flow: &Flow, contact: usize, point: &Point) 
     let mut gamma = [0.0];
     following.gamma(&flow.equations.kinematics(), &mut gamma);
     -dot(&point.forces[0], flow.equations.acceleration()) - gamma[0]
+}
+
+/// v̇_t of a contact at the point of the last evaluation, where it does not slide [m/s²].
+pub(super) fn sliding_acceleration(flow: &Flow, contact: usize, point: &Point) -> f64 {
+    let sticking = flow.system().contacts[contact].sticking(ContactId(contact));
+    let mut gamma = [0.0; 2];
+    sticking.gamma(&flow.equations.kinematics(), &mut gamma);
+    dot(&point.forces[1], flow.equations.acceleration()) + gamma[1]
 }

@@ -6,8 +6,9 @@
 //!
 //! impact             p impulses, b = (1 + e) δ̇       what approaches rebounds, the others part or stay   [m/s]
 //! rest               p impulses, b = δ̇               the same with e = 0
-//! sustained contact  p normal forces, b = δ̈           of those at rest, what presses stays                [m/s²]
-//! jam                p by unit push on l, b = −W̃_l    what the others do while contact l pushes           [1/kg]
+//! sustained contact  with friction of what sticks, see [`super::grips`]                               [m/s²]
+//! jam                p by unit push on k, b = −W̃_k    what the others do while contact k pushes           [1/kg]
+//!                    impulses that stop sliding, see [`super::jamming`]                                   [m/s]
 //! ```
 //!
 //! It is solved on the levels of velocities and accelerations one after the other, since the second's b depends on the
@@ -17,7 +18,8 @@
 //! J. J. Moreau, *Unilateral contact and dry friction in finite freedom dynamics*, 1988; F. Pfeiffer, C. Glocker, *Multibody
 //! Dynamics with Unilateral Contacts*, 1996.
 
-use super::point::{Point, approach_acceleration, friction_ratio};
+use super::grips::Along;
+use super::point::{Point, approach_acceleration, sliding_acceleration, still};
 use crate::analysis::dynamics::flow::Flow;
 use linkdyn_linear::complementary::complementary;
 use linkdyn_linear::math::dot;
@@ -96,11 +98,43 @@ impl Touching {
             .collect()
     }
 
-    /// ρ of each, where it slides as at the last evaluation.
+    /// ρ of each, where it slides as at the last evaluation; 0 of one at rest.
     pub fn friction_ratios(&self, flow: &Flow) -> Vec<f64> {
+        let along = self.along(flow);
+        let ratios = along.iter().map(|along| match along {
+            Along::Slides(ratio) => *ratio,
+            Along::Rests(_) => 0.0,
+        });
+        ratios.collect()
+    }
+
+    /// What each does along the surface at the last evaluation.
+    pub fn along(&self, flow: &Flow) -> Vec<Along> {
+        let contacts = self.contacts.iter().map(|&contact| {
+            let friction = flow.rigid_friction(contact);
+            let sliding = flow.reading(contact).sliding;
+            match friction {
+                0.0 => Along::Slides(0.0),
+                _ if sliding.abs() <= still(flow) => Along::Rests(friction),
+                _ => Along::Slides(-friction * sliding.signum()),
+            }
+        });
+        contacts.collect()
+    }
+
+    /// v_t of each, at the last evaluation [m/s].
+    pub fn slidings(&self, flow: &Flow) -> Vec<f64> {
         let contacts = self.contacts.iter();
         contacts
-            .map(|&contact| friction_ratio(flow, contact))
+            .map(|&contact| flow.reading(contact).sliding)
+            .collect()
+    }
+
+    /// v̇_t of each at the last evaluation [m/s²].
+    pub fn sliding_accelerations(&self, flow: &Flow) -> Vec<f64> {
+        let contacts = self.contacts.iter().zip(&self.points);
+        contacts
+            .map(|(&contact, point)| sliding_acceleration(flow, contact, point))
             .collect()
     }
 

@@ -19,10 +19,6 @@ use linkdyn_model::{Clearance, Elastic, FrictionLaw, ImpactSense, Normal, Normal
 /// Exponent n of a power law where none is given: Hertz's.
 const EXPONENT: f64 = 1.5;
 
-/// Sliding velocity up to which the friction of a journal that follows its bearing grows from zero where the file gives no
-/// `friction.threshold_velocity` [m/s].
-const THRESHOLD: f64 = 1e-3;
-
 /// Words of a clearance, with their path for complaints.
 #[derive(Debug, Clone, Copy)]
 pub struct Words<'a> {
@@ -240,11 +236,6 @@ impl Words<'_> {
             Some(ImpactSense::Kinetic) => Sense::Kinetic,
             Some(ImpactSense::Kinematic) => Sense::Kinematic,
         };
-        let threshold = self
-            .clearance
-            .friction
-            .as_ref()
-            .and_then(|friction| friction.threshold_velocity);
         Ok(Rigid {
             restitution: self.need("impact.restitution", restitution, |e| {
                 (0.0..=1.0).contains(&e)
@@ -253,7 +244,6 @@ impl Words<'_> {
                 friction >= 0.0
             })?,
             sense,
-            threshold: threshold.unwrap_or(THRESHOLD),
         })
     }
 }

@@ -183,31 +183,27 @@ fn an_impact_takes_what_it_lacks_from_the_contact() {
         .impact_parameters()
     };
     let coulomb = json!({ "law": "coulomb", "coefficient": 0.03, "threshold_velocity": 0.01 });
-    let found = |restitution: f64, friction: f64, sense: Sense, threshold: f64| {
+    let found = |restitution: f64, friction: f64, sense: Sense| {
         Ok(Rigid {
             restitution,
             friction,
             sense,
-            threshold,
         })
     };
-    assert_eq!(
-        parameters(json!({})),
-        found(0.9, 0.0, Sense::Energetic, THRESHOLD)
-    );
+    assert_eq!(parameters(json!({})), found(0.9, 0.0, Sense::Energetic));
     assert_eq!(
         parameters(json!({ "friction": coulomb })),
-        found(0.9, 0.03, Sense::Energetic, 0.01)
+        found(0.9, 0.03, Sense::Energetic)
     );
     let impact = json!({ "restitution": 0.4, "friction": 0.2, "sense": "kinematic" });
     assert_eq!(
         parameters(json!({ "friction": coulomb, "impact": impact })),
-        found(0.4, 0.2, Sense::Kinematic, 0.01)
+        found(0.4, 0.2, Sense::Kinematic)
     );
     let impact = json!({ "sense": "kinetic" });
     assert_eq!(
         parameters(json!({ "friction": coulomb, "impact": impact })),
-        found(0.9, 0.03, Sense::Kinetic, 0.01)
+        found(0.9, 0.03, Sense::Kinetic)
     );
     assert!(parameters(json!({ "impact": { "restitution": 1.5 } })).is_err());
 }
