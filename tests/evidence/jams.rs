@@ -77,6 +77,7 @@ fn jams_end_by_impulses() {
         (&["d", "e", "f"][..], 0.5, 0.05),
         (&["a", "b"], 0.0, 0.1),
         (&["a", "b", "c"], 0.0, 0.2),
+        (&["a", "b", "c"], 0.0, 0.5),
     ] {
         let outcome = rigid("watt-i-lock", joints, "100 um", restitution, friction, &[]);
         assert_eq!(
@@ -129,14 +130,14 @@ fn a_motion_that_comes_to_a_jam_goes_on() {
     assert!(imbalance < 1e-8, "{imbalance:e}");
 }
 
-/// Where impulses don't end it either, the joints are named.
+/// Where no forces and no impulses answer the motion, the joint is named.
 #[test]
 fn jammed_journals_are_named() {
-    let outcome = rigid("watt-i-lock", &["a", "b", "c"], "100 um", 0.0, 0.5, &[]);
+    let outcome = rigid("watt-i-lock", &["a", "b"], "100 um", 0.5, 0.6, &[]);
     assert_eq!(outcome.report.status, Status::Singular);
     let said = outcome.report.message.expect("why");
     assert!(
-        said.contains("jam in joints \"a\", \"b\", \"c\"") && !outcome.trajectory.is_empty(),
+        said.contains("joint \"b\"") && !outcome.trajectory.is_empty(),
         "{said}"
     );
 }

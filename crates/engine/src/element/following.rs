@@ -308,7 +308,8 @@ impl Constraint for Sticking {
     }
 
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
-        let n = self.following.normal(at).0;
-        (perp(n) * lambda[1] - n * lambda[0], 0.0)
+        let (n, distance) = self.following.normal(at);
+        let along = perp(n) * (lambda[1] * self.following.clearance / distance);
+        (along - n * lambda[0], self.journal_radius() * lambda[1])
     }
 }

@@ -255,7 +255,7 @@ fn slopes_are_the_derivatives_of_contact_forces() {
                 phase: Phase::Contact,
                 approach: 2.0,
                 piece,
-                bristle: 0.0,
+                ..Contact::default()
             };
             let name = format!("{:?}", journal.surface);
             hold(

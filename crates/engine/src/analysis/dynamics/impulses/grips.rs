@@ -31,7 +31,7 @@ const NEAR: f64 = 1e-3;
 const TWICE: f64 = 1e-11;
 /// Changes, per contact, before all choices are tried, and most choices then.
 const CHANGES: usize = 8;
-const CHOICES: usize = 4096;
+const CHOICES: usize = 1 << 14;
 
 /// What a contact does along the surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -89,7 +89,18 @@ impl<'a> Grips<'a> {
 
     /// What they do, with (N, T) of each; none where there is no solution.
     pub fn solve(&self) -> Option<(Vec<Mode>, Vec<[f64; 2]>)> {
-        let first = (0..self.along.len()).map(|k| self.choices(k)[0]);
+        // Nothing presses at first, and where that leads nowhere, all that can.
+        (0..2)
+            .find_map(|start| self.from(start))
+            .or_else(|| self.search())
+    }
+
+    /// The same from one of the choices of each.
+    fn from(&self, start: usize) -> Option<(Vec<Mode>, Vec<[f64; 2]>)> {
+        let first = (0..self.along.len()).map(|k| {
+            let choices = self.choices(k);
+            choices[start.min(choices.len() - 1)]
+        });
         let mut modes: Vec<Mode> = first.collect();
         for _ in 0..CHANGES * (modes.len() + 1) {
             match self.attempt(&modes) {
@@ -99,11 +110,12 @@ impl<'a> Grips<'a> {
                 Attempt::Singular => break,
             }
         }
-        self.search(modes)
+        None
     }
 
     /// The same by trying what there is.
-    fn search(&self, mut modes: Vec<Mode>) -> Option<(Vec<Mode>, Vec<[f64; 2]>)> {
+    fn search(&self) -> Option<(Vec<Mode>, Vec<[f64; 2]>)> {
+        let mut modes = vec![Mode::Leaves; self.along.len()];
         let choices: Vec<Vec<Mode>> = (0..self.along.len()).map(|k| self.choices(k)).collect();
         let count = choices
             .iter()
