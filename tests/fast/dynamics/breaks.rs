@@ -131,7 +131,7 @@ fn a_sequence_goes_on_for_many_rounds() {
         let rounds = ((t - 0.05 + 1e-9) / 0.1).floor().clamp(0.0, 20.0);
         let rest = match *t {
             // halfway up the modified sine, at 0.05 of 0.07 a round, and at rest at the end
-            t if !(0.05..=2.04).contains(&t) => 0.0,
+            t if !(0.05..2.04).contains(&t) => 0.0,
             _ => 0.03 * MODIFIED_SINE_AT_5_7,
         };
         let wanted = 0.01 + 0.01 * rounds + rest;
