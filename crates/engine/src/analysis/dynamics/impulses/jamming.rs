@@ -125,9 +125,10 @@ impl Way {
         });
         let slidings = touching.slidings(flow).into_iter().zip(&self.ratios);
         let stops = slidings.zip(rates).zip(&self.sizes);
-        let stops = stops.filter_map(|(((sliding, ratio), rate), part)| {
-            (*ratio != 0.0 && *part != 0.0 && sliding * rate < 0.0).then(|| -sliding / rate)
+        let stops = stops.filter(|(((sliding, ratio), rate), part)| {
+            **ratio != 0.0 && **part != 0.0 && sliding * rate < 0.0
         });
+        let stops = stops.map(|(((sliding, _), rate), _)| -sliding / rate);
         stops.min_by(f64::total_cmp).map(pushes)
     }
 
