@@ -1,7 +1,7 @@
 //! The columns that responses need, and how they are read from a mechanism at an instant.
 //!
 //! Only the channels that responses name are read, and those that `derived` takes where they name what follows from rows:
-//! applied forces the poses of bodies, transmission the same, shaking forces rates, joint forces and efforts besides.
+//! applied forces the poses of bodies (and their rates, where they follow from what moves), transmission the poses, shaking forces rates, joint forces and efforts besides.
 
 use super::super::channels::Channels;
 use super::super::derived::Derived;
@@ -49,11 +49,16 @@ struct Follows {
     load: bool,
     shaking: bool,
     transmission: bool,
+    /// Whether loads follow from rates.
+    formulas: bool,
 }
 
 impl Follows {
-    fn of<'c>(columns: impl Iterator<Item = &'c Column>) -> Self {
-        let mut follows = Follows::default();
+    fn of<'c>(system: &System, columns: impl Iterator<Item = &'c Column>) -> Self {
+        let mut follows = Follows {
+            formulas: !system.formulas.is_empty(),
+            ..Follows::default()
+        };
         for column in columns {
             match column.channel {
                 Some(Channel::Load(..)) => follows.load = true,
@@ -84,8 +89,10 @@ impl Follows {
             | Channel::Body(_, BodyQuantity::X | BodyQuantity::Y | BodyQuantity::Angle) => {
                 self.is_any()
             }
-            Channel::Body(_, BodyQuantity::Vx | BodyQuantity::Vy | BodyQuantity::Omega)
-            | Channel::Joint(_, JointQuantity::Fx | JointQuantity::Fy | JointQuantity::Torque)
+            Channel::Body(_, BodyQuantity::Vx | BodyQuantity::Vy | BodyQuantity::Omega) => {
+                self.shaking || self.load && self.formulas
+            }
+            Channel::Joint(_, JointQuantity::Fx | JointQuantity::Fy | JointQuantity::Torque)
             | Channel::Driver(_, DriverQuantity::Effort) => self.shaking,
             Channel::Body(..)
             | Channel::Joint(..)
@@ -111,7 +118,7 @@ impl Needs {
         let needed: Vec<&Column> = needed
             .map(|column| find(column.index()))
             .collect::<Option<_>>()?;
-        let follows = Follows::of(needed.iter().copied());
+        let follows = Follows::of(system, needed.iter().copied());
         let is_wanted = |column: &&Column| {
             let is_taken = column.channel.is_some_and(|own| follows.takes(own));
             is_taken || needed.iter().any(|own| own.channel == column.channel)
