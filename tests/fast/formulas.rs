@@ -255,6 +255,22 @@ fn what_has_no_end_or_no_value_is_told() {
     );
     let said = told("=-3 N*(sqrt(block.x/(1 m)) + 1)");
     assert!(said.contains("force \"f\" has no value"), "{said}");
+    // where the motion is given, the rest of it is known
+    let mut model = rotor("=1 N*m*sqrt(0.5 - t/(1 s))", json!({}));
+    model["drivers"] = json!({ "motor": { "type": "rotation", "body": "rotor",
+        "motion": { "type": "constant_velocity", "velocity": 3.0 } } });
+    model["analysis"] = json!({ "type": "inverse_dynamics", "end": 1.0, "outputs": 11 });
+    let run = outcome(&model);
+    let efforts = column(&run, "driver.motor.effort");
+    assert_eq!(
+        efforts.iter().filter(|effort| effort.is_finite()).count(),
+        6
+    );
+    let said = run.report.warnings.join("; ");
+    assert!(
+        said.contains("from t = 0.6 s on, the formula of force \"m\" has no value at times"),
+        "{said}"
+    );
 }
 
 #[test]

@@ -34,6 +34,8 @@ pub(super) struct Outputs<'a, 'r> {
     wavering: Interval,
     locking: Interval,
     reactions: bool,
+    /// Whether a formula without a value was told of.
+    lacks_value: bool,
 }
 
 impl<'a, 'r> Outputs<'a, 'r> {
@@ -56,6 +58,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
             wavering: Interval::default(),
             locking: Interval::default(),
             reactions,
+            lacks_value: false,
         }
     }
 
@@ -153,6 +156,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
                 driven.acceleration(&self.inputs, a);
                 if self.reactions || self.links.is_some() {
                     balance(system, &driven.evaluation, &self.inputs, &mut self.sample);
+                    self.note_formulas(driven);
                     self.carry(driven);
                 }
             }
@@ -185,6 +189,23 @@ impl<'a, 'r> Outputs<'a, 'r> {
         self.recorder
             .push(system, &driven.evaluation, &self.inputs, &self.sample);
         Ok(())
+    }
+
+    /// Warns of the first formula that has no value at an instant.
+    fn note_formulas(&mut self, driven: &Driven) {
+        let at = driven.evaluation.kinematics(&self.inputs);
+        let mut formulas = self.system.formulas.iter();
+        let Some(formula) = formulas.find(|formula| !formula.value(&at).is_finite()) else {
+            return;
+        };
+        if !std::mem::replace(&mut self.lacks_value, true) {
+            self.report.warnings.push(format!(
+                "from t = {} on, the formula of force \"{}\" has no value at times (a root of a negative number, a division by \
+                 zero, or the like): the forces of these rows are empty",
+                self.system.display.time(self.inputs.time),
+                self.system.force_data[formula.force].name
+            ));
+        }
     }
 
     /// The smooth branch near a change point; returns the scaled residual.
