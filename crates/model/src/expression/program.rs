@@ -185,7 +185,7 @@ impl Program {
     }
 }
 
-/// A program of a motion, whose functions are on one side of their kinks each (see [`super::moving`]). Nothing is allocated.
+/// A program of a motion, whose functions are on one side of their kinks each. Nothing is allocated.
 impl Program {
     /// How many kinks it has.
     pub fn kinks(&self) -> usize {

@@ -1,7 +1,7 @@
 //! Numbers with their derivative in one direction, without allocation: (x, ẋ), and f(x) has (f, f′ ẋ).
 //!
-//! Where a function has no derivative it is not a number. Kinks are on one side when these are calculated with
-//! (see [`super::moving`]), so that of `min`, `floor` and the like the derivative is that of the side.
+//! Where a function has no derivative it is not a number. Kinks are on one side each when these are calculated with, so that
+//! the derivative of `min`, `floor` and the like is that of the side.
 
 use super::number::Number;
 
