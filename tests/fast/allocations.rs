@@ -182,6 +182,14 @@ fn stiff_chain(links: usize) -> serde_json::Value {
 }
 
 /// Two rods with friction in both pins.
+fn pulled_pendulum() -> serde_json::Value {
+    let mut pendulum = double_pendulum();
+    let torque = "=table(lower.angle; -1 rad, 0 N*m; 1 rad, 0.2 N*m) - 0.1 N*m*s^2/rad^2*lower.omega*abs(joint.p.omega)";
+    pendulum["forces"] =
+        serde_json::json!({ "f": { "type": "torque", "body": "lower", "value": torque } });
+    pendulum
+}
+
 fn rubbing_pendulum() -> serde_json::Value {
     let mut pendulum = double_pendulum();
     for joint in ["o", "p"] {
@@ -201,6 +209,7 @@ fn steps_of_forward_dynamics_allocate_nothing_and_repeat_bit_by_bit() {
     for (name, json, end, method) in [
         ("double pendulum", double_pendulum(), 1.0, Method::Auto),
         ("with friction", rubbing_pendulum(), 1.0, Method::Auto),
+        ("with formulas", pulled_pendulum(), 1.0, Method::Radau5),
         ("a chain, sparse", chain(8), 0.5, Method::Auto),
         ("a stiff chain, sparse", stiff_chain(8), 0.5, Method::Radau5),
         ("A02, N = 2", benchmarks::four_bars(2), 10.0, Method::Auto),
