@@ -2,14 +2,15 @@
 
 use super::Compiler;
 use super::laws::law;
+use super::roles::joint_role;
 use crate::element::formula::{Formula, Function, MOST_ARGUMENTS, Strength};
 use crate::element::quantity::{Measured, Quantity};
 use crate::element::{BodyId, Marker};
 use crate::motion::Law;
-use linkdyn_linear::math::{Vec2, unit};
+use linkdyn_linear::math::Vec2;
 use linkdyn_model::formula::{Argument, Coordinate, Order};
 use linkdyn_model::response::{Catalogue, Program, Tangent};
-use linkdyn_model::{ForceKind, JointKind, PointRef, Value};
+use linkdyn_model::{ForceKind, PointRef, Value};
 use std::sync::Arc;
 
 /// The origin of the ground.
@@ -78,18 +79,13 @@ impl Compiler<'_> {
             }
             Argument::Slide(name, order) => {
                 let joint = &self.model.joints[name];
-                let axis = match &joint.kind {
-                    JointKind::Prismatic { axis, .. } | JointKind::Slot { axis, .. } => *axis,
-                    // only these slide
-                    JointKind::Revolute { .. }
-                    | JointKind::Gear { .. }
-                    | JointKind::Fixed { .. } => [1.0, 0.0],
-                };
+                // only what has an axis slides
+                let axis = joint_role(&joint.kind).axis();
                 let [first, second] = &joint.between;
                 let along = Measured::Along {
                     first: self.marker(first),
                     second: self.marker(second),
-                    axis: unit(Vec2::from(axis)),
+                    axis: axis.unwrap_or_else(Vec2::x),
                 };
                 (along, order)
             }

@@ -18,10 +18,17 @@ impl Flow<'_> {
         }
     }
 
+    /// The formulas whose sides are held.
+    fn held_formulas(&self) -> std::ops::Range<usize> {
+        match self.has_kinks() {
+            true => 0..self.system().formulas.len(),
+            false => 0..0,
+        }
+    }
+
     /// The largest guard of the formulas at the point of the last evaluation: positive where one is beyond its side.
     pub(super) fn formula_guard(&self) -> f64 {
-        let formulas = 0..self.system().formulas.len();
-        let guards = formulas.map(|formula| self.beyond(formula));
+        let guards = self.held_formulas().map(|formula| self.beyond(formula));
         guards.fold(f64::NEG_INFINITY, f64::max)
     }
 
@@ -32,7 +39,7 @@ impl Flow<'_> {
 
     /// The force of the first formula that is beyond its side at the point of the last evaluation.
     pub fn switching(&self) -> Option<usize> {
-        let mut formulas = (0..self.system().formulas.len()).filter(|_| self.has_kinks());
+        let mut formulas = self.held_formulas();
         let formula = formulas.find(|formula| self.beyond(*formula) > 0.0)?;
         Some(self.system().formulas[formula].force)
     }

@@ -182,21 +182,17 @@ impl<'s> Flow<'s> {
     pub fn largest_guard(&self) -> f64 {
         let scale = &self.system().scale;
         let contacts = self.system().contacts.iter().zip(self.memories());
-        let of_formulas = if self.has_kinks() {
-            self.formula_guard()
-        } else {
-            f64::NEG_INFINITY
-        };
-        contacts
-            .enumerate()
-            .fold(of_formulas, |largest, (contact, (journal, memory))| {
+        contacts.enumerate().fold(
+            self.formula_guard(),
+            |largest, (contact, (journal, memory))| {
                 largest.max(largest_guard(
                     scale,
                     journal,
                     memory,
                     &self.reading(contact),
                 ))
-            })
+            },
+        )
     }
 
     /// Elastic energy of a contact at the point of the last evaluation, in the phase of `memory` \[J\].
@@ -248,10 +244,7 @@ impl<'s> Flow<'s> {
             }
         }
         dy[self.layout.work()] = power;
-        let mut largest = f64::NEG_INFINITY;
-        if self.has_kinks() {
-            largest = self.formula_guard();
-        }
+        let mut largest = self.formula_guard();
         for (contact, journal) in system.contacts.iter().enumerate() {
             let reading = self.reading(contact);
             let memory = &self.memories()[contact];
