@@ -151,7 +151,14 @@ fn event_words(event: &Event, trajectory: &Trajectory, display: &DisplayUnits) -
         (_, Some(end)) => format!("{kind} from {}", display.times(event.time, end)),
         (None, None) => format!("{kind} at {start}"),
     };
-    text.extend(event.joint.iter().map(|joint| format!(" (joint {joint})")));
+    let stop = event.stop.map(|stop| format!(", {stop} stop"));
+    let stop = stop.unwrap_or_default();
+    text.extend(
+        event
+            .joint
+            .iter()
+            .map(|joint| format!(" (joint {joint}{stop})")),
+    );
     if let (Some(driver), Some(start)) = (&event.driver, event.value) {
         let unit = trajectory
             .column_index(&format!("driver.{driver}.value"))

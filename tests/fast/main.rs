@@ -58,4 +58,5 @@ mod similarity;
 mod singular;
 mod statics;
 mod sticking;
+mod stops;
 mod transmission;

@@ -51,6 +51,28 @@ pub struct Joint {
     /// What it lets move.
     #[serde(flatten)]
     pub kind: JointKind,
+    /// Where its way ends; of revolute, prismatic and slot joints.
+    #[serde(flatten)]
+    #[doc(hidden)]
+    pub stops: Stops,
+}
+
+/// The ends of a joint's way: nothing where it has none.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
+pub struct Stops {
+    /// Least and greatest angle θ₂ − θ₁ \[rad\] of a revolute joint, or slide \[m\] along the axis of the others; none where the
+    /// way has no end.
+    #[serde(default)]
+    pub limits: Option<[Option<f64>; 2]>,
+    /// Coefficient of restitution of rigid stops, 0 to 1 [–]; left out: 0.
+    #[serde(default)]
+    pub restitution: Option<f64>,
+    /// Stiffness of stops that yield [N·m/rad or N/m]; left out: they are rigid.
+    #[serde(default)]
+    pub stiffness: Option<f64>,
+    /// Damping of stops that yield [N·m·s/rad or N·s/m]; left out: none.
+    #[serde(default)]
+    pub damping: Option<f64>,
 }
 
 /// What the joint lets move.

@@ -237,7 +237,7 @@ impl Printer<'_> {
             return node.to_value();
         }
         match (shape, tree) {
-            (Shape::Quantity(measure, _), Tree::Number(number)) => {
+            (Shape::Quantity(measure, _) | Shape::End(measure), Tree::Number(number)) => {
                 self.quantity(*number, shape, *measure, driven)
             }
             (Shape::Varying(dimension), Tree::Number(number)) => {

@@ -272,7 +272,6 @@ fn at(shape: &Shape, field: Option<&Field>) -> Keys {
         Shape::Map(of) => return map(of, field),
         Shape::Responses => return map(&Shape::Response, field),
         Shape::Response => places::response(),
-        Shape::Limit => places::value(),
         Shape::Asked(asked) => places::asked(*asked),
         Shape::Bodies => return bodies(field),
         Shape::Text => keys(json!({ "type": "string" })),
@@ -304,8 +303,9 @@ fn at(shape: &Shape, field: Option<&Field>) -> Keys {
             return keys;
         }
         Shape::Range(measure, bound) => places::range(&Shape::Quantity(*measure, *bound)),
+        Shape::End(measure) => places::end(&quantity(*measure)),
         Shape::Place => places::place(),
-        Shape::Nominal => places::value(),
+        Shape::Limit | Shape::Nominal => places::value(),
         Shape::Deviations => places::deviations(),
         Shape::Alike(bound) => {
             let mut keys = places::value();

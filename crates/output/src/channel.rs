@@ -95,6 +95,8 @@ pub enum JointQuantity {
     SlidingSpeed,
     /// 0 flight, 1 contact, 2 contact that sticks.
     State,
+    /// Torque [N·m] of the stops of a turning joint on the second body, or force \[N\] of those of a slide.
+    Stop,
 }
 
 /// What a driver prescribes and what it takes.

@@ -14,9 +14,9 @@ pub enum EventKind {
     NotConverged,
     /// A joint locks itself by its friction, so that forces do not exist.
     SelfLocking,
-    /// A journal touches its bearing, for a time or in an impact.
+    /// A journal touches its bearing, or a joint its stop, for a time or in an impact.
     Contact,
-    /// A journal stays on its bearing after impacts too low to tell apart.
+    /// A journal stays on its bearing, or a joint at its stop, after impacts too low to tell apart.
     SustainedContact,
     /// A journal begins to stick to its bearing.
     Stick,
@@ -62,8 +62,11 @@ pub struct Event {
     pub value: Option<f64>,
     /// Driver value at `end_time`.
     pub end_value: Option<f64>,
-    /// Joint with clearance.
+    /// Joint with clearance, or with stops.
     pub joint: Option<String>,
+    /// The stop of the joint, `lower` or `upper`.
+    #[doc(hidden)]
+    pub stop: Option<&'static str>,
     /// Of contacts.
     #[doc(hidden)]
     pub episode: Option<Episode>,
@@ -83,13 +86,14 @@ impl Event {
             value: None,
             end_value: None,
             joint: None,
+            stop: None,
             episode: None,
             note: None,
         }
     }
 }
 
-/// One time that a journal touches its bearing.
+/// One time that a journal touches its bearing, or a joint its stop. Of a turning joint's stop lengths are angles, and forces torques.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Episode {
     /// Start \[s\].

@@ -55,6 +55,24 @@ pub struct ClearanceSums {
     pub wear: Vec<f64>,
 }
 
+/// What a joint does at one of its stops over the whole run.
+#[doc(hidden)]
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct StopSums {
+    /// Name of the joint.
+    pub joint: String,
+    /// `lower` or `upper`.
+    pub stop: &'static str,
+    /// How often it came there.
+    pub episodes: u64,
+    /// \[s\]
+    pub time_in_contact: f64,
+    /// \[J\]
+    pub energy_lost: f64,
+    /// ∫N dt [N·s], of a turning joint [N·m·s].
+    pub impulse: f64,
+}
+
 /// Degrees of freedom, counted and by rank.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Mobility {
@@ -160,6 +178,9 @@ pub struct Report {
     pub events: Vec<Event>,
     /// Joints with clearance by contact.
     pub clearances: Vec<ClearanceSums>,
+    /// Joints with stops.
+    #[doc(hidden)]
+    pub stops: Vec<StopSums>,
     /// Time of the assembly.
     #[doc(hidden)]
     pub assemble: Stage,

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::{ClearanceSums, Equilibrium, Event, Report, Stage, Trajectory};
+use super::{ClearanceSums, Equilibrium, Event, Report, Stage, StopSums, Trajectory};
 
 /// What a summary is made of.
 #[derive(Debug)]
@@ -107,6 +107,15 @@ pub fn facts(summary: &Summary) -> Map<String, Value> {
     if let Some(found) = &report.equilibrium {
         json.insert("equilibrium".into(), equilibrium(found));
     }
+    json.extend(contacts(report));
+    json.insert("warnings".into(), report.warnings.as_slice().into());
+    json.insert("events".into(), report.events.iter().map(event).collect());
+    json
+}
+
+/// What journals and stops do over the whole run, where there are some.
+fn contacts(report: &Report) -> Map<String, Value> {
+    let mut json = Map::new();
     if !report.clearances.is_empty() {
         let sums = report
             .clearances
@@ -115,8 +124,9 @@ pub fn facts(summary: &Summary) -> Map<String, Value> {
             .collect();
         json.insert("clearances".into(), Value::Object(sums));
     }
-    json.insert("warnings".into(), report.warnings.as_slice().into());
-    json.insert("events".into(), report.events.iter().map(event).collect());
+    if !report.stops.is_empty() {
+        json.insert("stops".into(), stops(&report.stops));
+    }
     json
 }
 
@@ -148,6 +158,21 @@ fn clearance(sums: &ClearanceSums) -> Value {
     })
 }
 
+/// What joints do at their stops over the whole run: by joint and stop.
+fn stops(all: &[StopSums]) -> Value {
+    let mut joints = Map::new();
+    for sums in all {
+        let joint = joints.entry(sums.joint.as_str());
+        joint.or_insert_with(|| json!({}))[sums.stop] = json!({
+            "contacts": sums.episodes,
+            "time_in_contact": sums.time_in_contact,
+            "energy_lost": sums.energy_lost,
+            "impulse": sums.impulse,
+        });
+    }
+    Value::Object(joints)
+}
+
 fn stage(stage: Stage) -> Value {
     json!({ "wall": stage.wall, "cpu": stage.cpu })
 }
@@ -157,8 +182,9 @@ fn event(event: &Event) -> Value {
     let mut json = Map::new();
     json.insert("type".into(), event.kind.name().into());
     json.insert("time".into(), event.time.into());
-    let optional: [(&str, Option<Value>); 6] = [
+    let optional: [(&str, Option<Value>); 7] = [
         ("joint", event.joint.as_deref().map(Value::from)),
+        ("stop", event.stop.map(Value::from)),
         ("end_time", event.end_time.map(Value::from)),
         ("driver", event.driver.as_deref().map(Value::from)),
         ("value", event.value.map(Value::from)),

@@ -208,11 +208,14 @@ impl Stretch {
 }
 
 impl Contents {
-    /// Motions with forces and a joint with clearance, by whatever model.
+    /// Motions with forces and a joint with clearance, by whatever model, or with stops.
     fn has_contact_energy(self, system: &System) -> bool {
         self.reactions
             && self.velocities
-            && system.joints.iter().any(|joint| joint.bearing.is_some())
+            && system
+                .joints
+                .iter()
+                .any(|joint| joint.bearing.is_some() || joint.has_stops())
     }
 
     /// Headings in the order of results.
@@ -269,11 +272,13 @@ impl Contents {
         let friction = has_friction.then_some(JointQuantity::Friction);
         let has_bearing = joint.bearing.is_some();
         let contact_wanted = has_bearing && self.reactions;
+        let stop = (self.reactions && joint.has_stops()).then_some(JointQuantity::Stop);
         forces
             .chain(torque)
             .chain(friction)
             .chain(ECCENTRICITIES.into_iter().filter(move |_| has_bearing))
             .chain(CONTACT.into_iter().filter(move |_| contact_wanted))
+            .chain(stop)
     }
 
     fn of_driver(self) -> impl Iterator<Item = DriverQuantity> {
@@ -306,6 +311,10 @@ fn joint_unit(quantity: JointQuantity, joint: &JointData) -> &'static str {
         | JointQuantity::Ey
         | JointQuantity::Eccentricity
         | JointQuantity::Penetration => "m",
+        JointQuantity::Stop => match joint.role.axis() {
+            Some(_) => "N",
+            None => "N*m",
+        },
         JointQuantity::SlidingSpeed => "m/s",
         JointQuantity::State => "1",
     }

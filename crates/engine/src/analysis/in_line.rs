@@ -91,7 +91,7 @@ fn holds(system: &System, block: &Block) -> Holds {
             (1, false) | (2, true) => Holds::Guide,
             _ => Holds::Otherwise,
         },
-        Origin::Driver(_) | Origin::Initial(_) => Holds::Otherwise,
+        Origin::Driver(_) | Origin::Stop(_) | Origin::Initial(_) => Holds::Otherwise,
     }
 }
 
@@ -99,6 +99,7 @@ fn holds(system: &System, block: &Block) -> Holds {
 fn joint_name<'s>(system: &'s System, block: &Block) -> &'s str {
     match block.origin {
         Origin::Joint(id) => system.joints[id.0].name.as_str(),
+        Origin::Stop(id) => system.joint_of(id).name.as_str(),
         Origin::Driver(_) | Origin::Initial(_) => "",
     }
 }

@@ -89,7 +89,7 @@ impl Question {
     /// # Errors
     /// Outputs at values of a driver that prescribes nothing, and a name that no method has.
     pub fn dynamics(&self, system: &System) -> Result<dynamics::Settings, Stop> {
-        if matches!(self.instants, Instants::Sampled(_)) && system.contacts.is_empty() {
+        if matches!(self.instants, Instants::Sampled(_)) && !system.has_journals() {
             let message = "outputs at driver values need a motion that is prescribed";
             let hint = "give \"end\" and \"outputs\" instead";
             return Err(Complaint::new("analysis.sample", message).hint(hint).into());
@@ -117,7 +117,7 @@ impl Question {
 fn kind(system: &System, kind: AnalysisKind) -> Kind {
     match kind {
         AnalysisKind::Assembly => Kind::Position,
-        AnalysisKind::Kinematics | AnalysisKind::InverseDynamics if system.contacts.is_empty() => {
+        AnalysisKind::Kinematics | AnalysisKind::InverseDynamics if !system.has_journals() => {
             Kind::Prescribed
         }
         AnalysisKind::Kinematics | AnalysisKind::InverseDynamics | AnalysisKind::Dynamics => {

@@ -99,6 +99,8 @@ pub struct JointReading {
     friction: f64,
     /// Of a joint with clearance, whatever its model.
     journal: ContactSample,
+    /// Torque or force of the joint's stops on the second body.
+    stop: f64,
 }
 
 impl JointReading {
@@ -134,7 +136,13 @@ impl JointReading {
                 state: 1.0,
             })
         };
+        let stops = data.stops.iter().flat_map(|ends| ends.iter().flatten());
+        let stop = stops.filter_map(|id| {
+            let stop = system.contacts[id.0].stop()?;
+            Some(stop.pushed(sample.contacts[id.0].reading.normal))
+        });
         JointReading {
+            stop: stop.sum(),
             force,
             torque,
             friction,
@@ -158,6 +166,7 @@ impl JointReading {
             JointQuantity::TangentialForce => reading.tangential,
             JointQuantity::SlidingSpeed => reading.sliding,
             JointQuantity::State => self.journal.state,
+            JointQuantity::Stop => self.stop,
         }
     }
 }

@@ -132,7 +132,7 @@ impl Prepared {
             }
         };
         let responses = self.answers(&mut solved);
-        if self.system.contacts.is_empty() {
+        if self.system.contacts.is_empty() || self.question.kind != Kind::Free {
             // those of smooth motions are looked for where a response needs them
             solved.peaks = Trajectory::default();
         }

@@ -1,6 +1,6 @@
 //! Values at an output instant.
 
-use crate::element::journal::Reading;
+use crate::element::pair::Reading;
 use crate::system::System;
 
 /// Values at one output instant, SI; NaN where a value does not exist.

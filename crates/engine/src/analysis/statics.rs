@@ -10,8 +10,9 @@ use super::channels::Contents;
 use super::control::{Control, Stop};
 use super::in_line::singular_text;
 use super::record::Recorder;
-use super::sample::Sample;
+use super::sample::{ContactSample, Sample};
 use super::words::friction_left_out;
+use super::{ends, leaning};
 use crate::element::Axis;
 use crate::mechanism::driven::Failure;
 use crate::mechanism::equilibrium::{Balance, Lost, Stability, find};
@@ -31,30 +32,65 @@ pub fn run(
 ) -> Result<(Trajectory, Report), Stop> {
     refuse(system)?;
     let watch = Stopwatch::start();
-    let (assembled, mut held) = start(system, false)?;
+    if system.contacts.is_empty() {
+        let (assembled, mut held) = start(system, false)?;
+        let assemble = watch.read();
+        let watch = Stopwatch::start();
+        let balance = balance(&mut held, &assembled, control)?;
+        let (trajectory, mut report) =
+            told((system, contents), &assembled, &mut held, &balance, &[]);
+        (report.assemble, report.solve) = (assemble, watch.read());
+        return Ok((trajectory, report));
+    }
+    // What the mechanism is without its stops, and where they are seen from there.
+    let assembled = start(system, false)?.0;
+    let turned = ends::at_this_turn(system, &assembled.q);
+    let system = turned.as_ref().unwrap_or(system);
+    ends::check_start(system, &assembled.q)?;
+    let mobility = assembled.mobility;
+    let assemble = watch.read();
+    let watch = Stopwatch::start();
+    let (trajectory, mut report) =
+        leaning::rest(system, control, |assembled, held, balance, contacts| {
+            told((system, contents), assembled, held, balance, contacts)
+        })?;
+    report.mobility = mobility;
+    (report.assemble, report.solve) = (assemble, watch.read());
+    Ok((trajectory, report))
+}
+
+/// The row of an equilibrium, and what is reported of it; `contacts` are the stops there.
+fn told(
+    (system, contents): (&System, Contents),
+    assembled: &Assembled,
+    held: &mut Held,
+    balance: &Balance,
+    contacts: &[ContactSample],
+) -> (Trajectory, Report) {
     let mut report = Report {
         mobility: assembled.mobility.clone(),
         warnings: assembled.warnings.clone(),
         ..Report::default()
     };
-    report.assemble = watch.read();
-
-    let watch = Stopwatch::start();
-    let balance = balance(&mut held, &assembled, control)?;
     let mut recorder = Recorder::new(system, contents, 1);
-    let sample = sample(&mut held);
-    recorder.push(system, &held.driven.evaluation, &held.inputs, &sample);
-    report.warnings.extend(warning(&balance));
+    let mut sample = sample(held);
+    sample.contacts.copy_from_slice(contacts);
+    recorder.push(
+        held.driven.system,
+        &held.driven.evaluation,
+        &held.inputs,
+        &sample,
+    );
+    report.warnings.extend(warning(balance));
     report.warnings.extend(friction_left_out(system));
-    report.equilibrium = Some(described(&held, &balance));
+    report.equilibrium = Some(described(held, balance));
     report.quality.constraint_residual = held.residual;
     let done = held.driven.done;
     report.statistics.steps = balance.iterations;
     report.statistics.newton_iterations = done.newton_iterations + assembled.iterations;
     report.statistics.evaluations = done.evaluations;
     report.statistics.factorisations = done.factorisations;
-    report.solve = watch.read();
-    Ok((recorder.trajectory, report))
+    (recorder.trajectory, report)
 }
 
 /// A mechanism at rest where it is held.

@@ -3,7 +3,8 @@
 //!
 //! Symbols as in [`super::journal`], and φ_e the angle of e. On the surface δ = 0, and the arms R_b and r = R_b − c are constant.
 
-use super::journal::{Contact, ContactId, Journal};
+use super::journal::Journal;
+use super::pair::ContactId;
 use super::span::{BOTH, Span, all_pairs};
 use super::{
     Applied, Axis, BodyId, Constraint, ConstraintDependentForce, Entry, Kinematics, Marker,
@@ -39,7 +40,7 @@ pub struct Following {
 /// γ₂ = (c/d) (t·(−ω₂² ρ₂ + ω₁² ρ₁) − 2 (t·ė)(n·ė)/d)
 /// ```
 ///
-/// No sliding is a holonomic constraint: what it keeps, A, is the anchor of [`Contact`], of the instant at which sliding ended. The
+/// No sliding is a holonomic constraint: what it keeps, A, is the anchor of [`Contact`](super::pair::Contact), of the instant at which sliding ended. The
 /// multipliers are N and T \[N\]. Friction holds the journal while |T| ≤ μ N.
 #[derive(Debug, Clone, Copy)]
 pub struct Sticking {
@@ -65,7 +66,7 @@ pub struct FollowingFriction {
 
 impl ConstraintDependentForce for FollowingFriction {
     fn apply_unit(&self, at: &Kinematics, to: &mut Applied) {
-        let reading = self.journal.read(at, &Contact::default());
+        let reading = self.journal.read(at);
         self.journal.press(at, &reading, [0.0, 1.0], to);
     }
 

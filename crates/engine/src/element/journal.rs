@@ -13,59 +13,12 @@
 //! D' = (N − N_e) δ̇ − T v_t                      power that the contact dissipates [W]; N_e its elastic part
 //! ```
 //!
-//! N by [`crate::contact::normal`], T by [`crate::contact::friction`]. What a contact has to remember (whether it touches,
-//! with what speed it was approached) is not kept here but in [`Contact`], which the analysis changes between steps only:
-//! within a step every law is the analytic branch that the phase says, also a little beyond its end, so that steps are
-//! smooth and their events can be located.
+//! N by [`crate::contact::normal`], T by [`crate::contact::friction`] (see [`super::pair`]).
 
+use super::pair::{Compliant, Contact, Reading};
 use super::span::{BOTH, Span, all_pairs};
 use super::{Applied, BodyId, Constraint, Entry, Kinematics, Marker, Measure, Slope, direction};
-use crate::contact::impact::Sense;
-use crate::contact::{friction, normal};
 use linkdyn_linear::math::{Vec2, perp};
-
-/// Where a journal's memory stands in `Kinematics::contacts`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct ContactId(pub usize);
-
-/// What a journal is doing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Phase {
-    /// No force.
-    #[default]
-    Flight,
-    /// Presses the bearing.
-    Contact,
-    /// Still overlaps, but the law's force would pull: none.
-    Released,
-}
-
-/// A contact's memory.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Contact {
-    /// What the journal is doing.
-    pub phase: Phase,
-    /// Speed at which this episode's contact was approached, δ̇₀ [m/s].
-    pub approach: f64,
-    /// Piece of the friction law that holds; of a rigid journal the way it slides, ±1, or 0 where it sticks.
-    pub piece: i8,
-    /// Bristles' deflection z of the friction law \[m\].
-    pub bristle: f64,
-    /// Where a rigid journal sticks: what its rolling keeps \[m\], see [`Sticking`](super::following::Sticking).
-    pub anchor: f64,
-}
-
-/// How a rigid journal stays on its bearing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Hold {
-    /// It does not.
-    #[default]
-    Free,
-    /// It slides along the surface.
-    Slides,
-    /// It rolls on the surface.
-    Sticks,
-}
 
 /// A joint with clearance as a contact.
 #[derive(Debug, Clone)]
@@ -78,83 +31,11 @@ pub struct Journal {
     pub clearance: f64,
     /// R_b \[m\]
     pub bearing_radius: f64,
-    /// What happens where they meet.
-    pub surface: Surface,
-}
-
-/// What happens where journal and bearing meet.
-#[derive(Debug, Clone)]
-pub enum Surface {
-    /// They overlap, and forces follow from the overlap.
-    Compliant(Compliant),
-    /// They do not overlap: impacts, and a journal that follows the surface.
-    Rigid(Rigid),
-}
-
-/// Laws of a contact whose surfaces overlap.
-#[derive(Debug, Clone)]
-pub struct Compliant {
-    /// Normal force.
-    pub normal: normal::Law,
-    /// Friction force.
-    pub friction: friction::Law,
-}
-
-/// Impacts, and what a journal that follows the surface needs besides.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rigid {
-    /// e, 0 to 1 [–].
-    pub restitution: f64,
-    /// μ [–].
-    pub friction: f64,
-    /// What e compares.
-    pub sense: Sense,
-}
-
-/// A contact at an instant.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Reading {
-    /// e \[m\]
-    pub eccentricity: Vec2,
-    /// δ \[m\], negative in flight, and δ̇ [m/s].
-    pub penetration: f64,
-    /// δ̇ [m/s].
-    pub rate: f64,
-    /// v_t [m/s]
-    pub sliding: f64,
-    /// N and T \[N\].
-    pub normal: f64,
-    /// T \[N\].
-    pub tangential: f64,
-    /// Force on the journal, ground frame \[N\].
-    pub force: Vec2,
-    /// Rate of the bristles' deflection [m/s].
-    pub bristle_rate: f64,
-    /// D' \[W\]
-    pub dissipation: f64,
-    /// Arms a_b and a_j \[m\].
-    arms: [f64; 2],
-}
-
-impl Reading {
-    /// Forces of a rigid journal that slides on its bearing's surface.
-    pub fn slide(&mut self, normal: f64, tangential: f64) {
-        (self.normal, self.tangential) = (normal, tangential);
-        // The constraint tells the normal force among the reactions.
-        let n = direction(self.eccentricity).map_or(Vec2::x(), |(n, _)| n);
-        self.force = perp(n) * tangential;
-        self.dissipation = -tangential * self.sliding;
-    }
-
-    /// Forces of a rigid journal that sticks there, which are among the reactions.
-    pub fn stick(&mut self, [normal, tangential]: [f64; 2]) {
-        (self.normal, self.tangential) = (normal, tangential);
-    }
 }
 
 impl Journal {
-    /// Geometry, velocities and forces; in the phase that `memory` says.
-    pub fn read(&self, at: &Kinematics, memory: &Contact) -> Reading {
+    /// Geometry and velocities.
+    pub fn read(&self, at: &Kinematics) -> Reading {
         let e = self.journal.place(at) - self.bearing.place(at);
         let e_rate = self.journal.velocity(at) - self.bearing.velocity(at);
         let distance = e.norm();
@@ -171,36 +52,14 @@ impl Journal {
         let arms = [arm, arm - distance];
         let sliding =
             t.dot(&e_rate) + self.journal.omega(at) * arms[1] - self.bearing.omega(at) * arms[0];
-        let mut reading = Reading {
+        Reading {
             eccentricity: e,
             penetration,
             rate,
             sliding,
             arms,
             ..Reading::default()
-        };
-        if let (Phase::Contact, Surface::Compliant(laws)) = (memory.phase, &self.surface) {
-            let normal = laws.normal.continued(penetration, rate, memory.approach);
-            let friction = laws
-                .friction
-                .on_piece(memory.piece, sliding, normal, memory.bristle);
-            reading.normal = normal;
-            reading.tangential = friction.force;
-            reading.bristle_rate = friction.bristle_rate;
-            reading.force = t * friction.force - n * normal;
-            let elastic = laws.normal.elastic_continued(penetration);
-            reading.dissipation = (normal - elastic) * rate - friction.force * sliding;
         }
-        reading
-    }
-
-    /// Adds the contact's forces.
-    pub fn apply(&self, at: &Kinematics, memory: &Contact, to: &mut Applied) {
-        if memory.phase != Phase::Contact {
-            return;
-        }
-        let reading = self.read(at, memory);
-        self.press(at, &reading, [reading.normal, reading.tangential], to);
     }
 
     /// Where the derivatives of the contact's forces can be non-zero, in the order [`Journal::slope`] writes.
@@ -217,16 +76,11 @@ impl Journal {
     pub fn slope(
         &self,
         at: &Kinematics,
-        memory: &Contact,
+        (memory, laws): (&Contact, &Compliant),
+        reading: &Reading,
         position: &mut [f64],
         velocity: &mut [f64],
     ) {
-        position.fill(0.0);
-        velocity.fill(0.0);
-        let (Phase::Contact, Surface::Compliant(laws)) = (memory.phase, &self.surface) else {
-            return;
-        };
-        let reading = self.read(at, memory);
         let Some((n, distance)) = direction(reading.eccentricity) else {
             return;
         };
@@ -292,24 +146,6 @@ impl Journal {
             Vec2::zeros(),
             -reading.arms[0] * tangential,
         );
-    }
-
-    /// Elastic energy of the contact \[J\].
-    pub fn potential(&self, at: &Kinematics, memory: &Contact) -> f64 {
-        self.stored(self.penetration(at), memory)
-    }
-
-    /// δ \[m\].
-    pub fn penetration(&self, at: &Kinematics) -> f64 {
-        (self.journal.place(at) - self.bearing.place(at)).norm() - self.clearance
-    }
-
-    /// Elastic energy at a penetration already read \[J\].
-    pub fn stored(&self, penetration: f64, memory: &Contact) -> f64 {
-        match (memory.phase, &self.surface) {
-            (Phase::Contact, Surface::Compliant(laws)) => laws.normal.elastic_energy(penetration),
-            (Phase::Flight | Phase::Contact | Phase::Released, _) => 0.0,
-        }
     }
 
     /// Angle of the contact in the bearing's body \[rad\].

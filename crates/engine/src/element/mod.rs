@@ -29,19 +29,21 @@ pub mod gear;
 pub mod joint_friction;
 pub mod journal;
 pub mod load;
+pub mod pair;
 pub mod prismatic;
 pub mod quantity;
 pub mod revolute;
 pub mod slot;
 pub(crate) mod span;
 pub mod spring;
+pub mod stop;
 pub mod torsion_spring;
 
 pub use coordinates::{Axis, BodyColumns, BodyId, Layout};
 
 use crate::motion::Jet;
-use journal::Contact;
 use linkdyn_linear::math::{Vec2, perp};
+use pair::Contact;
 use std::sync::Arc;
 
 /// Place of a body at an instant.

@@ -71,7 +71,7 @@ impl Measured {
     }
 
     /// s and ṡ.
-    fn value(&self, at: &Kinematics) -> [f64; 2] {
+    pub(super) fn value(&self, at: &Kinematics) -> [f64; 2] {
         let apart = |first: &Marker, second: &Marker| {
             let rate = second.velocity(at) - first.velocity(at);
             (second.place(at) - first.place(at), rate)
@@ -98,7 +98,7 @@ impl Measured {
     }
 
     /// ∂s/∂q and ∂ṡ/∂q.
-    fn slopes(&self, at: &Kinematics) -> [[f64; BOTH]; 2] {
+    pub(super) fn slopes(&self, at: &Kinematics) -> [[f64; BOTH]; 2] {
         let mut of_value = [0.0; BOTH];
         let mut of_rate = [0.0; BOTH];
         match self {

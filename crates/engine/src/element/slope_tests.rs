@@ -2,10 +2,12 @@
 
 use super::actuator::Actuator;
 use super::formula::{Formula, Function, Strength};
-use super::journal::{Compliant, Contact, Journal, Phase, Surface};
+use super::journal::Journal;
 use super::load::{PointLoad, Torque};
+use super::pair::{Compliant, Contact, Pair, Phase, Shape, Surface};
 use super::quantity::{Measured, Quantity};
 use super::spring::Spring;
+use super::stop::tests::stop;
 use super::tests::{Q0, V0, all_constraints, at_state, marker};
 use super::torsion_spring::TorsionSpring;
 use super::*;
@@ -249,21 +251,30 @@ fn slopes_are_the_derivatives_of_contact_forces() {
                 journal: marker(2, -0.4, 0.1),
                 clearance: 0.2,
                 bearing_radius: 0.5,
-                surface: Surface::Compliant(Compliant { normal, friction }),
             };
+            let surface = Surface::Compliant(Compliant { normal, friction });
+            let axis = Vec2::new(0.6, 0.8);
+            let shapes = [
+                Shape::Journal(journal),
+                Shape::Stop(stop(None)),
+                Shape::Stop(stop(Some(axis))),
+            ];
             let memory = Contact {
                 phase: Phase::Contact,
                 approach: 2.0,
                 piece,
                 ..Contact::default()
             };
-            let name = format!("{:?}", journal.surface);
-            hold(
-                &name,
-                &journal.slopes(),
-                &|at, position, velocity| journal.slope(at, &memory, position, velocity),
-                &|at, to| journal.apply(at, &memory, to),
-            );
+            for shape in shapes {
+                let surface = surface.clone();
+                let pair = Pair { shape, surface };
+                hold(
+                    &format!("{pair:?}"),
+                    &pair.slopes(),
+                    &|at, position, velocity| pair.slope(at, &memory, position, velocity),
+                    &|at, to| pair.apply(at, &memory, to),
+                );
+            }
         }
     }
 }

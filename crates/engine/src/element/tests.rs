@@ -6,8 +6,8 @@ use super::fixed::Fixed;
 use super::following::Following;
 use super::formula::Strength;
 use super::gear::Gear;
-use super::journal::{Contact, ContactId};
 use super::load::{PointLoad, Torque};
+use super::pair::{Contact, ContactId};
 use super::prismatic::{Guide, Prismatic};
 use super::revolute::{OffsetId, Revolute};
 use super::slot::Slot;
@@ -44,12 +44,13 @@ fn gear(carrier: usize, ratio: f64) -> Gear {
 }
 
 /// A constraint with the name that a failed check says.
-type Named = (&'static str, Box<dyn Constraint>);
+pub(super) type Named = (&'static str, Box<dyn Constraint>);
 
 /// One of each kind. A new constraint is added below.
 pub(crate) fn all_constraints() -> Vec<Named> {
     let mut all = joints();
     all.extend(drivers_and_initial_values());
+    all.extend(super::stop::tests::both());
     all
 }
 

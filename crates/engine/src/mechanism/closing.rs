@@ -246,7 +246,7 @@ fn layout<'a>(system: &System, blocks: &'a [&'a Block], weight: f64) -> (Rows<'a
     let weights = blocks
         .iter()
         .map(|block| match block.origin {
-            Origin::Joint(_) => 1.0,
+            Origin::Joint(_) | Origin::Stop(_) => 1.0,
             Origin::Driver(_) | Origin::Initial(_) => weight,
         })
         .collect();

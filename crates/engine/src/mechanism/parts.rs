@@ -15,7 +15,7 @@ use super::continuation::{Branch, HALF_TURN, Parameter, Path, follow};
 use super::driven::{Driven, Failure};
 use super::independent::better_coordinate;
 use super::phases::{Exchanged, Phases, Windows};
-use crate::element::journal::Hold;
+use crate::element::pair::Hold;
 use crate::element::{Axis, BodyId, Constraint, Entry, Kinematics, Measure};
 use crate::system::{Inputs, System};
 use linkdyn_linear::hermite::Node;

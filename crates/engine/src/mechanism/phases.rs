@@ -5,7 +5,7 @@
 //! motion comes back to few of them often.
 
 use crate::element::Constraint;
-use crate::element::journal::Hold;
+use crate::element::pair::Hold;
 use crate::system::System;
 use std::sync::{Arc, OnceLock};
 

@@ -1,7 +1,7 @@
 //! Evaluation of a system at a state, without allocation.
 
 use super::System;
-use crate::element::journal::{Contact, ContactId, Reading};
+use crate::element::pair::{Contact, ContactId, Reading};
 use crate::element::{Applied, Kinematics, Layout, Pose, Twist};
 use crate::motion::Jet;
 use linkdyn_linear::math::Vec2;

@@ -10,6 +10,7 @@
 //! that list by slots worked out once ([`Selection`](crate::mechanism::driven)).
 
 pub mod compile;
+mod contacts;
 mod eval;
 mod mass;
 mod matrices;
@@ -18,16 +19,18 @@ mod rows;
 mod scale;
 mod slopes;
 
+pub(crate) use contacts::Ends;
 pub use eval::{Evaluation, Inputs};
 pub use mass::Mass;
 pub use matrices::{Terms, write_matrix_market};
-pub use roles::{DriverRole, ForceData, ForceRole, JointRole};
+pub use roles::{ClearanceLink, DriverRole, ForceData, ForceRole, JointFriction, JointRole};
 pub use rows::{ContactRows, Extent};
 pub use scale::Scale;
 pub(crate) use slopes::Slopes;
 
 use crate::element::formula::Formula;
-use crate::element::journal::{Bearing, ContactId, Journal};
+use crate::element::journal::Bearing;
+use crate::element::pair::{ContactId, Pair};
 use crate::element::{
     Axis, BodyId, Constraint, ConstraintDependentForce, Force, Layout, Marker, Measure,
 };
@@ -51,6 +54,8 @@ pub enum Origin {
     Joint(JointId),
     /// A driver.
     Driver(DriverId),
+    /// A stop of a joint.
+    Stop(ContactId),
     /// An `initial` value, `crank.angle`.
     Initial(String),
 }
@@ -111,28 +116,12 @@ pub struct JointData {
     pub clearance: Option<ClearanceLink>,
     /// Journal and bearing that touch by a contact force.
     pub(crate) contact: Option<ContactId>,
+    /// Where its way ends.
+    pub(crate) stops: Option<Box<Ends>>,
     /// Of a joint with a `clearance` in the file, whatever its model.
     pub(crate) bearing: Option<Bearing>,
     /// Of an ideal joint with friction.
     pub(crate) friction: Option<JointFriction>,
-}
-
-/// Where the friction of an ideal joint stands.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct JointFriction {
-    /// Index into [`System::dependent_forces`].
-    pub(crate) force: usize,
-    /// What it brakes: a slide or a rotation.
-    pub(crate) measure: Measure,
-}
-
-/// A massless equivalent clearance link.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ClearanceLink {
-    /// Index into [`Inputs::offset`].
-    pub(crate) offset: usize,
-    /// Its length: the radial clearance \[m\].
-    pub(crate) radius: f64,
 }
 
 /// A driver's numbers beyond its constraint.
@@ -179,7 +168,7 @@ pub struct System {
     pub drivers: Vec<DriverData>,
     /// Points among the results.
     pub(crate) points: Vec<OutputPoint>,
-    /// Blocks of joints, then of drivers.
+    /// Blocks of joints, then of drivers, then of stops.
     pub blocks: Vec<Block>,
     /// `initial` coordinates, as blocks of their own for the assembly.
     pub(crate) initial: Vec<Block>,
@@ -195,8 +184,8 @@ pub struct System {
     pub(crate) kinks: Vec<f64>,
     /// Forces that depend on multipliers; no part of [`Evaluation::eval_force`].
     pub(crate) dependent_forces: Vec<DependentForce>,
-    /// Joints with clearance by contact force, in the order of the joints.
-    pub(crate) contacts: Vec<Journal>,
+    /// Joints with clearance by contact force, in the order of the joints; then the stops of joints.
+    pub(crate) contacts: Vec<Pair>,
     /// Rows that may come into force for each of them.
     pub(crate) contact_rows: Vec<ContactRows>,
     /// Laws of drivers and forces that have breaks.
@@ -293,6 +282,7 @@ impl System {
         match origin {
             Origin::Joint(id) => format!("joint \"{}\"", self.joints[id.0].name),
             Origin::Driver(id) => format!("driver \"{}\"", self.drivers[id.0].name),
+            Origin::Stop(id) => self.contact_name(*id),
             Origin::Initial(name) => format!("initial value \"{name}\""),
         }
     }

@@ -1,8 +1,8 @@
 //! What joints, drivers and forces are, as far as results beside the equations ask: no words, numbers only.
 
 use super::JointId;
-use crate::element::BodyId;
 use crate::element::formula::Strength;
+use crate::element::{BodyId, Measure};
 use linkdyn_linear::math::Vec2;
 
 /// What a joint is.
@@ -97,4 +97,22 @@ pub struct ForceData {
     pub name: String,
     /// What it is.
     pub(crate) role: ForceRole,
+}
+
+/// Where the friction of an ideal joint stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct JointFriction {
+    /// Index into [`System::dependent_forces`].
+    pub(crate) force: usize,
+    /// What it brakes: a slide or a rotation.
+    pub(crate) measure: Measure,
+}
+
+/// A massless equivalent clearance link.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ClearanceLink {
+    /// Index into [`Inputs::offset`].
+    pub(crate) offset: usize,
+    /// Its length: the radial clearance \[m\].
+    pub(crate) radius: f64,
 }

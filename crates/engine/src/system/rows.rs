@@ -3,8 +3,8 @@
 //! A model is compiled once, with every row that may come into force:
 //!
 //! ```text
-//! contact in flight       no row; impacts, or the force of the overlap
-//! contact that slides     |P₂ − P₁| − c = 0, and friction by its multiplier           rigid surfaces only
+//! contact in flight       no row; impacts, or the force of the overlap (of journals and stops)
+//! contact that slides     δ = 0, and friction by its multiplier                       rigid surfaces only
 //! contact that sticks     the same, and no sliding                                    the same
 //! contact closed          P₁ − P₂ = 0                                                 where a motion starts from
 //! joints of a part        by themselves, as a system of the part's bodies alone
@@ -13,23 +13,25 @@
 //! From these a mask picks. The constraints themselves are shared, none is made anew.
 
 use super::{Block, DependentForce, JointId, Mass, Origin, System};
-use crate::element::journal::Hold;
+use crate::element::pair::{ContactId, Hold, Pair};
 use crate::element::{BodyId, Constraint, ConstraintDependentForce, Layout};
 use linkdyn_linear::math::Vec2;
 use std::sync::Arc;
 
-/// Rows that may stand for a joint with clearance by contact.
+/// Rows that may stand for a contact.
 #[derive(Clone)]
 pub struct ContactRows {
+    /// The joint that it belongs to.
+    pub(crate) joint: JointId,
     /// Index into [`System::blocks`].
     pub(crate) block: usize,
-    /// Those of an ideal pin.
-    pub(crate) closed: Arc<dyn Constraint>,
-    /// That of a rigid journal which stays on the surface of its bearing.
+    /// Those of an ideal pin, in the place of a journal in its bearing.
+    pub(crate) closed: Option<Arc<dyn Constraint>>,
+    /// That of rigid surfaces which stay together.
     pub(crate) sustained: Arc<dyn Constraint>,
-    /// Those of one that sticks there.
+    /// Those of surfaces that do not slide, either.
     pub(crate) stuck: Arc<dyn Constraint>,
-    /// Its friction while it slides, where there is some.
+    /// Friction while they slide, where there is some.
     pub(crate) friction: Option<Arc<dyn ConstraintDependentForce>>,
 }
 
@@ -77,6 +79,20 @@ pub(super) fn reach(extents: &[Extent]) -> f64 {
         .fold(0.0, |most: f64, extent| most.max(extent.reach))
 }
 
+impl ContactRows {
+    /// Of a contact that belongs to this joint, where no rows stand for it otherwise.
+    pub(super) fn of(pair: &Pair, id: ContactId, joint: JointId, block: usize) -> Self {
+        ContactRows {
+            joint,
+            block,
+            closed: None,
+            sustained: pair.sustained(),
+            stuck: pair.stuck(id),
+            friction: pair.sliding(id),
+        }
+    }
+}
+
 impl System {
     /// The system in which contacts are held so (by contact), with their friction behind that of the joints, and with other
     /// constraints in the place of those of some blocks.
@@ -109,7 +125,8 @@ impl System {
     pub(crate) fn closed(&self) -> System {
         let mut system = self.clone();
         let pins = self.contact_rows.iter();
-        system.exchange(pins.map(|rows| (rows.block, rows.closed.clone())).collect());
+        let pins = pins.filter_map(|rows| Some((rows.block, rows.closed.clone()?)));
+        system.exchange(pins.collect());
         system.contacts.clear();
         system.contact_rows.clear();
         for joint in &mut system.joints {

@@ -14,6 +14,7 @@ mod names;
 mod optimise;
 mod ranges;
 mod responses;
+mod stops;
 
 pub use holes::Holes;
 pub use names::no_point;
@@ -224,6 +225,7 @@ impl Rules<'_> {
                 );
             }
             clearance::joint(self, joint, &path);
+            stops::stops(self, joint, &path);
         }
     }
 }

@@ -101,6 +101,7 @@ impl Look<'_> {
                 Shape::Quantity(_, bound) | Shape::Number(bound) | Shape::Coefficient(bound),
                 Tree::Number(number),
             ) => self.number(*number, *bound),
+            (Shape::End(_), Tree::Number(number)) => self.number(*number, Bound::Any),
             (Shape::Range(_, bound), limits) => self.range(limits, *bound),
             (Shape::Place, Tree::List(items)) => self.list(items, &LENGTH, 0),
             (Shape::Place, place) => self.object(place, &PLACE),
@@ -161,6 +162,7 @@ impl Look<'_> {
                 | Shape::Count(..)
                 | Shape::ContactStiffness
                 | Shape::Direction
+                | Shape::End(_)
                 | Shape::Pair(_)
                 | Shape::List(..)
                 | Shape::Table

@@ -32,6 +32,11 @@ pub fn value() -> Keys {
     keys(json!({ "type": ["number", "string"], "pattern": QUANTITY_PATTERN }))
 }
 
+/// A quantity, or nothing.
+pub fn end(quantity: &Keys) -> Keys {
+    keys(json!({ "anyOf": [quantity, { "type": "null" }] }))
+}
+
 /// The parameters, alone or with tolerances.
 pub fn parameters(field: Option<&Field>) -> Keys {
     let mut plain = keys(json!({

@@ -9,7 +9,9 @@ use crate::words::MATERIAL;
 pub fn filler(shape: &Shape) -> Value {
     match shape {
         Shape::Format | Shape::Text | Shape::Name(_) => Value::from(""),
-        Shape::Units | Shape::Parameters | Shape::Nominal | Shape::Deviations => Value::Null,
+        Shape::Units | Shape::Parameters | Shape::Nominal | Shape::Deviations | Shape::End(_) => {
+            Value::Null
+        }
         Shape::Point => Value::from("."),
         Shape::Choice(choice) => Value::from(choice.words.first().map_or("", |word| word.0)),
         Shape::Quantity(..)

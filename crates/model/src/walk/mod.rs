@@ -241,6 +241,8 @@ impl<'a> Walk<'a> {
             Shape::Range(measure, bound) => {
                 self.range(node, &Shape::Quantity(*measure, *bound), path, driven)
             }
+            Shape::End(_) if matches!(node.kind, Kind::Null) => Some(Value::Null),
+            Shape::End(measure) => self.quantity(node, *measure, path, driven).map(Value::from),
             Shape::Place => self.place(node, path, driven),
             Shape::Text | Shape::Name(_) => self.text(node, path).map(Value::from),
             Shape::Point => {

@@ -7,6 +7,9 @@ use crate::shape::{
     Bound, Default, Drives, Measure, Named, Object, Shape, Tagged, default, optional, required,
 };
 
+static TURN: Shape = Shape::End(Measure::Of(Dimension::Angle));
+static SLIDE: Shape = Shape::End(Measure::Of(Dimension::Length));
+
 /// A joint from the first point to the second.
 pub static JOINT: Tagged = Tagged {
     name: "Joint",
@@ -26,6 +29,26 @@ pub static JOINT: Tagged = Tagged {
                     "pin_radius",
                     Shape::Quantity(Measure::Of(Dimension::Length), Bound::Above(0.0)),
                     "Radius of the pin \\[m\\] on which `friction` acts, and which it needs.",
+                ),
+                optional(
+                    "limits",
+                    Shape::Pair(&TURN),
+                    "Where its way ends: least and greatest angle of the second body in the first \\[rad\\]; `null` where it does not.",
+                ),
+                optional(
+                    "restitution",
+                    Shape::Number(Bound::Between(0.0, 1.0)),
+                    "Of rigid stops at its limits, 0 where left out [–].",
+                ),
+                optional(
+                    "stiffness",
+                    Shape::Quantity(Measure::Of(Dimension::AngularStiffness), Bound::Above(0.0)),
+                    "Of stops that yield [N·m/rad]; left out: they are rigid.",
+                ),
+                optional(
+                    "damping",
+                    Shape::Quantity(Measure::Of(Dimension::AngularDamping), Bound::AtLeast(0.0)),
+                    "Of stops that yield [N·m·s/rad].",
                 ),
                 required(
                     "between",
@@ -67,6 +90,26 @@ pub static JOINT: Tagged = Tagged {
                     Shape::Range(Measure::Of(Dimension::Length), Bound::AtLeast(0.0)),
                     "How far the guided point may be off its line to either side \\[m\\], or `[least, most]` of it; for accuracy.",
                 ),
+                optional(
+                    "limits",
+                    Shape::Pair(&SLIDE),
+                    "Where its way ends: least and greatest slide along the axis \\[m\\]; `null` where it does not.",
+                ),
+                optional(
+                    "restitution",
+                    Shape::Number(Bound::Between(0.0, 1.0)),
+                    "Of rigid stops at its limits, 0 where left out [–].",
+                ),
+                optional(
+                    "stiffness",
+                    Shape::Quantity(Measure::Of(Dimension::Stiffness), Bound::Above(0.0)),
+                    "Of stops that yield [N/m]; left out: they are rigid.",
+                ),
+                optional(
+                    "damping",
+                    Shape::Quantity(Measure::Of(Dimension::Damping), Bound::AtLeast(0.0)),
+                    "Of stops that yield [N·s/m].",
+                ),
                 required(
                     "between",
                     Shape::Pair(&Shape::Point),
@@ -90,6 +133,26 @@ pub static JOINT: Tagged = Tagged {
                     "play",
                     Shape::Range(Measure::Of(Dimension::Length), Bound::AtLeast(0.0)),
                     "How far the guided point may be off its line to either side \\[m\\], or `[least, most]` of it; for accuracy.",
+                ),
+                optional(
+                    "limits",
+                    Shape::Pair(&SLIDE),
+                    "Where its way ends: least and greatest slide along the axis \\[m\\]; `null` where it does not.",
+                ),
+                optional(
+                    "restitution",
+                    Shape::Number(Bound::Between(0.0, 1.0)),
+                    "Of rigid stops at its limits, 0 where left out [–].",
+                ),
+                optional(
+                    "stiffness",
+                    Shape::Quantity(Measure::Of(Dimension::Stiffness), Bound::Above(0.0)),
+                    "Of stops that yield [N/m]; left out: they are rigid.",
+                ),
+                optional(
+                    "damping",
+                    Shape::Quantity(Measure::Of(Dimension::Damping), Bound::AtLeast(0.0)),
+                    "Of stops that yield [N·s/m].",
                 ),
                 required(
                     "between",
@@ -142,6 +205,10 @@ pub static JOINT: Tagged = Tagged {
                 ),
             ],
             refused: &[
+                (
+                    "limits",
+                    "a gear turns without end: give limits to the revolute joints of its wheels",
+                ),
                 ("clearance", "only a revolute joint can have clearance"),
                 (
                     "friction",
@@ -168,6 +235,7 @@ pub static JOINT: Tagged = Tagged {
                 ),
             ],
             refused: &[
+                ("limits", "nothing moves in a fixed joint"),
                 ("clearance", "only a revolute joint can have clearance"),
                 (
                     "friction",

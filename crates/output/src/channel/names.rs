@@ -165,7 +165,7 @@ impl Quantity for PointQuantity {
 
 impl JointQuantity {
     /// Every one.
-    const ALL: [JointQuantity; 12] = [
+    const ALL: [JointQuantity; 13] = [
         JointQuantity::Fx,
         JointQuantity::Fy,
         JointQuantity::Torque,
@@ -178,6 +178,7 @@ impl JointQuantity {
         JointQuantity::TangentialForce,
         JointQuantity::SlidingSpeed,
         JointQuantity::State,
+        JointQuantity::Stop,
     ];
 
     /// The last word of the column's name.
@@ -195,6 +196,7 @@ impl JointQuantity {
             JointQuantity::TangentialForce => "tangential_force",
             JointQuantity::SlidingSpeed => "sliding_speed",
             JointQuantity::State => "state",
+            JointQuantity::Stop => "stop",
         }
     }
 }

@@ -53,7 +53,7 @@ pub fn too_short(system: &System) -> Option<Complaint> {
     let joint = system.joints.iter().find(|joint| {
         joint
             .contact
-            .is_some_and(|id| system.contacts[id.0].clearance < SHORTEST)
+            .is_some_and(|id| system.contacts[id.0].size() < SHORTEST)
     })?;
     let path = format!("joints.{}.clearance.radius", joint.name);
     Some(complaint(path, "the radial clearance"))
@@ -109,6 +109,7 @@ fn path(system: &System, block: &Block) -> String {
     match &block.origin {
         Origin::Joint(id) => format!("joints.{}", system.joints[id.0].name),
         Origin::Driver(id) => format!("drivers.{}", system.drivers[id.0].name),
+        Origin::Stop(id) => format!("joints.{}.limits", system.joint_of(*id).name),
         Origin::Initial(name) => format!("initial.{name}"),
     }
 }

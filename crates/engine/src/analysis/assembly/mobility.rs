@@ -59,6 +59,6 @@ pub fn topology(system: &System) -> Topology {
 fn joint_of(system: &System, row: usize) -> Option<usize> {
     match system.block_of_row(row).origin {
         Origin::Joint(id) => Some(id.0),
-        Origin::Driver(_) | Origin::Initial(_) => None,
+        Origin::Driver(_) | Origin::Stop(_) | Origin::Initial(_) => None,
     }
 }

@@ -51,7 +51,7 @@ pub fn refuse(system: &System, q: &[f64], inputs: &Inputs) -> Result<(), Stop> {
 fn complaint(system: &System, row: usize, rows: impl Iterator<Item = usize>) -> Complaint {
     let driver = |row: usize| match system.block_of_row(row).origin {
         Origin::Driver(id) => Some(system.drivers[id.0].name.as_str()),
-        Origin::Joint(_) | Origin::Initial(_) => None,
+        Origin::Joint(_) | Origin::Stop(_) | Origin::Initial(_) => None,
     };
     let name = driver(row).unwrap_or_default();
     let names: Vec<&str> = rows.filter_map(driver).collect();

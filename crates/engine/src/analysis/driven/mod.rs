@@ -9,6 +9,7 @@ mod words;
 use super::assembly::{assemble, check_driven};
 use super::clearance_link::forces;
 use super::control::{Control, Stop};
+use super::ends;
 use super::instants::Instants;
 use super::sample::Sample;
 use crate::element::Measure;
@@ -53,6 +54,10 @@ pub(super) fn run<'s>(
     let assembled = assemble(system, &start)?;
     check_driven(system, &assembled, &start)?;
     super::assembly::velocities(system, &assembled.q, &start)?;
+    if !system.contacts.is_empty() {
+        let turned = ends::at_this_turn(system, &assembled.q);
+        ends::check_start(turned.as_ref().unwrap_or(system), &assembled.q)?;
+    }
     let mut report = Report {
         mobility: assembled.mobility.clone(),
         warnings: assembled.warnings,

@@ -3,6 +3,7 @@
 use super::super::channels::Contents;
 use super::super::clearance_link::{ClearanceLinks, Fixpoint, balance, carried, effort_by_power};
 use super::super::control::Control;
+use super::super::ends::Overrun;
 use super::super::instants::OutputInstant;
 use super::super::interval::Interval;
 use super::super::power::Powers;
@@ -36,6 +37,7 @@ pub(super) struct Outputs<'a, 'r> {
     reactions: bool,
     /// Whether a formula without a value was told of.
     lacks_value: bool,
+    overrun: Overrun,
 }
 
 impl<'a, 'r> Outputs<'a, 'r> {
@@ -59,6 +61,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
             locking: Interval::default(),
             reactions,
             lacks_value: false,
+            overrun: Overrun::default(),
         }
     }
 
@@ -185,6 +188,10 @@ impl<'a, 'r> Outputs<'a, 'r> {
             self.report.quality.constraint_residual.max(residual);
         if self.reactions {
             self.account();
+        }
+        if !system.contacts.is_empty() {
+            let at = driven.evaluation.kinematics(&self.inputs);
+            self.overrun.note(system, &at);
         }
         self.recorder
             .push(system, &driven.evaluation, &self.inputs, &self.sample);
@@ -334,6 +341,8 @@ impl<'a, 'r> Outputs<'a, 'r> {
         if self.reactions {
             self.report.quality.power_imbalance = Some(self.powers.relative_imbalance());
         }
+        let overrun = self.overrun.warnings(self.system);
+        self.report.warnings.extend(overrun);
         if !self.bridge.missing.is_empty() {
             self.report.warnings.push(format!(
                 "at a change point the reactions of {} have no bound and are left out",

@@ -1,8 +1,9 @@
 //! The beginning of a motion: how exact its steps are, and in which phases its contacts are.
 
 use super::extremes::Extremes;
+use super::fault::Fault;
 use super::flow::Flow;
-use super::impulses::Jams;
+use super::impulses::{Impulses, Instant, Jams, rests};
 use super::ledger::Ledger;
 use super::margins::Margins;
 use super::modes::first_phase;
@@ -13,7 +14,7 @@ use super::steps::Steps;
 use super::switches::Switches;
 use super::words::{deep_start, describe};
 use crate::analysis::control::Stop;
-use crate::element::journal::Surface;
+use crate::element::pair::Surface;
 use linkdyn_output::Status;
 
 /// Newton's step, by rtol, below which the equations are taken for those of its end: a hundredth of what the step's error
@@ -47,7 +48,22 @@ impl<'s> Simulation<'s> {
         first_phases(&mut flow, &state, &mut ledger)?;
         flow.store(&mut state);
         flow.hold_sides();
-        let started = Steps::new(settings, Wanted { rtol, atol }, (&mut flow, &state), end);
+        let mut jams = Jams::new();
+        let rested = match leans(&flow) {
+            true => {
+                let at = Instant {
+                    time: 0.0,
+                    flow: &mut flow,
+                    state: &mut state,
+                    ledger: &mut ledger,
+                    jams: &mut jams,
+                };
+                Impulses::new(at, rtol).rest().map_err(Fault::Unsolved)
+            }
+            false => Ok(()),
+        };
+        let started = rested
+            .and_then(|()| Steps::new(settings, Wanted { rtol, atol }, (&mut flow, &state), end));
         let steps = started.map_err(|fault| {
             let message = describe(fault, 0.0, "", &flow.system().display);
             Stop::failed(Status::Singular, message)
@@ -64,26 +80,32 @@ impl<'s> Simulation<'s> {
             event: None,
             ledger,
             switches: Switches::default(),
-            jams: Jams::new(),
+            jams,
             margins: Margins::new(),
             extremes,
         })
     }
 }
 
+/// Whether a joint is at one of its rigid stops.
+fn leans(flow: &Flow) -> bool {
+    let mut contacts = flow.system().contacts.iter().enumerate();
+    contacts.any(|(contact, pair)| pair.stop().is_some() && rests(flow, contact))
+}
+
 /// The phases in which contacts are at the start.
 fn first_phases(flow: &mut Flow, state: &State, ledger: &mut Ledger) -> Result<(), Stop> {
     let system = flow.system();
-    for (contact, journal) in system.contacts.iter().enumerate() {
+    for (contact, pair) in system.contacts.iter().enumerate() {
         let reading = flow.reading(contact);
-        let deepest = match journal.surface {
+        let deepest = match pair.surface {
             Surface::Compliant(_) => DEEPEST_START,
             Surface::Rigid(_) => DEEPEST_RIGID,
         };
-        if reading.penetration > deepest * journal.clearance {
+        if reading.penetration > deepest * pair.size() {
             return Err(Stop::Input(vec![deep_start(system, contact, &reading)]));
         }
-        *flow.memory_mut(contact) = first_phase(journal, &reading);
+        *flow.memory_mut(contact) = first_phase(pair, &reading);
         let entry = ledger.entry((flow, state), contact, &reading, 0.0);
         ledger.start(contact, &entry, &flow.reading(contact));
     }

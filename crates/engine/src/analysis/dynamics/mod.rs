@@ -41,8 +41,9 @@ mod words;
 use super::assembly::Assembled;
 use super::branch::singularity;
 use super::control::{Control, Stop};
+use super::ends;
 use super::words::{locked, unsure_friction};
-use crate::element::journal::{Journal, Surface};
+use crate::element::pair::{Pair, Surface};
 use crate::mechanism::driven::Failure;
 use crate::mechanism::phases::Phases;
 use crate::mechanism::reduced::{Reduced, Solver, is_curve};
@@ -72,6 +73,9 @@ pub fn run(
         clock,
     } = start;
     refuse(system)?;
+    let turned = ends::at_this_turn(system, &assembled.q);
+    let system = turned.as_ref().unwrap_or(system);
+    ends::check_start(system, &assembled.q)?;
     let assembling = clock.read();
 
     let watch = Stopwatch::start();
@@ -83,7 +87,7 @@ pub fn run(
     };
     // Where parts have smooth branches, which stand for their joints at times, there are tangents; and so there are where rigid
     // journals come and go as constraints, unless it is said otherwise.
-    let is_rigid = |contact: &Journal| matches!(contact.surface, Surface::Rigid(_));
+    let is_rigid = |contact: &Pair| matches!(contact.surface, Surface::Rigid(_));
     let tangents =
         !parts.is_empty() || settings.solver.is_none() && system.contacts.iter().any(is_rigid);
     let solver = if tangents {

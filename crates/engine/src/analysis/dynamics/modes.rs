@@ -19,10 +19,10 @@
 //! Between events the equations are smooth; events are located on the step's continuous extension.
 
 use crate::contact::friction;
-use crate::element::journal::{Contact, Journal, Phase, Reading, Rigid, Surface};
+use crate::element::pair::{Contact, Pair, Phase, Reading, Rigid, Surface};
 use crate::system::Scale;
 
-/// A journal has left where it is this far, in parts of the bearing's clearance, from the surface: well above round-off.
+/// A journal has left where it is this far, in parts of its size (a bearing's clearance), from the surface: well above round-off.
 const GONE: f64 = 1e-10;
 /// Approach of a rigid journal that is round-off [L/T]: velocities of constrained bodies are good to some 1e-12.
 const CREEP: f64 = 1e-10;
@@ -38,8 +38,8 @@ pub const STILL: f64 = 1e-9;
 const GRIP: f64 = 1e-8;
 
 /// The largest of a contact's guards, with round-off by the mechanism's own length, mass and time.
-pub fn largest_guard(scale: &Scale, journal: &Journal, memory: &Contact, reading: &Reading) -> f64 {
-    match (&journal.surface, memory.phase) {
+pub fn largest_guard(scale: &Scale, pair: &Pair, memory: &Contact, reading: &Reading) -> f64 {
+    match (&pair.surface, memory.phase) {
         (Surface::Compliant(_), Phase::Flight) => reading.penetration,
         // On its way out it may still be where it touched.
         (Surface::Rigid(_), Phase::Flight) => {
@@ -53,14 +53,15 @@ pub fn largest_guard(scale: &Scale, journal: &Journal, memory: &Contact, reading
             let hold = laws
                 .normal
                 .hold(reading.penetration, reading.rate, memory.approach);
-            gone(journal, reading)
+            gone(pair, reading)
                 .max(-hold)
                 .max(past(&laws.friction, memory, reading) - PAST * scale.velocity())
         }
-        (Surface::Compliant(laws), Phase::Released) => gone(journal, reading).max(
-            laws.normal
-                .hold(reading.penetration, reading.rate, memory.approach),
-        ),
+        (Surface::Compliant(laws), Phase::Released) => gone(pair, reading).max(laws.normal.hold(
+            reading.penetration,
+            reading.rate,
+            memory.approach,
+        )),
         (Surface::Rigid(_), Phase::Released) => f64::NEG_INFINITY,
     }
 }
@@ -90,26 +91,26 @@ fn past(friction: &friction::Law, memory: &Contact, reading: &Reading) -> f64 {
     (reading.sliding - up).max(low - reading.sliding)
 }
 
-fn gone(journal: &Journal, reading: &Reading) -> f64 {
-    -reading.penetration - GONE * journal.clearance
+fn gone(pair: &Pair, reading: &Reading) -> f64 {
+    -reading.penetration - GONE * pair.size()
 }
 
 /// The phase in which a journal is at the start.
-pub fn first_phase(journal: &Journal, reading: &Reading) -> Contact {
+pub fn first_phase(pair: &Pair, reading: &Reading) -> Contact {
     let mut memory = Contact::default();
-    if reading.penetration > 0.0 && matches!(journal.surface, Surface::Compliant(_)) {
-        begin(journal, reading, &mut memory);
+    if reading.penetration > 0.0 && matches!(pair.surface, Surface::Compliant(_)) {
+        begin(pair, reading, &mut memory);
     }
     memory
 }
 
-fn begin(journal: &Journal, reading: &Reading, memory: &mut Contact) {
+fn begin(pair: &Pair, reading: &Reading, memory: &mut Contact) {
     *memory = Contact {
         phase: Phase::Contact,
         approach: reading.rate.max(0.0),
         ..Contact::default()
     };
-    if let Surface::Compliant(laws) = &journal.surface {
+    if let Surface::Compliant(laws) = &pair.surface {
         memory.piece = laws.friction.piece(reading.sliding);
     }
 }
@@ -128,7 +129,7 @@ pub enum Change {
 /// Changes the memory where a guard has become positive.
 pub fn change(
     scale: &Scale,
-    journal: &Journal,
+    pair: &Pair,
     memory: &mut Contact,
     reading: &Reading,
 ) -> Option<Change> {
@@ -138,16 +139,16 @@ pub fn change(
             Change::Piece
         })
     };
-    let Surface::Compliant(laws) = &journal.surface else {
+    let Surface::Compliant(laws) = &pair.surface else {
         // What a rigid journal does comes with impulses.
         return None;
     };
     match memory.phase {
         Phase::Flight => (reading.penetration > 0.0).then(|| {
-            begin(journal, reading, memory);
+            begin(pair, reading, memory);
             Change::Begin
         }),
-        Phase::Contact | Phase::Released if gone(journal, reading) > 0.0 => {
+        Phase::Contact | Phase::Released if gone(pair, reading) > 0.0 => {
             *memory = Contact::default();
             Some(Change::End)
         }
@@ -176,17 +177,17 @@ pub fn change(
 }
 
 /// State of a contact in the results: flight, sliding, sticking.
-pub fn state(journal: &Journal, memory: &Contact) -> f64 {
-    match (&journal.surface, memory.phase) {
+pub fn state(pair: &Pair, memory: &Contact) -> f64 {
+    match (&pair.surface, memory.phase) {
         (_, Phase::Flight | Phase::Released) => 0.0,
-        (_, Phase::Contact) if sticks(journal, memory) => 2.0,
+        (_, Phase::Contact) if sticks(pair, memory) => 2.0,
         (_, Phase::Contact) => 1.0,
     }
 }
 
 /// Whether a journal in contact sticks.
-pub fn sticks(journal: &Journal, memory: &Contact) -> bool {
-    match &journal.surface {
+pub fn sticks(pair: &Pair, memory: &Contact) -> bool {
+    match &pair.surface {
         Surface::Compliant(laws) => laws.friction.sticks(memory.piece),
         Surface::Rigid(rigid) => rigid.friction > 0.0 && memory.piece == 0,
     }

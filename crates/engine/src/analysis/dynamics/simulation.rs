@@ -21,7 +21,7 @@ use super::state::State;
 use super::steps::{LastStep, Steps};
 use super::switches::Switches;
 use crate::analysis::control::Control;
-use crate::element::journal::{Hold, Phase};
+use crate::element::pair::{Hold, Phase};
 use crate::mechanism::driven::Failure;
 use linkdyn_output::{Report, Trajectory};
 

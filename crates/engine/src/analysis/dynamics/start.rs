@@ -44,7 +44,7 @@ impl Start {
 /// What can't be assembled, and initial values that conflict.
 fn start(system: &System) -> Result<(Assembled, Vec<f64>), Stop> {
     let inputs = Inputs::at_time(system, 0.0);
-    if system.contacts.is_empty() {
+    if !system.has_journals() {
         let assembled = assemble(system, &inputs)?;
         let v = velocities(system, &assembled.q, &inputs)?;
         return Ok((assembled, v));

@@ -14,7 +14,7 @@
 //!
 //! Without contacts y is (u, u̇ | z) alone.
 
-use crate::element::journal::Surface;
+use crate::element::pair::Surface;
 use crate::system::System;
 use std::ops::Range;
 use std::sync::Arc;

@@ -3,7 +3,8 @@
 use super::fault::Fault;
 use super::flow::Flow;
 use crate::analysis::in_line::singular_text;
-use crate::element::journal::{Journal, Reading, Surface};
+use crate::element::journal::Journal;
+use crate::element::pair::{ContactId, Reading, Surface};
 use crate::system::System;
 use linkdyn_model::display::DisplayUnits;
 use linkdyn_model::error::Complaint;
@@ -17,16 +18,8 @@ const PENETRATION_DIGITS: usize = 4;
 
 /// Rigid contacts, by number, that no forces answer.
 pub(super) fn jam(flow: &Flow, jammed: &[usize], now: f64) -> String {
-    let joints = flow
-        .system()
-        .joints
-        .iter()
-        .filter(|joint| joint.contact.is_some());
-    let names: Vec<&str> = joints.map(|joint| joint.name.as_str()).collect();
-    let jammed: Vec<String> = jammed
-        .iter()
-        .map(|&contact| format!("\"{}\"", names[contact]))
-        .collect();
+    let name = |&contact: &usize| format!("{:?}", flow.system().joint_of(ContactId(contact)).name);
+    let jammed: Vec<String> = jammed.iter().map(name).collect();
     format!(
         "at t = {} the journals that slide on their bearings jam in {} {}: with this friction neither normal forces nor \
          impulses answer the motion (Painlevé's paradox); a smaller coefficient, or the model \"contact\", goes on; the rows until there are kept",
@@ -40,10 +33,10 @@ pub(super) fn jam(flow: &Flow, jammed: &[usize], now: f64) -> String {
 pub(super) fn beyond_range(
     display: &DisplayUnits,
     joint: &str,
-    journal: &Journal,
+    (journal, surface): (&Journal, &Surface),
     deepest: f64,
 ) -> Option<String> {
-    let Surface::Compliant(laws) = &journal.surface else {
+    let Surface::Compliant(laws) = surface else {
         return None;
     };
     let Some(range) = laws.normal.range() else {
@@ -67,13 +60,9 @@ pub(super) fn beyond_range(
 }
 
 pub(super) fn deep_start(system: &System, contact: usize, reading: &Reading) -> Complaint {
-    let joint = system
-        .joints
-        .iter()
-        .filter(|joint| joint.contact.is_some())
-        .nth(contact);
-    let name = joint.map_or("", |joint| joint.name.as_str());
-    let clearance = system.contacts[contact].clearance;
+    let name = &system.joint_of(ContactId(contact)).name;
+    let pair = &system.contacts[contact];
+    let clearance = pair.size();
     Complaint::new(
         "initial",
         format!(

@@ -90,8 +90,8 @@ enum Way<'f> {
 
 impl Ways {
     fn new(prepared: &Prepared, substitution: &Substitution) -> Self {
-        let (_, question) = prepared.parts();
-        let rests = question.kind == Kind::Rest;
+        let (nominal, question) = prepared.parts();
+        let rests = question.kind == Kind::Rest && nominal.contacts.is_empty();
         let changes = Changes {
             analysis: substitution.changes("analysis"),
             drivers: substitution.changes("drivers"),

@@ -158,7 +158,7 @@ impl<'n> Slopes<'n> {
         readers: Readers,
     ) -> Option<Vec<f64>> {
         let system = driven.system;
-        if driven.is_redundant() || !system.contacts.is_empty() {
+        if driven.is_redundant() || system.has_journals() {
             return None;
         }
         let time = inputs.time;

@@ -44,7 +44,7 @@ use super::independent::{better_coordinate, better_of_all};
 use super::parts::{Part, Parts};
 use super::phases::Phases;
 use crate::element::Kinematics;
-use crate::element::journal::Hold;
+use crate::element::pair::Hold;
 use crate::system::{Evaluation, Inputs, System};
 use accepted::Accepted;
 use chart::Chart;

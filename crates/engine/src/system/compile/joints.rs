@@ -3,10 +3,10 @@
 use super::needs::{bearing, clearance};
 use super::{Compiler, roles};
 use crate::element::fixed::Fixed;
-use crate::element::following::FollowingFriction;
 use crate::element::gear::Gear;
 use crate::element::joint_friction::{GuideFriction, PinFriction};
-use crate::element::journal::{Bearing, ContactId, Free, Journal, Surface};
+use crate::element::journal::{Bearing, Free, Journal};
+use crate::element::pair::{ContactId, Pair, Shape};
 use crate::element::prismatic::{Guide, Prismatic};
 use crate::element::revolute::{OffsetId, Revolute};
 use crate::element::slot::Slot;
@@ -30,6 +30,7 @@ struct Made {
 impl Compiler<'_> {
     pub(super) fn add_joints(&mut self) {
         let model = self.model;
+        self.system.joints.reserve_exact(model.joints.len());
         for (k, (name, joint)) in model.joints.iter().enumerate() {
             let points = [0, 1].map(|side: usize| self.marker(&joint.between[side]));
             let made = self.joint(k, name, &joint.kind, points);
@@ -43,6 +44,7 @@ impl Compiler<'_> {
                 clearance: made.link,
                 contact: made.contact,
                 bearing: clearance(&joint.kind).map(bearing),
+                stops: None,
                 friction,
             });
             self.push_block(made.constraint, Origin::Joint(JointId(k)));
@@ -150,28 +152,23 @@ impl Compiler<'_> {
             journal: second,
             clearance: bearing.clearance,
             bearing_radius: bearing.bearing_radius,
+        };
+        let pair = Pair {
+            shape: Shape::Journal(journal),
             surface: self.joints.surfaces[name].clone(),
         };
-        let friction: Option<Arc<dyn ConstraintDependentForce>> = match &journal.surface {
-            Surface::Rigid(rigid) if rigid.friction > 0.0 => Some(Arc::new(FollowingFriction {
-                journal: journal.clone(),
-                coefficient: rigid.friction,
-                id,
-            })),
-            Surface::Rigid(_) | Surface::Compliant(_) => None,
+        let pin = Revolute {
+            first,
+            second,
+            offset: None,
         };
+        let closed: Option<Arc<dyn Constraint>> = Some(Arc::new(pin));
         self.system.contact_rows.push(ContactRows {
             block: joint,
-            closed: Arc::new(Revolute {
-                first,
-                second,
-                offset: None,
-            }),
-            sustained: Arc::new(journal.following()),
-            stuck: Arc::new(journal.sticking(id)),
-            friction,
+            closed,
+            ..ContactRows::of(&pair, id, JointId(joint), joint)
         });
-        self.system.contacts.push(journal);
+        self.system.contacts.push(pair);
     }
 
     /// Friction of an ideal joint, where it has some.

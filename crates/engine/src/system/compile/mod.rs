@@ -8,6 +8,7 @@ mod joints;
 mod laws;
 mod needs;
 mod roles;
+mod stops;
 
 pub use laws::{law, value_law};
 
@@ -123,6 +124,7 @@ impl<'a> Compiler<'a> {
         self.system.reach = reach(&self.system.extents);
         self.add_joints();
         self.add_drivers();
+        self.add_stops();
         self.add_initial();
         self.add_forces();
         self.system.scale = Scale::of(&self.system);

@@ -2,7 +2,8 @@
 
 use super::contact_parameters::{Words, friction_law, need};
 use crate::contact::{friction, normal};
-use crate::element::journal::{Bearing, Compliant, Surface};
+use crate::element::journal::Bearing;
+use crate::element::pair::{Compliant, Surface};
 use linkdyn_model::error::Complaint;
 use linkdyn_model::{AnalysisKind, Carrier, ClearanceModel, GROUND, JointKind, Model};
 use std::collections::{HashMap, HashSet};

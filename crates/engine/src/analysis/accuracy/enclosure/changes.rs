@@ -79,7 +79,8 @@ pub(super) fn changes(system: &System, at: &Kinematics, radii: &Radii) -> Vec<Ch
                     }
                 }
             }
-            Origin::Initial(_) => {}
+            // No row stands for a stop where nothing moves by itself.
+            Origin::Stop(_) | Origin::Initial(_) => {}
         }
     }
     all

@@ -15,7 +15,7 @@ use super::sampling::Sampling;
 use super::settings::Settings;
 use super::state::State;
 use super::steps::LastStep;
-use crate::element::journal::{Phase, Surface};
+use crate::element::pair::{Phase, Surface};
 use crate::system::System;
 use episodes::{Episodes, by_time, insert};
 use linkdyn_output::Trajectory;

@@ -4,7 +4,7 @@
 //! are left out: an iteration that has (u, u̇) has them in the next.
 
 use super::Flow;
-use crate::element::journal::Surface;
+use crate::element::pair::Surface;
 use crate::integrate::{Implicit, Refused};
 
 impl Flow<'_> {

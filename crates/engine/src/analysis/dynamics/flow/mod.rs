@@ -9,7 +9,7 @@ mod tolerance;
 
 use super::modes::largest_guard;
 use super::state::{Layout, State};
-use crate::element::journal::{Contact, ContactId, Phase, Reading};
+use crate::element::pair::{Contact, ContactId, Phase, Reading};
 use crate::integrate::{Implicit, Ode, Refused};
 use crate::mechanism::driven::Failure;
 use crate::mechanism::phases::Phases;
@@ -138,7 +138,7 @@ impl<'s> Flow<'s> {
     /// Angle of a contact in the bearing's body \[rad\].
     pub fn contact_angle(&self, contact: usize, reading: &Reading) -> f64 {
         let at = self.equations.kinematics();
-        self.system().contacts[contact].bearing_angle(&at, reading)
+        self.system().contacts[contact].angle(&at, reading)
     }
 
     /// All of the mechanism at (t, y).

@@ -2,7 +2,7 @@
 
 use super::Flow;
 use crate::analysis::assembly::ranks;
-use crate::element::journal::{Hold, Surface};
+use crate::element::pair::{Hold, Surface};
 use crate::mechanism::driven::Failure;
 use crate::mechanism::phases::{Exchanged, Windows};
 use crate::system::{Inputs, System};
@@ -72,20 +72,18 @@ impl Flow<'_> {
         self.equations = self
             .equations
             .with_rows(system, &all.free_columns, time, holds)?;
-        // Directions of a contact turn over lengths as short as its clearance.
+        // Directions of a journal's contact turn over lengths as short as its clearance.
         let held = system.contacts.iter().zip(holds);
-        let held = held.filter(|(_, hold)| **hold != Hold::Free);
-        let turn = held.fold(1.0, |least: f64, (contact, _)| {
-            least.min(contact.clearance / system.size)
+        let held = held.filter(|(pair, hold)| **hold != Hold::Free && pair.journal().is_some());
+        let turn = held.fold(1.0, |least: f64, (pair, _)| {
+            least.min(pair.size() / system.size)
         });
         self.equations.set_lag(turn * self.lag);
         self.layout.set_freedom(self.equations.freedom());
         self.lambda.resize(system.m(), 0.0);
-        let rows = system.joints.iter().zip(&system.blocks);
-        let rows = rows.filter(|(joint, _)| joint.contact.is_some());
         // Those of contacts stand behind the joints' own.
         let mut next = self.layout.forces();
-        for (contact, (_, block)) in rows.enumerate() {
+        for (contact, rows) in system.contact_rows.iter().enumerate() {
             let grip = match holds[contact] {
                 Hold::Free => {
                     self.sustained[contact] = None;
@@ -101,7 +99,7 @@ impl Flow<'_> {
             // Where the contact goes on, the force of the last evaluation stands until the next.
             let before = self.sustained[contact].map_or(0.0, |before| before.normal_force);
             self.sustained[contact] = Some(Sustained {
-                row: block.row,
+                row: system.blocks[rows.block].row,
                 normal_force: before,
                 grip,
             });

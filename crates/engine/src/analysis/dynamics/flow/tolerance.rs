@@ -2,7 +2,7 @@
 
 use super::Flow;
 use crate::analysis::dynamics::settings::Wanted;
-use crate::element::journal::{Journal, Surface};
+use crate::element::pair::{Pair, Shape, Surface};
 use crate::integrate::Tolerance;
 
 /// Rates near zero are measured against this [L/T, 1/T]: slow against the motion, fast against its round-off.
@@ -14,8 +14,9 @@ const LEDGER: f64 = 10.0;
 const ROUND_OFF: f64 = 1e-14;
 /// The same of contacts' lengths, which are differences of coordinates, and of coordinates in sizes.
 const LEAST: f64 = 1e-16;
-/// Lengths are measured against no less than this part of a clearance [–].
+/// Lengths are measured against no less than this part of a clearance, or of the mechanism where a stop yields [–].
 const SHALLOW: f64 = 1e-2;
+const SHALLOW_STOP: f64 = 1e-6;
 
 impl Flow<'_> {
     /// The bound of the local error. In a mechanism with contacts lengths are measured against the smallest clearance, or the
@@ -33,7 +34,7 @@ impl Flow<'_> {
         let clearance = system
             .contacts
             .iter()
-            .map(|contact| contact.clearance)
+            .map(Pair::size)
             .fold(f64::INFINITY, f64::min);
         let mut tolerance = if clearance.is_finite() {
             Tolerance {
@@ -92,11 +93,15 @@ impl Flow<'_> {
 }
 
 /// Depth at which a contact would hold this energy, within [`SHALLOW`] … 1 of its clearance \[m\].
-fn depth(contact: &Journal, energy: f64) -> f64 {
+fn depth(contact: &Pair, energy: f64) -> f64 {
     let Surface::Compliant(laws) = &contact.surface else {
-        return contact.clearance;
+        return contact.size();
     };
-    let (mut low, mut high) = (SHALLOW * contact.clearance, contact.clearance);
+    let shallowest = match contact.shape {
+        Shape::Journal(_) => SHALLOW,
+        Shape::Stop(_) => SHALLOW_STOP,
+    };
+    let (mut low, mut high) = (shallowest * contact.size(), contact.size());
     if laws.normal.elastic_energy(high) <= energy {
         return high;
     }

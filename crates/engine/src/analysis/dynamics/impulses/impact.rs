@@ -15,7 +15,7 @@ use super::touching::Touching;
 use crate::analysis::dynamics::flow::Flow;
 use crate::analysis::dynamics::state::Sums;
 use crate::contact::impact::resolve;
-use crate::element::journal::{Reading, Rigid};
+use crate::element::pair::{Reading, Rigid};
 
 /// Impulse by which a sustained contact may be pulled, or stick beyond its friction, in parts of the impact's.
 const PULLED: f64 = 1e-9;

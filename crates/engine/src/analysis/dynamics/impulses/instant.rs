@@ -7,7 +7,7 @@ use super::touching::Touching;
 use crate::analysis::dynamics::flow::Flow;
 use crate::analysis::dynamics::ledger::{Entry, Ledger};
 use crate::analysis::dynamics::state::{State, Sums};
-use crate::element::journal::{Contact, ContactId, Hold, Phase, Reading};
+use crate::element::pair::{Contact, ContactId, Hold, Phase, Reading};
 use crate::mechanism::driven::Failure;
 use linkdyn_linear::math::dot;
 
@@ -122,7 +122,7 @@ impl Instant<'_, '_> {
     pub(super) fn take(&mut self, were: &[Hold], modes: &[Mode]) -> Result<(), Failure> {
         let mut holds = vec![Hold::Free; modes.len()];
         for (contact, mode) in modes.iter().enumerate() {
-            let journal = &self.flow.system().contacts[contact];
+            let pair = &self.flow.system().contacts[contact];
             let (hold, way, anchor) = match *mode {
                 Mode::Leaves => continue,
                 Mode::Slips(ratio) => (Hold::Slides, -sign(ratio), 0.0),
@@ -130,8 +130,8 @@ impl Instant<'_, '_> {
                     (Hold::Sticks, 0, self.flow.memories()[contact].anchor)
                 }
                 Mode::Sticks => {
-                    let sticking = journal.sticking(ContactId(contact));
-                    let anchor = sticking.rolled(&self.flow.equations.kinematics());
+                    let at = self.flow.equations.kinematics();
+                    let anchor = pair.anchor(&at, ContactId(contact));
                     (Hold::Sticks, 0, anchor)
                 }
             };

@@ -14,7 +14,8 @@ mod touching;
 use super::flow::Flow;
 use super::modes::largest_guard;
 use super::words::TIGHT;
-use crate::element::journal::{Contact, Hold, Phase, Reading, Rigid, Surface};
+use crate::analysis::ends;
+use crate::element::pair::{Contact, Hold, Phase, Reading, Rigid, Surface};
 use crate::mechanism::driven::Failure;
 use grips::{Grips, Mode};
 use impact::Strike;
@@ -33,6 +34,16 @@ pub struct Impulses<'a, 's> {
     at: Instant<'a, 's>,
     /// Least height of a rebound, in parts of the clearance.
     lowest: f64,
+}
+
+/// The last impact at a contact that is sustained from there.
+struct Last {
+    /// u₋ [m/s]
+    speed: f64,
+    /// a [m/s²]
+    fall: f64,
+    /// e [–]
+    restitution: f64,
 }
 
 impl<'a, 's> Impulses<'a, 's> {
@@ -63,6 +74,15 @@ impl<'a, 's> Impulses<'a, 's> {
         }
     }
 
+    /// Contacts at rest go on as what they are: those that press are sustained.
+    ///
+    /// # Errors
+    /// As in [`Impulses::resolve`].
+    pub fn rest(&mut self) -> Result<(), Failure> {
+        let settled = self.settle(at_rest(self.at.flow));
+        settled.map_err(|failure| self.of_contacts(failure))
+    }
+
     fn try_to_resolve(&mut self) -> Result<(), Failure> {
         for round in 0.. {
             let Some(contact) = acting(self.at.flow) else {
@@ -91,13 +111,13 @@ impl<'a, 's> Impulses<'a, 's> {
 
     /// An impact of `contact`, which is in flight, with the velocities of `reading`.
     fn impact(&mut self, contact: usize, reading: &Reading) -> Result<(), Failure> {
-        let journal = &self.at.flow.system().contacts[contact];
-        let Surface::Rigid(rigid) = journal.surface else {
+        let pair = &self.at.flow.system().contacts[contact];
+        let Surface::Rigid(rigid) = pair.surface else {
             return Ok(());
         };
         let point = Point::new(self.at.flow, contact, reading);
         let entry = self.at.entry(contact, reading);
-        let height = self.lowest * journal.clearance;
+        let height = self.lowest * pair.size();
         let mut strike = Strike::new(self.at.flow, &point, &rigid, reading);
         // Where it comes back at once, it stays.
         let before = self.at.state.clone();
@@ -151,17 +171,37 @@ impl<'a, 's> Impulses<'a, 's> {
             };
             self.settle(slow)?;
             if self.at.flow.holds()[contact] != Hold::Free {
-                self.note_sustained(contact, height);
+                let last = Last {
+                    speed: reading.rate,
+                    fall,
+                    restitution: rigid.restitution,
+                };
+                self.note_sustained(contact, (height, last));
             }
         }
         Ok(())
     }
 
     /// The contact is sustained after an impact whose rebound would be lower than `height`.
-    fn note_sustained(&mut self, contact: usize, height: f64) {
-        let height = self.at.flow.system().display.length_to(height, 2);
+    ///
+    /// Those of a stop are summed up: with the acceleration −a of the flights, and u₋ the speed of the last impact, they take
+    /// 2 e u₋/a (1 + e + e² + …) = 2 e u₋/(a (1 − e)).
+    fn note_sustained(&mut self, contact: usize, (height, last): (f64, Last)) {
+        let system = self.at.flow.system();
+        let Last {
+            speed,
+            fall,
+            restitution,
+        } = last;
+        let (height, rest) = match system.contacts[contact].stop() {
+            None => (system.display.length_to(height, 2), 0.0),
+            Some(stop) => {
+                let rest = 2.0 * restitution * speed / (fall * (1.0 - restitution));
+                (ends::depth(stop, &system.display, height, 2), rest)
+            }
+        };
         let history = self.at.ledger.history(contact);
-        history.sustain(self.at.time, &height);
+        history.sustain(self.at.time + rest, &height);
     }
 
     /// An impact from which sustained contacts part. `ratio` is p_t/p_n where it strikes.
@@ -280,6 +320,11 @@ impl<'a, 's> Impulses<'a, 's> {
         self.end_jam(&touching, way)?;
         self.try_to_resolve()
     }
+}
+
+/// Whether rigid surfaces touch, at rest against each other.
+pub fn rests(flow: &Flow, contact: usize) -> bool {
+    touches(flow, contact, at_rest(flow))
 }
 
 /// A rigid contact whose guard is positive.

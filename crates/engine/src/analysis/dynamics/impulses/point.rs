@@ -2,8 +2,8 @@
 
 use crate::analysis::dynamics::flow::Flow;
 use crate::analysis::dynamics::modes::STILL;
-use crate::element::journal::{ContactId, Reading, Surface};
-use crate::element::{Applied, Constraint};
+use crate::element::Applied;
+use crate::element::pair::{Reading, Surface};
 use linkdyn_linear::math::dot;
 
 /// Least height of a rebound, in parts of the clearance, whatever the tolerance.
@@ -87,16 +87,16 @@ pub(super) fn still(flow: &Flow) -> f64 {
 
 /// Whether a rigid journal is on its bearing's surface, slower than `slow`.
 pub(super) fn touches(flow: &Flow, contact: usize, slow: f64) -> bool {
-    let journal = &flow.system().contacts[contact];
+    let pair = &flow.system().contacts[contact];
     let reading = flow.reading(contact);
-    matches!(journal.surface, Surface::Rigid(_))
-        && reading.penetration > -LOWEST * journal.clearance
+    matches!(pair.surface, Surface::Rigid(_))
+        && reading.penetration > -LOWEST * pair.size()
         && reading.rate.abs() <= slow
 }
 
 /// δ̈ of a contact at the point of the last evaluation [m/s²].
 pub(super) fn approach_acceleration(flow: &Flow, contact: usize, point: &Point) -> f64 {
-    let following = flow.system().contacts[contact].following();
+    let following = &flow.system().contact_rows[contact].sustained;
     let mut gamma = [0.0];
     following.gamma(&flow.equations.kinematics(), &mut gamma);
     -dot(&point.forces[0], flow.equations.acceleration()) - gamma[0]
@@ -104,7 +104,10 @@ pub(super) fn approach_acceleration(flow: &Flow, contact: usize, point: &Point) 
 
 /// v̇_t of a contact at the point of the last evaluation, where it does not slide [m/s²].
 pub(super) fn sliding_acceleration(flow: &Flow, contact: usize, point: &Point) -> f64 {
-    let sticking = flow.system().contacts[contact].sticking(ContactId(contact));
+    if flow.system().contacts[contact].stop().is_some() {
+        return 0.0;
+    }
+    let sticking = &flow.system().contact_rows[contact].stuck;
     let mut gamma = [0.0; 2];
     sticking.gamma(&flow.equations.kinematics(), &mut gamma);
     dot(&point.forces[1], flow.equations.acceleration()) + gamma[1]

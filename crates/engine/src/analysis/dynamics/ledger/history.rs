@@ -1,7 +1,8 @@
 //! What a contact has done: its episodes, its changes between stick and slip, and its wear.
 
 use crate::analysis::dynamics::state::Sums;
-use crate::element::journal::Reading;
+use crate::element::pair::Reading;
+use crate::element::stop::Stop;
 use linkdyn_output::{Episode, Event, EventKind};
 
 /// Bins of the bearing's circumference in which sliding under load is summed.
@@ -26,6 +27,8 @@ pub struct Entry {
 #[derive(Debug, Clone)]
 pub struct History {
     joint: String,
+    /// Which stop of the joint it is, with its arm.
+    stop: Option<(&'static str, f64)>,
     open: Option<(Episode, Sums)>,
     /// Sums at the last point.
     last: Sums,
@@ -47,10 +50,11 @@ pub struct History {
 }
 
 impl History {
-    /// Of a joint, before anything has happened.
-    pub fn new(joint: &str) -> Self {
+    /// Of a joint, or of a stop of it, before anything has happened.
+    pub fn new(joint: &str, stop: Option<&Stop>) -> Self {
         History {
             joint: joint.into(),
+            stop: stop.map(|stop| (stop.side.word(), stop.arm)),
             open: None,
             last: Sums::default(),
             last_angle: 0.0,
@@ -131,12 +135,27 @@ impl History {
         self.episodes += 1;
         self.most = self.most.max(episode.peak_penetration);
         self.time_in_contact += episode.end.unwrap_or(episode.start) - episode.start;
+        let end_time = episode.end;
         self.list(Event {
-            end_time: episode.end,
-            joint: Some(self.joint.clone()),
-            episode: Some(episode),
+            end_time,
+            episode: Some(self.told(episode)),
             ..Event::at(EventKind::Contact, episode.start)
         });
+    }
+
+    /// An episode at a stop of an angle: angles for lengths, torques for forces.
+    fn told(&self, episode: Episode) -> Episode {
+        let Some((_, arm)) = self.stop else {
+            return episode;
+        };
+        Episode {
+            approach_speed: episode.approach_speed / arm,
+            separation_speed: episode.separation_speed.map(|speed| speed / arm),
+            peak_penetration: episode.peak_penetration / arm,
+            peak_force: episode.peak_force * arm,
+            impulse: episode.impulse * arm,
+            ..episode
+        }
     }
 
     /// The run is over: an episode that goes on has neither end nor separation speed.
@@ -153,11 +172,15 @@ impl History {
 
     /// Impacts have become so low, `height` in words, that the contact is sustained from now on.
     pub fn sustain(&mut self, time: f64, height: &str) {
-        let note = format!(
-            "impacts lower than {height} would follow: the journal stays on the bearing's surface"
-        );
+        let note = match self.stop {
+            None => format!(
+                "impacts lower than {height} would follow: the journal stays on the bearing's surface"
+            ),
+            Some(_) => format!(
+                "impacts lower than {height} follow until then: from there the joint stays at its stop"
+            ),
+        };
         self.list(Event {
-            joint: Some(self.joint.clone()),
             note: Some(note),
             ..Event::at(EventKind::SustainedContact, time)
         });
@@ -171,15 +194,16 @@ impl History {
         } else {
             EventKind::Slip
         };
-        self.list(Event {
-            joint: Some(self.joint.clone()),
-            ..Event::at(kind, time)
-        });
+        self.list(Event::at(kind, time));
     }
 
     fn list(&mut self, event: Event) {
         if self.events.len() < LISTED {
-            self.events.push(event);
+            self.events.push(Event {
+                joint: Some(self.joint.clone()),
+                stop: self.stop.map(|(stop, _)| stop),
+                ..event
+            });
         } else {
             self.unlisted += 1;
         }
@@ -232,7 +256,7 @@ mod tests {
 
     #[test]
     fn wear_goes_to_the_bins_passed_the_shorter_way() {
-        let mut history = History::new("a");
+        let mut history = History::new("a", None);
         let degrees = f64::to_radians;
         history.begin(&at(degrees(-2.5), 0.0));
         history.go_on(&at(degrees(12.5), 3.0));
@@ -255,7 +279,7 @@ mod tests {
 
     #[test]
     fn wear_at_one_angle_goes_to_one_bin() {
-        let mut history = History::new("a");
+        let mut history = History::new("a", None);
         history.begin(&at(-1e-12, 0.0));
         history.go_on(&at(-1e-12, 1.0));
         assert_eq!(history.wear[71], 1.0);

@@ -9,9 +9,9 @@ use super::modes::{Change, sticks};
 use super::state::{State, Sums};
 use super::steps::LastStep;
 use super::words::beyond_range;
-use crate::element::journal::{Contact, Phase, Reading};
+use crate::element::pair::{Contact, ContactId, Phase, Reading, Shape};
 use crate::system::System;
-use linkdyn_output::{ClearanceSums, Report};
+use linkdyn_output::{ClearanceSums, Report, StopSums};
 
 pub use history::{Entry, History};
 
@@ -35,14 +35,12 @@ struct Account {
 impl Ledger {
     /// Before anything has happened.
     pub fn new(system: &System) -> Self {
-        let joints = system.joints.iter();
-        let accounts = joints
-            .filter(|joint| joint.contact.is_some())
-            .map(|joint| Account {
-                history: History::new(joint.name.as_str()),
-                last: Reading::default(),
-                released: 0.0,
-            });
+        let contacts = system.contacts.iter().enumerate();
+        let accounts = contacts.map(|(contact, pair)| Account {
+            history: History::new(&system.joint_of(ContactId(contact)).name, pair.stop()),
+            last: Reading::default(),
+            released: 0.0,
+        });
         Ledger {
             accounts: accounts.collect(),
         }
@@ -178,31 +176,43 @@ impl Ledger {
 
     /// What contacts have done, into the report.
     pub fn close(&mut self, system: &System, state: &State, time: f64, report: &mut Report) {
-        let joints = system.joints.iter();
-        let joints = joints.filter(|joint| joint.contact.is_some());
-        for (contact, joint) in joints.enumerate() {
+        for (contact, pair) in system.contacts.iter().enumerate() {
+            let id = ContactId(contact);
+            let joint = system.joint_of(id).name.clone();
             let sums = self.sums(state, contact);
             let history = self.history(contact);
             history.finish(time, sums);
-            report.clearances.push(ClearanceSums {
-                joint: joint.name.clone(),
-                episodes: history.episodes,
-                switches: history.switches,
-                time_in_contact: history.time_in_contact,
-                energy_lost: sums.dissipated,
-                impulse: sums.impulse,
-                wear: std::mem::take(&mut history.wear),
-            });
-            report.warnings.extend(beyond_range(
-                &system.display,
-                joint.name.as_str(),
-                &system.contacts[contact],
-                history.most,
-            ));
+            match &pair.shape {
+                Shape::Journal(journal) => {
+                    report.warnings.extend(beyond_range(
+                        &system.display,
+                        &joint,
+                        (journal, &pair.surface),
+                        history.most,
+                    ));
+                    report.clearances.push(ClearanceSums {
+                        joint,
+                        episodes: history.episodes,
+                        switches: history.switches,
+                        time_in_contact: history.time_in_contact,
+                        energy_lost: sums.dissipated,
+                        impulse: sums.impulse,
+                        wear: std::mem::take(&mut history.wear),
+                    });
+                }
+                Shape::Stop(stop) => report.stops.push(StopSums {
+                    joint,
+                    stop: stop.side.word(),
+                    episodes: history.episodes,
+                    time_in_contact: history.time_in_contact,
+                    energy_lost: sums.dissipated,
+                    impulse: sums.impulse * stop.arm,
+                }),
+            }
             if history.unlisted > 0 {
                 report.warnings.push(format!(
-                    "joint \"{}\": {} further contacts and changes between stick and slip are counted but not listed",
-                    joint.name, history.unlisted
+                    "{}: {} further contacts and changes between stick and slip are counted but not listed",
+                    system.contact_name(id), history.unlisted
                 ));
             }
             report.events.append(&mut history.events);

@@ -3,7 +3,7 @@
 use super::{Ledger, Listener};
 use crate::analysis::dynamics::fault::Fault;
 use crate::analysis::dynamics::steps::LastStep;
-use crate::element::journal::{Reading, Surface};
+use crate::element::pair::{Reading, Surface};
 
 /// Parts of a step at whose ends peaks are estimated, and how far inside at those of the step.
 const PEAK_POINTS: usize = 16;

@@ -12,7 +12,7 @@ use crate::contact::impact::Sense;
 use crate::contact::normal::cylinder::{Logarithmic, Pair};
 use crate::contact::normal::hysteresis::Rule;
 use crate::contact::normal::{self, stiffness};
-use crate::element::journal::Rigid;
+use crate::element::pair::Rigid;
 use linkdyn_model::error::Complaint;
 use linkdyn_model::{Clearance, Elastic, FrictionLaw, ImpactSense, Normal, NormalLaw};
 

@@ -1,0 +1,155 @@
+//! Ends of joints' ways: how messages speak of them, and what a motion that does not see them does there.
+
+use super::control::Stop as Failed;
+use crate::element::Kinematics;
+use crate::element::pair::{ContactId, Surface};
+use crate::element::stop::Stop;
+use crate::system::{Evaluation, Inputs, System};
+use linkdyn_model::display::DisplayUnits;
+use linkdyn_model::error::Complaint;
+use std::f64::consts::TAU;
+
+/// Beyond an end by less than this part of the mechanism is round-off.
+const BEYOND: f64 = 1e-9;
+/// How deep stops that yield may be pressed in at the start, in parts of the mechanism.
+const DEEPEST: f64 = 0.1;
+
+/// A place of a joint on its way, in words.
+pub fn place(stop: &Stop, display: &DisplayUnits, value: f64) -> String {
+    match stop.axis {
+        None => display.angle(value),
+        Some(_) => display.length(value),
+    }
+}
+
+/// A small depth \[m\] beyond a stop, in words.
+pub fn depth(stop: &Stop, display: &DisplayUnits, depth: f64, digits: usize) -> String {
+    match stop.axis {
+        None => display.angle_to(depth / stop.arm, digits),
+        Some(_) => display.length_to(depth, digits),
+    }
+}
+
+/// Whole turns \[rad\] that bring an angle between the limits of its joint, by contact: bodies may be drawn at any turn.
+pub fn turns(system: &System, at: &Kinematics) -> Vec<f64> {
+    let mut turns = vec![0.0; system.contacts.len()];
+    for ends in system
+        .joints
+        .iter()
+        .filter_map(|joint| joint.stops.as_deref())
+    {
+        let [Some(lower), Some(upper)] = *ends else {
+            continue;
+        };
+        let stops = [lower, upper].map(|id| system.contacts[id.0].stop());
+        let [Some(first), Some(last)] = stops else {
+            continue;
+        };
+        if first.axis.is_some() {
+            continue;
+        }
+        let angle = first.coordinate(at);
+        let turn = TAU * ((angle - 0.5 * (first.limit + last.limit)) / TAU).round();
+        (turns[lower.0], turns[upper.0]) = (turn, turn);
+    }
+    turns
+}
+
+/// The system with its stops at the turn at which the mechanism is; none where they are there.
+pub fn at_this_turn(system: &System, q: &[f64]) -> Option<System> {
+    let mut evaluation = Evaluation::new(system);
+    evaluation.set_position(q);
+    let inputs = Inputs::still(system);
+    let turns = turns(system, &evaluation.kinematics(&inputs));
+    turns
+        .iter()
+        .any(|turn| *turn != 0.0)
+        .then(|| system.turned(&turns))
+}
+
+/// Refuses a start beyond the end of a joint's way; stops that yield may be pressed in a little.
+///
+/// # Errors
+/// The first such joint.
+pub fn check_start(system: &System, q: &[f64]) -> Result<(), Failed> {
+    let mut evaluation = Evaluation::new(system);
+    evaluation.set_position(q);
+    let inputs = Inputs::still(system);
+    let at = evaluation.kinematics(&inputs);
+    for (contact, pair) in system.contacts.iter().enumerate() {
+        let Some(stop) = pair.stop() else { continue };
+        let deepest = match pair.surface {
+            Surface::Rigid(_) => BEYOND,
+            Surface::Compliant(_) => DEEPEST,
+        };
+        if stop.read(&at).penetration > deepest * stop.size {
+            let here = stop.coordinate(&at);
+            let complaint = beyond(system, ContactId(contact), stop, here);
+            return Err(Failed::Input(vec![complaint]));
+        }
+    }
+    Ok(())
+}
+
+fn beyond(system: &System, id: ContactId, stop: &Stop, here: f64) -> Complaint {
+    Complaint::new(
+        format!("joints.{}.limits", system.joint_of(id).name),
+        format!(
+            "the mechanism starts at {}, beyond the {} limit {}",
+            place(stop, &system.display, here),
+            stop.side.word(),
+            place(stop, &system.display, stop.limit)
+        ),
+    )
+    .hint(match stop.axis {
+        None => "it is the angle of the second body in the first: give wider limits, or another start",
+        Some(_) => "it is the slide of the second point along \"axis\": give wider limits, or another start",
+    })
+}
+
+/// How far a motion that drivers prescribe goes beyond the ends of its joints' ways.
+#[derive(Debug, Clone, Default)]
+pub struct Overrun {
+    /// Depth \[m\] at most, and when \[s\], by stop.
+    most: Vec<(ContactId, f64, f64)>,
+    /// Of the first output.
+    turns: Option<Vec<f64>>,
+}
+
+impl Overrun {
+    /// Looks at an output.
+    pub fn note(&mut self, system: &System, at: &Kinematics) {
+        let turns = self.turns.get_or_insert_with(|| turns(system, at));
+        for (contact, pair) in system.contacts.iter().enumerate() {
+            let Some(stop) = pair.stop() else { continue };
+            let depth = stop.turned(turns[contact]).read(at).penetration;
+            if depth <= BEYOND * stop.size {
+                continue;
+            }
+            let id = ContactId(contact);
+            match self.most.iter_mut().find(|(known, ..)| *known == id) {
+                Some(known) if depth <= known.1 => {}
+                Some(known) => *known = (id, depth, at.time),
+                None => self.most.push((id, depth, at.time)),
+            }
+        }
+    }
+
+    /// What is said of it.
+    pub fn warnings(&self, system: &System) -> Vec<String> {
+        let display = &system.display;
+        let warning = |&(id, deepest, time): &(ContactId, f64, f64)| {
+            let stop = system.contacts[id.0].stop()?;
+            Some(format!(
+                "the drivers take joint \"{}\" beyond its {} limit {}, by {} at t = {}: a motion that is prescribed does not \
+                 stop there",
+                system.joint_of(id).name,
+                stop.side.word(),
+                place(stop, display, stop.limit),
+                depth(stop, display, deepest, 3),
+                display.time(time)
+            ))
+        };
+        self.most.iter().filter_map(warning).collect()
+    }
+}

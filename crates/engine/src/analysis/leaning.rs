@@ -1,0 +1,178 @@
+//! Equilibria in which joints lean on their stops.
+//!
+//! A stop presses, N ≥ 0 at δ = 0 (or N = K δ where it yields), or it is left alone, N = 0 and δ ≤ 0. Which do what is searched for:
+//! without any first, then with those that the mechanism has gone beyond, and without those that would pull.
+
+use super::assembly::Assembled;
+use super::control::{Control, Stop as Failed};
+use super::sample::{ContactSample, Sample};
+use super::statics::{balance, start};
+use crate::element::pair::{ContactId, Hold, Reading, Surface};
+use crate::element::stop::Yielding;
+use crate::mechanism::equilibrium::Balance;
+use crate::mechanism::held::Held;
+use crate::system::{ForceData, ForceRole, System};
+use linkdyn_output::Status;
+use std::sync::Arc;
+
+/// Beyond a stop by less than this part of the mechanism is round-off.
+const BEYOND: f64 = 1e-9;
+/// Pull of a stop that is round-off, in parts of the mechanism's force.
+const PULL: f64 = 1e-9;
+/// Choices that are tried.
+const MANY: usize = 64;
+
+/// The mechanism with some of its stops pressed, at rest or on the way there.
+struct Leaning<'s> {
+    /// The whole mechanism, its stops included.
+    whole: &'s System,
+    pressed: Vec<ContactId>,
+}
+
+/// Calls `told` with the equilibrium, in which stops press where they have to.
+///
+/// # Errors
+/// Those of [`start`] and [`balance`], and where no choice of stops gives an equilibrium.
+pub fn rest<T>(
+    system: &System,
+    control: &Control,
+    told: impl FnOnce(&Assembled, &mut Held, &Balance, &[ContactSample]) -> T,
+) -> Result<T, Failed> {
+    let mut queue: Vec<Vec<ContactId>> = vec![Vec::new()];
+    let mut guess = None;
+    let mut failure = None;
+    let mut next = 0;
+    while next < queue.len().min(MANY) {
+        let leaning = Leaning {
+            whole: system,
+            pressed: queue[next].clone(),
+        };
+        next += 1;
+        let held_system = leaning.system(guess.as_deref());
+        let begun = start(&held_system, false);
+        let (assembled, mut held) = match begun {
+            Ok(begun) => begun,
+            // The first is the mechanism itself; others may hold more than there is.
+            Err(failed) if next == 1 => return Err(failed),
+            Err(_) => continue,
+        };
+        let balanced = balance(&mut held, &assembled, control);
+        let contacts = leaning.readings(&mut held);
+        let others = leaning.others(&contacts);
+        match balanced {
+            Ok(balance) if others.is_empty() => {
+                return Ok(told(&assembled, &mut held, &balance, &contacts));
+            }
+            Err(failed) if others.is_empty() => failure = failure.or(Some(failed)),
+            Ok(_) | Err(_) => {}
+        }
+        if guess.is_none() {
+            guess = Some(assembled.q.clone());
+        }
+        for other in others {
+            if !queue.contains(&other) {
+                queue.push(other);
+            }
+        }
+    }
+    Err(failure.unwrap_or_else(|| {
+        let message = "no equilibrium found: neither with the stops of joints that are passed, nor without those that would pull";
+        Failed::failed(Status::Singular, message.into())
+    }))
+}
+
+impl Leaning<'_> {
+    /// The mechanism with constraints and springs for the stops that are pressed.
+    fn system(&self, guess: Option<&[f64]>) -> System {
+        let mut holds = vec![Hold::Free; self.whole.contacts.len()];
+        for id in &self.pressed {
+            if matches!(self.whole.contacts[id.0].surface, Surface::Rigid(_)) {
+                holds[id.0] = Hold::Slides;
+            }
+        }
+        let mut system = self.whole.with_rows(&holds, Vec::new());
+        for id in &self.pressed {
+            let pair = &self.whole.contacts[id.0];
+            if let (Surface::Compliant(laws), Some(stop)) = (&pair.surface, pair.stop()) {
+                let joint = self.whole.joint_of(*id);
+                system.forces.push(Arc::new(Yielding {
+                    stop: stop.clone(),
+                    laws: laws.clone(),
+                }));
+                system.force_data.push(ForceData {
+                    name: joint.name.clone(),
+                    role: ForceRole::Spring {
+                        between: joint.bodies,
+                    },
+                });
+            }
+        }
+        if let Some(guess) = guess {
+            // Where the search begins is said there.
+            system.guess.copy_from_slice(guess);
+            system.initial.clear();
+        }
+        system
+    }
+
+    /// Contacts where the mechanism is.
+    fn readings(&self, held: &mut Held) -> Vec<ContactSample> {
+        let mut sample = Sample::new(held.driven.system);
+        held.driven.multipliers(&held.force, &mut sample.lambda);
+        let at = held.driven.evaluation.kinematics(&held.inputs);
+        let contacts = self.whole.contacts.iter().enumerate();
+        let readings = contacts.map(|(contact, pair)| {
+            let id = ContactId(contact);
+            let is_pressed = self.pressed.contains(&id);
+            let Some(stop) = pair.stop() else {
+                return ContactSample::default();
+            };
+            let mut reading: Reading = stop.read(&at);
+            if is_pressed {
+                reading.normal = match &pair.surface {
+                    Surface::Compliant(laws) => {
+                        laws.normal.continued(reading.penetration, 0.0, 0.0)
+                    }
+                    Surface::Rigid(_) => {
+                        let block = self.whole.contact_rows[contact].block;
+                        sample.lambda[held.driven.system.blocks[block].row]
+                    }
+                };
+            }
+            ContactSample {
+                reading,
+                state: f64::from(u8::from(is_pressed)),
+            }
+        });
+        readings.collect()
+    }
+
+    /// Choices that this one leads to: none where nothing contradicts it.
+    fn others(&self, contacts: &[ContactSample]) -> Vec<Vec<ContactId>> {
+        let mut others = Vec::new();
+        let pull = PULL * self.whole.scale.force();
+        for id in &self.pressed {
+            if contacts[id.0].reading.normal < -pull {
+                let rest = self.pressed.iter().filter(|other| *other != id);
+                others.push(rest.copied().collect());
+            }
+        }
+        let mut passed: Vec<(f64, ContactId)> = contacts
+            .iter()
+            .enumerate()
+            .map(|(contact, sample)| (sample.reading.penetration, ContactId(contact)))
+            .filter(|(depth, id)| *depth > BEYOND * self.whole.size && !self.pressed.contains(id))
+            .collect();
+        passed.sort_by(|a, b| a.0.total_cmp(&b.0));
+        for (_, id) in passed {
+            others.push(vec![id]);
+            if !self.pressed.is_empty() {
+                let mut more = self.pressed.clone();
+                more.push(id);
+                more.sort_by_key(|id| id.0);
+                others.push(more);
+            }
+        }
+        others
+    }
+}

@@ -1,0 +1,315 @@
+//! A contact: two things that may touch, and what happens where they do, whatever they are.
+//!
+//! ```text
+//! δ(q), δ̇          penetration, negative in flight, and its rate          [m, m/s]
+//! v_t              sliding velocity where the shape has one               [m/s]
+//! N, T             forces along −∂δ/∂q and along the surface              [N]
+//! Q = −(∂δ/∂q)ᵀ N + (∂v_t/∂v)ᵀ T
+//! D' = (N − N_e) δ̇ − T v_t                      power that the contact dissipates [W]; N_e its elastic part
+//! ```
+//!
+//! The **shape** says what δ and v_t are; the **surface** what follows: N and T by [`crate::contact`] where they overlap, impacts
+//! and a constraint where they do not.
+//!
+//! What a contact has to remember (whether it touches, with what speed it was approached) is not kept here but in [`Contact`],
+//! which the analysis changes between steps only: within a step every law is the analytic branch that the phase says, also a
+//! little beyond its end, so that steps are smooth and their events can be located.
+
+use super::following::FollowingFriction;
+use super::journal::Journal;
+use super::stop::Stop;
+use super::{Applied, Constraint, ConstraintDependentForce, Kinematics, Slope, direction};
+use crate::contact::impact::Sense;
+use crate::contact::{friction, normal};
+use linkdyn_linear::math::{Vec2, perp};
+use std::sync::Arc;
+
+/// Two things that may touch.
+#[derive(Debug, Clone)]
+pub struct Pair {
+    /// What they are.
+    pub shape: Shape,
+    /// What happens where they meet.
+    pub surface: Surface,
+}
+
+/// What may touch.
+#[derive(Debug, Clone)]
+pub enum Shape {
+    /// A journal and its bearing.
+    Journal(Journal),
+    /// A joint and an end of its way.
+    Stop(Stop),
+}
+
+/// Where a contact's memory stands in `Kinematics::contacts`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ContactId(pub usize);
+
+/// What a contact is doing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Phase {
+    /// No force.
+    #[default]
+    Flight,
+    /// It presses.
+    Contact,
+    /// Still overlaps, but the law's force would pull: none.
+    Released,
+}
+
+/// A contact's memory.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Contact {
+    /// What it is doing.
+    pub phase: Phase,
+    /// Speed at which this episode's contact was approached, δ̇₀ [m/s].
+    pub approach: f64,
+    /// Piece of the friction law that holds; of a rigid journal the way it slides, ±1, or 0 where it sticks.
+    pub piece: i8,
+    /// Bristles' deflection z of the friction law \[m\].
+    pub bristle: f64,
+    /// Where a rigid journal sticks: what its rolling keeps \[m\], see [`Sticking`](super::following::Sticking).
+    pub anchor: f64,
+}
+
+/// How rigid surfaces stay together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Hold {
+    /// They do not.
+    #[default]
+    Free,
+    /// One slides along the other.
+    Slides,
+    /// One rolls on the other.
+    Sticks,
+}
+
+/// What happens where they meet.
+#[derive(Debug, Clone)]
+pub enum Surface {
+    /// They overlap, and forces follow from the overlap.
+    Compliant(Compliant),
+    /// They do not overlap: impacts, and constraints while they stay together.
+    Rigid(Rigid),
+}
+
+/// Laws of a contact whose surfaces overlap.
+#[derive(Debug, Clone)]
+pub struct Compliant {
+    /// Normal force.
+    pub normal: normal::Law,
+    /// Friction force.
+    pub friction: friction::Law,
+}
+
+/// Impacts, and what surfaces that stay together need besides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rigid {
+    /// e, 0 to 1 [–].
+    pub restitution: f64,
+    /// μ [–].
+    pub friction: f64,
+    /// What e compares.
+    pub sense: Sense,
+}
+
+/// A contact at an instant.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Reading {
+    /// e of a journal \[m\]
+    pub eccentricity: Vec2,
+    /// δ \[m\], negative in flight, and δ̇ [m/s].
+    pub penetration: f64,
+    /// δ̇ [m/s].
+    pub rate: f64,
+    /// v_t [m/s]
+    pub sliding: f64,
+    /// N and T \[N\].
+    pub normal: f64,
+    /// T \[N\].
+    pub tangential: f64,
+    /// Force on the journal, ground frame \[N\].
+    pub force: Vec2,
+    /// Rate of the bristles' deflection [m/s].
+    pub bristle_rate: f64,
+    /// D' \[W\]
+    pub dissipation: f64,
+    /// Arms a_b and a_j of a journal \[m\].
+    pub(super) arms: [f64; 2],
+}
+
+impl Reading {
+    /// Forces of a rigid journal that slides on its bearing's surface.
+    pub fn slide(&mut self, normal: f64, tangential: f64) {
+        (self.normal, self.tangential) = (normal, tangential);
+        // The constraint tells the normal force among the reactions.
+        let n = direction(self.eccentricity).map_or(Vec2::x(), |(n, _)| n);
+        self.force = perp(n) * tangential;
+        self.dissipation = -tangential * self.sliding;
+    }
+
+    /// Forces of a rigid journal that sticks there, which are among the reactions.
+    pub fn stick(&mut self, [normal, tangential]: [f64; 2]) {
+        (self.normal, self.tangential) = (normal, tangential);
+    }
+}
+
+impl Pair {
+    /// Geometry, velocities and forces; in the phase that `memory` says.
+    pub fn read(&self, at: &Kinematics, memory: &Contact) -> Reading {
+        let mut reading = match &self.shape {
+            Shape::Journal(journal) => journal.read(at),
+            Shape::Stop(stop) => stop.read(at),
+        };
+        if let (Phase::Contact, Surface::Compliant(laws)) = (memory.phase, &self.surface) {
+            let (depth, rate) = (reading.penetration, reading.rate);
+            let normal = laws.normal.continued(depth, rate, memory.approach);
+            let friction =
+                laws.friction
+                    .on_piece(memory.piece, reading.sliding, normal, memory.bristle);
+            reading.normal = normal;
+            reading.tangential = friction.force;
+            reading.bristle_rate = friction.bristle_rate;
+            if let Some((n, _)) = direction(reading.eccentricity) {
+                reading.force = perp(n) * friction.force - n * normal;
+            }
+            let elastic = laws.normal.elastic_continued(depth);
+            reading.dissipation = (normal - elastic) * rate - friction.force * reading.sliding;
+        }
+        reading
+    }
+
+    /// Adds the contact's forces.
+    pub fn apply(&self, at: &Kinematics, memory: &Contact, to: &mut Applied) {
+        if memory.phase != Phase::Contact {
+            return;
+        }
+        let reading = self.read(at, memory);
+        self.press(at, &reading, [reading.normal, reading.tangential], to);
+    }
+
+    /// Adds a normal and a tangential force at the contact of a reading, on both bodies.
+    pub fn press(&self, at: &Kinematics, reading: &Reading, forces: [f64; 2], to: &mut Applied) {
+        match &self.shape {
+            Shape::Journal(journal) => journal.press(at, reading, forces, to),
+            Shape::Stop(stop) => stop.press(at, forces[0], to),
+        }
+    }
+
+    /// Where the derivatives of the contact's forces can be non-zero, in the order [`Pair::slope`] writes.
+    pub fn slopes(&self) -> Vec<Slope> {
+        match &self.shape {
+            Shape::Journal(journal) => journal.slopes(),
+            Shape::Stop(stop) => stop.slopes(),
+        }
+    }
+
+    /// Their values, of surfaces without bristles.
+    pub fn slope(
+        &self,
+        at: &Kinematics,
+        memory: &Contact,
+        position: &mut [f64],
+        velocity: &mut [f64],
+    ) {
+        position.fill(0.0);
+        velocity.fill(0.0);
+        let (Phase::Contact, Surface::Compliant(laws)) = (memory.phase, &self.surface) else {
+            return;
+        };
+        let reading = self.read(at, memory);
+        match &self.shape {
+            Shape::Journal(journal) => {
+                journal.slope(at, (memory, laws), &reading, position, velocity);
+            }
+            Shape::Stop(stop) => stop.slope(at, (memory, laws), &reading, position, velocity),
+        }
+    }
+
+    /// Elastic energy of the contact \[J\].
+    pub fn potential(&self, at: &Kinematics, memory: &Contact) -> f64 {
+        match memory.phase {
+            Phase::Contact => {
+                let depth = self.read(at, &Contact::default()).penetration;
+                self.stored(depth, memory)
+            }
+            Phase::Flight | Phase::Released => 0.0,
+        }
+    }
+
+    /// Elastic energy at a penetration already read \[J\].
+    pub fn stored(&self, penetration: f64, memory: &Contact) -> f64 {
+        match (memory.phase, &self.surface) {
+            (Phase::Contact, Surface::Compliant(laws)) => laws.normal.elastic_energy(penetration),
+            (Phase::Flight | Phase::Contact | Phase::Released, _) => 0.0,
+        }
+    }
+
+    /// What penetrations are measured against: the clearance of a journal, the size of the mechanism for a stop \[m\].
+    pub fn size(&self) -> f64 {
+        match &self.shape {
+            Shape::Journal(journal) => journal.clearance,
+            Shape::Stop(stop) => stop.size,
+        }
+    }
+
+    /// Its journal, where it is one in a bearing.
+    pub fn journal(&self) -> Option<&Journal> {
+        match &self.shape {
+            Shape::Journal(journal) => Some(journal),
+            Shape::Stop(_) => None,
+        }
+    }
+
+    /// Its stop, where it is one.
+    pub fn stop(&self) -> Option<&Stop> {
+        match &self.shape {
+            Shape::Stop(stop) => Some(stop),
+            Shape::Journal(_) => None,
+        }
+    }
+
+    /// Angle of the contact in the bearing's body \[rad\]; 0 of a stop.
+    pub fn angle(&self, at: &Kinematics, reading: &Reading) -> f64 {
+        self.journal()
+            .map_or(0.0, |journal| journal.bearing_angle(at, reading))
+    }
+
+    /// The constraint of rigid surfaces that stay together: its multiplier is N.
+    pub fn sustained(&self) -> Arc<dyn Constraint> {
+        match &self.shape {
+            Shape::Journal(journal) => Arc::new(journal.following()),
+            Shape::Stop(stop) => Arc::new(stop.clone()),
+        }
+    }
+
+    /// The constraints of those that do not slide, either: N and T. Nothing slides at a stop.
+    pub fn stuck(&self, id: ContactId) -> Arc<dyn Constraint> {
+        match &self.shape {
+            Shape::Journal(journal) => Arc::new(journal.sticking(id)),
+            Shape::Stop(stop) => Arc::new(stop.clone()),
+        }
+    }
+
+    /// Friction of those that slide, where there is some.
+    pub fn sliding(&self, id: ContactId) -> Option<Arc<dyn ConstraintDependentForce>> {
+        let (Shape::Journal(journal), Surface::Rigid(rigid)) = (&self.shape, &self.surface) else {
+            return None;
+        };
+        (rigid.friction > 0.0).then(|| {
+            let friction = FollowingFriction {
+                journal: journal.clone(),
+                coefficient: rigid.friction,
+                id,
+            };
+            Arc::new(friction) as Arc<dyn ConstraintDependentForce>
+        })
+    }
+
+    /// What a contact that begins to stick keeps \[m\].
+    pub fn anchor(&self, at: &Kinematics, id: ContactId) -> f64 {
+        self.journal()
+            .map_or(0.0, |journal| journal.sticking(id).rolled(at))
+    }
+}

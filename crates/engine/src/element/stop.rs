@@ -1,0 +1,355 @@
+//! An end of a joint's way: a stop.
+//!
+//! ```text
+//! s                  angle θ₂ − θ₁ of a turning joint [rad], or slide a·(P₂ − P₁) along an axis of the first body [m]
+//! δ = σ L (s − s_σ)  penetration [m], σ = 1 at the upper end, −1 at the lower
+//! Q = −N ∂δ/∂q       N L is a torque [N·m] or force [N] on the second body against σ, and back on the first
+//! ```
+//!
+//! L is 1 of a slide, and of an angle the length of an arm at whose end it is measured, so that all contacts of a mechanism are
+//! alike: metres, and newtons.
+//!
+//! As a constraint φ = δ = 0 of a rigid stop that is pressed:
+//!
+//! ```text
+//! J = ∂δ/∂q,   γ = −(∂δ̇/∂q) v,   λ = N          (1)  [m]
+//! ```
+//!
+//! with the derivatives of [`super::quantity`].
+
+use super::pair::{Compliant, Contact, Reading};
+use super::prismatic::Guide;
+use super::quantity::Measured;
+use super::span::{BOTH, all_pairs};
+use super::{Applied, Axis, Constraint, Entry, Force, Kinematics, Marker, Measure, Slope};
+use linkdyn_linear::math::Vec2;
+
+/// Which end of the way it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// Where the coordinate is least.
+    Lower,
+    /// Where it is greatest.
+    Upper,
+}
+
+impl Side {
+    /// σ
+    pub fn sign(self) -> f64 {
+        match self {
+            Side::Lower => -1.0,
+            Side::Upper => 1.0,
+        }
+    }
+
+    /// The word for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Side::Lower => "lower",
+            Side::Upper => "upper",
+        }
+    }
+}
+
+/// An end of a joint's way.
+#[derive(Debug, Clone)]
+pub struct Stop {
+    /// The joint's point of the first body.
+    pub first: Marker,
+    /// Its point of the second body.
+    pub second: Marker,
+    /// Direction of the slide in the frame of the first body, of length one; none of a turning joint.
+    pub axis: Option<Vec2>,
+    /// Which end it is.
+    pub side: Side,
+    /// s_σ [m or rad]
+    pub limit: f64,
+    /// L \[m\] of an angle, 1 of a slide.
+    pub arm: f64,
+    /// What penetrations are measured against \[m\].
+    pub size: f64,
+}
+
+impl Stop {
+    fn measured(&self) -> Measured {
+        match self.axis {
+            None => Measured::Turn {
+                first: self.first.body,
+                second: self.second.body,
+            },
+            Some(axis) => Measured::Along {
+                first: self.first,
+                second: self.second,
+                axis,
+            },
+        }
+    }
+
+    fn guide(&self) -> Option<Guide> {
+        Some(Guide {
+            first: self.first,
+            second: self.second,
+            axis: self.axis?,
+        })
+    }
+
+    /// The same at another turn \[rad\].
+    pub fn turned(&self, by: f64) -> Stop {
+        Stop {
+            limit: self.limit + by,
+            ..self.clone()
+        }
+    }
+
+    /// σ L
+    fn factor(&self) -> f64 {
+        self.side.sign() * self.arm
+    }
+
+    /// s [m or rad].
+    pub fn coordinate(&self, at: &Kinematics) -> f64 {
+        self.measured().value(at)[0]
+    }
+
+    /// Torque [N·m] or force \[N\] on the second body, along s, of a normal force N \[N\].
+    pub fn pushed(&self, normal: f64) -> f64 {
+        -self.factor() * normal
+    }
+
+    /// Penetration and its rate.
+    pub fn read(&self, at: &Kinematics) -> Reading {
+        let [s, rate] = self.measured().value(at);
+        Reading {
+            penetration: self.factor() * (s - self.limit),
+            rate: self.factor() * rate,
+            ..Reading::default()
+        }
+    }
+
+    /// ∂δ/∂q and ∂δ̇/∂q.
+    fn gradients(&self, at: &Kinematics) -> [[f64; BOTH]; 2] {
+        let slopes = self.measured().slopes(at);
+        slopes.map(|slope| slope.map(|value| self.factor() * value))
+    }
+
+    /// Adds the force of the stop.
+    pub fn press(&self, at: &Kinematics, normal: f64, to: &mut Applied) {
+        let [g, _] = self.gradients(at);
+        to.add(
+            self.first.body,
+            Vec2::new(-g[0], -g[1]) * normal,
+            -g[2] * normal,
+        );
+        to.add(
+            self.second.body,
+            Vec2::new(-g[3], -g[4]) * normal,
+            -g[5] * normal,
+        );
+    }
+
+    /// Where the derivatives of its force can be non-zero.
+    pub fn slopes(&self) -> Vec<Slope> {
+        all_pairs(&self.first, &self.second)
+    }
+
+    /// Their values, of a stop that yields.
+    pub fn slope(
+        &self,
+        at: &Kinematics,
+        (memory, laws): (&Contact, &Compliant),
+        reading: &Reading,
+        position: &mut [f64],
+        velocity: &mut [f64],
+    ) {
+        let slopes =
+            laws.normal
+                .continued_slopes(reading.penetration, reading.rate, memory.approach);
+        self.spread(at, reading.normal, slopes, position, velocity);
+    }
+
+    /// Derivatives of the force where N has these by δ and δ̇.
+    ///
+    /// ```text
+    /// ∂Q/∂q = −g ⊗ (N_δ g + N_δ̇ ∂δ̇/∂q) − N ∂²δ/∂q²,   ∂Q/∂v = −N_δ̇ g ⊗ g,   g = ∂δ/∂q
+    /// ```
+    fn spread(
+        &self,
+        at: &Kinematics,
+        normal: f64,
+        [by_depth, by_rate]: [f64; 2],
+        position: &mut [f64],
+        velocity: &mut [f64],
+    ) {
+        let [g, by_position] = self.gradients(at);
+        for row in 0..BOTH {
+            for column in 0..BOTH {
+                let change = by_depth * g[column] + by_rate * by_position[column];
+                position[row * BOTH + column] = -g[row] * change;
+                velocity[row * BOTH + column] = -by_rate * g[row] * g[column];
+            }
+        }
+        let Some(guide) = self.guide() else {
+            return;
+        };
+        let along = at.poses[self.first.body.0].turn(guide.axis);
+        let values = guide.bend(at, along, -self.factor() * normal);
+        let index = |(end, axis): (usize, Axis)| 3 * end + axis as usize;
+        for (&[row, column], value) in BENT.iter().zip(values) {
+            let (row, column) = (index(row), index(column));
+            position[row * BOTH + column] += value;
+            if row != column {
+                position[column * BOTH + row] += value;
+            }
+        }
+    }
+}
+
+/// A stop that yields and is pressed, as a force at rest: N = K δ, to either side.
+#[derive(Debug, Clone)]
+pub struct Yielding {
+    /// The stop.
+    pub stop: Stop,
+    /// Its laws.
+    pub laws: Compliant,
+}
+
+impl Yielding {
+    fn normal(&self, at: &Kinematics) -> (Reading, f64) {
+        let reading = self.stop.read(at);
+        let normal = self
+            .laws
+            .normal
+            .continued(reading.penetration, reading.rate, 0.0);
+        (reading, normal)
+    }
+}
+
+impl Force for Yielding {
+    fn apply(&self, at: &Kinematics, to: &mut Applied) {
+        self.stop.press(at, self.normal(at).1, to);
+    }
+
+    fn slopes(&self) -> Vec<Slope> {
+        self.stop.slopes()
+    }
+
+    fn slope(&self, at: &Kinematics, position: &mut [f64], velocity: &mut [f64]) {
+        let (reading, normal) = self.normal(at);
+        let law = &self.laws.normal;
+        let slopes = law.continued_slopes(reading.penetration, reading.rate, 0.0);
+        self.stop.spread(at, normal, slopes, position, velocity);
+    }
+
+    fn potential(&self, at: &Kinematics) -> f64 {
+        let depth = self.stop.read(at).penetration;
+        self.laws.normal.elastic_energy(depth.abs())
+    }
+
+    fn is_conservative(&self) -> bool {
+        false
+    }
+
+    fn supplied(&self, at: &Kinematics) -> f64 {
+        let (reading, normal) = self.normal(at);
+        let elastic = self.laws.normal.elastic_continued(reading.penetration);
+        (elastic - normal) * reading.rate
+    }
+}
+
+/// Coordinates of [`Guide::bends`]: side of the joint and axis.
+const BENT: [[(usize, Axis); 2]; 7] = [
+    [(0, Axis::X), (0, Axis::Theta)],
+    [(0, Axis::Y), (0, Axis::Theta)],
+    [(1, Axis::X), (0, Axis::Theta)],
+    [(1, Axis::Y), (0, Axis::Theta)],
+    [(0, Axis::Theta), (0, Axis::Theta)],
+    [(0, Axis::Theta), (1, Axis::Theta)],
+    [(1, Axis::Theta), (1, Axis::Theta)],
+];
+
+impl Constraint for Stop {
+    fn rows(&self) -> &'static [Measure] {
+        &[Measure::Length]
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        let bodies = [self.first.body, self.second.body];
+        let of = |body| Axis::ALL.map(|axis| (0, body, axis));
+        bodies.map(of).concat()
+    }
+
+    fn position(&self, at: &Kinematics, phi: &mut [f64]) {
+        phi[0] = self.read(at).penetration;
+    }
+
+    fn jacobian(&self, at: &Kinematics, values: &mut [f64]) {
+        values.copy_from_slice(&self.gradients(at)[0]);
+    }
+
+    fn rate(&self, _at: &Kinematics, phi_t: &mut [f64]) {
+        phi_t[0] = 0.0;
+    }
+
+    fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
+        let [_, by_position] = self.gradients(at);
+        let bodies = [self.first.body, self.second.body];
+        let velocities = bodies.map(|body| {
+            let twist = &at.twists[body.0];
+            [twist.v.x, twist.v.y, twist.omega]
+        });
+        let velocities = velocities.as_flattened().iter();
+        gamma[0] = -by_position
+            .iter()
+            .zip(velocities)
+            .map(|(slope, rate)| slope * rate)
+            .sum::<f64>();
+    }
+
+    fn bends(&self) -> Vec<Slope> {
+        self.guide()
+            .map_or_else(Vec::new, |guide| guide.bends().to_vec())
+    }
+
+    fn bend(&self, at: &Kinematics, lambda: &[f64], values: &mut [f64]) {
+        if let Some(guide) = self.guide() {
+            let along = at.poses[self.first.body.0].turn(guide.axis);
+            values.copy_from_slice(&guide.bend(at, along, self.factor() * lambda[0]));
+        }
+    }
+
+    fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
+        let pressed = self.pushed(lambda[0]);
+        match self.axis {
+            None => (Vec2::zeros(), pressed),
+            Some(axis) => (at.poses[self.first.body.0].turn(axis) * pressed, 0.0),
+        }
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use crate::element::tests::{Named, marker};
+
+    /// One of a slide, and one of an angle.
+    pub(in crate::element) fn both() -> [Named; 2] {
+        let axis = Vec2::new(0.6, 0.8);
+        [
+            ("stop of a slide", Box::new(stop(Some(axis)))),
+            ("stop of an angle", Box::new(stop(None))),
+        ]
+    }
+
+    /// A stop of a slide, or of an angle, for checks by differences.
+    pub(in crate::element) fn stop(axis: Option<Vec2>) -> Stop {
+        Stop {
+            first: marker(1, 0.3, -0.2),
+            second: marker(2, -0.4, 0.1),
+            axis,
+            side: Side::Lower,
+            limit: 0.4,
+            arm: if axis.is_some() { 1.0 } else { 0.7 },
+            size: 0.7,
+        }
+    }
+}

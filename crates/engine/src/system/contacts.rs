@@ -1,0 +1,50 @@
+//! Which contacts a mechanism has, and how messages speak of them.
+
+use super::{ContactRows, JointData, System};
+use crate::element::pair::{ContactId, Shape};
+
+/// The lower and the upper stop of a joint.
+pub(crate) type Ends = [Option<ContactId>; 2];
+
+impl JointData {
+    /// Whether its way has an end.
+    pub(crate) fn has_stops(&self) -> bool {
+        self.stops.is_some()
+    }
+}
+
+impl System {
+    /// The joint that a contact belongs to.
+    pub(crate) fn joint_of(&self, id: ContactId) -> &JointData {
+        &self.joints[self.contact_rows[id.0].joint.0]
+    }
+
+    /// The name that a contact goes by in messages: that of its joint, or of a stop of it.
+    pub(crate) fn contact_name(&self, id: ContactId) -> String {
+        let joint = &self.joint_of(id).name;
+        match self.contacts[id.0].stop() {
+            None => format!("joint \"{joint}\""),
+            Some(stop) => format!("the {} stop of joint \"{joint}\"", stop.side.word()),
+        }
+    }
+
+    /// The system with each stop this much further on \[m or rad\].
+    pub(crate) fn turned(&self, turns: &[f64]) -> System {
+        let mut system = self.clone();
+        for (contact, turn) in turns.iter().enumerate() {
+            let pair = &mut system.contacts[contact];
+            if let Shape::Stop(stop) = &mut pair.shape {
+                *stop = stop.turned(*turn);
+                let rows = &mut system.contact_rows[contact];
+                *rows = ContactRows::of(pair, ContactId(contact), rows.joint, rows.block);
+            }
+        }
+        system
+    }
+
+    /// Whether joints are open, their journals free in their bearings: these stand before all other contacts.
+    pub(crate) fn has_journals(&self) -> bool {
+        let first = self.contacts.first();
+        first.is_some_and(|pair| pair.journal().is_some())
+    }
+}

@@ -1,0 +1,91 @@
+//! Where the way of a joint ends.
+
+use super::Rules;
+use crate::error::Complaint;
+use crate::{Joint, JointKind, Model};
+
+/// Limits are the right way round, and what their stops are made of belongs together.
+pub(super) fn stops(rules: &mut Rules<'_>, joint: &Joint, path: &str) {
+    let holes = &rules.holes;
+    let known = |key: &str| !holes.has(&format!("{path}.{key}"));
+    if !known("type") || !known("limits") {
+        return;
+    }
+    let found = match joint.stops.limits {
+        None => of_nothing(joint),
+        Some(limits) if known("limits[0]") && known("limits[1]") => {
+            order(rules.model, joint, limits)
+        }
+        Some(_) => None,
+    };
+    let stops = [found, material(joint).filter(|(key, ..)| known(key))];
+    for (key, message, hint) in stops.into_iter().flatten() {
+        let complaint = Complaint::new(format!("{path}.{key}"), message).hint(hint);
+        rules.complaints.push(complaint);
+    }
+}
+
+/// Key, message and hint.
+type Fault = (&'static str, String, &'static str);
+
+/// What there is of stops though there are no limits.
+fn of_nothing(joint: &Joint) -> Option<Fault> {
+    let stops = &joint.stops;
+    let given = [
+        ("restitution", stops.restitution),
+        ("stiffness", stops.stiffness),
+        ("damping", stops.damping),
+    ];
+    let (key, _) = given.iter().find(|(_, value)| value.is_some())?;
+    let hint = match joint.kind {
+        JointKind::Revolute { .. } => "as in \"limits\": [\"-30 deg\", \"60 deg\"]",
+        _ => "as in \"limits\": [\"0 mm\", \"80 mm\"]",
+    };
+    let message = "is of the stops at the joint's limits, and there are no \"limits\"";
+    Some((key, message.to_owned(), hint))
+}
+
+/// Limits that leave no way.
+fn order(model: &Model, joint: &Joint, limits: [Option<f64>; 2]) -> Option<Fault> {
+    let said = |value: f64| match joint.kind {
+        JointKind::Revolute { .. } => model.display.angle(value),
+        _ => model.display.length(value),
+    };
+    match limits {
+        [None, None] => Some((
+            "limits",
+            "neither end is given".to_owned(),
+            "give one of them, or leave \"limits\" out",
+        )),
+        [Some(lower), Some(upper)] if lower >= upper => Some((
+            "limits",
+            format!(
+                "the lower limit {} is not below the upper limit {}",
+                said(lower),
+                said(upper)
+            ),
+            "write [lower, upper]; a joint that does not move is \"fixed\"",
+        )),
+        _ => None,
+    }
+}
+
+/// Stops that are rigid and yield.
+fn material(joint: &Joint) -> Option<Fault> {
+    let stops = &joint.stops;
+    stops.limits?;
+    match (stops.stiffness, stops.damping, stops.restitution) {
+        (None, Some(_), _) => Some((
+            "damping",
+            "\"stiffness\" is missing: a stop with damping yields".to_owned(),
+            "give the stiffness of the stops, or \"restitution\" instead of the damping",
+        )),
+        (Some(_), _, Some(_)) => Some((
+            "restitution",
+            "the stops yield, since there is a \"stiffness\": what they give back follows from stiffness and damping"
+                .to_owned(),
+            "leave out one of them",
+        )),
+        _ => None,
+    }
+}
