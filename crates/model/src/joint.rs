@@ -73,6 +73,31 @@ pub struct Stops {
     /// Damping of stops that yield [N·m·s/rad or N·s/m]; left out: none.
     #[serde(default)]
     pub damping: Option<f64>,
+    /// The ends at which the joint latches.
+    #[serde(default)]
+    pub latch: Option<Latch>,
+    /// Pull [N·m or N] above which a latch opens; left out: none does.
+    #[serde(default)]
+    pub release: Option<f64>,
+}
+
+/// At which of its ends a joint latches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Latch {
+    /// Where its coordinate is least.
+    Lower,
+    /// Where it is greatest.
+    Upper,
+    /// At either.
+    Both,
+}
+
+impl Latch {
+    /// Whether it is at the lower end, and whether at the upper.
+    pub fn sides(self) -> [bool; 2] {
+        [self != Latch::Upper, self != Latch::Lower]
+    }
 }
 
 /// What the joint lets move.

@@ -66,9 +66,9 @@ pub use force::{Force, ForceKind, Frame, Value};
 pub use formula::Formula;
 pub use gate::Checked;
 pub use hold::unheld;
-#[doc(hidden)]
-pub use joint::Stops;
 pub use joint::{Joint, JointKind, PointRef};
+#[doc(hidden)]
+pub use joint::{Latch, Stops};
 pub use load::{Loaded, load, load_file};
 pub use motion::Motion;
 #[doc(hidden)]

@@ -22,6 +22,12 @@ pub enum EventKind {
     Stick,
     /// A journal begins to slip on its bearing.
     Slip,
+    /// A joint latches at its stop.
+    #[doc(hidden)]
+    Latch,
+    /// A latch opens.
+    #[doc(hidden)]
+    Unlatch,
 }
 
 impl EventKind {
@@ -37,6 +43,8 @@ impl EventKind {
             EventKind::SustainedContact => "following",
             EventKind::Stick => "stick",
             EventKind::Slip => "slip",
+            EventKind::Latch => "latch",
+            EventKind::Unlatch => "unlatch",
         }
     }
 }

@@ -11,7 +11,7 @@ use crate::element::pair::{ContactId, Hold, Reading, Surface};
 use crate::element::stop::Yielding;
 use crate::mechanism::equilibrium::Balance;
 use crate::mechanism::held::Held;
-use crate::system::{ForceData, ForceRole, System};
+use crate::system::{Evaluation, ForceData, ForceRole, Inputs, System};
 use linkdyn_output::Status;
 use std::sync::Arc;
 
@@ -29,16 +29,19 @@ struct Leaning<'s> {
     pressed: Vec<ContactId>,
 }
 
-/// Calls `told` with the equilibrium, in which stops press where they have to.
+/// Calls `told` with the equilibrium, in which stops press where they have to; the mechanism begins at `q` (n).
+///
+/// Joints that begin at an end with a latch are latched.
 ///
 /// # Errors
 /// Those of [`start`] and [`balance`], and where no choice of stops gives an equilibrium.
 pub fn rest<T>(
     system: &System,
+    q: &[f64],
     control: &Control,
     told: impl FnOnce(&Assembled, &mut Held, &Balance, &[ContactSample]) -> T,
 ) -> Result<T, Failed> {
-    let mut queue: Vec<Vec<ContactId>> = vec![Vec::new()];
+    let mut queue: Vec<Vec<ContactId>> = vec![latched(system, q)];
     let mut guess = None;
     let mut failure = None;
     let mut next = 0;
@@ -79,6 +82,21 @@ pub fn rest<T>(
         let message = "no equilibrium found: neither with the stops of joints that are passed, nor without those that would pull";
         Failed::failed(Status::Singular, message.into())
     }))
+}
+
+/// Latches that are closed at a position.
+fn latched(system: &System, q: &[f64]) -> Vec<ContactId> {
+    let mut evaluation = Evaluation::new(system);
+    evaluation.set_position(q);
+    let inputs = Inputs::still(system);
+    let at = evaluation.kinematics(&inputs);
+    let closed = |id: &ContactId| {
+        let pair = &system.contacts[id.0];
+        let stop = pair.stop().filter(|_| pair.latch().is_some());
+        stop.is_some_and(|stop| stop.read(&at).penetration.abs() <= BEYOND * stop.size)
+    };
+    let all = (0..system.contacts.len()).map(ContactId);
+    all.filter(closed).collect()
 }
 
 impl Leaning<'_> {
@@ -152,7 +170,8 @@ impl Leaning<'_> {
         let mut others = Vec::new();
         let pull = PULL * self.whole.scale.force();
         for id in &self.pressed {
-            if contacts[id.0].reading.normal < -pull {
+            let held = self.whole.contacts[id.0].latch().unwrap_or(0.0);
+            if contacts[id.0].reading.normal < -pull - held {
                 let rest = self.pressed.iter().filter(|other| *other != id);
                 others.push(rest.copied().collect());
             }

@@ -50,10 +50,14 @@ pub fn run(
     let mobility = assembled.mobility;
     let assemble = watch.read();
     let watch = Stopwatch::start();
-    let (trajectory, mut report) =
-        leaning::rest(system, control, |assembled, held, balance, contacts| {
+    let (trajectory, mut report) = leaning::rest(
+        system,
+        &assembled.q,
+        control,
+        |assembled, held, balance, contacts| {
             told((system, contents), assembled, held, balance, contacts)
-        })?;
+        },
+    )?;
     report.mobility = mobility;
     (report.assemble, report.solve) = (assemble, watch.read());
     Ok((trajectory, report))

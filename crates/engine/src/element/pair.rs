@@ -112,6 +112,9 @@ pub struct Rigid {
     pub friction: f64,
     /// What e compares.
     pub sense: Sense,
+    /// The pull \[N\] that the surfaces hold once they have met: they stay together up to it, and meet without rebound. None of
+    /// those that hold no pull.
+    pub latch: Option<f64>,
 }
 
 /// A contact at an instant.
@@ -251,6 +254,14 @@ impl Pair {
         match &self.shape {
             Shape::Journal(journal) => journal.clearance,
             Shape::Stop(stop) => stop.size,
+        }
+    }
+
+    /// The pull that it holds \[N\], where it latches.
+    pub fn latch(&self) -> Option<f64> {
+        match &self.surface {
+            Surface::Rigid(rigid) => rigid.latch,
+            Surface::Compliant(_) => None,
         }
     }
 

@@ -42,6 +42,14 @@ impl Side {
         }
     }
 
+    /// Its place in a pair of lower and upper.
+    pub fn index(self) -> usize {
+        match self {
+            Side::Lower => 0,
+            Side::Upper => 1,
+        }
+    }
+
     /// The word for it.
     pub fn word(self) -> &'static str {
         match self {

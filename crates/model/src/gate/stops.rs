@@ -18,7 +18,8 @@ pub(super) fn stops(rules: &mut Rules<'_>, joint: &Joint, path: &str) {
         }
         Some(_) => None,
     };
-    let stops = [found, material(joint).filter(|(key, ..)| known(key))];
+    let stops = [found, material(joint), latch(joint)];
+    let stops = stops.map(|fault| fault.filter(|(key, ..)| known(key)));
     for (key, message, hint) in stops.into_iter().flatten() {
         let complaint = Complaint::new(format!("{path}.{key}"), message).hint(hint);
         rules.complaints.push(complaint);
@@ -35,6 +36,8 @@ fn of_nothing(joint: &Joint) -> Option<Fault> {
         ("restitution", stops.restitution),
         ("stiffness", stops.stiffness),
         ("damping", stops.damping),
+        ("latch", stops.latch.map(|_| 0.0)),
+        ("release", stops.release),
     ];
     let (key, _) = given.iter().find(|(_, value)| value.is_some())?;
     let hint = match joint.kind {
@@ -88,4 +91,30 @@ fn material(joint: &Joint) -> Option<Fault> {
         )),
         _ => None,
     }
+}
+
+/// Latches at ends that are not there, or that can't be what they are.
+fn latch(joint: &Joint) -> Option<Fault> {
+    let stops = &joint.stops;
+    let limits = stops.limits?;
+    let Some(latch) = stops.latch else {
+        return stops.release.map(|_| {
+            (
+                "release",
+                "there is no latch that could open".to_owned(),
+                "say where the joint latches, as in \"latch\": \"upper\"",
+            )
+        });
+    };
+    if stops.stiffness.is_some() {
+        return Some((
+            "latch",
+            "a latch is rigid, and these stops yield".to_owned(),
+            "leave out \"stiffness\" and \"damping\"",
+        ));
+    }
+    let lacks = |side: usize| latch.sides()[side] && limits[side].is_none();
+    let side = (0..2).find(|&side| lacks(side))?;
+    let message = format!("the joint has no {} limit", ["lower", "upper"][side]);
+    Some(("latch", message, "a joint latches at one of its limits"))
 }

@@ -4,7 +4,18 @@ use super::clearance::CLEARANCE;
 use super::friction::FRICTION;
 use crate::dimension::Dimension;
 use crate::shape::{
-    Bound, Default, Drives, Measure, Named, Object, Shape, Tagged, default, optional, required,
+    Bound, Choice, Default, Drives, Measure, Named, Object, Shape, Tagged, default, optional,
+    required,
+};
+
+static LATCH: Choice = Choice {
+    name: "Latch",
+    about: "At which of its ends a joint latches.",
+    words: &[
+        ("lower", "Where the angle or the slide is least."),
+        ("upper", "Where it is greatest."),
+        ("both", "At either end."),
+    ],
 };
 
 static TURN: Shape = Shape::End(Measure::Of(Dimension::Angle));
@@ -49,6 +60,16 @@ pub static JOINT: Tagged = Tagged {
                     "damping",
                     Shape::Quantity(Measure::Of(Dimension::AngularDamping), Bound::AtLeast(0.0)),
                     "Of stops that yield [N·m·s/rad].",
+                ),
+                optional(
+                    "latch",
+                    Shape::Choice(&LATCH),
+                    "The end at which the joint latches: it stays there, whatever pulls.",
+                ),
+                optional(
+                    "release",
+                    Shape::Quantity(Measure::Of(Dimension::Torque), Bound::Above(0.0)),
+                    "Pull [N·m] above which the latch opens; left out: it does not.",
                 ),
                 required(
                     "between",
@@ -110,6 +131,16 @@ pub static JOINT: Tagged = Tagged {
                     Shape::Quantity(Measure::Of(Dimension::Damping), Bound::AtLeast(0.0)),
                     "Of stops that yield [N·s/m].",
                 ),
+                optional(
+                    "latch",
+                    Shape::Choice(&LATCH),
+                    "The end at which the joint latches: it stays there, whatever pulls.",
+                ),
+                optional(
+                    "release",
+                    Shape::Quantity(Measure::Of(Dimension::Force), Bound::Above(0.0)),
+                    "Pull \\[N\\] above which the latch opens; left out: it does not.",
+                ),
                 required(
                     "between",
                     Shape::Pair(&Shape::Point),
@@ -153,6 +184,16 @@ pub static JOINT: Tagged = Tagged {
                     "damping",
                     Shape::Quantity(Measure::Of(Dimension::Damping), Bound::AtLeast(0.0)),
                     "Of stops that yield [N·s/m].",
+                ),
+                optional(
+                    "latch",
+                    Shape::Choice(&LATCH),
+                    "The end at which the joint latches: it stays there, whatever pulls.",
+                ),
+                optional(
+                    "release",
+                    Shape::Quantity(Measure::Of(Dimension::Force), Bound::Above(0.0)),
+                    "Pull \\[N\\] above which the latch opens; left out: it does not.",
                 ),
                 required(
                     "between",

@@ -11,7 +11,7 @@
 //!
 //! rigid surfaces:
 //! flight     min(δ, δ̇)                      an impact
-//! contact    −N                             the multiplier of the journal on the surface would pull
+//! contact    −N                             the multiplier of the journal on the surface would pull (of a latch beyond what it holds)
 //!            −s v_t                         it slides no more in the way s
 //!            |T| − μ N                      it sticks, and friction can't hold it any longer
 //! ```
@@ -47,7 +47,7 @@ pub fn largest_guard(scale: &Scale, pair: &Pair, memory: &Contact, reading: &Rea
             reading.penetration.min(approach * scale.time)
         }
         (Surface::Rigid(rigid), Phase::Contact) => {
-            lets_go(scale, reading).max(turns(scale, rigid, memory, reading))
+            lets_go(scale, rigid, reading).max(turns(scale, rigid, memory, reading))
         }
         (Surface::Compliant(laws), Phase::Contact) => {
             let hold = laws
@@ -80,9 +80,9 @@ fn turns(scale: &Scale, rigid: &Rigid, memory: &Contact, reading: &Reading) -> f
     }
 }
 
-/// Positive where a rigid journal that follows its bearing would be pulled.
-fn lets_go(scale: &Scale, reading: &Reading) -> f64 {
-    -reading.normal - PULL * scale.force()
+/// Positive where surfaces that stay together would be pulled, or by more than their latch holds.
+fn lets_go(scale: &Scale, rigid: &Rigid, reading: &Reading) -> f64 {
+    -reading.normal - rigid.latch.unwrap_or(0.0) - PULL * scale.force()
 }
 
 /// Positive beyond the ends of the friction law's piece.

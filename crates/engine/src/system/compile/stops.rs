@@ -8,7 +8,7 @@ use crate::element::pair::{Compliant, ContactId, Pair, Rigid, Shape, Surface};
 use crate::element::stop::{Side, Stop};
 use crate::system::{ContactRows, JointId, Origin};
 use linkdyn_linear::math::{Vec2, unit};
-use linkdyn_model::{Joint, JointKind, Stops};
+use linkdyn_model::{Joint, JointKind, Latch, Stops};
 use std::sync::Arc;
 
 impl Compiler<'_> {
@@ -45,23 +45,20 @@ impl Compiler<'_> {
                 arm,
                 size: self.system.size,
             }),
-            surface: surface(&joint.stops, arm),
+            surface: surface(&joint.stops, arm, side),
         };
         let block = self.system.blocks.len();
         self.push_block(Arc::new(Free), Origin::Stop(id));
         let rows = ContactRows::of(&pair, id, JointId(k), block);
         self.system.contact_rows.push(rows);
         self.system.contacts.push(pair);
-        let index = match side {
-            Side::Lower => 0,
-            Side::Upper => 1,
-        };
-        self.system.joints[k].stops.get_or_insert_default()[index] = Some(id);
+        self.system.joints[k].stops.get_or_insert_default()[side.index()] = Some(id);
     }
 }
 
 /// What stops are made of; stiffness and damping are by the square of the arm at which an angle is measured.
-fn surface(stops: &Stops, arm: f64) -> Surface {
+fn surface(stops: &Stops, arm: f64, side: Side) -> Surface {
+    let latches = stops.latch.map_or([false; 2], Latch::sides)[side.index()];
     match stops.stiffness {
         Some(stiffness) => Surface::Compliant(Compliant {
             normal: normal::Law::KelvinVoigt {
@@ -74,6 +71,7 @@ fn surface(stops: &Stops, arm: f64) -> Surface {
             restitution: stops.restitution.unwrap_or(0.0),
             friction: 0.0,
             sense: Sense::Kinematic,
+            latch: latches.then(|| stops.release.map_or(f64::INFINITY, |pull| pull / arm)),
         }),
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Flow;
 use crate::analysis::assembly::ranks;
+use crate::analysis::dynamics::modes::largest_guard;
 use crate::element::pair::{Hold, Surface};
 use crate::mechanism::driven::Failure;
 use crate::mechanism::phases::{Exchanged, Windows};
@@ -59,6 +60,16 @@ impl Flow<'_> {
     /// Whether a contact is one of rigid surfaces with friction.
     pub fn has_rigid_friction(&self, contact: usize) -> bool {
         self.rigid_friction(contact) > 0.0
+    }
+
+    /// Whether a contact has latched, and nothing pulls it open.
+    pub fn is_latched(&self, contact: usize) -> bool {
+        let system = self.system();
+        let pair = &system.contacts[contact];
+        pair.latch().is_some() && self.sustained[contact].is_some() && {
+            let (memory, reading) = (&self.memories()[contact], self.reading(contact));
+            largest_guard(&system.scale, pair, memory, &reading) <= 0.0
+        }
     }
 
     /// Goes on with contacts that are held so, from the position and velocities at hand.
@@ -128,10 +139,14 @@ impl Flow<'_> {
         }
         self.equations
             .impulsive_multipliers(impulse, change, &mut self.lambda);
+        let system = self.system();
         let strains = self.sustained.iter().enumerate().map(|(contact, held)| {
             let Some(held) = held else {
                 return 0.0;
             };
+            if system.contacts[contact].latch().is_some() {
+                return 0.0;
+            }
             let normal = self.lambda[held.row];
             match held.grip {
                 Grip::None | Grip::Slides(_) => -normal,

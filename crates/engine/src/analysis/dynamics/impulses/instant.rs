@@ -96,11 +96,27 @@ impl Instant<'_, '_> {
         history.end();
     }
 
-    /// No contact is sustained from here; how they were held.
+    /// No contact is sustained from here, but for latches that hold; how they were held, `Free` of these latches.
     pub(super) fn release_all(&mut self) -> Result<Vec<Hold>, Failure> {
-        let were = self.flow.holds();
-        self.exchange_rows(&vec![Hold::Free; were.len()])?;
+        let mut were = self.flow.holds();
+        let mut holds = vec![Hold::Free; were.len()];
+        for contact in 0..were.len() {
+            if self.flow.is_latched(contact) {
+                holds[contact] = std::mem::take(&mut were[contact]);
+            }
+        }
+        self.exchange_rows(&holds)?;
         Ok(were)
+    }
+
+    /// A contact latches: it is sustained from here, whatever pulls.
+    pub(super) fn latch(&mut self, contact: usize) -> Result<(), Failure> {
+        let mut holds = self.flow.holds();
+        holds[contact] = Hold::Slides;
+        self.flow.memory_mut(contact).phase = Phase::Contact;
+        self.exchange_rows(&holds)?;
+        self.ledger.history(contact).latch(self.time, true);
+        Ok(())
     }
 
     /// The equations with contacts that are held so, from the position and velocities at hand.
@@ -120,8 +136,12 @@ impl Instant<'_, '_> {
 
     /// All contacts do this from here, which were held so before; those that leave end their episodes.
     pub(super) fn take(&mut self, were: &[Hold], modes: &[Mode]) -> Result<(), Failure> {
-        let mut holds = vec![Hold::Free; modes.len()];
+        // Latches that hold are held already.
+        let mut holds = self.flow.holds();
         for (contact, mode) in modes.iter().enumerate() {
+            if holds[contact] != Hold::Free {
+                continue;
+            }
             let pair = &self.flow.system().contacts[contact];
             let (hold, way, anchor) = match *mode {
                 Mode::Leaves => continue,
@@ -147,6 +167,9 @@ impl Instant<'_, '_> {
             let history = self.ledger.history(contact);
             match (self.flow.is_in_contact(contact), stays) {
                 (true, false) => {
+                    if self.flow.system().contacts[contact].latch().is_some() {
+                        history.latch(self.time, false);
+                    }
                     history.go_on(&entry);
                     history.rest(&entry);
                     history.end();

@@ -79,6 +79,15 @@ impl<'a, 's> Impulses<'a, 's> {
     /// # Errors
     /// As in [`Impulses::resolve`].
     pub fn rest(&mut self) -> Result<(), Failure> {
+        for contact in 0..self.at.flow.memories().len() {
+            let pair = &self.at.flow.system().contacts[contact];
+            if pair.latch().is_some() && rests(self.at.flow, contact) {
+                let reading = self.at.flow.reading(contact);
+                let entry = self.at.entry(contact, &reading);
+                self.at.ledger.history(contact).begin(&entry);
+                self.at.latch(contact)?;
+            }
+        }
         let settled = self.settle(at_rest(self.at.flow));
         settled.map_err(|failure| self.of_contacts(failure))
     }
@@ -130,7 +139,8 @@ impl<'a, 's> Impulses<'a, 's> {
         } else {
             approach_acceleration(self.at.flow, contact, &point)
         };
-        let stays = fall > 0.0 && after.rate * after.rate < 2.0 * fall * height;
+        let latches = rigid.latch.is_some();
+        let stays = latches || fall > 0.0 && after.rate * after.rate < 2.0 * fall * height;
         self.at.ledger.history(contact).begin(&entry);
         if stays || strike.parts {
             *self.at.state = before;
@@ -160,6 +170,10 @@ impl<'a, 's> Impulses<'a, 's> {
             };
         } else {
             self.at.leave(contact, entry.angle);
+        }
+        if latches {
+            self.at.latch(contact)?;
+            return self.settle(at_rest(self.at.flow));
         }
         if stays || strike.parts || jams {
             let slow = if stays {
@@ -226,7 +240,10 @@ impl<'a, 's> Impulses<'a, 's> {
     fn settle(&mut self, slow: f64) -> Result<(), Failure> {
         let were = self.at.release_all()?;
         let flow = &*self.at.flow;
-        let contacts = (0..were.len()).filter(|&k| were[k] != Hold::Free || touches(flow, k, slow));
+        let latched = flow.holds();
+        let contacts = (0..were.len()).filter(|&k| {
+            latched[k] == Hold::Free && (were[k] != Hold::Free || touches(flow, k, slow))
+        });
         let contacts = contacts.collect();
         let touching = Touching::new(self.at.flow, contacts);
         let rates = touching.approaches(self.at.flow);

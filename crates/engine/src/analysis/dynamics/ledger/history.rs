@@ -186,6 +186,17 @@ impl History {
         });
     }
 
+    /// The joint latches at its stop, or comes off it.
+    pub fn latch(&mut self, time: f64, closes: bool) {
+        self.list(Event::at(
+            match closes {
+                true => EventKind::Latch,
+                false => EventKind::Unlatch,
+            },
+            time,
+        ));
+    }
+
     /// The journal sticks or slips from now on.
     pub fn switch(&mut self, time: f64, sticks: bool) {
         self.switches += 1;

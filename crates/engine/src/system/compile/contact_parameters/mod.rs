@@ -244,6 +244,7 @@ impl Words<'_> {
                 friction >= 0.0
             })?,
             sense,
+            latch: None,
         })
     }
 }

@@ -188,6 +188,7 @@ fn an_impact_takes_what_it_lacks_from_the_contact() {
             restitution,
             friction,
             sense,
+            latch: None,
         })
     };
     assert_eq!(parameters(json!({})), found(0.9, 0.0, Sense::Energetic));
