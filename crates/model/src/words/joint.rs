@@ -8,7 +8,8 @@ use crate::shape::{
     required,
 };
 
-static LATCH: Choice = Choice {
+/// At which of its ends a joint latches.
+pub static LATCH: Choice = Choice {
     name: "Latch",
     about: "At which of its ends a joint latches.",
     words: &[

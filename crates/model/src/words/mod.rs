@@ -33,7 +33,7 @@ use clearance::{CLEARANCE, CLEARANCE_MODEL, IMPACT, IMPACT_SENSE, NORMAL, NORMAL
 use driver::DRIVER;
 use force::{FORCE, FRAME};
 use friction::{FRICTION, FRICTION_LAW};
-use joint::JOINT;
+use joint::{JOINT, LATCH};
 use motion::{INTERPOLATION, RISE_LAW, SEGMENT};
 use optimise::{CURVE, OBJECTIVE, OPTIMISE};
 use parameter::DISTRIBUTION;
@@ -155,7 +155,7 @@ impl Definition {
 }
 
 /// All that the schema defines by a name, in its order.
-pub static DEFINITIONS: [Definition; 47] = [
+pub static DEFINITIONS: [Definition; 48] = [
     Definition::Format(&FORMATS),
     Definition::Object(&GROUND),
     Definition::Object(&BODY),
@@ -177,6 +177,7 @@ pub static DEFINITIONS: [Definition; 47] = [
     Definition::Tagged(&MOTION),
     Definition::Tagged(&FORCE),
     Definition::Choice(&FRAME),
+    Definition::Choice(&LATCH),
     Definition::Object(&INITIAL),
     Definition::Object(&ANALYSIS),
     Definition::Choice(&ANALYSIS_KIND),

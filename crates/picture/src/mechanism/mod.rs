@@ -27,6 +27,7 @@ mod places;
 mod plain;
 mod pose;
 mod sketch;
+mod stops;
 
 mod values;
 mod view;

@@ -3,6 +3,7 @@
 
 use super::cylinder::Lengths;
 use super::sketch::Sketch;
+use super::stops;
 use crate::palette;
 use crate::scene::{Ink, Pen, Place, Scene};
 use crate::shape::{Clearance, Joint, JointKind};
@@ -49,6 +50,9 @@ pub fn draw(scene: &mut Scene, sketch: &Sketch) {
             None => draw_block(scene, sketch, joint),
         }
     }
+    for (joint, slides) in shape.joints.iter().zip(slides) {
+        stops::draw(scene, sketch, joint, *slides);
+    }
     for joint in &shape.joints {
         draw_pin(scene, sketch, joint);
     }
@@ -76,7 +80,8 @@ fn draw_wheels(scene: &mut Scene, sketch: &Sketch, joint: &Joint) {
 }
 
 /// Rails on the ground, a rod on a body, or a slot.
-fn draw_guide(scene: &mut Scene, sketch: &Sketch, joint: &Joint, [low, high]: [f64; 2]) {
+fn draw_guide(scene: &mut Scene, sketch: &Sketch, joint: &Joint, slides: [f64; 2]) {
+    let [low, high] = stops::reach(joint, slides);
     let (Some([u, v]), true) = (sketch.direction(joint), low <= high) else {
         return;
     };

@@ -129,6 +129,7 @@ fn of_drawing(drawing: Drawing) -> Result<Shape, Fault> {
         Ok(Joint {
             name: String::new(),
             between: pair(joint.between)?,
+            limits: None,
             kind: match joint.kind {
                 DrawnKind::Revolute => JointKind::Revolute { clearance: None },
                 DrawnKind::Guide { axis } => JointKind::Prismatic { axis },

@@ -161,6 +161,7 @@ fn joint_of(numbers: &Numbers, name: &str, joint: &model::Joint) -> Joint {
         name: name.to_string(),
         between: numbers.ends(&joint.between),
         kind,
+        limits: joint.stops.limits,
     }
 }
 

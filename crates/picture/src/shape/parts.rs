@@ -46,6 +46,9 @@ pub struct Joint {
     /// What the joint is, with its own parameters.
     #[serde(flatten)]
     pub kind: JointKind,
+    /// Where its way ends, below and above [rad or m].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub limits: Option<[Option<f64>; 2]>,
 }
 
 /// Kinds of joints, by the words of the model file.

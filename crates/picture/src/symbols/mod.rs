@@ -13,7 +13,7 @@ pub use arrow::{arrow, round_arrow};
 pub use cylinder::{Cylinder, cylinder};
 pub use ground::{hatched_line, rails, support};
 pub use hull::rounded_hull;
-pub use line::{block, slot};
+pub use line::{BLOCK, block, slot};
 pub use marker::marker;
 pub use spring::{coil, damped_spring, dashpot, round_dashpot, spring};
 pub use wheel::{Wheel, wheel};

@@ -39,12 +39,53 @@
     }
   };
 
+  // The ends of a joint's way that are near enough to its stroke to be drawn.
+  const ends = (joint, k) => {
+    const [low, high] = shapes.strokes[k], far = 0.5 * (high - low), near = (end, from) => end !== null && Math.abs(end - from) <= far;
+    const [lower, upper] = joint.limits || [null, null];
+    return [near(lower, low) ? lower : null, near(upper, high) ? upper : null];
+  };
+  // How far a guide goes: a slot to its ends.
+  const reach = (joint, k) => {
+    const [low, high] = shapes.strokes[k], [lower, upper] = ends(joint, k), slot = joint.type === "slot";
+    return [lower === null ? low : slot ? lower : Math.min(low, lower), upper === null ? high : slot ? upper : Math.max(high, upper)];
+  };
+
+  // Stops: bars where a block comes to its ends, and pegs about a pin with an arc between them.
+  const stops = ({ pen, at, direction, scale, px, row, colours }) => mechanism.joints.forEach((joint, k) => {
+    if (!joint.limits || joint.type === "slot") return;
+    const [first, second] = joint.between, a = at(first);
+    if (!a) return;
+    pen.strokeStyle = colours.steel;
+    const bar = (from, to) => { pen.lineWidth = px * 0.6; path(pen, [from, to]); pen.stroke(); };
+    if (joint.type === "prismatic") {
+      const u = direction(first[0], joint.axis);
+      if (u) ends(joint, k).forEach((end, side) => {
+        if (end === null) return;
+        const far = end * scale + (side ? 1 : -1) * px * 1.9, end2 = (d) => [a[0] + u[0] * far - u[1] * d, a[1] + u[1] * far + u[0] * d];
+        bar(end2(-1.7 * px), end2(1.7 * px));
+      });
+      return;
+    }
+    const points = mechanism.bodies[second[0]].points, [, x, y] = points[second[1]], pose = shapes.pose(first[0], row);
+    if (!pose) return;
+    const [sx, sy] = points.reduce(([u, v], p) => [u + p[1] - x, v + p[2] - y], [0, 0]);
+    const base = pose[2] + (sx || sy ? Math.atan2(sy, sx) : 0);
+    const peg = (angle, radius) => [a[0] + radius * px * Math.cos(base + angle), a[1] - radius * px * Math.sin(base + angle)];
+    for (const end of joint.limits) if (end !== null) bar(peg(end, 2.4), peg(end, 3.8));
+    const [low, high] = joint.limits;
+    if (low !== null && high !== null) {
+      pen.lineWidth = 1;
+      pen.beginPath(); pen.arc(...a, 3.1 * px, -(base + low), -(base + Math.min(high, low + 2 * Math.PI)), true); pen.stroke();
+    }
+  });
+
   // Guides of blocks, and slots.
   const guides = ({ pen, at, direction, scale, px, colours }) => mechanism.joints.forEach((joint, k) => {
     if (!joint.axis || shapes.cylinders[k]) return;
     const [first, second] = joint.between, a = at(first), b = at(second), u = direction(first[0], joint.axis);
     if (!a || !b || !u) return;
-    const [low, high] = shapes.strokes[k].map((s) => s * scale), middle = (low + high) / 2;
+    const [low, high] = reach(joint, k).map((s) => s * scale), middle = (low + high) / 2;
     const centre = [a[0] + u[0] * middle, a[1] + u[1] * middle];
     const half = (high - low) / 2 + px * (joint.type === "slot" ? 0.5 : 2.4), wide = px * 0.95;
     const { fill, line } = colours.body(first[0]);
@@ -182,7 +223,7 @@
     }
   };
 
-  const LAYERS = [wheels, guides, bodiesOf, blocks, pins, springs, centres, drivers];
+  const LAYERS = [wheels, guides, bodiesOf, blocks, stops, pins, springs, centres, drivers];
 
   // Everything at `row`; returns where names may go.
   const draw = (pen, { to, scale, px, row, colours, show }) => {

@@ -7,7 +7,7 @@ use super::touching::Touching;
 use crate::analysis::dynamics::flow::Flow;
 use crate::analysis::dynamics::ledger::{Entry, Ledger};
 use crate::analysis::dynamics::state::{State, Sums};
-use crate::element::pair::{Contact, ContactId, Hold, Phase, Reading};
+use crate::element::pair::{Contact, ContactId, Hold, Phase, Reading, Surface};
 use crate::mechanism::driven::Failure;
 use linkdyn_linear::math::dot;
 
@@ -161,6 +161,13 @@ impl Instant<'_, '_> {
         }
         self.exchange_rows(&holds)?;
         for (contact, &hold) in holds.iter().enumerate() {
+            // What surfaces that yield do is not for impulses to say.
+            if matches!(
+                self.flow.system().contacts[contact].surface,
+                Surface::Compliant(_)
+            ) {
+                continue;
+            }
             let stays = hold != Hold::Free;
             let reading = self.flow.reading(contact);
             let entry = self.entry(contact, &reading);
