@@ -115,6 +115,7 @@ fn large(bodies: usize, rows: usize, name: impl Fn(usize) -> String) -> String {
     shape.joints = (0..bodies)
         .map(|k| Joint {
             name: format!("j{k}"),
+            limits: None,
             kind: JointKind::Revolute { clearance: None },
             between: [(k, 1), (k + 1, 0)],
         })
