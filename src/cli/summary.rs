@@ -9,7 +9,7 @@ use linkdyn_engine::analysis::Outcome;
 use linkdyn_model::display::DisplayUnits;
 use linkdyn_output::{
     Channel, ClearanceSums, ColumnId, DriverQuantity, Event, JointQuantity, Quality, Stage,
-    Trajectory,
+    StopSums, Trajectory,
 };
 
 /// Digits of numbers.
@@ -50,6 +50,7 @@ pub fn page(opened: &Opened, outcome: &Outcome, written: &Written) -> String {
         "contacts",
         shorten(report.clearances.iter().map(contacts).collect()),
     );
+    page.rows("stops", shorten(report.stops.iter().map(stops).collect()));
     page.rows(
         "events",
         shorten(
@@ -120,18 +121,19 @@ fn quality(quality: &Quality) -> String {
 
 /// A joint's contacts: `b: 24, 2.1 ms in all, 4.2 J lost`.
 fn contacts(sums: &ClearanceSums) -> String {
-    let ClearanceSums {
-        joint,
-        episodes,
-        time_in_contact,
-        energy_lost,
-        ..
-    } = sums;
-    format!(
-        "{joint}: {episodes}, {} in all, {} J lost",
-        seconds(*time_in_contact),
-        number(*energy_lost, DIGITS)
-    )
+    let touched = touched(sums.episodes, sums.time_in_contact, sums.energy_lost);
+    format!("{}: {touched}", sums.joint)
+}
+
+/// The same of a stop: `o, lower: 21, 2.5 s in all, 0.94 J lost`.
+fn stops(sums: &StopSums) -> String {
+    let touched = touched(sums.episodes, sums.time_in_contact, sums.energy_lost);
+    format!("{}, {}: {touched}", sums.joint, sums.stop)
+}
+
+fn touched(episodes: u64, time: f64, lost: f64) -> String {
+    let (time, lost) = (seconds(time), number(lost, DIGITS));
+    format!("{episodes}, {time} in all, {lost} J lost")
 }
 
 /// One event: `change point at 1.7 s, motor = 117.5°`, `impact at 0.01 s (joint b)`.

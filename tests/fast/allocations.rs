@@ -190,6 +190,20 @@ fn pulled_pendulum() -> serde_json::Value {
     pendulum
 }
 
+/// Its stops are far from where it swings, and looked at all the same.
+fn stopped_pendulum() -> serde_json::Value {
+    let mut model = double_pendulum();
+    for joint in model["joints"]
+        .as_object_mut()
+        .expect("joints")
+        .values_mut()
+    {
+        joint["limits"] = serde_json::json!([-50.0, 50.0]);
+        joint["stiffness"] = serde_json::json!(1e4);
+    }
+    model
+}
+
 fn rubbing_pendulum() -> serde_json::Value {
     let mut pendulum = double_pendulum();
     for joint in ["o", "p"] {
@@ -209,6 +223,7 @@ fn steps_of_forward_dynamics_allocate_nothing_and_repeat_bit_by_bit() {
     for (name, json, end, method) in [
         ("double pendulum", double_pendulum(), 1.0, Method::Auto),
         ("with friction", rubbing_pendulum(), 1.0, Method::Auto),
+        ("with stops", stopped_pendulum(), 1.0, Method::Auto),
         ("with formulas", pulled_pendulum(), 1.0, Method::Radau5),
         ("a chain, sparse", chain(8), 0.5, Method::Auto),
         ("a stiff chain, sparse", stiff_chain(8), 0.5, Method::Radau5),

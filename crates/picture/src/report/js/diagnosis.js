@@ -52,6 +52,7 @@
       ["mobility", `${mobility.grubler} by Grübler, ${mobility.rank} by rank, drivers: ${mobility.drivers}`],
       ["redundant", mobility.redundant.join(", ")], ["reactions not unique", mobility.reactions_not_unique.join(", ")],
       ["constraint residual", small(quality.constraint_residual)], ["power imbalance", small(quality.power_imbalance)], ["energy drift", small(quality.energy_drift)], ["energy imbalance", small(quality.energy_imbalance)],
+      ["stops", summary.stops && list(Object.entries(summary.stops).flatMap(([joint, ends]) => Object.entries(ends).map(([stop, sums]) => name(`${joint}, ${stop}: ${sums.contacts}, ${units.number(sums.time_in_contact, 4)} s in all, ${units.number(sums.energy_lost, 4)} J lost`))))],
       ["contacts", summary.clearances && list(Object.entries(summary.clearances).map(([joint, sums]) => name(`${joint}: ${sums.contacts}, ${units.number(sums.time_in_contact, 4)} s in all, ${units.number(sums.energy_lost, 4)} J lost`)))],
       ["equilibrium", equilibrium && `${equilibrium.stability}; stiffness ${equilibrium.stiffness.map((k) => units.number(k, 4)).join(", ") || "–"}${equilibrium.coordinates.length ? ` by ${equilibrium.coordinates.join(", ")}` : ""}`],
       ["warnings", warned ? list(summary.warnings.map(name)) : "none"],
