@@ -6,13 +6,14 @@
 //! ```
 
 mod latches;
+mod rest;
 mod words;
 
 use crate::mechanisms::{column, loaded, model, outcome, pin};
 use linkdyn_engine::analysis::{self, Control, Outcome};
 use linkdyn_output::{Episode, Event, EventKind, Status};
 use serde_json::{Value, json};
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 
 const GRAVITY: f64 = 9.81;
 const MASS: f64 = 2.0;
@@ -238,30 +239,6 @@ fn what_lies_on_a_stop_is_lifted() {
     for (t, stop) in times.iter().zip(stop) {
         near(stop, (GRAVITY * (1.0 - 2.0 * t)).max(0.0), 1e-8);
     }
-}
-
-/// At rest a mechanism leans on its stops: on rigid ones, and on those that yield.
-#[test]
-fn mechanisms_rest_on_their_stops() {
-    let angle = -0.3;
-    for (more, sinks) in [(json!({}), 0.0), (json!({ "stiffness": 5e4 }), 1.0 / 5e4)] {
-        let mut stops = json!({ "limits": [angle, 2.0] });
-        join(&mut stops, &more);
-        let mut model = rod(1.0, &stops, 1.0);
-        model["analysis"] = json!({ "type": "statics" });
-        let run = completed(&model);
-        let found = column(&run, "rod.angle")[0];
-        let torque = GRAVITY * found.cos();
-        near(found, angle - sinks * torque, 1e-12);
-        near(column(&run, "joint.o.stop")[0], torque, 1e-9);
-        near(column(&run, "joint.o.fy")[0], GRAVITY, 1e-9);
-    }
-    // Where nothing presses the stops are not felt.
-    let mut model = rod(-1.0, &json!({ "limits": [-2.0, 2.0] }), 1.0);
-    model["analysis"] = json!({ "type": "statics" });
-    let run = completed(&model);
-    near(column(&run, "rod.angle")[0], -FRAC_PI_2, 1e-12);
-    assert_eq!(column(&run, "joint.o.stop")[0], 0.0);
 }
 
 /// A four-bar whose rocker strikes a stop: a one-sided contact in a closed loop loses ½ m_red v².

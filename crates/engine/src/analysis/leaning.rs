@@ -99,6 +99,16 @@ fn latched(system: &System, q: &[f64]) -> Vec<ContactId> {
     all.filter(closed).collect()
 }
 
+/// The mechanism held by the latches that are closed at a position; none where there are none.
+pub fn latched_system(system: &System, q: &[f64]) -> Option<System> {
+    let pressed = latched(system, q);
+    let leaning = Leaning {
+        whole: system,
+        pressed,
+    };
+    (!leaning.pressed.is_empty()).then(|| leaning.system(None))
+}
+
 impl Leaning<'_> {
     /// The mechanism with constraints and springs for the stops that are pressed.
     fn system(&self, guess: Option<&[f64]>) -> System {

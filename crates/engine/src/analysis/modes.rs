@@ -9,11 +9,13 @@
 //! M̂, Ĉ, K̂ as in [`crate::mechanism::held`], drivers held. About the equilibrium, or about the assembled position as it is: what
 //! is linearised there is the motion relative to the one that the unbalanced forces begin.
 
+use super::assembly::Assembled;
 use super::control::{Control, Stop};
 use super::statics::{balance, described, refuse, start, warning};
 use super::words::friction_left_out;
+use super::{ends, leaning};
 use crate::element::Axis;
-use crate::mechanism::equilibrium::judge;
+use crate::mechanism::equilibrium::{Balance, judge};
 use crate::mechanism::held::Held;
 use crate::system::{System, compile::compile};
 use linkdyn_linear::eigen::{EigenFault, Eigenpair, quadratic};
@@ -96,20 +98,58 @@ pub fn modes(model: &Checked, pose: bool, control: &Control) -> Result<Linearise
 fn linearise(system: &System, pose: bool, control: &Control) -> Result<Linearised, Stop> {
     refuse(system)?;
     let (assembled, mut held) = start(system, pose)?;
-    if held.freedom() == 0 {
-        return Err(Stop::Input(vec![
-            Complaint::new(
-                "drivers",
-                "modes need something that is free to move; drivers and joints hold everything",
-            )
-            .hint("leave out a driver"),
-        ]));
+    if !system.contacts.is_empty() {
+        let turned = ends::at_this_turn(system, &assembled.q);
+        let system = turned.as_ref().unwrap_or(system);
+        ends::check_start(system, &assembled.q)?;
+        if !pose {
+            // Stops that press at rest are springs, or hold.
+            let rested = leaning::rest(
+                system,
+                &assembled.q,
+                control,
+                |assembled, held, balance, _| about(assembled, held, balance, pose),
+            );
+            return rested?;
+        }
+        if let Some(latched) = leaning::latched_system(system, &assembled.q) {
+            let (assembled, mut held) = start(&latched, pose)?;
+            let balance = judge(&mut held);
+            return about(&assembled, &mut held, &balance, pose);
+        }
     }
+    free(&held)?;
     let balance = if pose {
         judge(&mut held)
     } else {
         balance(&mut held, &assembled, control)?
     };
+    about(&assembled, &mut held, &balance, pose)
+}
+
+/// Refuses a mechanism in which nothing is free to move.
+fn free(held: &Held) -> Result<(), Stop> {
+    if held.freedom() > 0 {
+        return Ok(());
+    }
+    Err(Stop::Input(vec![
+        Complaint::new(
+            "drivers",
+            "modes need something that is free to move; drivers and joints hold everything",
+        )
+        .hint("leave out a driver"),
+    ]))
+}
+
+/// Small motions about where a mechanism is held.
+fn about(
+    assembled: &Assembled,
+    held: &mut Held,
+    balance: &Balance,
+    pose: bool,
+) -> Result<Linearised, Stop> {
+    free(held)?;
+    let system = held.driven.system;
     let (mass, damping, stiffness) = (held.mass(), held.damping(), held.stiffness());
     let f = held.freedom();
     let pairs = quadratic(&mass, &damping, &stiffness, f).map_err(|fault| match fault {
@@ -125,17 +165,17 @@ fn linearise(system: &System, pose: bool, control: &Control) -> Result<Linearise
         }
     })?;
     let by_rows = |a: &[f64]| a.chunks_exact(f).map(<[f64]>::to_vec).collect();
-    let mut warnings = assembled.warnings;
-    warnings.extend(warning(&balance).filter(|_| !pose));
+    let mut warnings = assembled.warnings.clone();
+    warnings.extend(warning(balance).filter(|_| !pose));
     warnings.extend(friction_left_out(system));
     Ok(Linearised {
-        mobility: assembled.mobility,
-        equilibrium: Some(described(&held, &balance)),
-        bodies: bodies(&held),
+        mobility: assembled.mobility.clone(),
+        equilibrium: Some(described(held, balance)),
+        bodies: bodies(held),
         mass: by_rows(&mass),
         damping: by_rows(&damping),
         stiffness: by_rows(&stiffness),
-        modes: pairs.iter().map(|pair| mode(&held, pair)).collect(),
+        modes: pairs.iter().map(|pair| mode(held, pair)).collect(),
         warnings,
         ..Linearised::default()
     })
