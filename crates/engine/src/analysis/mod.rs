@@ -1,8 +1,10 @@
 //! The analyses: from a model to a trajectory and a report.
 
 pub mod accuracy;
+mod acting;
 mod applied;
 pub mod assembly;
+mod beside;
 mod branch;
 mod channels;
 mod check;
@@ -16,10 +18,12 @@ mod in_line;
 mod instants;
 mod interval;
 mod modes;
+mod needed;
 mod outcome;
 mod power;
 mod progress;
 mod question;
+mod ratios;
 mod readings;
 mod record;
 pub mod responses;

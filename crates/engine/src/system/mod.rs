@@ -21,7 +21,7 @@ mod slopes;
 pub use eval::{Evaluation, Inputs};
 pub use mass::Mass;
 pub use matrices::{Terms, write_matrix_market};
-pub use roles::{DriverRole, ForceData, ForceRole, JointRole};
+pub use roles::{DriverRole, ForceData, ForceRole, JointRole, OutputRatio};
 pub use rows::{ContactRows, Extent};
 pub use scale::Scale;
 pub(crate) use slopes::Slopes;
@@ -201,6 +201,8 @@ pub struct System {
     pub(crate) contact_rows: Vec<ContactRows>,
     /// Laws of drivers and forces that have breaks.
     pub(crate) broken: Vec<Law>,
+    /// Ratios of velocities among the results.
+    pub(crate) outputs: Vec<OutputRatio>,
     /// [m/s²]
     pub(crate) gravity: Vec2,
     /// M; zero where unknown.

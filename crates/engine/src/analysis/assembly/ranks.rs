@@ -2,7 +2,7 @@
 
 use crate::system::{Evaluation, Inputs, System};
 use linkdyn_linear::rank::{
-    DEPENDENCE_TOLERANCE, RankReport, SparseRows, free_direction, independent_rows,
+    DEPENDENCE_TOLERANCE, RankReport, SparseRows, free_direction, independent_rows, only_direction,
 };
 
 /// Ranks of the joints' rows and of all rows at `q`.
@@ -28,6 +28,18 @@ pub(super) fn free(system: &System, q: &[f64], inputs: &Inputs) -> Option<Vec<f6
         &scaled_rows(system, &evaluation.jacobian, system.m()),
         DEPENDENCE_TOLERANCE,
     )
+}
+
+/// How the joints let the coordinates move together (n), at most by their scales, where that is one motion; `jacobian` has the
+/// values of all entries.
+///
+/// # Errors
+/// How many motions there are.
+pub(in crate::analysis) fn tangent(system: &System, jacobian: &[f64]) -> Result<Vec<f64>, usize> {
+    let rows = scaled_rows(system, jacobian, system.joint_rows());
+    let mut tangent = only_direction(&rows, DEPENDENCE_TOLERANCE)?;
+    system.scale_columns(&mut tangent);
+    Ok(tangent)
 }
 
 /// The first `rows` rows of the scaled Jacobian.

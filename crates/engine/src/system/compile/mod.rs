@@ -86,6 +86,7 @@ impl<'a> Compiler<'a> {
             initial_rates: Vec::new(),
             forces: Vec::new(),
             force_data: Vec::new(),
+            outputs: Vec::new(),
             formulas: Vec::new(),
             kinks: Vec::new(),
             dependent_forces: Vec::new(),
@@ -125,6 +126,7 @@ impl<'a> Compiler<'a> {
         self.add_drivers();
         self.add_initial();
         self.add_forces();
+        self.add_outputs();
         self.system.scale = Scale::of(&self.system);
         self.system.kinks = self.kinks();
         for point in &self.model.points {

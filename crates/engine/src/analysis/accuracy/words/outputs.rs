@@ -143,7 +143,9 @@ fn force(system: &System, name: &str) -> Result<Force, String> {
         | Channel::Energy(_)
         | Channel::Load(..)
         | Channel::Shaking(_)
-        | Channel::Transmission(_) => None,
+        | Channel::Transmission(_)
+        | Channel::Relative(..)
+        | Channel::Output(_) => None,
     };
     let forces = columns.iter().filter(|column| column.unit.starts_with('N'));
     let forces = forces.filter_map(|column| {
