@@ -182,6 +182,7 @@ fn responses_and_their_gradients_know_them() {
     json["responses"] = responses;
     let loaded = load(json.to_string().as_bytes(), &[]).expect("a good model");
     let outcome = models::solve(&loaded.model.clone().into_model());
+    assert_eq!(outcome.responses[2].unit, "W");
     // responses alone ask for no columns
     assert!(!names(&outcome.trajectory).contains(&"force.spring.length"));
     let family = Family::new(&loaded, &["r"], Given::Values).expect("a family");

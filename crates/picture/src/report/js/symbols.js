@@ -93,7 +93,7 @@
   };
 
   // Least and greatest radius of what is drawn around a pin, and how far the legs of a coil reach, in details.
-  const COIL = [0.75, 1.4], LEGS = 2.5;
+  const COIL = [0.8, 1.6], LEGS = 2.7;
 
   // A coil round a pin, which winds up with the angle between the bodies, with a leg along each of them.
   const coil = (pen, [x, y], from, to, px) => {
