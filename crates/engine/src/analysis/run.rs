@@ -271,13 +271,14 @@ impl Prepared {
 }
 
 /// Outputs are of mechanisms that move in one way. Near a position ranks are highest, so that more freedom there is more
-/// everywhere; less may be redundancy.
+/// everywhere, unless it is singular itself, which the count is not; less may be redundancy.
 fn one_freedom(system: &System) -> Result<(), Complaint> {
     let Some(output) = system.outputs.first() else {
         return Ok(());
     };
-    let freedom = assembly::counted(system).rank;
-    if freedom <= 1 {
+    let mobility = assembly::counted(system);
+    let freedom = mobility.rank;
+    if freedom.min(mobility.grubler) <= 1 {
         return Ok(());
     }
     let message = format!(
