@@ -1,8 +1,9 @@
 //! Outputs: ratios of velocities against closed forms, finite differences and rates, and where there is none.
 
 use crate::models;
+use linkdyn_engine::analysis::derived::derived;
 use linkdyn_engine::analysis::{Control, Family, Outcome, Prepared};
-use linkdyn_model::{Given, load};
+use linkdyn_model::{Given, bundled, load};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 
@@ -179,6 +180,26 @@ fn leverage_is_what_finite_differences_say() {
         );
     }
     assert!((leverage[0] - leverage[300]).abs() > 1e-3, "it changes");
+}
+
+#[test]
+fn it_is_the_ratio_of_transmission() {
+    // found there by the factors of all rows, with the driver at unit speed
+    for (name, driver, output) in [
+        ("four-bar", "motor", "rocker"),
+        ("whitworth", "motor", "arm"),
+        ("hoeken", "motor", "coupler"),
+    ] {
+        let text = bundled::find(name).expect("bundled").text;
+        let mut json: Value = serde_json::from_str(text).expect("JSON");
+        json["analysis"]["transmission"] = json!({ "driver": driver, "output": output });
+        json["outputs"] = json!({ "ratio": format!("d({output}.angle)/d(driver.{driver})") });
+        let model = models::load(&json);
+        let outcome = models::solve(&model);
+        let table = derived(&models::checked(&model), outcome.all()).0;
+        let known = table.values("transmission.ratio").expect("a column");
+        near(&models::values(&outcome, "output.ratio"), &known, 1e-12);
+    }
 }
 
 #[test]
