@@ -369,4 +369,15 @@ fn faults_are_told() {
         "outputs.leverage: a ratio of velocities wants a mechanism with one degree of freedom, and this one has 3 without its drivers \
          (hold what shall not move by joints)"
     );
+    // journals in their bearings are free to move
+    let text = bundled::find("slider-crank-clearance")
+        .expect("bundled")
+        .text;
+    let mut json: Value = serde_json::from_str(text).expect("JSON");
+    json["outputs"] = json!({ "travel": "d(slider.x)/d(crank.angle)" });
+    let model = models::checked(&models::load(&json));
+    let said = Prepared::new(&model).expect_err("three degrees of freedom");
+    let hint =
+        r#"(journals that move in their bearings count: give the clearances the model "ideal")"#;
+    assert!(said.to_string().ends_with(hint), "{said}");
 }

@@ -285,7 +285,12 @@ fn one_freedom(system: &System) -> Result<(), Complaint> {
         "a ratio of velocities wants a mechanism with one degree of freedom, and this one has {freedom} without its drivers"
     );
     let complaint = Complaint::new(format!("outputs.{}", output.name), message);
-    Err(complaint.hint("hold what shall not move by joints"))
+    Err(complaint.hint(match system.contacts.is_empty() {
+        true => "hold what shall not move by joints",
+        false => {
+            "journals that move in their bearings count: give the clearances the model \"ideal\""
+        }
+    }))
 }
 
 /// The responses of a model, of its result columns and what follows from them.
