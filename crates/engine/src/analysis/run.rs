@@ -285,9 +285,11 @@ fn one_freedom(system: &System) -> Result<(), Complaint> {
         "a ratio of velocities wants a mechanism with one degree of freedom, and this one has {freedom} without its drivers"
     );
     let complaint = Complaint::new(format!("outputs.{}", output.name), message);
-    Err(complaint.hint(match system.contacts.is_empty() {
-        true => "hold what shall not move by joints",
-        false => {
+    let mut joints = system.joints.iter();
+    let is_open = joints.any(|joint| joint.bearing.is_some() && joint.contact.is_some());
+    Err(complaint.hint(match is_open {
+        false => "hold what shall not move by joints",
+        true => {
             "journals that move in their bearings count: give the clearances the model \"ideal\""
         }
     }))
