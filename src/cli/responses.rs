@@ -109,8 +109,13 @@ fn texts(opened: &Opened) -> Vec<[String; 3]> {
     texts.collect()
 }
 
-/// The responses that a model asks for, a row each.
+/// The outputs and the responses that a model asks for, a row each.
 pub fn rows(page: &mut Page, opened: &Opened) {
+    let outputs = opened.loaded.model.outputs.iter();
+    page.rows(
+        "outputs",
+        outputs.map(|(name, text)| format!("{name} = {text}")),
+    );
     let texts = texts(opened)
         .into_iter()
         .map(|[name, text, unit]| match unit.as_str() {

@@ -26,6 +26,7 @@ mod transform;
 mod write;
 
 mod accuracy;
+mod acting;
 mod allocate;
 mod allocations;
 mod architecture;
@@ -51,6 +52,7 @@ mod jacobian;
 mod joint_friction;
 mod joints;
 mod laws;
+mod outputs;
 mod responses;
 mod schema;
 mod shaking;

@@ -159,6 +159,22 @@ fn keep_by_levels<'a>(rows: &'a SparseRows, levels: &[f64]) -> (Elimination<'a>,
     (elimination, report)
 }
 
+/// The direction that the rows leave, largest component 1, where they leave one alone.
+///
+/// # Errors
+/// How many there are.
+pub fn only_direction(rows: &SparseRows, tolerance: f64) -> Result<Vec<f64>, usize> {
+    let (elimination, report) = decide(rows, tolerance);
+    match rows.columns() - report.rank {
+        1 => {
+            let x = elimination.null_vector();
+            let largest = crate::math::max_abs(&x);
+            Ok(x.iter().map(|x| x / largest).collect())
+        }
+        left => Err(left),
+    }
+}
+
 /// A direction that none of the rows forbids, largest component 1, as general as such directions are: what stands still in
 /// it stands still in all of them. None where the rows determine everything.
 pub fn free_direction(rows: &SparseRows, tolerance: f64) -> Option<Vec<f64>> {

@@ -154,6 +154,8 @@ pub(crate) enum Column<'c> {
     Joint(&'c str, Dimension),
     /// What a driver exerts.
     Driver(&'c str),
+    /// How far the points of a spring or an actuator are apart.
+    Length(&'c str),
 }
 
 impl<'c> Column<'c> {
@@ -166,6 +168,7 @@ impl<'c> Column<'c> {
             ["joint", joint, "fx" | "fy"] => Some(Column::Joint(joint, Dimension::Force)),
             ["joint", joint, "torque"] => Some(Column::Joint(joint, Dimension::Torque)),
             ["driver", driver, "effort"] => Some(Column::Driver(driver)),
+            ["force", force, "length"] => Some(Column::Length(force)),
             [body, point, "x" | "y"] => Some(Column::Point { body, point }),
             _ => None,
         }
@@ -175,7 +178,7 @@ impl<'c> Column<'c> {
     pub fn dimension(self, effort: impl Fn(&str) -> Option<Dimension>) -> Option<Dimension> {
         match self {
             Column::Body(_, dimension) | Column::Joint(_, dimension) => Some(dimension),
-            Column::Point { .. } => Some(Dimension::Length),
+            Column::Point { .. } | Column::Length(_) => Some(Dimension::Length),
             Column::Driver(driver) => effort(driver),
         }
     }

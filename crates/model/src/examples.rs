@@ -154,6 +154,10 @@ fn row(path: &str) -> Option<(&'static str, &'static str)> {
         ] => None,
         ["responses", _, "value"] => Some(("", r#""value": "max(piston.x) - min(piston.x)""#)),
         ["responses", _, "limits"] => Some(("", r#""limits": [79, 81]"#)),
+        ["outputs", ..] => Some((
+            "",
+            r#""outputs": { "leverage": "d(axle.y)/d(force.shock.length)" }"#,
+        )),
         ["responses", ..] => Some((
             "",
             r#""responses": { "stroke": "max(piston.x) - min(piston.x)" }"#,

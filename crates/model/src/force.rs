@@ -106,3 +106,18 @@ pub enum ForceKind {
         relative_to: Option<String>,
     },
 }
+
+impl ForceKind {
+    /// The points that it acts along the line of; none of what has no length.
+    #[doc(hidden)]
+    pub fn ends(&self) -> Option<&[PointRef; 2]> {
+        match self {
+            ForceKind::Spring { between, .. } | ForceKind::Actuator { between, .. } => {
+                Some(between)
+            }
+            ForceKind::TorsionSpring { .. } | ForceKind::Load { .. } | ForceKind::Torque { .. } => {
+                None
+            }
+        }
+    }
+}

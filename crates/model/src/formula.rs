@@ -181,8 +181,20 @@ impl Results for Arguments<'_> {
 }
 
 impl Argument {
+    /// Whether it is a quantity or a rate.
+    pub(crate) fn order(&self) -> Order {
+        match self {
+            Argument::Time | Argument::Driver(_) => Order::Value,
+            Argument::Body(_, _, order)
+            | Argument::Point(_, _, order)
+            | Argument::Spring(_, order)
+            | Argument::Turn(_, order)
+            | Argument::Slide(_, order) => *order,
+        }
+    }
+
     /// Its dimension.
-    fn powers(&self, catalogue: &Catalogue) -> Powers {
+    pub(crate) fn powers(&self, catalogue: &Catalogue) -> Powers {
         let (is_angle, order) = match self {
             Argument::Time => return Dimension::Time.powers(),
             Argument::Driver(name) => {

@@ -33,6 +33,8 @@ mod load;
 mod motion;
 mod node;
 mod print;
+#[doc(hidden)]
+pub mod ratio;
 mod schema;
 mod set;
 mod shape;
@@ -136,6 +138,10 @@ pub struct Model {
     #[serde(default)]
     #[doc(hidden)]
     pub accuracy: Option<Accuracy>,
+    /// Ratios of velocities, as columns.
+    #[serde(default)]
+    #[doc(hidden)]
+    pub outputs: IndexMap<String, String>,
     /// Named numbers of a run.
     #[serde(default)]
     #[doc(hidden)]

@@ -20,12 +20,16 @@ pub enum Channel {
     Driver(usize, DriverQuantity),
     /// Energy of the whole mechanism.
     Energy(EnergyQuantity),
-    /// An applied force or torque.
+    /// How a joint's second body stands and moves in the first, and the size of its force.
+    Relative(usize, RelativeQuantity),
+    /// What a force element is, and does.
     Load(usize, LoadQuantity),
     /// What the mechanism exerts on the ground.
     Shaking(ShakingQuantity),
     /// Transmission from a driver to an output body.
     Transmission(TransmissionQuantity),
+    /// An output of the model: a ratio of velocities.
+    Output(usize),
 }
 
 /// Motion of a body's frame.
@@ -121,7 +125,22 @@ pub enum EnergyQuantity {
     Dissipated,
 }
 
-/// Components of an applied load in global axes.
+/// How a joint's second body stands and moves in the first, and the size of its force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum RelativeQuantity {
+    /// θ₂ − θ₁ \[rad\].
+    Angle,
+    /// ω₂ − ω₁ [rad/s].
+    Omega,
+    /// From the first point to the second along the axis \[m\].
+    Slide,
+    /// Its rate \[m/s\].
+    Rate,
+    /// Size of the force \[N\].
+    F,
+}
+
+/// What a force element is, and what it does to the second or loaded body, in global axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum LoadQuantity {
     /// \[N\]
@@ -130,6 +149,18 @@ pub enum LoadQuantity {
     Fy,
     /// [N·m]
     Torque,
+    /// Distance of its points \[m\].
+    Length,
+    /// Rate of the distance \[m/s\].
+    Rate,
+    /// Force along the line of its points, positive where it pushes them apart \[N\].
+    F,
+    /// Angle of the second body in the first \[rad\].
+    Angle,
+    /// Its rate [rad/s].
+    Omega,
+    /// Work by time done on the mechanism \[W\].
+    Power,
 }
 
 /// What reaches the ground.
@@ -160,13 +191,15 @@ impl Channel {
         match self {
             Channel::Body(body, quantity) => Some(Channel::Body(body, quantity.rate()?)),
             Channel::Point(point, quantity) => Some(Channel::Point(point, quantity.rate()?)),
+            Channel::Relative(joint, quantity) => Some(Channel::Relative(joint, quantity.rate()?)),
+            Channel::Load(force, quantity) => Some(Channel::Load(force, quantity.rate()?)),
             Channel::Time
             | Channel::Joint(..)
             | Channel::Driver(..)
             | Channel::Energy(_)
-            | Channel::Load(..)
             | Channel::Shaking(_)
-            | Channel::Transmission(_) => None,
+            | Channel::Transmission(_)
+            | Channel::Output(_) => None,
         }
     }
 }
@@ -230,8 +263,48 @@ impl LoadQuantity {
     /// The unit of the column.
     pub fn unit(self) -> &'static str {
         match self {
-            LoadQuantity::Fx | LoadQuantity::Fy => "N",
+            LoadQuantity::Fx | LoadQuantity::Fy | LoadQuantity::F => "N",
             LoadQuantity::Torque => "N*m",
+            LoadQuantity::Length => "m",
+            LoadQuantity::Rate => "m/s",
+            LoadQuantity::Angle => "rad",
+            LoadQuantity::Omega => "rad/s",
+            LoadQuantity::Power => "W",
+        }
+    }
+
+    fn rate(self) -> Option<Self> {
+        match self {
+            LoadQuantity::Length => Some(LoadQuantity::Rate),
+            LoadQuantity::Angle => Some(LoadQuantity::Omega),
+            LoadQuantity::Fx
+            | LoadQuantity::Fy
+            | LoadQuantity::Torque
+            | LoadQuantity::Rate
+            | LoadQuantity::F
+            | LoadQuantity::Omega
+            | LoadQuantity::Power => None,
+        }
+    }
+}
+
+impl RelativeQuantity {
+    /// The unit of the column.
+    pub fn unit(self) -> &'static str {
+        match self {
+            RelativeQuantity::Angle => "rad",
+            RelativeQuantity::Omega => "rad/s",
+            RelativeQuantity::Slide => "m",
+            RelativeQuantity::Rate => "m/s",
+            RelativeQuantity::F => "N",
+        }
+    }
+
+    fn rate(self) -> Option<Self> {
+        match self {
+            RelativeQuantity::Angle => Some(RelativeQuantity::Omega),
+            RelativeQuantity::Slide => Some(RelativeQuantity::Rate),
+            RelativeQuantity::Omega | RelativeQuantity::Rate | RelativeQuantity::F => None,
         }
     }
 }

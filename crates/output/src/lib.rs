@@ -19,7 +19,7 @@ mod trajectory;
 
 pub use channel::{
     BodyQuantity, Channel, DriverQuantity, EnergyQuantity, JointQuantity, LoadQuantity,
-    PointQuantity, ShakingQuantity, TransmissionQuantity,
+    PointQuantity, RelativeQuantity, ShakingQuantity, TransmissionQuantity,
 };
 pub use column::{Column, ColumnId, ColumnView};
 pub use comparison::Comparison;

@@ -15,6 +15,11 @@ impl Selection {
     /// Columns whose name, without `[unit]`, matches one of the patterns (`*`: any text, `?`: one character); no
     /// pattern at all keeps every column, `time` is always kept.
     pub fn new(columns: &[Column], patterns: &[String]) -> Self {
+        Selection::beside(columns, &[], patterns)
+    }
+
+    /// The same; warnings know the names of the `others`, too, which could be there.
+    pub fn beside(columns: &[Column], others: &[Column], patterns: &[String]) -> Self {
         if patterns.is_empty() {
             return Selection {
                 columns: (0..columns.len()).map(ColumnId::at).collect(),
@@ -33,21 +38,20 @@ impl Selection {
         Selection {
             columns: kept,
             warnings: unmatched
-                .map(|pattern| no_match(pattern, columns))
+                .map(|pattern| no_match(pattern, columns.iter().chain(others)))
                 .collect(),
         }
     }
 }
 
 /// The warning about a pattern that matches no column, with a hint where there is one.
-fn no_match(pattern: &str, columns: &[Column]) -> String {
+fn no_match<'c>(pattern: &str, columns: impl Iterator<Item = &'c Column>) -> String {
     if pattern.contains('[') {
         return format!(
             "analysis.columns: {pattern:?} matches no column: patterns match names without their [unit]"
         );
     }
     let near = columns
-        .iter()
         .map(|column| {
             (
                 strsim::normalized_damerau_levenshtein(pattern, &column.name),

@@ -129,10 +129,19 @@ impl Trajectory {
     /// A table of the columns that `patterns` name (see [`Selection::new`]), none where that is all of them; and a warning per
     /// pattern that matches nothing.
     pub fn select(&self, patterns: &[String]) -> (Option<Trajectory>, Vec<String>) {
+        self.select_beside(patterns, &[])
+    }
+
+    /// The same; warnings know the names of these columns, too, which could be there.
+    pub fn select_beside(
+        &self,
+        patterns: &[String],
+        others: &[Column],
+    ) -> (Option<Trajectory>, Vec<String>) {
         let Selection {
             columns: kept,
             warnings,
-        } = Selection::new(&self.columns, patterns);
+        } = Selection::beside(&self.columns, others, patterns);
         let selected = (kept.len() < self.width()).then(|| Trajectory {
             data: self
                 .rows()

@@ -9,8 +9,9 @@ use crate::cli::progress::Line;
 use crate::files::{Page, open_directory, write};
 use crate::questions::deadline;
 use linkdyn_engine::analysis::{self, Control, Outcome};
-use linkdyn_model::error::Complaint;
-use linkdyn_output::Directory;
+use linkdyn_model::Checked;
+use linkdyn_model::error::{Complaint, Complaints};
+use linkdyn_output::{Channel, Directory};
 
 /// What came of a model.
 pub struct Rung {
@@ -20,10 +21,10 @@ pub struct Rung {
     pub ran: Result<Outcome, String>,
 }
 
-/// Runs with one clearance model and writes its results; inside, why it can't be run.
+/// Runs with one clearance model, with the columns that are compared, and writes its results; inside, why it can't be run.
 pub fn run(
     options: &ModelOptions,
-    joints: &[String],
+    (joints, patterns): (&[String], &[String]),
     model: &str,
     directory: Option<&Directory>,
 ) -> Result<Result<Outcome, String>, BadInput> {
@@ -32,10 +33,14 @@ pub fn run(
         .iter()
         .map(|joint| format!("joints.{joint}.clearance.model={model}"))
         .collect();
-    let opened = match options.open_with(&sets)? {
+    let mut opened = match options.open_with(&sets)? {
         Ok(opened) => opened,
         Err(complaints) => return Ok(Err(reason(&complaints))),
     };
+    match asking(&opened.loaded.model, patterns) {
+        Ok(model) => opened.loaded.model = model,
+        Err(Complaints(complaints)) => return Ok(Err(reason(&complaints))),
+    }
     let deadline = deadline(&opened.loaded.model, started);
     let control = Control {
         deadline,
@@ -59,6 +64,29 @@ pub fn run(
         write(&directory, opened.origin(), &outcome, Page::Wanted)?;
     }
     Ok(Ok(outcome))
+}
+
+/// The model that asks for columns that results have only then.
+fn asking(model: &Checked, patterns: &[String]) -> Result<Checked, Complaints> {
+    let waits = |pattern: &&String| {
+        let channel = Channel::read(pattern);
+        matches!(
+            channel,
+            Some((Channel::Relative(..) | Channel::Load(..), _))
+        )
+    };
+    let asked: Vec<String> = patterns.iter().filter(waits).cloned().collect();
+    if asked.is_empty() {
+        return Ok(model.clone());
+    }
+    model.edit(|model| {
+        if let Some(analysis) = &mut model.analysis {
+            if analysis.columns.is_empty() {
+                analysis.columns.push("*".to_owned());
+            }
+            analysis.columns.extend(asked);
+        }
+    })
 }
 
 /// Complaints as a line; where they stand in the file does not matter here.

@@ -101,7 +101,7 @@ fn run_all(
     for &model in models {
         let rung = Rung {
             model,
-            ran: run(&options.model, joints, model, directory)?,
+            ran: run(&options.model, (joints, &options.columns), model, directory)?,
         };
         let ended = match &rung.ran {
             Ok(outcome) => Exit::from(outcome.report.status),

@@ -5,7 +5,7 @@ use linkdyn_model::Unit;
 use linkdyn_output::read::ReadColumn;
 use linkdyn_output::{
     BodyQuantity, Channel, DriverQuantity, EnergyQuantity, JointQuantity, LoadQuantity,
-    ShakingQuantity, TIME, Table,
+    RelativeQuantity, ShakingQuantity, TIME, Table,
 };
 
 /// A unit that was asked for.
@@ -140,7 +140,8 @@ pub fn quantity_words(channel: Channel) -> &'static str {
         Channel::Body(_, quantity) => motion(quantity),
         Channel::Point(_, quantity) => motion(quantity.of_body()),
         Channel::Joint(_, JointQuantity::Fx | JointQuantity::Fy)
-        | Channel::Load(_, LoadQuantity::Fx | LoadQuantity::Fy)
+        | Channel::Relative(_, RelativeQuantity::F)
+        | Channel::Load(_, LoadQuantity::Fx | LoadQuantity::Fy | LoadQuantity::F)
         | Channel::Shaking(ShakingQuantity::Fx | ShakingQuantity::Fy) => "force",
         Channel::Joint(_, JointQuantity::Ex | JointQuantity::Ey) => "eccentricity",
         Channel::Joint(_, other) => other.name(),
@@ -148,9 +149,14 @@ pub fn quantity_words(channel: Channel) -> &'static str {
         Channel::Driver(_, DriverQuantity::Effort) => DriverQuantity::Effort.name(),
         Channel::Energy(EnergyQuantity::Kinetic | EnergyQuantity::Potential) => "energy",
         Channel::Energy(other) => other.name(),
-        Channel::Load(_, LoadQuantity::Torque) => LoadQuantity::Torque.name(),
+        Channel::Relative(_, RelativeQuantity::Omega) | Channel::Load(_, LoadQuantity::Omega) => {
+            "angular velocity"
+        }
+        Channel::Relative(_, other) => other.name(),
+        Channel::Load(_, other) => other.name(),
         Channel::Shaking(ShakingQuantity::Moment) => ShakingQuantity::Moment.name(),
         Channel::Transmission(quantity) => quantity.name(),
+        Channel::Output(_) => "ratio",
     }
 }
 

@@ -302,3 +302,19 @@ fn only_the_clearance_model_changes() {
     };
     assert!(results("out") == results("again"));
 }
+
+#[test]
+fn columns_that_wait_to_be_asked_for_are_compared() {
+    let scratch = Scratch::new("asked");
+    let words = ["--joint", "all", "--models", "ideal,contact", "-o", "out"];
+    let columns = ["--columns", "joint.s.slide", "--columns", "joint.o.f"];
+    let said = scratch.done(&[&words[..], &columns].concat());
+    assert!(said.contains("joint.s.slide"), "{said}");
+    for model in ["ideal", "contact"] {
+        let results = format!("out/{model}/results.csv");
+        let [fx, fy, f] =
+            ["fx", "fy", "f"].map(|word| scratch.column(&results, &format!("joint.o.{word}[N]")));
+        let sizes: Vec<f64> = fx.iter().zip(&fy).map(|(x, y)| x.hypot(*y)).collect();
+        assert_eq!(f, sizes, "{model}");
+    }
+}

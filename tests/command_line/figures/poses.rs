@@ -258,6 +258,12 @@ fn a_driven_slide_is_a_cylinder() {
     assert_eq!([barrels.len(), pistons.len(), rods.len()], [3; 3]);
     // The arm alone is a bar; tube and rod are parts of the cylinder.
     assert_eq!(of_class(&document, "body").len(), 3);
+    pistons_are_inside(barrels, pistons);
+}
+
+/// How far along its barrel each piston reaches lies between the ends of the barrel.
+#[track_caller]
+fn pistons_are_inside(barrels: Vec<Node>, pistons: Vec<Node>) {
     for (barrel, piston) in barrels.into_iter().zip(pistons) {
         let [a, b, ..] = points(barrel)[..] else {
             panic!("a barrel has corners")
@@ -273,6 +279,40 @@ fn a_driven_slide_is_a_cylinder() {
             "{inside:?}"
         );
     }
+}
+
+/// An actuator is drawn as a cylinder between its points, in front of the bodies, with an eye at either end.
+#[test]
+fn an_actuator_is_a_cylinder() {
+    let scratch = Scratch::new("actuator");
+    scratch.write(
+        "lift.json",
+        r#"{ "format": "linkdyn/1", "units": { "length": "mm", "angle": "deg" },
+        "bodies": { "ground": { "points": { "hinge": [0, 0], "foot": [200, -400] } },
+            "arm": { "points": { "hinge": [0, 0], "eye": [500, 0] } } },
+        "joints": { "hinge": { "type": "revolute", "between": ["ground.hinge", "arm.hinge"] } },
+        "drivers": { "motor": { "type": "rotation", "body": "arm", "motion": { "type": "constant_velocity", "velocity": "8 deg/s" } } },
+        "forces": { "oil": { "type": "actuator", "between": ["ground.foot", "arm.eye"], "force": "3 kN" } },
+        "analysis": { "type": "kinematics", "end": 5, "outputs": 21 } }"#,
+    );
+    scratch.done(&["run", "lift.json", "-o", "out"]);
+    scratch.done(&["animate", "out", "-o", "a.svg", "--strip", "--poses", "3"]);
+    let svg = scratch.text("a.svg");
+    let document = Document::parse(&svg).expect("XML");
+    let [barrels, pistons, rods, eyes, dampers] =
+        ["barrel", "piston", "rod", "eye", "damper"].map(|class| of_class(&document, class));
+    let counts = [
+        barrels.len(),
+        pistons.len(),
+        rods.len(),
+        eyes.len(),
+        dampers.len(),
+    ];
+    assert_eq!(counts, [3, 3, 3, 6, 0]);
+    // what stands later is in front
+    let bodies = of_class(&document, "body");
+    assert!(bodies[0] < eyes[0]);
+    pistons_are_inside(barrels, pistons);
 }
 
 /// A spring and the damper beside it, a load with its value.

@@ -215,3 +215,24 @@ fn questions_without_an_answer_are_told_so() {
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
+
+#[test]
+fn the_length_of_a_spring_is_the_distance_of_its_points() {
+    let told = |of: &str| {
+        let output = format!("accuracy={{\"outputs\":{{\"reach\":{of}}}}}");
+        let sets = ["parameters.crank={\"value\":\"50 mm\",\"tolerance\":\"0.1 mm\"}".to_owned(), output,
+            "bodies.ground.points.S=[20, -100]".to_owned(),
+            "forces.shock={\"type\":\"spring\",\"between\":[\"ground.S\",\"piston.B\"],\"stiffness\":1}".to_owned()];
+        super::asked("slider-crank", &sets)
+    };
+    let length = told("{\"column\":\"force.shock.length\"}");
+    let distance = told("{\"distance\":[\"ground.S\",\"piston.B\"]}");
+    let poses = |told: &serde_json::Value| told["outputs"]["reach"]["poses"].clone();
+    assert!(
+        poses(&length)
+            .as_array()
+            .is_some_and(|poses| !poses.is_empty()),
+        "{length:#}"
+    );
+    assert_eq!(poses(&length), poses(&distance));
+}

@@ -158,7 +158,9 @@ impl Channels {
                 | Channel::Energy(_)
                 | Channel::Load(..)
                 | Channel::Shaking(_)
-                | Channel::Transmission(_),
+                | Channel::Transmission(_)
+                | Channel::Relative(..)
+                | Channel::Output(_),
             )
             | None => f64::NAN,
         }));
@@ -175,7 +177,11 @@ impl Stretch {
             Channel::Joint(joint, quantity) => Some(Stretch::Joint(joint, vec![quantity])),
             Channel::Driver(driver, quantity) => Some(Stretch::Driver(driver, vec![quantity])),
             Channel::Energy(quantity) => Some(Stretch::Energy(vec![quantity])),
-            Channel::Load(..) | Channel::Shaking(_) | Channel::Transmission(_) => None,
+            Channel::Relative(..)
+            | Channel::Load(..)
+            | Channel::Shaking(_)
+            | Channel::Transmission(_)
+            | Channel::Output(_) => None,
         }
     }
 

@@ -1,7 +1,8 @@
 //! Quantities that follow from a run's results, row by row, and are no result columns: for the report, and for responses.
 
 use super::applied::Loads;
-use super::question;
+use super::beside::{Beside, Following};
+use super::question::{self, Question};
 use super::rows::Columns;
 use super::shaking::{self, Shaking};
 use super::transmission::{Transmission, Transmitted};
@@ -10,35 +11,57 @@ use crate::system::compile::compile;
 use linkdyn_model::Checked;
 use linkdyn_output::{Column, Trajectory};
 
-/// Applied forces, shaking force and moment, velocity ratio, mechanical advantage and transmission angles, as far as there are any.
+/// What may follow from rows, beside applied forces and shaking force and moment.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Wanted {
+    /// None where none is wanted, none within where its driver or body is not there.
+    pub transmission: Option<Option<Transmission>>,
+    /// Columns that results have where they are asked for.
+    pub following: Following,
+}
+
+impl Wanted {
+    /// All that responses may name.
+    pub fn all(system: &System, question: &Question) -> Self {
+        Wanted {
+            transmission: question.transmission,
+            following: Following::all(system, question.contents),
+        }
+    }
+}
+
+/// Applied forces, shaking force and moment, velocity ratio, mechanical advantage and transmission angles, as far as there are
+/// any, and columns that results have where they are asked for.
 pub(super) struct Derived<'s> {
     pub headings: Vec<Column>,
     loads: Loads<'s>,
     shaking: Option<Shaking<'s>>,
     /// None where none is wanted.
     transmission: Option<Result<Transmitted<'s>, String>>,
+    beside: Beside<'s>,
 }
 
 impl<'s> Derived<'s> {
-    /// Beside rows with these columns, with the transmission that is wanted, none within where its driver or body is not there.
-    pub fn new(
-        system: &'s System,
-        columns: &[Column],
-        wanted: Option<Option<Transmission>>,
-    ) -> Self {
+    /// Beside rows with these columns.
+    pub fn new(system: &'s System, columns: &[Column], wanted: &Wanted) -> Self {
         let columns = Columns::of(columns);
         let loads = Loads::new(system, &columns);
         let shaking = Shaking::new(system, &columns);
-        let transmission = wanted.map(|wanted| Transmitted::new(system, wanted, &columns));
+        let transmission = wanted.transmission;
+        let transmission = transmission.map(|wanted| Transmitted::new(system, wanted, &columns));
+        let is_new = |column: &Column| !loads.headings.contains(column);
+        let beside = Beside::new(system, &columns, &wanted.following.of(is_new));
         let mut headings = loads.headings.clone();
         headings.extend(shaking.iter().flat_map(|_| shaking::headings()));
         let transmitted = transmission.iter().flatten();
         headings.extend(transmitted.flat_map(|one| one.headings.iter().cloned()));
+        headings.extend(beside.headings.iter().cloned());
         Derived {
             headings,
             loads,
             shaking,
             transmission,
+            beside,
         }
     }
 
@@ -52,6 +75,7 @@ impl<'s> Derived<'s> {
         if let Some(Ok(transmission)) = &mut self.transmission {
             transmission.push(row, line);
         }
+        self.beside.push(row, line);
         let added = line[begin..].iter_mut();
         added
             .filter(|value| !value.is_finite())
@@ -96,11 +120,23 @@ pub fn derived(model: &Checked, results: &Trajectory) -> (Trajectory, Vec<String
     }
     let wanted = analysis.transmission.as_ref();
     let wanted = wanted.map(|wanted| question::transmission(&system, wanted));
-    let table = |wanted: Option<Option<Transmission>>| {
-        let mut derived = Derived::new(&system, &results.columns, wanted);
-        let mut table = Trajectory::new(derived.headings.clone());
+    let table = |transmission: Option<Option<Transmission>>| {
+        let wanted = Wanted {
+            transmission,
+            ..Wanted::default()
+        };
+        let mut derived = Derived::new(&system, &results.columns, &wanted);
+        // what was asked for is in the results already
+        let is_new = |column: &Column| results.id_of(column).is_none();
+        let new: Vec<bool> = derived.headings.iter().map(is_new).collect();
+        let kept = derived.headings.iter().zip(&new).filter(|(_, new)| **new);
+        let mut table = Trajectory::new(kept.map(|(column, _)| column.clone()).collect());
+        let mut line = Vec::with_capacity(new.len());
         for row in results.rows() {
-            derived.push(row, &mut table.data);
+            line.clear();
+            derived.push(row, &mut line);
+            let kept = line.iter().zip(&new).filter(|(_, new)| **new);
+            table.data.extend(kept.map(|(value, _)| value));
         }
         (table, derived.notes())
     };

@@ -131,6 +131,8 @@ impl Leaning<'_> {
                     name: joint.name.clone(),
                     role: ForceRole::Spring {
                         between: joint.bodies,
+                        measured: stop.measured(),
+                        is_actuator: false,
                     },
                 });
             }

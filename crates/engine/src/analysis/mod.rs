@@ -1,8 +1,10 @@
 //! The analyses: from a model to a trajectory and a report.
 
 pub mod accuracy;
+mod acting;
 mod applied;
 pub mod assembly;
+mod beside;
 mod branch;
 mod channels;
 mod check;
@@ -18,10 +20,12 @@ mod instants;
 mod interval;
 mod leaning;
 mod modes;
+mod needed;
 mod outcome;
 mod power;
 mod progress;
 mod question;
+mod ratios;
 mod readings;
 mod record;
 pub mod responses;

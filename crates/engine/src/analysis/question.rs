@@ -1,5 +1,6 @@
 //! The words of a question (`analysis` of a model) as the numbers that the analyses take. Below this no file names the model.
 
+use super::beside::Following;
 use super::channels::Contents;
 use super::control::Stop;
 use super::instants::{Equidistant, Instants, Sampled};
@@ -21,6 +22,8 @@ pub(super) struct Question {
     pub columns: Vec<String>,
     /// The transmission that is wanted, none within where its driver or body is not there.
     pub transmission: Option<Option<Transmission>>,
+    /// Columns behind those that an analysis has.
+    pub following: Following,
     /// When there are outputs.
     instants: Instants,
     /// Located events are outputs, too.
@@ -50,9 +53,11 @@ impl Question {
     /// What a model's analysis asks of the system that it was compiled to.
     pub fn new(system: &System, analysis: &Analysis) -> Result<Self, Complaint> {
         let solver = &analysis.solver;
+        let contents = contents(analysis.kind);
         Ok(Question {
             kind: kind(system, analysis.kind),
-            contents: contents(analysis.kind),
+            contents,
+            following: Following::in_results(system, contents, &analysis.columns),
             columns: analysis.columns.clone(),
             transmission: analysis
                 .transmission

@@ -126,7 +126,8 @@ pub struct Replay<'s> {
     inputs: Inputs,
     /// Coordinates (n).
     pub q: Vec<f64>,
-    v: Vec<f64>,
+    /// Velocities (n); zero where the table has none.
+    pub v: Vec<f64>,
 }
 
 impl<'s> Replay<'s> {
@@ -150,6 +151,17 @@ impl<'s> Replay<'s> {
         self.states.velocity(self.system, row, &mut self.v);
         self.evaluation.set_position(&self.q);
         self.evaluation.set_velocity(&self.v);
+    }
+
+    /// Whether the row has a position.
+    pub fn is_there(&self) -> bool {
+        self.q.iter().all(|q| q.is_finite())
+    }
+
+    /// J there.
+    pub fn jacobian(&mut self) -> &[f64] {
+        self.evaluation.eval_jacobian(self.system, &self.inputs);
+        &self.evaluation.jacobian
     }
 
     /// What elements look at there.

@@ -1,13 +1,15 @@
 //! From a model to a trajectory and a report.
 
+use super::beside::{Beside, Following};
 use super::channels::{Channels, Contents};
 use super::control::{Control, Stop};
-use super::derived::Derived;
 use super::driven::Between;
+use super::needed::{Needed, behind};
 use super::outcome::Outcome;
 use super::question::{Kind, Question};
 use super::record::Recorder;
 use super::responses::{Answer, Responses};
+use super::rows::Columns;
 use super::sample::Sample;
 use super::settings::settings;
 use super::{assembly, driven, dynamics, statics};
@@ -63,6 +65,7 @@ impl Prepared {
         let system = compile(model, analysis.kind).map_err(loose)?;
         let question = Question::new(&system, analysis);
         let question = question.map_err(|complaint| loose(complaint.into()))?;
+        one_freedom(&system).map_err(|complaint| loose(complaint.into()))?;
         Ok(Prepared {
             responses: responses(model, &system, &question)?,
             responses_alone: false,
@@ -84,8 +87,9 @@ impl Prepared {
 
     /// The columns of the results.
     pub fn columns(&self) -> Arc<[Column]> {
-        let channels = Channels::new(&self.system, self.question.contents);
-        Arc::clone(channels.columns())
+        let mut columns = self.question.contents.columns(&self.system);
+        columns.extend(self.question.following.headings());
+        columns.into()
     }
 
     /// What it was compiled to, and what is asked of it.
@@ -142,7 +146,15 @@ impl Prepared {
             mut report,
             ..
         } = solved;
-        let (selected, warnings) = trajectory.select(&self.question.columns);
+        let (trajectory, peaks) = self.with_following((trajectory, peaks), &mut report);
+        let patterns = &self.question.columns;
+        let (selected, warnings) = match patterns.is_empty() {
+            true => (None, Vec::new()),
+            false => {
+                let offered = Following::all(&self.system, self.question.contents);
+                trajectory.select_beside(patterns, &offered.headings())
+            }
+        };
         report.warnings.extend(warnings);
         let (trajectory, complete) = match selected {
             Some(selected) => (selected, Some(trajectory)),
@@ -158,6 +170,31 @@ impl Prepared {
         })
     }
 
+    /// Outputs and peaks with the columns that follow from their rows; the report says where these are empty.
+    fn with_following(
+        &self,
+        (outputs, peaks): (Trajectory, Trajectory),
+        report: &mut Report,
+    ) -> (Trajectory, Trajectory) {
+        let Question {
+            contents,
+            following,
+            ..
+        } = &self.question;
+        if following.is_empty() {
+            return (outputs, peaks);
+        }
+        let columns = Columns::of(&contents.columns(&self.system));
+        let mut beside = Beside::new(&self.system, &columns, following);
+        let outputs = beside.appended(&outputs);
+        report.warnings.extend(beside.notes());
+        let peaks = match peaks.width() {
+            0 => peaks,
+            _ => beside.appended(&peaks),
+        };
+        (outputs, peaks)
+    }
+
     /// The responses of what was solved.
     fn answers(&self, solved: &mut Solved) -> Vec<Answer> {
         if self.responses.is_empty() {
@@ -169,7 +206,7 @@ impl Prepared {
             report,
             between,
         } = solved;
-        let mut wanted = Wanted::new(self, &trajectory.columns);
+        let mut wanted = Needed::new(self, &trajectory.columns);
         let channels = Channels::new(&self.system, self.question.contents);
         let mut whole = Vec::with_capacity(trajectory.columns.len());
         let mut motion = between.take();
@@ -233,6 +270,31 @@ impl Prepared {
     }
 }
 
+/// Outputs are of mechanisms that move in one way. Near a position ranks are highest, so that more freedom there is more
+/// everywhere, unless it is singular itself, which the count is not; less may be redundancy.
+fn one_freedom(system: &System) -> Result<(), Complaint> {
+    let Some(output) = system.outputs.first() else {
+        return Ok(());
+    };
+    let mobility = assembly::counted(system);
+    let freedom = mobility.rank;
+    if freedom.min(mobility.grubler) <= 1 {
+        return Ok(());
+    }
+    let message = format!(
+        "a ratio of velocities wants a mechanism with one degree of freedom, and this one has {freedom} without its drivers"
+    );
+    let complaint = Complaint::new(format!("outputs.{}", output.name), message);
+    let mut joints = system.joints.iter();
+    let is_open = joints.any(|joint| joint.bearing.is_some() && joint.contact.is_some());
+    Err(complaint.hint(match is_open {
+        false => "hold what shall not move by joints",
+        true => {
+            "journals that move in their bearings count: give the clearances the model \"ideal\""
+        }
+    }))
+}
+
 /// The responses of a model, of its result columns and what follows from them.
 fn responses(
     model: &Checked,
@@ -243,45 +305,8 @@ fn responses(
         return Ok(Responses::default());
     }
     let mut columns = question.contents.columns(system);
-    let derived = Derived::new(system, &columns, question.transmission);
-    columns.extend(derived.headings);
+    columns.extend(behind(system, question));
     Responses::new(model, &columns)
-}
-
-/// What responses want of rows with all result columns.
-struct Wanted<'p> {
-    responses: &'p Responses,
-    derived: Option<Derived<'p>>,
-    /// A row, and behind it what follows from it.
-    all: Vec<f64>,
-}
-
-impl<'p> Wanted<'p> {
-    fn new(prepared: &'p Prepared, columns: &[Column]) -> Self {
-        let responses = &prepared.responses;
-        let mut needed = responses.needed().iter();
-        let derives = needed.any(|column| column.index() >= columns.len());
-        let transmission = prepared.question.transmission;
-        Wanted {
-            responses,
-            derived: derives.then(|| Derived::new(&prepared.system, columns, transmission)),
-            all: Vec::new(),
-        }
-    }
-
-    /// The needed columns of a row.
-    fn take(&mut self, row: &[f64], needed: &mut Vec<f64>) {
-        let mut all = row;
-        if let Some(derived) = &mut self.derived {
-            self.all.clear();
-            self.all.extend_from_slice(row);
-            derived.push(row, &mut self.all);
-            all = &self.all;
-        }
-        needed.clear();
-        let columns = self.responses.needed().iter();
-        needed.extend(columns.map(|column| all[column.index()]));
-    }
 }
 
 /// What an analysis finds.

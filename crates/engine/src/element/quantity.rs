@@ -71,7 +71,7 @@ impl Measured {
     }
 
     /// s and ṡ.
-    pub(super) fn value(&self, at: &Kinematics) -> [f64; 2] {
+    pub(crate) fn value(&self, at: &Kinematics) -> [f64; 2] {
         let apart = |first: &Marker, second: &Marker| {
             let rate = second.velocity(at) - first.velocity(at);
             (second.place(at) - first.place(at), rate)

@@ -79,7 +79,8 @@ pub struct Stop {
 }
 
 impl Stop {
-    fn measured(&self) -> Measured {
+    /// s, as a quantity of the motion.
+    pub fn measured(&self) -> Measured {
         match self.axis {
             None => Measured::Turn {
                 first: self.first.body,

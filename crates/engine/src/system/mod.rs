@@ -23,7 +23,9 @@ pub(crate) use contacts::Ends;
 pub use eval::{Evaluation, Inputs};
 pub use mass::Mass;
 pub use matrices::{Terms, write_matrix_market};
-pub use roles::{ClearanceLink, DriverRole, ForceData, ForceRole, JointFriction, JointRole};
+pub use roles::{
+    ClearanceLink, DriverRole, ForceData, ForceRole, JointFriction, JointRole, OutputRatio,
+};
 pub use rows::{ContactRows, Extent};
 pub use scale::Scale;
 pub(crate) use slopes::Slopes;
@@ -190,6 +192,8 @@ pub struct System {
     pub(crate) contact_rows: Vec<ContactRows>,
     /// Laws of drivers and forces that have breaks.
     pub(crate) broken: Vec<Law>,
+    /// Ratios of velocities among the results.
+    pub(crate) outputs: Vec<OutputRatio>,
     /// [m/s²]
     pub(crate) gravity: Vec2,
     /// M; zero where unknown.

@@ -2,6 +2,7 @@
 
 use super::JointId;
 use crate::element::formula::Strength;
+use crate::element::quantity::Measured;
 use crate::element::{BodyId, Measure};
 use linkdyn_linear::math::Vec2;
 
@@ -62,6 +63,10 @@ pub enum ForceRole {
     Spring {
         /// Its two bodies.
         between: [BodyId; 2],
+        /// Its length or angle.
+        measured: Measured,
+        /// Its columns are among the results without being asked for.
+        is_actuator: bool,
     },
     /// A force from outside at a point.
     Load {
@@ -80,10 +85,26 @@ pub enum ForceRole {
 }
 
 impl ForceRole {
+    /// Whether it is a given force or torque.
+    pub(crate) fn is_applied(&self) -> bool {
+        match self {
+            ForceRole::Load { .. } | ForceRole::Torque { .. } => true,
+            ForceRole::Spring { .. } => false,
+        }
+    }
+
+    /// Whether it is an actuator.
+    pub(crate) fn is_actuator(&self) -> bool {
+        match self {
+            ForceRole::Spring { is_actuator, .. } => *is_actuator,
+            ForceRole::Load { .. } | ForceRole::Torque { .. } => false,
+        }
+    }
+
     /// The bodies that exert the force on each other; none where it comes from outside.
     pub(crate) fn between(&self) -> Option<[BodyId; 2]> {
         match self {
-            ForceRole::Spring { between } => Some(*between),
+            ForceRole::Spring { between, .. } => Some(*between),
             ForceRole::Torque { between, .. } => *between,
             ForceRole::Load { .. } => None,
         }
@@ -115,4 +136,15 @@ pub struct ClearanceLink {
     pub(crate) offset: usize,
     /// Its length: the radial clearance \[m\].
     pub(crate) radius: f64,
+}
+
+/// A ratio of two velocities among the results.
+#[derive(Debug, Clone)]
+pub struct OutputRatio {
+    /// As the file names it.
+    pub name: String,
+    /// What is divided, and by what.
+    pub(crate) quantities: [Measured; 2],
+    /// Of the ratio, in SI.
+    pub(crate) unit: &'static str,
 }

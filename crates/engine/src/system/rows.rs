@@ -167,6 +167,7 @@ impl System {
             initial_rates: Vec::new(),
             forces: Vec::new(),
             force_data: Vec::new(),
+            outputs: Vec::new(),
             formulas: Vec::new(),
             kinks: Vec::new(),
             dependent_forces: Vec::new(),

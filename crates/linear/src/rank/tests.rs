@@ -24,6 +24,30 @@ fn what_is_free_is_orthogonal_to_all_rows() {
     assert_eq!(free_direction(&rows, DEPENDENCE_TOLERANCE), None);
 }
 
+#[test]
+fn one_direction_is_told_where_there_is_one_alone() {
+    let of = |rows, entries: &[_]| {
+        let rows = SparseRows::from_triplets(rows, 3, entries).expect("finite");
+        only_direction(&rows, DEPENDENCE_TOLERANCE)
+    };
+    let entries = [
+        (0, 0, 2.0),
+        (0, 1, -1.0),
+        (1, 1, 1.0),
+        (1, 2, 4.0),
+        (2, 2, 1.0),
+    ];
+    let found = of(2, &entries[..4]).expect("one");
+    let sign = found[1].signum();
+    assert!(
+        (found[0] * sign - 0.5).abs() < 1e-15 && found[1] * sign == 1.0,
+        "{found:?}"
+    );
+    assert!((found[2] * sign + 0.25).abs() < 1e-15, "{found:?}");
+    assert_eq!(of(3, &entries), Err(0));
+    assert_eq!(of(1, &entries[..2]), Err(2));
+}
+
 fn report(matrix: &Matrix) -> RankReport {
     let rows = SparseRows::from_triplets(matrix.rows, matrix.columns, &matrix.entries).unwrap();
     independent_rows(&rows, DEPENDENCE_TOLERANCE)

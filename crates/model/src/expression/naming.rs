@@ -2,7 +2,10 @@
 
 use super::number::Number;
 use super::quantity::{Quantity, whole};
-use crate::dimension::{Dimension, Powers};
+use crate::dimension::{Dimension, Powers, powers};
+
+/// Of power, which no number of a model is a measure of.
+const POWER: Powers = powers(2, 1, -3, 0);
 
 impl Powers {
     /// Their unit in SI, such as `m` or `N*m/rad`; empty where all are zero.
@@ -24,6 +27,9 @@ impl<N: Number> Quantity<N> {
     pub fn unit(&self) -> String {
         if let Some(dimension) = self.dimension() {
             return dimension.si().to_owned();
+        }
+        if self.exponents == whole(POWER) {
+            return "W".to_owned();
         }
         let symbols = [(1, "kg"), (0, "m"), (2, "s"), (3, "rad")];
         let part = |sign: i32| {

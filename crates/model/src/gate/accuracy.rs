@@ -102,6 +102,12 @@ impl Names<'_, '_> {
             Some(Column::Body(body, _)) => return self.name(path, Named::Body, body),
             Some(Column::Joint(joint, _)) => return self.name(path, Named::Joint, joint),
             Some(Column::Driver(driver)) => return self.name(path, Named::Driver, driver),
+            Some(Column::Length(force)) => match self.model.forces.get(force) {
+                Some(found) if found.kind.ends().is_some() => return,
+                Some(_) => Complaint::new(path, "only springs and actuators have a length")
+                    .hint("\"distance\" is of any two points"),
+                None => return self.force(path, force),
+            },
             Some(Column::Point { body, point }) => {
                 let (body, point) = (body.to_owned(), point.to_owned());
                 return self.point(path, &PointRef { body, point });

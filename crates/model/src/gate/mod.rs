@@ -12,6 +12,7 @@ mod holes;
 mod motions;
 mod names;
 mod optimise;
+mod outputs;
 mod ranges;
 mod responses;
 mod stops;
@@ -150,6 +151,7 @@ fn inspect(model: &Model, holes: Holes) -> Said {
     names::wanted_points(&mut rules);
     analysis::analysis(&mut rules);
     accuracy::accuracy(&mut rules);
+    outputs::outputs(&mut rules);
     responses::responses(&mut rules);
     optimise::optimise(&mut rules);
     // A gear's carrier is found along joints, which must be whole for that.

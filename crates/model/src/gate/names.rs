@@ -159,6 +159,12 @@ impl Names<'_, '_> {
         self.rules.complaints.extend(complaint);
     }
 
+    /// Complains of a force that is not there.
+    pub(super) fn force(&mut self, path: &str, name: &str) {
+        let complaint = self.missing(path, name, &self.model.forces, "forces", "force");
+        self.rules.complaints.extend(complaint);
+    }
+
     fn missing<T>(
         &self,
         path: &str,

@@ -48,6 +48,9 @@ impl Catalogue {
             let point = PointRef::try_from(owner.to_owned()).ok()?;
             return Some(Argument::Point(point, coordinate, order));
         }
+        if self.is_stretch(name) {
+            return self.argument(&format!("force.{name}"));
+        }
         let known = |name: &str| self.drives(name).is_some();
         match name.split_once('.')? {
             ("driver", driver) if known(driver) => Some(Argument::Driver(driver.to_owned())),

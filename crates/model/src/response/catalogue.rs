@@ -1,7 +1,8 @@
 //! What a model consists of, as far as results are named after it.
 
-use crate::dimension::Dimension;
+use crate::dimension::{Dimension, Powers};
 use crate::node::{Kind, Node};
+use crate::ratio::Ratio;
 use crate::{DriverKind, ForceKind, GROUND, JointKind, Model};
 
 /// What a model consists of, as far as results are named after it.
@@ -17,6 +18,8 @@ pub struct Catalogue {
     pub(super) drivers: Vec<(String, Option<Dimension>)>,
     pub(super) loads: Vec<Load>,
     pub(super) springs: Vec<Load>,
+    /// With the dimension of each that can be read.
+    pub(super) outputs: Vec<(String, Option<Powers>)>,
     /// What drives and what is driven, where the analysis wants a transmission.
     pub(super) transmission: Option<[Dimension; 2]>,
 }
@@ -89,6 +92,8 @@ impl Catalogue {
             });
             catalogue.transmit(wanted.driver.as_deref(), slides);
         }
+        let outputs = model.outputs.iter();
+        catalogue.put_out(outputs.map(|(name, text)| (name.as_str(), text.as_str())));
         catalogue
     }
 
@@ -164,7 +169,18 @@ impl Catalogue {
             });
             catalogue.transmit(word("driver"), slides);
         }
+        let outputs = members("outputs").into_iter();
         catalogue
+            .put_out(outputs.filter_map(|(name, one)| Some((name.as_str(), one.node.as_str()?))));
+        catalogue
+    }
+
+    /// Outputs with their texts.
+    fn put_out<'a>(&mut self, outputs: impl Iterator<Item = (&'a str, &'a str)>) {
+        for (name, text) in outputs {
+            let powers = Ratio::read(text, self).ok().map(|ratio| ratio.powers());
+            self.outputs.push((name.to_owned(), powers));
+        }
     }
 
     /// A transmission from a driver, or the only one there is, to a body that slides or turns.

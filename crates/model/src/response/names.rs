@@ -40,11 +40,30 @@ const SHAKING: [(&str, Dimension); 3] = [
     ("moment", Dimension::Torque),
 ];
 
-const LOAD: [(&str, Dimension); 3] = [
-    ("fx", Dimension::Force),
-    ("fy", Dimension::Force),
-    ("torque", Dimension::Torque),
-];
+/// Of forces: columns of those at a point, of torques, of springs and actuators, of torsion springs.
+const LOAD: [&str; 3] = ["fx", "fy", "power"];
+const TORQUE: [&str; 2] = ["torque", "power"];
+const SPRING: [&str; 6] = ["length", "rate", "f", "fx", "fy", "power"];
+const TORSION: [&str; 4] = ["angle", "omega", "torque", "power"];
+/// Of joints that turn, that slide, and of all.
+const TURN: [&str; 2] = ["angle", "omega"];
+const SLIDE: [&str; 2] = ["slide", "rate"];
+const SIZE: [&str; 1] = ["f"];
+
+/// The dimension of what forces and joints show, by the last word of a name.
+fn shown(word: &str) -> Option<Powers> {
+    let dimension = match word {
+        "length" | "slide" => Dimension::Length,
+        "rate" => Dimension::Velocity,
+        "angle" => Dimension::Angle,
+        "omega" => Dimension::AngularVelocity,
+        "f" | "fx" | "fy" => Dimension::Force,
+        "torque" => Dimension::Torque,
+        "power" => return Some(powers(2, 1, -3, 0)),
+        _ => return None,
+    };
+    Some(dimension.powers())
+}
 
 const TRANSMISSION: [&str; 2] = ["ratio", "advantage"];
 
@@ -55,6 +74,15 @@ fn of(table: &[(&str, Dimension)], word: &str) -> Option<Powers> {
     Some(row.1.powers())
 }
 
+impl Joint {
+    /// The last words of columns that it has where they are asked for.
+    fn shown(&self) -> impl Iterator<Item = &'static str> {
+        let turn = TURN.into_iter().filter(|_| self.turns);
+        let slide = SLIDE.into_iter().filter(|_| self.slides);
+        turn.chain(slide).chain(SIZE)
+    }
+}
+
 impl Catalogue {
     /// The name of the column that a name stands for: `t` is `time`, and `driver.motor` its value.
     pub fn column_name(&self, name: &str) -> String {
@@ -63,8 +91,22 @@ impl Catalogue {
             Some(driver) if self.drivers.iter().any(|one| one.0 == driver) => {
                 format!("{name}.value")
             }
+            _ if self.is_stretch(name) => format!("force.{name}"),
             Some(_) | None => name.to_owned(),
         }
+    }
+
+    /// Whether it is the length of a spring or an actuator, or its rate, without the first word: `shock.length`.
+    pub(super) fn is_stretch(&self, name: &str) -> bool {
+        let spring = name
+            .rsplit_once('.')
+            .filter(|(_, word)| ["length", "rate"].contains(word));
+        spring.is_some_and(|(spring, _)| self.spring_turns(spring) == Some(false))
+    }
+
+    /// Whether it is the last word of columns of bodies.
+    pub(crate) fn is_of_bodies(word: &str) -> bool {
+        BODY.iter().any(|row| row.0 == word)
     }
 
     /// The number of a joint.
@@ -91,15 +133,17 @@ impl Catalogue {
             "energy" if ENERGY.contains(&word) => return Some(powers(2, 1, -2, 0)),
             "shaking" => return of(&SHAKING, word),
             "transmission" => return self.transmitted(word),
+            "output" => return self.outputs.iter().find(|one| one.0 == word)?.1,
             _ => {}
         }
         match owner.split_once('.')? {
             ("joint", joint) => {
-                let slides = self.joints[self.joint(joint)?].slides;
+                let joint = &self.joints[self.joint(joint)?];
                 match word {
                     "state" => Some(Powers::default()),
-                    "friction" if slides => Some(Dimension::Force.powers()),
-                    "friction" => Some(Dimension::Torque.powers()),
+                    word if joint.shown().any(|one| one == word) => shown(word),
+                    "friction" | "stop" if joint.slides => Some(Dimension::Force.powers()),
+                    "friction" | "stop" => Some(Dimension::Torque.powers()),
                     word => of(&JOINT, word),
                 }
             }
@@ -112,9 +156,9 @@ impl Catalogue {
                     (_, _) => None,
                 }
             }
-            ("force", load) => {
-                let load = self.loads.iter().find(|one| one.name == load)?;
-                (load.turns == (word == "torque")).then(|| of(&LOAD, word))?
+            ("force", force) => {
+                let (_, words) = self.force_words().find(|(name, _)| *name == force)?;
+                words.contains(&word).then(|| shown(word))?
             }
             ("transmission", joint) => {
                 self.joint(joint).filter(|_| self.transmission.is_some())?;
@@ -122,6 +166,20 @@ impl Catalogue {
             }
             (_, _) => None,
         }
+    }
+
+    /// Names of forces, and the last words of their columns.
+    fn force_words(&self) -> impl Iterator<Item = (&str, &'static [&'static str])> {
+        let of = |turn: &'static [_], push: &'static [_]| {
+            move |one: &'_ Load| if one.turns { turn } else { push }
+        };
+        let (load, spring) = (of(&TORQUE, &LOAD), of(&TORSION, &SPRING));
+        let loads = self
+            .loads
+            .iter()
+            .map(move |one| (one.name.as_str(), load(one)));
+        let springs = self.springs.iter();
+        loads.chain(springs.map(move |one| (one.name.as_str(), spring(one))))
     }
 
     /// The dimension of ratio or advantage.
@@ -189,9 +247,13 @@ impl Catalogue {
         names.extend(bodies.flat_map(|body| BODY.map(|row| format!("{body}.{}", row.0))));
         let points = self.points.iter();
         names.extend(points.flat_map(|point| POINT.map(|word| format!("{point}.{word}"))));
-        for Joint { name, .. } in &self.joints {
+        for joint in &self.joints {
+            let name = &joint.name;
             let words = JOINT.map(|row| row.0);
-            let words = words.into_iter().chain(["friction", "state"]);
+            let words = words
+                .into_iter()
+                .chain(["friction", "state", "stop"])
+                .chain(joint.shown());
             names.extend(words.map(|word| format!("joint.{name}.{word}")));
             let sums = ClearanceSum::ALL.map(|sum| sum.row().0);
             let sums = sums.into_iter().chain(["wear"]);
@@ -202,10 +264,10 @@ impl Catalogue {
         }
         names.extend(ENERGY.map(|word| format!("energy.{word}")));
         names.extend(SHAKING.map(|row| format!("shaking.{}", row.0)));
-        for Load { name, turns } in &self.loads {
-            let words: &[&str] = if *turns { &["torque"] } else { &["fx", "fy"] };
+        for (name, words) in self.force_words() {
             names.extend(words.iter().map(|word| format!("force.{name}.{word}")));
         }
+        names.extend(self.outputs.iter().map(|one| format!("output.{}", one.0)));
         if self.transmission.is_some() {
             names.extend(TRANSMISSION.map(|word| format!("transmission.{word}")));
             let joints = self.joints.iter();

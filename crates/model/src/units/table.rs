@@ -13,6 +13,7 @@ const TIME: Powers = powers(0, 0, 1, 0);
 const ANGLE: Powers = powers(0, 0, 0, 1);
 const FORCE: Powers = powers(1, 1, -2, 0);
 const TORQUE: Powers = powers(2, 1, -2, 0);
+const POWER: Powers = powers(2, 1, -3, 0);
 const STRESS: Powers = powers(-1, 1, -2, 0);
 const RATE: Powers = powers(0, 0, -1, 0);
 
@@ -20,7 +21,7 @@ const RATE: Powers = powers(0, 0, -1, 0);
 const LBF: f64 = 44_482_216_152_605.0;
 
 /// Every symbol. `g` is the gram; standard gravity has none.
-pub const SYMBOLS: [Row; 58] = [
+pub const SYMBOLS: [Row; 61] = [
     ("m", 1.0, 1.0, 0, 0, LENGTH),
     ("km", 1.0, 1.0, 3, 0, LENGTH),
     ("dm", 1.0, 1.0, -1, 0, LENGTH),
@@ -68,6 +69,9 @@ pub const SYMBOLS: [Row; 58] = [
     ("J", 1.0, 1.0, 0, 0, TORQUE),
     ("mJ", 1.0, 1.0, -3, 0, TORQUE),
     ("kJ", 1.0, 1.0, 3, 0, TORQUE),
+    ("W", 1.0, 1.0, 0, 0, POWER),
+    ("mW", 1.0, 1.0, -3, 0, POWER),
+    ("kW", 1.0, 1.0, 3, 0, POWER),
     ("Pa", 1.0, 1.0, 0, 0, STRESS),
     ("hPa", 1.0, 1.0, 2, 0, STRESS),
     ("kPa", 1.0, 1.0, 3, 0, STRESS),
@@ -82,7 +86,7 @@ pub const SYMBOLS: [Row; 58] = [
 ];
 
 /// Names of units that are written out, and the symbols that are meant; a plural s is left out.
-const NAMES: [(&str, &str); 32] = [
+const NAMES: [(&str, &str); 33] = [
     ("meter", "m"),
     ("metre", "m"),
     ("millimeter", "mm"),
@@ -112,6 +116,7 @@ const NAMES: [(&str, &str); 32] = [
     ("hour", "h"),
     ("newton", "N"),
     ("joule", "J"),
+    ("watt", "W"),
     ("pascal", "Pa"),
     ("hertz", "Hz"),
     ("lb", "lb"),

@@ -105,6 +105,12 @@ pub static FILE: Object = Object {
         optional("analysis", Shape::Object(&ANALYSIS), ""),
         optional("accuracy", Shape::Object(&ACCURACY), ""),
         silent(
+            "outputs",
+            Shape::Map(&Shape::Text),
+            Default::Empty,
+            "Ratios of two velocities, which become columns: `d(axle.y)/d(force.shock.length)`.",
+        ),
+        silent(
             "responses",
             Shape::Responses,
             Default::Empty,

@@ -3,15 +3,16 @@
 //! ```text
 //! time                    energy.kinetic          transmission.ratio
 //! crank.x                 shaking.fx              transmission.b.angle
-//! crank.A.x               joint.b.fx              driver.motor.effort     force.spring.fx
+//! crank.A.x               joint.b.fx              driver.motor.effort     force.spring.length
+//! output.leverage         joint.guide.slide
 //! ```
 //!
 //! Names of owners have no dot, and no quantity of a body or a point is one of what else begins with the same word: the body
-//! `energy` has `energy.x`. So each name is that of one channel.
+//! `energy` has `energy.x`, and no output is called like a quantity of a body. So each name is that of one channel.
 
 use super::{
     BodyQuantity, Channel, DriverQuantity, EnergyQuantity, JointQuantity, LoadQuantity,
-    PointQuantity, ShakingQuantity, TransmissionQuantity,
+    PointQuantity, RelativeQuantity, ShakingQuantity, TransmissionQuantity,
 };
 use crate::TIME;
 
@@ -23,6 +24,7 @@ impl Channel {
             Channel::Body(_, quantity) => format!("{owner}.{}", quantity.name()),
             Channel::Point(_, quantity) => format!("{owner}.{}", quantity.name()),
             Channel::Joint(_, quantity) => format!("joint.{owner}.{}", quantity.name()),
+            Channel::Relative(_, quantity) => format!("joint.{owner}.{}", quantity.name()),
             Channel::Driver(_, quantity) => format!("driver.{owner}.{}", quantity.name()),
             Channel::Energy(quantity) => format!("energy.{}", quantity.name()),
             Channel::Load(_, quantity) => format!("force.{owner}.{}", quantity.name()),
@@ -31,6 +33,7 @@ impl Channel {
                 format!("transmission.{owner}.angle")
             }
             Channel::Transmission(quantity) => format!("transmission.{}", quantity.name()),
+            Channel::Output(_) => format!("{OUTPUT}.{owner}"),
         }
     }
 
@@ -41,9 +44,13 @@ impl Channel {
         }
         let (owner, word) = name.rsplit_once('.')?;
         match owner.split_once('.') {
-            None => match of_all(owner, word) {
-                Some(channel) => Some((channel, "")),
-                None => Some((Channel::Body(0, find(&BodyQuantity::ALL, word)?), owner)),
+            None => match (of_all(owner, word), find(&BodyQuantity::ALL, word)) {
+                (Some(channel), _) => Some((channel, "")),
+                (None, Some(quantity)) => Some((Channel::Body(0, quantity), owner)),
+                (None, None) if owner == OUTPUT && !word.is_empty() => {
+                    Some((Channel::Output(0), word))
+                }
+                (None, None) => None,
             },
             Some((_, rest)) if rest.contains('.') => None,
             Some((kind, own)) => match of_one(kind, word) {
@@ -59,6 +66,8 @@ impl Channel {
             Channel::Body(_, quantity) => Channel::Body(number, quantity),
             Channel::Point(_, quantity) => Channel::Point(number, quantity),
             Channel::Joint(_, quantity) => Channel::Joint(number, quantity),
+            Channel::Relative(_, quantity) => Channel::Relative(number, quantity),
+            Channel::Output(_) => Channel::Output(number),
             Channel::Driver(_, quantity) => Channel::Driver(number, quantity),
             Channel::Load(_, quantity) => Channel::Load(number, quantity),
             Channel::Transmission(TransmissionQuantity::Angle(_)) => {
@@ -74,6 +83,9 @@ impl Channel {
     }
 }
 
+/// The first word of the names of outputs.
+const OUTPUT: &str = "output";
+
 /// Channels of the whole mechanism, by the first word and the quantity.
 fn of_all(kind: &str, word: &str) -> Option<Channel> {
     match kind {
@@ -87,7 +99,10 @@ fn of_all(kind: &str, word: &str) -> Option<Channel> {
 /// Channels of one owner, by the first word and the quantity.
 fn of_one(kind: &str, word: &str) -> Option<Channel> {
     match kind {
-        "joint" => Some(Channel::Joint(0, find(&JointQuantity::ALL, word)?)),
+        "joint" => match find(&JointQuantity::ALL, word) {
+            Some(quantity) => Some(Channel::Joint(0, quantity)),
+            None => Some(Channel::Relative(0, find(&RelativeQuantity::ALL, word)?)),
+        },
         "driver" => Some(Channel::Driver(0, find(&DriverQuantity::ALL, word)?)),
         "force" => Some(Channel::Load(0, find(&LoadQuantity::ALL, word)?)),
         "transmission" => find(&[TransmissionQuantity::Angle(0)], word).map(Channel::Transmission),
@@ -253,8 +268,18 @@ impl Quantity for EnergyQuantity {
 }
 
 impl LoadQuantity {
-    /// Every one.
-    const ALL: [LoadQuantity; 3] = [LoadQuantity::Fx, LoadQuantity::Fy, LoadQuantity::Torque];
+    /// Every one, in the order of results.
+    pub const ALL: [LoadQuantity; 9] = [
+        LoadQuantity::Length,
+        LoadQuantity::Rate,
+        LoadQuantity::Angle,
+        LoadQuantity::Omega,
+        LoadQuantity::F,
+        LoadQuantity::Fx,
+        LoadQuantity::Fy,
+        LoadQuantity::Torque,
+        LoadQuantity::Power,
+    ];
 
     /// The last word of the column's name.
     pub fn name(self) -> &'static str {
@@ -262,11 +287,45 @@ impl LoadQuantity {
             LoadQuantity::Fx => "fx",
             LoadQuantity::Fy => "fy",
             LoadQuantity::Torque => "torque",
+            LoadQuantity::Length => "length",
+            LoadQuantity::Rate => "rate",
+            LoadQuantity::F => "f",
+            LoadQuantity::Angle => "angle",
+            LoadQuantity::Omega => "omega",
+            LoadQuantity::Power => "power",
         }
     }
 }
 
 impl Quantity for LoadQuantity {
+    fn word(self) -> &'static str {
+        self.name()
+    }
+}
+
+impl RelativeQuantity {
+    /// Every one, in the order of results.
+    pub const ALL: [RelativeQuantity; 5] = [
+        RelativeQuantity::Angle,
+        RelativeQuantity::Omega,
+        RelativeQuantity::Slide,
+        RelativeQuantity::Rate,
+        RelativeQuantity::F,
+    ];
+
+    /// The last word of the column's name.
+    pub fn name(self) -> &'static str {
+        match self {
+            RelativeQuantity::Angle => "angle",
+            RelativeQuantity::Omega => "omega",
+            RelativeQuantity::Slide => "slide",
+            RelativeQuantity::Rate => "rate",
+            RelativeQuantity::F => "f",
+        }
+    }
+}
+
+impl Quantity for RelativeQuantity {
     fn word(self) -> &'static str {
         self.name()
     }
@@ -318,71 +377,4 @@ impl Quantity for TransmissionQuantity {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Every channel, each of some owner.
-    fn all() -> Vec<Channel> {
-        let mut all = vec![Channel::Time];
-        all.extend(BodyQuantity::ALL.map(|quantity| Channel::Body(0, quantity)));
-        all.extend(PointQuantity::ALL.map(|quantity| Channel::Point(0, quantity)));
-        all.extend(JointQuantity::ALL.map(|quantity| Channel::Joint(0, quantity)));
-        all.extend(DriverQuantity::ALL.map(|quantity| Channel::Driver(0, quantity)));
-        all.extend(EnergyQuantity::ALL.map(Channel::Energy));
-        all.extend(LoadQuantity::ALL.map(|quantity| Channel::Load(0, quantity)));
-        all.extend(ShakingQuantity::ALL.map(Channel::Shaking));
-        all.extend(TransmissionQuantity::OF_ALL.map(Channel::Transmission));
-        all.push(Channel::Transmission(TransmissionQuantity::Angle(0)));
-        all
-    }
-
-    #[test]
-    fn every_name_reads_back_as_its_channel() {
-        // Owners with names that are words of ours, too.
-        for owner in [
-            "b",
-            "6\" bar",
-            "joint",
-            "energy",
-            "transmission",
-            "angle",
-            "time",
-        ] {
-            for channel in all() {
-                let owner = match channel {
-                    Channel::Point(..) => format!("{owner}.{owner}"),
-                    Channel::Time | Channel::Energy(_) | Channel::Shaking(_) => String::new(),
-                    Channel::Transmission(quantity) if quantity.name() != "angle" => String::new(),
-                    Channel::Body(..)
-                    | Channel::Joint(..)
-                    | Channel::Driver(..)
-                    | Channel::Load(..)
-                    | Channel::Transmission(_) => owner.to_string(),
-                };
-                let name = channel.name(&owner);
-                assert_eq!(
-                    Channel::read(&name),
-                    Some((channel, owner.as_str())),
-                    "{name}"
-                );
-                assert_eq!(channel.with_owner(7).name(&owner), name);
-            }
-        }
-    }
-
-    #[test]
-    fn other_names_are_none_of_ours() {
-        for name in [
-            "",
-            "x",
-            "Time",
-            "crank.",
-            "crank.force",
-            "joint.b",
-            "joint.b.ratio",
-            "a.b.c.x",
-        ] {
-            assert_eq!(Channel::read(name), None, "{name}");
-        }
-    }
-}
+mod tests;

@@ -1,11 +1,12 @@
 //! Draws what acts in one pose: springs and dampers, drivers, loads.
 
+use super::cylinder::Lengths;
 use super::sketch::Sketch;
 use super::values::Values;
 use crate::palette;
 use crate::scene::{Pen, Place, Scene};
 use crate::shape::{DriverKind, Spring, TorsionSpring};
-use crate::symbols;
+use crate::symbols::{self, Cylinder};
 use crate::words;
 
 /// Radii of the round arrows of drivers and of torques, in bars: a coil has room in them.
@@ -19,11 +20,14 @@ const ARROW: f64 = 0.32;
 const NONE: f64 = 1e-9;
 /// Radius of the end of a spring, in bars.
 const END: f64 = 0.4;
+/// Radius of the eye of an actuator, in bars.
+const EYE: f64 = 0.95;
 
 /// Springs and dampers between points.
 pub fn draw_springs(scene: &mut Scene, sketch: &Sketch) {
-    for spring in &sketch.mechanism.shape.springs {
-        draw_spring(scene, sketch, spring);
+    let stretches = &sketch.mechanism.stretches;
+    for (spring, stretch) in sketch.mechanism.shape.springs.iter().zip(stretches) {
+        draw_spring(scene, sketch, spring, *stretch);
     }
 }
 
@@ -38,11 +42,16 @@ pub fn draw_actions(scene: &mut Scene, sketch: &Sketch, time: f64) {
     draw_loads(scene, sketch, time);
 }
 
-fn draw_spring(scene: &mut Scene, sketch: &Sketch, spring: &Spring) {
+fn draw_spring(scene: &mut Scene, sketch: &Sketch, spring: &Spring, stretch: [f64; 2]) {
     let (bar, pen) = (sketch.bar(), sketch.pen(palette::INK));
     let ends = spring.between.map(|end| sketch.at(end));
+    if spring.actuator {
+        draw_actuator(scene, sketch, ends, stretch);
+    }
     for (point, [x, y]) in spring.between.into_iter().zip(ends) {
-        scene.circle("spring-end", [x, y], END * bar, Some(pen.ink), None);
+        if !spring.actuator {
+            scene.circle("spring-end", [x, y], END * bar, Some(pen.ink), None);
+        }
         let joints = &sketch.mechanism.shape.joints;
         let is_held = joints.iter().any(|joint| joint.between.contains(&point));
         if point.0 == 0 && !is_held {
@@ -50,10 +59,35 @@ fn draw_spring(scene: &mut Scene, sketch: &Sketch, spring: &Spring) {
             symbols::hatched_line(scene, line, bar, sketch.pen(palette::GROUND));
         }
     }
-    match (spring.damper, spring.damped) {
-        (true, _) => symbols::dashpot(scene, ends, bar, pen),
-        (false, true) => symbols::damped_spring(scene, ends, bar, pen),
-        (false, false) => symbols::spring(scene, ends, bar, pen),
+    match (spring.actuator, spring.damper, spring.damped) {
+        (true, ..) => {}
+        (false, true, _) => symbols::dashpot(scene, ends, bar, pen),
+        (false, false, true) => symbols::damped_spring(scene, ends, bar, pen),
+        (false, false, false) => symbols::spring(scene, ends, bar, pen),
+    }
+}
+
+/// Barrel, piston and rod, with an eye at either end.
+fn draw_actuator(scene: &mut Scene, sketch: &Sketch, ends: [Place; 2], stretch: [f64; 2]) {
+    let [[x, y], tip] = ends;
+    let length = (tip[0] - x).hypot(tip[1] - y);
+    let (bar, pen) = (sketch.bar(), sketch.pen(palette::INK));
+    if length > 0.0 {
+        let lengths = Lengths::of_actuator(stretch);
+        let scale = sketch.view.scale;
+        let cylinder = Cylinder {
+            origin: [x, y],
+            along: [(tip[0] - x) / length, (tip[1] - y) / length],
+            barrel: lengths.barrel.map(|far| far * scale),
+            rod: lengths.rod.map(|far| (length + far * scale).max(0.0)),
+        };
+        let [barrel, rod] = [palette::CARD, palette::GROUND].map(|tone| (sketch.ink(tone), pen));
+        symbols::cylinder(scene, &cylinder, bar, barrel, rod);
+    }
+    let hole = Some(sketch.ink(palette::CARD));
+    for end in ends {
+        scene.circle("eye", end, EYE * bar, hole, Some(pen));
+        scene.circle("spring-end", end, END * bar, Some(pen.ink), None);
     }
 }
 

@@ -1,4 +1,4 @@
-//! Driven slides between moving bodies: hydraulic or pneumatic cylinders.
+//! Driven slides between moving bodies, and actuators: hydraulic or pneumatic cylinders.
 
 use super::places::turned;
 use crate::poses::Pose;
@@ -18,6 +18,24 @@ pub struct Lengths {
     pub barrel: [f64; 2],
     /// The piston, and the free end of the rod, from the joint's second point on.
     pub rod: [f64; 2],
+}
+
+/// Least part of an actuator's shortest length that its barrel has, and the greatest.
+const BARREL: [f64; 2] = [0.55, 0.92];
+
+impl Lengths {
+    /// Of an actuator between its least and its greatest length: the barrel begins at its first point, the rod ends at the second, and
+    /// the piston goes through the middle of the barrel.
+    pub fn of_actuator([low, high]: [f64; 2]) -> Self {
+        let stroke = high - low;
+        let thick = THICK * low;
+        let barrel = (stroke + 2.0 * thick).clamp(BARREL[0] * low, BARREL[1] * low);
+        let rod = low - (barrel - stroke) / 2.0;
+        Lengths {
+            barrel: [0.0, barrel],
+            rod: [-rod, 0.0],
+        }
+    }
 }
 
 /// The cylinders among the joints, and which bodies are drawn as part of one: those of which all points lie on its axis.

@@ -29,6 +29,8 @@ pub struct Mechanism {
     pub(super) paths: Vec<Vec<Vec<[f64; 2]>>>,
     /// Least and greatest slide of each joint that has a guide \[m\].
     pub(super) slides: Vec<[f64; 2]>,
+    /// Least and greatest length of each spring, damper and actuator \[m\].
+    pub(super) stretches: Vec<[f64; 2]>,
     /// Driven slides that are drawn as cylinders.
     pub(super) cylinders: Cylinders,
     /// Least and greatest value of each driver [rad, m].
@@ -59,6 +61,7 @@ impl Mechanism {
         let mut mechanism = Mechanism {
             paths: Vec::new(),
             slides: vec![[f64::INFINITY, f64::NEG_INFINITY]; shape.joints.len()],
+            stretches: vec![[f64::INFINITY, f64::NEG_INFINITY]; shape.springs.len()],
             frame: Frame {
                 extent: Extent::EMPTY,
                 margins: Margins::WIDE,
@@ -133,7 +136,7 @@ impl Mechanism {
         }
     }
 
-    /// Widens extent and slides.
+    /// Widens extent, slides and stretches.
     fn include(&mut self, pose: &[Pose]) {
         let shape = &self.shape;
         for (body, pose) in shape.bodies.iter().zip(pose).skip(1) {
@@ -141,8 +144,13 @@ impl Mechanism {
                 self.frame.extent.add(global(*pose, [*x, *y]), 0.0);
             }
         }
-        for point in shape.springs.iter().flat_map(|spring| spring.between) {
-            self.frame.extent.add(place(shape, pose, point), 0.0);
+        for (spring, stretch) in shape.springs.iter().zip(&mut self.stretches) {
+            let ends = spring.between.map(|end| place(shape, pose, end));
+            for end in ends {
+                self.frame.extent.add(end, 0.0);
+            }
+            let length = (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]);
+            *stretch = [stretch[0].min(length), stretch[1].max(length)];
         }
         for (joint, slide) in shape.joints.iter().zip(&mut self.slides) {
             let ends = joint.between.map(|end| place(shape, pose, end));

@@ -102,14 +102,15 @@ fn worth(channel: Option<Channel>) -> Worth {
             Channel::Body(_, BodyQuantity::Ax | BodyQuantity::Ay | BodyQuantity::Alpha)
             | Channel::Point(_, PointQuantity::Ax | PointQuantity::Ay),
         ) => Worth::Acceleration,
-        Some(Channel::Joint(..)) => Worth::Joint,
+        Some(Channel::Joint(..) | Channel::Relative(..)) => Worth::Joint,
         Some(
             Channel::Point(_, PointQuantity::X | PointQuantity::Y)
             | Channel::Driver(_, DriverQuantity::Effort)
             | Channel::Energy(_)
             | Channel::Load(..)
             | Channel::Shaking(_)
-            | Channel::Transmission(_),
+            | Channel::Transmission(_)
+            | Channel::Output(_),
         )
         | None => Worth::Overall,
     }

@@ -144,6 +144,7 @@ fn of_drawing(drawing: Drawing) -> Result<Shape, Fault> {
             between: pair(*between)?,
             damper: false,
             damped: false,
+            actuator: false,
         })
     };
     let body = |body: &DrawnBody| Body {

@@ -53,13 +53,14 @@ impl Shape {
                 between: numbers.ends(between),
                 damper: *stiffness == 0.0,
                 damped: *stiffness != 0.0 && *damping != 0.0,
+                actuator: false,
             }),
-            // a cylinder with its piston
             ForceKind::Actuator { between, .. } => self.springs.push(Spring {
                 name,
                 between: numbers.ends(between),
-                damper: true,
+                damper: false,
                 damped: false,
+                actuator: true,
             }),
             ForceKind::TorsionSpring {
                 between, stiffness, ..

@@ -103,7 +103,7 @@ pub struct Clearance {
     pub radius: f64,
 }
 
-/// A spring or damper between two points.
+/// A spring, damper or actuator between two points.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Spring {
     /// Name in the model.
@@ -116,6 +116,9 @@ pub struct Spring {
     /// A spring with a damper beside it.
     #[serde(default, skip_serializing_if = "is_not")]
     pub damped: bool,
+    /// An actuator: a cylinder with its rod.
+    #[serde(default, skip_serializing_if = "is_not")]
+    pub actuator: bool,
 }
 
 /// A spring or damper between the angles of two bodies.

@@ -12,6 +12,8 @@ const ASIDE: f64 = 1.6;
 /// Turns of a coil, and its least and greatest radius, in bars.
 const TURNS: f64 = 2.0;
 const COIL: [f64; 2] = [1.1, 2.1];
+/// How far its legs reach from the pin, in bars.
+const LEGS: f64 = 3.4;
 /// Pieces of a bent line.
 const PIECES: usize = 60;
 
@@ -96,7 +98,7 @@ fn around([x, y]: Place, radius: f64, angle: f64) -> Place {
     [x + radius * angle.cos(), y - radius * angle.sin()]
 }
 
-/// A coil around a pin, which winds up with the angle between both bodies \[rad\].
+/// A coil around a pin, which winds up with the angle between both bodies \[rad\], with a leg along each of them.
 pub fn coil(scene: &mut Scene, centre: Place, [from, to]: [f64; 2], bar: f64, pen: Pen) {
     let turn = to - from;
     let sweep = TURNS * std::f64::consts::TAU + turn.sin().atan2(turn.cos());
@@ -106,6 +108,10 @@ pub fn coil(scene: &mut Scene, centre: Place, [from, to]: [f64; 2], bar: f64, pe
         around(centre, radius * bar, from + sweep * part)
     };
     scene.line("coil", (0..=PIECES).map(place).collect::<Vec<_>>(), pen);
+    for (radius, angle) in COIL.into_iter().zip([from, from + sweep]) {
+        let leg = [radius, LEGS].map(|radius| around(centre, radius * bar, angle));
+        scene.line("leg", leg, pen);
+    }
 }
 
 /// A damper bent around a pin, from the angle of one body on \[rad\].

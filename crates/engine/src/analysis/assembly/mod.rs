@@ -15,6 +15,7 @@ pub use determined::check_driven;
 pub use limits::too_short;
 pub use mobility::{counted, topology};
 pub use ranks::ranks;
+pub(super) use ranks::tangent;
 pub use velocities::{velocities, velocities_near};
 
 use super::control::Stop;

@@ -2,7 +2,8 @@
 
 use crate::system::{Evaluation, Inputs, System};
 use linkdyn_linear::rank::{
-    DEPENDENCE_TOLERANCE, RankReport, SparseRows, free_direction, independent_rows,
+    BadEntry, DEPENDENCE_TOLERANCE, RankReport, SparseRows, free_direction, independent_rows,
+    only_direction,
 };
 
 /// Ranks of the joints' rows and of all rows at `q`.
@@ -30,8 +31,23 @@ pub(super) fn free(system: &System, q: &[f64], inputs: &Inputs) -> Option<Vec<f6
     )
 }
 
+/// How the joints let the coordinates move together (n), at most by their scales, where that is one motion; `jacobian` has the
+/// values of all entries.
+///
+/// # Errors
+/// How many motions there are.
+pub(in crate::analysis) fn tangent(system: &System, jacobian: &[f64]) -> Result<Vec<f64>, usize> {
+    let Ok(rows) = rows_of(system, jacobian, system.joint_rows()) else {
+        // beyond all numbers
+        return Err(0);
+    };
+    let mut tangent = only_direction(&rows, DEPENDENCE_TOLERANCE)?;
+    system.scale_columns(&mut tangent);
+    Ok(tangent)
+}
+
 /// The first `rows` rows of the scaled Jacobian.
-fn scaled_rows(system: &System, values: &[f64], rows: usize) -> SparseRows {
+fn rows_of(system: &System, values: &[f64], rows: usize) -> Result<SparseRows, BadEntry> {
     let entries: Vec<(usize, usize, f64)> = system
         .entries
         .iter()
@@ -41,7 +57,12 @@ fn scaled_rows(system: &System, values: &[f64], rows: usize) -> SparseRows {
             (row < rows).then(|| (row, column, system.scaled_entry(*value, row, column)))
         })
         .collect();
-    match SparseRows::from_triplets(rows, system.n(), &entries) {
+    SparseRows::from_triplets(rows, system.n(), &entries)
+}
+
+/// The same at a position that was assembled.
+fn scaled_rows(system: &System, values: &[f64], rows: usize) -> SparseRows {
+    match rows_of(system, values, rows) {
         Ok(rows) => rows,
         // `assemble` has seen to it that places are finite, and that no entry is too large.
         Err(bad) => panic!(

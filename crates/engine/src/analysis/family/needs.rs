@@ -1,24 +1,26 @@
 //! The columns that responses need, and how they are read from a mechanism at an instant.
 //!
 //! Only the channels that responses name are read, and those that `derived` takes where they name what follows from rows:
-//! applied forces the poses of bodies (and their rates, where they follow from what moves), transmission the poses, shaking forces rates, joint forces and efforts besides.
+//! applied forces the poses of bodies (and their rates, where they follow from what moves), transmission and outputs the poses,
+//! what forces and joints show the rates besides, and shaking forces joint forces and efforts as well.
 
 use super::super::channels::Channels;
-use super::super::derived::Derived;
+use super::super::derived::{Derived, Wanted};
+use super::super::needed::behind;
 use super::super::responses::Dual;
 use super::super::run::Prepared;
 use super::super::sample::Sample;
-use super::super::transmission::Transmission;
 use super::slopes::Depth;
 use crate::system::{Evaluation, Inputs, System};
-use linkdyn_output::{BodyQuantity, Channel, Column, DriverQuantity, JointQuantity};
+use linkdyn_output::{
+    BodyQuantity, Channel, Column, DriverQuantity, JointQuantity, LoadQuantity, RelativeQuantity,
+};
 
 /// The columns that responses need.
 pub struct Needs {
     channels: Channels,
-    /// Whether any follows from rows, and the transmission that is wanted then.
-    derives: bool,
-    transmission: Option<Option<Transmission>>,
+    /// What is wanted of what follows from rows; none where none of it is needed.
+    wanted: Option<Wanted>,
     /// Place of each need in a row of the channels, and of what follows behind them.
     places: Vec<usize>,
     /// Which of them are of what joints and drivers carry.
@@ -46,23 +48,38 @@ pub struct State<'a> {
 /// What follows from rows that a response names.
 #[derive(Debug, Default)]
 struct Follows {
-    load: bool,
-    shaking: bool,
+    /// It takes poses.
+    any: bool,
+    /// It takes rates.
+    rates: bool,
+    /// It takes what joints carry.
+    reactions: bool,
+    /// It takes efforts of drivers.
+    efforts: bool,
     transmission: bool,
-    /// Whether loads follow from rates.
-    formulas: bool,
 }
 
 impl Follows {
     fn of<'c>(system: &System, columns: impl Iterator<Item = &'c Column>) -> Self {
-        let mut follows = Follows {
-            formulas: !system.formulas.is_empty(),
-            ..Follows::default()
-        };
+        let mut follows = Follows::default();
         for column in columns {
             match column.channel {
-                Some(Channel::Load(..)) => follows.load = true,
-                Some(Channel::Shaking(_)) => follows.shaking = true,
+                // applied forces follow from rates where they are formulas
+                Some(Channel::Load(
+                    force,
+                    LoadQuantity::Fx | LoadQuantity::Fy | LoadQuantity::Torque,
+                )) if system.force_data[force].role.is_applied() => {
+                    follows.rates |= !system.formulas.is_empty();
+                }
+                Some(Channel::Load(..)) => follows.rates = true,
+                Some(Channel::Relative(_, RelativeQuantity::F)) => {
+                    (follows.rates, follows.reactions) = (true, true);
+                }
+                Some(Channel::Relative(..)) => follows.rates = true,
+                Some(Channel::Output(_)) => {}
+                Some(Channel::Shaking(_)) => {
+                    (follows.rates, follows.reactions, follows.efforts) = (true, true, true);
+                }
                 Some(Channel::Transmission(_)) => follows.transmission = true,
                 Some(
                     Channel::Time
@@ -72,36 +89,35 @@ impl Follows {
                     | Channel::Driver(..)
                     | Channel::Energy(_),
                 )
-                | None => {}
+                | None => continue,
             }
+            follows.any = true;
         }
         follows
-    }
-
-    fn is_any(&self) -> bool {
-        self.load || self.shaking || self.transmission
     }
 
     /// Whether it takes a channel.
     fn takes(&self, channel: Channel) -> bool {
         match channel {
             Channel::Time
-            | Channel::Body(_, BodyQuantity::X | BodyQuantity::Y | BodyQuantity::Angle) => {
-                self.is_any()
-            }
+            | Channel::Body(_, BodyQuantity::X | BodyQuantity::Y | BodyQuantity::Angle) => self.any,
             Channel::Body(_, BodyQuantity::Vx | BodyQuantity::Vy | BodyQuantity::Omega) => {
-                self.shaking || self.load && self.formulas
+                self.rates
             }
-            Channel::Joint(_, JointQuantity::Fx | JointQuantity::Fy | JointQuantity::Torque)
-            | Channel::Driver(_, DriverQuantity::Effort) => self.shaking,
+            Channel::Joint(_, JointQuantity::Fx | JointQuantity::Fy | JointQuantity::Torque) => {
+                self.reactions
+            }
+            Channel::Driver(_, DriverQuantity::Effort) => self.efforts,
             Channel::Body(..)
             | Channel::Joint(..)
+            | Channel::Relative(..)
             | Channel::Driver(..)
             | Channel::Point(..)
             | Channel::Energy(_)
             | Channel::Load(..)
             | Channel::Shaking(_)
-            | Channel::Transmission(_) => false,
+            | Channel::Transmission(_)
+            | Channel::Output(_) => false,
         }
     }
 }
@@ -112,7 +128,7 @@ impl Needs {
         let (system, question) = prepared.parts();
         let all = Channels::new(system, question.contents);
         let all = all.columns();
-        let behind = Derived::new(system, all, question.transmission).headings;
+        let behind = behind(system, question);
         let needed = prepared.responses().needed().iter();
         let find = |index: usize| all.get(index).or_else(|| behind.get(index - all.len()));
         let needed: Vec<&Column> = needed
@@ -125,17 +141,20 @@ impl Needs {
         };
         let mut columns: Vec<Column> = all.iter().filter(is_wanted).cloned().collect();
         let channels = Channels::of(columns.clone());
-        let transmission = question.transmission.filter(|_| follows.transmission);
-        if follows.is_any() {
-            let derived = Derived::new(system, channels.columns(), transmission);
+        let whole = Wanted::all(system, question);
+        let wanted = follows.any.then(|| Wanted {
+            transmission: whole.transmission.filter(|_| follows.transmission),
+            following: (whole.following).of(|column| needed.contains(&column)),
+        });
+        if let Some(wanted) = &wanted {
+            let derived = Derived::new(system, channels.columns(), wanted);
             columns.extend(derived.headings);
         }
         let place = |own: &&Column| columns.iter().position(|one| one.channel == own.channel);
         Some(Needs {
             carried: needed.iter().map(|column| is_carried(column)).collect(),
             places: needed.iter().map(place).collect::<Option<_>>()?,
-            derives: follows.is_any(),
-            transmission,
+            wanted,
             channels,
         })
     }
@@ -171,8 +190,8 @@ impl Needs {
     /// What makes of a row of a mechanism what follows from it; none where no response needs that.
     pub fn derived<'s>(&self, system: &'s System) -> Option<Derived<'s>> {
         let columns = self.channels.columns();
-        self.derives
-            .then(|| Derived::new(system, columns, self.transmission))
+        let wanted = self.wanted.as_ref()?;
+        Some(Derived::new(system, columns, wanted))
     }
 
     /// Reads the needed columns of a state, with what makes what follows of the rows of its mechanism.
@@ -204,7 +223,10 @@ impl Needs {
 fn is_carried(column: &Column) -> bool {
     match column.channel {
         Some(
-            Channel::Joint(..) | Channel::Driver(_, DriverQuantity::Effort) | Channel::Shaking(_),
+            Channel::Joint(..)
+            | Channel::Relative(_, RelativeQuantity::F)
+            | Channel::Driver(_, DriverQuantity::Effort)
+            | Channel::Shaking(_),
         ) => true,
         Some(
             Channel::Time
@@ -212,8 +234,10 @@ fn is_carried(column: &Column) -> bool {
             | Channel::Point(..)
             | Channel::Driver(_, DriverQuantity::Value)
             | Channel::Energy(_)
+            | Channel::Relative(..)
             | Channel::Load(..)
-            | Channel::Transmission(_),
+            | Channel::Transmission(_)
+            | Channel::Output(_),
         )
         | None => false,
     }

@@ -62,7 +62,7 @@ impl Results for Table<'_> {
             return self.catalogue.missing(name, parameters);
         }
         let said = Complaint::new("", format!("this analysis has no column {name:?}"));
-        let words = ["joint.", "driver.", "energy.", "shaking."];
+        let words = ["joint.", "driver.", "force.", "energy.", "shaking."];
         match words.iter().any(|word| name.starts_with(word)) {
             _ if name.starts_with("transmission.") => said.hint(
                 "it needs \"transmission\" in the analysis, drivers that determine the motion, and a joint of the output body that is not on ground",
@@ -203,8 +203,11 @@ impl Responses {
         }
         self.needed.push(id);
         self.columns.push(columns[column].name.clone());
-        let is_transmission = matches!(columns[column].channel, Some(Channel::Transmission(_)));
-        self.may_be_empty.push(is_transmission);
+        let may_be_empty = matches!(
+            columns[column].channel,
+            Some(Channel::Transmission(_) | Channel::Output(_))
+        );
+        self.may_be_empty.push(may_be_empty);
         self.needed.len() - 1
     }
 }

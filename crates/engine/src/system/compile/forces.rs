@@ -43,7 +43,7 @@ impl Compiler<'_> {
                     damping: *damping,
                     free_length: value_law(free_length),
                 };
-                (Arc::new(spring), ForceRole::Spring { between })
+                (Arc::new(spring), self.spring_role(kind, between))
             }
             ForceKind::Actuator {
                 between: ends,
@@ -57,7 +57,7 @@ impl Compiler<'_> {
                     second,
                     force,
                 };
-                (Arc::new(actuator), ForceRole::Spring { between })
+                (Arc::new(actuator), self.spring_role(kind, between))
             }
             ForceKind::TorsionSpring {
                 between,
@@ -74,7 +74,7 @@ impl Compiler<'_> {
                     damping: *damping,
                     free_angle: value_law(free_angle),
                 };
-                (Arc::new(spring), ForceRole::Spring { between })
+                (Arc::new(spring), self.spring_role(kind, between))
             }
             ForceKind::Load { at, vector, frame } => self.lower_load(at, vector, *frame),
             ForceKind::Torque {
@@ -109,5 +109,13 @@ impl Compiler<'_> {
             follows_body: frame != BodyId::GROUND,
         };
         (Arc::new(load), ForceRole::Load { vector, frame })
+    }
+
+    fn spring_role(&self, kind: &ForceKind, between: [BodyId; 2]) -> ForceRole {
+        ForceRole::Spring {
+            between,
+            measured: self.stretch(kind),
+            is_actuator: matches!(kind, ForceKind::Actuator { .. }),
+        }
     }
 }

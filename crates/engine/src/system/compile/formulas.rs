@@ -7,8 +7,10 @@ use crate::element::formula::{Formula, Function, MOST_ARGUMENTS, Strength};
 use crate::element::quantity::{Measured, Quantity};
 use crate::element::{BodyId, Marker};
 use crate::motion::Law;
+use crate::system::{DriverRole, OutputRatio};
 use linkdyn_linear::math::Vec2;
 use linkdyn_model::formula::{Argument, Coordinate, Order};
+use linkdyn_model::ratio::Ratio;
 use linkdyn_model::response::{Catalogue, Program, Tangent};
 use linkdyn_model::{ForceKind, PointRef, Value};
 use std::sync::Arc;
@@ -45,6 +47,49 @@ impl Compiler<'_> {
                 });
                 self.system.formulas.push(formula.clone());
                 Strength::OfMotion(formula)
+            }
+        }
+    }
+
+    /// Ratios of velocities.
+    pub(super) fn add_outputs(&mut self) {
+        if self.model.outputs.is_empty() {
+            return;
+        }
+        let catalogue = Catalogue::of(self.model);
+        for (name, text) in &self.model.outputs {
+            let ratio = Ratio::read(text, &catalogue).expect("the gate reads each output");
+            let measured = |argument: &Argument| match self.quantity(argument) {
+                Quantity::Value(measured) | Quantity::Rate(measured) => measured,
+                Quantity::Drive(driver) => self.driven(driver),
+                Quantity::Time => unreachable!("time is no quantity of a ratio"),
+            };
+            let output = OutputRatio {
+                name: name.clone(),
+                quantities: ratio.quantities.each_ref().map(measured),
+                unit: ratio.unit(),
+            };
+            self.system.outputs.push(output);
+        }
+    }
+
+    /// What a driver moves.
+    fn driven(&self, driver: usize) -> Measured {
+        match self.system.drivers[driver].role {
+            DriverRole::Rotation { body, relative_to } => Measured::Turn {
+                first: relative_to,
+                second: body,
+            },
+            DriverRole::Translation { joint } => {
+                let joint = &self.system.joints[joint.0];
+                let [first, second] = joint.points;
+                // only what has an axis slides
+                let axis = joint.role.axis().unwrap_or_else(Vec2::x);
+                Measured::Along {
+                    first,
+                    second,
+                    axis,
+                }
             }
         }
     }
@@ -97,7 +142,7 @@ impl Compiler<'_> {
     }
 
     /// What a spring's length or angle is.
-    fn stretch(&self, kind: &ForceKind) -> Measured {
+    pub(super) fn stretch(&self, kind: &ForceKind) -> Measured {
         let distance = |[first, second]: &[PointRef; 2]| Measured::Distance {
             first: self.marker(first),
             second: self.marker(second),

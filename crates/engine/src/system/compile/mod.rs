@@ -87,6 +87,7 @@ impl<'a> Compiler<'a> {
             initial_rates: Vec::new(),
             forces: Vec::new(),
             force_data: Vec::new(),
+            outputs: Vec::new(),
             formulas: Vec::new(),
             kinks: Vec::new(),
             dependent_forces: Vec::new(),
@@ -127,6 +128,7 @@ impl<'a> Compiler<'a> {
         self.add_stops();
         self.add_initial();
         self.add_forces();
+        self.add_outputs();
         self.system.scale = Scale::of(&self.system);
         self.system.kinks = self.kinks();
         for point in &self.model.points {

@@ -67,6 +67,8 @@
     add("Angles of bodies that go round", largest(round), first && !swing.length);
   };
   add("Driver efforts", ending(/^driver\..*\.effort$/), true);
+  add("Outputs", ending(/^output\./), true);
+  add("Lengths of springs and actuators", ending(/^force\..*\.length$/), true);
   add("Velocity ratio, mechanical advantage", ending(/^transmission\.(ratio|advantage)$/), true);
   add("Transmission angles", ending(/^transmission\..*\.angle$/), true);
   if (free) angles();
@@ -85,6 +87,8 @@
   add("Applied forces", ending(/^force\..*\.(f|torque)$/).filter(varies), !dynamics);
   if (!free) angles(!ending(/^driver\..*\.effort$|^joint\..*\.f$/).length);
   add("Angular accelerations", largest(ending(/\.alpha$/, ofBody)), false);
+  add("Slides and angles of joints", ending(/^joint\..*\.(slide|angle)$/), false);
+  add("Powers of forces", ending(/^force\..*\.power$/), false);
   add("Shaking moment", ending(/^shaking\.moment$/), false);
   for (const ex of ending(/^joint\..*\.ex$/).slice(0, 8)) {
     const ey = byName.get(ex.name.replace(/x$/, "y"));

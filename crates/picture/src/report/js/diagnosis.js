@@ -69,7 +69,8 @@
   if (has("joint.")) meanings.push("joint.NAME.fx, fy, torque: what the joint's first body exerts on the second, global axes, at the second body's point; f is the magnitude.");
   if (has("shaking.")) meanings.push("Shaking force and moment: what the mechanism exerts on the ground through joints, drivers, springs, dampers and torques between the two, weights included; applied forces come from outside and are not counted. The moment is about the ground's origin.");
   if (has("transmission.")) meanings.push("Ratio: change of the output (angle, or slide where a prismatic joint holds it to ground) by the driver's value, other drivers held. Mechanical advantage: its reciprocal, output load per driver effort without mass and friction. Transmission angle: between the force that a unit load on the output puts into the joint and the normal of the velocity of the output's point there, 0 to 90°; with one coupler the angle between coupler and output link.");
-  if (has("force.")) meanings.push("force.NAME: the applied force in global axes, or torque.");
+  if (has("force.")) meanings.push("force.NAME: the applied force in global axes, or torque; of springs and actuators what acts on the second point or body, f along the line of the points, positive where it pushes them apart. power is the work by time that it does on the mechanism.");
+  if (has("output.")) meanings.push("output.NAME: the ratio of two velocities, of the motion that the joints allow. It does not depend on how fast that is.");
   if (meanings.length) {
     const made = table("What the quantities mean", { wide: true, open: false });
     meanings.forEach((text) => made.append(element("p", { text })));

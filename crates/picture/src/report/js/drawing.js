@@ -174,17 +174,31 @@
   // Where something turns: around a pin, else at a body.
   const around = (at, pin, number) => pin === undefined ? at([number, 0]) : at(mechanism.joints[pin].between[1]);
 
-  const springs = ({ pen, at, px, row, colours, show, names }) => {
+  // Barrel, piston and rod of an actuator, with an eye at either end.
+  const actuator = (pen, colours, a, b, { end, rod }, scale, px) => {
+    const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+    if (length > 0) {
+      const u = [(b[0] - a[0]) / length, (b[1] - a[1]) / length], tone = (fill) => ({ fill, line: colours.ink });
+      const lengths = { base: 0, end: end * scale, piston: Math.max(length - rod * scale, 0), tip: length };
+      cylinder(pen, { first: tone(colours.card), second: tone(colours.muted) }, a, u, lengths, px);
+    }
+    pen.strokeStyle = colours.ink; pen.lineWidth = 1.5; pen.fillStyle = colours.card;
+    for (const eye of [a, b]) disc(pen, eye, px * 0.62);
+  };
+
+  const springs = ({ pen, at, scale, px, row, colours, show, names }) => {
     pen.strokeStyle = colours.ink; pen.lineWidth = 1.5;
     mechanism.springs.forEach(({ between, damper, damped, name }, number) => {
       const [a, b] = between.map(at);
       if (!a || !b) return;
+      const cylinder = shapes.actuators[number];
+      if (cylinder) actuator(pen, colours, a, b, cylinder, scale, px);
       for (const [k, end] of [a, b].entries()) {
         pen.beginPath(); pen.arc(...end, 2.6, 0, 7); pen.fillStyle = colours.ink; pen.fill();
         const onGround = between[k][0] === 0 && !mechanism.joints.some((joint) => joint.between.some(([body, number]) => body === 0 && number === between[k][1]));
         if (onGround) hatch(pen, [end[0] + px, end[1] + 3], [end[0] - px, end[1] + 3], -1, px * 0.6);
       }
-      spring(pen, a, b, px, damper, damped);
+      if (!cylinder) spring(pen, a, b, px, damper, damped);
       if (show.joints) names.push({ text: name, at: [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2], colour: colours.ink, beside: px, key: `spring ${number}` });
     });
     mechanism.torsion_springs.forEach(({ bodies, pin, damper, name }, number) => {

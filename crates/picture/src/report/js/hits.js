@@ -11,7 +11,7 @@
   // Things with a place: title, what they are, columns to tell of, and those to plot.
   const joints = mechanism.joints.map(({ name, type, between, clearance }, k) => ({
     name, kind: clearance ? `${type} with clearance` : type, at: (row) => shapes.place(between[1], row),
-    columns: list(`joint.${name}`, ["f", "fx", "fy", "torque", "eccentricity", "penetration", "normal_force", "sliding_speed"]),
+    columns: list(`joint.${name}`, ["angle", "omega", "slide", "rate", "f", "fx", "fy", "torque", "eccentricity", "penetration", "normal_force", "sliding_speed"]),
     plot: clearance ? ["f", "eccentricity"] : ["f", "torque"], owner: `joint.${name}`, hidden: type === "gear" && k >= 0,
   })).filter(({ hidden }) => !hidden);
   const drivers = mechanism.drivers.map(({ name }) => ({ name, columns: list(`driver.${name}`, ["value", "effort"]), owner: `driver.${name}`, plot: ["effort"] }));
@@ -20,9 +20,12 @@
     return { name, kind: "point", at: (row) => shapes.place([body, number], row), columns: list(name, ["x", "y", "vx", "vy", "ax", "ay"]), owner: name, plot: ["x", "y"] };
   });
   const loads = mechanism.loads.map(({ name, at, body }) => ({
-    name, kind: "load", at: (row) => shapes.place(at || [body, 0], row), columns: list(`force.${name}`, ["f", "fx", "fy", "torque"]), owner: `force.${name}`, plot: ["f", "torque"],
+    name, kind: "load", at: (row) => shapes.place(at || [body, 0], row), columns: list(`force.${name}`, ["f", "fx", "fy", "torque", "power"]), owner: `force.${name}`, plot: ["f", "torque"],
   }));
-  const springs = mechanism.springs.map(({ name, between, damper, damped }) => ({ name, kind: damper ? "damper" : damped ? "spring and damper" : "spring", between, columns: [], plot: [], owner: "" }));
+  const springs = mechanism.springs.map(({ name, between, damper, damped, actuator }) => ({
+    name, kind: actuator ? "actuator" : damper ? "damper" : damped ? "spring and damper" : "spring", between,
+    columns: list(`force.${name}`, ["length", "rate", "f", "fx", "fy", "power"]), plot: ["f", "length"], owner: `force.${name}`,
+  }));
   const bodies = mechanism.bodies.map(({ name }, k) => ({ name, kind: "body", body: k, columns: k ? list(name, ["x", "y", "angle", "omega", "alpha"]) : [], owner: name, plot: ["angle", "omega"] }));
   // A driver is told of with the joint that it turns or pushes.
   mechanism.drivers.forEach((driver, k) => {

@@ -109,6 +109,21 @@ linkdyn.measureShapes = () => {
     return { base: start, end, piston, tip };
   });
 
+  // An actuator is a cylinder from its first point to its second: where its barrel ends, and how far the piston is from the tip \[m\].
+  const actuators = mechanism.springs.map(({ between, actuator }) => {
+    if (!actuator) return null;
+    let [low, high] = [Infinity, 0];
+    for (const row of sampled) {
+      const [a, b] = between.map((end) => place(end, row));
+      if (!a || !b) continue;
+      const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+      [low, high] = [Math.min(low, length), Math.max(high, length)];
+    }
+    if (!(low <= high)) return null;
+    const stroke = high - low, end = Math.min(Math.max(stroke + 0.24 * low, 0.55 * low), 0.92 * low);
+    return { end, rod: low - (end - stroke) / 2 };
+  });
+
   // The box in which everything stays.
   const box = (() => {
     let [left, right, bottom, top] = [Infinity, -Infinity, Infinity, -Infinity];
@@ -131,6 +146,6 @@ linkdyn.measureShapes = () => {
     return [...widen(left, right), ...widen(bottom, top)];
   })();
 
-  return { known, pose, place, carry, turn, outlines, strokes, cylinders, inCylinder, box };
+  return { known, pose, place, carry, turn, outlines, strokes, cylinders, inCylinder, actuators, box };
 };
 linkdyn.shapes = linkdyn.measureShapes();

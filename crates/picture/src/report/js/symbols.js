@@ -92,10 +92,10 @@
     box(piston - px * 0.35, piston + px * 0.35, wide - 1.5); pen.fillStyle = colours.second.line; pen.fill();
   };
 
-  // Least and greatest radius of what is drawn around a pin, in details.
-  const COIL = [0.75, 1.4];
+  // Least and greatest radius of what is drawn around a pin, and how far the legs of a coil reach, in details.
+  const COIL = [0.8, 1.6], LEGS = 2.7;
 
-  // A coil round a pin, which winds up with the angle between the bodies.
+  // A coil round a pin, which winds up with the angle between the bodies, with a leg along each of them.
   const coil = (pen, [x, y], from, to, px) => {
     const sweep = 4 * Math.PI + Math.atan2(Math.sin(to - from), Math.cos(to - from));
     pen.beginPath();
@@ -104,6 +104,10 @@
       pen.lineTo(x + radius * Math.cos(angle), y + radius * Math.sin(angle));
     }
     pen.stroke();
+    for (const [k, angle] of [-from, -from - sweep].entries()) {
+      path(pen, [COIL[k], LEGS].map((radius) => [x + px * radius * Math.cos(angle), y + px * radius * Math.sin(angle)]));
+      pen.stroke();
+    }
   };
 
   // A damper bent round a pin, from the angle of a body on.

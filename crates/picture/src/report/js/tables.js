@@ -67,7 +67,7 @@
   });
 
   // Smallest and largest value of each column, the interesting ones first: what drives, what carries, what the model asks for.
-  const INTEREST = [/^driver\..*\.effort$/, /^joint\..*\.f$/, /^transmission\./, /^joint\..*\.(torque|normal_force|penetration|eccentricity)$/, /^shaking\.(f|moment)$/,
+  const INTEREST = [/^driver\..*\.effort$/, /^joint\..*\.f$/, /^(transmission|output)\./, /^joint\..*\.(torque|normal_force|penetration|eccentricity)$/, /^shaking\.(f|moment)$/,
     /^[^.]+\.[^.]+\.[xy]$/, /\.(angle|omega)$/, /^energy\./, /^force\./, /\.(x|y|vx|vy|alpha)$/];
   const interest = ({ name }) => { const found = INTEREST.findIndex((pattern) => pattern.test(name)); return found < 0 ? INTEREST.length : found; };
   const shown = columns.filter((column) => column.wanted && column.name !== "time");

@@ -61,7 +61,7 @@ pub(super) fn wanted(
         };
         let at = pose(system, name, output)?;
         let (name, limits) = (name.to_owned(), output.limits);
-        match quantity(system, names, &name, output)? {
+        match quantity((model, system, names), &name, output)? {
             Quantity::Position(output) => {
                 found.positions.push(Wanted {
                     name,
@@ -95,14 +95,18 @@ enum Quantity {
 }
 
 fn quantity(
-    system: &System,
-    names: &Names,
+    (model, system, names): (&Model, &System, &Names),
     name: &str,
     asked: &AccuracyOutput,
 ) -> Result<Quantity, Complaint> {
     let path = format!("accuracy.outputs.{name}");
+    let length = |column: &str| {
+        let force = column.strip_prefix("force.")?.strip_suffix(".length")?;
+        let [from, to] = model.forces.get(force)?.kind.ends()?;
+        names.distance([from, to].map(|end| (end.body.as_str(), end.point.as_str())))
+    };
     match &asked.of {
-        Measured::Column(column) => match names.column(system, column) {
+        Measured::Column(column) => match names.column(system, column).or_else(|| length(column)) {
             Some(output) => Ok(Quantity::Position(output)),
             None => force(system, column).map(Quantity::Force).map_err(|hint| {
                 let message =
@@ -143,7 +147,9 @@ fn force(system: &System, name: &str) -> Result<Force, String> {
         | Channel::Energy(_)
         | Channel::Load(..)
         | Channel::Shaking(_)
-        | Channel::Transmission(_) => None,
+        | Channel::Transmission(_)
+        | Channel::Relative(..)
+        | Channel::Output(_) => None,
     };
     let forces = columns.iter().filter(|column| column.unit.starts_with('N'));
     let forces = forces.filter_map(|column| {

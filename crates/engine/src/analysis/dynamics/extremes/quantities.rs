@@ -73,7 +73,9 @@ pub fn watched(columns: &[Column], patterns: &[String]) -> (Vec<Watched>, usize)
             | Channel::Point(..)
             | Channel::Load(..)
             | Channel::Shaking(_)
-            | Channel::Transmission(_) => (2, false, None),
+            | Channel::Transmission(_)
+            | Channel::Relative(..)
+            | Channel::Output(_) => (2, false, None),
         };
         let of_joint = |quantity| at(Channel::Joint(joint?, quantity));
         let of_contact = of_joint(JointQuantity::Eccentricity).is_some();

@@ -1,0 +1,154 @@
+//! Outputs: how fast one quantity changes by another, where the mechanism has one degree of freedom.
+//!
+//! ```text
+//! J_j t = 0                joint rows alone (drivers apart); one t but for its length
+//! dA/dB = (∂A/∂q t)/(∂B/∂q t)
+//! ```
+//!
+//! t is the tangent of the curve on which the mechanism moves, so that the ratio does not depend on how fast it moves there, and
+//! exists where a driver stands still or can't drive. Where B does not change along t, as at a dead point of it, there is no ratio:
+//! the cell is empty. So it is where the joints leave more than one motion, as at a change point. Against closed forms and
+//! finite differences in `tests/fast/outputs`.
+
+use super::assembly::tangent;
+use super::rows::{Columns, Replay};
+use crate::element::Kinematics;
+use crate::element::quantity::{Measured, Quantity};
+use crate::element::span::BOTH;
+use crate::system::System;
+use linkdyn_output::{Channel, Column};
+
+/// Part of the largest motion of the mechanism below which a quantity does not change: round-off of the tangent.
+const NO_MOTION: f64 = 1e-9;
+
+/// The columns of all outputs.
+pub(super) fn headings(system: &System) -> Vec<Column> {
+    let outputs = system.outputs.iter().enumerate();
+    let heading = |(k, output): (usize, &crate::system::OutputRatio)| {
+        Column::of(Channel::Output(k), &output.name, output.unit)
+    };
+    outputs.map(heading).collect()
+}
+
+/// A quantity, and where the coordinates stand that change it.
+struct Part {
+    quantity: Quantity,
+    columns: Vec<Option<usize>>,
+    /// By what it is measured \[m or rad\].
+    scale: f64,
+}
+
+/// One output, and in how many rows it is empty.
+struct Ratio {
+    output: usize,
+    parts: [Part; 2],
+    still: usize,
+    free: usize,
+}
+
+/// Outputs beside the rows of a run.
+pub(super) struct Ratios<'s> {
+    ratios: Vec<Ratio>,
+    replay: Replay<'s>,
+    rows: usize,
+}
+
+impl Part {
+    fn new(system: &System, measured: Measured) -> Self {
+        let quantity = Quantity::Value(measured);
+        let columns = quantity.columns().into_iter();
+        Part {
+            columns: columns
+                .map(|(body, axis)| system.layout.column(body, axis))
+                .collect(),
+            scale: match measured {
+                Measured::Turn { .. } => 1.0,
+                Measured::Along { .. } | Measured::Distance { .. } => system.size,
+            },
+            quantity,
+        }
+    }
+
+    /// Its change along a motion.
+    fn along(&self, at: &Kinematics, tangent: &[f64]) -> f64 {
+        let (mut position, mut velocity) = ([0.0; BOTH], [0.0; BOTH]);
+        self.quantity.slopes(at, &mut position, &mut velocity);
+        let terms = position.iter().zip(&self.columns);
+        terms
+            .filter_map(|(slope, column)| Some(slope * tangent[(*column)?]))
+            .sum()
+    }
+}
+
+impl<'s> Ratios<'s> {
+    /// These columns beside rows; none where the rows lack a pose.
+    pub fn new(system: &'s System, columns: &Columns, wanted: &[Column]) -> Option<Self> {
+        let ratio = |column: &Column| match column.channel {
+            Some(Channel::Output(output)) => Some(Ratio {
+                output,
+                parts: system.outputs[output]
+                    .quantities
+                    .map(|measured| Part::new(system, measured)),
+                still: 0,
+                free: 0,
+            }),
+            _ => None,
+        };
+        Some(Ratios {
+            ratios: wanted.iter().map(ratio).collect::<Option<_>>()?,
+            replay: Replay::new(system, columns)?,
+            rows: 0,
+        })
+    }
+
+    /// Appends the columns of a row, NaN where there is no ratio.
+    pub fn push(&mut self, row: &[f64], line: &mut Vec<f64>) {
+        self.replay.take(row);
+        if !self.replay.is_there() {
+            line.extend(self.ratios.iter().map(|_| f64::NAN));
+            return;
+        }
+        self.rows += 1;
+        let system = self.replay.system;
+        let tangent = tangent(system, self.replay.jacobian());
+        let at = self.replay.kinematics();
+        for ratio in &mut self.ratios {
+            let Ok(tangent) = &tangent else {
+                ratio.free += 1;
+                line.push(f64::NAN);
+                continue;
+            };
+            let [above, below] = ratio.parts.each_ref().map(|part| part.along(&at, tangent));
+            let is_still = below.abs() <= NO_MOTION * ratio.parts[1].scale;
+            ratio.still += usize::from(is_still);
+            line.push(if is_still { f64::NAN } else { above / below });
+        }
+    }
+
+    /// What there is to say about empty cells of the rows so far.
+    pub fn notes(&self) -> Vec<String> {
+        let system = self.replay.system;
+        let rows = |empty: usize| match empty {
+            empty if empty == self.rows => "in all rows".to_owned(),
+            1 => format!("in 1 of {} rows", self.rows),
+            empty => format!("in {empty} of {} rows", self.rows),
+        };
+        let of = |ratio: &Ratio| {
+            let name = &system.outputs[ratio.output].name;
+            let still = (ratio.still > 0).then(|| {
+                format!(
+                    "output.{name} is empty {}: what it divides by does not change there",
+                    rows(ratio.still)
+                )
+            });
+            let free = (ratio.free > 0).then(|| {
+                format!(
+                    "output.{name} is empty {}: the joints do not leave one motion alone there",
+                    rows(ratio.free)
+                )
+            });
+            [still, free]
+        };
+        self.ratios.iter().flat_map(of).flatten().collect()
+    }
+}
