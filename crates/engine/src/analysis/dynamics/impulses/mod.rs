@@ -209,6 +209,8 @@ impl<'a, 's> Impulses<'a, 's> {
         } = last;
         let (height, rest) = match system.contacts[contact].stop() {
             None => (system.display.length_to(height, 2), 0.0),
+            // Without rebound there is nothing that dies away.
+            Some(_) if restitution == 0.0 => return,
             Some(stop) => {
                 let rest = 2.0 * restitution * speed / (fall * (1.0 - restitution));
                 (ends::depth(stop, &system.display, height, 2), rest)
