@@ -291,6 +291,11 @@ fn ends_are_seen_from_the_start() {
     let stops = json!({ "limits": [-0.3 + 2.0 * PI, 1.5 + 2.0 * PI] });
     let run = completed(&rod(1.0, &stops, 1.5));
     near(*column(&run, "rod.angle").last().expect("rows"), -0.3, 1e-9);
+    // Limits that hold the start as they are written are not turned on.
+    let mut swung = rod(5.0, &json!({ "limits": [-5.2, 5.2] }), 0.5);
+    swung["initial"]["rod"]["angular_velocity"] = json!(3.0);
+    let run = completed(&swung);
+    assert_eq!(contacts(&run)[0].0.stop, Some("upper"));
     let refused = |model: &Value| {
         let run = analysis::run(&loaded(model).model, &Control::default());
         run.expect_err("refused").to_string()

@@ -49,7 +49,11 @@ pub fn turns(system: &System, at: &Kinematics) -> Vec<f64> {
             continue;
         }
         let angle = first.coordinate(at);
+        let is_within =
+            |turn: &f64| (first.limit - BEYOND..=last.limit + BEYOND).contains(&(angle - turn));
         let turn = TAU * ((angle - 0.5 * (first.limit + last.limit)) / TAU).round();
+        // As they are written, where that will do.
+        let turn = [0.0, turn].into_iter().find(is_within).unwrap_or(0.0);
         (turns[lower.0], turns[upper.0]) = (turn, turn);
     }
     turns
