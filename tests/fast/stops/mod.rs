@@ -141,6 +141,10 @@ fn a_perfect_stop_keeps_the_energy() {
     let fallen = completed(&block(1.0, &stops, 5.0));
     let imbalance = fallen.report.quality.energy_imbalance.expect("a ledger");
     assert!(imbalance < 1e-13, "{imbalance:e}");
+    // A drop lower than can be told apart has no flights.
+    let dropped = completed(&block(0.2 + 1e-13, &stops, 1.0));
+    let times = dropped.report.events.iter().map(|event| event.time);
+    assert!(times.into_iter().all(f64::is_finite));
     // All flights are alike, to 1e-9 of one.
     let flight = met[1].0.time - met[0].0.time;
     near(flight, 2.0 * met[0].0.time, 1e-9 * flight);

@@ -213,6 +213,8 @@ impl<'a, 's> Impulses<'a, 's> {
             Some(_) if restitution == 0.0 => return,
             Some(stop) => {
                 let rest = 2.0 * restitution * speed / (fall * (1.0 - restitution));
+                // They have no end where nothing is lost.
+                let rest = if rest.is_finite() { rest } else { 0.0 };
                 (ends::depth(stop, &system.display, height, 2), rest)
             }
         };
