@@ -120,6 +120,11 @@ fn a_block_bounces_until_it_rests() {
         MASS * GRAVITY,
         1e-9,
     );
+    near(
+        *column(&run, "joint.g.fy").last().expect("rows"),
+        MASS * GRAVITY,
+        1e-9,
+    );
     near(*column(&run, "block.y").last().expect("rows"), 0.2, 1e-9);
     let imbalance = run.report.quality.energy_imbalance.expect("a ledger");
     assert!(imbalance < 1e-12, "{imbalance:e}");

@@ -55,3 +55,28 @@ fn stops_that_press_at_rest_are_springs() {
     let refused = analysis::modes(&loaded(&model).model, true, &Control::default());
     assert!(refused.is_err());
 }
+
+/// What stops carry reaches the ground: the weight of a block, and that of a rod with its torque about the ground's origin.
+#[test]
+fn the_ground_carries_what_leans_on_stops() {
+    let shaken = |model: &mut Value, end: &str| {
+        model["responses"] = json!({ "fy": "last(shaking.fy)", "moment": "last(shaking.moment)" });
+        let run = completed(model);
+        let of = |name: &str| {
+            let answers = run.responses.iter();
+            let mut found = answers.filter(|answer| answer.name == name);
+            found.next().and_then(|answer| answer.value).expect(end)
+        };
+        [of("fy"), of("moment")]
+    };
+    let [force, _] = shaken(
+        &mut block(0.5, &json!({ "limits": [0.2, 1.5] }), 1.0),
+        "a block",
+    );
+    near(force, -MASS * GRAVITY, 1e-9);
+    let angle: f64 = -0.3;
+    let stops = json!({ "limits": [angle, 2.0] });
+    let [force, moment] = shaken(&mut rod(0.5, &stops, 2.0), "a rod");
+    near(force, -GRAVITY, 1e-8);
+    near(moment, -GRAVITY * angle.cos(), 1e-8);
+}

@@ -127,6 +127,15 @@ impl JointReading {
             let dependent = &system.dependent_forces[at_joint.force].force;
             force += dependent.reaction(at, friction).0;
         }
+        let stops = data.stops.iter().flat_map(|ends| ends.iter().flatten());
+        let stop = stops.filter_map(|id| {
+            let stop = system.contacts[id.0].stop()?;
+            Some(stop.pushed(sample.contacts[id.0].reading.normal))
+        });
+        let stop = stop.sum();
+        if let (true, Some(axis)) = (stop != 0.0, data.role.axis()) {
+            force += at.poses[data.bodies[0].0].turn(axis) * stop;
+        }
         // A journal that does not move freely is where its model holds it.
         let held = || {
             let bearing = data.bearing.as_ref()?;
@@ -136,13 +145,8 @@ impl JointReading {
                 state: 1.0,
             })
         };
-        let stops = data.stops.iter().flat_map(|ends| ends.iter().flatten());
-        let stop = stops.filter_map(|id| {
-            let stop = system.contacts[id.0].stop()?;
-            Some(stop.pushed(sample.contacts[id.0].reading.normal))
-        });
         JointReading {
-            stop: stop.sum(),
+            stop,
             force,
             torque,
             friction,

@@ -197,7 +197,11 @@ fn joint_shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
             sign,
             at: Place::of(system, columns, &joint.points[1])?,
             force: [find(JointQuantity::Fx)?, find(JointQuantity::Fy)?],
-            torque: find(JointQuantity::Torque),
+            // A pin carries no torque but that of its stops; the force of a slide's is among its own.
+            torque: match joint.role.axis() {
+                None => find(JointQuantity::Torque).or_else(|| find(JointQuantity::Stop)),
+                Some(_) => find(JointQuantity::Torque),
+            },
         });
     }
     Some(shares)
