@@ -2,6 +2,7 @@
 //!
 //! Each function changes the words of a model so that its results must change in a known way.
 
+mod limits;
 mod rename;
 
 use indexmap::IndexMap;
@@ -10,6 +11,7 @@ use linkdyn_model::{
     Paced, Rise, Segment, Value,
 };
 
+use limits::{flip_limits, turn_limits};
 pub use rename::{rename_and_reverse, renamed};
 
 /// A plane vector turned by an angle.
@@ -195,7 +197,7 @@ pub fn rotate(model: &Model, angle: f64) -> Model {
         // Relative angles against the ground, which has not turned.
         let relative = angle * (f64::from(u8::from(first)) - f64::from(u8::from(second)));
         match &mut joint.kind {
-            JointKind::Revolute { .. } => {}
+            JointKind::Revolute { .. } => turn_limits(&mut joint.stops, |limit| limit + relative),
             JointKind::Prismatic {
                 axis,
                 angle: relative_angle,
@@ -319,7 +321,7 @@ pub fn mirror(model: &Model) -> Model {
     }
     for joint in model.joints.values_mut() {
         match &mut joint.kind {
-            JointKind::Revolute { .. } => {}
+            JointKind::Revolute { .. } => flip_limits(&mut joint.stops),
             JointKind::Prismatic { axis, angle, .. } => {
                 *axis = mirrored(*axis);
                 *angle = -*angle;
@@ -355,7 +357,10 @@ pub fn swap(model: &Model) -> Model {
     let mut model = model.clone();
     for joint in model.joints.values_mut() {
         match &mut joint.kind {
-            JointKind::Revolute { .. } => joint.between.reverse(),
+            JointKind::Revolute { .. } => {
+                flip_limits(&mut joint.stops);
+                joint.between.reverse();
+            }
             JointKind::Fixed { angle } => {
                 *angle = -*angle;
                 joint.between.reverse();

@@ -114,6 +114,11 @@ pub const MODELS: &[Bundled] = &[
         text: include_str!("../../../models/stephenson-iii.json"),
     },
     Bundled {
+        name: "toggle-clamp",
+        aliases: &["clamp"],
+        text: include_str!("../../../models/toggle-clamp.json"),
+    },
+    Bundled {
         name: "watt-i-lock",
         aliases: &["lock"],
         text: include_str!("../../../models/watt-i-lock.json"),

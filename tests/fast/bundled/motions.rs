@@ -202,3 +202,23 @@ fn the_worn_piston_pin_strikes_when_another_program_says() {
         close(impact.approach_speed, speed, 0.5e-5);
     }
 }
+
+/// Beyond the dead centre the lever lies on its stop, and the ram is where the triangle of lever and link has it. The workpiece
+/// presses by its stiffness, and by virtual work turns the lever on: dx/dθ = −a sin θ x/(x − a cos θ).
+#[test]
+fn the_clamp_holds_its_workpiece() {
+    let outcome = solve(&load_bundled("toggle-clamp", &[]));
+    let last = |name: &str| *values(&outcome, name).last().expect("rows");
+    let (a, b) = (0.06, 0.12);
+    let (sin, cos) = 5.0_f64.to_radians().sin_cos();
+    let slide = a * cos + (b * b - a * a * sin * sin).sqrt();
+    close(last("ram.x"), slide, 1e-10);
+    let press = 4e6 * (slide - 0.178);
+    close(last("joint.guide.stop"), -press, 1e-6 * press);
+    let lever = a * sin * slide / (slide - a * cos);
+    close(
+        last("joint.pivot.stop"),
+        20.0 + press * lever,
+        1e-6 * press * lever,
+    );
+}
