@@ -4,8 +4,8 @@ use super::clearance::CLEARANCE;
 use super::friction::FRICTION;
 use crate::dimension::Dimension;
 use crate::shape::{
-    Bound, Choice, Default, Drives, Measure, Named, Object, Shape, Tagged, default, optional,
-    required,
+    Bound, Choice, Default, Drives, Field, Measure, Named, Object, Shape, Tagged, default,
+    optional, required,
 };
 
 /// At which of its ends a joint latches.
@@ -21,6 +21,38 @@ pub static LATCH: Choice = Choice {
 
 static TURN: Shape = Shape::End(Measure::Of(Dimension::Angle));
 static SLIDE: Shape = Shape::End(Measure::Of(Dimension::Length));
+
+/// Stops of joints that slide, or of all.
+const SLIDE_LIMITS: Field = optional(
+    "limits",
+    Shape::Pair(&SLIDE),
+    "Where its way ends: least and greatest slide along the axis \\[m\\]; `null` where it does not.",
+);
+const RESTITUTION: Field = optional(
+    "restitution",
+    Shape::Number(Bound::Between(0.0, 1.0)),
+    "Of rigid stops at its limits, 0 where left out [–].",
+);
+const SLIDE_STIFFNESS: Field = optional(
+    "stiffness",
+    Shape::Quantity(Measure::Of(Dimension::Stiffness), Bound::Above(0.0)),
+    "Of stops that yield [N/m]; left out: they are rigid.",
+);
+const SLIDE_DAMPING: Field = optional(
+    "damping",
+    Shape::Quantity(Measure::Of(Dimension::Damping), Bound::AtLeast(0.0)),
+    "Of stops that yield [N·s/m].",
+);
+const LATCHED: Field = optional(
+    "latch",
+    Shape::Choice(&LATCH),
+    "The end at which the joint latches: it stays there, whatever pulls.",
+);
+const SLIDE_RELEASE: Field = optional(
+    "release",
+    Shape::Quantity(Measure::Of(Dimension::Force), Bound::Above(0.0)),
+    "Pull \\[N\\] above which the latch opens; left out: it does not.",
+);
 
 /// A joint from the first point to the second.
 pub static JOINT: Tagged = Tagged {
@@ -47,11 +79,7 @@ pub static JOINT: Tagged = Tagged {
                     Shape::Pair(&TURN),
                     "Where its way ends: least and greatest angle of the second body in the first \\[rad\\]; `null` where it does not.",
                 ),
-                optional(
-                    "restitution",
-                    Shape::Number(Bound::Between(0.0, 1.0)),
-                    "Of rigid stops at its limits, 0 where left out [–].",
-                ),
+                RESTITUTION,
                 optional(
                     "stiffness",
                     Shape::Quantity(Measure::Of(Dimension::AngularStiffness), Bound::Above(0.0)),
@@ -62,11 +90,7 @@ pub static JOINT: Tagged = Tagged {
                     Shape::Quantity(Measure::Of(Dimension::AngularDamping), Bound::AtLeast(0.0)),
                     "Of stops that yield [N·m·s/rad].",
                 ),
-                optional(
-                    "latch",
-                    Shape::Choice(&LATCH),
-                    "The end at which the joint latches: it stays there, whatever pulls.",
-                ),
+                LATCHED,
                 optional(
                     "release",
                     Shape::Quantity(Measure::Of(Dimension::Torque), Bound::Above(0.0)),
@@ -112,36 +136,12 @@ pub static JOINT: Tagged = Tagged {
                     Shape::Range(Measure::Of(Dimension::Length), Bound::AtLeast(0.0)),
                     "How far the guided point may be off its line to either side \\[m\\], or `[least, most]` of it; for accuracy.",
                 ),
-                optional(
-                    "limits",
-                    Shape::Pair(&SLIDE),
-                    "Where its way ends: least and greatest slide along the axis \\[m\\]; `null` where it does not.",
-                ),
-                optional(
-                    "restitution",
-                    Shape::Number(Bound::Between(0.0, 1.0)),
-                    "Of rigid stops at its limits, 0 where left out [–].",
-                ),
-                optional(
-                    "stiffness",
-                    Shape::Quantity(Measure::Of(Dimension::Stiffness), Bound::Above(0.0)),
-                    "Of stops that yield [N/m]; left out: they are rigid.",
-                ),
-                optional(
-                    "damping",
-                    Shape::Quantity(Measure::Of(Dimension::Damping), Bound::AtLeast(0.0)),
-                    "Of stops that yield [N·s/m].",
-                ),
-                optional(
-                    "latch",
-                    Shape::Choice(&LATCH),
-                    "The end at which the joint latches: it stays there, whatever pulls.",
-                ),
-                optional(
-                    "release",
-                    Shape::Quantity(Measure::Of(Dimension::Force), Bound::Above(0.0)),
-                    "Pull \\[N\\] above which the latch opens; left out: it does not.",
-                ),
+                SLIDE_LIMITS,
+                RESTITUTION,
+                SLIDE_STIFFNESS,
+                SLIDE_DAMPING,
+                LATCHED,
+                SLIDE_RELEASE,
                 required(
                     "between",
                     Shape::Pair(&Shape::Point),
@@ -166,36 +166,12 @@ pub static JOINT: Tagged = Tagged {
                     Shape::Range(Measure::Of(Dimension::Length), Bound::AtLeast(0.0)),
                     "How far the guided point may be off its line to either side \\[m\\], or `[least, most]` of it; for accuracy.",
                 ),
-                optional(
-                    "limits",
-                    Shape::Pair(&SLIDE),
-                    "Where its way ends: least and greatest slide along the axis \\[m\\]; `null` where it does not.",
-                ),
-                optional(
-                    "restitution",
-                    Shape::Number(Bound::Between(0.0, 1.0)),
-                    "Of rigid stops at its limits, 0 where left out [–].",
-                ),
-                optional(
-                    "stiffness",
-                    Shape::Quantity(Measure::Of(Dimension::Stiffness), Bound::Above(0.0)),
-                    "Of stops that yield [N/m]; left out: they are rigid.",
-                ),
-                optional(
-                    "damping",
-                    Shape::Quantity(Measure::Of(Dimension::Damping), Bound::AtLeast(0.0)),
-                    "Of stops that yield [N·s/m].",
-                ),
-                optional(
-                    "latch",
-                    Shape::Choice(&LATCH),
-                    "The end at which the joint latches: it stays there, whatever pulls.",
-                ),
-                optional(
-                    "release",
-                    Shape::Quantity(Measure::Of(Dimension::Force), Bound::Above(0.0)),
-                    "Pull \\[N\\] above which the latch opens; left out: it does not.",
-                ),
+                SLIDE_LIMITS,
+                RESTITUTION,
+                SLIDE_STIFFNESS,
+                SLIDE_DAMPING,
+                LATCHED,
+                SLIDE_RELEASE,
                 required(
                     "between",
                     Shape::Pair(&Shape::Point),
