@@ -10,7 +10,7 @@ use linkdyn_model::error::Complaint;
 use std::f64::consts::TAU;
 
 /// Beyond an end by less than this part of the mechanism is round-off.
-const BEYOND: f64 = 1e-9;
+pub const BEYOND: f64 = 1e-9;
 /// How deep stops that yield may be pressed in at the start, in parts of the mechanism.
 const DEEPEST: f64 = 0.1;
 
@@ -28,6 +28,13 @@ pub fn depth(stop: &Stop, display: &DisplayUnits, depth: f64, digits: usize) -> 
         None => display.angle_to(depth / stop.arm, digits),
         Some(_) => display.length_to(depth, digits),
     }
+}
+
+/// Looks at a mechanism that is at rest at a position (n).
+pub fn seen<T>(system: &System, q: &[f64], look: impl FnOnce(&Kinematics) -> T) -> T {
+    let mut evaluation = Evaluation::new(system);
+    evaluation.set_position(q);
+    look(&evaluation.kinematics(&Inputs::still(system)))
 }
 
 /// Whole turns \[rad\] that bring an angle between the limits of its joint, by contact: bodies may be drawn at any turn.
@@ -61,10 +68,7 @@ pub fn turns(system: &System, at: &Kinematics) -> Vec<f64> {
 
 /// The system with its stops at the turn at which the mechanism is; none where they are there.
 pub fn at_this_turn(system: &System, q: &[f64]) -> Option<System> {
-    let mut evaluation = Evaluation::new(system);
-    evaluation.set_position(q);
-    let inputs = Inputs::still(system);
-    let turns = turns(system, &evaluation.kinematics(&inputs));
+    let turns = seen(system, q, |at| turns(system, at));
     turns
         .iter()
         .any(|turn| *turn != 0.0)
@@ -76,18 +80,18 @@ pub fn at_this_turn(system: &System, q: &[f64]) -> Option<System> {
 /// # Errors
 /// The first such joint.
 pub fn check_start(system: &System, q: &[f64]) -> Result<(), Failed> {
-    let mut evaluation = Evaluation::new(system);
-    evaluation.set_position(q);
-    let inputs = Inputs::still(system);
-    let at = evaluation.kinematics(&inputs);
+    seen(system, q, |at| check(system, at))
+}
+
+fn check(system: &System, at: &Kinematics) -> Result<(), Failed> {
     for (contact, pair) in system.contacts.iter().enumerate() {
         let Some(stop) = pair.stop() else { continue };
         let deepest = match pair.surface {
             Surface::Rigid(_) => BEYOND,
             Surface::Compliant(_) => DEEPEST,
         };
-        if stop.read(&at).penetration > deepest * stop.size {
-            let here = stop.coordinate(&at);
+        if stop.read(at).penetration > deepest * stop.size {
+            let here = stop.coordinate(at);
             let complaint = beyond(system, ContactId(contact), stop, here);
             return Err(Failed::Input(vec![complaint]));
         }

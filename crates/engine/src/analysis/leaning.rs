@@ -5,18 +5,18 @@
 
 use super::assembly::Assembled;
 use super::control::{Control, Stop as Failed};
+use super::ends::{BEYOND, seen};
 use super::sample::{ContactSample, Sample};
 use super::statics::{balance, start};
+use crate::element::Kinematics;
 use crate::element::pair::{ContactId, Hold, Reading, Surface};
 use crate::element::stop::Yielding;
 use crate::mechanism::equilibrium::Balance;
 use crate::mechanism::held::Held;
-use crate::system::{Evaluation, ForceData, ForceRole, Inputs, System};
+use crate::system::{ForceData, ForceRole, System};
 use linkdyn_output::Status;
 use std::sync::Arc;
 
-/// Beyond a stop by less than this part of the mechanism is round-off.
-const BEYOND: f64 = 1e-9;
 /// Pull of a stop that is round-off, in parts of the mechanism's force.
 const PULL: f64 = 1e-9;
 /// Choices that are tried.
@@ -86,17 +86,13 @@ pub fn rest<T>(
 
 /// Latches that are closed at a position.
 fn latched(system: &System, q: &[f64]) -> Vec<ContactId> {
-    let mut evaluation = Evaluation::new(system);
-    evaluation.set_position(q);
-    let inputs = Inputs::still(system);
-    let at = evaluation.kinematics(&inputs);
-    let closed = |id: &ContactId| {
+    let closed = |id: &ContactId, at: &Kinematics| {
         let pair = &system.contacts[id.0];
         let stop = pair.stop().filter(|_| pair.latch().is_some());
-        stop.is_some_and(|stop| stop.read(&at).penetration.abs() <= BEYOND * stop.size)
+        stop.is_some_and(|stop| stop.read(at).penetration.abs() <= BEYOND * stop.size)
     };
     let all = (0..system.contacts.len()).map(ContactId);
-    all.filter(closed).collect()
+    seen(system, q, |at| all.filter(|id| closed(id, at)).collect())
 }
 
 /// The mechanism held by the latches that are closed at a position; none where there are none.
