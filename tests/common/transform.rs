@@ -3,6 +3,7 @@
 //! Each function changes the words of a model so that its results must change in a known way.
 
 mod limits;
+mod outlines;
 mod rename;
 
 use indexmap::IndexMap;
@@ -12,6 +13,7 @@ use linkdyn_model::{
 };
 
 use limits::{flip_limits, turn_limits};
+use outlines::{mirror_outline, move_outline, turn_contact};
 pub use rename::{rename_and_reverse, renamed};
 
 /// A plane vector turned by an angle.
@@ -225,6 +227,7 @@ pub fn rotate(model: &Model, angle: f64) -> Model {
             JointKind::Fixed {
                 angle: relative_angle,
             } => *relative_angle += relative,
+            kind @ JointKind::Contact { .. } => turn_contact(kind, [first, second], angle),
         }
     }
     for driver in model
@@ -299,6 +302,11 @@ pub fn translate(model: &Model, by: [f64; 2]) -> Model {
             body.pose.position = moved(body.pose.position);
         }
     }
+    for joint in model.joints.values_mut() {
+        if joint.between[0].body == GROUND {
+            move_outline(&mut joint.kind, moved);
+        }
+    }
     model
 }
 
@@ -329,6 +337,7 @@ pub fn mirror(model: &Model) -> Model {
             JointKind::Slot { axis, .. } => *axis = mirrored(*axis),
             JointKind::Gear { angle, .. } => *angle = angle.map(|angle| -angle),
             JointKind::Fixed { angle } => *angle = -*angle,
+            kind @ JointKind::Contact { .. } => mirror_outline(kind),
         }
     }
     for driver in model.drivers.values_mut() {
@@ -371,7 +380,7 @@ pub fn swap(model: &Model) -> Model {
                 *ratio = ratio.recip();
                 joint.between.reverse();
             }
-            JointKind::Prismatic { .. } | JointKind::Slot { .. } => {}
+            JointKind::Prismatic { .. } | JointKind::Slot { .. } | JointKind::Contact { .. } => {}
         }
     }
     model
@@ -383,6 +392,8 @@ pub fn swapped_signs(joint: &Joint) -> [f64; 2] {
         JointKind::Revolute { .. } | JointKind::Fixed { .. } => [-1.0, -1.0],
         // The torque is the tooth force's moment on the other wheel, at the other radius.
         JointKind::Gear { ratio, .. } => [-1.0, -ratio],
-        JointKind::Prismatic { .. } | JointKind::Slot { .. } => [1.0, 1.0],
+        JointKind::Prismatic { .. } | JointKind::Slot { .. } | JointKind::Contact { .. } => {
+            [1.0, 1.0]
+        }
     }
 }

@@ -178,6 +178,30 @@ impl Scale {
                 JointKind::Fixed { angle } => {
                     json!({ "type": "fixed", "between": between, "angle": angle * self.angle })
                 }
+                JointKind::Contact {
+                    outline,
+                    repeat,
+                    radius,
+                    arc,
+                    friction,
+                } => {
+                    let scaled = |node: &Vec<f64>| -> Vec<f64> {
+                        node.iter().map(|x| x * self.length).collect()
+                    };
+                    let outline: Vec<Vec<f64>> = outline.iter().map(scaled).collect();
+                    let mut words = json!({ "type": "contact", "between": between, "outline": outline, "radius": radius * self.length });
+                    if let Some(repeat) = repeat {
+                        words["repeat"] = json!(repeat);
+                    }
+                    if let Some(arc) = arc {
+                        words["arc"] = json!(arc.map(|angle| angle * self.angle));
+                    }
+                    if let Some(restitution) = joint.stops.restitution {
+                        words["restitution"] = json!(restitution);
+                    }
+                    assert!(joint.stops.stiffness.is_none() && friction.is_none());
+                    words
+                }
             };
             joints.insert(name.clone(), words);
         }

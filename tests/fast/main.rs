@@ -52,6 +52,7 @@ mod jacobian;
 mod joint_friction;
 mod joints;
 mod laws;
+mod outlines;
 mod outputs;
 mod responses;
 mod schema;

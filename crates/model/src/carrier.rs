@@ -31,7 +31,8 @@ impl Model {
             JointKind::Revolute { .. }
             | JointKind::Prismatic { .. }
             | JointKind::Slot { .. }
-            | JointKind::Fixed { .. } => None,
+            | JointKind::Fixed { .. }
+            | JointKind::Contact { .. } => None,
         }
     }
 
@@ -110,6 +111,9 @@ impl Model {
 fn holds_points(kind: &JointKind) -> bool {
     match kind {
         JointKind::Revolute { .. } | JointKind::Fixed { .. } => true,
-        JointKind::Prismatic { .. } | JointKind::Slot { .. } | JointKind::Gear { .. } => false,
+        JointKind::Prismatic { .. }
+        | JointKind::Slot { .. }
+        | JointKind::Gear { .. }
+        | JointKind::Contact { .. } => false,
     }
 }

@@ -51,7 +51,7 @@ pub struct Joint {
     /// What it lets move.
     #[serde(flatten)]
     pub kind: JointKind,
-    /// Where its way ends; of revolute, prismatic and slot joints.
+    /// Where its way ends, of revolute, prismatic and slot joints; of a contact what it is made of.
     #[serde(flatten)]
     #[doc(hidden)]
     pub stops: Stops,
@@ -160,5 +160,24 @@ pub enum JointKind {
         /// Angle of the second body relative to the first \[rad\].
         #[serde(default)]
         angle: f64,
+    },
+    /// A round tip about the second point may touch an outline of the first body: one-sided.
+    #[doc(hidden)]
+    Contact {
+        /// Points `[x, y]` of the outline in the first body's frame \[m\], or `[x, y, r]` where an arc of this radius leads to them,
+        /// which turns left where it is positive; the material is on the left.
+        outline: Vec<Vec<f64>>,
+        /// How often the outline is repeated around the first point, evenly in a turn; left out: it stands once.
+        #[serde(default)]
+        repeat: Option<usize>,
+        /// Radius of the tip \[m\], 0 of a point.
+        #[serde(default)]
+        radius: f64,
+        /// Directions in the second body between which the tip is round, turning left \[rad\]; left out: it is a full circle.
+        #[serde(default)]
+        arc: Option<[f64; 2]>,
+        /// Friction between both; left out: none.
+        #[serde(default)]
+        friction: Option<Box<Friction>>,
     },
 }

@@ -17,6 +17,8 @@ pub mod force;
 pub mod formula;
 pub mod joint;
 pub mod optimise;
+#[doc(hidden)]
+pub mod outline;
 pub mod response;
 pub mod study;
 pub mod tolerance;

@@ -61,7 +61,7 @@ pub struct ClearanceSums {
 pub struct StopSums {
     /// Name of the joint.
     pub joint: String,
-    /// `lower` or `upper`.
+    /// `lower` or `upper`; `contact` of a joint of that kind.
     pub stop: &'static str,
     /// How often it came there.
     pub episodes: u64,
@@ -71,6 +71,21 @@ pub struct StopSums {
     pub energy_lost: f64,
     /// ∫N dt [N·s], of a turning joint [N·m·s].
     pub impulse: f64,
+}
+
+impl StopSums {
+    /// Nothing yet.
+    #[doc(hidden)]
+    pub fn of(joint: String, stop: &'static str) -> Self {
+        StopSums {
+            joint,
+            stop,
+            episodes: 0,
+            time_in_contact: 0.0,
+            energy_lost: 0.0,
+            impulse: 0.0,
+        }
+    }
 }
 
 /// Degrees of freedom, counted and by rank.

@@ -74,7 +74,8 @@ fn without(name: &str, kind: &JointKind) -> Complaint {
         JointKind::Prismatic { .. }
         | JointKind::Slot { .. }
         | JointKind::Gear { .. }
-        | JointKind::Fixed { .. } => {
+        | JointKind::Fixed { .. }
+        | JointKind::Contact { .. } => {
             Complaint::new(path, "only a revolute joint can have a clearance")
                 .hint("name another joint")
         }

@@ -93,6 +93,8 @@ impl<'m> Newton<'m> {
                 JointKind::Prismatic { axis, angle, .. } => Kind::Prismatic(unit(*axis), *angle),
                 JointKind::Slot { axis, .. } => Kind::Slot(unit(*axis)),
                 JointKind::Fixed { angle } => Kind::Fixed(*angle),
+                // Free to go.
+                JointKind::Contact { .. } => continue,
                 JointKind::Gear { ratio, angle, .. } => {
                     let carrier = model.carrier(name, joint).expect("a gear");
                     let carrier = carrier.expect("a carrier").body.to_owned();

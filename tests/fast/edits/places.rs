@@ -85,6 +85,9 @@ pub fn numbers(model: &mut Model) -> Vec<&mut f64> {
             JointKind::Slot { axis, .. } => numbers.extend(axis),
             JointKind::Gear { ratio, .. } => numbers.push(ratio),
             JointKind::Fixed { angle } => numbers.push(angle),
+            JointKind::Contact {
+                outline, radius, ..
+            } => numbers.extend(outline.iter_mut().flatten().chain([radius])),
             JointKind::Revolute { .. } => {}
         }
     }
@@ -170,7 +173,9 @@ pub fn options(model: &mut Model) -> Vec<&mut Option<f64>> {
                 options.push(angle);
                 continue;
             }
-            JointKind::Slot { .. } | JointKind::Fixed { .. } => continue,
+            JointKind::Slot { .. } | JointKind::Fixed { .. } | JointKind::Contact { .. } => {
+                continue;
+            }
         };
         if let Some(friction) = friction.as_deref_mut() {
             options.extend([&mut friction.coefficient, &mut friction.static_coefficient]);

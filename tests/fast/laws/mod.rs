@@ -47,7 +47,8 @@ fn has_clearance(model: &Model) -> bool {
         | JointKind::Prismatic { .. }
         | JointKind::Slot { .. }
         | JointKind::Gear { .. }
-        | JointKind::Fixed { .. } => false,
+        | JointKind::Fixed { .. }
+        | JointKind::Contact { .. } => false,
     })
 }
 

@@ -221,7 +221,7 @@ impl Contents {
             && system
                 .joints
                 .iter()
-                .any(|joint| joint.bearing.is_some() || joint.has_stops())
+                .any(|joint| joint.bearing.is_some() || joint.has_stops() || joint.is_contact())
     }
 
     /// Headings in the order of results.
@@ -277,13 +277,16 @@ impl Contents {
         let has_friction = self.reactions && self.velocities && joint.friction.is_some();
         let friction = has_friction.then_some(JointQuantity::Friction);
         let has_bearing = joint.bearing.is_some();
-        let contact_wanted = has_bearing && self.reactions;
+        let contact_wanted = (has_bearing || joint.is_contact()) && self.reactions;
         let stop = (self.reactions && joint.has_stops()).then_some(JointQuantity::Stop);
         forces
             .chain(torque)
             .chain(friction)
             .chain(ECCENTRICITIES.into_iter().filter(move |_| has_bearing))
-            .chain(CONTACT.into_iter().filter(move |_| contact_wanted))
+            .chain(CONTACT.into_iter().filter(move |quantity| {
+                // Where a tip is has no bearing's centre to count from.
+                contact_wanted && (has_bearing || *quantity != JointQuantity::Eccentricity)
+            }))
             .chain(stop)
     }
 

@@ -2,7 +2,7 @@
 
 use super::control::Stop as Failed;
 use crate::element::Kinematics;
-use crate::element::pair::{ContactId, Surface};
+use crate::element::pair::{ContactId, Pair, Surface};
 use crate::element::stop::Stop;
 use crate::system::{Evaluation, Inputs, System};
 use linkdyn_model::display::DisplayUnits;
@@ -22,11 +22,11 @@ pub fn place(stop: &Stop, display: &DisplayUnits, value: f64) -> String {
     }
 }
 
-/// A small depth \[m\] beyond a stop, in words.
-pub fn depth(stop: &Stop, display: &DisplayUnits, depth: f64, digits: usize) -> String {
-    match stop.axis {
-        None => display.angle_to(depth / stop.arm, digits),
-        Some(_) => display.length_to(depth, digits),
+/// A small depth \[m\] beyond a stop or an outline, in words.
+pub fn depth(pair: &Pair, display: &DisplayUnits, depth: f64, digits: usize) -> String {
+    match pair.stop() {
+        Some(stop) if stop.axis.is_none() => display.angle_to(depth / stop.arm, digits),
+        _ => display.length_to(depth, digits),
     }
 }
 
@@ -86,17 +86,59 @@ pub fn check_start(system: &System, q: &[f64]) -> Result<(), Failed> {
 fn check(system: &System, at: &Kinematics) -> Result<(), Failed> {
     for (contact, pair) in system.contacts.iter().enumerate() {
         let Some(stop) = pair.stop() else { continue };
-        let deepest = match pair.surface {
-            Surface::Rigid(_) => BEYOND,
-            Surface::Compliant(_) => DEEPEST,
-        };
-        if stop.read(at).penetration > deepest * stop.size {
+        if stop.read(at).penetration > deepest(pair) {
             let here = stop.coordinate(at);
             let complaint = beyond(system, ContactId(contact), stop, here);
             return Err(Failed::Input(vec![complaint]));
         }
     }
+    for joint in system.joints.iter().filter(|joint| joint.is_contact()) {
+        let pieces = || system.contacts[joint.edges.clone()].iter();
+        let near: Vec<[f64; 2]> = pieces().filter_map(|pair| pair.edge()?.near(at)).collect();
+        let least = near
+            .iter()
+            .map(|[distance, _]| *distance)
+            .fold(f64::INFINITY, f64::min);
+        // Where two are as near, it is the corner between them.
+        let nearest = near
+            .iter()
+            .filter(|[distance, _]| *distance <= least + BEYOND * system.size);
+        let height: f64 = nearest.map(|[_, height]| height).sum();
+        let allowed = pieces().map(deepest).fold(0.0, f64::max);
+        if height < -allowed {
+            return Err(Failed::Input(vec![deep(system, joint.edges.start, least)]));
+        }
+    }
+    for (contact, pair) in system.contacts.iter().enumerate() {
+        let Some(edge) = pair.edge() else { continue };
+        let depth = edge.depth(at, system.size);
+        if depth > deepest(pair) {
+            return Err(Failed::Input(vec![deep(system, contact, depth)]));
+        }
+    }
     Ok(())
+}
+
+/// How deep a contact may be pressed in at the start \[m\].
+fn deepest(pair: &Pair) -> f64 {
+    let part = match pair.surface {
+        Surface::Rigid(_) => BEYOND,
+        Surface::Compliant(_) => DEEPEST,
+    };
+    part * pair.size()
+}
+
+/// A tip that starts in the material.
+pub fn deep(system: &System, contact: usize, depth: f64) -> Complaint {
+    let name = &system.joint_of(ContactId(contact)).name;
+    Complaint::new(
+        format!("joints.{name}.outline"),
+        format!(
+            "the mechanism starts with the tip {} deep in the outline",
+            system.display.length(depth)
+        ),
+    )
+    .hint("the material is on the left of the way along the outline: turn it round, or give another start")
 }
 
 fn beyond(system: &System, id: ContactId, stop: &Stop, here: f64) -> Complaint {
@@ -129,9 +171,12 @@ impl Overrun {
     pub fn note(&mut self, system: &System, at: &Kinematics) {
         let turns = self.turns.get_or_insert_with(|| turns(system, at));
         for (contact, pair) in system.contacts.iter().enumerate() {
-            let Some(stop) = pair.stop() else { continue };
-            let depth = stop.turned(turns[contact]).read(at).penetration;
-            if depth <= BEYOND * stop.size {
+            let depth = match (pair.stop(), pair.edge()) {
+                (Some(stop), _) => stop.turned(turns[contact]).read(at).penetration,
+                (_, Some(edge)) => edge.depth(at, system.size),
+                (None, None) => continue,
+            };
+            if depth <= BEYOND * pair.size() {
                 continue;
             }
             let id = ContactId(contact);
@@ -147,17 +192,26 @@ impl Overrun {
     pub fn warnings(&self, system: &System) -> Vec<String> {
         let display = &system.display;
         let warning = |&(id, deepest, time): &(ContactId, f64, f64)| {
-            let stop = system.contacts[id.0].stop()?;
-            Some(format!(
+            let pair = &system.contacts[id.0];
+            let joint = &system.joint_of(id).name;
+            let deepest = depth(pair, display, deepest, 3);
+            let Some(stop) = pair.stop() else {
+                return format!(
+                    "the drivers take the tip of joint \"{joint}\" into the outline, by {deepest} at t = {}: a motion that is \
+                     prescribed does not stop there",
+                    display.time(time)
+                );
+            };
+            format!(
                 "the drivers take joint \"{}\" beyond its {} limit {}, by {} at t = {}: a motion that is prescribed does not \
                  stop there",
-                system.joint_of(id).name,
+                joint,
                 stop.side.word(),
                 place(stop, display, stop.limit),
-                depth(stop, display, deepest, 3),
+                deepest,
                 display.time(time)
-            ))
+            )
         };
-        self.most.iter().filter_map(warning).collect()
+        self.most.iter().map(warning).collect()
     }
 }

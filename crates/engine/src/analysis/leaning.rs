@@ -9,8 +9,10 @@ use super::ends::{BEYOND, seen};
 use super::sample::{ContactSample, Sample};
 use super::statics::{balance, start};
 use crate::element::Kinematics;
-use crate::element::pair::{ContactId, Hold, Reading, Surface};
-use crate::element::stop::Yielding;
+use crate::element::pair::{ContactId, Hold, Surface};
+use crate::element::quantity::Measured;
+use crate::element::stop::Stop;
+use crate::element::yielding::Yielding;
 use crate::mechanism::equilibrium::Balance;
 use crate::mechanism::held::Held;
 use crate::system::{ForceData, ForceRole, System};
@@ -117,17 +119,16 @@ impl Leaning<'_> {
         let mut system = self.whole.with_rows(&holds, Vec::new());
         for id in &self.pressed {
             let pair = &self.whole.contacts[id.0];
-            if let (Surface::Compliant(laws), Some(stop)) = (&pair.surface, pair.stop()) {
+            if let Some(yielding) = Yielding::of(pair) {
                 let joint = self.whole.joint_of(*id);
-                system.forces.push(Arc::new(Yielding {
-                    stop: stop.clone(),
-                    laws: laws.clone(),
-                }));
+                let [first, second] = joint.points;
+                let apart = Measured::Distance { first, second };
+                system.forces.push(Arc::new(yielding));
                 system.force_data.push(ForceData {
                     name: joint.name.clone(),
                     role: ForceRole::Spring {
                         between: joint.bodies,
-                        measured: stop.measured(),
+                        measured: pair.stop().map_or(apart, Stop::measured),
                         is_actuator: false,
                     },
                 });
@@ -150,10 +151,10 @@ impl Leaning<'_> {
         let readings = contacts.map(|(contact, pair)| {
             let id = ContactId(contact);
             let is_pressed = self.pressed.contains(&id);
-            let Some(stop) = pair.stop() else {
+            if !pair.limits() {
                 return ContactSample::default();
-            };
-            let mut reading: Reading = stop.read(&at);
+            }
+            let mut reading = pair.shape.read(&at);
             if is_pressed {
                 reading.normal = match &pair.surface {
                     Surface::Compliant(laws) => {
@@ -179,7 +180,9 @@ impl Leaning<'_> {
         let pull = PULL * self.whole.scale.force();
         for id in &self.pressed {
             let held = self.whole.contacts[id.0].latch().unwrap_or(0.0);
-            if contacts[id.0].reading.normal < -pull - held {
+            let reading = &contacts[id.0].reading;
+            let has_left = reading.room < -BEYOND * self.whole.size;
+            if reading.normal < -pull - held || has_left {
                 let rest = self.pressed.iter().filter(|other| *other != id);
                 others.push(rest.copied().collect());
             }
@@ -187,7 +190,10 @@ impl Leaning<'_> {
         let mut passed: Vec<(f64, ContactId)> = contacts
             .iter()
             .enumerate()
-            .map(|(contact, sample)| (sample.reading.penetration, ContactId(contact)))
+            .map(|(contact, sample)| {
+                let reading = &sample.reading;
+                (reading.penetration.min(reading.room), ContactId(contact))
+            })
             .filter(|(depth, id)| *depth > BEYOND * self.whole.size && !self.pressed.contains(id))
             .collect();
         passed.sort_by(|a, b| a.0.total_cmp(&b.0));

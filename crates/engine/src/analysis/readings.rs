@@ -2,8 +2,8 @@
 
 use super::sample::{ContactSample, Sample};
 use crate::element::Kinematics;
-use crate::system::{Evaluation, Inputs, System};
-use linkdyn_linear::math::Vec2;
+use crate::system::{Evaluation, Inputs, JointData, System};
+use linkdyn_linear::math::{Vec2, perp};
 use linkdyn_output::{BodyQuantity, EnergyQuantity, JointQuantity, PointQuantity};
 
 /// Motion of the frame of a moving body.
@@ -117,7 +117,8 @@ impl JointReading {
         let (mut force, torque) = block
             .constraint
             .reaction(at, &sample.lambda[block.row..block.row + block.rows]);
-        let contact = data.contact.map(|id| sample.contacts[id.0]);
+        let touching = data.is_contact().then(|| touching(sample, data));
+        let contact = data.contact.map(|id| sample.contacts[id.0]).or(touching);
         if let Some(contact) = contact {
             force += contact.reading.force;
         }
@@ -173,6 +174,29 @@ impl JointReading {
             JointQuantity::Stop => self.stop,
         }
     }
+}
+
+/// A tip on its outline: the sum of what its pieces do, seen where most presses.
+fn touching(sample: &Sample, joint: &JointData) -> ContactSample {
+    let mut all = ContactSample::default();
+    let mut most = 0.0;
+    for contact in &sample.contacts[joint.edges.clone()] {
+        if contact.state == 0.0 {
+            continue;
+        }
+        let reading = &contact.reading;
+        let n = reading.towards;
+        all.reading.force += perp(n) * reading.tangential - n * reading.normal;
+        all.reading.normal += reading.normal;
+        all.reading.tangential += reading.tangential;
+        all.reading.penetration = all.reading.penetration.max(reading.penetration);
+        all.state = all.state.max(contact.state);
+        if reading.normal >= most {
+            most = reading.normal;
+            all.reading.sliding = reading.sliding;
+        }
+    }
+    all
 }
 
 /// Energy of the mechanism \[J\].

@@ -4,7 +4,7 @@
 //! Symbols as in [`super::journal`], and φ_e the angle of e. On the surface δ = 0, and the arms R_b and r = R_b − c are constant.
 
 use super::journal::Journal;
-use super::pair::ContactId;
+use super::pair::{ContactId, Shape};
 use super::span::{BOTH, Span, all_pairs};
 use super::{
     Applied, Axis, BodyId, Constraint, ConstraintDependentForce, Entry, Kinematics, Marker,
@@ -52,12 +52,12 @@ pub struct Sticking {
     pub id: ContactId,
 }
 
-/// Friction of a rigid journal that slides on its bearing: T = −μ N s along t, at the contact on both bodies, with the way s = ±1 in
-/// which it slides.
+/// Friction of rigid surfaces that slide on each other: T = −μ N s along t, at the contact on both bodies, with the way s = ±1 in
+/// which they slide.
 #[derive(Debug, Clone)]
 pub struct FollowingFriction {
-    /// The journal and its bearing.
-    pub journal: Journal,
+    /// What they are.
+    pub shape: Shape,
     /// μ [–].
     pub coefficient: f64,
     /// Whose way of sliding it is.
@@ -66,8 +66,8 @@ pub struct FollowingFriction {
 
 impl ConstraintDependentForce for FollowingFriction {
     fn apply_unit(&self, at: &Kinematics, to: &mut Applied) {
-        let reading = self.journal.read(at);
-        self.journal.press(at, &reading, [0.0, 1.0], to);
+        let reading = self.shape.read(at);
+        self.shape.press(at, &reading, [0.0, 1.0], to);
     }
 
     fn size(&self, at: &Kinematics, _memory: f64, lambda: &[f64], slope: &mut [f64]) -> f64 {
@@ -76,11 +76,7 @@ impl ConstraintDependentForce for FollowingFriction {
     }
 
     fn reaction(&self, at: &Kinematics, size: f64) -> (Vec2, f64) {
-        let e = self.journal.journal.place(at) - self.journal.bearing.place(at);
-        (
-            direction(e).map_or(Vec2::zeros(), |(n, _)| perp(n) * size),
-            0.0,
-        )
+        (perp(self.shape.read(at).towards) * size, 0.0)
     }
 
     fn memory_scale(&self) -> Option<f64> {
@@ -126,7 +122,11 @@ impl Following {
     /// n and d.
     fn normal(&self, at: &Kinematics) -> (Vec2, f64) {
         let e = self.journal.place(at) - self.bearing.place(at);
-        direction(e).unwrap_or((Vec2::x(), f64::MIN_POSITIVE))
+        // As `Journal::side`.
+        let side = 1.0_f64.copysign(self.clearance);
+        direction(e).map_or((Vec2::x(), f64::MIN_POSITIVE), |(n, distance)| {
+            (n * side, distance * side)
+        })
     }
 }
 

@@ -13,6 +13,9 @@
 //! D' = (N − N_e) δ̇ − T v_t                      power that the contact dissipates [W]; N_e its elastic part
 //! ```
 //!
+//! With c and R_b below zero the first body is a disc that the second touches from outside, n = −e/d and d = n·e < 0: nothing else
+//! changes (see [`super::edge`]).
+//!
 //! N by [`crate::contact::normal`], T by [`crate::contact::friction`] (see [`super::pair`]).
 
 use super::pair::{Compliant, Contact, Reading};
@@ -34,17 +37,23 @@ pub struct Journal {
 }
 
 impl Journal {
+    /// 1 of a bearing that holds the journal, −1 of a disc or a corner that it touches from outside, whose c and R_b are negative.
+    pub(super) fn side(&self) -> f64 {
+        1.0_f64.copysign(self.clearance)
+    }
+
+    /// n and n·e.
+    fn normal(&self, e: Vec2) -> Option<(Vec2, f64)> {
+        let side = self.side();
+        direction(e).map(|(n, distance)| (n * side, distance * side))
+    }
+
     /// Geometry and velocities.
     pub fn read(&self, at: &Kinematics) -> Reading {
         let e = self.journal.place(at) - self.bearing.place(at);
         let e_rate = self.journal.velocity(at) - self.bearing.velocity(at);
-        let distance = e.norm();
         // At the centre no direction is meant; it is never in contact there.
-        let n = if distance > 0.0 {
-            e / distance
-        } else {
-            Vec2::x()
-        };
+        let (n, distance) = self.normal(e).unwrap_or((Vec2::x(), 0.0));
         let t = perp(n);
         let penetration = distance - self.clearance;
         let rate = n.dot(&e_rate);
@@ -54,6 +63,7 @@ impl Journal {
             t.dot(&e_rate) + self.journal.omega(at) * arms[1] - self.bearing.omega(at) * arms[0];
         Reading {
             eccentricity: e,
+            towards: n,
             penetration,
             rate,
             sliding,
@@ -81,7 +91,8 @@ impl Journal {
         position: &mut [f64],
         velocity: &mut [f64],
     ) {
-        let Some((n, distance)) = direction(reading.eccentricity) else {
+        let e = self.journal.place(at) - self.bearing.place(at);
+        let Some((n, distance)) = self.normal(e) else {
             return;
         };
         let t = perp(n);
@@ -131,7 +142,7 @@ impl Journal {
         [normal, tangential]: [f64; 2],
         to: &mut Applied,
     ) {
-        let n = direction(reading.eccentricity).map_or(Vec2::x(), |(n, _)| n);
+        let n = reading.towards;
         let force = perp(n) * tangential - n * normal;
         to.add_force(at, &self.journal, force);
         to.add_force(at, &self.bearing, -force);
@@ -189,6 +200,7 @@ impl Bearing {
             perp(n).dot(e_rate) + journal.omega(at) * arms[1] - bearing.omega(at) * arms[0];
         Reading {
             eccentricity: *e,
+            towards: n,
             rate: n.dot(e_rate),
             sliding,
             normal: -force.dot(&n),

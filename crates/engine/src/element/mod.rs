@@ -22,6 +22,7 @@ pub mod actuator;
 pub mod coordinate;
 pub mod coordinates;
 pub mod driven;
+pub mod edge;
 pub mod fixed;
 pub mod following;
 pub mod formula;
@@ -37,7 +38,9 @@ pub mod slot;
 pub(crate) mod span;
 pub mod spring;
 pub mod stop;
+pub mod straight;
 pub mod torsion_spring;
+pub mod yielding;
 
 pub use coordinates::{Axis, BodyColumns, BodyId, Layout};
 

@@ -15,10 +15,11 @@
 //! which the analysis changes between steps only: within a step every law is the analytic branch that the phase says, also a
 //! little beyond its end, so that steps are smooth and their events can be located.
 
+use super::edge::Edge;
 use super::following::FollowingFriction;
 use super::journal::Journal;
 use super::stop::Stop;
-use super::{Applied, Constraint, ConstraintDependentForce, Kinematics, Slope, direction};
+use super::{Applied, Constraint, ConstraintDependentForce, Kinematics, Slope};
 use crate::contact::impact::Sense;
 use crate::contact::{friction, normal};
 use linkdyn_linear::math::{Vec2, perp};
@@ -40,6 +41,8 @@ pub enum Shape {
     Journal(Journal),
     /// A joint and an end of its way.
     Stop(Stop),
+    /// A tip and a piece of an outline.
+    Edge(Edge),
 }
 
 /// Where a contact's memory stands in `Kinematics::contacts`.
@@ -56,6 +59,8 @@ pub enum Phase {
     Contact,
     /// Still overlaps, but the law's force would pull: none.
     Released,
+    /// On the other side of the surface, where it is none.
+    Behind,
 }
 
 /// A contact's memory.
@@ -118,10 +123,14 @@ pub struct Rigid {
 }
 
 /// A contact at an instant.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reading {
     /// e of a journal \[m\]
     pub eccentricity: Vec2,
+    /// n, from the second body into the first; of a stop none is meant.
+    pub towards: Vec2,
+    /// How far the contact is from where the surface ends \[m\], negative beyond; infinite of one that does not end.
+    pub room: f64,
     /// δ \[m\], negative in flight, and δ̇ [m/s].
     pub penetration: f64,
     /// δ̇ [m/s].
@@ -142,13 +151,31 @@ pub struct Reading {
     pub(super) arms: [f64; 2],
 }
 
+impl Default for Reading {
+    fn default() -> Self {
+        Reading {
+            eccentricity: Vec2::zeros(),
+            towards: Vec2::zeros(),
+            room: f64::INFINITY,
+            penetration: 0.0,
+            rate: 0.0,
+            sliding: 0.0,
+            normal: 0.0,
+            tangential: 0.0,
+            force: Vec2::zeros(),
+            bristle_rate: 0.0,
+            dissipation: 0.0,
+            arms: [0.0; 2],
+        }
+    }
+}
+
 impl Reading {
     /// Forces of a rigid journal that slides on its bearing's surface.
     pub fn slide(&mut self, normal: f64, tangential: f64) {
         (self.normal, self.tangential) = (normal, tangential);
         // The constraint tells the normal force among the reactions.
-        let n = direction(self.eccentricity).map_or(Vec2::x(), |(n, _)| n);
-        self.force = perp(n) * tangential;
+        self.force = perp(self.towards) * tangential;
         self.dissipation = -tangential * self.sliding;
     }
 
@@ -161,10 +188,7 @@ impl Reading {
 impl Pair {
     /// Geometry, velocities and forces; in the phase that `memory` says.
     pub fn read(&self, at: &Kinematics, memory: &Contact) -> Reading {
-        let mut reading = match &self.shape {
-            Shape::Journal(journal) => journal.read(at),
-            Shape::Stop(stop) => stop.read(at),
-        };
+        let mut reading = self.shape.read(at);
         if let (Phase::Contact, Surface::Compliant(laws)) = (memory.phase, &self.surface) {
             let (depth, rate) = (reading.penetration, reading.rate);
             let normal = laws.normal.continued(depth, rate, memory.approach);
@@ -174,9 +198,8 @@ impl Pair {
             reading.normal = normal;
             reading.tangential = friction.force;
             reading.bristle_rate = friction.bristle_rate;
-            if let Some((n, _)) = direction(reading.eccentricity) {
-                reading.force = perp(n) * friction.force - n * normal;
-            }
+            let n = reading.towards;
+            reading.force = perp(n) * friction.force - n * normal;
             let elastic = laws.normal.elastic_continued(depth);
             reading.dissipation = (normal - elastic) * rate - friction.force * reading.sliding;
         }
@@ -194,10 +217,7 @@ impl Pair {
 
     /// Adds a normal and a tangential force at the contact of a reading, on both bodies.
     pub fn press(&self, at: &Kinematics, reading: &Reading, forces: [f64; 2], to: &mut Applied) {
-        match &self.shape {
-            Shape::Journal(journal) => journal.press(at, reading, forces, to),
-            Shape::Stop(stop) => stop.press(at, forces[0], to),
-        }
+        self.shape.press(at, reading, forces, to);
     }
 
     /// Where the derivatives of the contact's forces can be non-zero, in the order [`Pair::slope`] writes.
@@ -205,6 +225,7 @@ impl Pair {
         match &self.shape {
             Shape::Journal(journal) => journal.slopes(),
             Shape::Stop(stop) => stop.slopes(),
+            Shape::Edge(edge) => edge.slopes(),
         }
     }
 
@@ -227,6 +248,7 @@ impl Pair {
                 journal.slope(at, (memory, laws), &reading, position, velocity);
             }
             Shape::Stop(stop) => stop.slope(at, (memory, laws), &reading, position, velocity),
+            Shape::Edge(edge) => edge.slope(at, (memory, laws), &reading, position, velocity),
         }
     }
 
@@ -237,7 +259,7 @@ impl Pair {
                 let depth = self.read(at, &Contact::default()).penetration;
                 self.stored(depth, memory)
             }
-            Phase::Flight | Phase::Released => 0.0,
+            Phase::Flight | Phase::Released | Phase::Behind => 0.0,
         }
     }
 
@@ -245,15 +267,25 @@ impl Pair {
     pub fn stored(&self, penetration: f64, memory: &Contact) -> f64 {
         match (memory.phase, &self.surface) {
             (Phase::Contact, Surface::Compliant(laws)) => laws.normal.elastic_energy(penetration),
-            (Phase::Flight | Phase::Contact | Phase::Released, _) => 0.0,
+            (Phase::Flight | Phase::Contact | Phase::Released | Phase::Behind, _) => 0.0,
         }
     }
 
-    /// What penetrations are measured against: the clearance of a journal, the size of the mechanism for a stop \[m\].
+    /// What penetrations are measured against: the clearance of a journal, the size of the mechanism for others \[m\].
     pub fn size(&self) -> f64 {
         match &self.shape {
             Shape::Journal(journal) => journal.clearance,
             Shape::Stop(stop) => stop.size,
+            Shape::Edge(edge) => edge.size,
+        }
+    }
+
+    /// The length over which the direction of the contact turns \[m\], where that is short.
+    pub fn turns_over(&self) -> Option<f64> {
+        match &self.shape {
+            Shape::Journal(journal) => Some(journal.clearance),
+            Shape::Edge(edge) => edge.turns_over(),
+            Shape::Stop(_) => None,
         }
     }
 
@@ -269,7 +301,7 @@ impl Pair {
     pub fn journal(&self) -> Option<&Journal> {
         match &self.shape {
             Shape::Journal(journal) => Some(journal),
-            Shape::Stop(_) => None,
+            Shape::Stop(_) | Shape::Edge(_) => None,
         }
     }
 
@@ -277,8 +309,21 @@ impl Pair {
     pub fn stop(&self) -> Option<&Stop> {
         match &self.shape {
             Shape::Stop(stop) => Some(stop),
-            Shape::Journal(_) => None,
+            Shape::Journal(_) | Shape::Edge(_) => None,
         }
+    }
+
+    /// The piece of an outline, where it is one.
+    pub fn edge(&self) -> Option<&Edge> {
+        match &self.shape {
+            Shape::Edge(edge) => Some(edge),
+            Shape::Journal(_) | Shape::Stop(_) => None,
+        }
+    }
+
+    /// Whether the mechanism is put together with it: bodies at stops and outlines, but not journals, which their bearings hold.
+    pub fn limits(&self) -> bool {
+        self.journal().is_none()
     }
 
     /// Angle of the contact in the bearing's body \[rad\]; 0 of a stop.
@@ -292,6 +337,7 @@ impl Pair {
         match &self.shape {
             Shape::Journal(journal) => Arc::new(journal.following()),
             Shape::Stop(stop) => Arc::new(stop.clone()),
+            Shape::Edge(edge) => edge.sustained(),
         }
     }
 
@@ -300,17 +346,18 @@ impl Pair {
         match &self.shape {
             Shape::Journal(journal) => Arc::new(journal.sticking(id)),
             Shape::Stop(stop) => Arc::new(stop.clone()),
+            Shape::Edge(edge) => edge.stuck(id),
         }
     }
 
     /// Friction of those that slide, where there is some.
     pub fn sliding(&self, id: ContactId) -> Option<Arc<dyn ConstraintDependentForce>> {
-        let (Shape::Journal(journal), Surface::Rigid(rigid)) = (&self.shape, &self.surface) else {
+        let Surface::Rigid(rigid) = &self.surface else {
             return None;
         };
         (rigid.friction > 0.0).then(|| {
             let friction = FollowingFriction {
-                journal: journal.clone(),
+                shape: self.shape.clone(),
                 coefficient: rigid.friction,
                 id,
             };
@@ -320,7 +367,30 @@ impl Pair {
 
     /// What a contact that begins to stick keeps \[m\].
     pub fn anchor(&self, at: &Kinematics, id: ContactId) -> f64 {
-        self.journal()
-            .map_or(0.0, |journal| journal.sticking(id).rolled(at))
+        match &self.shape {
+            Shape::Journal(journal) => journal.sticking(id).rolled(at),
+            Shape::Edge(edge) => edge.anchor(at, id),
+            Shape::Stop(_) => 0.0,
+        }
+    }
+}
+
+impl Shape {
+    /// Geometry and velocities.
+    pub fn read(&self, at: &Kinematics) -> Reading {
+        match self {
+            Shape::Journal(journal) => journal.read(at),
+            Shape::Stop(stop) => stop.read(at),
+            Shape::Edge(edge) => edge.read(at),
+        }
+    }
+
+    /// Adds a normal and a tangential force at the contact of a reading, on both bodies.
+    pub fn press(&self, at: &Kinematics, reading: &Reading, forces: [f64; 2], to: &mut Applied) {
+        match self {
+            Shape::Journal(journal) => journal.press(at, reading, forces, to),
+            Shape::Stop(stop) => stop.press(at, forces[0], to),
+            Shape::Edge(edge) => edge.press(at, reading, forces, to),
+        }
     }
 }

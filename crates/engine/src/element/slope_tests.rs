@@ -1,6 +1,8 @@
 //! The shared check of what elements say of the derivatives of their forces.
 
 use super::actuator::Actuator;
+use super::edge::tests::{disc, edge};
+use super::edge::{Piece, Sector};
 use super::formula::{Formula, Function, Strength};
 use super::journal::Journal;
 use super::load::{PointLoad, Torque};
@@ -8,6 +10,7 @@ use super::pair::{Compliant, Contact, Pair, Phase, Shape, Surface};
 use super::quantity::{Measured, Quantity};
 use super::spring::Spring;
 use super::stop::tests::stop;
+use super::straight::tests::straight;
 use super::tests::{Q0, V0, all_constraints, at_state, marker};
 use super::torsion_spring::TorsionSpring;
 use super::*;
@@ -258,6 +261,8 @@ fn slopes_are_the_derivatives_of_contact_forces() {
                 Shape::Journal(journal),
                 Shape::Stop(stop(None)),
                 Shape::Stop(stop(Some(axis))),
+                Shape::Edge(edge(Piece::Straight(straight()))),
+                Shape::Edge(edge(Piece::Round(disc(), Sector::between(0.0, 1.0)))),
             ];
             let memory = Contact {
                 phase: Phase::Contact,

@@ -21,7 +21,7 @@ use super::pair::{Compliant, Contact, Reading};
 use super::prismatic::Guide;
 use super::quantity::Measured;
 use super::span::{BOTH, all_pairs};
-use super::{Applied, Axis, Constraint, Entry, Force, Kinematics, Marker, Measure, Slope};
+use super::{Applied, Axis, Constraint, Entry, Kinematics, Marker, Measure, Slope};
 use linkdyn_linear::math::Vec2;
 
 /// Which end of the way it is.
@@ -141,6 +141,20 @@ impl Stop {
         slopes.map(|slope| slope.map(|value| self.factor() * value))
     }
 
+    /// Slopes by the coordinates of both bodies, along their velocities.
+    pub(super) fn along_velocities(&self, at: &Kinematics, slopes: &[f64; BOTH]) -> f64 {
+        let velocities = [self.first.body, self.second.body].map(|body| {
+            let twist = &at.twists[body.0];
+            [twist.v.x, twist.v.y, twist.omega]
+        });
+        let velocities = velocities.as_flattened().iter();
+        slopes
+            .iter()
+            .zip(velocities)
+            .map(|(slope, rate)| slope * rate)
+            .sum::<f64>()
+    }
+
     /// Adds the force of the stop.
     pub fn press(&self, at: &Kinematics, normal: f64, to: &mut Applied) {
         let [g, _] = self.gradients(at);
@@ -202,7 +216,6 @@ impl Stop {
         };
         let along = at.poses[self.first.body.0].turn(guide.axis);
         let values = guide.bend(at, along, -self.factor() * normal);
-        let index = |(end, axis): (usize, Axis)| 3 * end + axis as usize;
         for (&[row, column], value) in BENT.iter().zip(values) {
             let (row, column) = (index(row), index(column));
             position[row * BOTH + column] += value;
@@ -213,60 +226,13 @@ impl Stop {
     }
 }
 
-/// A stop that yields and is pressed, as a force at rest: N = K δ, to either side.
-#[derive(Debug, Clone)]
-pub struct Yielding {
-    /// The stop.
-    pub stop: Stop,
-    /// Its laws.
-    pub laws: Compliant,
-}
-
-impl Yielding {
-    fn normal(&self, at: &Kinematics) -> (Reading, f64) {
-        let reading = self.stop.read(at);
-        let normal = self
-            .laws
-            .normal
-            .continued(reading.penetration, reading.rate, 0.0);
-        (reading, normal)
-    }
-}
-
-impl Force for Yielding {
-    fn apply(&self, at: &Kinematics, to: &mut Applied) {
-        self.stop.press(at, self.normal(at).1, to);
-    }
-
-    fn slopes(&self) -> Vec<Slope> {
-        self.stop.slopes()
-    }
-
-    fn slope(&self, at: &Kinematics, position: &mut [f64], velocity: &mut [f64]) {
-        let (reading, normal) = self.normal(at);
-        let law = &self.laws.normal;
-        let slopes = law.continued_slopes(reading.penetration, reading.rate, 0.0);
-        self.stop.spread(at, normal, slopes, position, velocity);
-    }
-
-    fn potential(&self, at: &Kinematics) -> f64 {
-        let depth = self.stop.read(at).penetration;
-        self.laws.normal.elastic_energy(depth.abs())
-    }
-
-    fn is_conservative(&self) -> bool {
-        false
-    }
-
-    fn supplied(&self, at: &Kinematics) -> f64 {
-        let (reading, normal) = self.normal(at);
-        let elastic = self.laws.normal.elastic_continued(reading.penetration);
-        (elastic - normal) * reading.rate
-    }
+/// Place of a coordinate among those of both bodies.
+pub(super) fn index((end, axis): (usize, Axis)) -> usize {
+    3 * end + axis as usize
 }
 
 /// Coordinates of [`Guide::bends`]: side of the joint and axis.
-const BENT: [[(usize, Axis); 2]; 7] = [
+pub(super) const BENT: [[(usize, Axis); 2]; 7] = [
     [(0, Axis::X), (0, Axis::Theta)],
     [(0, Axis::Y), (0, Axis::Theta)],
     [(1, Axis::X), (0, Axis::Theta)],
@@ -301,17 +267,7 @@ impl Constraint for Stop {
 
     fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
         let [_, by_position] = self.gradients(at);
-        let bodies = [self.first.body, self.second.body];
-        let velocities = bodies.map(|body| {
-            let twist = &at.twists[body.0];
-            [twist.v.x, twist.v.y, twist.omega]
-        });
-        let velocities = velocities.as_flattened().iter();
-        gamma[0] = -by_position
-            .iter()
-            .zip(velocities)
-            .map(|(slope, rate)| slope * rate)
-            .sum::<f64>();
+        gamma[0] = -self.along_velocities(at, &by_position);
     }
 
     fn bends(&self) -> Vec<Slope> {

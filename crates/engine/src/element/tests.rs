@@ -50,7 +50,7 @@ pub(super) type Named = (&'static str, Box<dyn Constraint>);
 pub(crate) fn all_constraints() -> Vec<Named> {
     let mut all = joints();
     all.extend(drivers_and_initial_values());
-    all.extend(super::stop::tests::both());
+    all.extend(super::edge::tests::held());
     all
 }
 

@@ -1,6 +1,6 @@
 //! Which contacts a mechanism has, and how messages speak of them.
 
-use super::{ContactRows, JointData, System};
+use super::{ContactRows, JointData, JointRole, System};
 use crate::element::pair::{ContactId, Shape};
 
 /// The lower and the upper stop of a joint.
@@ -10,6 +10,11 @@ impl JointData {
     /// Whether its way has an end.
     pub(crate) fn has_stops(&self) -> bool {
         self.stops.is_some()
+    }
+
+    /// Whether it holds only where it touches.
+    pub(crate) fn is_contact(&self) -> bool {
+        self.role == JointRole::Contact
     }
 }
 

@@ -39,6 +39,7 @@ use crate::element::{
 use crate::motion::Law;
 use linkdyn_linear::math::Vec2;
 use linkdyn_model::display::DisplayUnits;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Index of a joint in the model's order.
@@ -56,7 +57,7 @@ pub enum Origin {
     Joint(JointId),
     /// A driver.
     Driver(DriverId),
-    /// A stop of a joint.
+    /// A stop of a joint, or a piece of its outline.
     Stop(ContactId),
     /// An `initial` value, `crank.angle`.
     Initial(String),
@@ -120,6 +121,8 @@ pub struct JointData {
     pub(crate) contact: Option<ContactId>,
     /// Where its way ends.
     pub(crate) stops: Option<Box<Ends>>,
+    /// Pieces of its outline.
+    pub(crate) edges: Range<usize>,
     /// Of a joint with a `clearance` in the file, whatever its model.
     pub(crate) bearing: Option<Bearing>,
     /// Of an ideal joint with friction.
@@ -186,7 +189,7 @@ pub struct System {
     pub(crate) kinks: Vec<f64>,
     /// Forces that depend on multipliers; no part of [`Evaluation::eval_force`].
     pub(crate) dependent_forces: Vec<DependentForce>,
-    /// Joints with clearance by contact force, in the order of the joints; then the stops of joints.
+    /// Joints with clearance by contact force, in the order of the joints; then the stops of joints and the pieces of outlines.
     pub(crate) contacts: Vec<Pair>,
     /// Rows that may come into force for each of them.
     pub(crate) contact_rows: Vec<ContactRows>,

@@ -27,6 +27,8 @@ pub enum JointRole {
     Gear,
     /// Two bodies as one.
     Fixed,
+    /// A tip that may touch an outline.
+    Contact,
 }
 
 impl JointRole {
@@ -34,7 +36,7 @@ impl JointRole {
     pub(crate) fn axis(self) -> Option<Vec2> {
         match self {
             JointRole::Prismatic { axis, .. } | JointRole::Slot { axis } => Some(axis),
-            JointRole::Revolute | JointRole::Gear | JointRole::Fixed => None,
+            JointRole::Revolute | JointRole::Gear | JointRole::Fixed | JointRole::Contact => None,
         }
     }
 }

@@ -21,7 +21,9 @@ pub(super) fn joint(rules: &mut Rules<'_>, joint: &Joint, path: &str) {
             friction,
             pin_radius,
         } => (clearance.as_deref(), friction.as_deref(), Some(pin_radius)),
-        JointKind::Prismatic { friction, .. } => (None, friction.as_deref(), None),
+        JointKind::Prismatic { friction, .. } | JointKind::Contact { friction, .. } => {
+            (None, friction.as_deref(), None)
+        }
         JointKind::Slot { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => return,
     };
     if let Some(clearance) = clearance {

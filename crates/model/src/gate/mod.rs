@@ -12,6 +12,7 @@ mod holes;
 mod motions;
 mod names;
 mod optimise;
+mod outlines;
 mod outputs;
 mod ranges;
 mod responses;
@@ -228,6 +229,7 @@ impl Rules<'_> {
             }
             clearance::joint(self, joint, &path);
             stops::stops(self, joint, &path);
+            outlines::outline(self, joint, &path);
         }
     }
 }

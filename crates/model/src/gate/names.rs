@@ -63,7 +63,8 @@ impl Names<'_, '_> {
                 JointKind::Revolute { .. }
                 | JointKind::Prismatic { .. }
                 | JointKind::Slot { .. }
-                | JointKind::Fixed { .. } => {}
+                | JointKind::Fixed { .. }
+                | JointKind::Contact { .. } => {}
             }
         }
         for (name, driver) in &model.drivers {

@@ -12,6 +12,7 @@ pub(super) fn stops(rules: &mut Rules<'_>, joint: &Joint, path: &str) {
         return;
     }
     let found = match joint.stops.limits {
+        None if matches!(joint.kind, JointKind::Contact { .. }) => None,
         None => of_nothing(joint),
         Some(limits) if known("limits[0]") && known("limits[1]") => {
             order(rules.model, joint, limits)
@@ -76,17 +77,30 @@ fn order(model: &Model, joint: &Joint, limits: [Option<f64>; 2]) -> Option<Fault
 /// Stops that are rigid and yield.
 fn material(joint: &Joint) -> Option<Fault> {
     let stops = &joint.stops;
-    stops.limits?;
+    let is_contact = matches!(joint.kind, JointKind::Contact { .. });
+    if stops.limits.is_none() && !is_contact {
+        return None;
+    }
     match (stops.stiffness, stops.damping, stops.restitution) {
         (None, Some(_), _) => Some((
             "damping",
-            "\"stiffness\" is missing: a stop with damping yields".to_owned(),
-            "give the stiffness of the stops, or \"restitution\" instead of the damping",
+            match is_contact {
+                true => "\"stiffness\" is missing: what has damping yields".to_owned(),
+                false => "\"stiffness\" is missing: a stop with damping yields".to_owned(),
+            },
+            match is_contact {
+                true => "give the stiffness, or \"restitution\" instead of the damping",
+                false => {
+                    "give the stiffness of the stops, or \"restitution\" instead of the damping"
+                }
+            },
         )),
         (Some(_), _, Some(_)) => Some((
             "restitution",
-            "the stops yield, since there is a \"stiffness\": what they give back follows from stiffness and damping"
-                .to_owned(),
+            format!(
+                "{} yield, since there is a \"stiffness\": what they give back follows from stiffness and damping",
+                if is_contact { "both" } else { "the stops" }
+            ),
             "leave out one of them",
         )),
         _ => None,

@@ -87,6 +87,7 @@ fn joint<'m, 'p>(
         (JointKind::Prismatic { angle, .. } | JointKind::Fixed { angle }, "angle") => Some(angle),
         (JointKind::Gear { ratio, .. }, "ratio") => Some(ratio),
         (JointKind::Gear { angle, .. }, "angle") => angle.as_mut(),
+        (JointKind::Contact { radius, .. }, "radius") => Some(radius),
         (JointKind::Revolute { pin_radius, .. }, "pin_radius") => pin_radius.as_mut(),
         (JointKind::Revolute { clearance, .. }, "clearance") => {
             let clearance = clearance.as_mut()?;

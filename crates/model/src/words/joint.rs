@@ -19,6 +19,10 @@ pub static LATCH: Choice = Choice {
     ],
 };
 
+static OUTLINE_POINT: Shape = Shape::List(
+    &Shape::Quantity(Measure::Of(Dimension::Length), Bound::Any),
+    2,
+);
 static TURN: Shape = Shape::End(Measure::Of(Dimension::Angle));
 static SLIDE: Shape = Shape::End(Measure::Of(Dimension::Length));
 
@@ -232,6 +236,64 @@ pub static JOINT: Tagged = Tagged {
                     "friction",
                     "only revolute and prismatic joints can have friction",
                 ),
+            ],
+            drives: Drives::Nothing,
+            either: None,
+        },
+        Object {
+            name: "contact",
+            about: "A round tip about the second point may touch an outline of the first body: one-sided.",
+            fields: &[
+                required(
+                    "outline",
+                    Shape::List(&OUTLINE_POINT, 2),
+                    "Points `[x, y]` in the first body's frame \\[m\\], or `[x, y, r]` where an arc of radius r leads to them, which turns left where r > 0; the material is on the left of the way along it. It is closed where it ends where it began.",
+                ),
+                optional(
+                    "repeat",
+                    Shape::Count(1, 360),
+                    "How often the outline is repeated around the first point, evenly in a turn, and closed.",
+                ),
+                default(
+                    "radius",
+                    Shape::Quantity(Measure::Of(Dimension::Length), Bound::AtLeast(0.0)),
+                    Default::Zero,
+                    "Radius of the tip \\[m\\]; 0: a point.",
+                ),
+                optional(
+                    "arc",
+                    Shape::Pair(&Shape::Quantity(Measure::Of(Dimension::Angle), Bound::Any)),
+                    "Directions in the second body between which the tip is round, turning left \\[rad\\]; left out: a full circle.",
+                ),
+                optional(
+                    "friction",
+                    Shape::Object(&FRICTION),
+                    "Between tip and outline; rigid ones stick and slide by Coulomb's law. Left out: none.",
+                ),
+                optional(
+                    "restitution",
+                    Shape::Number(Bound::Between(0.0, 1.0)),
+                    "Where they are rigid, 0 where left out [–].",
+                ),
+                optional(
+                    "stiffness",
+                    Shape::Quantity(Measure::Of(Dimension::Stiffness), Bound::Above(0.0)),
+                    "Where they yield [N/m]; left out: they are rigid.",
+                ),
+                optional(
+                    "damping",
+                    Shape::Quantity(Measure::Of(Dimension::Damping), Bound::AtLeast(0.0)),
+                    "Where they yield [N·s/m].",
+                ),
+                required(
+                    "between",
+                    Shape::Pair(&Shape::Point),
+                    "Two points `body.point`: one of the outline's body, and the centre of the tip.",
+                ),
+            ],
+            refused: &[
+                ("limits", "a contact ends where its outline does"),
+                ("clearance", "only a revolute joint can have clearance"),
             ],
             drives: Drives::Nothing,
             either: None,

@@ -22,6 +22,7 @@ mod cylinder;
 mod drivers;
 mod instants;
 mod moving;
+mod outlines;
 mod pages;
 mod places;
 mod plain;

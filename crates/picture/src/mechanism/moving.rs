@@ -152,6 +152,15 @@ impl Mechanism {
             let length = (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]);
             *stretch = [stretch[0].min(length), stretch[1].max(length)];
         }
+        for joint in shape.joints.iter().filter(|joint| joint.between[0].0 != 0) {
+            if let JointKind::Contact { outline, .. } = &joint.kind {
+                for corner in outline {
+                    self.frame
+                        .extent
+                        .add(global(pose[joint.between[0].0], *corner), 0.0);
+                }
+            }
+        }
         for (joint, slide) in shape.joints.iter().zip(&mut self.slides) {
             let ends = joint.between.map(|end| place(shape, pose, end));
             let radii = match joint.kind {
@@ -159,7 +168,8 @@ impl Mechanism {
                 JointKind::Revolute { .. }
                 | JointKind::Prismatic { .. }
                 | JointKind::Slot { .. }
-                | JointKind::Fixed => [0.0; 2],
+                | JointKind::Fixed
+                | JointKind::Contact { .. } => [0.0; 2],
             };
             for (end, radius) in ends.into_iter().zip(radii) {
                 self.frame.extent.add(end, radius);

@@ -3,7 +3,7 @@
 
 use super::cylinder::Lengths;
 use super::sketch::Sketch;
-use super::stops;
+use super::{outlines, stops};
 use crate::palette;
 use crate::scene::{Ink, Pen, Place, Scene};
 use crate::shape::{Clearance, Joint, JointKind};
@@ -25,6 +25,7 @@ pub fn draw_backdrop(scene: &mut Scene, sketch: &Sketch) {
     }
     for (number, joint) in mechanism.shape.joints.iter().enumerate() {
         if joint.between[0].0 == 0 {
+            outlines::draw_outline(scene, sketch, joint);
             draw_guide(scene, sketch, joint, mechanism.slides[number]);
         }
     }
@@ -38,6 +39,12 @@ pub fn draw(scene: &mut Scene, sketch: &Sketch) {
         if joint.between[0].0 != 0 && cylinders.of_joint[number].is_none() {
             draw_guide(scene, sketch, joint, slides[number]);
         }
+    }
+    for joint in &shape.joints {
+        if joint.between[0].0 != 0 {
+            outlines::draw_outline(scene, sketch, joint);
+        }
+        outlines::draw_tip(scene, sketch, joint);
     }
     for number in (1..shape.bodies.len()).filter(|number| !cylinders.holds[*number]) {
         let outline = sketch.outline(number);
@@ -102,7 +109,10 @@ fn draw_guide(scene: &mut Scene, sketch: &Sketch, joint: &Joint, slides: [f64; 2
             let width = 0.7 * bar;
             scene.line("guide", ends, Pen { width, ..pen });
         }
-        JointKind::Revolute { .. } | JointKind::Gear { .. } | JointKind::Fixed => {}
+        JointKind::Revolute { .. }
+        | JointKind::Gear { .. }
+        | JointKind::Fixed
+        | JointKind::Contact { .. } => {}
     }
 }
 
@@ -193,7 +203,7 @@ fn draw_pin(scene: &mut Scene, sketch: &Sketch, joint: &Joint) {
             let corners = corners.map(|[dx, dy]| [x + dx, y + dy]);
             scene.area("weld", corners, Some(sketch.ink(palette::STEEL)), None);
         }
-        JointKind::Prismatic { .. } | JointKind::Gear { .. } => {}
+        JointKind::Prismatic { .. } | JointKind::Gear { .. } | JointKind::Contact { .. } => {}
     }
 }
 

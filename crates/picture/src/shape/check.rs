@@ -77,7 +77,8 @@ impl Shape {
             JointKind::Revolute { .. }
             | JointKind::Prismatic { .. }
             | JointKind::Slot { .. }
-            | JointKind::Fixed => None,
+            | JointKind::Fixed
+            | JointKind::Contact { .. } => None,
         });
         let driven = self.drivers.iter().flat_map(|driver| match driver.kind {
             DriverKind::Rotation {

@@ -1,13 +1,17 @@
 //! Model → shape. Points and bodies that do not exist were refused when the model was checked.
 
 use std::collections::HashMap;
+use std::f64::consts::TAU;
 
 use super::parts::{
     Body, Clearance, Driver, DriverKind, Joint, JointKind, Load, PitchCircles, PointId, Shape,
     Spring, TorsionSpring,
 };
+use linkdyn_model::outline::{Corner, arc_centre};
 use linkdyn_model::{self as model, ClearanceModel, ForceKind, GROUND, Model, PointRef};
 
+/// Angle between corners of an arc of an outline \[rad\].
+const CORNER: f64 = 0.1;
 /// Bodies beyond which centres of mass are not drawn.
 const MANY: usize = 2000;
 
@@ -115,6 +119,12 @@ impl<'m> Numbers<'m> {
         (self.body(&point.body), number.unwrap_or(0))
     }
 
+    fn place(&self, point: &PointRef) -> [f64; 2] {
+        let body = self.model.bodies.get(&point.body);
+        let place = body.and_then(|body| body.points.get(&point.point));
+        place.copied().unwrap_or_default()
+    }
+
     fn ends(&self, ends: &[PointRef; 2]) -> [PointId; 2] {
         ends.each_ref().map(|end| self.point(end))
     }
@@ -157,6 +167,11 @@ fn joint_of(numbers: &Numbers, name: &str, joint: &model::Joint) -> Joint {
             gear: pitch_circles(numbers, name, joint, *ratio),
         },
         model::JointKind::Fixed { .. } => JointKind::Fixed,
+        model::JointKind::Contact { radius, arc, .. } => JointKind::Contact {
+            outline: corners(&joint.kind.outline_around(numbers.place(&joint.between[0]))),
+            radius: *radius,
+            arc: *arc,
+        },
     };
     Joint {
         name: name.to_string(),
@@ -164,6 +179,29 @@ fn joint_of(numbers: &Numbers, name: &str, joint: &model::Joint) -> Joint {
         kind,
         limits: joint.stops.limits,
     }
+}
+
+/// An outline with arcs as so many corners.
+fn corners(outline: &[Corner]) -> Vec<[f64; 2]> {
+    let mut corners: Vec<[f64; 2]> = outline.iter().take(1).map(|(first, _)| *first).collect();
+    for pair in outline.windows(2) {
+        let [(from, _), (to, radius)] = [pair[0], pair[1]];
+        if radius != 0.0 {
+            let [x, y] = arc_centre(from, to, radius);
+            let angle = |place: [f64; 2]| (place[1] - y).atan2(place[0] - x);
+            let turn = match radius > 0.0 {
+                true => (angle(to) - angle(from)).rem_euclid(TAU),
+                false => -(angle(from) - angle(to)).rem_euclid(TAU),
+            };
+            let parts = (turn.abs() / CORNER).ceil();
+            corners.extend((1..parts as usize).map(|k| {
+                let (sin, cos) = (angle(from) + turn * k as f64 / parts).sin_cos();
+                [x + radius.abs() * cos, y + radius.abs() * sin]
+            }));
+        }
+        corners.push(to);
+    }
+    corners
 }
 
 /// Wheels roll on each other: |R₁| = |ratio|·|R₂|, R₂ = ℓ/(1 − ratio), where ℓ is the distance of their centres.

@@ -81,6 +81,16 @@ pub enum JointKind {
     },
     /// A weld.
     Fixed,
+    /// A tip that may touch an outline.
+    Contact {
+        /// Points of the outline in the frame of the first body, material on the left \[m\]; closed where it ends where it began.
+        outline: Vec<[f64; 2]>,
+        /// Radius of the tip \[m\].
+        radius: f64,
+        /// Directions in the second body between which the tip is round \[rad\].
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        arc: Option<[f64; 2]>,
+    },
 }
 
 /// Pitch circles of two wheels in mesh.
@@ -215,7 +225,10 @@ impl Joint {
                 let length = u.hypot(v);
                 (length > 0.0).then(|| [u / length, v / length])
             }
-            JointKind::Revolute { .. } | JointKind::Gear { .. } | JointKind::Fixed => None,
+            JointKind::Revolute { .. }
+            | JointKind::Gear { .. }
+            | JointKind::Fixed
+            | JointKind::Contact { .. } => None,
         }
     }
 

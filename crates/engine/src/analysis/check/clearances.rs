@@ -16,7 +16,8 @@ pub fn clearances(model: &Model) -> impl Iterator<Item = (&str, ClearanceModel)>
             | JointKind::Prismatic { .. }
             | JointKind::Slot { .. }
             | JointKind::Gear { .. }
-            | JointKind::Fixed { .. } => None,
+            | JointKind::Fixed { .. }
+            | JointKind::Contact { .. } => None,
         })
 }
 

@@ -6,7 +6,7 @@ use super::flow::Flow;
 use super::impulses::{Impulses, Instant, Jams, rests};
 use super::ledger::Ledger;
 use super::margins::Margins;
-use super::modes::first_phase;
+use super::modes::{first_phase, passes};
 use super::settings::{Settings, Wanted};
 use super::simulation::Simulation;
 use super::state::State;
@@ -14,7 +14,7 @@ use super::steps::Steps;
 use super::switches::Switches;
 use super::words::{deep_start, describe};
 use crate::analysis::control::Stop;
-use crate::element::pair::Surface;
+use crate::element::pair::{Contact, Surface};
 use linkdyn_output::Status;
 
 /// Newton's step, by rtol, below which the equations are taken for those of its end: a hundredth of what the step's error
@@ -87,10 +87,10 @@ impl<'s> Simulation<'s> {
     }
 }
 
-/// Whether a joint is at one of its rigid stops.
+/// Whether a joint is at one of its rigid stops, or a tip on an outline.
 fn leans(flow: &Flow) -> bool {
     let mut contacts = flow.system().contacts.iter().enumerate();
-    contacts.any(|(contact, pair)| pair.stop().is_some() && rests(flow, contact))
+    contacts.any(|(contact, pair)| pair.limits() && rests(flow, contact))
 }
 
 /// The phases in which contacts are at the start.
@@ -102,12 +102,13 @@ fn first_phases(flow: &mut Flow, state: &State, ledger: &mut Ledger) -> Result<(
             Surface::Compliant(_) => DEEPEST_START,
             Surface::Rigid(_) => DEEPEST_RIGID,
         };
-        if reading.penetration > deepest * pair.size() {
+        let is_behind = passes(pair, &mut Contact::default(), &reading);
+        if !is_behind && reading.penetration.min(reading.room) > deepest * pair.size() {
             return Err(Stop::Input(vec![deep_start(system, contact, &reading)]));
         }
         *flow.memory_mut(contact) = first_phase(pair, &reading);
         let entry = ledger.entry((flow, state), contact, &reading, 0.0);
-        ledger.start(contact, &entry, &flow.reading(contact));
+        ledger.start(contact, is_behind, &entry, &flow.reading(contact));
     }
     Ok(())
 }

@@ -3,15 +3,17 @@
 //! Each phase has **guards**, functions of the state that become positive where the phase ends:
 //!
 //! ```text
-//! flight     δ                              the journal meets the bearing
-//! contact    −δ − ε                         it leaves
+//! flight     min(δ, room)                   the journal meets the bearing
+//! contact    −δ − ε, −room − ε              it leaves, or the surface ends there
 //!            −h(δ, δ̇)                       the law would pull, h ≤ 0 (Kelvin and Voigt: K δ + D δ̇)
 //!            v_t − v_up,  v_low − v_t       the friction law goes over to its next piece
 //! released   −δ − ε,  h(δ, δ̇)               it leaves; it presses again
+//! behind     −δ − ε, −room − ε              it is out of the material
 //!
 //! rigid surfaces:
-//! flight     min(δ, δ̇)                      an impact
+//! flight     min(δ, δ̇, room)                an impact
 //! contact    −N                             the multiplier of the journal on the surface would pull (of a latch beyond what it holds)
+//!            −room − ε                      the surface ends there
 //!            −s v_t                         it slides no more in the way s
 //!            |T| − μ N                      it sticks, and friction can't hold it any longer
 //! ```
@@ -19,6 +21,7 @@
 //! Between events the equations are smooth; events are located on the step's continuous extension.
 
 use crate::contact::friction;
+use crate::element::edge::Edge;
 use crate::element::pair::{Contact, Pair, Phase, Reading, Rigid, Surface};
 use crate::system::Scale;
 
@@ -40,14 +43,20 @@ const GRIP: f64 = 1e-8;
 /// The largest of a contact's guards, with round-off by the mechanism's own length, mass and time.
 pub fn largest_guard(scale: &Scale, pair: &Pair, memory: &Contact, reading: &Reading) -> f64 {
     match (&pair.surface, memory.phase) {
-        (Surface::Compliant(_), Phase::Flight) => reading.penetration,
+        (Surface::Compliant(_), Phase::Flight) => reading.penetration.min(reading.room),
         // On its way out it may still be where it touched.
         (Surface::Rigid(_), Phase::Flight) => {
-            let approach = reading.rate - CREEP * scale.velocity();
-            reading.penetration.min(approach * scale.time)
+            let approach = reading.rate - creep(scale);
+            reading
+                .penetration
+                .min(approach * scale.time)
+                .min(reading.room)
         }
         (Surface::Rigid(rigid), Phase::Contact) => {
-            lets_go(scale, rigid, reading).max(turns(scale, rigid, memory, reading))
+            let ended = -reading.room - GONE * pair.size();
+            lets_go(scale, rigid, reading)
+                .max(turns(scale, rigid, memory, reading))
+                .max(ended)
         }
         (Surface::Compliant(laws), Phase::Contact) => {
             let hold = laws
@@ -63,7 +72,13 @@ pub fn largest_guard(scale: &Scale, pair: &Pair, memory: &Contact, reading: &Rea
             memory.approach,
         )),
         (Surface::Rigid(_), Phase::Released) => f64::NEG_INFINITY,
+        (_, Phase::Behind) => gone(pair, reading),
     }
+}
+
+/// Approach that is round-off [m/s].
+pub fn creep(scale: &Scale) -> f64 {
+    CREEP * scale.velocity()
 }
 
 /// Positive where a rigid journal on its bearing goes over from sliding to something else, or from sticking.
@@ -92,13 +107,44 @@ fn past(friction: &friction::Law, memory: &Contact, reading: &Reading) -> f64 {
 }
 
 fn gone(pair: &Pair, reading: &Reading) -> f64 {
-    -reading.penetration - GONE * pair.size()
+    (-reading.penetration).max(-reading.room) - GONE * pair.size()
+}
+
+/// Whether the surface is there where the contact is.
+pub fn is_there(pair: &Pair, reading: &Reading) -> bool {
+    let deepest = pair.edge().map_or(f64::INFINITY, |edge| edge.deepest);
+    reading.room >= -GONE * pair.size() && reading.penetration <= deepest
+}
+
+/// Whether a tip goes behind a piece of its outline, or comes out from there; its memory is changed then.
+pub fn passes(pair: &Pair, memory: &mut Contact, reading: &Reading) -> bool {
+    let Some(edge) = pair.edge() else {
+        return false;
+    };
+    let to = match memory.phase {
+        Phase::Flight if is_behind(edge, reading) => Phase::Behind,
+        Phase::Behind if gone(pair, reading) > 0.0 => Phase::Flight,
+        Phase::Flight | Phase::Contact | Phase::Released | Phase::Behind => return false,
+    };
+    *memory = Contact {
+        phase: to,
+        ..Contact::default()
+    };
+    true
+}
+
+fn is_behind(edge: &Edge, reading: &Reading) -> bool {
+    reading.room > 0.0 && reading.penetration > edge.deepest
 }
 
 /// The phase in which a journal is at the start.
 pub fn first_phase(pair: &Pair, reading: &Reading) -> Contact {
     let mut memory = Contact::default();
-    if reading.penetration > 0.0 && matches!(pair.surface, Surface::Compliant(_)) {
+    if passes(pair, &mut memory, reading) {
+        return memory;
+    }
+    let touches = reading.penetration.min(reading.room) > 0.0;
+    if touches && matches!(pair.surface, Surface::Compliant(_)) {
         begin(pair, reading, &mut memory);
     }
     memory
@@ -144,10 +190,11 @@ pub fn change(
         return None;
     };
     match memory.phase {
-        Phase::Flight => (reading.penetration > 0.0).then(|| {
+        Phase::Flight => (reading.penetration.min(reading.room) > 0.0).then(|| {
             begin(pair, reading, memory);
             Change::Begin
         }),
+        Phase::Behind => None,
         Phase::Contact | Phase::Released if gone(pair, reading) > 0.0 => {
             *memory = Contact::default();
             Some(Change::End)
@@ -179,7 +226,7 @@ pub fn change(
 /// State of a contact in the results: flight, sliding, sticking.
 pub fn state(pair: &Pair, memory: &Contact) -> f64 {
     match (&pair.surface, memory.phase) {
-        (_, Phase::Flight | Phase::Released) => 0.0,
+        (_, Phase::Flight | Phase::Released | Phase::Behind) => 0.0,
         (_, Phase::Contact) if sticks(pair, memory) => 2.0,
         (_, Phase::Contact) => 1.0,
     }

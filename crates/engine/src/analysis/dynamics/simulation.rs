@@ -15,7 +15,7 @@ use super::flow::Flow;
 use super::impulses::{Impulses, Instant, Jams};
 use super::ledger::Ledger;
 use super::margins::Margins;
-use super::modes::{Change, change};
+use super::modes::{Change, change, passes};
 use super::paces::Begun;
 use super::state::State;
 use super::steps::{LastStep, Steps};
@@ -197,9 +197,18 @@ impl<'s> Simulation<'s> {
         self.impulses(time).loosen().is_ok()
     }
 
+    /// Tips that have gone behind an outline, or have come out from there.
+    fn pass(&mut self) {
+        for (contact, pair) in self.flow.system().contacts.iter().enumerate() {
+            let reading = self.flow.reading(contact);
+            passes(pair, self.flow.memory_mut(contact), &reading);
+        }
+    }
+
     /// What happens at an event: impulses, then phases that end. The motion starts again from there.
     fn change(&mut self, time: f64) -> Result<(), Fault> {
         self.last_step().0.evaluate(time)?;
+        self.pass();
         self.impulses(time).resolve()?;
         let system = self.flow.system();
         let mut begun = None;

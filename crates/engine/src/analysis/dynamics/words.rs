@@ -2,6 +2,7 @@
 
 use super::fault::Fault;
 use super::flow::Flow;
+use crate::analysis::ends;
 use crate::analysis::in_line::singular_text;
 use crate::element::journal::Journal;
 use crate::element::pair::{ContactId, Reading, Surface};
@@ -62,7 +63,9 @@ pub(super) fn beyond_range(
 pub(super) fn deep_start(system: &System, contact: usize, reading: &Reading) -> Complaint {
     let name = &system.joint_of(ContactId(contact)).name;
     let pair = &system.contacts[contact];
-    let clearance = pair.size();
+    let Some(clearance) = pair.journal().map(|journal| journal.clearance) else {
+        return ends::deep(system, contact, reading.penetration);
+    };
     Complaint::new(
         "initial",
         format!(

@@ -38,7 +38,8 @@ impl Compiler<'_> {
                         // The loader lets translations drive prismatic joints and slots only.
                         JointKind::Revolute { .. }
                         | JointKind::Gear { .. }
-                        | JointKind::Fixed { .. } => Vec2::x(),
+                        | JointKind::Fixed { .. }
+                        | JointKind::Contact { .. } => Vec2::x(),
                     };
                     let (first, second) = (
                         self.marker(&joint.between[0]),

@@ -45,6 +45,7 @@ impl Compiler<'_> {
                 contact: made.contact,
                 bearing: clearance(&joint.kind).map(bearing),
                 stops: None,
+                edges: 0..0,
                 friction,
             });
             self.push_block(made.constraint, Origin::Joint(JointId(k)));
@@ -71,6 +72,8 @@ impl Compiler<'_> {
                 let carrier = &self.joints.carriers[name];
                 (Arc::new(self.gear(points, *ratio, *angle, carrier)), true)
             }
+            // Its rows come into force where it touches.
+            JointKind::Contact { .. } => (Arc::new(Free), false),
             JointKind::Fixed { angle } => {
                 let angle = *angle;
                 let weld = Fixed {
@@ -211,7 +214,10 @@ impl Compiler<'_> {
                     Measure::Length,
                 )
             }
-            JointKind::Slot { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => {
+            JointKind::Slot { .. }
+            | JointKind::Gear { .. }
+            | JointKind::Fixed { .. }
+            | JointKind::Contact { .. } => {
                 return None;
             }
         };

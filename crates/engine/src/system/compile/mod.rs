@@ -2,6 +2,7 @@
 
 mod contact_parameters;
 mod drivers;
+mod edges;
 mod forces;
 mod formulas;
 mod joints;
@@ -126,6 +127,7 @@ impl<'a> Compiler<'a> {
         self.add_joints();
         self.add_drivers();
         self.add_stops();
+        self.add_edges();
         self.add_initial();
         self.add_forces();
         self.add_outputs();

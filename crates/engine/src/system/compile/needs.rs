@@ -1,11 +1,14 @@
 //! What joints and analyses need beyond the words of a joint itself, and the complaints where it is not there.
 
 use super::contact_parameters::{Words, friction_law, need};
+use super::edges;
 use crate::contact::{friction, normal};
 use crate::element::journal::Bearing;
 use crate::element::pair::{Compliant, Surface};
 use linkdyn_model::error::Complaint;
-use linkdyn_model::{AnalysisKind, Carrier, ClearanceModel, GROUND, JointKind, Model};
+use linkdyn_model::{
+    AnalysisKind, Carrier, ClearanceModel, FrictionLaw, GROUND, Joint, JointKind, Model,
+};
 use std::collections::{HashMap, HashSet};
 
 /// What joints need beyond their own words, by their names.
@@ -35,7 +38,8 @@ pub(super) fn clearance(kind: &JointKind) -> Option<&linkdyn_model::Clearance> {
         JointKind::Prismatic { .. }
         | JointKind::Slot { .. }
         | JointKind::Gear { .. }
-        | JointKind::Fixed { .. } => None,
+        | JointKind::Fixed { .. }
+        | JointKind::Contact { .. } => None,
     }
 }
 
@@ -43,6 +47,13 @@ pub(super) fn clearance(kind: &JointKind) -> Option<&linkdyn_model::Clearance> {
 fn surfaces<'a>(model: &'a Model, complaints: &mut Vec<Complaint>) -> HashMap<&'a str, Surface> {
     let mut surfaces = HashMap::new();
     for (name, joint) in &model.joints {
+        match of_outline(name, joint) {
+            Some(Ok(surface)) => {
+                surfaces.insert(name.as_str(), surface);
+            }
+            Some(Err(complaint)) => complaints.push(complaint),
+            None => {}
+        }
         let Some(clearance) = clearance(&joint.kind) else {
             continue;
         };
@@ -73,6 +84,30 @@ fn surfaces<'a>(model: &'a Model, complaints: &mut Vec<Complaint>) -> HashMap<&'
     surfaces
 }
 
+/// The surface of a joint that is a contact; none of other joints.
+fn of_outline(name: &str, joint: &Joint) -> Option<Result<Surface, Complaint>> {
+    let JointKind::Contact { friction, .. } = &joint.kind else {
+        return None;
+    };
+    let path = format!("joints.{name}");
+    let Some(words) = friction.as_deref() else {
+        return Some(Ok(edges::surface(joint, friction::Law::None, 0.0)));
+    };
+    let coefficient = match words.law {
+        FrictionLaw::None => Ok(0.0),
+        _ => need(&path, "friction.coefficient", words.coefficient, |mu| {
+            mu >= 0.0
+        }),
+    };
+    // What is rigid sticks and slides by Coulomb's law itself.
+    let law = match joint.stops.stiffness {
+        None => Ok(friction::Law::None),
+        Some(_) => friction_law(words, &path),
+    };
+    let both = law.and_then(|law| Ok((law, coefficient?)));
+    Some(both.map(|(law, coefficient)| edges::surface(joint, law, coefficient)))
+}
+
 /// Friction laws of ideal joints.
 fn frictions<'a>(
     model: &'a Model,
@@ -95,7 +130,8 @@ fn frictions<'a>(
             | JointKind::Prismatic { .. }
             | JointKind::Slot { .. }
             | JointKind::Gear { .. }
-            | JointKind::Fixed { .. } => continue,
+            | JointKind::Fixed { .. }
+            | JointKind::Contact { .. } => continue,
         };
         let radius = pin.map_or(Ok(0.0), |radius| {
             need(&path, "pin_radius", radius, |radius| radius > 0.0)

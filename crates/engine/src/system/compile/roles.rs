@@ -19,6 +19,7 @@ pub(super) fn joint_role(kind: &JointKind) -> JointRole {
         },
         JointKind::Gear { .. } => JointRole::Gear,
         JointKind::Fixed { .. } => JointRole::Fixed,
+        JointKind::Contact { .. } => JointRole::Contact,
     }
 }
 

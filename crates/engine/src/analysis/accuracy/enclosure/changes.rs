@@ -66,6 +66,8 @@ pub(super) fn changes(system: &System, at: &Kinematics, radii: &Radii) -> Vec<Ch
                         let u = at.poses[joint.points[0].body.0].turn(axis);
                         guide_changes(at, radii, &joint.points, u, perp(u), own);
                     }
+                    // It has no rows.
+                    JointRole::Contact => {}
                     JointRole::Gear => gear_changes(at, radii, block, &joint.points, own),
                 }
             }

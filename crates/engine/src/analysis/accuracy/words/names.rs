@@ -198,6 +198,8 @@ fn add_joints(found: &mut Dimensions, model: &Model, system: &System) {
                 }
             }
             JointKind::Fixed { .. } => angle(found, row + 2),
+            // Its outline holds nothing where nothing touches.
+            JointKind::Contact { .. } => {}
             JointKind::Gear { angle: own, .. } => {
                 let Some(carrier) = carrier(system, index) else {
                     continue;
@@ -239,7 +241,7 @@ pub(in crate::analysis::accuracy) fn dimension_values(model: &Model, system: &Sy
                     values.push(angle.unwrap_or_else(|| mesh(model, system, index, carrier)));
                 }
             }
-            JointKind::Revolute { .. } => {}
+            JointKind::Revolute { .. } | JointKind::Contact { .. } => {}
         }
     }
     for data in model.drivers.values() {

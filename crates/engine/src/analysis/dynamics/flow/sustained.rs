@@ -85,9 +85,10 @@ impl Flow<'_> {
             .with_rows(system, &all.free_columns, time, holds)?;
         // Directions of a journal's contact turn over lengths as short as its clearance.
         let held = system.contacts.iter().zip(holds);
-        let held = held.filter(|(pair, hold)| **hold != Hold::Free && pair.journal().is_some());
+        let held = held.filter(|(_, hold)| **hold != Hold::Free);
         let turn = held.fold(1.0, |least: f64, (pair, _)| {
-            least.min(pair.size() / system.size)
+            let over = pair.turns_over();
+            over.map_or(least, |over| least.min(over / system.size))
         });
         self.equations.set_lag(turn * self.lag);
         self.layout.set_freedom(self.equations.freedom());

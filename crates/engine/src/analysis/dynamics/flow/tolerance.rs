@@ -99,7 +99,7 @@ fn depth(contact: &Pair, energy: f64) -> f64 {
     };
     let shallowest = match contact.shape {
         Shape::Journal(_) => SHALLOW,
-        Shape::Stop(_) => SHALLOW_STOP,
+        Shape::Stop(_) | Shape::Edge(_) => SHALLOW_STOP,
     };
     let (mut low, mut high) = (shallowest * contact.size(), contact.size());
     if laws.normal.elastic_energy(high) <= energy {

@@ -12,7 +12,7 @@ mod point;
 mod touching;
 
 use super::flow::Flow;
-use super::modes::largest_guard;
+use super::modes::{creep, is_there, largest_guard};
 use super::words::TIGHT;
 use crate::analysis::ends;
 use crate::element::pair::{Contact, Hold, Phase, Reading, Rigid, Surface};
@@ -207,17 +207,18 @@ impl<'a, 's> Impulses<'a, 's> {
             fall,
             restitution,
         } = last;
-        let (height, rest) = match system.contacts[contact].stop() {
-            None => (system.display.length_to(height, 2), 0.0),
+        let pair = &system.contacts[contact];
+        let rest = match pair.limits() {
+            false => 0.0,
             // Without rebound there is nothing that dies away.
-            Some(_) if restitution == 0.0 => return,
-            Some(stop) => {
+            true if restitution == 0.0 => return,
+            true => {
                 let rest = 2.0 * restitution * speed / (fall * (1.0 - restitution));
                 // They have no end where nothing is lost.
-                let rest = if rest.is_finite() { rest } else { 0.0 };
-                (ends::depth(stop, &system.display, height, 2), rest)
+                if rest.is_finite() { rest } else { 0.0 }
             }
         };
+        let height = ends::depth(pair, &system.display, height, 2);
         let history = self.at.ledger.history(contact);
         history.sustain(self.at.time + rest, &height);
     }
@@ -246,11 +247,13 @@ impl<'a, 's> Impulses<'a, 's> {
         let flow = &*self.at.flow;
         let latched = flow.holds();
         let contacts = (0..were.len()).filter(|&k| {
-            latched[k] == Hold::Free && (were[k] != Hold::Free || touches(flow, k, slow))
+            let pair = &flow.system().contacts[k];
+            let goes_on = were[k] != Hold::Free && is_there(pair, &flow.reading(k));
+            latched[k] == Hold::Free && (goes_on || touches(flow, k, slow))
         });
         let contacts = contacts.collect();
         let touching = Touching::new(self.at.flow, contacts);
-        let rates = touching.approaches(self.at.flow);
+        let rates = self.to_stop(&touching);
         let (stays, impulses) = touching
             .solve(&vec![0.0; touching.len()], &rates)
             .ok_or(Failure::Singular)?;
@@ -264,7 +267,7 @@ impl<'a, 's> Impulses<'a, 's> {
                 let was = were[touching.contacts[k]] != Hold::Free;
                 let least = if was { slow } else { at_rest(flow) };
                 if stays[k] || rates[k].abs() <= least {
-                    touching.approach_acceleration(flow, k)
+                    touching.approach_acceleration(flow, k) - touching.round_off(flow, k)
                 } else {
                     f64::NEG_INFINITY
                 }
@@ -295,6 +298,23 @@ impl<'a, 's> Impulses<'a, 's> {
             }
             gone => gone,
         }
+    }
+
+    /// δ̇ that impulses have to stop. Outlines may hold a tip from two sides at once, where round-off would ask for what can't be:
+    /// what is none leaves them room.
+    fn to_stop(&self, touching: &Touching) -> Vec<f64> {
+        let flow = &*self.at.flow;
+        let room = creep(&flow.system().scale);
+        let rates = touching.approaches(flow);
+        let contacts = touching.contacts.iter().zip(rates);
+        contacts
+            .map(
+                |(&contact, rate)| match flow.system().contacts[contact].edge() {
+                    Some(_) if rate <= room => rate - room,
+                    _ => rate,
+                },
+            )
+            .collect()
     }
 
     /// Impulses that stop sliding in a jam, and what comes of them. `way` is how it jams.

@@ -1,7 +1,7 @@
 //! The point at which a rigid journal touches its bearing: what impulses there change, and what friction does there.
 
 use crate::analysis::dynamics::flow::Flow;
-use crate::analysis::dynamics::modes::STILL;
+use crate::analysis::dynamics::modes::{STILL, is_there};
 use crate::element::Applied;
 use crate::element::pair::{Reading, Surface};
 use linkdyn_linear::math::dot;
@@ -91,6 +91,7 @@ pub(super) fn touches(flow: &Flow, contact: usize, slow: f64) -> bool {
     let reading = flow.reading(contact);
     matches!(pair.surface, Surface::Rigid(_))
         && reading.penetration > -LOWEST * pair.size()
+        && is_there(pair, &reading)
         && reading.rate.abs() <= slow
 }
 
@@ -100,6 +101,22 @@ pub(super) fn approach_acceleration(flow: &Flow, contact: usize, point: &Point) 
     let mut gamma = [0.0];
     following.gamma(&flow.equations.kinematics(), &mut gamma);
     -dot(&point.forces[0], flow.equations.acceleration()) - gamma[0]
+}
+
+/// How large δ̈ could be by the sizes of accelerations and directions [m/s²]: its round-off is a part of that.
+pub(super) fn approach_size(flow: &Flow, point: &Point) -> f64 {
+    let system = flow.system();
+    let accelerations = flow.equations.acceleration().iter().enumerate();
+    let (mut force, mut most) = (
+        0.0,
+        system.scale.velocity() / system.scale.time / system.size,
+    );
+    for (column, a) in accelerations {
+        let scale = system.column_scale(column);
+        force += (point.forces[0][column] * scale).abs();
+        most = f64::max(most, (a / scale).abs());
+    }
+    force * most
 }
 
 /// v̇_t of a contact at the point of the last evaluation, where it does not slide [m/s²].

@@ -19,11 +19,14 @@
 //! Dynamics with Unilateral Contacts*, 1996.
 
 use super::grips::Along;
-use super::point::{Point, approach_acceleration, sliding_acceleration, still};
+use super::point::{Point, approach_acceleration, approach_size, sliding_acceleration, still};
 use crate::analysis::dynamics::flow::Flow;
 use linkdyn_linear::complementary::complementary;
 use linkdyn_linear::math::dot;
 use nalgebra::DMatrix;
+
+/// Part of the terms of an acceleration that is round-off.
+const EVEN: f64 = 1e-12;
 
 /// Contacts that touch, of which none is sustained in the equations of the moment.
 pub(super) struct Touching {
@@ -141,6 +144,15 @@ impl Touching {
     /// δ̈ of contact k at the last evaluation [m/s²].
     pub fn approach_acceleration(&self, flow: &Flow, k: usize) -> f64 {
         approach_acceleration(flow, self.contacts[k], &self.points[k])
+    }
+
+    /// What of δ̈ of a piece of an outline may be round-off [m/s²]: two of them may hold a tip from both sides, and must not both want
+    /// to press.
+    pub fn round_off(&self, flow: &Flow, k: usize) -> f64 {
+        match flow.system().contacts[self.contacts[k]].edge() {
+            Some(_) => EVEN * approach_size(flow, &self.points[k]),
+            None => 0.0,
+        }
     }
 
     /// Velocities halfway between those before and after these impulses: work is impulse times that.

@@ -1,8 +1,7 @@
 //! What a contact has done: its episodes, its changes between stick and slip, and its wear.
 
 use crate::analysis::dynamics::state::Sums;
-use crate::element::pair::Reading;
-use crate::element::stop::Stop;
+use crate::element::pair::{Pair, Reading, Shape};
 use linkdyn_output::{Episode, Event, EventKind};
 
 /// Bins of the bearing's circumference in which sliding under load is summed.
@@ -29,6 +28,8 @@ pub struct History {
     joint: String,
     /// Which stop of the joint it is, with its arm.
     stop: Option<(&'static str, f64)>,
+    /// What stays together where it stays.
+    together: &'static str,
     open: Option<(Episode, Sums)>,
     /// Sums at the last point.
     last: Sums,
@@ -50,11 +51,17 @@ pub struct History {
 }
 
 impl History {
-    /// Of a joint, or of a stop of it, before anything has happened.
-    pub fn new(joint: &str, stop: Option<&Stop>) -> Self {
+    /// Of a contact of a joint, before anything has happened.
+    pub fn new(joint: &str, pair: &Pair) -> Self {
+        let together = match pair.shape {
+            Shape::Journal(_) => "would follow: the journal stays on the bearing's surface",
+            Shape::Stop(_) => "follow until then: from there the joint stays at its stop",
+            Shape::Edge(_) => "follow until then: from there the tip stays on the outline",
+        };
         History {
             joint: joint.into(),
-            stop: stop.map(|stop| (stop.side.word(), stop.arm)),
+            stop: pair.stop().map(|stop| (stop.side.word(), stop.arm)),
+            together,
             open: None,
             last: Sums::default(),
             last_angle: 0.0,
@@ -172,14 +179,7 @@ impl History {
 
     /// Impacts have become so low, `height` in words, that the contact is sustained from now on.
     pub fn sustain(&mut self, time: f64, height: &str) {
-        let note = match self.stop {
-            None => format!(
-                "impacts lower than {height} would follow: the journal stays on the bearing's surface"
-            ),
-            Some(_) => format!(
-                "impacts lower than {height} follow until then: from there the joint stays at its stop"
-            ),
-        };
+        let note = format!("impacts lower than {height} {}", self.together);
         self.list(Event {
             note: Some(note),
             ..Event::at(EventKind::SustainedContact, time)
@@ -252,6 +252,31 @@ impl History {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::impact::Sense;
+    use crate::element::journal::Journal;
+    use crate::element::pair::{Rigid, Surface};
+    use crate::element::{BodyId, Marker};
+    use linkdyn_linear::math::Vec2;
+
+    fn journal() -> History {
+        let centre = Marker {
+            body: BodyId::GROUND,
+            s: Vec2::zeros(),
+        };
+        let shape = Shape::Journal(Journal {
+            bearing: centre,
+            journal: centre,
+            clearance: 1.0,
+            bearing_radius: 2.0,
+        });
+        let surface = Surface::Rigid(Rigid {
+            restitution: 0.0,
+            friction: 0.0,
+            sense: Sense::Kinematic,
+            latch: None,
+        });
+        History::new("a", &Pair { shape, surface })
+    }
 
     fn at(angle: f64, sliding: f64) -> Entry {
         let sums = Sums {
@@ -267,7 +292,7 @@ mod tests {
 
     #[test]
     fn wear_goes_to_the_bins_passed_the_shorter_way() {
-        let mut history = History::new("a", None);
+        let mut history = journal();
         let degrees = f64::to_radians;
         history.begin(&at(degrees(-2.5), 0.0));
         history.go_on(&at(degrees(12.5), 3.0));
@@ -290,7 +315,7 @@ mod tests {
 
     #[test]
     fn wear_at_one_angle_goes_to_one_bin() {
-        let mut history = History::new("a", None);
+        let mut history = journal();
         history.begin(&at(-1e-12, 0.0));
         history.go_on(&at(-1e-12, 1.0));
         assert_eq!(history.wear[71], 1.0);

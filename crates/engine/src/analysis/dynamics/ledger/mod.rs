@@ -37,7 +37,7 @@ impl Ledger {
     pub fn new(system: &System) -> Self {
         let contacts = system.contacts.iter().enumerate();
         let accounts = contacts.map(|(contact, pair)| Account {
-            history: History::new(&system.joint_of(ContactId(contact)).name, pair.stop()),
+            history: History::new(&system.joint_of(ContactId(contact)).name, pair),
             last: Reading::default(),
             released: 0.0,
         });
@@ -98,9 +98,9 @@ impl Ledger {
     }
 
     /// A contact at the start of the run. `entry` is the penetration before its forces act, `reading` the contact after.
-    pub fn start(&mut self, contact: usize, entry: &Entry, reading: &Reading) {
+    pub fn start(&mut self, contact: usize, is_behind: bool, entry: &Entry, reading: &Reading) {
         let Account { history, last, .. } = &mut self.accounts[contact];
-        if entry.reading.penetration > 0.0 {
+        if entry.reading.penetration.min(entry.reading.room) > 0.0 && !is_behind {
             history.begin(entry);
         }
         history.peak(reading);
@@ -208,6 +208,18 @@ impl Ledger {
                     energy_lost: sums.dissipated,
                     impulse: sums.impulse * stop.arm,
                 }),
+                Shape::Edge(_) => {
+                    let known = report.stops.iter().position(|all| all.joint == joint);
+                    let place = known.unwrap_or(report.stops.len());
+                    if known.is_none() {
+                        report.stops.push(StopSums::of(joint, "contact"));
+                    }
+                    let all = &mut report.stops[place];
+                    all.episodes += history.episodes;
+                    all.time_in_contact += history.time_in_contact;
+                    all.energy_lost += sums.dissipated;
+                    all.impulse += sums.impulse;
+                }
             }
             if history.unlisted > 0 {
                 report.warnings.push(format!(
