@@ -221,11 +221,18 @@ fn geneva(slots: usize, turns: f64) -> Value {
                    "pose": { "angle": start } },
         "wheel": { "mass": 0.5, "inertia": 5e-4, "com": [0.0, 0.0], "points": { "W": [0.0, 0.0] },
                    "pose": { "position": [apart, 0.0], "angle": PI - share } } });
+    // To where the next slot begins.
+    let (sin, cos) = (2.0 * share).sin_cos();
+    let next = [
+        cos * mouth + sin * pin_radius,
+        sin * mouth - cos * pin_radius,
+    ];
     let outline = json!([
         [mouth, -pin_radius],
         [bottom, -pin_radius],
         [bottom, pin_radius],
-        [mouth, pin_radius]
+        [mouth, pin_radius],
+        next
     ]);
     let joints = json!({ "o": pin("ground.O", "crank.O"), "w": pin("ground.W", "wheel.W"),
         "p": { "type": "contact", "between": ["wheel.W", "crank.P"], "outline": outline, "repeat": slots, "radius": pin_radius } });

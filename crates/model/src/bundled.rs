@@ -54,6 +54,11 @@ pub const MODELS: &[Bundled] = &[
         text: include_str!("../../../models/geared-five-bar.json"),
     },
     Bundled {
+        name: "geneva",
+        aliases: &["maltese-cross"],
+        text: include_str!("../../../models/geneva.json"),
+    },
+    Bundled {
         name: "hoeken",
         aliases: &["hoecken"],
         text: include_str!("../../../models/hoeken.json"),

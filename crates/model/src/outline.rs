@@ -11,10 +11,11 @@ const NEAR: f64 = 1e-9;
 pub type Corner = ([f64; 2], f64);
 
 impl JointKind {
-    /// The whole outline of a contact in the first body's frame, repeated around a point of that; empty of other joints.
+    /// The whole outline of a contact in the first body's frame, repeated around a point of that; empty of other joints. Copies that
+    /// end where the next begins are one way.
     ///
-    /// It is closed where it ends exactly where it began.
-    pub fn outline_around(&self, centre: [f64; 2]) -> Vec<Corner> {
+    /// A way is closed where it ends exactly where it began.
+    pub fn outlines_around(&self, centre: [f64; 2]) -> Vec<Vec<Corner>> {
         let JointKind::Contact {
             outline, repeat, ..
         } = self
@@ -27,10 +28,10 @@ impl JointKind {
             .fold(0.0, |most: f64, x| most.max(x.abs()));
         let same = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]) <= NEAR * size;
         let repeat = repeat.unwrap_or(1);
-        let mut corners: Vec<Corner> = Vec::new();
+        let mut ways: Vec<Vec<Corner>> = Vec::new();
         for copy in 0..repeat {
             let (sin, cos) = (TAU * copy as f64 / repeat as f64).sin_cos();
-            for node in outline.iter().filter(|node| node.len() > 1) {
+            let corners = outline.iter().filter(|node| node.len() > 1).map(|node| {
                 let d = [node[0] - centre[0], node[1] - centre[1]];
                 let place = match copy {
                     0 => [node[0], node[1]],
@@ -39,20 +40,27 @@ impl JointKind {
                         centre[1] + sin * d[0] + cos * d[1],
                     ],
                 };
-                if corners.last().is_none_or(|(last, _)| !same(*last, place)) {
-                    corners.push((place, node.get(2).copied().unwrap_or(0.0)));
+                (place, node.get(2).copied().unwrap_or(0.0))
+            });
+            let corners: Vec<Corner> = corners.collect();
+            let end = ways.last().and_then(|way| way.last());
+            match (end, corners.first()) {
+                (Some((end, _)), Some((first, _))) if same(*end, *first) => {
+                    let last = ways.len() - 1;
+                    ways[last].extend_from_slice(&corners[1..]);
                 }
+                _ => ways.push(corners),
             }
         }
-        let Some(&(first, _)) = corners.first() else {
-            return corners;
-        };
-        match corners.last_mut() {
-            Some((last, _)) if same(*last, first) => *last = first,
-            _ if repeat > 1 => corners.push((first, 0.0)),
-            _ => {}
+        for way in &mut ways {
+            let first = way.first().map(|(first, _)| *first);
+            if let (Some(first), Some((last, _))) = (first, way.last_mut())
+                && same(*last, first)
+            {
+                *last = first;
+            }
         }
-        corners
+        ways
     }
 }
 

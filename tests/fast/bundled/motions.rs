@@ -222,3 +222,39 @@ fn the_clamp_holds_its_workpiece() {
         1e-6 * press * lever,
     );
 }
+
+/// At the line of centres the wheel turns 2.414214 times as fast as the crank, and where that is locked neither way of a torque turns
+/// it.
+#[test]
+fn the_geneva_wheel_is_turned_and_held() {
+    let crank = std::f64::consts::PI;
+    for torque in ["0 N*m", "50 N*mm", "-50 N*mm"] {
+        let mut loaded = load_bundled("geneva", &[]);
+        if torque != "0 N*m" {
+            let mut json: serde_json::Value =
+                serde_json::from_str(bundled::find("geneva").expect("bundled").text).expect("JSON");
+            json["forces"] = serde_json::json!({ "load": { "type": "torque", "body": "wheel", "value": torque } });
+            loaded = linkdyn_model::load(json.to_string().as_bytes(), &[]).expect("sound");
+        }
+        let outcome = solve(&loaded);
+        let (motor, wheel) = (
+            values(&outcome, "crank.angle"),
+            values(&outcome, "wheel.angle"),
+        );
+        for (motor, wheel) in motor.iter().zip(&wheel) {
+            let turn = (motor + 0.5 * crank).rem_euclid(2.0 * crank) - 0.5 * crank;
+            if (0.6 * crank..1.4 * crank).contains(&turn) {
+                let rest = ((wheel - 0.25 * crank) / (0.5 * crank)).fract().abs();
+                close(rest.min(1.0 - rest), 0.0, 2e-3);
+            }
+        }
+        if torque == "0 N*m" {
+            let rates = values(&outcome, "wheel.omega");
+            let most = rates
+                .iter()
+                .fold(0.0, |most: f64, rate| most.max(rate.abs()));
+            let lambda = 0.5_f64.sqrt();
+            assert!(most <= lambda / (1.0 - lambda) * crank * (1.0 + 1e-9));
+        }
+    }
+}

@@ -252,7 +252,7 @@ pub static JOINT: Tagged = Tagged {
                 optional(
                     "repeat",
                     Shape::Count(1, 360),
-                    "How often the outline is repeated around the first point, evenly in a turn, and closed.",
+                    "How often the outline is repeated around the first point, evenly in a turn; a copy that ends where the next begins goes on there.",
                 ),
                 default(
                     "radius",

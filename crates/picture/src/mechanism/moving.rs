@@ -153,8 +153,8 @@ impl Mechanism {
             *stretch = [stretch[0].min(length), stretch[1].max(length)];
         }
         for joint in shape.joints.iter().filter(|joint| joint.between[0].0 != 0) {
-            if let JointKind::Contact { outline, .. } = &joint.kind {
-                for corner in outline {
+            if let JointKind::Contact { outlines, .. } = &joint.kind {
+                for corner in outlines.iter().flatten() {
                     self.frame
                         .extent
                         .add(global(pose[joint.between[0].0], *corner), 0.0);
@@ -165,11 +165,11 @@ impl Mechanism {
             let ends = joint.between.map(|end| place(shape, pose, end));
             let radii = match joint.kind {
                 JointKind::Gear { gear, .. } => gear.map(|gear| gear.radii).unwrap_or_default(),
+                JointKind::Contact { radius, .. } => [0.0, radius],
                 JointKind::Revolute { .. }
                 | JointKind::Prismatic { .. }
                 | JointKind::Slot { .. }
-                | JointKind::Fixed
-                | JointKind::Contact { .. } => [0.0; 2],
+                | JointKind::Fixed => [0.0; 2],
             };
             for (end, radius) in ends.into_iter().zip(radii) {
                 self.frame.extent.add(end, radius);

@@ -13,7 +13,7 @@ const CORNER: f64 = 0.1;
 
 /// Draws the outline of a contact: a closed one as a plate, an open one as a line, hatched where it stands still.
 pub fn draw_outline(scene: &mut Scene, sketch: &Sketch, joint: &Joint) {
-    let JointKind::Contact { outline, .. } = &joint.kind else {
+    let JointKind::Contact { outlines, .. } = &joint.kind else {
         return;
     };
     let body = joint.between[0].0;
@@ -22,21 +22,23 @@ pub fn draw_outline(scene: &mut Scene, sketch: &Sketch, joint: &Joint) {
         let [x, y] = turned(pose, *place);
         sketch.view.place([pose[0] + x, pose[1] + y])
     };
-    let places: Vec<Place> = outline.iter().map(at).collect();
-    let (fill, pen) = sketch.of_body(body);
-    let is_closed = outline.first() == outline.last();
-    match (body, is_closed) {
-        (_, true) => scene.area("outline", places, Some(fill), Some(pen)),
-        (0, false) => {
-            // The material is on the left of the way, hatched on the right of the way back.
-            for pair in places.windows(2) {
-                let back = [pair[1], pair[0]];
-                symbols::hatched_line(scene, back, sketch.bar(), sketch.pen(palette::GROUND));
+    for outline in outlines {
+        let places: Vec<Place> = outline.iter().map(at).collect();
+        let (fill, pen) = sketch.of_body(body);
+        let is_closed = outline.first() == outline.last();
+        match (body, is_closed) {
+            (_, true) => scene.area("outline", places, Some(fill), Some(pen)),
+            (0, false) => {
+                // The material is on the left of the way, hatched on the right of the way back.
+                for pair in places.windows(2) {
+                    let back = [pair[1], pair[0]];
+                    symbols::hatched_line(scene, back, sketch.bar(), sketch.pen(palette::GROUND));
+                }
             }
-        }
-        (_, false) => {
-            let width = 2.0 * pen.width;
-            scene.line("outline", places, Pen { width, ..pen });
+            (_, false) => {
+                let width = 2.0 * pen.width;
+                scene.line("outline", places, Pen { width, ..pen });
+            }
         }
     }
 }

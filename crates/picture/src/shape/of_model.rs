@@ -168,7 +168,12 @@ fn joint_of(numbers: &Numbers, name: &str, joint: &model::Joint) -> Joint {
         },
         model::JointKind::Fixed { .. } => JointKind::Fixed,
         model::JointKind::Contact { radius, arc, .. } => JointKind::Contact {
-            outline: corners(&joint.kind.outline_around(numbers.place(&joint.between[0]))),
+            outlines: joint
+                .kind
+                .outlines_around(numbers.place(&joint.between[0]))
+                .iter()
+                .map(|way| corners(way))
+                .collect(),
             radius: *radius,
             arc: *arc,
         },

@@ -83,8 +83,9 @@ pub enum JointKind {
     Fixed,
     /// A tip that may touch an outline.
     Contact {
-        /// Points of the outline in the frame of the first body, material on the left \[m\]; closed where it ends where it began.
-        outline: Vec<[f64; 2]>,
+        /// Points of each way of the outline in the frame of the first body, material on the left \[m\]; closed where it ends
+        /// where it began.
+        outlines: Vec<Vec<[f64; 2]>>,
         /// Radius of the tip \[m\].
         radius: f64,
         /// Directions in the second body between which the tip is round \[rad\].

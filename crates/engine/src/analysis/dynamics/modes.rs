@@ -27,6 +27,8 @@ use crate::system::Scale;
 
 /// A journal has left where it is this far, in parts of its size (a bearing's clearance), from the surface: well above round-off.
 const GONE: f64 = 1e-10;
+/// Penetration of a tip that only grazes an outline, in parts of the mechanism.
+const GRAZE: f64 = 1e-12;
 /// Approach of a rigid journal that is round-off [L/T]: velocities of constrained bodies are good to some 1e-12.
 const CREEP: f64 = 1e-10;
 /// Pull on a journal that stays on its bearing which is round-off [M L/T²]: multipliers lose a few digits more.
@@ -47,8 +49,9 @@ pub fn largest_guard(scale: &Scale, pair: &Pair, memory: &Contact, reading: &Rea
         // On its way out it may still be where it touched.
         (Surface::Rigid(_), Phase::Flight) => {
             let approach = reading.rate - creep(scale);
-            reading
-                .penetration
+            // Between corners that leave no room a tip may graze both by round-off.
+            let graze = pair.edge().map_or(0.0, |edge| GRAZE * edge.size);
+            (reading.penetration - graze)
                 .min(approach * scale.time)
                 .min(reading.room)
         }

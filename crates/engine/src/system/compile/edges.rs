@@ -69,9 +69,10 @@ impl Compiler<'_> {
                 let tip = arc.map(|[from, to]| Sector::between(from, to));
                 let [end, _] = &joint.between;
                 let centre = self.model.bodies[&end.body].points[&end.point];
-                let ways = ways(&joint.kind.outline_around(centre));
-                for piece in self.pieces(joint, &ways, *radius) {
-                    self.add_edge(k, piece, (tip, *radius), &surface);
+                for corners in joint.kind.outlines_around(centre) {
+                    for piece in self.pieces(joint, &ways(&corners), *radius) {
+                        self.add_edge(k, piece, (tip, *radius), &surface);
+                    }
                 }
                 self.system.joints[k].edges = first..self.system.contacts.len();
             }

@@ -81,24 +81,26 @@
   });
 
   // Outlines that may be touched: plates where they are closed, else lines, hatched on the ground; and the tips.
-  const outlines = ({ pen, at, to, scale, px, row, colours }) => mechanism.joints.forEach(({ type, between, outline, radius, arc }) => {
+  const outlines = ({ pen, at, to, scale, px, row, colours }) => mechanism.joints.forEach(({ type, between, outlines, radius, arc }) => {
     if (type !== "contact") return;
     const [first, second] = between.map(([number]) => shapes.pose(number, row)), centre = at(between[1]);
     if (!first || !second || !centre) return;
-    const corners = outline.map((corner) => to(shapes.carry(first, ...corner)));
-    const [start, end] = [outline[0], outline[outline.length - 1]], closed = start[0] === end[0] && start[1] === end[1];
     const show = (number, fills) => {
       const { fill, line } = colours.body(number);
       pen.fillStyle = fill; pen.strokeStyle = line; pen.lineWidth = 1.5;
       if (fills) pen.fill();
       pen.stroke();
     };
-    if (!closed && between[0][0] === 0) {
-      pen.strokeStyle = colours.ground; pen.lineWidth = 1.5;
-      corners.slice(1).forEach((corner, k) => hatch(pen, corners[k], corner, -1, px * 0.8));
-    } else {
-      path(pen, corners, closed);
-      show(between[0][0], closed);
+    for (const outline of outlines) {
+      const corners = outline.map((corner) => to(shapes.carry(first, ...corner)));
+      const [start, end] = [outline[0], outline[outline.length - 1]], closed = start[0] === end[0] && start[1] === end[1];
+      if (!closed && between[0][0] === 0) {
+        pen.strokeStyle = colours.ground; pen.lineWidth = 1.5;
+        corners.slice(1).forEach((corner, k) => hatch(pen, corners[k], corner, -1, px * 0.8));
+      } else {
+        path(pen, corners, closed);
+        show(between[0][0], closed);
+      }
     }
     pen.beginPath();
     if (arc) pen.arc(...centre, radius * scale, -(second[2] + arc[0]), -(second[2] + arc[1]), true);

@@ -137,6 +137,14 @@ linkdyn.measureShapes = () => {
       for (const row of used) points.forEach((_, k) => add(place([body, k], row)));
       if (points.length === 0 && body > 0) for (const row of sampled) { const at = pose(body, row); if (at) add(at); }
     });
+    // Outlines of what moves, and tips; lines on the ground may be as long as they like.
+    for (const { between, outlines, radius } of mechanism.joints) {
+      if (outlines) for (const row of sampled) {
+        const at = pose(between[0][0], row);
+        if (at && between[0][0] > 0) for (const outline of outlines) outline.forEach((corner) => add(carry(at, ...corner)));
+        add(place(between[1], row), radius);
+      }
+    }
     for (const { between, gear } of mechanism.joints) {
       if (gear) for (const row of sampled) between.forEach((end, k) => add(place(end, row), Math.min(gear.radii[k], 1e6)));
     }
