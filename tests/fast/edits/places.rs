@@ -85,6 +85,7 @@ pub fn numbers(model: &mut Model) -> Vec<&mut f64> {
             JointKind::Slot { axis, .. } => numbers.extend(axis),
             JointKind::Gear { ratio, .. } => numbers.push(ratio),
             JointKind::Fixed { angle } => numbers.push(angle),
+            JointKind::Cam(cam) => numbers.extend(cam.face.iter_mut().flatten()),
             JointKind::Revolute { .. } => {}
         }
     }
@@ -168,6 +169,10 @@ pub fn options(model: &mut Model) -> Vec<&mut Option<f64>> {
             }
             JointKind::Gear { angle, .. } => {
                 options.push(angle);
+                continue;
+            }
+            JointKind::Cam(cam) => {
+                options.push(&mut cam.roller_radius);
                 continue;
             }
             JointKind::Slot { .. } | JointKind::Fixed { .. } => continue,

@@ -119,7 +119,9 @@ fn drawn(system: &System, output: Output) -> Vec<Drawn> {
     let of = |(joint, data): (usize, &crate::system::JointData)| {
         let carries = match data.role {
             JointRole::Revolute | JointRole::Slot { .. } => true,
-            JointRole::Prismatic { .. } | JointRole::Gear | JointRole::Fixed => false,
+            JointRole::Prismatic { .. } | JointRole::Gear | JointRole::Cam | JointRole::Fixed => {
+                false
+            }
         };
         let own = BodyId(output.body + 1);
         let side = data.bodies.iter().position(|&body| body == own)?;
@@ -358,6 +360,7 @@ impl Output {
             | JointRole::Prismatic { .. }
             | JointRole::Slot { .. }
             | JointRole::Gear
+            | JointRole::Cam
             | JointRole::Fixed => None,
         });
         Output { body, slide }

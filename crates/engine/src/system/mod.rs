@@ -30,6 +30,7 @@ pub use rows::{ContactRows, Extent};
 pub use scale::Scale;
 pub(crate) use slopes::Slopes;
 
+use crate::element::cam::Cam;
 use crate::element::formula::Formula;
 use crate::element::journal::Bearing;
 use crate::element::pair::{ContactId, Pair};
@@ -118,6 +119,8 @@ pub struct JointData {
     pub clearance: Option<ClearanceLink>,
     /// Journal and bearing that touch by a contact force.
     pub(crate) contact: Option<ContactId>,
+    /// Its profile and what touches it, of a cam.
+    pub(crate) cam: Option<Arc<Cam>>,
     /// Where its way ends.
     pub(crate) stops: Option<Box<Ends>>,
     /// Of a joint with a `clearance` in the file, whatever its model.

@@ -25,6 +25,8 @@ pub enum JointRole {
     },
     /// Two wheels that mesh.
     Gear,
+    /// A profile and its follower.
+    Cam,
     /// Two bodies as one.
     Fixed,
 }
@@ -34,7 +36,7 @@ impl JointRole {
     pub(crate) fn axis(self) -> Option<Vec2> {
         match self {
             JointRole::Prismatic { axis, .. } | JointRole::Slot { axis } => Some(axis),
-            JointRole::Revolute | JointRole::Gear | JointRole::Fixed => None,
+            JointRole::Revolute | JointRole::Gear | JointRole::Cam | JointRole::Fixed => None,
         }
     }
 }

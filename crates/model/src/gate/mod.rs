@@ -5,6 +5,7 @@
 
 mod accuracy;
 mod analysis;
+mod cams;
 mod clearance;
 mod drivers;
 mod forces;
@@ -228,6 +229,7 @@ impl Rules<'_> {
             }
             clearance::joint(self, joint, &path);
             stops::stops(self, joint, &path);
+            cams::cam(self, joint, &path);
         }
     }
 }

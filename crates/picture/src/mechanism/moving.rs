@@ -154,11 +154,12 @@ impl Mechanism {
         }
         for (joint, slide) in shape.joints.iter().zip(&mut self.slides) {
             let ends = joint.between.map(|end| place(shape, pose, end));
-            let radii = match joint.kind {
+            let radii = match &joint.kind {
                 JointKind::Gear { gear, .. } => gear.map(|gear| gear.radii).unwrap_or_default(),
                 JointKind::Revolute { .. }
                 | JointKind::Prismatic { .. }
                 | JointKind::Slot { .. }
+                | JointKind::Cam(_)
                 | JointKind::Fixed => [0.0; 2],
             };
             for (end, radius) in ends.into_iter().zip(radii) {

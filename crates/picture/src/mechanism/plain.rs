@@ -79,7 +79,8 @@ impl Mechanism {
                     JointKind::Revolute { .. } | JointKind::Fixed => true,
                     JointKind::Prismatic { .. }
                     | JointKind::Slot { .. }
-                    | JointKind::Gear { .. } => false,
+                    | JointKind::Gear { .. }
+                    | JointKind::Cam(_) => false,
                 })
                 .collect(),
             joints: joints

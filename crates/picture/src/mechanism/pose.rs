@@ -102,7 +102,10 @@ fn draw_guide(scene: &mut Scene, sketch: &Sketch, joint: &Joint, slides: [f64; 2
             let width = 0.7 * bar;
             scene.line("guide", ends, Pen { width, ..pen });
         }
-        JointKind::Revolute { .. } | JointKind::Gear { .. } | JointKind::Fixed => {}
+        JointKind::Revolute { .. }
+        | JointKind::Gear { .. }
+        | JointKind::Cam(_)
+        | JointKind::Fixed => {}
     }
 }
 
@@ -193,7 +196,7 @@ fn draw_pin(scene: &mut Scene, sketch: &Sketch, joint: &Joint) {
             let corners = corners.map(|[dx, dy]| [x + dx, y + dy]);
             scene.area("weld", corners, Some(sketch.ink(palette::STEEL)), None);
         }
-        JointKind::Prismatic { .. } | JointKind::Gear { .. } => {}
+        JointKind::Prismatic { .. } | JointKind::Gear { .. } | JointKind::Cam(_) => {}
     }
 }
 

@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use super::parts::{
-    Body, Clearance, Driver, DriverKind, Joint, JointKind, Load, PitchCircles, PointId, Shape,
-    Spring, TorsionSpring,
+    Body, Clearance, Driver, DriverKind, Joint, JointKind, Load, PitchCircles, PointId, Profile,
+    Shape, Spring, TorsionSpring,
 };
 use linkdyn_model::{self as model, ClearanceModel, ForceKind, GROUND, Model, PointRef};
 
@@ -156,6 +156,11 @@ fn joint_of(numbers: &Numbers, name: &str, joint: &model::Joint) -> Joint {
             ratio: *ratio,
             gear: pitch_circles(numbers, name, joint, *ratio),
         },
+        model::JointKind::Cam(cam) => JointKind::Cam(Box::new(Profile {
+            outline: Vec::new(),
+            roller: cam.roller_radius,
+            face: cam.face,
+        })),
         model::JointKind::Fixed { .. } => JointKind::Fixed,
     };
     Joint {

@@ -79,8 +79,24 @@ pub enum JointKind {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         gear: Option<PitchCircles>,
     },
+    /// A cam and its follower.
+    Cam(Box<Profile>),
     /// A weld.
     Fixed,
+}
+
+/// What is seen of a cam and its follower.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Profile {
+    /// Corners of the profile from the first point, in the frame of its body \[m\].
+    #[serde(default)]
+    pub outline: Vec<[f64; 2]>,
+    /// Radius of a roller about the second point \[m\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub roller: Option<f64>,
+    /// Direction of a flat face through the second point, in the frame of its body.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub face: Option<[f64; 2]>,
 }
 
 /// Pitch circles of two wheels in mesh.
@@ -215,7 +231,10 @@ impl Joint {
                 let length = u.hypot(v);
                 (length > 0.0).then(|| [u / length, v / length])
             }
-            JointKind::Revolute { .. } | JointKind::Gear { .. } | JointKind::Fixed => None,
+            JointKind::Revolute { .. }
+            | JointKind::Gear { .. }
+            | JointKind::Cam(_)
+            | JointKind::Fixed => None,
         }
     }
 

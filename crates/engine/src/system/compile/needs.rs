@@ -1,7 +1,9 @@
 //! What joints and analyses need beyond the words of a joint itself, and the complaints where it is not there.
 
+use super::cams::touches;
 use super::contact_parameters::{Words, friction_law, need};
 use crate::contact::{friction, normal};
+use crate::element::cam::Touch;
 use crate::element::journal::Bearing;
 use crate::element::pair::{Compliant, Surface};
 use linkdyn_model::error::Complaint;
@@ -16,6 +18,8 @@ pub(super) struct Joints<'a> {
     pub surfaces: HashMap<&'a str, Surface>,
     /// Of ideal joints.
     pub frictions: HashMap<&'a str, friction::Law>,
+    /// Of cams.
+    pub touches: HashMap<&'a str, Touch>,
 }
 
 impl<'a> Joints<'a> {
@@ -24,6 +28,7 @@ impl<'a> Joints<'a> {
             carriers: carriers(model, complaints),
             surfaces: surfaces(model, complaints),
             frictions: frictions(model, complaints),
+            touches: touches(model, complaints),
         }
     }
 }
@@ -35,6 +40,7 @@ pub(super) fn clearance(kind: &JointKind) -> Option<&linkdyn_model::Clearance> {
         JointKind::Prismatic { .. }
         | JointKind::Slot { .. }
         | JointKind::Gear { .. }
+        | JointKind::Cam(_)
         | JointKind::Fixed { .. } => None,
     }
 }
@@ -95,6 +101,7 @@ fn frictions<'a>(
             | JointKind::Prismatic { .. }
             | JointKind::Slot { .. }
             | JointKind::Gear { .. }
+            | JointKind::Cam(_)
             | JointKind::Fixed { .. } => continue,
         };
         let radius = pin.map_or(Ok(0.0), |radius| {

@@ -67,6 +67,11 @@ pub(super) fn changes(system: &System, at: &Kinematics, radii: &Radii) -> Vec<Ch
                         guide_changes(at, radii, &joint.points, u, perp(u), own);
                     }
                     JointRole::Gear => gear_changes(at, radii, block, &joint.points, own),
+                    // the question is refused where there is one
+                    JointRole::Cam => own.fill(Change {
+                        mean: f64::INFINITY,
+                        most: f64::INFINITY,
+                    }),
                 }
             }
             Origin::Driver(id) => {
