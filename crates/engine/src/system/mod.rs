@@ -185,7 +185,7 @@ pub struct System {
     pub(crate) force_data: Vec<ForceData>,
     /// Those that are functions of what moves, in their order.
     pub(crate) formulas: Vec<Arc<Formula>>,
-    /// Scales of their kinks, in SI.
+    /// Scales of their kinks, in SI, and behind them of those of cams.
     pub(crate) kinks: Vec<f64>,
     /// Forces that depend on multipliers; no part of [`Evaluation::eval_force`].
     pub(crate) dependent_forces: Vec<DependentForce>,
@@ -250,6 +250,11 @@ impl System {
     pub(crate) fn next_break(&self, t: f64) -> Option<f64> {
         let breaks = self.broken.iter().filter_map(|law| law.next_break(t));
         breaks.reduce(f64::min)
+    }
+
+    /// Cams and their followers.
+    pub(crate) fn cams(&self) -> impl Iterator<Item = &Cam> {
+        self.joints.iter().filter_map(|joint| joint.cam.as_deref())
     }
 
     /// Number of coordinates n.

@@ -79,6 +79,14 @@ impl Foot {
     }
 }
 
+/// A law held on a stretch between its breaks, and how far beyond that it is.
+pub(super) fn held(law: &Pieces, u: f64, stretch: Option<i32>) -> (Jet, f64) {
+    match stretch {
+        Some(stretch) => law.held(u, stretch),
+        None => (law.jet(u), f64::NEG_INFINITY),
+    }
+}
+
 /// Places whose direction is tabulated, and samples of what is looked for all around.
 const STARTS: usize = 256;
 const SAMPLES: usize = 1440;
@@ -145,6 +153,11 @@ impl Curve {
 
     /// c, c′, c″ at a parameter.
     pub fn place(&self, u: f64) -> [Vec2; 3] {
+        self.held(u, None)
+    }
+
+    /// The same with the law held on a stretch between its breaks.
+    fn held(&self, u: f64, stretch: Option<i32>) -> [Vec2; 3] {
         let (local, turn): ([Vec2; 3], f64) = match &self.form {
             Form::Circle { centre, radius } => {
                 let (sin, cos) = u.sin_cos();
@@ -162,7 +175,7 @@ impl Curve {
                 height,
                 offset,
             } => {
-                let [s, s1, s2] = law.jet(u);
+                let [s, s1, s2] = held(law, u, stretch).0;
                 let place = axis * (height + s) - perp(*axis) * *offset;
                 ([place, axis * s1, axis * s2], -1.0)
             }
@@ -173,7 +186,7 @@ impl Curve {
                 arm,
                 angle,
             } => {
-                let [s, s1, s2] = law.jet(u);
+                let [s, s1, s2] = held(law, u, stretch).0;
                 let (sin, cos) = (angle + s).sin_cos();
                 let reach = (axis * cos + perp(*axis) * sin) * *arm;
                 let across = perp(reach);
@@ -208,7 +221,7 @@ impl Curve {
     }
 
     /// The foot of a point.
-    pub fn foot(&self, x: Vec2) -> Foot {
+    pub fn foot(&self, x: Vec2, stretch: Option<i32>) -> Foot {
         if let Form::Circle { centre, radius } = &self.form {
             let (normal, far) = super::super::direction(x - centre).unwrap_or((Vec2::x(), 0.0));
             return Foot {
@@ -217,7 +230,7 @@ impl Curve {
                 curvature: 1.0 / radius,
             };
         }
-        let place = self.place(self.foot_parameter(x));
+        let place = self.held(self.parameter(x, stretch), stretch);
         let (normal, curvature) = self.shape(&place);
         Foot {
             distance: (x - place[0]).dot(&normal),
@@ -226,9 +239,10 @@ impl Curve {
         }
     }
 
-    fn foot_parameter(&self, x: Vec2) -> f64 {
+    /// The parameter of the foot of a point.
+    fn parameter(&self, x: Vec2, stretch: Option<i32>) -> f64 {
         let mut u = self.start(x);
-        let mut here = self.place(u);
+        let mut here = self.held(u, stretch);
         for _ in 0..STEPS {
             let off = x - here[0];
             let square = here[1].norm_squared();
@@ -238,16 +252,33 @@ impl Curve {
                 break;
             }
             let far = off.norm_squared();
-            let mut next = self.place(u + step);
+            let mut next = self.held(u + step, stretch);
             // far from the curve a whole step may go too far
             while step.abs() > 1e-6 && (x - next[0]).norm_squared() > far {
                 step *= 0.5;
-                next = self.place(u + step);
+                next = self.held(u + step, stretch);
             }
             u += step;
             here = next;
         }
         u
+    }
+
+    /// The law of the follower's motion, where it has breaks.
+    pub(super) fn broken(&self) -> Option<&Pieces> {
+        match &self.form {
+            Form::Circle { .. } | Form::Polar(_) => None,
+            Form::Slide { law, .. } | Form::Swing { law, .. } => {
+                Some(law).filter(|law| law.has_breaks())
+            }
+        }
+    }
+
+    /// The stretch between breaks on which the foot of a point is, and how far beyond the one that is held \[rad\].
+    pub(super) fn stretch(&self, x: Vec2, stretch: Option<i32>) -> (i32, f64) {
+        let u = self.parameter(x, stretch);
+        let beyond = |law: &Pieces| (law.stretch(u), held(law, u, stretch).1);
+        self.broken().map_or((0, f64::NEG_INFINITY), beyond)
     }
 
     /// The parameter at which the outward normal has this angle, of a convex curve, from a table of such; and the jet of the

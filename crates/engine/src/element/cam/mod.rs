@@ -71,6 +71,8 @@ pub struct Cam {
     pub touch: Touch,
     /// How the follower is guided, where that is known.
     pub way: Option<Way>,
+    /// Index of its law's stretch in [`Kinematics::sides`], from the last one on; none where the law has no breaks.
+    pub kink: Option<usize>,
 }
 
 /// What the contact is like at an instant.
@@ -104,6 +106,52 @@ impl Cam {
         at.poses[self.follower.body.0].theta - at.poses[self.cam.body.0].theta
     }
 
+    /// Whether the motion that makes the profile has breaks: where derivatives of the law jump.
+    pub fn has_breaks(&self) -> bool {
+        let law = match &self.touch {
+            Touch::Face { support, .. } => support.broken(),
+            Touch::Round { curve, .. } => curve.broken(),
+        };
+        law.is_some()
+    }
+
+    /// The place of its stretch among the sides that are held.
+    fn side(&self, sides: &[i32]) -> Option<usize> {
+        sides.len().checked_sub(1 + self.kink?)
+    }
+
+    /// The stretch of the law that is held.
+    fn held(&self, at: &Kinematics) -> Option<i32> {
+        self.side(at.sides).map(|side| at.sides[side])
+    }
+
+    /// The stretch between breaks on which it is, and how far beyond the one that is held \[rad\].
+    fn stretch(&self, at: &Kinematics) -> (i32, f64) {
+        let held = self.held(at);
+        match &self.touch {
+            Touch::Face { support, .. } => support.stretch(self.turned(at), held),
+            Touch::Round { curve, .. } => {
+                let w = self.follower.place(at) - self.cam.place(at);
+                curve.stretch(self.seen(at, w), held)
+            }
+        }
+    }
+
+    /// Takes the stretch between breaks on which it is.
+    pub fn take_side(&self, at: &Kinematics, sides: &mut [i32]) {
+        if let Some(side) = self.side(sides) {
+            sides[side] = self.stretch(at).0;
+        }
+    }
+
+    /// How far beyond the stretch that is held it is \[rad\].
+    pub fn beyond(&self, at: &Kinematics) -> f64 {
+        match self.kink {
+            Some(_) => self.stretch(at).1,
+            None => f64::NEG_INFINITY,
+        }
+    }
+
     /// w in the cam's frame.
     fn seen(&self, at: &Kinematics, w: Vec2) -> Vec2 {
         let pose = &at.poses[self.cam.body.0];
@@ -118,7 +166,7 @@ impl Cam {
         match &self.touch {
             Touch::Face { normal, support } => {
                 let n = at.poses[self.follower.body.0].turn(*normal);
-                let [p, along, bend] = support.jet(self.turned(at));
+                let [p, along, bend] = support.jet(self.turned(at), self.held(at));
                 Local {
                     n,
                     w,
@@ -129,7 +177,7 @@ impl Cam {
                 }
             }
             Touch::Round { radius, curve } => {
-                let foot = curve.foot(self.seen(at, w));
+                let foot = curve.foot(self.seen(at, w), self.held(at));
                 let reach = if curve.is_pitch() { 0.0 } else { *radius };
                 Local {
                     n: at.poses[self.cam.body.0].turn(foot.normal),
@@ -154,12 +202,12 @@ impl Cam {
         let (point, normal, curvature, pressed) = match &self.touch {
             Touch::Face { normal, support } => {
                 let n = at.poses[self.follower.body.0].turn(*normal);
-                let [p, along, bend] = support.jet(self.turned(at));
+                let [p, along, bend] = support.jet(self.turned(at), self.held(at));
                 let point = cam + n * p + perp(n) * along;
                 (point, n, inverse(p + bend), point)
             }
             Touch::Round { radius, curve } => {
-                let foot = curve.foot(self.seen(at, follower - cam));
+                let foot = curve.foot(self.seen(at, follower - cam), self.held(at));
                 let n = at.poses[self.cam.body.0].turn(foot.normal);
                 let curvature = if curve.is_pitch() {
                     // the profile is parallel to the curve, r below it
@@ -346,8 +394,9 @@ impl Constraint for Cam {
             cam: self.cam.of(id),
             follower: self.follower.of(id),
             touch: self.touch.clone(),
-            // of columns alone, which these rows have not
+            // of columns alone, and of whole mechanisms
             way: None,
+            kink: None,
         }))
     }
 }

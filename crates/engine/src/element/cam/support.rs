@@ -6,7 +6,7 @@
 //! curve       p = c·n, c′·n = 0      p′ = c·t        p + p″ = 1/κ
 //! ```
 
-use super::curve::Curve;
+use super::curve::{Curve, held};
 use crate::motion::{Jet, Pieces};
 use linkdyn_linear::math::{Vec2, perp};
 use std::f64::consts::TAU;
@@ -74,7 +74,7 @@ impl Support {
     }
 
     /// p, p′, p″ at the angle θ₂ − θ₁ of the follower in the cam \[rad\].
-    pub fn jet(&self, turned: f64) -> Jet {
+    pub fn jet(&self, turned: f64, stretch: Option<i32>) -> Jet {
         let alpha = turned + self.normal;
         match &self.form {
             Form::Circle { centre, radius } => {
@@ -84,7 +84,7 @@ impl Support {
                 [across + radius, centre.dot(&perp(n)), -across]
             }
             Form::Law { base, law } => {
-                let [s, s1, s2] = law.jet(-turned);
+                let [s, s1, s2] = held(law, -turned, stretch).0;
                 [base + s, -s1, s2]
             }
             Form::Curve { curve, starts } => {
@@ -95,11 +95,25 @@ impl Support {
         }
     }
 
+    /// The law of the follower's motion, where it has breaks.
+    pub(super) fn broken(&self) -> Option<&Pieces> {
+        match &self.form {
+            Form::Law { law, .. } => Some(law).filter(|law| law.has_breaks()),
+            Form::Circle { .. } | Form::Curve { .. } => None,
+        }
+    }
+
+    /// The stretch between breaks at an angle, and how far beyond the one that is held \[rad\].
+    pub(super) fn stretch(&self, turned: f64, stretch: Option<i32>) -> (i32, f64) {
+        let beyond = |law: &Pieces| (law.stretch(-turned), held(law, -turned, stretch).1);
+        self.broken().map_or((0, f64::NEG_INFINITY), beyond)
+    }
+
     /// Where the radius of curvature is least: the angle θ₁ − θ₂, and the radius \[m\].
     pub fn least_radius(&self) -> (f64, f64) {
         let radius = |k: usize| {
             let angle = TAU * k as f64 / SAMPLES as f64;
-            let [p, _, bend] = self.jet(-angle);
+            let [p, _, bend] = self.jet(-angle, None);
             (angle, p + bend)
         };
         (0..SAMPLES).map(radius).fold(

@@ -41,6 +41,7 @@ pub(crate) fn all() -> Vec<(&'static str, Box<dyn Constraint>)> {
             follower,
             touch,
             way: None,
+            kink: None,
         })
     };
     let face = |support| {
@@ -132,7 +133,7 @@ fn the_foot_of_a_place_on_the_curve_is_that_place() {
     for curve in curves.iter().chain([&egg()]) {
         for k in 0..500 {
             let [place, rate, change] = curve.place(TAU * f64::from(k) / 500.0);
-            let foot = curve.foot(place);
+            let foot = curve.foot(place, None);
             assert!(foot.distance.abs() < 1e-15, "{k}: {foot:?}");
             assert!(foot.normal.dot(&rate).abs() < 1e-13, "{k}: {foot:?}");
             assert!(foot.normal.dot(&place) > 0.0);
@@ -150,7 +151,7 @@ fn a_point_off_the_curve_has_its_distance() {
         let [place, rate, _] = curve.place(TAU * f64::from(k) / 200.0);
         let normal = -perp(rate) / rate.norm();
         for far in [-0.3, 0.4, 2.0] {
-            let foot = curve.foot(place + normal * far);
+            let foot = curve.foot(place + normal * far, None);
             assert!((foot.distance - far).abs() < 1e-12, "{k} {far}: {foot:?}");
         }
     }

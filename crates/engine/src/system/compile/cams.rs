@@ -139,12 +139,17 @@ fn polar(profile: &Profile) -> Pieces {
 impl Compiler<'_> {
     /// A cam and its follower.
     pub(super) fn cam(&self, name: &str, [cam, follower]: [Marker; 2]) -> Cam {
-        Cam {
+        let mut made = Cam {
             cam,
             follower,
             touch: self.joints.touches[name].clone(),
             way: self.way(cam.body, follower.body),
-        }
+            kink: None,
+        };
+        let before = self.system.joints.iter();
+        let before = before.filter(|data| data.cam.as_ref().is_some_and(|cam| cam.kink.is_some()));
+        made.kink = made.has_breaks().then(|| before.count());
+        made
     }
 
     /// How a body is guided, where one joint does it alone beside a cam.
