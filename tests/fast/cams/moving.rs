@@ -15,11 +15,11 @@ fn free(cam: Value, omega: f64) -> Value {
     model["initial"] = json!({ "cam": { "angle": 0.0, "angular_velocity": omega } });
     press(&mut model, STIFFNESS, FREE);
     model["analysis"] = json!({ "type": "dynamics", "end": 1.0, "outputs": 101,
-        "solver": { "rtol": 1e-10, "atol": 1e-12 } });
+        "solver": { "rtol": 1e-12, "atol": 1e-14 } });
     model
 }
 
-/// ½ (J + m s′²) ω² + m g s + ½ k (L₀ − L)² stays what it is, to a hundred times the tolerance of a step; laws are held between
+/// ½ (J + m s′²) ω² + m g s + ½ k (L₀ − L)² stays what it is, to a thousand times the tolerance of a step; laws are held between
 /// their breaks, so that these cost nothing.
 #[test]
 fn a_free_cam_keeps_its_energy() {
@@ -45,10 +45,10 @@ fn a_free_cam_keeps_its_energy() {
         };
         for k in 0..y.len() {
             let off = (energy(k) / energy(0) - 1.0).abs();
-            assert!(off < 1e-8, "{cam}: row {k}: {off:e}");
+            assert!(off < 1e-9, "{cam}: row {k}: {off:e}");
         }
         let drift = run.report.quality.energy_drift.expect("conservative");
-        assert!(drift < 1e-8, "{drift:e}");
+        assert!(drift < 1e-9, "{drift:e}");
     }
 }
 
@@ -108,5 +108,61 @@ fn an_eccentric_rests_and_swings_about_its_rest() {
             (found / frequency - 1.0).abs() < 1e-9,
             "{found} for {frequency}"
         );
+    }
+}
+
+/// What a designer is told once, with the cam's angle and the mend.
+#[test]
+fn jamming_undercut_and_lifting_are_told() {
+    let rise = |height: f64, degrees: f64| {
+        json!([{ "law": "cycloidal", "rise": height, "angle": degrees.to_radians() },
+            { "law": "cycloidal", "rise": -height, "angle": degrees.to_radians() }])
+    };
+    let roller = |base: f64, segments: Value| {
+        json!({ "follower": "roller", "roller_radius": 0.01,
+            "profile": { "type": "law", "base_radius": base, "axis": [0, 1], "segments": segments } })
+    };
+    let flat = |base: f64, segments: Value| {
+        json!({ "follower": "flat", "face": [1, 0],
+            "profile": { "type": "law", "base_radius": base, "segments": segments } })
+    };
+    for (cam, stiffness, expected) in [
+        (roller(0.04, rise(0.012, 130.0)), 900.0, ""),
+        (
+            roller(0.04, rise(0.03, 60.0)),
+            9000.0,
+            "the pressure angle of cam \"c\" reaches 0.7269 rad (41.65°), at a cam angle of 0.4363 rad (25°)",
+        ),
+        (
+            roller(0.01, rise(0.006, 30.0)),
+            9000.0,
+            "the profile of cam \"c\" is undercut near",
+        ),
+        (
+            flat(0.012, rise(0.012, 90.0)),
+            900.0,
+            "the profile of cam \"c\" is undercut near",
+        ),
+        (
+            roller(0.04, rise(0.012, 130.0)),
+            0.0,
+            "the follower of cam \"c\" would lift off at a cam angle of",
+        ),
+    ] {
+        let mut model = sliding(cam.clone(), 0.0, 0.0);
+        press(&mut model, stiffness, FREE);
+        if stiffness == 0.0 {
+            // from ω² h/β² 2π = g on
+            model["drivers"]["motor"]["motion"]["velocity"] = json!(30.0);
+            model["analysis"]["end"] = json!(TAU / 30.0);
+        }
+        let run = completed(&model);
+        let warnings = run.report.warnings.join("\n");
+        assert_eq!(
+            warnings.is_empty(),
+            expected.is_empty(),
+            "{cam}: {warnings}"
+        );
+        assert!(warnings.contains(expected), "{cam}: {warnings}");
     }
 }

@@ -159,8 +159,8 @@ impl Mechanism {
                 JointKind::Revolute { .. }
                 | JointKind::Prismatic { .. }
                 | JointKind::Slot { .. }
-                | JointKind::Cam(_)
                 | JointKind::Fixed => [0.0; 2],
+                JointKind::Cam(cam) => [cam.radius(), cam.roller.or(cam.reach).unwrap_or(0.0)],
             };
             for (end, radius) in ends.into_iter().zip(radii) {
                 self.frame.extent.add(end, radius);

@@ -1,6 +1,7 @@
 //! Draws bodies and joints of one pose, from the back to the front: wheels and guides of the ground, other guides, bodies,
 //! blocks, pins.
 
+use super::cams;
 use super::cylinder::Lengths;
 use super::sketch::Sketch;
 use super::stops;
@@ -22,6 +23,7 @@ pub fn draw_backdrop(scene: &mut Scene, sketch: &Sketch) {
     let mechanism = sketch.mechanism;
     for joint in &mechanism.shape.joints {
         draw_wheels(scene, sketch, joint);
+        cams::draw_profile(scene, sketch, joint);
     }
     for (number, joint) in mechanism.shape.joints.iter().enumerate() {
         if joint.between[0].0 == 0 {
@@ -52,6 +54,9 @@ pub fn draw(scene: &mut Scene, sketch: &Sketch) {
     }
     for (joint, slides) in shape.joints.iter().zip(slides) {
         stops::draw(scene, sketch, joint, *slides);
+    }
+    for joint in &shape.joints {
+        cams::draw_follower(scene, sketch, joint);
     }
     for joint in &shape.joints {
         draw_pin(scene, sketch, joint);

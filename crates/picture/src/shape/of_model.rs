@@ -158,6 +158,7 @@ fn joint_of(numbers: &Numbers, name: &str, joint: &model::Joint) -> Joint {
         },
         model::JointKind::Cam(cam) => JointKind::Cam(Box::new(Profile {
             outline: Vec::new(),
+            reach: None,
             roller: cam.roller_radius,
             face: cam.face,
         })),

@@ -94,6 +94,9 @@ pub struct Profile {
     /// Radius of a roller about the second point \[m\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub roller: Option<f64>,
+    /// How far a flat face reaches to either side \[m\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reach: Option<f64>,
     /// Direction of a flat face through the second point, in the frame of its body.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub face: Option<[f64; 2]>,
@@ -220,6 +223,26 @@ impl Shape {
             let is_pin = matches!(joint.kind, JointKind::Revolute { .. });
             is_pin && ([first, second] == bodies || [second, first] == bodies)
         })
+    }
+}
+
+impl Shape {
+    /// Gives the cam of a joint its corners, from its point \[m\], and how far a face reaches.
+    pub fn take_profile(&mut self, joint: usize, outline: Vec<[f64; 2]>, reach: f64) {
+        if let Some(joint) = self.joints.get_mut(joint)
+            && let JointKind::Cam(profile) = &mut joint.kind
+        {
+            profile.outline = outline;
+            profile.reach = profile.face.map(|_| reach);
+        }
+    }
+}
+
+impl Profile {
+    /// How far it reaches from the cam's point \[m\].
+    pub fn radius(&self) -> f64 {
+        let far = self.outline.iter().map(|[x, y]| x.hypot(*y));
+        far.fold(0.0, f64::max)
     }
 }
 

@@ -211,6 +211,13 @@ impl Curve {
         (normal, -change.dot(&normal) / (speed * speed))
     }
 
+    /// Place, outward normal and curvature at a parameter.
+    pub fn corner(&self, u: f64) -> (Vec2, Vec2, f64) {
+        let place = self.place(u);
+        let (normal, curvature) = self.shape(&place);
+        (place[0], normal, curvature)
+    }
+
     /// The parameter of the place in a direction, near enough to begin with.
     fn start(&self, x: Vec2) -> f64 {
         let part = (x.y.atan2(x.x) / TAU + 0.5) * STARTS as f64;

@@ -21,11 +21,13 @@
 //! curves: do Carmo, Differential Geometry of Curves and Surfaces, 1976, § 1-7. The form of φ is ours.)
 
 pub mod curve;
+mod seen;
 mod support;
 #[cfg(test)]
 pub(crate) mod tests;
 
 pub use curve::Curve;
+pub use seen::Meeting;
 pub use support::Support;
 
 use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure, Slope};
@@ -73,19 +75,6 @@ pub struct Cam {
     pub way: Option<Way>,
     /// Index of its law's stretch in [`Kinematics::sides`], from the last one on; none where the law has no breaks.
     pub kink: Option<usize>,
-}
-
-/// What the contact is like at an instant.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Meeting {
-    /// Where it is \[m\].
-    pub point: Vec2,
-    /// n, global.
-    pub normal: Vec2,
-    /// Curvature of the profile, positive where it is convex [1/m].
-    pub curvature: f64,
-    /// From the follower's way to n \[rad\]; none where its way is not known.
-    pub pressure: Option<f64>,
 }
 
 /// φ and its derivatives at a position: all that the rows are made of.
@@ -194,56 +183,6 @@ impl Cam {
     /// Whether a face touches: its force acts beside the follower's point.
     pub fn is_face(&self) -> bool {
         matches!(self.touch, Touch::Face { .. })
-    }
-
-    /// What the contact is like.
-    pub fn meeting(&self, at: &Kinematics) -> Meeting {
-        let [cam, follower] = [self.cam.place(at), self.follower.place(at)];
-        let (point, normal, curvature, pressed) = match &self.touch {
-            Touch::Face { normal, support } => {
-                let n = at.poses[self.follower.body.0].turn(*normal);
-                let [p, along, bend] = support.jet(self.turned(at), self.held(at));
-                let point = cam + n * p + perp(n) * along;
-                (point, n, inverse(p + bend), point)
-            }
-            Touch::Round { radius, curve } => {
-                let foot = curve.foot(self.seen(at, follower - cam), self.held(at));
-                let n = at.poses[self.cam.body.0].turn(foot.normal);
-                let curvature = if curve.is_pitch() {
-                    // the profile is parallel to the curve, r below it
-                    foot.curvature * inverse(1.0 - foot.curvature * radius)
-                } else {
-                    foot.curvature
-                };
-                (follower - n * *radius, n, curvature, follower)
-            }
-        };
-        let way = self.way.and_then(|way| match way {
-            Way::Slide(body, axis) => Some(at.poses[body.0].turn(axis)),
-            Way::Swing(pivot, _) => {
-                super::direction(perp(pressed - pivot.place(at))).map(|(way, _)| way)
-            }
-        });
-        let pressure = way.map(|way| {
-            let way = if way.dot(&normal) < 0.0 { -way } else { way };
-            perp(way).dot(&normal).atan2(way.dot(&normal))
-        });
-        Meeting {
-            point,
-            normal,
-            curvature,
-            pressure,
-        }
-    }
-
-    /// Whether the profile can be made, or touched all around by what touches it: where it can't, the parameter of the curve, and
-    /// the radius of curvature there \[m\].
-    pub fn undercut(&self) -> Option<(f64, f64)> {
-        let worst = match &self.touch {
-            Touch::Face { support, .. } => support.least_radius(),
-            Touch::Round { radius, curve } => curve.least_room(*radius),
-        };
-        (worst.1 <= 0.0).then_some(worst)
     }
 }
 

@@ -73,6 +73,12 @@ impl Support {
         Support { form, normal }
     }
 
+    /// n in the cam's frame at the angle θ₂ − θ₁.
+    pub fn normal(&self, turned: f64) -> Vec2 {
+        let (sin, cos) = (turned + self.normal).sin_cos();
+        Vec2::new(cos, sin)
+    }
+
     /// p, p′, p″ at the angle θ₂ − θ₁ of the follower in the cam \[rad\].
     pub fn jet(&self, turned: f64, stretch: Option<i32>) -> Jet {
         let alpha = turned + self.normal;

@@ -8,10 +8,13 @@ mod formulas;
 mod joints;
 mod laws;
 mod needs;
+mod profiles;
 mod roles;
 mod stops;
 
 pub use laws::{law, value_law};
+#[doc(hidden)]
+pub use profiles::{Profile, profiles};
 
 use super::rows::{reach, size, spread};
 use super::{BodyData, Extent, Mass, Origin, OutputPoint, Scale, System};

@@ -137,7 +137,9 @@ linkdyn.measureShapes = () => {
       for (const row of used) points.forEach((_, k) => add(place([body, k], row)));
       if (points.length === 0 && body > 0) for (const row of sampled) { const at = pose(body, row); if (at) add(at); }
     });
-    for (const { between, gear } of mechanism.joints) {
+    for (const { between, gear, outline, roller, reach } of mechanism.joints) {
+      if (outline) for (const row of sampled) add(place(between[0], row), Math.min(Math.max(0, ...outline.map(([x, y]) => Math.hypot(x, y))), 1e6));
+      if (outline) for (const row of sampled) add(place(between[1], row), Math.min(roller || reach || 0, 1e6));
       if (gear) for (const row of sampled) between.forEach((end, k) => add(place(end, row), Math.min(gear.radii[k], 1e6)));
     }
     if (!Number.isFinite(left)) return [-0.1, 0.1, -0.1, 0.1];
