@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::profiles;
 use linkdyn_engine::analysis::responses::to_json;
 use linkdyn_engine::analysis::{Outcome, derived, derived::derived};
 use linkdyn_model::Checked;
@@ -78,10 +79,11 @@ pub(crate) fn write(
     };
     let text = summary_text(origin, outcome, watch.read());
     let summary = directory.write(SUMMARY, text.as_bytes())?;
-    let paths = [Some(results), peaks, Some(summary), report];
+    let paths = [Some(results), peaks, Some(summary), report].into_iter();
+    let cams = profiles::write(directory, origin.model)?;
     Ok(Written {
         summary: text,
-        paths: paths.into_iter().flatten().collect(),
+        paths: paths.flatten().chain(cams).collect(),
         time: watch.read(),
     })
 }
@@ -114,6 +116,7 @@ pub(crate) fn html(origin: Origin, outcome: &Outcome) -> String {
     let report = Report {
         derived: Some(&derived),
         notes,
+        shape: profiles::shape(origin.model),
         ..Report::new(origin.model, &summary, &complete)
     };
     report.html()
@@ -121,7 +124,7 @@ pub(crate) fn html(origin: Origin, outcome: &Outcome) -> String {
 
 /// The shape of a model; its loads at the instants of a table that has the poses of all bodies.
 pub(crate) fn shape(model: &Checked, results: &Trajectory) -> Shape {
-    let mut shape = Shape::of_model(model);
+    let mut shape = profiles::shape(model);
     if shape.loads.is_empty() {
         return shape;
     }

@@ -43,6 +43,7 @@ mod family;
 mod files;
 mod handles;
 mod mechanism;
+mod profiles;
 mod quantity;
 mod questions;
 mod run;

@@ -2,6 +2,7 @@
 //!
 //! Each function changes the words of a model so that its results must change in a known way.
 
+mod cams;
 mod limits;
 mod outlines;
 mod rename;
@@ -12,6 +13,7 @@ use linkdyn_model::{
     Paced, Rise, Segment, Value,
 };
 
+use cams::mirror_cam;
 use limits::{flip_limits, turn_limits};
 use outlines::{mirror_outline, move_outline, turn_contact};
 pub use rename::{rename_and_reverse, renamed};
@@ -224,6 +226,8 @@ pub fn rotate(model: &Model, angle: f64) -> Model {
                     *mesh += turns(second) - carried - *ratio * (turns(first) - carried);
                 }
             }
+            // the cams here are of moving bodies, in whose frames everything stays
+            JointKind::Cam(_) => assert!(!first && !second),
             JointKind::Fixed {
                 angle: relative_angle,
             } => *relative_angle += relative,
@@ -336,6 +340,7 @@ pub fn mirror(model: &Model) -> Model {
             }
             JointKind::Slot { axis, .. } => *axis = mirrored(*axis),
             JointKind::Gear { angle, .. } => *angle = angle.map(|angle| -angle),
+            JointKind::Cam(cam) => mirror_cam(cam),
             JointKind::Fixed { angle } => *angle = -*angle,
             kind @ JointKind::Contact { .. } => mirror_outline(kind),
         }
@@ -380,7 +385,10 @@ pub fn swap(model: &Model) -> Model {
                 *ratio = ratio.recip();
                 joint.between.reverse();
             }
-            JointKind::Prismatic { .. } | JointKind::Slot { .. } | JointKind::Contact { .. } => {}
+            JointKind::Prismatic { .. }
+            | JointKind::Slot { .. }
+            | JointKind::Contact { .. }
+            | JointKind::Cam(_) => {}
         }
     }
     model
@@ -392,8 +400,9 @@ pub fn swapped_signs(joint: &Joint) -> [f64; 2] {
         JointKind::Revolute { .. } | JointKind::Fixed { .. } => [-1.0, -1.0],
         // The torque is the tooth force's moment on the other wheel, at the other radius.
         JointKind::Gear { ratio, .. } => [-1.0, -ratio],
-        JointKind::Prismatic { .. } | JointKind::Slot { .. } | JointKind::Contact { .. } => {
-            [1.0, 1.0]
-        }
+        JointKind::Prismatic { .. }
+        | JointKind::Slot { .. }
+        | JointKind::Contact { .. }
+        | JointKind::Cam(_) => [1.0, 1.0],
     }
 }

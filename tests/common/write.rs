@@ -1,8 +1,8 @@
 //! A model as the text of a file, in units of choice.
 
 use linkdyn_model::{
-    AnalysisKind, Driver, DriverKind, Force, ForceKind, Frame, Friction, FrictionLaw, GROUND,
-    JointKind, Model, Motion, PointRef, Value as Law,
+    AnalysisKind, Cam, CamSegment, Driver, DriverKind, Force, ForceKind, Frame, Friction,
+    FrictionLaw, GROUND, JointKind, Model, Motion, PointRef, Profile, Value as Law,
 };
 use serde_json::{Map, Value, json};
 
@@ -175,6 +175,7 @@ impl Scale {
                     }
                     words
                 }
+                JointKind::Cam(cam) => self.cam(cam, &between),
                 JointKind::Fixed { angle } => {
                     json!({ "type": "fixed", "between": between, "angle": angle * self.angle })
                 }
@@ -206,6 +207,64 @@ impl Scale {
             joints.insert(name.clone(), words);
         }
         Value::Object(joints)
+    }
+
+    fn cam(&self, cam: &Cam, between: &[String; 2]) -> Value {
+        let mut words = json!({ "type": "cam", "between": between, "follower": cam.follower });
+        if let Some(face) = cam.face {
+            words["face"] = json!(face);
+        }
+        if let Some(radius) = cam.roller_radius {
+            words["roller_radius"] = json!(radius * self.length);
+        }
+        let segments = |segments: &[CamSegment], scale: f64| -> Value {
+            let segments = segments.iter().map(|segment| match segment.law {
+                Some(law) => json!({
+                    "law": law, "rise": segment.rise.expect("a rise") * scale,
+                    "angle": segment.angle.expect("an angle") * self.angle,
+                }),
+                None => json!({ "dwell": segment.dwell.expect("a dwell") * self.angle }),
+            });
+            segments.collect()
+        };
+        let place = |place: &[f64; 2]| place.map(|part| part * self.length);
+        words["profile"] = match &cam.profile {
+            Profile::Circle { centre, radius } => {
+                json!({ "type": "circle", "centre": place(centre), "radius": radius * self.length })
+            }
+            Profile::Points { points } => {
+                let points: Vec<_> = points.iter().map(place).collect();
+                json!({ "type": "points", "points": points })
+            }
+            Profile::Law {
+                base_radius,
+                axis,
+                offset,
+                begin,
+                segments: parts,
+            } => {
+                let mut law = json!({
+                    "type": "law", "base_radius": base_radius * self.length, "offset": offset * self.length,
+                    "begin": begin * self.angle, "segments": segments(parts, self.length),
+                });
+                if let Some(axis) = axis {
+                    law["axis"] = json!(axis);
+                }
+                law
+            }
+            Profile::Swing {
+                arm,
+                distance,
+                axis,
+                angle,
+                begin,
+                segments: parts,
+            } => json!({
+                "type": "swing", "arm": arm * self.length, "distance": distance * self.length, "axis": axis,
+                "angle": angle * self.angle, "begin": begin * self.angle, "segments": segments(parts, self.angle),
+            }),
+        };
+        words
     }
 
     /// Scale of what a driver drives.

@@ -13,6 +13,7 @@
 //! 2001, ch. IV) and goes on as a straight line beyond its ends, so f, f′, f″ are continuous everywhere. Pieces are continuous in f; where f′ or f″ jumps,
 //! [`Law::next_break`] says so, and what stands there is the value after the jump.
 
+mod held;
 mod pieces;
 pub mod rise;
 mod spline;

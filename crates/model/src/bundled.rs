@@ -24,6 +24,11 @@ pub const MODELS: &[Bundled] = &[
         text: include_str!("../../../models/andrews-squeezer.json"),
     },
     Bundled {
+        name: "cam-roller",
+        aliases: &["cam"],
+        text: include_str!("../../../models/cam-roller.json"),
+    },
+    Bundled {
         name: "chebyshev",
         aliases: &[],
         text: include_str!("../../../models/chebyshev.json"),

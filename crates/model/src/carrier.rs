@@ -32,7 +32,8 @@ impl Model {
             | JointKind::Prismatic { .. }
             | JointKind::Slot { .. }
             | JointKind::Fixed { .. }
-            | JointKind::Contact { .. } => None,
+            | JointKind::Contact { .. }
+            | JointKind::Cam(_) => None,
         }
     }
 
@@ -114,6 +115,7 @@ fn holds_points(kind: &JointKind) -> bool {
         JointKind::Prismatic { .. }
         | JointKind::Slot { .. }
         | JointKind::Gear { .. }
-        | JointKind::Contact { .. } => false,
+        | JointKind::Contact { .. }
+        | JointKind::Cam(_) => false,
     }
 }

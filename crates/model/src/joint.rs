@@ -4,6 +4,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
+use super::cam::Cam;
 use super::clearance::{Clearance, Friction};
 use super::tolerance::Play;
 
@@ -155,6 +156,8 @@ pub enum JointKind {
         #[serde(default)]
         backlash: Option<f64>,
     },
+    /// The profile of the first body, about its point, moves the follower of the second and holds it from both sides.
+    Cam(Box<Cam>),
     /// The points coincide, relative angle fixed \[rad\].
     Fixed {
         /// Angle of the second body relative to the first \[rad\].

@@ -7,6 +7,8 @@ pub mod accuracy;
 pub mod analysis;
 pub mod body;
 pub mod bundled;
+#[doc(hidden)]
+pub mod cam;
 pub mod clearance;
 pub mod display;
 pub mod driver;
@@ -54,6 +56,8 @@ pub use analysis::{
     Accelerations, Analysis, AnalysisKind, OutputsAt, Sample, Solver, Transmission,
 };
 pub use body::{Body, Initial, Pose};
+#[doc(hidden)]
+pub use cam::{Cam, CamSegment, Follower, Profile};
 pub use carrier::Carrier;
 pub use clearance::{
     Clearance, ClearanceModel, Elastic, Friction, FrictionLaw, Impact, ImpactSense, Material,

@@ -101,6 +101,14 @@ pub enum JointQuantity {
     State,
     /// Torque [N·m] of the stops of a turning joint on the second body, or force \[N\] of those of a slide.
     Stop,
+    /// Where a cam touches its follower \[m\].
+    ContactX,
+    /// Where a cam touches its follower \[m\].
+    ContactY,
+    /// Curvature of a cam's profile where it touches, positive where it is convex [1/m].
+    Curvature,
+    /// From the way of a cam's follower to the normal in the contact \[rad\].
+    PressureAngle,
 }
 
 /// What a driver prescribes and what it takes.

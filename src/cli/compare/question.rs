@@ -75,10 +75,9 @@ fn without(name: &str, kind: &JointKind) -> Complaint {
         | JointKind::Slot { .. }
         | JointKind::Gear { .. }
         | JointKind::Fixed { .. }
-        | JointKind::Contact { .. } => {
-            Complaint::new(path, "only a revolute joint can have a clearance")
-                .hint("name another joint")
-        }
+        | JointKind::Contact { .. }
+        | JointKind::Cam(_) => Complaint::new(path, "only a revolute joint can have a clearance")
+            .hint("name another joint"),
     }
 }
 

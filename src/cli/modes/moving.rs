@@ -10,7 +10,6 @@ use crate::cli::page::number;
 use crate::cli::streams::complain;
 use linkdyn_engine::analysis::{Linearised, Mode};
 use linkdyn_output::Directory;
-use linkdyn_picture::Shape;
 use linkdyn_picture::poses::Pose;
 use linkdyn_picture::swing::{Course, SECONDS, Swing, page};
 
@@ -39,7 +38,7 @@ pub fn write(
             "The amplitudes are fitted to the drawing. Each motion takes {SECONDS} s here, whatever its frequency."
         ),
     ];
-    let shape = Shape::of_model(&opened.loaded.model);
+    let shape = crate::profiles::shape(&opened.loaded.model);
     let title = format!("{}: modes", opened.name);
     match page(&title, &facts, (&shape, &rest), &swings) {
         Ok((html, _)) => Ok(Some(directory.write(file, html.as_bytes())?)),

@@ -55,7 +55,7 @@ impl Again<'_> {
             ..Control::default()
         };
         let outcome = analysis::run(model, &control).ok()?;
-        let shape = Shape::of_model(model);
+        let shape = crate::profiles::shape(model);
         let (times, poses) = instants(&outcome, &shape)?;
         Some(Motion {
             variant,

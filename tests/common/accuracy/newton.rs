@@ -92,6 +92,7 @@ impl<'m> Newton<'m> {
                 JointKind::Revolute { .. } => Kind::Revolute,
                 JointKind::Prismatic { axis, angle, .. } => Kind::Prismatic(unit(*axis), *angle),
                 JointKind::Slot { axis, .. } => Kind::Slot(unit(*axis)),
+                JointKind::Cam(_) => panic!("accuracy knows no cams"),
                 JointKind::Fixed { angle } => Kind::Fixed(*angle),
                 // Free to go.
                 JointKind::Contact { .. } => continue,

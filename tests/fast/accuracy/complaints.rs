@@ -236,3 +236,14 @@ fn the_length_of_a_spring_is_the_distance_of_its_points() {
     );
     assert_eq!(poses(&length), poses(&distance));
 }
+
+/// Profiles have tolerances of their own, which nobody works out here.
+#[test]
+fn mechanisms_with_cams_are_refused() {
+    let asked = r#""accuracy": { "outputs": { "lift": { "column": "follower.y" } } }, "analysis":"#;
+    let text = include_str!("../../../models/cam-roller.json").replace("\"analysis\":", asked);
+    let (status, said) = asked_in_vain(CASES.len(), &text, &[]);
+    let expected = "joints.lobe: the accuracy of a mechanism with a cam is not known to linkdyn (vary its parameters by a \
+                    \"study\", whose runs take cams)";
+    assert_eq!((status, said.contains(expected)), (2, true), "{said}");
+}

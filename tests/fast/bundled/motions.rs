@@ -258,3 +258,62 @@ fn the_geneva_wheel_is_turned_and_held() {
         }
     }
 }
+
+/// s = h (35 z⁴ − 84 z⁵ + 70 z⁶ − 20 z⁷) of the cam's rise, and its two derivatives by the cam's angle, of z = angle/110°.
+fn lifted(z: f64) -> [f64; 3] {
+    let (lift, span) = (0.012, 110.0_f64.to_radians());
+    let rest = 1.0 - z;
+    [
+        lift * z.powi(4) * (35.0 + z * (-84.0 + z * (70.0 - 20.0 * z))),
+        lift / span * 140.0 * (z * rest).powi(3),
+        lift / (span * span) * 420.0 * (z * rest).powi(2) * (1.0 - 2.0 * z),
+    ]
+}
+
+/// tan μ = s′/(r_b + r + s) of a central roller. The cam presses the follower with N cos μ = m (g + s″ ω²) + k (s + preload), and
+/// would have to pull it from the least ω on at which that is nothing: in the second half of the rise.
+#[test]
+fn the_cam_lifts_presses_and_lets_go() {
+    let outcome = solve(&load_bundled("cam-roller", &[]));
+    let [angles, heights, pressures] =
+        ["cam.angle", "follower.y", "joint.lobe.pressure_angle"].map(|name| values(&outcome, name));
+    let rise = angles.iter().zip(&heights).zip(&pressures);
+    for ((angle, height), pressure) in rise.take(110) {
+        let [s, s1, _] = lifted(angle / 110.0_f64.to_radians());
+        close(*height, 0.038 + s, 1e-12);
+        close(*pressure, (s1 / (0.038 + s)).atan(), 1e-10);
+    }
+    let places = || (0..=100_000).map(|k| f64::from(k) / 100_000.0);
+    let lean = |z: f64| {
+        let [s, s1, _] = lifted(z);
+        (s1 / (0.038 + s)).atan()
+    };
+    let peak = places().map(lean).fold(0.0, f64::max);
+    let found = pressures.iter().copied().fold(0.0, f64::max);
+    // rows stand a degree apart
+    assert!(found <= peak && found > peak - 1e-4, "{found} of {peak}");
+    let lifting = |z: f64| {
+        let [s, _, s2] = lifted(z);
+        let pressed = 0.4 * 9.81 + 6000.0 * (0.006 + s);
+        if s2 < 0.0 {
+            (pressed / (0.4 * -s2)).sqrt()
+        } else {
+            f64::INFINITY
+        }
+    };
+    let speed = places().map(lifting).fold(f64::INFINITY, f64::min);
+    for (part, lifts) in [(0.999, false), (1.001, true)] {
+        let set = format!("parameters.speed={} rad/s", part * speed);
+        let outcome = solve(&load_bundled("cam-roller", &[&set]));
+        let least = values(&outcome, "joint.lobe.normal_force")
+            .into_iter()
+            .fold(f64::INFINITY, f64::min);
+        assert_eq!(least < 0.0, lifts, "{least} N at {} rad/s", part * speed);
+        let warnings = &outcome.report.warnings;
+        assert_eq!(
+            warnings.iter().any(|one| one.contains("would lift off")),
+            lifts,
+            "{warnings:?}"
+        );
+    }
+}

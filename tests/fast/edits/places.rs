@@ -88,6 +88,7 @@ pub fn numbers(model: &mut Model) -> Vec<&mut f64> {
             JointKind::Contact {
                 outline, radius, ..
             } => numbers.extend(outline.iter_mut().flatten().chain([radius])),
+            JointKind::Cam(cam) => numbers.extend(cam.face.iter_mut().flatten()),
             JointKind::Revolute { .. } => {}
         }
     }
@@ -171,6 +172,10 @@ pub fn options(model: &mut Model) -> Vec<&mut Option<f64>> {
             }
             JointKind::Gear { angle, .. } => {
                 options.push(angle);
+                continue;
+            }
+            JointKind::Cam(cam) => {
+                options.push(&mut cam.roller_radius);
                 continue;
             }
             JointKind::Slot { .. } | JointKind::Fixed { .. } | JointKind::Contact { .. } => {

@@ -48,7 +48,8 @@ fn has_clearance(model: &Model) -> bool {
         | JointKind::Slot { .. }
         | JointKind::Gear { .. }
         | JointKind::Fixed { .. }
-        | JointKind::Contact { .. } => false,
+        | JointKind::Contact { .. }
+        | JointKind::Cam(_) => false,
     })
 }
 
@@ -105,13 +106,14 @@ impl Row<'_> {
             "ax" | "ay" => ["ax", "ay"],
             "fx" | "fy" => ["fx", "fy"],
             "ex" | "ey" => ["ex", "ey"],
+            "contact_x" | "contact_y" => ["contact_x", "contact_y"],
             _ => return None,
         };
         let pair = [x, y].map(|quantity| self.get(&format!("{owner}.{quantity}")));
         Some((
             usize::from(quantity == y),
             pair,
-            quantity == x && x == "x" || quantity == y && y == "y",
+            ["x", "y", "contact_x", "contact_y"].contains(&quantity),
         ))
     }
 }

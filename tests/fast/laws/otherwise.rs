@@ -59,7 +59,7 @@ fn a_mirror_changes_signs_only() {
                 |driver: &str| matches!(model.drivers[driver].kind, DriverKind::Rotation { .. });
             let sign = match (row.vector(&column.name), quantity(column)) {
                 (Some((0, _, _)), _) | (None, "angle" | "omega" | "alpha" | "torque") => -1.0,
-                (None, "sliding_speed" | "tangential_force") => -1.0,
+                (None, "sliding_speed" | "tangential_force" | "pressure_angle") => -1.0,
                 (None, "friction") if column.unit == "N*m" => -1.0,
                 (None, "value") if driver_of(column, ".value").is_some_and(turns) => -1.0,
                 (None, "effort") if driver_of(column, ".effort").is_some_and(turns) => -1.0,

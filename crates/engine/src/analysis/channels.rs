@@ -59,6 +59,12 @@ const CONTACT: [JointQuantity; 6] = [
     JointQuantity::State,
 ];
 
+const TOUCH: [JointQuantity; 3] = [
+    JointQuantity::ContactX,
+    JointQuantity::ContactY,
+    JointQuantity::Curvature,
+];
+
 impl Channels {
     /// All columns of a system, in the order of results; nothing is computed for them.
     pub fn new(system: &System, contents: Contents) -> Self {
@@ -279,6 +285,11 @@ impl Contents {
         let has_bearing = joint.bearing.is_some();
         let contact_wanted = (has_bearing || joint.is_contact()) && self.reactions;
         let stop = (self.reactions && joint.has_stops()).then_some(JointQuantity::Stop);
+        let cam = joint.cam.as_deref();
+        let pushes = (self.reactions && cam.is_some()).then_some(JointQuantity::NormalForce);
+        let way = cam.is_some_and(|cam| cam.way.is_some());
+        let way = way.then_some(JointQuantity::PressureAngle);
+        let touch = TOUCH.into_iter().filter(move |_| cam.is_some()).chain(way);
         forces
             .chain(torque)
             .chain(friction)
@@ -288,6 +299,8 @@ impl Contents {
                 contact_wanted && (has_bearing || *quantity != JointQuantity::Eccentricity)
             }))
             .chain(stop)
+            .chain(pushes)
+            .chain(touch)
     }
 
     fn of_driver(self) -> impl Iterator<Item = DriverQuantity> {
@@ -319,7 +332,11 @@ fn joint_unit(quantity: JointQuantity, joint: &JointData) -> &'static str {
         JointQuantity::Ex
         | JointQuantity::Ey
         | JointQuantity::Eccentricity
-        | JointQuantity::Penetration => "m",
+        | JointQuantity::Penetration
+        | JointQuantity::ContactX
+        | JointQuantity::ContactY => "m",
+        JointQuantity::Curvature => "1/m",
+        JointQuantity::PressureAngle => "rad",
         JointQuantity::Stop => match joint.role.axis() {
             Some(_) => "N",
             None => "N*m",

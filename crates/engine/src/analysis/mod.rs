@@ -6,6 +6,7 @@ mod applied;
 pub mod assembly;
 mod beside;
 mod branch;
+mod cams;
 mod channels;
 mod check;
 mod clearance_link;

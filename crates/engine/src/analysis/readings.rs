@@ -2,6 +2,7 @@
 
 use super::sample::{ContactSample, Sample};
 use crate::element::Kinematics;
+use crate::element::cam::Meeting;
 use crate::system::{Evaluation, Inputs, JointData, System};
 use linkdyn_linear::math::{Vec2, perp};
 use linkdyn_output::{BodyQuantity, EnergyQuantity, JointQuantity, PointQuantity};
@@ -101,6 +102,8 @@ pub struct JointReading {
     journal: ContactSample,
     /// Torque or force of the joint's stops on the second body.
     stop: f64,
+    /// Of a cam.
+    meeting: Option<Meeting>,
 }
 
 impl JointReading {
@@ -146,13 +149,24 @@ impl JointReading {
                 state: 1.0,
             })
         };
+        let meeting = data.cam.as_ref().map(|cam| cam.meeting(at));
+        let mut journal = contact.or_else(held).unwrap_or_default();
+        if meeting.is_some() {
+            journal.reading.normal = sample.lambda[block.row];
+        }
         JointReading {
             stop,
+            meeting,
             force,
             torque,
             friction,
-            journal: contact.or_else(held).unwrap_or_default(),
+            journal,
         }
+    }
+
+    /// A number of a cam's contact.
+    fn touch(&self, of: impl Fn(&Meeting) -> f64) -> f64 {
+        self.meeting.as_ref().map_or(0.0, of)
     }
 
     /// One of the quantities.
@@ -172,6 +186,12 @@ impl JointReading {
             JointQuantity::SlidingSpeed => reading.sliding,
             JointQuantity::State => self.journal.state,
             JointQuantity::Stop => self.stop,
+            JointQuantity::ContactX => self.touch(|meeting| meeting.point.x),
+            JointQuantity::ContactY => self.touch(|meeting| meeting.point.y),
+            JointQuantity::Curvature => self.touch(|meeting| meeting.curvature),
+            JointQuantity::PressureAngle => {
+                self.touch(|meeting| meeting.pressure.unwrap_or_default())
+            }
         }
     }
 }

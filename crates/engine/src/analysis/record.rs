@@ -1,5 +1,6 @@
 //! The rows of a run.
 
+use super::cams::Watch;
 use super::channels::{Channels, Contents};
 use super::sample::Sample;
 use crate::system::{Evaluation, Inputs, System};
@@ -10,6 +11,9 @@ pub struct Recorder {
     channels: Channels,
     /// The rows so far.
     pub trajectory: Trajectory,
+    /// What is seen of cams; none where there are none.
+    cams: Option<Watch>,
+    reactions: bool,
 }
 
 impl Recorder {
@@ -21,6 +25,10 @@ impl Recorder {
         Recorder {
             channels,
             trajectory,
+            cams: (system.joints.iter())
+                .any(|joint| joint.cam.is_some())
+                .then(Watch::default),
+            reactions: contents.reactions,
         }
     }
 
@@ -32,9 +40,19 @@ impl Recorder {
         inputs: &Inputs,
         sample: &Sample,
     ) {
+        if let Some(cams) = &mut self.cams {
+            let lambda = self.reactions.then_some(sample.lambda.as_slice());
+            cams.note(system, &evaluation.kinematics(inputs), lambda);
+        }
         let rows = &mut self.trajectory.data;
         self.channels
             .push_row(system, evaluation, inputs, sample, rows);
+    }
+
+    /// What is to be said of cams.
+    pub fn warnings(&self, system: &System) -> Vec<String> {
+        let cams = self.cams.as_ref();
+        cams.map_or_else(Vec::new, |cams| cams.warnings(system))
     }
 
     /// Appends a row at an instant without solution: time and driver values only.

@@ -355,7 +355,7 @@ fn run_assembly(system: &System, contents: Contents) -> Result<(Trajectory, Repo
     recorder.push(system, &evaluation, &inputs, &sample);
     let mut report = Report {
         mobility: assembled.mobility,
-        warnings: assembled.warnings,
+        warnings: [assembled.warnings, recorder.warnings(system)].concat(),
         ..Report::default()
     };
     report.statistics.newton_iterations = assembled.iterations;

@@ -87,6 +87,7 @@ fn told(
     );
     report.warnings.extend(warning(balance));
     report.warnings.extend(friction_left_out(system));
+    report.warnings.extend(recorder.warnings(system));
     report.equilibrium = Some(described(held, balance));
     report.quality.constraint_residual = held.residual;
     let done = held.driven.done;

@@ -122,7 +122,8 @@ fn drawn(system: &System, output: Output) -> Vec<Drawn> {
             JointRole::Prismatic { .. }
             | JointRole::Gear
             | JointRole::Fixed
-            | JointRole::Contact => false,
+            | JointRole::Contact
+            | JointRole::Cam => false,
         };
         let own = BodyId(output.body + 1);
         let side = data.bodies.iter().position(|&body| body == own)?;
@@ -362,7 +363,8 @@ impl Output {
             | JointRole::Slot { .. }
             | JointRole::Gear
             | JointRole::Fixed
-            | JointRole::Contact => None,
+            | JointRole::Contact
+            | JointRole::Cam => None,
         });
         Output { body, slide }
     }

@@ -19,6 +19,7 @@
 //! bundled model that uses it, a row in `docs/format.md`.
 
 pub mod actuator;
+pub mod cam;
 pub mod coordinate;
 pub mod coordinates;
 pub mod driven;
@@ -112,7 +113,7 @@ pub struct Kinematics<'a> {
     pub drive: &'a [Jet],
     /// Prescribed offsets of joints with a clearance link, with two derivatives [m, m/s, m/s²].
     pub offset: &'a [[Vec2; 3]],
-    /// The sides of kinks that formulas hold; empty where each is on that of its values.
+    /// The sides of kinks that formulas hold, and behind them the stretches of cams; empty where each is on that of its values.
     pub sides: &'a [i32],
     /// What contacts remember.
     pub contacts: &'a [Contact],

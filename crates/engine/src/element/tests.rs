@@ -48,10 +48,9 @@ pub(super) type Named = (&'static str, Box<dyn Constraint>);
 
 /// One of each kind. A new constraint is added below.
 pub(crate) fn all_constraints() -> Vec<Named> {
-    let mut all = joints();
-    all.extend(drivers_and_initial_values());
-    all.extend(super::edge::tests::held());
-    all
+    let own = [joints(), drivers_and_initial_values()];
+    let others = [super::edge::tests::held(), super::cam::tests::all()];
+    own.into_iter().chain(others).flatten().collect()
 }
 
 fn joints() -> Vec<Named> {

@@ -48,7 +48,7 @@ impl Piece {
         }
     }
 
-    fn jet(&self, t: f64) -> Jet {
+    pub fn jet(&self, t: f64) -> Jet {
         let x = (t - self.origin) / self.span;
         let mut jet = [0.0; 3];
         for &c in self.terms.iter().rev() {
@@ -81,9 +81,9 @@ pub(super) struct Cycle {
 /// A law made of pieces.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pieces {
-    pieces: Vec<Piece>,
+    pub(super) pieces: Vec<Piece>,
     /// When the last one ends \[s\].
-    end: f64,
+    pub(super) end: f64,
     /// Value and slope at the beginning of the first, from before.
     before: [f64; 2],
     /// Value and slope at the end of the last, from after.
@@ -122,12 +122,12 @@ impl Pieces {
         self.pieces[0].from
     }
 
-    fn period(&self) -> f64 {
+    pub(super) fn period(&self) -> f64 {
         self.end - self.begin()
     }
 
     /// The number of the cycle around a time, and where in the first one that is.
-    fn fold(&self, t: f64) -> (f64, f64) {
+    pub(super) fn fold(&self, t: f64) -> (f64, f64) {
         if !self.repeats() {
             return (0.0, t);
         }

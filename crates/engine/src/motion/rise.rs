@@ -212,8 +212,8 @@ impl Limits {
     }
 }
 
-/// The law of segments from a value on, which begin at a time and are gone through some times; a dwell before and after.
-pub fn sequence(start: f64, begin: f64, segments: &[Segment], rounds: usize) -> Pieces {
+/// Pieces of segments from a value and a time on, and the value and the time after them.
+fn laid_out(start: f64, begin: f64, segments: &[Segment]) -> (Vec<Piece>, f64, f64) {
     let mut pieces = Vec::new();
     let (mut value, mut time) = (start, begin);
     for segment in segments {
@@ -228,6 +228,12 @@ pub fn sequence(start: f64, begin: f64, segments: &[Segment], rounds: usize) -> 
         value += segment.height;
         time = end;
     }
+    (pieces, value, time)
+}
+
+/// The law of segments from a value on, which begin at a time and are gone through some times; a dwell before and after.
+pub fn sequence(start: f64, begin: f64, segments: &[Segment], rounds: usize) -> Pieces {
+    let (mut pieces, value, mut time) = laid_out(start, begin, segments);
     if pieces.is_empty() {
         pieces.push(Piece::dwell(begin, value));
         time = begin + 1.0;
@@ -241,6 +247,24 @@ pub fn sequence(start: f64, begin: f64, segments: &[Segment], rounds: usize) -> 
         numbers: [0.0, rounds as f64],
     })
 }
+
+/// The law of segments over the angle of a cam, from 0 at an angle on and over and over with each turn; what is left of a turn is
+/// a dwell.
+pub fn turn(begin: f64, segments: &[Segment]) -> Pieces {
+    let (mut pieces, value, reached) = laid_out(0.0, begin, segments);
+    let end = begin + TAU;
+    // what is left by round-off of degrees is nothing
+    if pieces.is_empty() || end - reached > ROUND_OFF {
+        pieces.push(Piece::dwell(reached, value));
+    }
+    Pieces::new(pieces, end, [0.0; 2], [value, 0.0]).repeating(Cycle {
+        advance: 0.0,
+        numbers: [f64::NEG_INFINITY, f64::INFINITY],
+    })
+}
+
+/// Angles of segments are sums of degrees \[rad\].
+const ROUND_OFF: f64 = 1e-9;
 
 /// The pieces of a rise from (time, value) on: its first half, and that turned round.
 fn rise(pieces: &mut Vec<Piece>, shape: Shape, (time, value): (f64, f64), segment: &Segment) {

@@ -179,13 +179,16 @@ impl Evaluation {
         }
     }
 
-    /// Takes the sides on which the formulas' kinks are at the position and velocity taken.
+    /// Takes the sides on which the kinks of formulas and cams are at the position and velocity taken.
     pub(crate) fn take_sides(&self, system: &System, inputs: &mut Inputs) {
         let mut sides = std::mem::take(&mut inputs.sides);
         sides.resize(system.kinks.len(), 0);
         let at = self.kinematics(inputs);
         for formula in &system.formulas {
             formula.take_sides(&at, &mut sides);
+        }
+        for cam in system.cams() {
+            cam.take_side(&at, &mut sides);
         }
         inputs.sides = sides;
     }

@@ -30,6 +30,7 @@ pub use rows::{ContactRows, Extent};
 pub use scale::Scale;
 pub(crate) use slopes::Slopes;
 
+use crate::element::cam::Cam;
 use crate::element::formula::Formula;
 use crate::element::journal::Bearing;
 use crate::element::pair::{ContactId, Pair};
@@ -119,6 +120,8 @@ pub struct JointData {
     pub clearance: Option<ClearanceLink>,
     /// Journal and bearing that touch by a contact force.
     pub(crate) contact: Option<ContactId>,
+    /// Its profile and what touches it, of a cam.
+    pub(crate) cam: Option<Arc<Cam>>,
     /// Where its way ends.
     pub(crate) stops: Option<Box<Ends>>,
     /// Pieces of its outline.
@@ -185,7 +188,7 @@ pub struct System {
     pub(crate) force_data: Vec<ForceData>,
     /// Those that are functions of what moves, in their order.
     pub(crate) formulas: Vec<Arc<Formula>>,
-    /// Scales of their kinks, in SI.
+    /// Scales of their kinks, in SI, and behind them of those of cams.
     pub(crate) kinks: Vec<f64>,
     /// Forces that depend on multipliers; no part of [`Evaluation::eval_force`].
     pub(crate) dependent_forces: Vec<DependentForce>,
@@ -250,6 +253,11 @@ impl System {
     pub(crate) fn next_break(&self, t: f64) -> Option<f64> {
         let breaks = self.broken.iter().filter_map(|law| law.next_break(t));
         breaks.reduce(f64::min)
+    }
+
+    /// Cams and their followers.
+    pub(crate) fn cams(&self) -> impl Iterator<Item = &Cam> {
+        self.joints.iter().filter_map(|joint| joint.cam.as_deref())
     }
 
     /// Number of coordinates n.

@@ -25,6 +25,8 @@ pub enum JointRole {
     },
     /// Two wheels that mesh.
     Gear,
+    /// A profile and its follower.
+    Cam,
     /// Two bodies as one.
     Fixed,
     /// A tip that may touch an outline.
@@ -36,7 +38,11 @@ impl JointRole {
     pub(crate) fn axis(self) -> Option<Vec2> {
         match self {
             JointRole::Prismatic { axis, .. } | JointRole::Slot { axis } => Some(axis),
-            JointRole::Revolute | JointRole::Gear | JointRole::Fixed | JointRole::Contact => None,
+            JointRole::Revolute
+            | JointRole::Gear
+            | JointRole::Fixed
+            | JointRole::Contact
+            | JointRole::Cam => None,
         }
     }
 }

@@ -24,7 +24,10 @@ pub(super) fn joint(rules: &mut Rules<'_>, joint: &Joint, path: &str) {
         JointKind::Prismatic { friction, .. } | JointKind::Contact { friction, .. } => {
             (None, friction.as_deref(), None)
         }
-        JointKind::Slot { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => return,
+        JointKind::Slot { .. }
+        | JointKind::Gear { .. }
+        | JointKind::Cam(_)
+        | JointKind::Fixed { .. } => return,
     };
     if let Some(clearance) = clearance {
         of_clearance(rules, clearance, &format!("{path}.clearance"));

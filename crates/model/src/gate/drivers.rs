@@ -79,7 +79,8 @@ fn translation(rules: &mut Rules<'_>, path: &str, joint: &str) -> Option<String>
         JointKind::Revolute { .. }
         | JointKind::Gear { .. }
         | JointKind::Fixed { .. }
-        | JointKind::Contact { .. } => false,
+        | JointKind::Contact { .. }
+        | JointKind::Cam(_) => false,
     });
     match found.filter(|_| !slides) {
         Some(found) => {

@@ -5,6 +5,7 @@
 
 mod accuracy;
 mod analysis;
+mod cams;
 mod clearance;
 mod drivers;
 mod forces;
@@ -230,6 +231,7 @@ impl Rules<'_> {
             clearance::joint(self, joint, &path);
             stops::stops(self, joint, &path);
             outlines::outline(self, joint, &path);
+            cams::cam(self, joint, &path);
         }
     }
 }

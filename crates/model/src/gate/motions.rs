@@ -159,7 +159,7 @@ fn share(rules: &mut Rules<'_>, share: Option<f64>, most: f64, path: &str) {
     }
 }
 
-fn shares(rules: &mut Rules<'_>, ramp: Option<f64>, rounding: Option<f64>, path: &str) {
+pub(super) fn shares(rules: &mut Rules<'_>, ramp: Option<f64>, rounding: Option<f64>, path: &str) {
     share(rules, ramp, HALF, &format!("{path}.ramp"));
     share(rules, rounding, 1.0, &format!("{path}.rounding"));
 }

@@ -64,7 +64,8 @@ impl Names<'_, '_> {
                 | JointKind::Prismatic { .. }
                 | JointKind::Slot { .. }
                 | JointKind::Fixed { .. }
-                | JointKind::Contact { .. } => {}
+                | JointKind::Contact { .. }
+                | JointKind::Cam(_) => {}
             }
         }
         for (name, driver) in &model.drivers {

@@ -38,6 +38,8 @@ pub(super) struct Joint {
     pub(super) slides: bool,
     /// Whether its bodies turn against each other about its points.
     pub(super) turns: bool,
+    /// Whether it is a cam.
+    pub(super) touches: bool,
 }
 
 impl Catalogue {
@@ -62,6 +64,7 @@ impl Catalogue {
                 name: name.clone(),
                 slides,
                 turns,
+                touches: matches!(joint.kind, JointKind::Cam(_)),
             });
         }
         for (name, driver) in &model.drivers {
@@ -130,6 +133,7 @@ impl Catalogue {
                 name: name.clone(),
                 slides,
                 turns,
+                touches: kind(&member.node).as_deref() == Some("cam"),
             });
         }
         for (name, member) in members("drivers") {

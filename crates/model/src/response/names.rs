@@ -49,13 +49,16 @@ const TORSION: [&str; 4] = ["angle", "omega", "torque", "power"];
 const TURN: [&str; 2] = ["angle", "omega"];
 const SLIDE: [&str; 2] = ["slide", "rate"];
 const SIZE: [&str; 1] = ["f"];
+/// Of cams.
+const TOUCH: [&str; 4] = ["contact_x", "contact_y", "curvature", "pressure_angle"];
 
 /// The dimension of what forces and joints show, by the last word of a name.
 fn shown(word: &str) -> Option<Powers> {
     let dimension = match word {
-        "length" | "slide" => Dimension::Length,
+        "length" | "slide" | "contact_x" | "contact_y" => Dimension::Length,
+        "curvature" => return Some(powers(-1, 0, 0, 0)),
         "rate" => Dimension::Velocity,
-        "angle" => Dimension::Angle,
+        "angle" | "pressure_angle" => Dimension::Angle,
         "omega" => Dimension::AngularVelocity,
         "f" | "fx" | "fy" => Dimension::Force,
         "torque" => Dimension::Torque,
@@ -79,7 +82,8 @@ impl Joint {
     fn shown(&self) -> impl Iterator<Item = &'static str> {
         let turn = TURN.into_iter().filter(|_| self.turns);
         let slide = SLIDE.into_iter().filter(|_| self.slides);
-        turn.chain(slide).chain(SIZE)
+        let touch = TOUCH.into_iter().filter(|_| self.touches);
+        turn.chain(slide).chain(SIZE).chain(touch)
     }
 }
 

@@ -88,6 +88,9 @@ fn joint<'m, 'p>(
         (JointKind::Gear { ratio, .. }, "ratio") => Some(ratio),
         (JointKind::Gear { angle, .. }, "angle") => angle.as_mut(),
         (JointKind::Contact { radius, .. }, "radius") => Some(radius),
+        // on segments there are rules beyond signs
+        (JointKind::Cam(cam), "roller_radius") => cam.roller_radius.as_mut(),
+        (JointKind::Cam(cam), "face") => of_list(cam.face.as_mut()?, path),
         (JointKind::Revolute { pin_radius, .. }, "pin_radius") => pin_radius.as_mut(),
         (JointKind::Revolute { clearance, .. }, "clearance") => {
             let clearance = clearance.as_mut()?;

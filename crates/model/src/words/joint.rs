@@ -1,5 +1,6 @@
 //! Joints.
 
+use super::cam::{FOLLOWER, PROFILE};
 use super::clearance::CLEARANCE;
 use super::friction::FRICTION;
 use crate::dimension::Dimension;
@@ -230,6 +231,50 @@ pub static JOINT: Tagged = Tagged {
                 (
                     "limits",
                     "a gear turns without end: give limits to the revolute joints of its wheels",
+                ),
+                ("clearance", "only a revolute joint can have clearance"),
+                (
+                    "friction",
+                    "only revolute and prismatic joints can have friction",
+                ),
+            ],
+            drives: Drives::Nothing,
+            either: None,
+        },
+        Object {
+            name: "cam",
+            about: "The profile of the first body, about its point, moves the follower of the second and holds it from both sides.",
+            fields: &[
+                required(
+                    "follower",
+                    Shape::Choice(&FOLLOWER),
+                    "What touches the profile.",
+                ),
+                optional(
+                    "face",
+                    Shape::Direction,
+                    "Direction of a flat face through the second point, in the follower's frame; the cam lies to its right.",
+                ),
+                optional(
+                    "roller_radius",
+                    Shape::Quantity(Measure::Of(Dimension::Length), Bound::Above(0.0)),
+                    "Radius of a roller about the second point \\[m\\].",
+                ),
+                required(
+                    "profile",
+                    Shape::Tagged(&PROFILE),
+                    "The shape of the cam, or the motion that it gives.",
+                ),
+                required(
+                    "between",
+                    Shape::Pair(&Shape::Point),
+                    "Two points `body.point`: of the cam, about which its profile lies, and of the follower.",
+                ),
+            ],
+            refused: &[
+                (
+                    "limits",
+                    "a cam turns without end: give limits to the joints that hold cam and follower",
                 ),
                 ("clearance", "only a revolute joint can have clearance"),
                 (

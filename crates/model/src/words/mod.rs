@@ -3,6 +3,7 @@
 mod accuracy;
 mod analysis;
 mod body;
+mod cam;
 mod clearance;
 mod driver;
 mod force;
@@ -29,6 +30,7 @@ use crate::shape::{
 use accuracy::{ACCURACY, AT, LEVELS, OUTPUT, PINS};
 use analysis::{ACCELERATIONS, ANALYSIS, ANALYSIS_KIND, OUTPUTS_AT, SAMPLE, SOLVER, TRANSMISSION};
 use body::{INITIAL, POSE};
+use cam::{CAM_SEGMENT, FOLLOWER, PROFILE, SWING_SEGMENT};
 use clearance::{CLEARANCE, CLEARANCE_MODEL, IMPACT, IMPACT_SENSE, NORMAL, NORMAL_LAW, SURFACE};
 use driver::DRIVER;
 use force::{FORCE, FRAME};
@@ -161,7 +163,7 @@ impl Definition {
 }
 
 /// All that the schema defines by a name, in its order.
-pub static DEFINITIONS: [Definition; 48] = [
+pub static DEFINITIONS: [Definition; 52] = [
     Definition::Format(&FORMATS),
     Definition::Object(&GROUND),
     Definition::Object(&BODY),
@@ -210,4 +212,8 @@ pub static DEFINITIONS: [Definition; 48] = [
     Definition::Object(&SEGMENT),
     Definition::Choice(&RISE_LAW),
     Definition::Choice(&INTERPOLATION),
+    Definition::Choice(&FOLLOWER),
+    Definition::Tagged(&PROFILE),
+    Definition::Object(&CAM_SEGMENT),
+    Definition::Object(&SWING_SEGMENT),
 ];

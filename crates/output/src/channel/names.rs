@@ -180,7 +180,7 @@ impl Quantity for PointQuantity {
 
 impl JointQuantity {
     /// Every one.
-    const ALL: [JointQuantity; 13] = [
+    const ALL: [JointQuantity; 17] = [
         JointQuantity::Fx,
         JointQuantity::Fy,
         JointQuantity::Torque,
@@ -194,6 +194,10 @@ impl JointQuantity {
         JointQuantity::SlidingSpeed,
         JointQuantity::State,
         JointQuantity::Stop,
+        JointQuantity::ContactX,
+        JointQuantity::ContactY,
+        JointQuantity::Curvature,
+        JointQuantity::PressureAngle,
     ];
 
     /// The last word of the column's name.
@@ -212,6 +216,10 @@ impl JointQuantity {
             JointQuantity::SlidingSpeed => "sliding_speed",
             JointQuantity::State => "state",
             JointQuantity::Stop => "stop",
+            JointQuantity::ContactX => "contact_x",
+            JointQuantity::ContactY => "contact_y",
+            JointQuantity::Curvature => "curvature",
+            JointQuantity::PressureAngle => "pressure_angle",
         }
     }
 }

@@ -12,12 +12,14 @@
 //! | `view`     | the part of a page that shows it                            |
 //! | `pages`    | one pose with its time, several poses over or beside others |
 //! | `plain`    | one pose without words                                      |
+//! | `cams`     | draws profiles and what touches them                         |
 //! | `pose`     | draws bodies and joints of one pose                         |
 //! | `actions`  | draws springs, drivers and loads of one pose                |
 //! | `values`   | numbers beside arrows                                       |
 //! | `sketch`   | what all drawing of one pose needs                          |
 
 mod actions;
+mod cams;
 mod cylinder;
 mod drivers;
 mod instants;

@@ -163,13 +163,14 @@ impl Mechanism {
         }
         for (joint, slide) in shape.joints.iter().zip(&mut self.slides) {
             let ends = joint.between.map(|end| place(shape, pose, end));
-            let radii = match joint.kind {
+            let radii = match &joint.kind {
                 JointKind::Gear { gear, .. } => gear.map(|gear| gear.radii).unwrap_or_default(),
-                JointKind::Contact { radius, .. } => [0.0, radius],
+                JointKind::Contact { ref radius, .. } => [0.0, *radius],
                 JointKind::Revolute { .. }
                 | JointKind::Prismatic { .. }
                 | JointKind::Slot { .. }
                 | JointKind::Fixed => [0.0; 2],
+                JointKind::Cam(cam) => [cam.radius(), cam.roller.or(cam.reach).unwrap_or(0.0)],
             };
             for (end, radius) in ends.into_iter().zip(radii) {
                 self.frame.extent.add(end, radius);

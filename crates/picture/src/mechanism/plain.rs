@@ -80,7 +80,8 @@ impl Mechanism {
                     JointKind::Prismatic { .. }
                     | JointKind::Slot { .. }
                     | JointKind::Gear { .. }
-                    | JointKind::Contact { .. } => false,
+                    | JointKind::Contact { .. }
+                    | JointKind::Cam(_) => false,
                 })
                 .collect(),
             joints: joints

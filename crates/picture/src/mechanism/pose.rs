@@ -1,6 +1,7 @@
 //! Draws bodies and joints of one pose, from the back to the front: wheels and guides of the ground, other guides, bodies,
 //! blocks, pins.
 
+use super::cams;
 use super::cylinder::Lengths;
 use super::sketch::Sketch;
 use super::{outlines, stops};
@@ -22,6 +23,7 @@ pub fn draw_backdrop(scene: &mut Scene, sketch: &Sketch) {
     let mechanism = sketch.mechanism;
     for joint in &mechanism.shape.joints {
         draw_wheels(scene, sketch, joint);
+        cams::draw_profile(scene, sketch, joint);
     }
     for (number, joint) in mechanism.shape.joints.iter().enumerate() {
         if joint.between[0].0 == 0 {
@@ -59,6 +61,9 @@ pub fn draw(scene: &mut Scene, sketch: &Sketch) {
     }
     for (joint, slides) in shape.joints.iter().zip(slides) {
         stops::draw(scene, sketch, joint, *slides);
+    }
+    for joint in &shape.joints {
+        cams::draw_follower(scene, sketch, joint);
     }
     for joint in &shape.joints {
         draw_pin(scene, sketch, joint);
@@ -112,7 +117,8 @@ fn draw_guide(scene: &mut Scene, sketch: &Sketch, joint: &Joint, slides: [f64; 2
         JointKind::Revolute { .. }
         | JointKind::Gear { .. }
         | JointKind::Fixed
-        | JointKind::Contact { .. } => {}
+        | JointKind::Contact { .. }
+        | JointKind::Cam(_) => {}
     }
 }
 
@@ -203,7 +209,10 @@ fn draw_pin(scene: &mut Scene, sketch: &Sketch, joint: &Joint) {
             let corners = corners.map(|[dx, dy]| [x + dx, y + dy]);
             scene.area("weld", corners, Some(sketch.ink(palette::STEEL)), None);
         }
-        JointKind::Prismatic { .. } | JointKind::Gear { .. } | JointKind::Contact { .. } => {}
+        JointKind::Prismatic { .. }
+        | JointKind::Gear { .. }
+        | JointKind::Contact { .. }
+        | JointKind::Cam(_) => {}
     }
 }
 

@@ -39,7 +39,8 @@ pub fn reach(joint: &Joint, slides: [f64; 2]) -> [f64; 2] {
         JointKind::Revolute { .. }
         | JointKind::Gear { .. }
         | JointKind::Fixed
-        | JointKind::Contact { .. } => slides,
+        | JointKind::Contact { .. }
+        | JointKind::Cam(_) => slides,
     }
 }
 
@@ -55,7 +56,8 @@ pub fn draw(scene: &mut Scene, sketch: &Sketch, joint: &Joint, slides: [f64; 2])
         JointKind::Slot { .. }
         | JointKind::Gear { .. }
         | JointKind::Fixed
-        | JointKind::Contact { .. } => {}
+        | JointKind::Contact { .. }
+        | JointKind::Cam(_) => {}
     }
 }
 

@@ -72,13 +72,14 @@ impl Shape {
 
     /// All bodies that parts name.
     fn named_bodies(&self) -> impl Iterator<Item = usize> {
-        let carriers = self.joints.iter().filter_map(|joint| match joint.kind {
-            JointKind::Gear { gear, .. } => Some(gear?.carrier),
+        let carriers = self.joints.iter().filter_map(|joint| match &joint.kind {
+            JointKind::Gear { gear, .. } => Some((*gear)?.carrier),
             JointKind::Revolute { .. }
             | JointKind::Prismatic { .. }
             | JointKind::Slot { .. }
             | JointKind::Fixed
-            | JointKind::Contact { .. } => None,
+            | JointKind::Contact { .. }
+            | JointKind::Cam(_) => None,
         });
         let driven = self.drivers.iter().flat_map(|driver| match driver.kind {
             DriverKind::Rotation {

@@ -59,21 +59,23 @@ impl Shape {
             name: body.name.clone(),
             points: body.points.iter().map(|(_, x, y)| [*x, *y]).collect(),
         };
-        let joint = |joint: &Joint| DrawnJoint {
-            between: joint.between.map(at),
-            kind: match joint.kind {
+        let joint = |joint: &Joint| {
+            let kind = match joint.kind {
                 JointKind::Revolute { .. } => DrawnKind::Revolute,
                 JointKind::Prismatic { axis } | JointKind::Slot { axis } => {
                     DrawnKind::Guide { axis }
                 }
                 JointKind::Gear { ratio, .. } => DrawnKind::Gear { ratio },
-                // 0.1 had no contacts, and takes what it does not know for none.
-                JointKind::Fixed | JointKind::Contact { .. } => DrawnKind::Fixed,
-            },
+                // 0.1 knew no contacts and no cams.
+                JointKind::Fixed => DrawnKind::Fixed,
+                JointKind::Cam(_) | JointKind::Contact { .. } => return None,
+            };
+            let between = joint.between.map(at);
+            Some(DrawnJoint { between, kind })
         };
         let drawing = Drawing {
             bodies: self.bodies.iter().map(body).collect(),
-            joints: self.joints.iter().map(joint).collect(),
+            joints: self.joints.iter().filter_map(joint).collect(),
             springs: self
                 .springs
                 .iter()

@@ -4,8 +4,8 @@ use std::collections::HashMap;
 use std::f64::consts::TAU;
 
 use super::parts::{
-    Body, Clearance, Driver, DriverKind, Joint, JointKind, Load, PitchCircles, PointId, Shape,
-    Spring, TorsionSpring,
+    Body, Clearance, Driver, DriverKind, Joint, JointKind, Load, PitchCircles, PointId, Profile,
+    Shape, Spring, TorsionSpring,
 };
 use linkdyn_model::outline::{Corner, arc_centre};
 use linkdyn_model::{self as model, ClearanceModel, ForceKind, GROUND, Model, PointRef};
@@ -166,6 +166,12 @@ fn joint_of(numbers: &Numbers, name: &str, joint: &model::Joint) -> Joint {
             ratio: *ratio,
             gear: pitch_circles(numbers, name, joint, *ratio),
         },
+        model::JointKind::Cam(cam) => JointKind::Cam(Box::new(Profile {
+            outline: Vec::new(),
+            reach: None,
+            roller: cam.roller_radius,
+            face: cam.face,
+        })),
         model::JointKind::Fixed { .. } => JointKind::Fixed,
         model::JointKind::Contact { radius, arc, .. } => JointKind::Contact {
             outlines: joint

@@ -79,6 +79,8 @@ pub enum JointKind {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         gear: Option<PitchCircles>,
     },
+    /// A cam and its follower.
+    Cam(Box<Profile>),
     /// A weld.
     Fixed,
     /// A tip that may touch an outline.
@@ -92,6 +94,23 @@ pub enum JointKind {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         arc: Option<[f64; 2]>,
     },
+}
+
+/// What is seen of a cam and its follower.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Profile {
+    /// Corners of the profile from the first point, in the frame of its body \[m\].
+    #[serde(default)]
+    pub outline: Vec<[f64; 2]>,
+    /// Radius of a roller about the second point \[m\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub roller: Option<f64>,
+    /// How far a flat face reaches to either side \[m\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reach: Option<f64>,
+    /// Direction of a flat face through the second point, in the frame of its body.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub face: Option<[f64; 2]>,
 }
 
 /// Pitch circles of two wheels in mesh.
@@ -218,6 +237,26 @@ impl Shape {
     }
 }
 
+impl Shape {
+    /// Gives the cam of a joint its corners, from its point \[m\], and how far a face reaches.
+    pub fn take_profile(&mut self, joint: usize, outline: Vec<[f64; 2]>, reach: f64) {
+        if let Some(joint) = self.joints.get_mut(joint)
+            && let JointKind::Cam(profile) = &mut joint.kind
+        {
+            profile.outline = outline;
+            profile.reach = profile.face.map(|_| reach);
+        }
+    }
+}
+
+impl Profile {
+    /// How far it reaches from the cam's point \[m\].
+    pub fn radius(&self) -> f64 {
+        let far = self.outline.iter().map(|[x, y]| x.hypot(*y));
+        far.fold(0.0, f64::max)
+    }
+}
+
 impl Joint {
     /// Direction of a guide or slot in the frame of the first body, length one.
     pub fn axis(&self) -> Option<[f64; 2]> {
@@ -229,7 +268,8 @@ impl Joint {
             JointKind::Revolute { .. }
             | JointKind::Gear { .. }
             | JointKind::Fixed
-            | JointKind::Contact { .. } => None,
+            | JointKind::Contact { .. }
+            | JointKind::Cam(_) => None,
         }
     }
 

@@ -17,7 +17,8 @@ pub fn clearances(model: &Model) -> impl Iterator<Item = (&str, ClearanceModel)>
             | JointKind::Slot { .. }
             | JointKind::Gear { .. }
             | JointKind::Fixed { .. }
-            | JointKind::Contact { .. } => None,
+            | JointKind::Contact { .. }
+            | JointKind::Cam(_) => None,
         })
 }
 

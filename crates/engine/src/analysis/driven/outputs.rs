@@ -343,6 +343,8 @@ impl<'a, 'r> Outputs<'a, 'r> {
         }
         let overrun = self.overrun.warnings(self.system);
         self.report.warnings.extend(overrun);
+        let of_cams = self.recorder.warnings(self.system);
+        self.report.warnings.extend(of_cams);
         if !self.bridge.missing.is_empty() {
             self.report.warnings.push(format!(
                 "at a change point the reactions of {} have no bound and are left out",

@@ -236,6 +236,8 @@ impl<'s> Simulation<'s> {
         if let Some(force) = self.flow.switching() {
             self.switches.note(force, time, self.flow.system())?;
             self.flow.hold_sides();
+        } else if self.flow.turns_over() {
+            self.flow.hold_sides();
         }
         match begun {
             Some((contact, change)) => {

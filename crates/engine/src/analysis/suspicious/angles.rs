@@ -67,7 +67,8 @@ pub(super) fn angles(model: &Model, degrees: bool, found: &mut Vec<Complaint>) {
             JointKind::Revolute { .. }
             | JointKind::Slot { .. }
             | JointKind::Gear { .. }
-            | JointKind::Contact { .. } => {}
+            | JointKind::Contact { .. }
+            | JointKind::Cam(_) => {}
         }
     }
     for (name, initial) in &model.initial {

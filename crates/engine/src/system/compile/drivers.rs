@@ -39,7 +39,8 @@ impl Compiler<'_> {
                         JointKind::Revolute { .. }
                         | JointKind::Gear { .. }
                         | JointKind::Fixed { .. }
-                        | JointKind::Contact { .. } => Vec2::x(),
+                        | JointKind::Contact { .. }
+                        | JointKind::Cam(_) => Vec2::x(),
                     };
                     let (first, second) = (
                         self.marker(&joint.between[0]),

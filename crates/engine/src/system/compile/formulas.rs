@@ -163,7 +163,8 @@ impl Compiler<'_> {
         }
     }
 
-    /// Scales of what the kinks of all formulas compare, in SI: products of the mechanism's own length, mass and time.
+    /// Scales of what the kinks of all formulas compare, in SI: products of the mechanism's own length, mass and time; behind them
+    /// a radian for each cam that has breaks.
     pub(super) fn kinks(&self) -> Vec<f64> {
         let scale = &self.system.scale;
         let base = [scale.length, scale.mass, scale.time, 1.0];
@@ -171,7 +172,9 @@ impl Compiler<'_> {
             let factors = base.iter().zip(powers);
             factors.map(|(base, power)| base.powf(*power)).product()
         };
-        self.kinks.iter().map(product).collect()
+        let cams = self.system.cams().filter(|cam| cam.kink.is_some());
+        let formulas = self.kinks.iter().map(product);
+        formulas.chain(cams.map(|_| 1.0)).collect()
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::needs::{bearing, clearance};
 use super::{Compiler, roles};
+use crate::element::cam::Cam;
 use crate::element::fixed::Fixed;
 use crate::element::gear::Gear;
 use crate::element::joint_friction::{GuideFriction, PinFriction};
@@ -25,6 +26,7 @@ struct Made {
     torque: bool,
     link: Option<ClearanceLink>,
     contact: Option<ContactId>,
+    cam: Option<Arc<Cam>>,
 }
 
 impl Compiler<'_> {
@@ -43,6 +45,7 @@ impl Compiler<'_> {
                 torque: made.torque,
                 clearance: made.link,
                 contact: made.contact,
+                cam: made.cam,
                 bearing: clearance(&joint.kind).map(bearing),
                 stops: None,
                 edges: 0..0,
@@ -59,6 +62,7 @@ impl Compiler<'_> {
             second,
             axis: unit(Vec2::from(*axis)),
         };
+        let mut cam = None;
         let (constraint, torque): (Arc<dyn Constraint>, bool) = match kind {
             JointKind::Revolute { clearance, .. } => {
                 return self.revolute(k, name, clearance.as_deref(), points);
@@ -74,6 +78,12 @@ impl Compiler<'_> {
             }
             // Its rows come into force where it touches.
             JointKind::Contact { .. } => (Arc::new(Free), false),
+            JointKind::Cam(_) => {
+                let made = Arc::new(self.cam(name, points));
+                cam = Some(made.clone());
+                let torque = made.is_face();
+                (made, torque)
+            }
             JointKind::Fixed { angle } => {
                 let angle = *angle;
                 let weld = Fixed {
@@ -89,6 +99,7 @@ impl Compiler<'_> {
             torque,
             link: None,
             contact: None,
+            cam,
         }
     }
 
@@ -111,6 +122,7 @@ impl Compiler<'_> {
             torque: false,
             link: None,
             contact: None,
+            cam: None,
         };
         let Some(clearance) = clearance else {
             return ideal;
@@ -217,9 +229,8 @@ impl Compiler<'_> {
             JointKind::Slot { .. }
             | JointKind::Gear { .. }
             | JointKind::Fixed { .. }
-            | JointKind::Contact { .. } => {
-                return None;
-            }
+            | JointKind::Contact { .. }
+            | JointKind::Cam(_) => return None,
         };
         // Blocks stand in the order of the joints.
         self.system.dependent_forces.push(DependentForce {

@@ -2,7 +2,9 @@
 
 use crate::motion::rise::{self, Limits, Segment, Shape};
 use crate::motion::{Law, Pieces, Spline};
-use linkdyn_model::{ForceKind, Interpolation, Model, Motion, Paced, Rise, RiseLaw, Value};
+use linkdyn_model::{
+    CamSegment, ForceKind, Interpolation, Model, Motion, Paced, Rise, RiseLaw, Value,
+};
 
 /// Share of a rise that a ramp takes where none is said: a third each to speed up, to go on, and to slow down \[–\].
 const RAMP: f64 = 1.0 / 3.0;
@@ -129,6 +131,21 @@ fn parts(start: f64, segments: &[linkdyn_model::Segment]) -> Vec<Segment> {
         part
     });
     parts.collect()
+}
+
+/// The law of a follower over the angle of its cam.
+pub fn turn(begin: f64, segments: &[CamSegment]) -> Pieces {
+    let mut value = 0.0;
+    let parts = segments.iter().map(|segment| {
+        let part = Segment {
+            shape: (segment.law).map(|law| shape(law, segment.ramp, segment.rounding)),
+            height: segment.height(value),
+            duration: segment.span(),
+        };
+        value += part.height;
+        part
+    });
+    rise::turn(begin, &parts.collect::<Vec<_>>())
 }
 
 /// The law of a value that may vary.

@@ -1,5 +1,6 @@
 //! Words → numbers: the only place where a [`Model`] and a [`System`] meet.
 
+mod cams;
 mod contact_parameters;
 mod drivers;
 mod edges;
@@ -8,10 +9,13 @@ mod formulas;
 mod joints;
 mod laws;
 mod needs;
+mod profiles;
 mod roles;
 mod stops;
 
 pub use laws::{law, value_law};
+#[doc(hidden)]
+pub use profiles::{Profile, profiles};
 
 use super::rows::{reach, size, spread};
 use super::{BodyData, Extent, Mass, Origin, OutputPoint, Scale, System};
@@ -182,22 +186,23 @@ impl<'a> Compiler<'a> {
 
     /// How far each body reaches, ground first.
     fn extents(&self) -> Vec<Extent> {
-        let extent = |body: &Body| {
+        let extent = |(name, body): (&String, &Body)| {
             let mut points: Vec<Vec2> = body.points.values().map(|&p| Vec2::from(p)).collect();
             points.extend(body.com.map(Vec2::from));
             let places = points.iter().flat_map(|point| point.iter());
+            let profile = self.profiles(name);
             Extent {
-                spread: spread(&points),
-                reach: places.fold(0.0, |most: f64, x| most.max(x.abs())),
+                spread: spread(&points).max(2.0 * profile),
+                reach: places.fold(profile, |most: f64, x| most.max(x.abs())),
                 origin: Some(Vec2::from(body.pose.position)),
             }
         };
-        let ground = self.model.bodies.get(GROUND);
+        let ground = self.model.bodies.get_key_value(GROUND);
         let moving = self.model.bodies.iter();
         let moving = moving.filter(|(name, _)| *name != GROUND);
         [ground.map_or(Extent::default(), extent)]
             .into_iter()
-            .chain(moving.map(|(_, body)| extent(body)))
+            .chain(moving.map(extent))
             .collect()
     }
 

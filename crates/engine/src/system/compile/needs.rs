@@ -1,8 +1,10 @@
 //! What joints and analyses need beyond the words of a joint itself, and the complaints where it is not there.
 
+use super::cams::touches;
 use super::contact_parameters::{Words, friction_law, need};
 use super::edges;
 use crate::contact::{friction, normal};
+use crate::element::cam::Touch;
 use crate::element::journal::Bearing;
 use crate::element::pair::{Compliant, Surface};
 use linkdyn_model::error::Complaint;
@@ -19,6 +21,8 @@ pub(super) struct Joints<'a> {
     pub surfaces: HashMap<&'a str, Surface>,
     /// Of ideal joints.
     pub frictions: HashMap<&'a str, friction::Law>,
+    /// Of cams.
+    pub touches: HashMap<&'a str, Touch>,
 }
 
 impl<'a> Joints<'a> {
@@ -27,6 +31,7 @@ impl<'a> Joints<'a> {
             carriers: carriers(model, complaints),
             surfaces: surfaces(model, complaints),
             frictions: frictions(model, complaints),
+            touches: touches(model, complaints),
         }
     }
 }
@@ -39,7 +44,8 @@ pub(super) fn clearance(kind: &JointKind) -> Option<&linkdyn_model::Clearance> {
         | JointKind::Slot { .. }
         | JointKind::Gear { .. }
         | JointKind::Fixed { .. }
-        | JointKind::Contact { .. } => None,
+        | JointKind::Contact { .. }
+        | JointKind::Cam(_) => None,
     }
 }
 
@@ -131,7 +137,8 @@ fn frictions<'a>(
             | JointKind::Slot { .. }
             | JointKind::Gear { .. }
             | JointKind::Fixed { .. }
-            | JointKind::Contact { .. } => continue,
+            | JointKind::Contact { .. }
+            | JointKind::Cam(_) => continue,
         };
         let radius = pin.map_or(Ok(0.0), |radius| {
             need(&path, "pin_radius", radius, |radius| radius > 0.0)

@@ -18,6 +18,7 @@ pub(super) fn joint_role(kind: &JointKind) -> JointRole {
             axis: unit(Vec2::from(*axis)),
         },
         JointKind::Gear { .. } => JointRole::Gear,
+        JointKind::Cam(_) => JointRole::Cam,
         JointKind::Fixed { .. } => JointRole::Fixed,
         JointKind::Contact { .. } => JointRole::Contact,
     }

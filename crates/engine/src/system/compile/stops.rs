@@ -35,7 +35,8 @@ impl Compiler<'_> {
             JointKind::Revolute { .. }
             | JointKind::Gear { .. }
             | JointKind::Fixed { .. }
-            | JointKind::Contact { .. } => None,
+            | JointKind::Contact { .. }
+            | JointKind::Cam(_) => None,
         };
         let arm = axis.map_or(self.system.size, |_| 1.0);
         let pair = Pair {

@@ -39,6 +39,41 @@
     }
   };
 
+  // Profiles of cams, behind the bodies.
+  const cams = ({ pen, at, scale, row, colours }) => {
+    for (const { type, between: [[number, point]], outline } of mechanism.joints) {
+      if (type !== "cam" || !outline.length) continue;
+      const pose = shapes.pose(number, row), centre = at([number, point]);
+      if (!pose || !centre) continue;
+      const [sin, cos] = [Math.sin(pose[2]), Math.cos(pose[2])], { fill, line } = colours.body(number);
+      path(pen, outline.map(([x, y]) => [centre[0] + scale * (cos * x - sin * y), centre[1] - scale * (sin * x + cos * y)]), true);
+      pen.globalAlpha = 0.55; pen.fillStyle = fill; pen.fill(); pen.globalAlpha = 1;
+      pen.strokeStyle = line; pen.lineWidth = 1.8; pen.stroke();
+    }
+  };
+
+  // Rollers and faces that touch them.
+  const followers = ({ pen, at, scale, px, row, colours }) => {
+    for (const { type, between: [, second], roller, face, reach } of mechanism.joints) {
+      if (type !== "cam") continue;
+      const centre = at(second), pose = shapes.pose(second[0], row);
+      if (!centre || !pose) continue;
+      const { fill, line } = colours.body(second[0]);
+      pen.strokeStyle = line;
+      if (roller) {
+        pen.beginPath(); pen.arc(...centre, roller * scale, 0, 7);
+        pen.globalAlpha = 0.55; pen.fillStyle = fill; pen.fill(); pen.globalAlpha = 1;
+        pen.lineWidth = 1.8; pen.stroke();
+        pen.strokeStyle = colours.steel; pen.fillStyle = colours.pin; disc(pen, centre, Math.min(px * 0.36, roller * scale / 2));
+      }
+      if (face) {
+        const angle = pose[2] + Math.atan2(face[1], face[0]), far = (reach || 0) * scale + px;
+        const end = (s) => [centre[0] + s * far * Math.cos(angle), centre[1] - s * far * Math.sin(angle)];
+        pen.lineWidth = px * 0.45; path(pen, [end(-1), end(1)]); pen.stroke();
+      }
+    }
+  };
+
   // The ends of a joint's way that are near enough to its stroke to be drawn.
   const ends = (joint, k) => {
     const [low, high] = shapes.strokes[k], far = 0.5 * (high - low), near = (end, from) => end !== null && Math.abs(end - from) <= far;
@@ -266,7 +301,7 @@
     }
   };
 
-  const LAYERS = [wheels, guides, outlines, bodiesOf, blocks, stops, pins, springs, centres, drivers];
+  const LAYERS = [wheels, cams, guides, outlines, bodiesOf, blocks, followers, stops, pins, springs, centres, drivers];
 
   // Everything at `row`; returns where names may go.
   const draw = (pen, { to, scale, px, row, colours, show }) => {

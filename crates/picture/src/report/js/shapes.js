@@ -145,7 +145,9 @@ linkdyn.measureShapes = () => {
         add(place(between[1], row), radius);
       }
     }
-    for (const { between, gear } of mechanism.joints) {
+    for (const { between, gear, outline, roller, reach } of mechanism.joints) {
+      if (outline) for (const row of sampled) add(place(between[0], row), Math.min(Math.max(0, ...outline.map(([x, y]) => Math.hypot(x, y))), 1e6));
+      if (outline) for (const row of sampled) add(place(between[1], row), Math.min(roller || reach || 0, 1e6));
       if (gear) for (const row of sampled) between.forEach((end, k) => add(place(end, row), Math.min(gear.radii[k], 1e6)));
     }
     if (!Number.isFinite(left)) return [-0.1, 0.1, -0.1, 0.1];

@@ -69,6 +69,11 @@ pub(super) fn changes(system: &System, at: &Kinematics, radii: &Radii) -> Vec<Ch
                     // It has no rows.
                     JointRole::Contact => {}
                     JointRole::Gear => gear_changes(at, radii, block, &joint.points, own),
+                    // the question is refused where there is one
+                    JointRole::Cam => own.fill(Change {
+                        mean: f64::INFINITY,
+                        most: f64::INFINITY,
+                    }),
                 }
             }
             Origin::Driver(id) => {

@@ -217,7 +217,8 @@ fn add_joints(found: &mut Dimensions, model: &Model, system: &System) {
                     None => add_mesh(found, model, joint, (row, carrier)),
                 }
             }
-            JointKind::Revolute { .. } => {}
+            // the question is refused where there is one
+            JointKind::Cam(_) | JointKind::Revolute { .. } => {}
         }
     }
 }
@@ -241,7 +242,8 @@ pub(in crate::analysis::accuracy) fn dimension_values(model: &Model, system: &Sy
                     values.push(angle.unwrap_or_else(|| mesh(model, system, index, carrier)));
                 }
             }
-            JointKind::Revolute { .. } | JointKind::Contact { .. } => {}
+            // the question is refused where there is one
+            JointKind::Revolute { .. } | JointKind::Contact { .. } | JointKind::Cam(_) => {}
         }
     }
     for data in model.drivers.values() {

@@ -12,7 +12,7 @@ use crate::analysis::control::{Control, Stop};
 use crate::analysis::question::instants;
 use crate::system::compile::compile_geometry;
 use linkdyn_model::error::{Complaint, Complaints};
-use linkdyn_model::{AnalysisKind, Checked, DriverKind, Model};
+use linkdyn_model::{AnalysisKind, Checked, DriverKind, JointKind, Model};
 
 /// Why there is no answer.
 #[derive(Debug)]
@@ -53,6 +53,19 @@ pub struct Scope<'a> {
     pub levels: Option<Levels>,
 }
 
+/// Tolerances of profiles, and what others do along them, are not worked out.
+fn without_cams(model: &Model) -> Result<(), Complaints> {
+    let cams = model.joints.iter();
+    let mut cams = cams.filter(|(_, joint)| matches!(joint.kind, JointKind::Cam(_)));
+    let Some((name, _)) = cams.next() else {
+        return Ok(());
+    };
+    let message = "the accuracy of a mechanism with a cam is not known to linkdyn";
+    let hint = "vary its parameters by a \"study\", whose runs take cams";
+    let complaint = Complaint::new(format!("joints.{name}"), message).hint(hint);
+    Err(Complaints(vec![complaint]))
+}
+
 /// What tolerances and clearances do to the outputs of a model.
 ///
 /// # Errors
@@ -64,6 +77,7 @@ pub fn accuracy(
     scope: Scope,
     control: &Control,
 ) -> Result<Accuracy, Refusal> {
+    without_cams(model)?;
     let ideal = model.with_clearances(|_| false);
     let system = compile_geometry(&ideal)?;
     let names = Names::new(&ideal);

@@ -154,7 +154,7 @@ fn joint_play(kind: &JointKind, row: usize, system: &System, index: usize) -> Op
                 half: [half, half],
             })
         }
-        JointKind::Fixed { .. } | JointKind::Contact { .. } => None,
+        JointKind::Fixed { .. } | JointKind::Contact { .. } | JointKind::Cam(_) => None,
     }
 }
 

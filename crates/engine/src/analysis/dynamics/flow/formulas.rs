@@ -1,4 +1,4 @@
-//! Formulas whose kinks are held on one side each, so that the flow is smooth between events.
+//! Formulas and cams whose kinks are held on one side each, so that the flow is smooth between events.
 
 use super::Flow;
 
@@ -6,12 +6,12 @@ use super::Flow;
 const PAST: f64 = 1e-12;
 
 impl Flow<'_> {
-    /// Whether any formula has kinks.
+    /// Whether any formula or cam has kinks.
     pub fn has_kinks(&self) -> bool {
         !self.system().kinks.is_empty()
     }
 
-    /// Holds all formulas on the sides on which they are at the point of the last evaluation.
+    /// Holds all formulas and cams on the sides on which they are at the point of the last evaluation.
     pub fn hold_sides(&mut self) {
         if self.has_kinks() {
             self.equations.take_sides();
@@ -26,10 +26,22 @@ impl Flow<'_> {
         }
     }
 
-    /// The largest guard of the formulas at the point of the last evaluation: positive where one is beyond its side.
+    /// The largest guard of formulas and cams at the point of the last evaluation: positive where one is beyond its side.
     pub(super) fn formula_guard(&self) -> f64 {
         let guards = self.held_formulas().map(|formula| self.beyond(formula));
+        guards.fold(self.cam_guard(), f64::max)
+    }
+
+    /// The largest guard of the cams: positive where one is beyond the stretch of its law.
+    fn cam_guard(&self) -> f64 {
+        let at = self.equations.kinematics();
+        let guards = self.system().cams().map(|cam| cam.beyond(&at) - PAST);
         guards.fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Whether a cam comes to another stretch of its law at the point of the last evaluation.
+    pub fn turns_over(&self) -> bool {
+        self.has_kinks() && self.cam_guard() > 0.0
     }
 
     fn beyond(&self, formula: usize) -> f64 {
