@@ -7,8 +7,8 @@ mod rename;
 
 use indexmap::IndexMap;
 use linkdyn_model::{
-    Driver, DriverKind, Force, ForceKind, Formula, Frame, GROUND, Joint, JointKind, Model, Motion,
-    Paced, Rise, Segment, Value,
+    Driver, DriverKind, Force, ForceKind, Frame, GROUND, Joint, JointKind, Model, Motion, Paced,
+    Rise, Segment, Value,
 };
 
 use limits::{flip_limits, turn_limits};
@@ -129,11 +129,18 @@ fn affine_value(value: &Value, factor: f64, offset: f64) -> Value {
         // relative to other bodies, or it would have to be turned as well
         Value::Formula(formula) => {
             assert_eq!(offset, 0.0, "a formula of a force");
-            let text = formula.formula.trim_start().trim_start_matches('=');
-            Value::Formula(Formula {
-                formula: format!("={factor:?}*({text})"),
-                parameters: formula.parameters.clone(),
-            })
+            let mut formula = formula.clone();
+            match &mut formula.table {
+                Some(table) => {
+                    let points = table.points.iter_mut();
+                    points.for_each(|point| point[1] *= factor);
+                }
+                None => {
+                    let text = formula.formula.trim_start().trim_start_matches('=');
+                    formula.formula = format!("={factor:?}*({text})");
+                }
+            }
+            Value::Formula(formula)
         }
     }
 }

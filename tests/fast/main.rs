@@ -61,4 +61,5 @@ mod singular;
 mod statics;
 mod sticking;
 mod stops;
+mod tables;
 mod transmission;

@@ -26,6 +26,7 @@ mod derive;
 mod dimension;
 mod examples;
 mod expression;
+mod file;
 mod gate;
 mod hold;
 mod json;
@@ -42,6 +43,7 @@ mod source;
 mod stale;
 mod substitution;
 mod suggest;
+mod table;
 mod tree;
 mod units;
 mod walk;
@@ -71,6 +73,8 @@ pub use hold::unheld;
 pub use joint::{Joint, JointKind, PointRef};
 #[doc(hidden)]
 pub use joint::{Latch, Stops};
+#[doc(hidden)]
+pub use load::load_beside;
 pub use load::{Loaded, load, load_file};
 pub use motion::Motion;
 #[doc(hidden)]
@@ -83,6 +87,8 @@ pub use study::Study;
 #[doc(hidden)]
 pub use substitution::{Substituted, Substitution};
 pub use suggest::nearest;
+#[doc(hidden)]
+pub use table::Table;
 pub use tolerance::{Distribution, Play, Tolerance};
 pub use units::Unit;
 
@@ -125,6 +131,10 @@ pub struct Model {
     /// Springs, loads and torques by their names.
     #[serde(default)]
     pub forces: IndexMap<String, Force>,
+    /// Functions by their points, for formulas.
+    #[serde(default)]
+    #[doc(hidden)]
+    pub tables: IndexMap<String, Table>,
     /// Exact values at t = 0, per body.
     #[serde(default)]
     pub initial: IndexMap<String, Initial>,

@@ -32,6 +32,10 @@ pub trait Function: Debug + Send + Sync {
     fn take_sides(&self, inputs: &[f64], sides: &mut [i32]);
     /// How far beyond the sides that are held the kinks are, by their scales: the largest [–].
     fn beyond(&self, inputs: &[f64], held: &[i32], scales: &[f64]) -> f64;
+    /// The name of a table that is looked at beyond all of its points; empty of one without a name.
+    fn outside(&self, _inputs: &[f64]) -> Option<&str> {
+        None
+    }
 }
 
 /// A function of what moves.
@@ -121,6 +125,11 @@ impl Formula {
                 tell([by * position, by * velocity]);
             }
         }
+    }
+
+    /// The name of a table that is looked at beyond all of its points; empty of one without a name.
+    pub fn outside(&self, at: &Kinematics) -> Option<&str> {
+        self.function.outside(&self.inputs(at))
     }
 
     /// Takes the sides on which its kinks are.

@@ -16,6 +16,7 @@ mod outputs;
 mod ranges;
 mod responses;
 mod stops;
+mod tables;
 
 pub use holes::Holes;
 pub use names::no_point;
@@ -146,6 +147,7 @@ fn inspect(model: &Model, holes: Holes) -> Said {
     drivers::drivers(&mut rules);
     forces::forces(&mut rules);
     motions::motions(&mut rules);
+    tables::tables(&mut rules);
     forces::formulas(&mut rules);
     names::initial(&mut rules);
     names::wanted_points(&mut rules);

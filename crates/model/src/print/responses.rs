@@ -68,10 +68,40 @@ impl Printer<'_> {
         {
             return node.to_value();
         }
-        match serde_json::from_value::<Formula>(tree.clone()) {
-            Ok(formula) => self_contained(&formula.formula, &formula.parameters).into(),
-            Err(_) => tree,
+        let Ok(mut formula) = serde_json::from_value::<Formula>(tree.clone()) else {
+            return tree;
+        };
+        let text = self_contained(&formula.formula, &formula.parameters);
+        let Some(table) = formula.table.take() else {
+            return text.into();
+        };
+        let mut out = Map::from_iter([("of".to_owned(), text.trim_start_matches('=').into())]);
+        if let Value::Object(members) = without_nulls(json!(table)) {
+            out.extend(members);
         }
+        Value::Object(out)
+    }
+
+    /// A table as the file says it, else in SI.
+    pub(super) fn curve(
+        &mut self,
+        tree: &Tree,
+        shape: &Shape,
+        written: Option<&Node>,
+        driven: Driven,
+    ) -> Value {
+        let tree = without_nulls(plain(tree));
+        if let Some(node) = written
+            && self
+                .walk
+                .sound(node, shape, driven)
+                .map(without_nulls)
+                .as_ref()
+                == Some(&tree)
+        {
+            return node.to_value();
+        }
+        tree
     }
 
     /// A limit in SI, with its unit where plain numbers of the file are in another one.

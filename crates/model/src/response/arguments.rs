@@ -1,7 +1,7 @@
 //! The names of what moves, for formulas.
 
 use super::Catalogue;
-use crate::dimension::Dimension;
+use crate::dimension::{Dimension, Powers};
 use crate::formula::{Argument, Coordinate, Order};
 use crate::joint::PointRef;
 
@@ -77,6 +77,11 @@ impl Catalogue {
             }
             (_, _) => None,
         }
+    }
+
+    /// The tables, with the dimensions of their columns.
+    pub(crate) fn tables(&self) -> &[(String, [Powers; 2])] {
+        &self.tables
     }
 
     /// Of a driver, where there is one of this name and it is known what it drives.

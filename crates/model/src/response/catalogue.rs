@@ -20,6 +20,8 @@ pub struct Catalogue {
     pub(super) springs: Vec<Load>,
     /// With the dimension of each that can be read.
     pub(super) outputs: Vec<(String, Option<Powers>)>,
+    /// Tables with the dimensions of their columns.
+    pub(super) tables: Vec<(String, [Powers; 2])>,
     /// What drives and what is driven, where the analysis wants a transmission.
     pub(super) transmission: Option<[Dimension; 2]>,
 }
@@ -94,7 +96,17 @@ impl Catalogue {
         }
         let outputs = model.outputs.iter();
         catalogue.put_out(outputs.map(|(name, text)| (name.as_str(), text.as_str())));
-        catalogue
+        let tables = model.tables.iter();
+        let tables = tables.map(|(name, table)| {
+            // the gate has complained of what is no unit
+            (name.clone(), table.columns().unwrap_or_default())
+        });
+        catalogue.with_tables(tables.collect())
+    }
+
+    /// The same with tables.
+    pub(crate) fn with_tables(self, tables: Vec<(String, [Powers; 2])>) -> Self {
+        Catalogue { tables, ..self }
     }
 
     /// Of a file, before it is a model.

@@ -27,6 +27,8 @@ pub fn filler(shape: &Shape) -> Value {
         Shape::Direction => Value::from(vec![1.0, 0.0]),
         Shape::Place => Value::from(vec![0.0, 0.0]),
         Shape::Pair(of) => Value::from(vec![filler(of), filler(of)]),
+        Shape::Entries | Shape::Entry => Value::Null,
+        Shape::Curve(_) => serde_json::json!({ "points": [] }),
         Shape::List(..) | Shape::Table => Value::Array(Vec::new()),
         Shape::Response => serde_json::json!({ "value": "" }),
         Shape::Asked(Asked::Value) => serde_json::json!({ "text": "", "value": "" }),

@@ -13,6 +13,7 @@ mod optimise;
 mod parameter;
 mod response;
 mod study;
+mod table;
 
 pub use body::{BODY, GROUND, LENGTH, PLACE};
 pub use clearance::{MATERIAL, SEPARATE};
@@ -20,6 +21,7 @@ pub use motion::MOTION;
 pub use parameter::PARAMETER;
 pub use response::RESPONSE;
 use study::{INDICES, METHOD, STUDY};
+pub use table::{TABLE, TABLE_OF};
 
 use crate::dimension::Dimension;
 use crate::shape::{
@@ -89,6 +91,12 @@ pub static FILE: Object = Object {
             Shape::Map(&Shape::Tagged(&FORCE)),
             Default::Empty,
             "",
+        ),
+        silent(
+            "tables",
+            Shape::Map(&Shape::Curve(&TABLE)),
+            Default::Empty,
+            "Functions by their points, for formulas.",
         ),
         silent(
             "initial",
@@ -161,7 +169,7 @@ impl Definition {
 }
 
 /// All that the schema defines by a name, in its order.
-pub static DEFINITIONS: [Definition; 48] = [
+pub static DEFINITIONS: [Definition; 50] = [
     Definition::Format(&FORMATS),
     Definition::Object(&GROUND),
     Definition::Object(&BODY),
@@ -210,4 +218,6 @@ pub static DEFINITIONS: [Definition; 48] = [
     Definition::Object(&SEGMENT),
     Definition::Choice(&RISE_LAW),
     Definition::Choice(&INTERPOLATION),
+    Definition::Object(&TABLE),
+    Definition::Object(&TABLE_OF),
 ];

@@ -14,6 +14,7 @@ use super::steps::Steps;
 use super::switches::Switches;
 use super::words::{deep_start, describe};
 use crate::analysis::control::Stop;
+use crate::analysis::outside::Outside;
 use crate::element::pair::Surface;
 use linkdyn_output::Status;
 
@@ -73,6 +74,7 @@ impl<'s> Simulation<'s> {
             extremes.begin_piece(&mut flow, &state, &ledger, 0.0);
             extremes
         });
+        let outside = Outside::new(flow.system());
         Ok(Simulation {
             flow,
             state,
@@ -80,6 +82,7 @@ impl<'s> Simulation<'s> {
             event: None,
             ledger,
             switches: Switches::default(),
+            outside,
             jams,
             margins: Margins::new(),
             extremes,

@@ -6,13 +6,13 @@ use super::roles::joint_role;
 use crate::element::formula::{Formula, Function, MOST_ARGUMENTS, Strength};
 use crate::element::quantity::{Measured, Quantity};
 use crate::element::{BodyId, Marker};
-use crate::motion::Law;
+use crate::motion::{Curve, Law, Shape};
 use crate::system::{DriverRole, OutputRatio};
 use linkdyn_linear::math::Vec2;
 use linkdyn_model::formula::{Argument, Coordinate, Order};
 use linkdyn_model::ratio::Ratio;
-use linkdyn_model::response::{Catalogue, Program, Tangent};
-use linkdyn_model::{ForceKind, PointRef, Value};
+use linkdyn_model::response::{Catalogue, Fixed, Look, Program, Tangent};
+use linkdyn_model::{ForceKind, Interpolation, PointRef, Table, Value};
 use std::sync::Arc;
 
 /// The origin of the ground.
@@ -33,6 +33,7 @@ impl Compiler<'_> {
                     .get_or_insert_with(|| Catalogue::of(self.model));
                 let compiled = formula.compile(catalogue);
                 let compiled = compiled.expect("the gate compiles each formula");
+                let tables = self.tables(formula);
                 let arguments = compiled.arguments.iter();
                 let before = self.system.formulas.last();
                 self.kinks.extend(&compiled.moving.kinks);
@@ -41,6 +42,8 @@ impl Compiler<'_> {
                     function: Arc::new(Expression {
                         program: compiled.moving.program,
                         parameters: compiled.parameters,
+                        tables,
+                        names: self.model.tables.keys().cloned().collect(),
                     }),
                     first: before.map_or(0, |before| before.kinks().end),
                     force: self.system.forces.len(),
@@ -49,6 +52,16 @@ impl Compiler<'_> {
                 Strength::OfMotion(formula)
             }
         }
+    }
+
+    /// The tables that a formula may look through, its own behind all others.
+    fn tables(&mut self, formula: &linkdyn_model::Formula) -> Vec<Arc<dyn Look>> {
+        let named = self.model.tables.values();
+        let curves = self
+            .curves
+            .get_or_insert_with(|| named.map(curve).collect());
+        let own = formula.table.as_ref().map(curve);
+        curves.iter().cloned().chain(own).collect()
     }
 
     /// Ratios of velocities.
@@ -181,13 +194,57 @@ struct Expression {
     program: Program,
     /// In SI.
     parameters: Vec<f64>,
+    tables: Vec<Arc<dyn Look>>,
+    /// Of the tables that have any.
+    names: Vec<String>,
+}
+
+impl Expression {
+    fn fixed(&self) -> Fixed<'_> {
+        Fixed {
+            parameters: &self.parameters,
+            tables: &self.tables,
+        }
+    }
+}
+
+/// A table as a function.
+fn curve(table: &Table) -> Arc<dyn Look> {
+    let shape = match table.interpolation {
+        Interpolation::Linear => Shape::Lines,
+        Interpolation::Monotone => Shape::Monotone,
+        Interpolation::Natural | Interpolation::Periodic => Shape::Spline,
+    };
+    Arc::new(Curve::new(
+        &table.closed(),
+        shape,
+        table.repeats().is_some(),
+    ))
+}
+
+impl Look for Curve {
+    fn side(&self, x: f64) -> i32 {
+        Curve::side(self, x)
+    }
+
+    fn beyond(&self, x: f64, side: i32) -> f64 {
+        Curve::beyond(self, x, side)
+    }
+
+    fn jet(&self, x: f64, side: i32) -> [f64; 2] {
+        Curve::jet(self, x, side)
+    }
+
+    fn is_outside(&self, x: f64) -> bool {
+        Curve::is_outside(self, x)
+    }
 }
 
 const _: () = assert!(linkdyn_model::response::MOST_ARGUMENTS <= MOST_ARGUMENTS);
 
 impl Function for Expression {
     fn value(&self, inputs: &[f64], held: Option<&[i32]>) -> f64 {
-        self.program.value_on(inputs, &self.parameters, held)
+        self.program.value_on(inputs, self.fixed(), held)
     }
 
     fn slope(&self, inputs: &[f64], index: usize, held: Option<&[i32]>) -> f64 {
@@ -196,7 +253,7 @@ impl Function for Expression {
             tangent.value = *value;
         }
         tangents[index].slope = 1.0;
-        let along = self.program.value_on(&tangents, &self.parameters, held);
+        let along = self.program.value_on(&tangents, self.fixed(), held);
         along.slope
     }
 
@@ -205,12 +262,17 @@ impl Function for Expression {
     }
 
     fn take_sides(&self, inputs: &[f64], sides: &mut [i32]) {
-        self.program.take_sides(inputs, &self.parameters, sides);
+        self.program.take_sides(inputs, self.fixed(), sides);
     }
 
     fn beyond(&self, inputs: &[f64], held: &[i32], scales: &[f64]) -> f64 {
         let held = (held, scales);
-        self.program.beyond(inputs, &self.parameters, held)
+        self.program.beyond(inputs, self.fixed(), held)
+    }
+
+    fn outside(&self, inputs: &[f64]) -> Option<&str> {
+        let table = self.program.outside(inputs, self.fixed())?;
+        Some(self.names.get(table).map_or("", String::as_str))
     }
 }
 
