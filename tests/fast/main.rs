@@ -58,6 +58,7 @@ mod schema;
 mod shaking;
 mod similarity;
 mod singular;
+mod states;
 mod statics;
 mod sticking;
 mod stops;

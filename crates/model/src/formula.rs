@@ -34,6 +34,8 @@ pub enum Argument {
     Time,
     /// Value of a driver \[rad or m\].
     Driver(String),
+    /// An integrated state.
+    State(String),
     /// A coordinate of a body's frame \[m or rad\].
     Body(String, Coordinate, Order),
     /// A coordinate of a point, never an angle \[m\].
@@ -207,7 +209,7 @@ impl Argument {
     /// Whether it is a quantity or a rate.
     pub(crate) fn order(&self) -> Order {
         match self {
-            Argument::Time | Argument::Driver(_) => Order::Value,
+            Argument::Time | Argument::Driver(_) | Argument::State(_) => Order::Value,
             Argument::Body(_, _, order)
             | Argument::Point(_, _, order)
             | Argument::Spring(_, order)
@@ -220,6 +222,7 @@ impl Argument {
     pub(crate) fn powers(&self, catalogue: &Catalogue) -> Powers {
         let (is_angle, order) = match self {
             Argument::Time => return Dimension::Time.powers(),
+            Argument::State(name) => return catalogue.state(name).unwrap_or_default(),
             Argument::Driver(name) => {
                 let driven = catalogue.drives(name);
                 return driven.unwrap_or(Dimension::Angle).powers();

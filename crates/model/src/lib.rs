@@ -41,6 +41,7 @@ mod set;
 mod shape;
 mod source;
 mod stale;
+mod state;
 mod substitution;
 mod suggest;
 mod table;
@@ -83,6 +84,8 @@ pub use optimise::Optimise;
 pub use response::Response;
 pub use schema::schema;
 pub use source::Source;
+#[doc(hidden)]
+pub use state::State;
 pub use study::Study;
 #[doc(hidden)]
 pub use substitution::{Substituted, Substitution};
@@ -135,6 +138,10 @@ pub struct Model {
     #[serde(default)]
     #[doc(hidden)]
     pub tables: IndexMap<String, Table>,
+    /// Quantities of which the rates are known.
+    #[serde(default)]
+    #[doc(hidden)]
+    pub states: IndexMap<String, State>,
     /// Exact values at t = 0, per body.
     #[serde(default)]
     pub initial: IndexMap<String, Initial>,

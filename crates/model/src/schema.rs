@@ -265,7 +265,9 @@ fn at(shape: &Shape, field: Option<&Field>) -> Keys {
         Shape::Point => reference("PointRef"),
         Shape::Materials => reference("Elastic"),
         Shape::Choice(choice) => reference(choice.name),
-        Shape::Object(object) | Shape::Curve(object) => reference(object.name),
+        Shape::Object(object) | Shape::Curve(object) | Shape::State(object) => {
+            reference(object.name)
+        }
         Shape::Tagged(tagged) => reference(tagged.name),
         Shape::Units => places::units(),
         Shape::Parameters => return places::parameters(field),

@@ -148,7 +148,9 @@ pub enum Shape {
     Table,
     /// A table of formulas: an object whose entries bring their units.
     Curve(&'static Object),
-    /// The points of one.
+    /// An integrated state: an object whose dimension is that of its rate by time.
+    State(&'static Object),
+    /// The points of a table.
     Entries,
     /// A number of one, with its unit.
     Entry,

@@ -31,9 +31,9 @@ impl Outside {
     pub fn warnings(&self, system: &System) -> impl Iterator<Item = String> {
         self.seen.iter().map(|&(index, time)| {
             format!(
-                "from t = {} on, the formula of force \"{}\" looks at times beyond the table, whose first and last value hold there",
+                "from t = {} on, the formula of {} looks at times beyond the table, whose first and last value hold there",
                 system.display.time(time),
-                system.force_data[system.formulas[index].force].name
+                system.owner(system.formulas[index].force)
             )
         })
     }

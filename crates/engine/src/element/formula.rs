@@ -47,7 +47,7 @@ pub struct Formula {
     pub arguments: Vec<Quantity>,
     /// Index of its first kink in [`Kinematics::sides`].
     pub first: usize,
-    /// Index of the force that it is of.
+    /// Index of the force that it is of; behind all forces those of states.
     pub force: usize,
 }
 
@@ -115,7 +115,10 @@ impl Formula {
     fn each_slope(&self, at: &Kinematics, tell: &mut impl FnMut([f64; 2])) {
         let (inputs, held) = (self.inputs(at), self.held(at));
         for (index, quantity) in self.arguments.iter().enumerate() {
-            if matches!(quantity, Quantity::Time | Quantity::Drive(_)) {
+            if matches!(
+                quantity,
+                Quantity::Time | Quantity::Drive(_) | Quantity::State(_)
+            ) {
                 continue;
             }
             let by = self.function.slope(&inputs, index, held);

@@ -111,6 +111,8 @@ pub struct Kinematics<'a> {
     pub offset: &'a [[Vec2; 3]],
     /// The sides of kinks that formulas hold; empty where each is on that of its values.
     pub sides: &'a [i32],
+    /// Integrated states.
+    pub states: &'a [f64],
     /// What contacts remember.
     pub contacts: &'a [Contact],
     /// \[s\]

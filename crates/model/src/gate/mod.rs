@@ -15,6 +15,7 @@ mod optimise;
 mod outputs;
 mod ranges;
 mod responses;
+mod states;
 mod stops;
 mod tables;
 
@@ -149,6 +150,7 @@ fn inspect(model: &Model, holes: Holes) -> Said {
     motions::motions(&mut rules);
     tables::tables(&mut rules);
     forces::formulas(&mut rules);
+    states::states(&mut rules);
     names::initial(&mut rules);
     names::wanted_points(&mut rules);
     analysis::analysis(&mut rules);

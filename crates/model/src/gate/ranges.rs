@@ -140,6 +140,7 @@ impl Look<'_> {
             (
                 Shape::Format
                 | Shape::Curve(_)
+                | Shape::State(_)
                 | Shape::Entries
                 | Shape::Entry
                 | Shape::Units

@@ -8,6 +8,7 @@ use crate::formula::Formula;
 use crate::node::{Kind, Node, Origin};
 use crate::response::{Response, self_contained};
 use crate::shape::Shape;
+use crate::state::State;
 use crate::tree::Tree;
 use crate::walk::{Driven, Walk};
 
@@ -82,8 +83,8 @@ impl Printer<'_> {
         Value::Object(out)
     }
 
-    /// A table as the file says it, else in SI.
-    pub(super) fn curve(
+    /// A table or a state as the file says it, else in SI.
+    pub(super) fn whole(
         &mut self,
         tree: &Tree,
         shape: &Shape,
@@ -101,7 +102,12 @@ impl Printer<'_> {
         {
             return node.to_value();
         }
-        tree
+        let Ok(state) = serde_json::from_value::<State>(tree.clone()) else {
+            return tree;
+        };
+        let rate = self_contained(&state.rate.formula, &state.rate.parameters);
+        let start = format!("{:?} {}", state.start, state.unit);
+        json!({ "rate": rate, "start": start.trim_end() })
     }
 
     /// A limit in SI, with its unit where plain numbers of the file are in another one.

@@ -22,6 +22,8 @@ pub struct Catalogue {
     pub(super) outputs: Vec<(String, Option<Powers>)>,
     /// Tables with the dimensions of their columns.
     pub(super) tables: Vec<(String, [Powers; 2])>,
+    /// States with their dimensions.
+    pub(super) states: Vec<(String, Powers)>,
     /// What drives and what is driven, where the analysis wants a transmission.
     pub(super) transmission: Option<[Dimension; 2]>,
 }
@@ -101,7 +103,22 @@ impl Catalogue {
             // the gate has complained of what is no unit
             (name.clone(), table.columns().unwrap_or_default())
         });
-        catalogue.with_tables(tables.collect())
+        let states = model.states.iter();
+        let states = states.map(|(name, state)| {
+            let unit = crate::table::unit(&state.unit);
+            (
+                name.clone(),
+                unit.map(|unit| unit.powers).unwrap_or_default(),
+            )
+        });
+        catalogue
+            .with_tables(tables.collect())
+            .with_states(states.collect())
+    }
+
+    /// The same with states.
+    pub(crate) fn with_states(self, states: Vec<(String, Powers)>) -> Self {
+        Catalogue { states, ..self }
     }
 
     /// The same with tables.

@@ -133,6 +133,7 @@ impl Catalogue {
             "energy" if ENERGY.contains(&word) => return Some(powers(2, 1, -2, 0)),
             "shaking" => return of(&SHAKING, word),
             "transmission" => return self.transmitted(word),
+            "state" => return self.state(word),
             "output" => return self.outputs.iter().find(|one| one.0 == word)?.1,
             _ => {}
         }
@@ -156,6 +157,7 @@ impl Catalogue {
                     (_, _) => None,
                 }
             }
+            ("state", state) if word == "rate" => Some(self.state(state)?.per_second(1)),
             ("force", force) => {
                 let (_, words) = self.force_words().find(|(name, _)| *name == force)?;
                 words.contains(&word).then(|| shown(word))?
@@ -268,6 +270,9 @@ impl Catalogue {
             names.extend(words.iter().map(|word| format!("force.{name}.{word}")));
         }
         names.extend(self.outputs.iter().map(|one| format!("output.{}", one.0)));
+        for (state, _) in &self.states {
+            names.extend([format!("state.{state}"), format!("state.{state}.rate")]);
+        }
         if self.transmission.is_some() {
             names.extend(TRANSMISSION.map(|word| format!("transmission.{word}")));
             let joints = self.joints.iter();

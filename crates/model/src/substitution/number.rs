@@ -41,6 +41,17 @@ pub fn number<'m, 'p>(
             (path.next()? == "motion").then_some(())?;
             motion(&mut driver.motion, path)
         }
+        "states" => {
+            let state = model.states.get_mut(path.next()?)?;
+            match path.next()? {
+                "start" => Some(&mut state.start),
+                "rate" if path.next()? == "parameters" => {
+                    let constant = state.rate.parameters.get_mut(path.next()?)?;
+                    Some(&mut constant.value)
+                }
+                _ => None,
+            }
+        }
         "tables" => table(model.tables.get_mut(path.next()?)?, path),
         "forces" => force(&mut model.forces.get_mut(path.next()?)?.kind, path),
         _ => None,

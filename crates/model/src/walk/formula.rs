@@ -55,7 +55,7 @@ impl Walk<'_> {
             }
             Ok(None) => None,
             // what is wrong with a table is told there
-            Err(_) if self.has_faulty_table() => Some(None),
+            Err(_) if self.has_faulty_function() => Some(None),
             Err(Misfit { at, fault }) if names_a_part(text) => {
                 let complaint = Complaint {
                     hint: fault.hint,
@@ -71,14 +71,18 @@ impl Walk<'_> {
     /// An expression of what moves, and the parameters that it names; none where one of these has no value.
     pub(super) fn moving(&mut self, text: &str) -> Result<Moved, Misfit> {
         let root = &self.source.root;
-        let tables = &self.tables;
+        let (tables, states) = (&self.tables, &self.states);
         let catalogue = self.catalogue.take().unwrap_or_else(|| {
             let known = tables.iter();
             let known = known.map(|(name, table, _)| {
                 let columns = table.as_ref().and_then(|table| table.columns().ok());
                 (name.clone(), columns.unwrap_or_default())
             });
-            Catalogue::of_file(root).with_tables(known.collect())
+            let states = states.iter();
+            let states = states.filter_map(|one| Some((one.name.clone(), one.powers?)));
+            Catalogue::of_file(root)
+                .with_tables(known.collect())
+                .with_states(states.collect())
         });
         let read = self.parameters.moving(text, &Arguments::of(&catalogue));
         self.catalogue = Some(catalogue);

@@ -13,12 +13,14 @@ mod otherwise;
 mod parameter;
 mod quantity;
 mod response;
+mod state;
 mod table;
 mod units;
 
 pub use lists::{COLUMNS, entry_driven};
 pub use object::{NOTE, shape_of};
 pub use otherwise::{recorded, walk_deviating, walk_given};
+use state::Early;
 pub use units::{Driven, Units, display};
 
 use std::collections::HashMap;
@@ -150,6 +152,8 @@ pub struct Walk<'a> {
     tolerances: HashMap<String, Tolerance>,
     /// The tables, which are read before everything else, and whether a formula calls each.
     tables: Vec<(String, Option<Table>, bool)>,
+    /// The states, which are read before everything else, with their dimensions as far as they are known.
+    states: Vec<Early>,
     /// The names of results, once they were needed.
     catalogue: Option<Catalogue>,
     /// The expressions that were met, where that is asked for.
@@ -175,6 +179,7 @@ impl<'a> Walk<'a> {
             undotted: Vec::new(),
             tolerances: HashMap::new(),
             tables: Vec::new(),
+            states: Vec::new(),
             catalogue: None,
             record: None,
         }
@@ -196,6 +201,7 @@ impl<'a> Walk<'a> {
     fn file(&mut self) -> Value {
         let source = self.source;
         self.read_tables(source.root.get("tables"));
+        self.read_states(source.root.get("states"));
         self.value(&source.root, &Shape::Object(&FILE), "", Driven::Nothing)
     }
 
@@ -287,6 +293,7 @@ impl<'a> Walk<'a> {
             Shape::List(of, least) => self.list(node, of, (*least, None), path, driven),
             Shape::Table => self.table(node, path, driven),
             Shape::Curve(_) => self.curve(node, path),
+            Shape::State(_) => self.state(node, path),
             // whoever knows the units reads them
             Shape::Entries | Shape::Entry => Some(Value::Null),
             Shape::Formula(dimension) => match self.formula(node, *dimension, path) {

@@ -15,11 +15,11 @@ use crate::words::{TABLE, TABLE_OF};
 
 /// A column of a table.
 #[derive(Debug, Clone, Copy)]
-struct Column {
+pub(super) struct Column {
     /// Its dimension.
-    powers: Powers,
+    pub powers: Powers,
     /// The unit of plain numbers; none where these are not known to be anything but zero.
-    plain: Option<Unit>,
+    pub plain: Option<Unit>,
 }
 
 impl Walk<'_> {
@@ -47,9 +47,10 @@ impl Walk<'_> {
         }
     }
 
-    /// Whether a formula can't be read as long as a table has a fault.
-    pub(super) fn has_faulty_table(&self) -> bool {
-        self.tables.iter().any(|(_, table, _)| table.is_none())
+    /// Whether a formula can't be read as long as a table or a state has a fault.
+    pub(super) fn has_faulty_function(&self) -> bool {
+        let states = self.states.iter().any(|one| one.state.is_none());
+        states || self.tables.iter().any(|(_, table, _)| table.is_none())
     }
 
     /// A warning per table that no formula calls.
@@ -86,7 +87,7 @@ impl Walk<'_> {
                 let text = format!("={}", text.trim().trim_start_matches('='));
                 match self.moving(&text) {
                     Ok(read) => read.map(|read| (text, read)),
-                    Err(_) if self.has_faulty_table() => None,
+                    Err(_) if self.has_faulty_function() => None,
                     Err(Misfit { fault, .. }) => {
                         let complaint = Complaint::new(join(path, "of"), fault.message);
                         let hint = fault.hint;
@@ -138,7 +139,7 @@ impl Walk<'_> {
     }
 
     /// How many faults there are so far.
-    fn faults(&self) -> usize {
+    pub(super) fn faults(&self) -> usize {
         self.complaints.len() + self.more
     }
 
@@ -259,7 +260,7 @@ impl Walk<'_> {
     }
 
     /// A number of a column, in SI.
-    fn entry(&mut self, node: &Node, column: Column, path: &str) -> Option<f64> {
+    pub(super) fn entry(&mut self, node: &Node, column: Column, path: &str) -> Option<f64> {
         let read = match &node.kind {
             Kind::Number(number) => self.plain_entry(&number.to_string(), column),
             Kind::String(text) if is_expression(text) => {

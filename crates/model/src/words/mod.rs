@@ -21,7 +21,7 @@ pub use motion::MOTION;
 pub use parameter::PARAMETER;
 pub use response::RESPONSE;
 use study::{INDICES, METHOD, STUDY};
-pub use table::{TABLE, TABLE_OF};
+pub use table::{STATE, TABLE, TABLE_OF};
 
 use crate::dimension::Dimension;
 use crate::shape::{
@@ -99,6 +99,12 @@ pub static FILE: Object = Object {
             "Functions by their points, for formulas.",
         ),
         silent(
+            "states",
+            Shape::Map(&Shape::State(&STATE)),
+            Default::Empty,
+            "Quantities of which the rates are known, integrated with the motion.",
+        ),
+        silent(
             "initial",
             Shape::Map(&Shape::Object(&INITIAL)),
             Default::Empty,
@@ -169,7 +175,7 @@ impl Definition {
 }
 
 /// All that the schema defines by a name, in its order.
-pub static DEFINITIONS: [Definition; 50] = [
+pub static DEFINITIONS: [Definition; 51] = [
     Definition::Format(&FORMATS),
     Definition::Object(&GROUND),
     Definition::Object(&BODY),
@@ -220,4 +226,5 @@ pub static DEFINITIONS: [Definition; 50] = [
     Definition::Choice(&INTERPOLATION),
     Definition::Object(&TABLE),
     Definition::Object(&TABLE_OF),
+    Definition::Object(&STATE),
 ];

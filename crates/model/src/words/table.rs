@@ -1,6 +1,6 @@
-//! Tables of formulas.
+//! Tables of formulas, and integrated states.
 
-use crate::shape::{Drives, Either, Field, Object, Shape, optional, required};
+use crate::shape::{Default, Drives, Either, Field, Object, Shape, optional, required, silent};
 
 use super::motion::INTERPOLATION;
 
@@ -68,4 +68,21 @@ pub static TABLE_OF: Object = Object {
     )],
     drives: Drives::Nothing,
     either: SOURCE,
+};
+
+/// A quantity of which the rate is known.
+pub static STATE: Object = Object {
+    name: "State",
+    about: "A quantity that is integrated with the motion; formulas name it `state.NAME`.",
+    fields: &[
+        required(
+            "rate",
+            Shape::Text,
+            "Its rate, as in `=target - rotor.omega`.",
+        ),
+        silent("start", Shape::Entry, Default::Zero, "Its value at t = 0."),
+    ],
+    refused: &[],
+    drives: Drives::Nothing,
+    either: None,
 };

@@ -211,10 +211,10 @@ impl<'a, 'r> Outputs<'a, 'r> {
         };
         if !std::mem::replace(&mut self.lacks_value, true) {
             self.report.warnings.push(format!(
-                "from t = {} on, the formula of force \"{}\" has no value at times (a root of a negative number, a division by \
+                "from t = {} on, the formula of {} has no value at times (a root of a negative number, a division by \
                  zero, or the like): the forces of these rows are empty",
                 self.system.display.time(self.inputs.time),
-                self.system.force_data[formula.force].name
+                self.system.owner(formula.force)
             ));
         }
     }

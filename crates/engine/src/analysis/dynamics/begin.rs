@@ -48,6 +48,9 @@ impl<'s> Simulation<'s> {
         let mut state = State::new(flow.layout());
         first_phases(&mut flow, &state, &mut ledger)?;
         flow.store(&mut state);
+        let starts = flow.system().states.iter().map(|own| own.start);
+        let own = state.states_mut().iter_mut();
+        own.zip(starts).for_each(|(own, start)| *own = start);
         flow.hold_sides();
         let mut jams = Jams::new();
         let rested = match leans(&flow) {

@@ -7,7 +7,7 @@ use crate::element::formula::{Formula, Function, MOST_ARGUMENTS, Strength};
 use crate::element::quantity::{Measured, Quantity};
 use crate::element::{BodyId, Marker};
 use crate::motion::{Curve, Law, Shape};
-use crate::system::{DriverRole, OutputRatio};
+use crate::system::{DriverRole, OutputRatio, StateData};
 use linkdyn_linear::math::Vec2;
 use linkdyn_model::formula::{Argument, Coordinate, Order};
 use linkdyn_model::ratio::Ratio;
@@ -28,29 +28,50 @@ impl Compiler<'_> {
             Value::Constant(value) => Strength::OfTime(Law::Polynomial(vec![*value])),
             Value::Motion(motion) => Strength::OfTime(law(motion)),
             Value::Formula(formula) => {
-                let catalogue = self
-                    .catalogue
-                    .get_or_insert_with(|| Catalogue::of(self.model));
-                let compiled = formula.compile(catalogue);
-                let compiled = compiled.expect("the gate compiles each formula");
-                let tables = self.tables(formula);
-                let arguments = compiled.arguments.iter();
-                let before = self.system.formulas.last();
-                self.kinks.extend(&compiled.moving.kinks);
-                let formula = Arc::new(Formula {
-                    arguments: arguments.map(|one| self.quantity(one)).collect(),
-                    function: Arc::new(Expression {
-                        program: compiled.moving.program,
-                        parameters: compiled.parameters,
-                        tables,
-                        names: self.model.tables.keys().cloned().collect(),
-                    }),
-                    first: before.map_or(0, |before| before.kinks().end),
-                    force: self.system.forces.len(),
-                });
-                self.system.formulas.push(formula.clone());
-                Strength::OfMotion(formula)
+                let force = self.system.forces.len();
+                Strength::OfMotion(self.formula(formula, force))
             }
+        }
+    }
+
+    /// A formula of a force, or behind all forces of a state.
+    fn formula(&mut self, formula: &linkdyn_model::Formula, force: usize) -> Arc<Formula> {
+        let catalogue = self
+            .catalogue
+            .get_or_insert_with(|| Catalogue::of(self.model));
+        let compiled = formula.compile(catalogue);
+        let compiled = compiled.expect("the gate compiles each formula");
+        let tables = self.tables(formula);
+        let arguments = compiled.arguments.iter();
+        let before = self.system.formulas.last();
+        self.kinks.extend(&compiled.moving.kinks);
+        let formula = Arc::new(Formula {
+            arguments: arguments.map(|one| self.quantity(one)).collect(),
+            function: Arc::new(Expression {
+                program: compiled.moving.program,
+                parameters: compiled.parameters,
+                tables,
+                names: self.model.tables.keys().cloned().collect(),
+            }),
+            first: before.map_or(0, |before| before.kinks().end),
+            force,
+        });
+        self.system.formulas.push(formula.clone());
+        formula
+    }
+
+    /// Integrated states, behind all forces.
+    pub(super) fn add_states(&mut self) {
+        for (index, (name, state)) in self.model.states.iter().enumerate() {
+            let force = self.system.force_data.len() + index;
+            let rate = self.formula(&state.rate, force);
+            let data = StateData {
+                name: name.clone(),
+                units: state.units(),
+                start: state.start,
+                rate,
+            };
+            self.system.states.push(data);
         }
     }
 
@@ -75,7 +96,9 @@ impl Compiler<'_> {
             let measured = |argument: &Argument| match self.quantity(argument) {
                 Quantity::Value(measured) | Quantity::Rate(measured) => measured,
                 Quantity::Drive(driver) => self.driven(driver),
-                Quantity::Time => unreachable!("time is no quantity of a ratio"),
+                Quantity::Time | Quantity::State(_) => {
+                    unreachable!("neither time nor a state is a quantity of a ratio")
+                }
             };
             let output = OutputRatio {
                 name: name.clone(),
@@ -110,6 +133,11 @@ impl Compiler<'_> {
     fn quantity(&self, argument: &Argument) -> Quantity {
         let (measured, order) = match argument {
             Argument::Time => return Quantity::Time,
+            Argument::State(name) => {
+                // the formula names one that there is
+                let index = self.model.states.get_index_of(name);
+                return Quantity::State(index.unwrap_or_default());
+            }
             Argument::Driver(name) => {
                 // the formula names one that there is
                 let index = self.model.drivers.get_index_of(name);

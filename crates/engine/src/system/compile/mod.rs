@@ -91,6 +91,7 @@ impl<'a> Compiler<'a> {
             force_data: Vec::new(),
             outputs: Vec::new(),
             formulas: Vec::new(),
+            states: Vec::new(),
             kinks: Vec::new(),
             dependent_forces: Vec::new(),
             contacts: Vec::new(),
@@ -131,6 +132,7 @@ impl<'a> Compiler<'a> {
         self.add_stops();
         self.add_initial();
         self.add_forces();
+        self.add_states();
         self.add_outputs();
         self.system.scale = Scale::of(&self.system);
         self.system.kinks = self.kinks();
