@@ -39,6 +39,11 @@ pub const MODELS: &[Bundled] = &[
         text: include_str!("../../../models/double-wishbone.json"),
     },
     Bundled {
+        name: "engine",
+        aliases: &[],
+        text: include_str!("../../../models/engine.json"),
+    },
+    Bundled {
         name: "four-bar",
         aliases: &[],
         text: include_str!("../../../models/four-bar.json"),
@@ -107,6 +112,11 @@ pub const MODELS: &[Bundled] = &[
         name: "slider-crank-clearance",
         aliases: &["clearance"],
         text: include_str!("../../../models/slider-crank-clearance.json"),
+    },
+    Bundled {
+        name: "solar-array",
+        aliases: &[],
+        text: include_str!("../../../models/solar-array.json"),
     },
     Bundled {
         name: "stephenson-iii",
