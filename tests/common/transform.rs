@@ -263,7 +263,10 @@ pub fn rotate(model: &Model, angle: f64) -> Model {
 fn rotate_force(kind: &ForceKind, angle: f64) -> Vec<(&'static str, ForceKind)> {
     let mut kind = kind.clone();
     match &mut kind {
-        ForceKind::Spring { .. } | ForceKind::Actuator { .. } | ForceKind::Torque { .. } => {}
+        ForceKind::Spring { .. }
+        | ForceKind::Actuator { .. }
+        | ForceKind::Cable { .. }
+        | ForceKind::Torque { .. } => {}
         ForceKind::TorsionSpring {
             between,
             free_angle,
@@ -346,7 +349,7 @@ pub fn mirror(model: &Model) -> Model {
     each_sampled_angle(&mut model, |value| -value);
     for force in model.forces.values_mut() {
         match &mut force.kind {
-            ForceKind::Spring { .. } | ForceKind::Actuator { .. } => {}
+            ForceKind::Spring { .. } | ForceKind::Actuator { .. } | ForceKind::Cable { .. } => {}
             ForceKind::TorsionSpring {
                 free_angle: value, ..
             }

@@ -279,6 +279,15 @@ impl Scale {
                 "damping": damping / self.length, "free_length": self.law(free_length, self.length) }),
             ForceKind::Actuator { between, force } => json!({ "type": "actuator",
                 "between": between.each_ref().map(PointRef::to_string), "force": self.law(force, 1.0) }),
+            ForceKind::Cable {
+                through,
+                stiffness,
+                damping,
+                free_length,
+            } => json!({ "type": "cable",
+                "through": through.iter().map(PointRef::to_string).collect::<Vec<_>>(),
+                "stiffness": stiffness / self.length, "damping": damping / self.length,
+                "free_length": self.law(free_length, self.length) }),
             ForceKind::TorsionSpring {
                 between,
                 stiffness,

@@ -32,6 +32,7 @@ mod allocations;
 mod architecture;
 mod assembly;
 mod bundled;
+mod cable;
 mod complaints;
 mod complaints_clearance;
 mod contact;

@@ -32,7 +32,9 @@ pub(super) fn tables(rules: &mut Rules<'_>) {
             }
             ForceKind::Torque { value: torque, .. } => value(rules, torque, &path("value")),
             ForceKind::Actuator { force, .. } => value(rules, force, &path("force")),
-            ForceKind::Spring { .. } | ForceKind::TorsionSpring { .. } => {}
+            ForceKind::Spring { .. }
+            | ForceKind::Cable { .. }
+            | ForceKind::TorsionSpring { .. } => {}
         }
     }
 }

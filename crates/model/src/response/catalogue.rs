@@ -18,6 +18,7 @@ pub struct Catalogue {
     pub(super) drivers: Vec<(String, Option<Dimension>)>,
     pub(super) loads: Vec<Load>,
     pub(super) springs: Vec<Load>,
+    pub(super) cables: Vec<Load>,
     /// With the dimension of each that can be read.
     pub(super) outputs: Vec<(String, Option<Powers>)>,
     /// Tables with the dimensions of their columns.
@@ -83,6 +84,7 @@ impl Catalogue {
                     (&mut catalogue.springs, false)
                 }
                 ForceKind::TorsionSpring { .. } => (&mut catalogue.springs, true),
+                ForceKind::Cable { .. } => (&mut catalogue.cables, false),
             };
             let name = name.clone();
             list.push(Load { name, turns });
@@ -175,6 +177,7 @@ impl Catalogue {
                 Some("torque") => (&mut catalogue.loads, true),
                 Some("spring" | "actuator") => (&mut catalogue.springs, false),
                 Some("torsion_spring") => (&mut catalogue.springs, true),
+                Some("cable") => (&mut catalogue.cables, false),
                 _ => continue,
             };
             let name = name.clone();

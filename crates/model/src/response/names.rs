@@ -44,6 +44,7 @@ const SHAKING: [(&str, Dimension); 3] = [
 const LOAD: [&str; 3] = ["fx", "fy", "power"];
 const TORQUE: [&str; 2] = ["torque", "power"];
 const SPRING: [&str; 6] = ["length", "rate", "f", "fx", "fy", "power"];
+const CABLE: [&str; 4] = ["length", "rate", "f", "power"];
 const TORSION: [&str; 4] = ["angle", "omega", "torque", "power"];
 /// Of joints that turn, that slide, and of all.
 const TURN: [&str; 2] = ["angle", "omega"];
@@ -181,7 +182,11 @@ impl Catalogue {
             .iter()
             .map(move |one| (one.name.as_str(), load(one)));
         let springs = self.springs.iter();
-        loads.chain(springs.map(move |one| (one.name.as_str(), spring(one))))
+        let cables = self.cables.iter();
+        let springs = springs.map(move |one| (one.name.as_str(), spring(one)));
+        loads
+            .chain(springs)
+            .chain(cables.map(|one| (one.name.as_str(), &CABLE[..])))
     }
 
     /// The dimension of ratio or advantage.

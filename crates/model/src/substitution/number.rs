@@ -178,15 +178,22 @@ fn force<'m, 'p>(
 ) -> Option<&'m mut f64> {
     match (kind, path.next()?) {
         (
-            ForceKind::Spring { stiffness, .. } | ForceKind::TorsionSpring { stiffness, .. },
+            ForceKind::Spring { stiffness, .. }
+            | ForceKind::Cable { stiffness, .. }
+            | ForceKind::TorsionSpring { stiffness, .. },
             "stiffness",
         ) => Some(stiffness),
         (
-            ForceKind::Spring { damping, .. } | ForceKind::TorsionSpring { damping, .. },
+            ForceKind::Spring { damping, .. }
+            | ForceKind::Cable { damping, .. }
+            | ForceKind::TorsionSpring { damping, .. },
             "damping",
         ) => Some(damping),
         (
             ForceKind::Spring {
+                free_length: value, ..
+            }
+            | ForceKind::Cable {
                 free_length: value, ..
             },
             "free_length",

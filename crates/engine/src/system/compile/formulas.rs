@@ -60,6 +60,25 @@ impl Compiler<'_> {
         formula
     }
 
+    /// A function of an element that has a kink where a force is zero.
+    pub(super) fn own_formula(
+        &mut self,
+        function: Arc<dyn Function>,
+        arguments: Vec<Quantity>,
+    ) -> Arc<Formula> {
+        const FORCE: [f64; 4] = [1.0, 1.0, -2.0, 0.0];
+        let before = self.system.formulas.last();
+        self.kinks.push(FORCE);
+        let formula = Arc::new(Formula {
+            arguments,
+            function,
+            first: before.map_or(0, |before| before.kinks().end),
+            force: self.system.forces.len(),
+        });
+        self.system.formulas.push(formula.clone());
+        formula
+    }
+
     /// Integrated states, behind all forces.
     pub(super) fn add_states(&mut self) {
         for (index, (name, state)) in self.model.states.iter().enumerate() {
@@ -197,10 +216,12 @@ impl Compiler<'_> {
                 second: self.body(&between[1]),
             },
             // these have no ends
-            ForceKind::Load { .. } | ForceKind::Torque { .. } => Measured::Turn {
-                first: BodyId::GROUND,
-                second: BodyId::GROUND,
-            },
+            ForceKind::Cable { .. } | ForceKind::Load { .. } | ForceKind::Torque { .. } => {
+                Measured::Turn {
+                    first: BodyId::GROUND,
+                    second: BodyId::GROUND,
+                }
+            }
         }
     }
 
