@@ -2,7 +2,7 @@
 
 use super::*;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// A folder of its own for a test.
 fn folder(name: &str) -> PathBuf {
@@ -12,7 +12,7 @@ fn folder(name: &str) -> PathBuf {
 }
 
 fn load(
-    folder: &PathBuf,
+    folder: &Path,
     model: &Value,
 ) -> Result<linkdyn_model::Loaded, linkdyn_model::error::Complaints> {
     let path = folder.join("model.json");
