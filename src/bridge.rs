@@ -1,5 +1,7 @@
 //! What the packages for other languages need beside the face. It changes without notice.
 
+use std::path::Path;
+
 use linkdyn_output::{Column, Stage};
 
 use crate::error::Error;
@@ -10,12 +12,12 @@ use crate::run::Run;
 pub use linkdyn_engine::analysis::Progress;
 pub use linkdyn_engine::system::{System, Terms};
 
-/// Reads a model file that has this name.
+/// Reads a model file that has this name, and is at a path, beside which its tables are.
 ///
 /// # Errors
 /// [`Error::Model`] with all faults of the model.
-pub fn read(stem: &str, text: &[u8]) -> Result<Mechanism, Error> {
-    Mechanism::read(stem, text.to_vec())
+pub fn read(stem: &str, text: &[u8], path: &Path) -> Result<Mechanism, Error> {
+    Mechanism::read_beside(stem, text.to_vec(), path)
 }
 
 /// The mechanism with values of its model set at once, each as `PATH=VALUE`: what is legal only together can be set.

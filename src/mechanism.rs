@@ -1,6 +1,6 @@
 //! A mechanism ready to run, and handles of its parameters and columns.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::sync::{Arc, OnceLock};
 
@@ -62,6 +62,8 @@ pub struct Mechanism {
 struct File {
     /// The file's name without its end, or that of a bundled model.
     stem: String,
+    /// Where it is, and its tables beside it.
+    path: PathBuf,
     text: Vec<u8>,
     /// Of the text, hexadecimal.
     sha256: String,
@@ -101,7 +103,7 @@ impl Mechanism {
             cause,
         })?;
         let stem = path.file_stem().unwrap_or_default();
-        Mechanism::read(&stem.to_string_lossy(), text)
+        Mechanism::read_beside(&stem.to_string_lossy(), text, path)
     }
 
     /// A bundled model, such as `four-bar`, `lock` or `nfourbar:40`.
@@ -137,8 +139,14 @@ impl Mechanism {
     }
 
     pub(crate) fn read(stem: &str, text: Vec<u8>) -> Result<Self, Error> {
+        Mechanism::read_beside(stem, text, Path::new(""))
+    }
+
+    /// The text of a file that is there.
+    pub(crate) fn read_beside(stem: &str, text: Vec<u8>, path: &Path) -> Result<Self, Error> {
         let file = File {
             stem: stem.to_owned(),
+            path: path.to_owned(),
             sha256: format!("{:x}", Sha256::digest(&text)),
             text,
         };
@@ -148,7 +156,7 @@ impl Mechanism {
     /// Reads the text with values set, and gives parameters other values.
     fn load(file: Arc<File>, sets: Vec<String>, given: &[(&str, f64)]) -> Result<Self, Error> {
         let watch = Stopwatch::start();
-        let loaded = linkdyn_model::load(&file.text, &sets)?;
+        let loaded = linkdyn_model::load_beside(&file.text, &sets, &file.path)?;
         let prepared = match loaded.model.analysis {
             Some(_) => {
                 let prepared = Prepared::new(&loaded.model);

@@ -60,7 +60,7 @@ def load(source: Source) -> Model:
     path = Path(fspath(source))
     if isinstance(source, str) and not path.is_file():
         return Model(_linkdyn.Mechanism.bundled(source), source, None)
-    return Model._of_text(path.stem, path.read_bytes())
+    return Model._of_text(path.stem, path.read_bytes(), str(path))
 
 
 class Model:
@@ -81,8 +81,10 @@ class Model:
         self._sets = sets
 
     @classmethod
-    def _of_text(cls, stem: str, text: bytes) -> Model:
-        return cls(_linkdyn.Mechanism.read(stem, text), stem, text)
+    def _of_text(cls, stem: str, text: bytes, path: str = "") -> Model:
+        core = _linkdyn.Mechanism.read(stem, text, path)
+        # Tables of files beside it are in the model from here on.
+        return cls(core, stem, core.to_json().encode() if b'"file"' in text else text)
 
     def __repr__(self) -> str:
         return f"<linkdyn.Model {self.name!r}>"

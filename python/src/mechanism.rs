@@ -1,5 +1,6 @@
 //! A model that was read and checked.
 
+use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -24,10 +25,11 @@ pub struct Mechanism {
 
 #[pymethods]
 impl Mechanism {
-    /// Reads the text of a model file that has this name.
+    /// Reads the text of a model file that has this name, and is at a path, beside which its tables are.
     #[staticmethod]
-    fn read(py: Python<'_>, stem: &str, text: &[u8]) -> PyResult<Self> {
-        Mechanism::new(py, || bridge::read(stem, text))
+    #[pyo3(signature = (stem, text, path = ""))]
+    fn read(py: Python<'_>, stem: &str, text: &[u8], path: &str) -> PyResult<Self> {
+        Mechanism::new(py, || bridge::read(stem, text, Path::new(path)))
     }
 
     /// A bundled model.

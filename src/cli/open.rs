@@ -81,7 +81,7 @@ impl ModelOptions {
         let label = self.model.display().to_string();
         let bytes = read(&self.model)?;
         let sets = [self.sets.as_slice(), more].concat();
-        let loaded = match linkdyn_model::load(&bytes, &sets) {
+        let loaded = match linkdyn_model::load_beside(&bytes, &sets, &self.model) {
             Ok(loaded) => loaded,
             Err(complaints) => return Ok(Err(complaints)),
         };
@@ -111,7 +111,7 @@ impl ModelOptions {
 /// # Errors
 /// When there is no such model, or it has faults.
 pub fn model(path: &Path) -> Result<Loaded, BadInput> {
-    linkdyn_model::load(&read(path)?, &[])
+    linkdyn_model::load_beside(&read(path)?, &[], path)
         .map_err(|complaints| bad_input(&path.display().to_string(), complaints))
 }
 

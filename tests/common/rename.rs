@@ -47,6 +47,7 @@ pub fn rename_and_reverse(model: &Model) -> Model {
             ForceKind::Spring { between, .. } | ForceKind::Actuator { between, .. } => {
                 between.iter_mut().for_each(reference);
             }
+            ForceKind::Cable { through, .. } => through.iter_mut().for_each(reference),
             ForceKind::TorsionSpring { between, .. } => {
                 between.iter_mut().for_each(|body| *body = renamed(body));
             }

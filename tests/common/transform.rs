@@ -9,8 +9,8 @@ mod rename;
 
 use indexmap::IndexMap;
 use linkdyn_model::{
-    Driver, DriverKind, Force, ForceKind, Formula, Frame, GROUND, Joint, JointKind, Model, Motion,
-    Paced, Rise, Segment, Value,
+    Driver, DriverKind, Force, ForceKind, Frame, GROUND, Joint, JointKind, Model, Motion, Paced,
+    Rise, Segment, Value,
 };
 
 use cams::mirror_cam;
@@ -133,11 +133,18 @@ fn affine_value(value: &Value, factor: f64, offset: f64) -> Value {
         // relative to other bodies, or it would have to be turned as well
         Value::Formula(formula) => {
             assert_eq!(offset, 0.0, "a formula of a force");
-            let text = formula.formula.trim_start().trim_start_matches('=');
-            Value::Formula(Formula {
-                formula: format!("={factor:?}*({text})"),
-                parameters: formula.parameters.clone(),
-            })
+            let mut formula = formula.clone();
+            match &mut formula.table {
+                Some(table) => {
+                    let points = table.points.iter_mut();
+                    points.for_each(|point| point[1] *= factor);
+                }
+                None => {
+                    let text = formula.formula.trim_start().trim_start_matches('=');
+                    formula.formula = format!("={factor:?}*({text})");
+                }
+            }
+            Value::Formula(formula)
         }
     }
 }
@@ -263,7 +270,10 @@ pub fn rotate(model: &Model, angle: f64) -> Model {
 fn rotate_force(kind: &ForceKind, angle: f64) -> Vec<(&'static str, ForceKind)> {
     let mut kind = kind.clone();
     match &mut kind {
-        ForceKind::Spring { .. } | ForceKind::Actuator { .. } | ForceKind::Torque { .. } => {}
+        ForceKind::Spring { .. }
+        | ForceKind::Actuator { .. }
+        | ForceKind::Cable { .. }
+        | ForceKind::Torque { .. } => {}
         ForceKind::TorsionSpring {
             between,
             free_angle,
@@ -353,7 +363,7 @@ pub fn mirror(model: &Model) -> Model {
     each_sampled_angle(&mut model, |value| -value);
     for force in model.forces.values_mut() {
         match &mut force.kind {
-            ForceKind::Spring { .. } | ForceKind::Actuator { .. } => {}
+            ForceKind::Spring { .. } | ForceKind::Actuator { .. } | ForceKind::Cable { .. } => {}
             ForceKind::TorsionSpring {
                 free_angle: value, ..
             }

@@ -72,6 +72,7 @@ impl Scale {
             "joints": self.joints(model),
             "drivers": model.drivers.iter().map(|(name, driver)| (name.clone(), self.driver(driver))).collect::<Map<_, _>>(),
             "forces": model.forces.iter().map(|(name, force)| (name.clone(), self.force(force))).collect::<Map<_, _>>(),
+            "tables": model.tables.iter().map(|(name, table)| (name.clone(), without_nulls(json!(table)))).collect::<Map<_, _>>(),
             "points": model.points.iter().map(PointRef::to_string).collect::<Vec<_>>(),
             "analysis": words,
         })
@@ -339,6 +340,11 @@ impl Scale {
         match law {
             Law::Constant(value) => json!(value * unit),
             Law::Motion(motion) => self.motion(motion, unit),
+            Law::Formula(formula) if formula.table.is_some() => {
+                let mut table = without_nulls(json!(formula.table));
+                table["of"] = json!(formula.formula);
+                table
+            }
             Law::Formula(formula) => json!(formula.formula),
         }
     }
@@ -356,6 +362,15 @@ impl Scale {
                 "damping": damping / self.length, "free_length": self.law(free_length, self.length) }),
             ForceKind::Actuator { between, force } => json!({ "type": "actuator",
                 "between": between.each_ref().map(PointRef::to_string), "force": self.law(force, 1.0) }),
+            ForceKind::Cable {
+                through,
+                stiffness,
+                damping,
+                free_length,
+            } => json!({ "type": "cable",
+                "through": through.iter().map(PointRef::to_string).collect::<Vec<_>>(),
+                "stiffness": stiffness / self.length, "damping": damping / self.length,
+                "free_length": self.law(free_length, self.length) }),
             ForceKind::TorsionSpring {
                 between,
                 stiffness,
@@ -398,4 +413,12 @@ fn scaled(motion: &Value, unit: f64) -> Value {
         (key.clone(), value)
     });
     Value::Object(written.collect())
+}
+
+/// An object without keys that hold nothing.
+fn without_nulls(mut value: Value) -> Value {
+    if let Value::Object(members) = &mut value {
+        members.retain(|_, value| !value.is_null());
+    }
+    value
 }

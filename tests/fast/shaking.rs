@@ -46,6 +46,7 @@ fn add_loads(model: &Model, derived: &Trajectory, outcome: &Outcome, sums: &mut 
             ForceKind::Torque { .. }
             | ForceKind::Spring { .. }
             | ForceKind::Actuator { .. }
+            | ForceKind::Cable { .. }
             | ForceKind::TorsionSpring { .. } => {}
         }
     }

@@ -13,12 +13,14 @@
 //! 2001, ch. IV) and goes on as a straight line beyond its ends, so f, f′, f″ are continuous everywhere. Pieces are continuous in f; where f′ or f″ jumps,
 //! [`Law::next_break`] says so, and what stands there is the value after the jump.
 
+mod curve;
 mod held;
 mod pieces;
 pub mod rise;
 mod spline;
 mod table;
 
+pub use curve::{Curve, Shape};
 use linkdyn_linear::math::max_abs;
 pub use pieces::Pieces;
 pub use spline::Spline;

@@ -44,6 +44,11 @@ pub const MODELS: &[Bundled] = &[
         text: include_str!("../../../models/double-wishbone.json"),
     },
     Bundled {
+        name: "engine",
+        aliases: &[],
+        text: include_str!("../../../models/engine.json"),
+    },
+    Bundled {
         name: "four-bar",
         aliases: &[],
         text: include_str!("../../../models/four-bar.json"),
@@ -117,6 +122,11 @@ pub const MODELS: &[Bundled] = &[
         name: "slider-crank-clearance",
         aliases: &["clearance"],
         text: include_str!("../../../models/slider-crank-clearance.json"),
+    },
+    Bundled {
+        name: "solar-array",
+        aliases: &[],
+        text: include_str!("../../../models/solar-array.json"),
     },
     Bundled {
         name: "stephenson-iii",

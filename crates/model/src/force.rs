@@ -70,6 +70,19 @@ pub enum ForceKind {
         /// \[N\]
         force: Value,
     },
+    /// Over points: a tension k(L − L₀) + c L̇ of its whole length, zero where that is negative \[N\].
+    #[doc(hidden)]
+    Cable {
+        /// Points in their order, `body.point`, two at least.
+        through: Vec<PointRef>,
+        /// [N/m]
+        stiffness: f64,
+        /// [N·s/m]
+        #[serde(default)]
+        damping: f64,
+        /// \[m\]
+        free_length: Value,
+    },
     /// Between two bodies: torque on the first k(θ₂ − θ₁ − θ₀) + c(ω₂ − ω₁), the opposite on the second.
     TorsionSpring {
         /// Two bodies.
@@ -115,9 +128,10 @@ impl ForceKind {
             ForceKind::Spring { between, .. } | ForceKind::Actuator { between, .. } => {
                 Some(between)
             }
-            ForceKind::TorsionSpring { .. } | ForceKind::Load { .. } | ForceKind::Torque { .. } => {
-                None
-            }
+            ForceKind::Cable { .. }
+            | ForceKind::TorsionSpring { .. }
+            | ForceKind::Load { .. }
+            | ForceKind::Torque { .. } => None,
         }
     }
 }

@@ -12,6 +12,7 @@ use crate::joint::PointRef;
 use crate::node::excerpt;
 use crate::response::{Catalogue, Constant};
 use crate::suggest;
+use crate::table::Table;
 
 /// A force, or a part of one, as a function of time and of quantities that move.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
@@ -21,6 +22,9 @@ pub struct Formula {
     /// The parameters that it names.
     #[serde(default)]
     pub parameters: IndexMap<String, Constant>,
+    /// Through which its value goes.
+    #[serde(default)]
+    pub table: Option<Table>,
 }
 
 /// What a formula takes.
@@ -30,6 +34,8 @@ pub enum Argument {
     Time,
     /// Value of a driver \[rad or m\].
     Driver(String),
+    /// An integrated state.
+    State(String),
     /// A coordinate of a body's frame \[m or rad\].
     Body(String, Coordinate, Order),
     /// A coordinate of a point, never an angle \[m\].
@@ -79,6 +85,7 @@ impl Formula {
         Formula {
             formula: formula.into(),
             parameters: IndexMap::new(),
+            table: None,
         }
     }
 
@@ -92,11 +99,18 @@ impl Formula {
             .map(|(name, constant)| (name.as_str(), constant.quantity()))
             .collect();
         let arguments = Arguments::of(catalogue);
-        let moving = Moving::read(&self.formula, &parameters, &arguments, false);
-        let moving = moving.map_err(|Misfit { fault, .. }| Complaint {
+        let said = |Misfit { fault, .. }| Complaint {
             hint: fault.hint,
             ..Complaint::new("", fault.message)
-        })?;
+        };
+        let mut moving =
+            Moving::read(&self.formula, &parameters, &arguments, false).map_err(said)?;
+        if let Some(table) = &self.table {
+            // behind those that have names
+            let number = catalogue.tables().len();
+            let through = moving.through(number, table.columns()?);
+            moving = through.map_err(|fault| said(Misfit { at: 0, fault }))?;
+        }
         Ok(CompiledFormula {
             moving,
             parameters: self.parameters.values().map(|one| one.value).collect(),
@@ -159,6 +173,17 @@ impl Results for Arguments<'_> {
         })
     }
 
+    fn table(&self, name: &str) -> Option<(usize, [Powers; 2])> {
+        let mut tables = self.catalogue.tables().iter().enumerate();
+        let (index, (_, columns)) = tables.find(|(_, one)| one.0 == name)?;
+        Some((index, *columns))
+    }
+
+    fn tables(&self) -> Vec<String> {
+        let tables = self.catalogue.tables().iter();
+        tables.map(|(name, _)| name.clone()).collect()
+    }
+
     fn missing(&self, name: &str, parameters: &[String]) -> Complaint {
         if Results::find(self.catalogue, name).is_some() {
             let message = format!("{name} follows from the forces, and can't be in one");
@@ -184,7 +209,7 @@ impl Argument {
     /// Whether it is a quantity or a rate.
     pub(crate) fn order(&self) -> Order {
         match self {
-            Argument::Time | Argument::Driver(_) => Order::Value,
+            Argument::Time | Argument::Driver(_) | Argument::State(_) => Order::Value,
             Argument::Body(_, _, order)
             | Argument::Point(_, _, order)
             | Argument::Spring(_, order)
@@ -197,6 +222,7 @@ impl Argument {
     pub(crate) fn powers(&self, catalogue: &Catalogue) -> Powers {
         let (is_angle, order) = match self {
             Argument::Time => return Dimension::Time.powers(),
+            Argument::State(name) => return catalogue.state(name).unwrap_or_default(),
             Argument::Driver(name) => {
                 let driven = catalogue.drives(name);
                 return driven.unwrap_or(Dimension::Angle).powers();

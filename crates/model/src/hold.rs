@@ -36,6 +36,7 @@ pub fn unheld(model: &Model) -> Option<Complaint> {
         ForceKind::Spring { between, .. } | ForceKind::Actuator { between, .. } => {
             between.iter().any(|end| end.body == GROUND)
         }
+        ForceKind::Cable { through, .. } => through.iter().any(|end| end.body == GROUND),
         ForceKind::TorsionSpring { between, .. } => between.iter().any(|body| body == GROUND),
         ForceKind::Load { .. } | ForceKind::Torque { .. } => false,
     });

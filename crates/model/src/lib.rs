@@ -30,6 +30,7 @@ mod derive;
 mod dimension;
 mod examples;
 mod expression;
+mod file;
 mod gate;
 mod hold;
 mod json;
@@ -44,8 +45,10 @@ mod set;
 mod shape;
 mod source;
 mod stale;
+mod state;
 mod substitution;
 mod suggest;
+mod table;
 mod tree;
 mod units;
 mod walk;
@@ -77,6 +80,8 @@ pub use hold::unheld;
 pub use joint::{Joint, JointKind, PointRef};
 #[doc(hidden)]
 pub use joint::{Latch, Stops};
+#[doc(hidden)]
+pub use load::load_beside;
 pub use load::{Loaded, load, load_file};
 pub use motion::Motion;
 #[doc(hidden)]
@@ -85,10 +90,14 @@ pub use optimise::Optimise;
 pub use response::Response;
 pub use schema::schema;
 pub use source::Source;
+#[doc(hidden)]
+pub use state::State;
 pub use study::Study;
 #[doc(hidden)]
 pub use substitution::{Substituted, Substitution};
 pub use suggest::nearest;
+#[doc(hidden)]
+pub use table::Table;
 pub use tolerance::{Distribution, Play, Tolerance};
 pub use units::Unit;
 
@@ -131,6 +140,14 @@ pub struct Model {
     /// Springs, loads and torques by their names.
     #[serde(default)]
     pub forces: IndexMap<String, Force>,
+    /// Functions by their points, for formulas.
+    #[serde(default)]
+    #[doc(hidden)]
+    pub tables: IndexMap<String, Table>,
+    /// Quantities of which the rates are known.
+    #[serde(default)]
+    #[doc(hidden)]
+    pub states: IndexMap<String, State>,
     /// Exact values at t = 0, per body.
     #[serde(default)]
     pub initial: IndexMap<String, Initial>,

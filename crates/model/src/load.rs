@@ -5,6 +5,7 @@ use std::io::Read;
 use std::path::Path;
 
 use super::expression::Parameter;
+use super::file;
 use super::gate::{self, Checked, Holes};
 use super::json;
 use super::node::{self, Kind, Node};
@@ -42,7 +43,7 @@ pub struct Loaded {
 /// All faults of the file, in the order of the lines.
 pub fn load_file(path: &Path, sets: &[String]) -> Result<Loaded, Complaints> {
     let bytes = read(path).map_err(|complaint| vec![complaint])?;
-    load(&bytes, sets)
+    load_beside(&bytes, sets, path)
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, Complaint> {
@@ -93,6 +94,14 @@ fn too_large(length: u64) -> Complaint {
 /// assert_eq!(loaded.model.bodies["bar"].points["A"], [0.005, 0.0]);
 /// ```
 pub fn load(text: &[u8], sets: &[String]) -> Result<Loaded, Complaints> {
+    load_beside(text, sets, Path::new(""))
+}
+
+/// The same of a text from this file, beside which its tables are.
+///
+/// # Errors
+/// As [`load`].
+pub fn load_beside(text: &[u8], sets: &[String], path: &Path) -> Result<Loaded, Complaints> {
     let text = decode(text).map_err(|complaint| vec![complaint])?;
     let mut source = Source::new(text, sets);
     let mut complaints = Vec::new();
@@ -125,6 +134,11 @@ pub fn load(text: &[u8], sets: &[String]) -> Result<Loaded, Complaints> {
 
     // what --set says, then all of it against the schema; of another format nothing else can be said
     set::apply(&mut source, &mut complaints);
+    let unread = file::put_in(&mut source, path.parent().unwrap_or(Path::new("")));
+    if !unread.is_empty() {
+        complaints.extend(unread);
+        return Err(sorted(complaints, uncounted).into());
+    }
     let other_format = source
         .root
         .get("format")

@@ -27,6 +27,7 @@ pub enum Motion {
     /// A curve through (t, value); times strictly increasing, at least two.
     Table {
         /// [[t, value], …]
+        #[serde(default)]
         points: Vec<[f64; 2]>,
         /// What is between and beyond them.
         #[serde(default)]

@@ -183,6 +183,7 @@ impl Printer<'_> {
                 Value::Object(self.object(tree, object, None, written, driven))
             }
             (Shape::Tagged(tagged), tree) => self.tagged(tree, tagged, written, driven),
+            (Shape::Curve(_) | Shape::State(_), tree) => self.whole(tree, shape, written, driven),
             (Shape::Formula(of), tree) => self.formula(tree, *of, written, driven),
             (Shape::Varying(dimension), Tree::Map(_)) => {
                 self.tagged(tree, &MOTION, written, Driven::Dimension(*dimension))

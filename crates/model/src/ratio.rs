@@ -84,6 +84,10 @@ fn quantity(name: &str, catalogue: &Catalogue) -> Result<Argument, Complaint> {
             let message = "time is nothing that the mechanism moves".to_owned();
             Err(said(message).hint("what changes by time has a column of its rate, as slider.vx"))
         }
+        Some(Argument::State(_)) => {
+            let message = format!("{name} is a state, which the mechanism does not move");
+            Err(said(message).hint("as in d(slider.x) or d(force.shock.length)"))
+        }
         Some(found) if found.order() == Order::Rate => {
             let message = format!("{name} is a rate, and d( ) wants what changes");
             Err(said(message).hint("as in d(slider.x) or d(force.shock.length)"))
@@ -94,7 +98,10 @@ fn quantity(name: &str, catalogue: &Catalogue) -> Result<Argument, Complaint> {
             let names = catalogue.arguments();
             let is_value = |name: &&String| {
                 let found = catalogue.argument(name);
-                found.is_some_and(|one| one != Argument::Time && one.order() == Order::Value)
+                found.is_some_and(|one| match one {
+                    Argument::Time | Argument::State(_) => false,
+                    one => one.order() == Order::Value,
+                })
             };
             let values = names.iter().filter(is_value).map(String::as_str);
             Err(match suggest::nearest(name, values) {

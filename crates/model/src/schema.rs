@@ -22,7 +22,7 @@ use crate::dimension::Dimension;
 use crate::shape::{
     Bound, Choice, Default, Drives, Field, Measure, Named, Need, Object, Shape, Tagged,
 };
-use crate::words::{DEFINITIONS, Definition, FILE, MATERIAL, MOTION, SEPARATE};
+use crate::words::{DEFINITIONS, Definition, FILE, MATERIAL, MOTION, SEPARATE, TABLE_OF};
 
 /// Text with a unit, or an expression.
 const QUANTITY_PATTERN: &str =
@@ -265,7 +265,9 @@ fn at(shape: &Shape, field: Option<&Field>) -> Keys {
         Shape::Point => reference("PointRef"),
         Shape::Materials => reference("Elastic"),
         Shape::Choice(choice) => reference(choice.name),
-        Shape::Object(object) => reference(object.name),
+        Shape::Object(object) | Shape::Curve(object) | Shape::State(object) => {
+            reference(object.name)
+        }
         Shape::Tagged(tagged) => reference(tagged.name),
         Shape::Units => places::units(),
         Shape::Parameters => return places::parameters(field),
@@ -313,25 +315,23 @@ fn at(shape: &Shape, field: Option<&Field>) -> Keys {
             bounded(&mut keys, *bound, true);
             return keys;
         }
-        Shape::Direction => {
-            let mut keys = list(&Shape::Number(Bound::Any), 2, Some(2));
-            said(&mut keys, field);
-            keys.insert("not".into(), json!({ "const": [0, 0] }));
-            return keys;
-        }
+        Shape::Direction => return places::direction(field),
         Shape::Pair(of) => list(of, 2, Some(2)),
         Shape::List(of, least) => list(of, *least, None),
-        Shape::Table => keys(json!({
-            "type": "array",
-            "items": {
-                "type": "array",
-                "prefixItems": [quantity(Measure::Of(Dimension::Time)), quantity(Measure::Driven)],
-                "items": false, "minItems": 2, "maxItems": 2
-            },
-            "minItems": 2
-        })),
-        Shape::Varying(dimension) | Shape::Formula(dimension) => keys(json!({
+        Shape::Table => {
+            let time = quantity(Measure::Of(Dimension::Time));
+            places::points(
+                &json!({ "prefixItems": [time, quantity(Measure::Driven)], "items": false }),
+            )
+        }
+        Shape::Entry => places::value(),
+        Shape::Entries => places::points(&json!({ "items": places::value() })),
+        Shape::Varying(dimension) => keys(json!({
             "anyOf": [quantity(Measure::Of(*dimension)), reference(MOTION.name)],
+            "x-driven": dimension.name()
+        })),
+        Shape::Formula(dimension) => keys(json!({
+            "anyOf": [quantity(Measure::Of(*dimension)), reference(MOTION.name), reference(TABLE_OF.name)],
             "x-driven": dimension.name()
         })),
     };

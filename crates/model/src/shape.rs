@@ -146,6 +146,14 @@ pub enum Shape {
     List(&'static Shape, usize),
     /// Points (t, value), at least two.
     Table,
+    /// A table of formulas: an object whose entries bring their units.
+    Curve(&'static Object),
+    /// An integrated state: an object whose dimension is that of its rate by time.
+    State(&'static Object),
+    /// The points of a table.
+    Entries,
+    /// A number of one, with its unit.
+    Entry,
     /// A quantity, or a motion of it.
     Varying(Dimension),
     /// The same, or an expression of what moves.

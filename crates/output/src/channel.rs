@@ -30,6 +30,19 @@ pub enum Channel {
     Transmission(TransmissionQuantity),
     /// An output of the model: a ratio of velocities.
     Output(usize),
+    /// An integrated state.
+    #[doc(hidden)]
+    State(usize, StateQuantity),
+}
+
+/// An integrated state, in the SI unit of its own.
+#[doc(hidden)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum StateQuantity {
+    /// The state.
+    Value,
+    /// Its rate.
+    Rate,
 }
 
 /// Motion of a body's frame.
@@ -201,7 +214,11 @@ impl Channel {
             Channel::Point(point, quantity) => Some(Channel::Point(point, quantity.rate()?)),
             Channel::Relative(joint, quantity) => Some(Channel::Relative(joint, quantity.rate()?)),
             Channel::Load(force, quantity) => Some(Channel::Load(force, quantity.rate()?)),
+            Channel::State(state, StateQuantity::Value) => {
+                Some(Channel::State(state, StateQuantity::Rate))
+            }
             Channel::Time
+            | Channel::State(..)
             | Channel::Joint(..)
             | Channel::Driver(..)
             | Channel::Energy(_)

@@ -17,6 +17,8 @@ pub mod stopwatch;
 pub mod summary;
 mod trajectory;
 
+#[doc(hidden)]
+pub use channel::StateQuantity;
 pub use channel::{
     BodyQuantity, Channel, DriverQuantity, EnergyQuantity, JointQuantity, LoadQuantity,
     PointQuantity, RelativeQuantity, ShakingQuantity, TransmissionQuantity,

@@ -157,6 +157,7 @@ pub fn quantity_words(channel: Channel) -> &'static str {
         Channel::Shaking(ShakingQuantity::Moment) => ShakingQuantity::Moment.name(),
         Channel::Transmission(quantity) => quantity.name(),
         Channel::Output(_) => "ratio",
+        Channel::State(..) => "state",
     }
 }
 

@@ -112,6 +112,15 @@ pub fn numbers(model: &mut Model) -> Vec<&mut f64> {
                 numbers.extend([stiffness, damping]);
                 of_value(free, &mut numbers);
             }
+            ForceKind::Cable {
+                stiffness,
+                damping,
+                free_length: free,
+                ..
+            } => {
+                numbers.extend([stiffness, damping]);
+                of_value(free, &mut numbers);
+            }
             ForceKind::Load { vector, .. } => {
                 vector
                     .iter_mut()
@@ -228,6 +237,7 @@ pub fn names(model: &mut Model) -> Vec<&mut String> {
             ForceKind::Spring { between, .. } | ForceKind::Actuator { between, .. } => {
                 names.extend(between.iter_mut().flat_map(of_point));
             }
+            ForceKind::Cable { through, .. } => names.extend(through.iter_mut().flat_map(of_point)),
             ForceKind::TorsionSpring { between, .. } => names.extend(between),
             ForceKind::Load { at, .. } => names.extend(of_point(at)),
             ForceKind::Torque {

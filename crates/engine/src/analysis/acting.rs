@@ -3,6 +3,7 @@
 //! ```text
 //! spring, actuator   l = |d|, l̇, F = u·f, f, P        d = P₂ − P₁, u = d/l, f the force on the second body, F > 0 pushes apart
 //! torsion spring     β = θ₂ − θ₁, β̇, T, P              T on the second body
+//! cable              L = Σ lᵢ, L̇, T, P = −T L̇          T pulls
 //! force, torque      f or T on the body, P
 //! any                P = Qᵀ v                          Q its generalized forces (n): work by time done on the mechanism
 //! joint              θ₂ − θ₁, s = a·d, their rates, |f|
@@ -72,7 +73,11 @@ fn of_joint(joint: &JointData, contents: Contents) -> impl Iterator<Item = Relat
 }
 
 fn of_force(role: &ForceRole, contents: Contents) -> impl Iterator<Item = LoadQuantity> {
+    let is_cable = matches!(role, ForceRole::Cable { .. });
+    let is_none = matches!(role, ForceRole::Stretch { .. });
     let (stretches, turns, pushes) = match role {
+        ForceRole::Cable { .. } => (true, false, true),
+        ForceRole::Stretch { .. } => (false, false, true),
         ForceRole::Spring { measured, .. } => match measured {
             Measured::Turn { .. } => (false, true, false),
             Measured::Distance { .. } | Measured::Along { .. } => (true, false, true),
@@ -82,6 +87,8 @@ fn of_force(role: &ForceRole, contents: Contents) -> impl Iterator<Item = LoadQu
     };
     let all = LoadQuantity::ALL.into_iter();
     all.filter(move |quantity| match quantity {
+        _ if is_none => false,
+        LoadQuantity::Fx | LoadQuantity::Fy if is_cable => false,
         LoadQuantity::Length | LoadQuantity::F => stretches,
         LoadQuantity::Rate => stretches && contents.velocities,
         LoadQuantity::Angle => turns,
@@ -164,6 +171,16 @@ impl<'s> Acting<'s> {
     fn value(&self, force: usize, quantity: LoadQuantity) -> f64 {
         let at = self.replay.kinematics();
         let system = self.replay.system;
+        if let ForceRole::Cable { path, pull, .. } = &system.force_data[force].role {
+            let sum = |order: usize| path.iter().map(|one| one.value(&at)[order]).sum::<f64>();
+            return match quantity {
+                LoadQuantity::Length => sum(0),
+                LoadQuantity::Rate => sum(1),
+                LoadQuantity::F => -pull.value(&at),
+                LoadQuantity::Power => pull.value(&at) * sum(1),
+                _ => f64::NAN,
+            };
+        }
         if quantity == LoadQuantity::Power {
             return dot(&self.pull, &self.replay.v);
         }
@@ -183,6 +200,8 @@ impl<'s> Acting<'s> {
                 };
                 (wrench, along.map_or_else(Vec2::zeros, |(u, _)| u))
             }
+            // these have no columns of their own
+            ForceRole::Cable { .. } | ForceRole::Stretch { .. } => ([0.0; 3], Vec2::zeros()),
             ForceRole::Load {
                 vector: [x, y],
                 frame,

@@ -45,7 +45,7 @@ impl<'s> Loads<'s> {
                     add(&[LoadQuantity::Torque]);
                     loads.push(Load::Torque(value));
                 }
-                ForceRole::Spring { .. } => {}
+                ForceRole::Spring { .. } | ForceRole::Cable { .. } | ForceRole::Stretch { .. } => {}
             }
         }
         let is_asked = !system.formulas.is_empty();

@@ -10,6 +10,7 @@ use crate::element::Measure;
 use crate::system::{Evaluation, Inputs, JointData, System};
 use linkdyn_output::{
     BodyQuantity, Channel, Column, DriverQuantity, EnergyQuantity, JointQuantity, PointQuantity,
+    StateQuantity,
 };
 use std::sync::Arc;
 
@@ -39,6 +40,7 @@ enum Stretch {
     Point(usize, Vec<PointQuantity>),
     Joint(usize, Vec<JointQuantity>),
     Driver(usize, Vec<DriverQuantity>),
+    State(usize, Vec<StateQuantity>),
     Energy(Vec<EnergyQuantity>),
 }
 
@@ -98,7 +100,7 @@ impl Channels {
             Stretch::Body(_, wanted) => wanted.iter().all(|one| POSES.contains(one)),
             Stretch::Point(_, wanted) => wanted.iter().all(|one| PLACES.contains(one)),
             Stretch::Driver(_, wanted) => wanted.iter().all(|one| *one == DriverQuantity::Value),
-            Stretch::Joint(..) | Stretch::Energy(_) => false,
+            Stretch::Joint(..) | Stretch::State(..) | Stretch::Energy(_) => false,
         })
     }
 
@@ -107,7 +109,11 @@ impl Channels {
         self.stretches.iter().any(|stretch| match stretch {
             Stretch::Joint(..) => true,
             Stretch::Driver(_, wanted) => wanted.contains(&DriverQuantity::Effort),
-            Stretch::Time | Stretch::Body(..) | Stretch::Point(..) | Stretch::Energy(_) => false,
+            Stretch::Time
+            | Stretch::Body(..)
+            | Stretch::Point(..)
+            | Stretch::State(..)
+            | Stretch::Energy(_) => false,
         })
     }
 
@@ -142,6 +148,12 @@ impl Channels {
                         DriverQuantity::Effort => sample.lambda[system.joint_rows() + driver],
                     }));
                 }
+                Stretch::State(state, wanted) => {
+                    row.extend(wanted.iter().map(|quantity| match quantity {
+                        StateQuantity::Value => inputs.states[*state],
+                        StateQuantity::Rate => system.states[*state].rate.value(&at),
+                    }));
+                }
                 Stretch::Energy(wanted) => row.extend(
                     wanted
                         .iter()
@@ -166,6 +178,7 @@ impl Channels {
                 | Channel::Shaking(_)
                 | Channel::Transmission(_)
                 | Channel::Relative(..)
+                | Channel::State(..)
                 | Channel::Output(_),
             )
             | None => f64::NAN,
@@ -182,6 +195,7 @@ impl Stretch {
             Channel::Point(point, quantity) => Some(Stretch::Point(point, vec![quantity])),
             Channel::Joint(joint, quantity) => Some(Stretch::Joint(joint, vec![quantity])),
             Channel::Driver(driver, quantity) => Some(Stretch::Driver(driver, vec![quantity])),
+            Channel::State(state, quantity) => Some(Stretch::State(state, vec![quantity])),
             Channel::Energy(quantity) => Some(Stretch::Energy(vec![quantity])),
             Channel::Relative(..)
             | Channel::Load(..)
@@ -207,6 +221,10 @@ impl Stretch {
                 true
             }
             (Stretch::Driver(own, wanted), Channel::Driver(driver, quantity)) if *own == driver => {
+                wanted.push(quantity);
+                true
+            }
+            (Stretch::State(own, wanted), Channel::State(state, quantity)) if *own == state => {
                 wanted.push(quantity);
                 true
             }
@@ -253,6 +271,17 @@ impl Contents {
             columns.extend(self.of_driver().map(|quantity| {
                 let unit = driver_unit(quantity, data.measure);
                 Column::of(Channel::Driver(driver, quantity), &data.name, unit)
+            }));
+        }
+        let states = system.states.iter().filter(|_| self.velocities);
+        for (state, data) in states.enumerate() {
+            let units = [(StateQuantity::Value, 0), (StateQuantity::Rate, 1)];
+            columns.extend(units.map(|(quantity, order)| {
+                Column::of(
+                    Channel::State(state, quantity),
+                    &data.name,
+                    data.units[order],
+                )
             }));
         }
         columns.extend(

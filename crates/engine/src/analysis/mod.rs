@@ -23,6 +23,7 @@ mod leaning;
 mod modes;
 mod needed;
 mod outcome;
+mod outside;
 mod power;
 mod progress;
 mod question;

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use crate::element::{BodyId, Kinematics, Marker};
 use crate::system::{Evaluation, Inputs, System};
 use linkdyn_linear::math::Vec2;
-use linkdyn_output::{BodyQuantity, Channel, Column};
+use linkdyn_output::{BodyQuantity, Channel, Column, StateQuantity};
 
 /// Where the columns of a table stand.
 pub struct Columns(HashMap<Channel, usize>);
@@ -122,6 +122,8 @@ impl States {
 pub struct Replay<'s> {
     pub system: &'s System,
     states: States,
+    /// Columns of integrated states, where the table has them.
+    integrated: Vec<Option<usize>>,
     evaluation: Evaluation,
     inputs: Inputs,
     /// Coordinates (n).
@@ -137,6 +139,9 @@ impl<'s> Replay<'s> {
         Some(Replay {
             system,
             states: States::of(system, columns)?,
+            integrated: (0..system.states.len())
+                .map(|state| columns.find(Channel::State(state, StateQuantity::Value)))
+                .collect(),
             evaluation: Evaluation::new(system),
             inputs: Inputs::still(system),
             q: zero.clone(),
@@ -147,6 +152,10 @@ impl<'s> Replay<'s> {
     /// Takes the state of a row.
     pub fn take(&mut self, row: &[f64]) {
         self.inputs.set_time(self.system, row[0]);
+        let states = self.inputs.states.iter_mut().zip(&self.integrated);
+        for (state, column) in states {
+            column.iter().for_each(|column| *state = row[*column]);
+        }
         self.states.position(self.system, row, &mut self.q);
         self.states.velocity(self.system, row, &mut self.v);
         self.evaluation.set_position(&self.q);

@@ -32,6 +32,10 @@ pub trait Function: Debug + Send + Sync {
     fn take_sides(&self, inputs: &[f64], sides: &mut [i32]);
     /// How far beyond the sides that are held the kinks are, by their scales: the largest [–].
     fn beyond(&self, inputs: &[f64], held: &[i32], scales: &[f64]) -> f64;
+    /// The name of a table that is looked at beyond all of its points; empty of one without a name.
+    fn outside(&self, _inputs: &[f64]) -> Option<&str> {
+        None
+    }
 }
 
 /// A function of what moves.
@@ -43,7 +47,7 @@ pub struct Formula {
     pub arguments: Vec<Quantity>,
     /// Index of its first kink in [`Kinematics::sides`].
     pub first: usize,
-    /// Index of the force that it is of.
+    /// Index of the force that it is of; behind all forces those of states.
     pub force: usize,
 }
 
@@ -111,7 +115,10 @@ impl Formula {
     fn each_slope(&self, at: &Kinematics, tell: &mut impl FnMut([f64; 2])) {
         let (inputs, held) = (self.inputs(at), self.held(at));
         for (index, quantity) in self.arguments.iter().enumerate() {
-            if matches!(quantity, Quantity::Time | Quantity::Drive(_)) {
+            if matches!(
+                quantity,
+                Quantity::Time | Quantity::Drive(_) | Quantity::State(_)
+            ) {
                 continue;
             }
             let by = self.function.slope(&inputs, index, held);
@@ -121,6 +128,11 @@ impl Formula {
                 tell([by * position, by * velocity]);
             }
         }
+    }
+
+    /// The name of a table that is looked at beyond all of its points; empty of one without a name.
+    pub fn outside(&self, at: &Kinematics) -> Option<&str> {
+        self.function.outside(&self.inputs(at))
     }
 
     /// Takes the sides on which its kinks are.

@@ -149,6 +149,7 @@ mod tests {
             drive: &[],
             offset: &[],
             sides: &[],
+            states: &[],
             contacts: &[],
             time: 0.0,
         }

@@ -19,6 +19,7 @@
 //! bundled model that uses it, a row in `docs/format.md`.
 
 pub mod actuator;
+pub mod cable;
 pub mod cam;
 pub mod coordinate;
 pub mod coordinates;
@@ -115,6 +116,8 @@ pub struct Kinematics<'a> {
     pub offset: &'a [[Vec2; 3]],
     /// The sides of kinks that formulas hold, and behind them the stretches of cams; empty where each is on that of its values.
     pub sides: &'a [i32],
+    /// Integrated states.
+    pub states: &'a [f64],
     /// What contacts remember.
     pub contacts: &'a [Contact],
     /// \[s\]

@@ -54,6 +54,8 @@ pub enum Quantity {
     Time,
     /// The value of the driver with this index \[rad or m\].
     Drive(usize),
+    /// The integrated state with this index.
+    State(usize),
     /// Something measured.
     Value(Measured),
     /// Its rate.
@@ -146,6 +148,7 @@ impl Quantity {
         match self {
             Quantity::Time => at.time,
             Quantity::Drive(driver) => at.drive[*driver][0],
+            Quantity::State(state) => at.states[*state],
             Quantity::Value(measured) => measured.value(at)[0],
             Quantity::Rate(measured) => measured.value(at)[1],
         }
@@ -154,7 +157,7 @@ impl Quantity {
     /// The coordinates that change it.
     pub fn columns(&self) -> Vec<(BodyId, Axis)> {
         match self {
-            Quantity::Time | Quantity::Drive(_) => Vec::new(),
+            Quantity::Time | Quantity::Drive(_) | Quantity::State(_) => Vec::new(),
             Quantity::Value(measured) | Quantity::Rate(measured) => {
                 let of = |body| Axis::ALL.map(|axis| (body, axis));
                 measured.bodies().map(of).concat()
@@ -165,7 +168,7 @@ impl Quantity {
     /// Its derivatives by these coordinates and their rates, each as many.
     pub fn slopes(&self, at: &Kinematics, position: &mut [f64], velocity: &mut [f64]) {
         match self {
-            Quantity::Time | Quantity::Drive(_) => {}
+            Quantity::Time | Quantity::Drive(_) | Quantity::State(_) => {}
             Quantity::Value(measured) => {
                 position.copy_from_slice(&measured.slopes(at)[0]);
                 velocity.fill(0.0);

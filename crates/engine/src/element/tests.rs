@@ -179,16 +179,13 @@ pub(super) fn at_state<T>(t: f64, q: &[f64], v: &[f64], f: impl Fn(&Kinematics) 
         Law::Polynomial(vec![0.01, 0.2, -0.3]).jet(t),
         Law::Polynomial(vec![-0.02, 0.1, 0.5]).jet(t),
     );
-    let offset = [[
-        Vec2::new(ex[0], ey[0]),
-        Vec2::new(ex[1], ey[1]),
-        Vec2::new(ex[2], ey[2]),
-    ]];
+    let offset = [[0, 1, 2].map(|order| Vec2::new(ex[order], ey[order]))];
     f(&Kinematics {
         poses: &poses,
         twists: &twists,
         drive: &drive,
         offset: &offset,
+        states: &[],
         sides: &[],
         contacts: &[Contact::default()],
         time: t,

@@ -20,21 +20,8 @@ impl Pieces {
 
     /// Cubics through points with increasing times that turn where the points do, straight beyond the ends.
     pub fn monotone(points: &[[f64; 2]]) -> Self {
-        let delta = secants(points);
-        let h = |k: usize| points[k + 1][0] - points[k][0];
-        let last = delta.len();
-        let slope = |k: usize| match k {
-            _ if last == 1 => delta[0],
-            0 => end_slope([h(0), h(1)], [delta[0], delta[1]]),
-            k if k == last => end_slope([h(k - 1), h(k - 2)], [delta[k - 1], delta[k - 2]]),
-            k if delta[k - 1] * delta[k] <= 0.0 => 0.0,
-            k => {
-                let (before, after) = (h(k - 1), h(k));
-                let (first, second) = (2.0 * after + before, after + 2.0 * before);
-                (first + second) / (first / delta[k - 1] + second / delta[k])
-            }
-        };
-        let ends = (0..last).map(|k| [slope(k), slope(k + 1)]).collect();
+        let slopes = monotone_slopes(points);
+        let ends = slopes.windows(2).map(|pair| [pair[0], pair[1]]).collect();
         Pieces::through(points, ends, false)
     }
 
@@ -84,6 +71,25 @@ impl Pieces {
     }
 }
 
+/// The slopes at all points of the cubics that turn where these do.
+pub(super) fn monotone_slopes(points: &[[f64; 2]]) -> Vec<f64> {
+    let delta = secants(points);
+    let h = |k: usize| points[k + 1][0] - points[k][0];
+    let last = delta.len();
+    let slope = |k: usize| match k {
+        _ if last == 1 => delta[0],
+        0 => end_slope([h(0), h(1)], [delta[0], delta[1]]),
+        k if k == last => end_slope([h(k - 1), h(k - 2)], [delta[k - 1], delta[k - 2]]),
+        k if delta[k - 1] * delta[k] <= 0.0 => 0.0,
+        k => {
+            let (before, after) = (h(k - 1), h(k));
+            let (first, second) = (2.0 * after + before, after + 2.0 * before);
+            (first + second) / (first / delta[k - 1] + second / delta[k])
+        }
+    };
+    (0..=last).map(slope).collect()
+}
+
 /// Slopes between points.
 fn secants(points: &[[f64; 2]]) -> Vec<f64> {
     let pairs = points.windows(2);
@@ -105,7 +111,7 @@ fn end_slope([h0, h1]: [f64; 2], [d0, d1]: [f64; 2]) -> f64 {
 }
 
 /// The slopes of the periodic spline at all points but the last, which has that of the first.
-fn periodic_slopes(points: &[[f64; 2]]) -> Vec<f64> {
+pub(super) fn periodic_slopes(points: &[[f64; 2]]) -> Vec<f64> {
     let delta = secants(points);
     let n = delta.len();
     let h: Vec<f64> = points

@@ -20,6 +20,8 @@ pub struct Inputs {
     pub(crate) memories: Vec<f64>,
     /// Sides of the formulas' kinks that a motion holds; empty where none are held.
     pub(crate) sides: Vec<i32>,
+    /// Integrated states.
+    pub(crate) states: Vec<f64>,
     /// What is added to φ (m) [m or rad]: gaps that joints are given; empty where there are none.
     pub(crate) gaps: Vec<f64>,
     /// \[s\]
@@ -42,6 +44,7 @@ impl Inputs {
             contacts: vec![Contact::default(); system.contacts.len()],
             memories: vec![0.0; system.dependent_forces.len()],
             sides: Vec::new(),
+            states: system.states.iter().map(|state| state.start).collect(),
             gaps: Vec::new(),
             time: 0.0,
         }
@@ -89,6 +92,7 @@ impl Evaluation {
             drive: &inputs.drive,
             offset: &inputs.offset,
             sides: &inputs.sides,
+            states: &inputs.states,
             contacts: &inputs.contacts,
             time: inputs.time,
         }

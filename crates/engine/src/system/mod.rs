@@ -18,6 +18,7 @@ mod roles;
 mod rows;
 mod scale;
 mod slopes;
+mod states;
 
 pub(crate) use contacts::Ends;
 pub use eval::{Evaluation, Inputs};
@@ -29,6 +30,7 @@ pub use roles::{
 pub use rows::{ContactRows, Extent};
 pub use scale::Scale;
 pub(crate) use slopes::Slopes;
+pub(crate) use states::StateData;
 
 use crate::element::cam::Cam;
 use crate::element::formula::Formula;
@@ -188,6 +190,8 @@ pub struct System {
     pub(crate) force_data: Vec<ForceData>,
     /// Those that are functions of what moves, in their order.
     pub(crate) formulas: Vec<Arc<Formula>>,
+    /// Integrated states, whose rates are formulas, too.
+    pub(crate) states: Vec<StateData>,
     /// Scales of their kinks, in SI, and behind them of those of cams.
     pub(crate) kinks: Vec<f64>,
     /// Forces that depend on multipliers; no part of [`Evaluation::eval_force`].

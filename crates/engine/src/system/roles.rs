@@ -76,6 +76,20 @@ pub enum ForceRole {
         /// Its columns are among the results without being asked for.
         is_actuator: bool,
     },
+    /// A cable, of which this is the first stretch.
+    Cable {
+        /// Its two bodies.
+        between: [BodyId; 2],
+        /// Lengths of all stretches.
+        path: Vec<Measured>,
+        /// −T \[N\]
+        pull: Strength,
+    },
+    /// Another stretch of a cable.
+    Stretch {
+        /// Its two bodies.
+        between: [BodyId; 2],
+    },
     /// A force from outside at a point.
     Load {
         /// Components \[N\].
@@ -97,7 +111,7 @@ impl ForceRole {
     pub(crate) fn is_applied(&self) -> bool {
         match self {
             ForceRole::Load { .. } | ForceRole::Torque { .. } => true,
-            ForceRole::Spring { .. } => false,
+            ForceRole::Spring { .. } | ForceRole::Cable { .. } | ForceRole::Stretch { .. } => false,
         }
     }
 
@@ -105,14 +119,17 @@ impl ForceRole {
     pub(crate) fn is_actuator(&self) -> bool {
         match self {
             ForceRole::Spring { is_actuator, .. } => *is_actuator,
-            ForceRole::Load { .. } | ForceRole::Torque { .. } => false,
+            ForceRole::Cable { .. } => true,
+            ForceRole::Load { .. } | ForceRole::Torque { .. } | ForceRole::Stretch { .. } => false,
         }
     }
 
     /// The bodies that exert the force on each other; none where it comes from outside.
     pub(crate) fn between(&self) -> Option<[BodyId; 2]> {
         match self {
-            ForceRole::Spring { between, .. } => Some(*between),
+            ForceRole::Spring { between, .. }
+            | ForceRole::Cable { between, .. }
+            | ForceRole::Stretch { between } => Some(*between),
             ForceRole::Torque { between, .. } => *between,
             ForceRole::Load { .. } => None,
         }

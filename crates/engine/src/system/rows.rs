@@ -169,6 +169,7 @@ impl System {
             force_data: Vec::new(),
             outputs: Vec::new(),
             formulas: Vec::new(),
+            states: Vec::new(),
             kinks: Vec::new(),
             dependent_forces: Vec::new(),
             contacts: Vec::new(),

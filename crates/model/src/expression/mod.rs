@@ -26,6 +26,7 @@ mod program;
 mod quantity;
 mod reduction;
 mod results;
+mod sided;
 mod split;
 mod tangent;
 mod written;
@@ -42,14 +43,16 @@ pub(super) use naming::with_article;
 pub use number::Number;
 pub(super) use number::Real;
 pub use parameters::Parameter;
-pub(super) use parameters::{Found, Parameters};
+pub(super) use parameters::{Found, Moved, Parameters};
 pub use program::Program;
 pub(super) use quantity::{Fault, Pure, Quantity};
 pub use reduction::Reduction;
 pub use results::{Known, Place, Results};
+pub use sided::{Fixed, Look};
 pub use tangent::Tangent;
 pub(super) use written::quantity;
 
+use crate::dimension::Powers;
 use parse::Parser;
 use quantity::Outcome;
 
@@ -121,6 +124,17 @@ const FUNCTIONS: [(&str, Function, usize, usize); 22] = [
     ("table", Function::Table, 5, usize::MAX),
 ];
 
+/// Whether a name is that of a function, or of what many values become one by.
+pub(super) fn is_function(name: &str) -> bool {
+    let reductions = Reduction::ALL.into_iter().map(Reduction::word);
+    name == PI
+        || FUNCTIONS
+            .iter()
+            .map(|row| row.0)
+            .chain(reductions)
+            .any(|word| word == name)
+}
+
 /// Functions whose names no parameter has; files may have parameters that are called like those that came later.
 const RESERVED: [&str; 17] = [
     "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "abs", "min", "max", "hypot",
@@ -144,6 +158,8 @@ enum Step {
     Power,
     /// With how many values.
     Call(Function, usize),
+    /// Through the table with this number, with the dimensions of its columns.
+    Look(usize, [Powers; 2]),
     /// Of a response: what a name among the results stands for.
     Result(Known),
     /// Of a response: one number of many.
@@ -157,7 +173,7 @@ impl Step {
     fn taken(self) -> usize {
         match self {
             Step::Push(_) | Step::Parameter(_) | Step::Result(_) => 0,
-            Step::Negate => 1,
+            Step::Negate | Step::Look(..) => 1,
             Step::Add
             | Step::Subtract
             | Step::Multiply
@@ -212,6 +228,7 @@ impl Expression {
             | Step::Divide
             | Step::Power
             | Step::Call(..)
+            | Step::Look(..)
             | Step::Result(_)
             | Step::Reduce(..)
             | Step::Equal => None,

@@ -9,6 +9,7 @@
 //! clamp(x, low, high)         side −1, 0, 1       x ≤ low, between, x ≥ high
 //! floor ceil round mod        side n              the whole number
 //! table(x; x1, y1; …; xn, yn) side k = 0 … n      straight between (xk, yk) and the next point, y1 before all, yn behind all
+//! name(x), of a table         side by its points               of the model
 //! ```
 
 use super::compiled::Constants;
@@ -70,6 +71,11 @@ impl Moving {
                     (quantity, Program::input(argument))
                 }
                 Step::Reduce(..) | Step::Equal => return Err(misfit(at_the_end())),
+                Step::Look(_, columns) => {
+                    let looked = looked(&quantities[0], columns).map_err(misfit)?;
+                    kinks.push(quantities[0].powers_of());
+                    (looked, Program::then(programs, step))
+                }
                 Step::Negate
                 | Step::Add
                 | Step::Subtract
@@ -110,6 +116,16 @@ impl Moving {
         })
     }
 
+    /// The same through a table, by its number and the dimensions of its columns.
+    pub(crate) fn through(mut self, table: usize, columns: [Powers; 2]) -> Result<Moving, Fault> {
+        self.kinks.push(self.quantity.powers_of());
+        Ok(Moving {
+            quantity: looked(&self.quantity, columns)?,
+            program: Program::then(vec![self.program], Step::Look(table, columns)),
+            kinks: self.kinks,
+        })
+    }
+
     /// Whether it names anything that moves.
     pub(crate) fn has_arguments(&self) -> bool {
         self.program.inputs().next().is_some()
@@ -120,6 +136,18 @@ impl Moving {
         let is_zero = self.quantity.value.single() == Some(0.0);
         self.quantity.fits(wanted) || is_zero && self.quantity.exponents == whole(wanted)
     }
+}
+
+/// What a table of a model gives, of what is looked up.
+fn looked(x: &Quantity<Guess>, [own, gives]: [Powers; 2]) -> Outcome<Guess> {
+    if x.fits(own) || x.value.single() == Some(0.0) {
+        return Ok(Quantity::si(0.0, gives).with_value(Guess(None)));
+    }
+    let wanted = Quantity::si(0.0, own).words();
+    Err(Fault::new(format!(
+        "this table takes {wanted}, not {}",
+        x.words()
+    )))
 }
 
 /// What a table gives, of the quantity that is looked up and the numbers of its points.

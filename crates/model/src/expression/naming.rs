@@ -23,6 +23,22 @@ impl<N: Number> Quantity<N> {
             .find(|dimension| whole(dimension.powers()) == self.exponents)
     }
 
+    /// Its powers, where they are whole.
+    pub fn whole_powers(&self) -> Option<Powers> {
+        let powers = self
+            .exponents
+            .map(|twelfths| (twelfths % 12 == 0).then_some(twelfths / 12));
+        let [Some(length), Some(mass), Some(time), Some(angle)] = powers else {
+            return None;
+        };
+        Some(Powers {
+            length,
+            mass,
+            time,
+            angle,
+        })
+    }
+
     /// Its unit in SI; empty where it is pure.
     pub fn unit(&self) -> String {
         if let Some(dimension) = self.dimension() {

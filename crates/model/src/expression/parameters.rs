@@ -3,6 +3,8 @@
 mod circles;
 mod responses;
 
+pub use responses::Moved;
+
 use std::collections::HashMap;
 
 use super::super::node::{Kind, Node, Origin};

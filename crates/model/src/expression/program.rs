@@ -1,13 +1,12 @@
 //! The arithmetic of an expression whose dimensions were checked: numbers in SI on a stack, without allocation.
 
 use super::dual::Dual;
-use super::moving::DEEPEST_STACK;
 use super::number::Number;
 use super::{Function, Step};
 
 /// What happens to the stack; `S` says where inputs come from.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Do<S> {
+pub(super) enum Do<S> {
     Push(f64),
     Parameter(usize),
     Input(S),
@@ -18,11 +17,13 @@ enum Do<S> {
     Divide,
     Power,
     Call(Function, usize),
+    /// Through the table with this number.
+    Look(usize),
 }
 
 /// Steps that make one number of some inputs.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Program<S = usize>(Vec<Do<S>>);
+pub struct Program<S = usize>(pub(super) Vec<Do<S>>);
 
 impl<S: Copy> Program<S> {
     /// One input as it is.
@@ -42,6 +43,7 @@ impl<S: Copy> Program<S> {
             | Step::Multiply
             | Step::Divide
             | Step::Power
+            | Step::Look(..)
             | Step::Call(..) => Vec::new(),
         })
     }
@@ -57,6 +59,7 @@ impl<S: Copy> Program<S> {
             Step::Divide => Some(Do::Divide),
             Step::Power => Some(Do::Power),
             Step::Call(function, count) => Some(Do::Call(function, count)),
+            Step::Look(table, _) => Some(Do::Look(table)),
             Step::Push(_)
             | Step::Parameter(_)
             | Step::Result(_)
@@ -78,6 +81,7 @@ impl<S: Copy> Program<S> {
             | Do::Multiply
             | Do::Divide
             | Do::Power
+            | Do::Look(_)
             | Do::Call(..) => None,
         })
     }
@@ -95,6 +99,7 @@ impl<S: Copy> Program<S> {
             Do::Divide => Do::Divide,
             Do::Power => Do::Power,
             Do::Call(function, count) => Do::Call(function, count),
+            Do::Look(table) => Do::Look(table),
         });
         Program(steps.collect())
     }
@@ -105,7 +110,7 @@ impl<S: Copy> Program<S> {
         for step in &self.0 {
             now = match step {
                 Do::Push(_) | Do::Parameter(_) | Do::Input(_) => now + 1,
-                Do::Negate => now,
+                Do::Negate | Do::Look(_) => now,
                 Do::Add | Do::Subtract | Do::Multiply | Do::Divide | Do::Power => {
                     now.saturating_sub(1)
                 }
@@ -131,7 +136,7 @@ impl Program {
                 Step::Divide => Do::Divide,
                 Step::Power => Do::Power,
                 Step::Call(function, count) => Do::Call(function, count),
-                Step::Result(_) | Step::Reduce(..) | Step::Equal => return None,
+                Step::Look(..) | Step::Result(_) | Step::Reduce(..) | Step::Equal => return None,
             })
         });
         steps.collect::<Option<_>>().map(Program)
@@ -176,107 +181,14 @@ impl Program {
                 Do::Divide => take(stack, 2, |values| values[0].divide(&values[1])),
                 Do::Power => take(stack, 2, |values| values[0].power(&values[1])),
                 Do::Call(function, count) => take(stack, count, |values| call(function, values)),
+                // a table is of a motion alone
+                Do::Look(_) => take(stack, 1, |_| N::of(f64::NAN)),
             }
             if !stack.last().is_some_and(&goes_on) {
                 return N::of(f64::NAN);
             }
         }
         stack.pop().unwrap_or_else(|| N::of(f64::NAN))
-    }
-}
-
-/// A program of a motion, whose functions are on one side of their kinks each. Nothing is allocated.
-impl Program {
-    /// How many kinks it has.
-    pub fn kinks(&self) -> usize {
-        let is_kinked =
-            |step: &&Do<usize>| matches!(step, Do::Call(function, _) if function.is_kinked());
-        self.0.iter().filter(is_kinked).count()
-    }
-
-    /// Its value with all kinks on the sides that are held; on those of the values, where none are.
-    pub fn value_on<N: Number + Copy>(
-        &self,
-        inputs: &[N],
-        parameters: &[f64],
-        held: Option<&[i32]>,
-    ) -> N {
-        let mut kink = 0;
-        self.walk(inputs, parameters, |function, values, numbers| {
-            let side = match held {
-                Some(held) => held[kink],
-                None => function.side(numbers),
-            };
-            kink += 1;
-            function.on_side(values, side)
-        })
-    }
-
-    /// The sides on which its kinks are.
-    pub fn take_sides(&self, inputs: &[f64], parameters: &[f64], sides: &mut [i32]) {
-        let mut own = sides.iter_mut();
-        self.walk(inputs, parameters, |function, values, numbers| {
-            let side = function.side(numbers);
-            own.next().into_iter().for_each(|own: &mut i32| *own = side);
-            function.on_side(values, side)
-        });
-    }
-
-    /// How far the kinks are beyond the sides that are held, each measured by its scale: the largest; below zero where none is.
-    pub fn beyond(
-        &self,
-        inputs: &[f64],
-        parameters: &[f64],
-        (held, scales): (&[i32], &[f64]),
-    ) -> f64 {
-        let (mut kink, mut most) = (0, f64::NEG_INFINITY);
-        self.walk(inputs, parameters, |function, values, numbers| {
-            let side = held[kink];
-            most = most.max(function.beyond(numbers, side) / scales[kink]);
-            kink += 1;
-            function.on_side(values, side)
-        });
-        most
-    }
-
-    fn walk<N: Number + Copy>(
-        &self,
-        inputs: &[N],
-        parameters: &[f64],
-        mut kinked: impl FnMut(Function, &[N], &[f64]) -> N,
-    ) -> N {
-        let mut stack = [N::of(0.0); DEEPEST_STACK];
-        let mut numbers = [0.0; DEEPEST_STACK];
-        let mut depth = 0;
-        for step in &self.0 {
-            let taken = match step {
-                Do::Push(_) | Do::Parameter(_) | Do::Input(_) => 0,
-                Do::Negate => 1,
-                Do::Add | Do::Subtract | Do::Multiply | Do::Divide | Do::Power => 2,
-                Do::Call(_, count) => *count,
-            };
-            let from = depth - taken;
-            let values = &stack[from..depth];
-            let result = match *step {
-                Do::Push(value) => N::of(value),
-                Do::Parameter(index) => N::of(parameters[index]),
-                Do::Input(input) => inputs[input],
-                Do::Negate => values[0].negate(),
-                Do::Add => values[0].add(&values[1]),
-                Do::Subtract => values[0].subtract(&values[1]),
-                Do::Multiply => values[0].multiply(&values[1]),
-                Do::Divide => values[0].divide(&values[1]),
-                Do::Power => values[0].power(&values[1]),
-                Do::Call(function, _) if function.is_kinked() => {
-                    kinked(function, values, &numbers[from..depth])
-                }
-                Do::Call(function, _) => call(function, values),
-            };
-            stack[from] = result;
-            numbers[from] = result.shown();
-            depth = from + 1;
-        }
-        stack[0]
     }
 }
 
@@ -288,7 +200,7 @@ fn take<N>(stack: &mut Vec<N>, count: usize, result: impl FnOnce(&[N]) -> N) {
     stack.push(result);
 }
 
-fn call<N: Number>(function: Function, values: &[N]) -> N {
+pub(super) fn call<N: Number>(function: Function, values: &[N]) -> N {
     let first = &values[0];
     let second = values.get(1).unwrap_or(first);
     match function {

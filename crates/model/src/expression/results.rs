@@ -30,4 +30,12 @@ pub trait Results {
     fn find(&self, name: &str) -> Option<Known>;
     /// What to say about a name that stands for nothing, beside parameters of these names.
     fn missing(&self, name: &str, parameters: &[String]) -> Complaint;
+    /// The number of a table that is called like this, with the dimensions of its columns.
+    fn table(&self, _name: &str) -> Option<(usize, [Powers; 2])> {
+        None
+    }
+    /// The names of all tables.
+    fn tables(&self) -> Vec<String> {
+        Vec::new()
+    }
 }

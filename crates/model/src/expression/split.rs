@@ -84,6 +84,7 @@ impl Splitter<'_> {
             }
             Step::Reduce(reduction, _) => self.reduce(at, reduction, taken),
             Step::Equal => equation(taken),
+            Step::Look(..) => Err((None, Fault::new("a table stands in a force, or in a state"))),
             Step::Negate
             | Step::Add
             | Step::Subtract

@@ -4,13 +4,19 @@ use super::Rules;
 use crate::dimension::Dimension;
 use crate::error::Complaint;
 use crate::response::Catalogue;
-use crate::{ForceKind, GROUND, Value};
+use crate::{ForceKind, GROUND, PointRef, Value};
+
+/// Points that a cable goes over at most.
+const MOST_POINTS: usize = 8;
 
 /// Warns of a force or a torque that acts on nothing that can move.
 pub(super) fn forces(rules: &mut Rules<'_>) {
     let model = rules.model;
     for (name, force) in &model.forces {
         let path = format!("forces.{name}");
+        if let ForceKind::Cable { through, .. } = &force.kind {
+            cable(rules, through, &path);
+        }
         let known = |key: &str| !rules.holes.has(&format!("{path}.{key}"));
         let idle = match &force.kind {
             ForceKind::Load { at, .. } if at.body == GROUND && known("at") => {
@@ -30,6 +36,7 @@ pub(super) fn forces(rules: &mut Rules<'_>) {
             }
             ForceKind::Spring { .. }
             | ForceKind::Actuator { .. }
+            | ForceKind::Cable { .. }
             | ForceKind::TorsionSpring { .. }
             | ForceKind::Load { .. }
             | ForceKind::Torque { .. } => None,
@@ -43,6 +50,30 @@ pub(super) fn forces(rules: &mut Rules<'_>) {
     }
 }
 
+/// A cable goes over a few points, and on from each.
+fn cable(rules: &mut Rules<'_>, through: &[PointRef], path: &str) {
+    let at = format!("{path}.through");
+    if rules.holes.has(&at) {
+        return;
+    }
+    if through.len() > MOST_POINTS {
+        let message = format!(
+            "a cable goes over at most {MOST_POINTS} points, here {}",
+            through.len()
+        );
+        return rules.complain(at, message, "a longer one is two, joined at a body");
+    }
+    let again = through.windows(2).position(|pair| pair[0] == pair[1]);
+    if let Some(index) = again.filter(|index| !rules.holes.has(&format!("{at}[{}]", index + 1))) {
+        let message = "the same point twice, one after the other";
+        rules.complain(
+            format!("{at}[{}]", index + 1),
+            message,
+            "leave one of them out",
+        );
+    }
+}
+
 /// Complains about formulas that can't be evaluated.
 pub(super) fn formulas(rules: &mut Rules<'_>) {
     let model = rules.model;
@@ -53,7 +84,9 @@ pub(super) fn formulas(rules: &mut Rules<'_>) {
     for (name, force) in &model.forces {
         let path = |key: &str| format!("forces.{name}.{key}");
         match &force.kind {
-            ForceKind::Spring { free_length, .. } => look(free_length, None, path("free_length")),
+            ForceKind::Spring { free_length, .. } | ForceKind::Cable { free_length, .. } => {
+                look(free_length, None, path("free_length"));
+            }
             ForceKind::TorsionSpring { free_angle, .. } => {
                 look(free_angle, None, path("free_angle"));
             }

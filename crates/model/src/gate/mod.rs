@@ -17,7 +17,9 @@ mod outlines;
 mod outputs;
 mod ranges;
 mod responses;
+mod states;
 mod stops;
+mod tables;
 
 pub use holes::Holes;
 pub use names::no_point;
@@ -148,7 +150,9 @@ fn inspect(model: &Model, holes: Holes) -> Said {
     drivers::drivers(&mut rules);
     forces::forces(&mut rules);
     motions::motions(&mut rules);
+    tables::tables(&mut rules);
     forces::formulas(&mut rules);
+    states::states(&mut rules);
     names::initial(&mut rules);
     names::wanted_points(&mut rules);
     analysis::analysis(&mut rules);

@@ -24,7 +24,7 @@ pub(super) fn motions(rules: &mut Rules<'_>) {
     for (name, force) in &model.forces {
         let path = format!("forces.{name}");
         match &force.kind {
-            ForceKind::Spring { free_length, .. } => {
+            ForceKind::Spring { free_length, .. } | ForceKind::Cable { free_length, .. } => {
                 value(rules, free_length, &format!("{path}.free_length"));
             }
             ForceKind::TorsionSpring { free_angle, .. } => {

@@ -108,6 +108,11 @@ impl Names<'_, '_> {
                 ForceKind::Spring { between, .. } | ForceKind::Actuator { between, .. } => {
                     self.points(between, &path);
                 }
+                ForceKind::Cable { through, .. } => {
+                    for (index, point) in through.iter().enumerate() {
+                        self.point(&format!("{path}.through[{index}]"), point);
+                    }
+                }
                 ForceKind::TorsionSpring { between, .. } => {
                     for (index, body) in between.iter().enumerate() {
                         self.name(&format!("{path}.between[{index}]"), Named::Body, body);

@@ -1,5 +1,7 @@
 //! Rules on single values: numbers in their ranges, names without signs that paths need, lists that are long enough.
 
+use indexmap::IndexMap;
+
 use super::holes::Holes;
 use crate::error::Complaint;
 use crate::shape::{Bound, Object, Shape};
@@ -126,17 +128,7 @@ impl Look<'_> {
                 }
             }
             (Shape::Responses, all) => self.value(all, &Shape::Map(&Shape::Response)),
-            (Shape::Bodies, Tree::Map(members)) => {
-                if members.is_empty() {
-                    self.complain("it is empty, at least one is needed");
-                }
-                for (name, value) in members {
-                    self.named(name, value, &Shape::Object(&BODY));
-                }
-                if let Some(ground) = members.get(FIXED) {
-                    self.key(FIXED, |look| look.ground(ground));
-                }
-            }
+            (Shape::Bodies, Tree::Map(members)) => self.bodies(members),
             (Shape::Object(object), tree) => self.object(tree, object),
             (Shape::Tagged(tagged), tree) => {
                 let kind = tree.get("type").and_then(Tree::text);
@@ -147,6 +139,10 @@ impl Look<'_> {
             // Their types allow nothing else, or names are looked up.
             (
                 Shape::Format
+                | Shape::Curve(_)
+                | Shape::State(_)
+                | Shape::Entries
+                | Shape::Entry
                 | Shape::Units
                 | Shape::Parameters
                 | Shape::Nominal
@@ -173,6 +169,18 @@ impl Look<'_> {
                 | Shape::Bodies,
                 _,
             ) => {}
+        }
+    }
+
+    fn bodies(&mut self, members: &IndexMap<String, Tree>) {
+        if members.is_empty() {
+            self.complain("it is empty, at least one is needed");
+        }
+        for (name, value) in members {
+            self.named(name, value, &Shape::Object(&BODY));
+        }
+        if let Some(ground) = members.get(FIXED) {
+            self.key(FIXED, |look| look.ground(ground));
         }
     }
 

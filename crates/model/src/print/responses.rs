@@ -8,6 +8,7 @@ use crate::formula::Formula;
 use crate::node::{Kind, Node, Origin};
 use crate::response::{Response, self_contained};
 use crate::shape::Shape;
+use crate::state::State;
 use crate::tree::Tree;
 use crate::walk::{Driven, Walk};
 
@@ -68,10 +69,45 @@ impl Printer<'_> {
         {
             return node.to_value();
         }
-        match serde_json::from_value::<Formula>(tree.clone()) {
-            Ok(formula) => self_contained(&formula.formula, &formula.parameters).into(),
-            Err(_) => tree,
+        let Ok(mut formula) = serde_json::from_value::<Formula>(tree.clone()) else {
+            return tree;
+        };
+        let text = self_contained(&formula.formula, &formula.parameters);
+        let Some(table) = formula.table.take() else {
+            return text.into();
+        };
+        let mut out = Map::from_iter([("of".to_owned(), text.trim_start_matches('=').into())]);
+        if let Value::Object(members) = without_nulls(json!(table)) {
+            out.extend(members);
         }
+        Value::Object(out)
+    }
+
+    /// A table or a state as the file says it, else in SI.
+    pub(super) fn whole(
+        &mut self,
+        tree: &Tree,
+        shape: &Shape,
+        written: Option<&Node>,
+        driven: Driven,
+    ) -> Value {
+        let tree = without_nulls(plain(tree));
+        if let Some(node) = written
+            && self
+                .walk
+                .sound(node, shape, driven)
+                .map(without_nulls)
+                .as_ref()
+                == Some(&tree)
+        {
+            return node.to_value();
+        }
+        let Ok(state) = serde_json::from_value::<State>(tree.clone()) else {
+            return tree;
+        };
+        let rate = self_contained(&state.rate.formula, &state.rate.parameters);
+        let start = format!("{:?} {}", state.start, state.unit);
+        json!({ "rate": rate, "start": start.trim_end() })
     }
 
     /// A limit in SI, with its unit where plain numbers of the file are in another one.

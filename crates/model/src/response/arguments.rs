@@ -1,7 +1,7 @@
 //! The names of what moves, for formulas.
 
 use super::Catalogue;
-use crate::dimension::Dimension;
+use crate::dimension::{Dimension, Powers};
 use crate::formula::{Argument, Coordinate, Order};
 use crate::joint::PointRef;
 
@@ -54,6 +54,9 @@ impl Catalogue {
         let known = |name: &str| self.drives(name).is_some();
         match name.split_once('.')? {
             ("driver", driver) if known(driver) => Some(Argument::Driver(driver.to_owned())),
+            ("state", state) if self.state(state).is_some() => {
+                Some(Argument::State(state.to_owned()))
+            }
             ("driver", rest) => {
                 let driver = rest.strip_suffix(".value").filter(|driver| known(driver))?;
                 Some(Argument::Driver(driver.to_owned()))
@@ -77,6 +80,16 @@ impl Catalogue {
             }
             (_, _) => None,
         }
+    }
+
+    /// The dimension of a state, where there is one of this name.
+    pub(crate) fn state(&self, name: &str) -> Option<Powers> {
+        Some(self.states.iter().find(|one| one.0 == name)?.1)
+    }
+
+    /// The tables, with the dimensions of their columns.
+    pub(crate) fn tables(&self) -> &[(String, [Powers; 2])] {
+        &self.tables
     }
 
     /// Of a driver, where there is one of this name and it is known what it drives.
@@ -110,6 +123,7 @@ impl Catalogue {
             names.extend(words.map(|row| format!("force.{}.{}", spring.name, row.0)));
         }
         names.extend(self.drivers.iter().map(|one| format!("driver.{}", one.0)));
+        names.extend(self.states.iter().map(|one| format!("state.{}", one.0)));
         names
     }
 }

@@ -18,8 +18,13 @@ pub struct Catalogue {
     pub(super) drivers: Vec<(String, Option<Dimension>)>,
     pub(super) loads: Vec<Load>,
     pub(super) springs: Vec<Load>,
+    pub(super) cables: Vec<Load>,
     /// With the dimension of each that can be read.
     pub(super) outputs: Vec<(String, Option<Powers>)>,
+    /// Tables with the dimensions of their columns.
+    pub(super) tables: Vec<(String, [Powers; 2])>,
+    /// States with their dimensions.
+    pub(super) states: Vec<(String, Powers)>,
     /// What drives and what is driven, where the analysis wants a transmission.
     pub(super) transmission: Option<[Dimension; 2]>,
 }
@@ -82,6 +87,7 @@ impl Catalogue {
                     (&mut catalogue.springs, false)
                 }
                 ForceKind::TorsionSpring { .. } => (&mut catalogue.springs, true),
+                ForceKind::Cable { .. } => (&mut catalogue.cables, false),
             };
             let name = name.clone();
             list.push(Load { name, turns });
@@ -97,7 +103,32 @@ impl Catalogue {
         }
         let outputs = model.outputs.iter();
         catalogue.put_out(outputs.map(|(name, text)| (name.as_str(), text.as_str())));
+        let tables = model.tables.iter();
+        let tables = tables.map(|(name, table)| {
+            // the gate has complained of what is no unit
+            (name.clone(), table.columns().unwrap_or_default())
+        });
+        let states = model.states.iter();
+        let states = states.map(|(name, state)| {
+            let unit = crate::table::unit(&state.unit);
+            (
+                name.clone(),
+                unit.map(|unit| unit.powers).unwrap_or_default(),
+            )
+        });
         catalogue
+            .with_tables(tables.collect())
+            .with_states(states.collect())
+    }
+
+    /// The same with states.
+    pub(crate) fn with_states(self, states: Vec<(String, Powers)>) -> Self {
+        Catalogue { states, ..self }
+    }
+
+    /// The same with tables.
+    pub(crate) fn with_tables(self, tables: Vec<(String, [Powers; 2])>) -> Self {
+        Catalogue { tables, ..self }
     }
 
     /// Of a file, before it is a model.
@@ -150,6 +181,7 @@ impl Catalogue {
                 Some("torque") => (&mut catalogue.loads, true),
                 Some("spring" | "actuator") => (&mut catalogue.springs, false),
                 Some("torsion_spring") => (&mut catalogue.springs, true),
+                Some("cable") => (&mut catalogue.cables, false),
                 _ => continue,
             };
             let name = name.clone();

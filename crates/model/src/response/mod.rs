@@ -6,8 +6,8 @@ mod facts;
 mod names;
 
 pub use crate::expression::{
-    Compiled, DEEPEST_STACK, Dual, Input, Known, MOST_ARGUMENTS, Moving, Number, Over, Place,
-    Program, Reduce, Reduction, Results, Tangent, Values,
+    Compiled, DEEPEST_STACK, Dual, Fixed, Input, Known, Look, MOST_ARGUMENTS, Moving, Number, Over,
+    Place, Program, Reduce, Reduction, Results, Tangent, Values,
 };
 pub use catalogue::Catalogue;
 pub use facts::{ClearanceSum, EVENTS, Fact, Item, List};
@@ -96,6 +96,10 @@ impl Results for Anything {
             place: Place::Row(0),
             powers: crate::Powers::default(),
         })
+    }
+
+    fn table(&self, _: &str) -> Option<(usize, [crate::Powers; 2])> {
+        Some((0, Default::default()))
     }
 
     fn missing(&self, name: &str, _: &[String]) -> Complaint {

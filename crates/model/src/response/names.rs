@@ -44,6 +44,7 @@ const SHAKING: [(&str, Dimension); 3] = [
 const LOAD: [&str; 3] = ["fx", "fy", "power"];
 const TORQUE: [&str; 2] = ["torque", "power"];
 const SPRING: [&str; 6] = ["length", "rate", "f", "fx", "fy", "power"];
+const CABLE: [&str; 4] = ["length", "rate", "f", "power"];
 const TORSION: [&str; 4] = ["angle", "omega", "torque", "power"];
 /// Of joints that turn, that slide, and of all.
 const TURN: [&str; 2] = ["angle", "omega"];
@@ -137,6 +138,7 @@ impl Catalogue {
             "energy" if ENERGY.contains(&word) => return Some(powers(2, 1, -2, 0)),
             "shaking" => return of(&SHAKING, word),
             "transmission" => return self.transmitted(word),
+            "state" => return self.state(word),
             "output" => return self.outputs.iter().find(|one| one.0 == word)?.1,
             _ => {}
         }
@@ -160,6 +162,7 @@ impl Catalogue {
                     (_, _) => None,
                 }
             }
+            ("state", state) if word == "rate" => Some(self.state(state)?.per_second(1)),
             ("force", force) => {
                 let (_, words) = self.force_words().find(|(name, _)| *name == force)?;
                 words.contains(&word).then(|| shown(word))?
@@ -183,7 +186,11 @@ impl Catalogue {
             .iter()
             .map(move |one| (one.name.as_str(), load(one)));
         let springs = self.springs.iter();
-        loads.chain(springs.map(move |one| (one.name.as_str(), spring(one))))
+        let cables = self.cables.iter();
+        let springs = springs.map(move |one| (one.name.as_str(), spring(one)));
+        loads
+            .chain(springs)
+            .chain(cables.map(|one| (one.name.as_str(), &CABLE[..])))
     }
 
     /// The dimension of ratio or advantage.
@@ -272,6 +279,9 @@ impl Catalogue {
             names.extend(words.iter().map(|word| format!("force.{name}.{word}")));
         }
         names.extend(self.outputs.iter().map(|one| format!("output.{}", one.0)));
+        for (state, _) in &self.states {
+            names.extend([format!("state.{state}"), format!("state.{state}.rate")]);
+        }
         if self.transmission.is_some() {
             names.extend(TRANSMISSION.map(|word| format!("transmission.{word}")));
             let joints = self.joints.iter();

@@ -4,7 +4,7 @@ use serde_json::json;
 
 use super::{Keys, QUANTITY_PATTERN, at, keys, list, note, said, target};
 use crate::dimension::Dimension;
-use crate::shape::{Asked, Field, Shape};
+use crate::shape::{Asked, Bound, Field, Shape};
 use crate::words::{LENGTH, PARAMETER, PLACE, RESPONSE};
 
 /// Name of a parameter.
@@ -35,6 +35,22 @@ pub fn value() -> Keys {
 /// A quantity, or nothing.
 pub fn end(quantity: &Keys) -> Keys {
     keys(json!({ "anyOf": [quantity, { "type": "null" }] }))
+}
+
+/// Points of a table, with what both entries of each are.
+pub fn points(entries: &serde_json::Value) -> Keys {
+    let mut point = keys(json!({ "type": "array" }));
+    point.extend(keys(entries.clone()));
+    point.extend(keys(json!({ "minItems": 2, "maxItems": 2 })));
+    keys(json!({ "type": "array", "items": point, "minItems": 2 }))
+}
+
+/// Two numbers, not both zero.
+pub fn direction(field: Option<&Field>) -> Keys {
+    let mut keys = list(&Shape::Number(Bound::Any), 2, Some(2));
+    said(&mut keys, field);
+    keys.insert("not".into(), json!({ "const": [0, 0] }));
+    keys
 }
 
 /// The parameters, alone or with tolerances.

@@ -4,6 +4,7 @@ use crate::Model;
 use crate::force::{ForceKind, Value};
 use crate::joint::JointKind;
 use crate::motion::Motion;
+use crate::table::Table;
 
 /// The steps of a path, `bodies.crank.points.A[0]`: names and indexes.
 pub fn steps(path: &str) -> impl Iterator<Item = &str> {
@@ -40,6 +41,18 @@ pub fn number<'m, 'p>(
             (path.next()? == "motion").then_some(())?;
             motion(&mut driver.motion, path)
         }
+        "states" => {
+            let state = model.states.get_mut(path.next()?)?;
+            match path.next()? {
+                "start" => Some(&mut state.start),
+                "rate" if path.next()? == "parameters" => {
+                    let constant = state.rate.parameters.get_mut(path.next()?)?;
+                    Some(&mut constant.value)
+                }
+                _ => None,
+            }
+        }
+        "tables" => table(model.tables.get_mut(path.next()?)?, path),
         "forces" => force(&mut model.forces.get_mut(path.next()?)?.kind, path),
         _ => None,
     }
@@ -169,15 +182,22 @@ fn force<'m, 'p>(
 ) -> Option<&'m mut f64> {
     match (kind, path.next()?) {
         (
-            ForceKind::Spring { stiffness, .. } | ForceKind::TorsionSpring { stiffness, .. },
+            ForceKind::Spring { stiffness, .. }
+            | ForceKind::Cable { stiffness, .. }
+            | ForceKind::TorsionSpring { stiffness, .. },
             "stiffness",
         ) => Some(stiffness),
         (
-            ForceKind::Spring { damping, .. } | ForceKind::TorsionSpring { damping, .. },
+            ForceKind::Spring { damping, .. }
+            | ForceKind::Cable { damping, .. }
+            | ForceKind::TorsionSpring { damping, .. },
             "damping",
         ) => Some(damping),
         (
             ForceKind::Spring {
+                free_length: value, ..
+            }
+            | ForceKind::Cable {
                 free_length: value, ..
             },
             "free_length",
@@ -206,9 +226,25 @@ fn value<'m, 'p>(
         Value::Constant(value) => path.next().is_none().then_some(value),
         Value::Motion(law) => motion(law, path),
         Value::Formula(formula) => {
-            (path.next()? == "parameters").then_some(())?;
+            let key = path.next()?;
+            if key != "parameters" {
+                return table(
+                    formula.table.as_mut()?,
+                    &mut std::iter::once(key).chain(path),
+                );
+            }
             let constant = formula.parameters.get_mut(path.next()?)?;
             Some(&mut constant.value)
         }
     }
+}
+
+fn table<'m, 'p>(
+    table: &'m mut Table,
+    path: &mut impl Iterator<Item = &'p str>,
+) -> Option<&'m mut f64> {
+    // on places there are rules beyond signs
+    (path.next()? == "points").then_some(())?;
+    let point = table.points.get_mut(path.next()?.parse::<usize>().ok()?)?;
+    (path.next()? == "1").then_some(&mut point[1])
 }

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::{Driven, Walk};
 use crate::dimension::Dimension;
 use crate::error::Complaint;
-use crate::expression::{Misfit, is_expression};
+use crate::expression::{Misfit, Moved, Quantity, is_expression};
 use crate::formula::{Arguments, misfit};
 use crate::node::{Kind, Node};
 use crate::response::{Catalogue, Constant};
@@ -32,19 +32,16 @@ impl Walk<'_> {
         wanted: Dimension,
         path: &str,
     ) -> Option<Option<Value>> {
+        if matches!(node.kind, Kind::Object(_)) && node.get("of").is_some() {
+            return Some(self.table_of(node, wanted, path));
+        }
         let Kind::String(text) = &node.kind else {
             return None;
         };
         if !is_expression(text) {
             return None;
         }
-        let root = &self.source.root;
-        let catalogue = self
-            .catalogue
-            .take()
-            .unwrap_or_else(|| Catalogue::of_file(root));
-        let read = self.parameters.moving(text, &Arguments::of(&catalogue));
-        self.catalogue = Some(catalogue);
+        let read = self.moving(text);
         match read {
             Ok(Some((moving, _))) if !moving.has_arguments() => None,
             Ok(Some((moving, constants))) => {
@@ -53,18 +50,12 @@ impl Walk<'_> {
                     self.complain(node, Complaint { path, ..complaint });
                     return Some(None);
                 }
-                // its parameters are numbers of the model like any other
-                for (name, _) in &constants {
-                    let place = format!("{path}.parameters.{name}");
-                    self.record(&format!("={name}"), &place, || 1.0);
-                }
-                let constants = constants
-                    .into_iter()
-                    .map(|(name, value)| (name, json!(Constant::new(value))));
-                let parameters = Value::Object(constants.collect());
+                let parameters = self.constants(constants, path);
                 Some(Some(json!({ "formula": text, "parameters": parameters })))
             }
             Ok(None) => None,
+            // what is wrong with a table is told there
+            Err(_) if self.has_faulty_function() => Some(None),
             Err(Misfit { at, fault }) if names_a_part(text) => {
                 let complaint = Complaint {
                     hint: fault.hint,
@@ -75,6 +66,46 @@ impl Walk<'_> {
             }
             Err(_) => None,
         }
+    }
+
+    /// An expression of what moves, and the parameters that it names; none where one of these has no value.
+    pub(super) fn moving(&mut self, text: &str) -> Result<Moved, Misfit> {
+        let root = &self.source.root;
+        let (tables, states) = (&self.tables, &self.states);
+        let catalogue = self.catalogue.take().unwrap_or_else(|| {
+            let known = tables.iter();
+            let known = known.map(|(name, table, _)| {
+                let columns = table.as_ref().and_then(|table| table.columns().ok());
+                (name.clone(), columns.unwrap_or_default())
+            });
+            let states = states.iter();
+            let states = states.filter_map(|one| Some((one.name.clone(), one.powers?)));
+            Catalogue::of_file(root)
+                .with_tables(known.collect())
+                .with_states(states.collect())
+        });
+        let read = self.parameters.moving(text, &Arguments::of(&catalogue));
+        self.catalogue = Some(catalogue);
+        if let Ok(Some((moving, _))) = &read {
+            for table in moving.program.tables() {
+                if let Some((.., is_used)) = self.tables.get_mut(table) {
+                    *is_used = true;
+                }
+            }
+        }
+        read
+    }
+
+    /// The parameters of a formula, which are numbers of the model like any other.
+    pub(super) fn constants(&mut self, constants: Vec<(String, Quantity)>, path: &str) -> Value {
+        for (name, _) in &constants {
+            let place = format!("{path}.parameters.{name}");
+            self.record(&format!("={name}"), &place, || 1.0);
+        }
+        let constants = constants
+            .into_iter()
+            .map(|(name, value)| (name, json!(Constant::new(value))));
+        Value::Object(constants.collect())
     }
 }
 

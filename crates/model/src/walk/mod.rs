@@ -13,11 +13,14 @@ mod otherwise;
 mod parameter;
 mod quantity;
 mod response;
+mod state;
+mod table;
 mod units;
 
 pub use lists::{COLUMNS, entry_driven};
 pub use object::{NOTE, shape_of};
 pub use otherwise::{recorded, walk_deviating, walk_given};
+use state::Early;
 pub use units::{Driven, Units, display};
 
 use std::collections::HashMap;
@@ -31,9 +34,10 @@ use crate::expression::{Found, Parameter, Parameters, Recorded};
 use crate::gate::Holes;
 use crate::node::{Kind, Node, Origin};
 use crate::response::Catalogue;
-use crate::shape::{Bound, Choice, Shape, Tagged};
+use crate::shape::{Bound, Choice, Shape};
 use crate::source::Source;
 use crate::suggest;
+use crate::table::Table;
 use crate::tolerance::Tolerance;
 use crate::words::{FILE, MATERIAL, SEPARATE};
 
@@ -85,8 +89,9 @@ fn walk_with(
     for fault in faults {
         walk.complain_at(fault.node, fault.at, fault.complaint);
     }
-    let value = walk.value(&source.root, &Shape::Object(&FILE), "", Driven::Nothing);
+    let value = walk.file();
     let mut warnings = walk.units.warnings(source);
+    warnings.extend(walk.idle_tables());
     // what nothing uses may stay in a file, but a --set would be in vain
     let unused = walk.parameters.unused(written);
     let (in_vain, idle): (Vec<_>, Vec<_>) = unused.into_iter().partition(|(_, is_set)| *is_set);
@@ -145,6 +150,10 @@ pub struct Walk<'a> {
     undotted: Vec<Undotted>,
     /// Of parameters, by their names.
     tolerances: HashMap<String, Tolerance>,
+    /// The tables, which are read before everything else, and whether a formula calls each.
+    tables: Vec<(String, Option<Table>, bool)>,
+    /// The states, which are read before everything else, with their dimensions as far as they are known.
+    states: Vec<Early>,
     /// The names of results, once they were needed.
     catalogue: Option<Catalogue>,
     /// The expressions that were met, where that is asked for.
@@ -169,6 +178,8 @@ impl<'a> Walk<'a> {
             more: 0,
             undotted: Vec::new(),
             tolerances: HashMap::new(),
+            tables: Vec::new(),
+            states: Vec::new(),
             catalogue: None,
             record: None,
         }
@@ -184,6 +195,14 @@ impl<'a> Walk<'a> {
     /// The units of plain numbers.
     pub fn units(&self) -> &Units {
         &self.units
+    }
+
+    /// All of the file.
+    fn file(&mut self) -> Value {
+        let source = self.source;
+        self.read_tables(source.root.get("tables"));
+        self.read_states(source.root.get("states"));
+        self.value(&source.root, &Shape::Object(&FILE), "", Driven::Nothing)
     }
 
     /// Complains about a value.
@@ -273,6 +292,10 @@ impl<'a> Walk<'a> {
             Shape::Pair(of) => self.list(node, of, (2, Some(2)), path, driven),
             Shape::List(of, least) => self.list(node, of, (*least, None), path, driven),
             Shape::Table => self.table(node, path, driven),
+            Shape::Curve(_) => self.curve(node, path),
+            Shape::State(_) => self.state(node, path),
+            // whoever knows the units reads them
+            Shape::Entries | Shape::Entry => Some(Value::Null),
             Shape::Formula(dimension) => match self.formula(node, *dimension, path) {
                 Some(read) => read,
                 None => self.varying(node, *dimension, path),
@@ -298,52 +321,6 @@ impl<'a> Walk<'a> {
             Shape::Bodies => self.bodies(node, path, driven),
             Shape::Object(object) => self.object(node, object, None, path, driven),
             Shape::Tagged(tagged) => self.tagged(node, tagged, path, driven),
-        }
-    }
-
-    fn tagged(
-        &mut self,
-        node: &Node,
-        tagged: &Tagged,
-        path: &str,
-        driven: Driven,
-    ) -> Option<Value> {
-        let names = || tagged.variants.iter().map(|variant| variant.name);
-        let Kind::Object(members) = &node.kind else {
-            self.complain(node, wrong_kind(path, "an object", node));
-            return None;
-        };
-        let Some(member) = members.get("type") else {
-            let misspelt = members
-                .iter()
-                .find(|(key, _)| suggest::nearest(key, ["type"]).is_some());
-            match misspelt {
-                Some((key, member)) => {
-                    let complaint = Complaint::new(crate::node::join(path, key), "unknown key")
-                        .hint("did you mean \"type\"?");
-                    self.complain_key(member.key, key, complaint);
-                }
-                None => {
-                    let complaint = Complaint::new(path, "\"type\" is missing");
-                    let hint = format!("one of {}", suggest::any_of(names()));
-                    self.complain(node, complaint.hint(hint));
-                }
-            }
-            return None;
-        };
-        // a misspelt type is read as the one that was probably meant, to find what else is wrong
-        let kind = member.node.as_str();
-        let meant = kind.and_then(|kind| {
-            let exact = tagged.variant(kind);
-            exact.or_else(|| tagged.variant(suggest::nearest(kind, names())?))
-        });
-        match meant {
-            Some(variant) => self.object(node, variant, Some(variant.name), path, driven),
-            None => {
-                let names: Vec<&str> = names().collect();
-                self.choice(&member.node, &names, &crate::node::join(path, "type"))?;
-                None
-            }
         }
     }
 

@@ -11,7 +11,7 @@ use crate::error::Complaint;
 use crate::examples;
 use crate::gate::name_fault;
 use crate::node::{Kind, Member, Node, join};
-use crate::shape::{Bound, Drives, Either, Field, Measure, Need, Object, Shape};
+use crate::shape::{Bound, Drives, Either, Field, Measure, Need, Object, Shape, Tagged};
 use crate::suggest;
 use crate::words::{BODY, GROUND};
 
@@ -133,6 +133,53 @@ impl Walk<'_> {
         }
         self.missing(node, object, &mut out, path);
         Some(Value::Object(out))
+    }
+
+    /// An object told from others by its `type`.
+    pub(super) fn tagged(
+        &mut self,
+        node: &Node,
+        tagged: &Tagged,
+        path: &str,
+        driven: Driven,
+    ) -> Option<Value> {
+        let names = || tagged.variants.iter().map(|variant| variant.name);
+        let Kind::Object(members) = &node.kind else {
+            self.complain(node, wrong_kind(path, "an object", node));
+            return None;
+        };
+        let Some(member) = members.get("type") else {
+            let misspelt = members
+                .iter()
+                .find(|(key, _)| suggest::nearest(key, ["type"]).is_some());
+            match misspelt {
+                Some((key, member)) => {
+                    let complaint = Complaint::new(join(path, key), "unknown key")
+                        .hint("did you mean \"type\"?");
+                    self.complain_key(member.key, key, complaint);
+                }
+                None => {
+                    let complaint = Complaint::new(path, "\"type\" is missing");
+                    let hint = format!("one of {}", suggest::any_of(names()));
+                    self.complain(node, complaint.hint(hint));
+                }
+            }
+            return None;
+        };
+        // a misspelt type is read as the one that was probably meant, to find what else is wrong
+        let kind = member.node.as_str();
+        let meant = kind.and_then(|kind| {
+            let exact = tagged.variant(kind);
+            exact.or_else(|| tagged.variant(suggest::nearest(kind, names())?))
+        });
+        match meant {
+            Some(variant) => self.object(node, variant, Some(variant.name), path, driven),
+            None => {
+                let names: Vec<&str> = names().collect();
+                self.choice(&member.node, &names, &join(path, "type"))?;
+                None
+            }
+        }
     }
 
     /// Complains about keys that are missing.

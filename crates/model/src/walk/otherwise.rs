@@ -1,11 +1,9 @@
 //! Reading a file once more: with other values of its parameters, or to see what depends on them.
 
-use super::{Driven, Findings, Units, Walk, driven, walk_with};
+use super::{Findings, Units, Walk, driven, walk_with};
 use crate::error::Complaint;
 use crate::expression::{Parameters, Recorded};
-use crate::shape::Shape;
 use crate::source::Source;
-use crate::words::FILE;
 
 /// Reads the whole file with other values of parameters.
 ///
@@ -37,7 +35,7 @@ pub fn recorded(source: &Source) -> (Parameters, Vec<Recorded>) {
     let (units, parameters) = read(source);
     let mut walk = Walk::new(source, units, parameters, driven(&source.root));
     walk.record = Some(Vec::new());
-    walk.value(&source.root, &Shape::Object(&FILE), "", Driven::Nothing);
+    walk.file();
     (walk.parameters, walk.record.unwrap_or_default())
 }
 

@@ -70,6 +70,36 @@ pub static FORCE: Tagged = Tagged {
             either: None,
         },
         Object {
+            name: "cable",
+            about: "Over points, small pulleys among them: a tension k(L − L₀) + c L̇ of its whole length, which never pushes \\[N\\].",
+            fields: &[
+                required(
+                    "through",
+                    Shape::List(&Shape::Point, 2),
+                    "Points in their order, `body.point`.",
+                ),
+                required(
+                    "stiffness",
+                    Shape::Quantity(Measure::Of(Dimension::Stiffness), Bound::Above(0.0)),
+                    "[N/m]",
+                ),
+                default(
+                    "damping",
+                    Shape::Quantity(Measure::Of(Dimension::Damping), Bound::AtLeast(0.0)),
+                    Default::Zero,
+                    "[N·s/m]",
+                ),
+                required(
+                    "free_length",
+                    Shape::Varying(Dimension::Length),
+                    "\\[m\\]; shorter than this it is slack.",
+                ),
+            ],
+            refused: &[],
+            drives: Drives::Nothing,
+            either: None,
+        },
+        Object {
             name: "torsion_spring",
             about: "Between two bodies: torque on the first k(θ₂ − θ₁ − θ₀) + c(ω₂ − ω₁), the opposite on the second.",
             fields: &[

@@ -14,6 +14,7 @@ mod optimise;
 mod parameter;
 mod response;
 mod study;
+mod table;
 
 pub use body::{BODY, GROUND, LENGTH, PLACE};
 pub use clearance::{MATERIAL, SEPARATE};
@@ -21,6 +22,7 @@ pub use motion::MOTION;
 pub use parameter::PARAMETER;
 pub use response::RESPONSE;
 use study::{INDICES, METHOD, STUDY};
+pub use table::{STATE, TABLE, TABLE_OF};
 
 use crate::dimension::Dimension;
 use crate::shape::{
@@ -93,6 +95,18 @@ pub static FILE: Object = Object {
             "",
         ),
         silent(
+            "tables",
+            Shape::Map(&Shape::Curve(&TABLE)),
+            Default::Empty,
+            "Functions by their points, for formulas.",
+        ),
+        silent(
+            "states",
+            Shape::Map(&Shape::State(&STATE)),
+            Default::Empty,
+            "Quantities of which the rates are known, integrated with the motion.",
+        ),
+        silent(
             "initial",
             Shape::Map(&Shape::Object(&INITIAL)),
             Default::Empty,
@@ -163,7 +177,7 @@ impl Definition {
 }
 
 /// All that the schema defines by a name, in its order.
-pub static DEFINITIONS: [Definition; 52] = [
+pub static DEFINITIONS: [Definition; 55] = [
     Definition::Format(&FORMATS),
     Definition::Object(&GROUND),
     Definition::Object(&BODY),
@@ -216,4 +230,7 @@ pub static DEFINITIONS: [Definition; 52] = [
     Definition::Tagged(&PROFILE),
     Definition::Object(&CAM_SEGMENT),
     Definition::Object(&SWING_SEGMENT),
+    Definition::Object(&TABLE),
+    Definition::Object(&TABLE_OF),
+    Definition::Object(&STATE),
 ];

@@ -198,7 +198,22 @@ pub static MOTION: Tagged = Tagged {
             name: "table",
             about: "A curve through (t, value); times strictly increasing, at least two.",
             fields: &[
-                required("points", Shape::Table, "[[t, value], …]"),
+                optional("points", Shape::Table, "[[t, value], …]"),
+                optional(
+                    "file",
+                    Shape::Text,
+                    "A table in a file beside the model, instead of `points`.",
+                ),
+                optional(
+                    "columns",
+                    Shape::Pair(&Shape::Text),
+                    "The names of the file's columns; the first two where it is left out.",
+                ),
+                optional(
+                    "units",
+                    Shape::Pair(&Shape::Text),
+                    "Their units, where the file does not say them.",
+                ),
                 silent(
                     "interpolation",
                     Shape::Choice(&INTERPOLATION),
@@ -208,7 +223,11 @@ pub static MOTION: Tagged = Tagged {
             ],
             refused: &[],
             drives: Drives::Nothing,
-            either: None,
+            either: Some(Either {
+                keys: ["points", "file"],
+                needed: Some("as in \"points\": [[0, 0], [1, \"90 deg\"]]"),
+                exclusive: true,
+            }),
         },
         Object {
             name: "constant_velocity",

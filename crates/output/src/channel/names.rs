@@ -12,7 +12,7 @@
 
 use super::{
     BodyQuantity, Channel, DriverQuantity, EnergyQuantity, JointQuantity, LoadQuantity,
-    PointQuantity, RelativeQuantity, ShakingQuantity, TransmissionQuantity,
+    PointQuantity, RelativeQuantity, ShakingQuantity, StateQuantity, TransmissionQuantity,
 };
 use crate::TIME;
 
@@ -34,6 +34,8 @@ impl Channel {
             }
             Channel::Transmission(quantity) => format!("transmission.{}", quantity.name()),
             Channel::Output(_) => format!("{OUTPUT}.{owner}"),
+            Channel::State(_, StateQuantity::Value) => format!("{STATE}.{owner}"),
+            Channel::State(_, StateQuantity::Rate) => format!("{STATE}.{owner}.rate"),
         }
     }
 
@@ -49,6 +51,9 @@ impl Channel {
                 (None, Some(quantity)) => Some((Channel::Body(0, quantity), owner)),
                 (None, None) if owner == OUTPUT && !word.is_empty() => {
                     Some((Channel::Output(0), word))
+                }
+                (None, None) if owner == STATE && !word.is_empty() => {
+                    Some((Channel::State(0, StateQuantity::Value), word))
                 }
                 (None, None) => None,
             },
@@ -68,6 +73,7 @@ impl Channel {
             Channel::Joint(_, quantity) => Channel::Joint(number, quantity),
             Channel::Relative(_, quantity) => Channel::Relative(number, quantity),
             Channel::Output(_) => Channel::Output(number),
+            Channel::State(_, quantity) => Channel::State(number, quantity),
             Channel::Driver(_, quantity) => Channel::Driver(number, quantity),
             Channel::Load(_, quantity) => Channel::Load(number, quantity),
             Channel::Transmission(TransmissionQuantity::Angle(_)) => {
@@ -83,8 +89,9 @@ impl Channel {
     }
 }
 
-/// The first word of the names of outputs.
+/// The first word of the names of outputs, and of states.
 const OUTPUT: &str = "output";
+const STATE: &str = "state";
 
 /// Channels of the whole mechanism, by the first word and the quantity.
 fn of_all(kind: &str, word: &str) -> Option<Channel> {
@@ -104,6 +111,7 @@ fn of_one(kind: &str, word: &str) -> Option<Channel> {
             None => Some(Channel::Relative(0, find(&RelativeQuantity::ALL, word)?)),
         },
         "driver" => Some(Channel::Driver(0, find(&DriverQuantity::ALL, word)?)),
+        STATE => (word == "rate").then_some(Channel::State(0, StateQuantity::Rate)),
         "force" => Some(Channel::Load(0, find(&LoadQuantity::ALL, word)?)),
         "transmission" => find(&[TransmissionQuantity::Angle(0)], word).map(Channel::Transmission),
         _ => None,

@@ -59,6 +59,9 @@ fn draw_spring(scene: &mut Scene, sketch: &Sketch, spring: &Spring, stretch: [f6
             symbols::hatched_line(scene, line, bar, sketch.pen(palette::GROUND));
         }
     }
+    if spring.cable {
+        return scene.line("cable", ends.to_vec(), pen);
+    }
     match (spring.actuator, spring.damper, spring.damped) {
         (true, ..) => {}
         (false, true, _) => symbols::dashpot(scene, ends, bar, pen),

@@ -165,7 +165,7 @@ impl Mechanism {
             let ends = joint.between.map(|end| place(shape, pose, end));
             let radii = match &joint.kind {
                 JointKind::Gear { gear, .. } => gear.map(|gear| gear.radii).unwrap_or_default(),
-                JointKind::Contact { ref radius, .. } => [0.0, *radius],
+                JointKind::Contact { radius, .. } => [0.0, *radius],
                 JointKind::Revolute { .. }
                 | JointKind::Prismatic { .. }
                 | JointKind::Slot { .. }

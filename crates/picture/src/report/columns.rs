@@ -110,6 +110,7 @@ fn worth(channel: Option<Channel>) -> Worth {
             | Channel::Load(..)
             | Channel::Shaking(_)
             | Channel::Transmission(_)
+            | Channel::State(..)
             | Channel::Output(_),
         )
         | None => Worth::Overall,

@@ -148,6 +148,7 @@ fn of_drawing(drawing: Drawing) -> Result<Shape, Fault> {
             damper: false,
             damped: false,
             actuator: false,
+            cable: false,
         })
     };
     let body = |body: &DrawnBody| Body {

@@ -58,6 +58,7 @@ impl Shape {
                 damper: *stiffness == 0.0,
                 damped: *stiffness != 0.0 && *damping != 0.0,
                 actuator: false,
+                cable: false,
             }),
             ForceKind::Actuator { between, .. } => self.springs.push(Spring {
                 name,
@@ -65,7 +66,19 @@ impl Shape {
                 damper: false,
                 damped: false,
                 actuator: true,
+                cable: false,
             }),
+            ForceKind::Cable { through, .. } => {
+                let stretches = through.windows(2).map(|pair| Spring {
+                    name: name.clone(),
+                    between: [numbers.point(&pair[0]), numbers.point(&pair[1])],
+                    damper: false,
+                    damped: false,
+                    actuator: false,
+                    cable: true,
+                });
+                self.springs.extend(stretches);
+            }
             ForceKind::TorsionSpring {
                 between, stiffness, ..
             } => {

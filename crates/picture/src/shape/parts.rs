@@ -149,6 +149,9 @@ pub struct Spring {
     /// An actuator: a cylinder with its rod.
     #[serde(default, skip_serializing_if = "is_not")]
     pub actuator: bool,
+    /// A stretch of a cable.
+    #[serde(default, skip_serializing_if = "is_not")]
+    pub cable: bool,
 }
 
 /// A spring or damper between the angles of two bodies.

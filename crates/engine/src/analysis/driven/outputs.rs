@@ -6,6 +6,7 @@ use super::super::control::Control;
 use super::super::ends::Overrun;
 use super::super::instants::OutputInstant;
 use super::super::interval::Interval;
+use super::super::outside::Outside;
 use super::super::power::Powers;
 use super::super::record::Recorder;
 use super::super::sample::Sample;
@@ -37,6 +38,7 @@ pub(super) struct Outputs<'a, 'r> {
     reactions: bool,
     /// Whether a formula without a value was told of.
     lacks_value: bool,
+    outside: Outside,
     overrun: Overrun,
 }
 
@@ -61,6 +63,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
             locking: Interval::default(),
             reactions,
             lacks_value: false,
+            outside: Outside::new(system),
             overrun: Overrun::default(),
         }
     }
@@ -201,16 +204,17 @@ impl<'a, 'r> Outputs<'a, 'r> {
     /// Warns of the first formula that has no value at an instant.
     fn note_formulas(&mut self, driven: &Driven) {
         let at = driven.evaluation.kinematics(&self.inputs);
+        self.outside.note(self.system, &at);
         let mut formulas = self.system.formulas.iter();
         let Some(formula) = formulas.find(|formula| !formula.value(&at).is_finite()) else {
             return;
         };
         if !std::mem::replace(&mut self.lacks_value, true) {
             self.report.warnings.push(format!(
-                "from t = {} on, the formula of force \"{}\" has no value at times (a root of a negative number, a division by \
+                "from t = {} on, the formula of {} has no value at times (a root of a negative number, a division by \
                  zero, or the like): the forces of these rows are empty",
                 self.system.display.time(self.inputs.time),
-                self.system.force_data[formula.force].name
+                self.system.owner(formula.force)
             ));
         }
     }
@@ -341,6 +345,8 @@ impl<'a, 'r> Outputs<'a, 'r> {
         if self.reactions {
             self.report.quality.power_imbalance = Some(self.powers.relative_imbalance());
         }
+        let outside = self.outside.warnings(self.system);
+        self.report.warnings.extend(outside);
         let overrun = self.overrun.warnings(self.system);
         self.report.warnings.extend(overrun);
         let of_cams = self.recorder.warnings(self.system);

@@ -14,6 +14,7 @@ use super::steps::Steps;
 use super::switches::Switches;
 use super::words::{deep_start, describe};
 use crate::analysis::control::Stop;
+use crate::analysis::outside::Outside;
 use crate::element::pair::{Contact, Surface};
 use linkdyn_output::Status;
 
@@ -47,6 +48,9 @@ impl<'s> Simulation<'s> {
         let mut state = State::new(flow.layout());
         first_phases(&mut flow, &state, &mut ledger)?;
         flow.store(&mut state);
+        let starts = flow.system().states.iter().map(|own| own.start);
+        let own = state.states_mut().iter_mut();
+        own.zip(starts).for_each(|(own, start)| *own = start);
         flow.hold_sides();
         let mut jams = Jams::new();
         let rested = match leans(&flow) {
@@ -73,6 +77,7 @@ impl<'s> Simulation<'s> {
             extremes.begin_piece(&mut flow, &state, &ledger, 0.0);
             extremes
         });
+        let outside = Outside::new(flow.system());
         Ok(Simulation {
             flow,
             state,
@@ -80,6 +85,7 @@ impl<'s> Simulation<'s> {
             event: None,
             ledger,
             switches: Switches::default(),
+            outside,
             jams,
             margins: Margins::new(),
             extremes,

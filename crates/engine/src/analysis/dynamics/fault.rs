@@ -83,7 +83,7 @@ impl Fault {
         let mut owners: Vec<String> = rows.iter().map(owner).collect();
         owners.dedup();
         if let Fault::Chatters { force } | Fault::NoValue { force } = self {
-            owners.push(format!("force \"{}\"", system.force_data[force].name));
+            owners.push(system.owner(force));
         }
         Reason {
             time,

@@ -21,6 +21,7 @@ use super::state::State;
 use super::steps::{LastStep, Steps};
 use super::switches::Switches;
 use crate::analysis::control::Control;
+use crate::analysis::outside::Outside;
 use crate::element::pair::{Hold, Phase};
 use crate::mechanism::driven::Failure;
 use linkdyn_output::{Report, Trajectory};
@@ -38,6 +39,7 @@ pub struct Simulation<'s> {
     pub(super) event: Option<f64>,
     pub(super) ledger: Ledger,
     pub(super) switches: Switches,
+    pub(super) outside: Outside,
     pub(super) jams: Jams,
     /// How far the friction of ideal joints was from locking them.
     pub(super) margins: Margins,
@@ -236,6 +238,8 @@ impl<'s> Simulation<'s> {
         if let Some(force) = self.flow.switching() {
             self.switches.note(force, time, self.flow.system())?;
             self.flow.hold_sides();
+            self.outside
+                .note(self.flow.system(), &self.flow.equations.kinematics());
         } else if self.flow.turns_over() {
             self.flow.hold_sides();
         }
@@ -286,6 +290,10 @@ impl<'s> Simulation<'s> {
     }
 
     fn sampled(&mut self) -> (&mut Flow<'s>, [f64; 2]) {
+        if self.flow.has_kinks() {
+            self.outside
+                .note(self.flow.system(), &self.flow.equations.kinematics());
+        }
         let energy = self.ledger.energy(&self.state);
         (&mut self.flow, energy)
     }
@@ -307,6 +315,7 @@ impl<'s> Simulation<'s> {
                 system.display.time(time)
             ));
         }
+        report.warnings.extend(self.outside.warnings(system));
         let counters = self.steps.counters();
         report.statistics.steps = counters.steps;
         report.statistics.rejected = counters.rejected;

@@ -1,18 +1,19 @@
 //! The state vector and its layout.
 //!
 //! ```text
-//! y = (u, u̇ | z | W | D, I, S per contact)
+//! y = (u, u̇ | z | s | W | D, I, S per contact)
 //!
 //! u, u̇   independent coordinates and their rates (f, f)    [`crate::mechanism::reduced`]
 //! z      bristles of friction laws that have them           ż by the law                           [m]
 //!        (of contacts, then of ideal joints)
+//! s      integrated states of the model                      ṡ by its formula
 //! W      work of drivers, loads and dampers                 W' = Σ effort · rate + Σ supplied      [J]
 //! D      energy dissipated in a contact                     D' = (N − N_e) δ̇ − T v_t               [J]
 //! I      normal impulse                                     I' = N                                 [N·s]
 //! S      sliding under load, for wear                       S' = N |v_t|                           [J]
 //! ```
 //!
-//! Without contacts y is (u, u̇ | z) alone.
+//! Without contacts y is (u, u̇ | z | s) alone.
 
 use crate::element::pair::Surface;
 use crate::system::System;
@@ -27,6 +28,7 @@ const PER_CONTACT: usize = 3;
 pub struct Layout {
     freedom: usize,
     contacts: usize,
+    states: usize,
     bristles: Arc<Bristles>,
 }
 
@@ -63,6 +65,7 @@ impl Layout {
         Layout {
             freedom,
             contacts: contacts.len(),
+            states: system.states.len(),
             bristles: Arc::new(Bristles {
                 contacts,
                 forces,
@@ -115,9 +118,15 @@ impl Layout {
         self.bristles.forces.len()
     }
 
+    /// s.
+    pub fn states(&self) -> Range<usize> {
+        let first = 2 * self.freedom + self.bristles.count;
+        first..first + self.states
+    }
+
     /// W.
     pub fn work(&self) -> usize {
-        2 * self.freedom + self.bristles.count
+        self.states().end
     }
 
     /// D, I, S of a contact.
@@ -178,6 +187,11 @@ impl State {
     /// (u, u̇), to be filled.
     pub fn mechanical_mut(&mut self) -> &mut [f64] {
         &mut self.y[self.layout.mechanical()]
+    }
+
+    /// s, to be filled.
+    pub fn states_mut(&mut self) -> &mut [f64] {
+        &mut self.y[self.layout.states()]
     }
 
     /// u̇, to be changed by impulses.
@@ -245,6 +259,7 @@ mod tests {
         Layout {
             freedom,
             contacts: 2,
+            states: 0,
             bristles: Arc::new(Bristles {
                 contacts: vec![None, Some(0)],
                 forces: vec![Some(1)],

@@ -101,10 +101,10 @@ pub(super) fn tight(flow: &Flow) -> String {
 pub(super) fn chatters(flow: &Flow, force: usize, now: f64) -> String {
     let system = flow.system();
     format!(
-        "at t = {} the formula of force \"{}\" holds the motion where it jumps: it changes its side again and again without \
+        "at t = {} the formula of {} holds the motion where it jumps: it changes its side again and again without \
          end; the rows until there are kept. A force that brakes is friction of a joint, or smooth, as in v/sqrt(v^2 + v0^2)",
         system.display.time(now),
-        system.force_data[force].name
+        system.owner(force)
     )
 }
 
@@ -112,10 +112,10 @@ pub(super) fn chatters(flow: &Flow, force: usize, now: f64) -> String {
 pub(super) fn no_value(flow: &Flow, force: usize, now: f64) -> String {
     let system = flow.system();
     format!(
-        "beyond t = {} the formula of force \"{}\" has no value (a root of a negative number, a division by zero, or the \
+        "beyond t = {} the formula of {} has no value (a root of a negative number, a division by zero, or the \
          like); the rows until there are kept",
         system.display.time(now),
-        system.force_data[force].name
+        system.owner(force)
     )
 }
 

@@ -87,6 +87,7 @@ impl Follows {
                     | Channel::Point(..)
                     | Channel::Joint(..)
                     | Channel::Driver(..)
+                    | Channel::State(..)
                     | Channel::Energy(_),
                 )
                 | None => continue,
@@ -117,6 +118,7 @@ impl Follows {
             | Channel::Load(..)
             | Channel::Shaking(_)
             | Channel::Transmission(_)
+            | Channel::State(..)
             | Channel::Output(_) => false,
         }
     }
@@ -237,6 +239,7 @@ fn is_carried(column: &Column) -> bool {
             | Channel::Relative(..)
             | Channel::Load(..)
             | Channel::Transmission(_)
+            | Channel::State(..)
             | Channel::Output(_),
         )
         | None => false,

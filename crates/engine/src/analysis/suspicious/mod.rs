@@ -260,18 +260,7 @@ fn speeds(model: &Model, analysis: &Analysis, found: &mut Vec<Complaint>) {
         }
     }
     for (name, force) in &model.forces {
-        let values: Vec<&Value> = match &force.kind {
-            ForceKind::Spring {
-                free_length: value, ..
-            }
-            | ForceKind::TorsionSpring {
-                free_angle: value, ..
-            }
-            | ForceKind::Torque { value, .. }
-            | ForceKind::Actuator { force: value, .. } => vec![value],
-            ForceKind::Load { vector, .. } => vector.iter().collect(),
-        };
-        for value in values {
+        for value in values(&force.kind) {
             if let Value::Motion(Motion::Harmonic { frequency, .. }) = value {
                 look(
                     format!("forces.{name}"),
@@ -280,5 +269,23 @@ fn speeds(model: &Model, analysis: &Analysis, found: &mut Vec<Complaint>) {
                 );
             }
         }
+    }
+}
+
+/// What of a force follows a law of time.
+fn values(kind: &ForceKind) -> Vec<&Value> {
+    match kind {
+        ForceKind::Spring {
+            free_length: value, ..
+        }
+        | ForceKind::Cable {
+            free_length: value, ..
+        }
+        | ForceKind::TorsionSpring {
+            free_angle: value, ..
+        }
+        | ForceKind::Torque { value, .. }
+        | ForceKind::Actuator { force: value, .. } => vec![value],
+        ForceKind::Load { vector, .. } => vector.iter().collect(),
     }
 }

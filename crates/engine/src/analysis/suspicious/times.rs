@@ -31,7 +31,7 @@ pub(in crate::analysis) fn tables(model: &Model, end: f64) -> Vec<Complaint> {
     for (name, force) in &model.forces {
         let path = format!("forces.{name}");
         let values: Vec<(String, &Value)> = match &force.kind {
-            ForceKind::Spring { free_length, .. } => {
+            ForceKind::Spring { free_length, .. } | ForceKind::Cable { free_length, .. } => {
                 vec![(format!("{path}.free_length"), free_length)]
             }
             ForceKind::TorsionSpring { free_angle, .. } => {

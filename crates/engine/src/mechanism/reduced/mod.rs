@@ -169,6 +169,7 @@ impl<'s> Reduced<'s> {
         memories.for_each(|(memory, was)| *memory = *was);
         inputs.contacts.clone_from(&self.inputs.contacts);
         inputs.sides.clone_from(&self.inputs.sides);
+        inputs.states.clone_from(&self.inputs.states);
         // A journal that rolls round and round has no closed curve, and does so for a short time only.
         let is_curve = is_curve(system, columns.len()) && !holds.contains(&Hold::Sticks);
         let point = (&self.q[..], &self.v[..], inputs);

@@ -3,10 +3,13 @@
 use super::Compiler;
 use super::laws::value_law;
 use crate::element::actuator::Actuator;
+use crate::element::cable::Tension;
+use crate::element::formula::Strength;
 use crate::element::load::{PointLoad, Torque};
+use crate::element::quantity::{Measured, Quantity};
 use crate::element::spring::Spring;
 use crate::element::torsion_spring::TorsionSpring;
-use crate::element::{BodyId, Force as ForceElement};
+use crate::element::{BodyId, Force as ForceElement, Marker};
 use crate::system::{ForceData, ForceRole};
 use linkdyn_model::{ForceKind, Frame, PointRef, Value};
 use std::sync::Arc;
@@ -16,7 +19,18 @@ type Lowered = (Arc<dyn ForceElement>, ForceRole);
 
 impl Compiler<'_> {
     pub(super) fn add_forces(&mut self) {
+        let mut stretches = Vec::new();
         for (name, force) in &self.model.forces {
+            if let ForceKind::Cable { through, .. } = &force.kind {
+                let (mut all, role) = self.lower_cable(through, &force.kind);
+                self.system.forces.push(Arc::new(all.remove(0)));
+                self.system.force_data.push(ForceData {
+                    name: name.clone(),
+                    role,
+                });
+                stretches.extend(all.into_iter().map(|stretch| (name, stretch)));
+                continue;
+            }
             let (element, role) = self.lower_force(&force.kind);
             self.system.forces.push(element);
             self.system.force_data.push(ForceData {
@@ -24,6 +38,60 @@ impl Compiler<'_> {
                 role,
             });
         }
+        // the rest of cables stands behind what the model numbers
+        for (name, stretch) in stretches {
+            self.system.force_data.push(ForceData {
+                name: name.clone(),
+                role: ForceRole::Stretch {
+                    between: [stretch.first.body, stretch.second.body],
+                },
+            });
+            self.system.forces.push(Arc::new(stretch));
+        }
+    }
+
+    /// The stretches of a cable.
+    fn lower_cable(
+        &mut self,
+        through: &[PointRef],
+        kind: &ForceKind,
+    ) -> (Vec<Actuator>, ForceRole) {
+        let markers: Vec<Marker> = through.iter().map(|point| self.marker(point)).collect();
+        let path = markers.windows(2).map(|pair| Measured::Distance {
+            first: pair[0],
+            second: pair[1],
+        });
+        let path: Vec<Measured> = path.collect();
+        let ForceKind::Cable {
+            stiffness,
+            damping,
+            free_length,
+            ..
+        } = kind
+        else {
+            unreachable!("the caller has a cable");
+        };
+        let tension = Tension {
+            stretches: path.len(),
+            stiffness: *stiffness,
+            damping: *damping,
+            free_length: value_law(free_length),
+        };
+        let lengths = path.iter().copied().map(Quantity::Value);
+        let rates = path.iter().copied().map(Quantity::Rate);
+        let arguments = lengths.chain(rates).chain([Quantity::Time]).collect();
+        let pull = Strength::OfMotion(self.own_formula(Arc::new(tension), arguments));
+        let stretches = markers.windows(2).map(|pair| Actuator {
+            first: pair[0],
+            second: pair[1],
+            force: pull.clone(),
+        });
+        let role = ForceRole::Cable {
+            between: [markers[0].body, markers[1].body],
+            path,
+            pull: pull.clone(),
+        };
+        (stretches.collect(), role)
     }
 
     fn lower_force(&mut self, kind: &ForceKind) -> Lowered {
@@ -59,6 +127,7 @@ impl Compiler<'_> {
                 };
                 (Arc::new(actuator), self.spring_role(kind, between))
             }
+            ForceKind::Cable { .. } => unreachable!("cables are compiled stretch by stretch"),
             ForceKind::TorsionSpring {
                 between,
                 stiffness,

@@ -6,13 +6,13 @@ use super::roles::joint_role;
 use crate::element::formula::{Formula, Function, MOST_ARGUMENTS, Strength};
 use crate::element::quantity::{Measured, Quantity};
 use crate::element::{BodyId, Marker};
-use crate::motion::Law;
-use crate::system::{DriverRole, OutputRatio};
+use crate::motion::{Curve, Law, Shape};
+use crate::system::{DriverRole, OutputRatio, StateData};
 use linkdyn_linear::math::Vec2;
 use linkdyn_model::formula::{Argument, Coordinate, Order};
 use linkdyn_model::ratio::Ratio;
-use linkdyn_model::response::{Catalogue, Program, Tangent};
-use linkdyn_model::{ForceKind, PointRef, Value};
+use linkdyn_model::response::{Catalogue, Fixed, Look, Program, Tangent};
+use linkdyn_model::{ForceKind, Interpolation, PointRef, Table, Value};
 use std::sync::Arc;
 
 /// The origin of the ground.
@@ -28,27 +28,80 @@ impl Compiler<'_> {
             Value::Constant(value) => Strength::OfTime(Law::Polynomial(vec![*value])),
             Value::Motion(motion) => Strength::OfTime(law(motion)),
             Value::Formula(formula) => {
-                let catalogue = self
-                    .catalogue
-                    .get_or_insert_with(|| Catalogue::of(self.model));
-                let compiled = formula.compile(catalogue);
-                let compiled = compiled.expect("the gate compiles each formula");
-                let arguments = compiled.arguments.iter();
-                let before = self.system.formulas.last();
-                self.kinks.extend(&compiled.moving.kinks);
-                let formula = Arc::new(Formula {
-                    arguments: arguments.map(|one| self.quantity(one)).collect(),
-                    function: Arc::new(Expression {
-                        program: compiled.moving.program,
-                        parameters: compiled.parameters,
-                    }),
-                    first: before.map_or(0, |before| before.kinks().end),
-                    force: self.system.forces.len(),
-                });
-                self.system.formulas.push(formula.clone());
-                Strength::OfMotion(formula)
+                let force = self.system.forces.len();
+                Strength::OfMotion(self.formula(formula, force))
             }
         }
+    }
+
+    /// A formula of a force, or behind all forces of a state.
+    fn formula(&mut self, formula: &linkdyn_model::Formula, force: usize) -> Arc<Formula> {
+        let catalogue = self
+            .catalogue
+            .get_or_insert_with(|| Catalogue::of(self.model));
+        let compiled = formula.compile(catalogue);
+        let compiled = compiled.expect("the gate compiles each formula");
+        let tables = self.tables(formula);
+        let arguments = compiled.arguments.iter();
+        let before = self.system.formulas.last();
+        self.kinks.extend(&compiled.moving.kinks);
+        let formula = Arc::new(Formula {
+            arguments: arguments.map(|one| self.quantity(one)).collect(),
+            function: Arc::new(Expression {
+                program: compiled.moving.program,
+                parameters: compiled.parameters,
+                tables,
+                names: self.model.tables.keys().cloned().collect(),
+            }),
+            first: before.map_or(0, |before| before.kinks().end),
+            force,
+        });
+        self.system.formulas.push(formula.clone());
+        formula
+    }
+
+    /// A function of an element that has a kink where a force is zero.
+    pub(super) fn own_formula(
+        &mut self,
+        function: Arc<dyn Function>,
+        arguments: Vec<Quantity>,
+    ) -> Arc<Formula> {
+        const FORCE: [f64; 4] = [1.0, 1.0, -2.0, 0.0];
+        let before = self.system.formulas.last();
+        self.kinks.push(FORCE);
+        let formula = Arc::new(Formula {
+            arguments,
+            function,
+            first: before.map_or(0, |before| before.kinks().end),
+            force: self.system.forces.len(),
+        });
+        self.system.formulas.push(formula.clone());
+        formula
+    }
+
+    /// Integrated states, behind all forces.
+    pub(super) fn add_states(&mut self) {
+        for (index, (name, state)) in self.model.states.iter().enumerate() {
+            let force = self.system.force_data.len() + index;
+            let rate = self.formula(&state.rate, force);
+            let data = StateData {
+                name: name.clone(),
+                units: state.units(),
+                start: state.start,
+                rate,
+            };
+            self.system.states.push(data);
+        }
+    }
+
+    /// The tables that a formula may look through, its own behind all others.
+    fn tables(&mut self, formula: &linkdyn_model::Formula) -> Vec<Arc<dyn Look>> {
+        let named = self.model.tables.values();
+        let curves = self
+            .curves
+            .get_or_insert_with(|| named.map(curve).collect());
+        let own = formula.table.as_ref().map(curve);
+        curves.iter().cloned().chain(own).collect()
     }
 
     /// Ratios of velocities.
@@ -62,7 +115,9 @@ impl Compiler<'_> {
             let measured = |argument: &Argument| match self.quantity(argument) {
                 Quantity::Value(measured) | Quantity::Rate(measured) => measured,
                 Quantity::Drive(driver) => self.driven(driver),
-                Quantity::Time => unreachable!("time is no quantity of a ratio"),
+                Quantity::Time | Quantity::State(_) => {
+                    unreachable!("neither time nor a state is a quantity of a ratio")
+                }
             };
             let output = OutputRatio {
                 name: name.clone(),
@@ -97,6 +152,11 @@ impl Compiler<'_> {
     fn quantity(&self, argument: &Argument) -> Quantity {
         let (measured, order) = match argument {
             Argument::Time => return Quantity::Time,
+            Argument::State(name) => {
+                // the formula names one that there is
+                let index = self.model.states.get_index_of(name);
+                return Quantity::State(index.unwrap_or_default());
+            }
             Argument::Driver(name) => {
                 // the formula names one that there is
                 let index = self.model.drivers.get_index_of(name);
@@ -156,10 +216,12 @@ impl Compiler<'_> {
                 second: self.body(&between[1]),
             },
             // these have no ends
-            ForceKind::Load { .. } | ForceKind::Torque { .. } => Measured::Turn {
-                first: BodyId::GROUND,
-                second: BodyId::GROUND,
-            },
+            ForceKind::Cable { .. } | ForceKind::Load { .. } | ForceKind::Torque { .. } => {
+                Measured::Turn {
+                    first: BodyId::GROUND,
+                    second: BodyId::GROUND,
+                }
+            }
         }
     }
 
@@ -184,13 +246,57 @@ struct Expression {
     program: Program,
     /// In SI.
     parameters: Vec<f64>,
+    tables: Vec<Arc<dyn Look>>,
+    /// Of the tables that have any.
+    names: Vec<String>,
+}
+
+impl Expression {
+    fn fixed(&self) -> Fixed<'_> {
+        Fixed {
+            parameters: &self.parameters,
+            tables: &self.tables,
+        }
+    }
+}
+
+/// A table as a function.
+fn curve(table: &Table) -> Arc<dyn Look> {
+    let shape = match table.interpolation {
+        Interpolation::Linear => Shape::Lines,
+        Interpolation::Monotone => Shape::Monotone,
+        Interpolation::Natural | Interpolation::Periodic => Shape::Spline,
+    };
+    Arc::new(Curve::new(
+        &table.closed(),
+        shape,
+        table.repeats().is_some(),
+    ))
+}
+
+impl Look for Curve {
+    fn side(&self, x: f64) -> i32 {
+        Curve::side(self, x)
+    }
+
+    fn beyond(&self, x: f64, side: i32) -> f64 {
+        Curve::beyond(self, x, side)
+    }
+
+    fn jet(&self, x: f64, side: i32) -> [f64; 2] {
+        Curve::jet(self, x, side)
+    }
+
+    fn is_outside(&self, x: f64) -> bool {
+        Curve::is_outside(self, x)
+    }
 }
 
 const _: () = assert!(linkdyn_model::response::MOST_ARGUMENTS <= MOST_ARGUMENTS);
 
 impl Function for Expression {
     fn value(&self, inputs: &[f64], held: Option<&[i32]>) -> f64 {
-        self.program.value_on(inputs, &self.parameters, held)
+        self.program.value_on(inputs, self.fixed(), held)
     }
 
     fn slope(&self, inputs: &[f64], index: usize, held: Option<&[i32]>) -> f64 {
@@ -199,7 +305,7 @@ impl Function for Expression {
             tangent.value = *value;
         }
         tangents[index].slope = 1.0;
-        let along = self.program.value_on(&tangents, &self.parameters, held);
+        let along = self.program.value_on(&tangents, self.fixed(), held);
         along.slope
     }
 
@@ -208,12 +314,17 @@ impl Function for Expression {
     }
 
     fn take_sides(&self, inputs: &[f64], sides: &mut [i32]) {
-        self.program.take_sides(inputs, &self.parameters, sides);
+        self.program.take_sides(inputs, self.fixed(), sides);
     }
 
     fn beyond(&self, inputs: &[f64], held: &[i32], scales: &[f64]) -> f64 {
         let held = (held, scales);
-        self.program.beyond(inputs, &self.parameters, held)
+        self.program.beyond(inputs, self.fixed(), held)
+    }
+
+    fn outside(&self, inputs: &[f64]) -> Option<&str> {
+        let table = self.program.outside(inputs, self.fixed())?;
+        Some(self.names.get(table).map_or("", String::as_str))
     }
 }
 

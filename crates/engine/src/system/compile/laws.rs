@@ -162,7 +162,9 @@ pub fn value_law(value: &Value) -> Law {
 pub fn broken(model: &Model) -> Vec<Law> {
     let drivers = model.drivers.values().map(|driver| law(&driver.motion));
     let forces = model.forces.values().flat_map(|force| match &force.kind {
-        ForceKind::Spring { free_length, .. } => vec![value_law(free_length)],
+        ForceKind::Spring { free_length, .. } | ForceKind::Cable { free_length, .. } => {
+            vec![value_law(free_length)]
+        }
         ForceKind::TorsionSpring { free_angle, .. } => vec![value_law(free_angle)],
         ForceKind::Load { vector, .. } => vector.iter().map(value_law).collect(),
         ForceKind::Torque { value, .. } | ForceKind::Actuator { force: value, .. } => {

@@ -22,7 +22,7 @@ use super::{BodyData, Extent, Mass, Origin, OutputPoint, Scale, System};
 use crate::element::{BodyId, Constraint, Layout, Marker, Pose};
 use linkdyn_linear::math::Vec2;
 use linkdyn_model::error::{Complaint, Complaints};
-use linkdyn_model::response::Catalogue;
+use linkdyn_model::response::{Catalogue, Look};
 use linkdyn_model::{AnalysisKind, Body, Checked, GROUND, Model, PointRef};
 use needs::{Joints, missing};
 use std::collections::HashMap;
@@ -68,6 +68,8 @@ struct Compiler<'a> {
     com: Vec<Vec2>,
     /// The names of what moves, once a formula has asked for them.
     catalogue: Option<Catalogue>,
+    /// The model's tables, once a formula has asked for them.
+    curves: Option<Vec<Arc<dyn Look>>>,
     /// Exponents of what the formulas' kinks compare.
     kinks: Vec<[f64; 4]>,
     system: System,
@@ -94,6 +96,7 @@ impl<'a> Compiler<'a> {
             force_data: Vec::new(),
             outputs: Vec::new(),
             formulas: Vec::new(),
+            states: Vec::new(),
             kinks: Vec::new(),
             dependent_forces: Vec::new(),
             contacts: Vec::new(),
@@ -118,6 +121,7 @@ impl<'a> Compiler<'a> {
             ids,
             com,
             catalogue: None,
+            curves: None,
             kinks: Vec::new(),
             system,
         }
@@ -134,6 +138,7 @@ impl<'a> Compiler<'a> {
         self.add_edges();
         self.add_initial();
         self.add_forces();
+        self.add_states();
         self.add_outputs();
         self.system.scale = Scale::of(&self.system);
         self.system.kinks = self.kinks();

@@ -24,6 +24,10 @@ fn leaves_are_the_values_of_the_model_and_their_slopes_those_of_differences() {
             let step = 1e-5 * parameter.value.abs().max(1e-3);
             let (up, down) = (values(index, step), values(index, -step));
             for (leaf, (up, down)) in leaves.iter().zip(up.iter().zip(&down)) {
+                // a model that is printed has the values of formulas' parameters within their texts
+                if leaf.path.contains(".parameters.") {
+                    continue;
+                }
                 let place = format!("{}: {} by {}", bundled.name, leaf.path, parameter.name);
                 let value = leaf.value.unwrap_or(f64::NAN);
                 let own = printed

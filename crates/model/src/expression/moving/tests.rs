@@ -3,6 +3,7 @@
 use super::super::Tangent;
 use super::*;
 use crate::error::Complaint;
+use crate::expression::Fixed;
 use crate::expression::Known;
 
 /// `a` and `b` move, as plain numbers.
@@ -61,17 +62,25 @@ fn each_kink_is_on_the_side_of_its_values() {
         let scales = vec![1.0; moving.kinks.len()];
         let mut before: Vec<(Vec<i32>, f64)> = Vec::new();
         for inputs in numbers() {
-            let free = moving.program.value_on(&inputs, &[], None);
+            let free = moving.program.value_on(&inputs, Fixed::default(), None);
             let expected = known(inputs[0], inputs[1]);
             assert!(
                 (free - expected).abs() < 1e-14,
                 "{text} {inputs:?}: {free} {expected}"
             );
             let mut sides = vec![0; moving.kinks.len()];
-            moving.program.take_sides(&inputs, &[], &mut sides);
-            let held = moving.program.value_on(&inputs, &[], Some(&sides));
+            moving
+                .program
+                .take_sides(&inputs, Fixed::default(), &mut sides);
+            let held = moving
+                .program
+                .value_on(&inputs, Fixed::default(), Some(&sides));
             assert_eq!(held.to_bits(), free.to_bits(), "{text}");
-            let beyond = |sides: &[i32]| moving.program.beyond(&inputs, &[], (sides, &scales));
+            let beyond = |sides: &[i32]| {
+                moving
+                    .program
+                    .beyond(&inputs, Fixed::default(), (sides, &scales))
+            };
             assert!(beyond(&sides) <= 0.0, "{text} {inputs:?} {sides:?}");
             for (others, _) in before.iter().filter(|(others, _)| *others != sides) {
                 assert!(beyond(others) > 0.0, "{text} {inputs:?} {others:?}");
@@ -103,13 +112,17 @@ fn tangents_are_derivatives() {
                     value: inputs[k],
                     slope: f64::from(u8::from(k == index)),
                 });
-                let found = program.value_on(&tangents, &[], None);
-                assert_eq!(found.value, program.value_on(&inputs, &[], None), "{text}");
+                let found = program.value_on(&tangents, Fixed::default(), None);
+                assert_eq!(
+                    found.value,
+                    program.value_on(&inputs, Fixed::default(), None),
+                    "{text}"
+                );
                 let h = 1e-6;
                 let at = |by: f64| {
                     let mut moved = inputs;
                     moved[index] += by;
-                    program.value_on(&moved, &[], None)
+                    program.value_on(&moved, Fixed::default(), None)
                 };
                 let difference = (at(h) - at(-h)) / (2.0 * h);
                 assert!(

@@ -7,7 +7,7 @@ use crate::expression::{Compiled, Expression, Misfit, Moving, Quantity, Results}
 type Measured = Option<(Quantity, Vec<(String, Quantity)>)>;
 
 /// An expression of what moves, and its parameters.
-type Moved = Option<(Moving, Vec<(String, Quantity)>)>;
+pub type Moved = Option<(Moving, Vec<(String, Quantity)>)>;
 
 /// Parameters of a text, with their values.
 type Named<'a> = Option<(Vec<usize>, Vec<(&'a str, Quantity)>)>;

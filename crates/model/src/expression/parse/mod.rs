@@ -241,7 +241,16 @@ impl<'a> Parser<'a> {
     /// A function with its values, which begin here.
     fn call(&mut self, at: usize, word: &str) -> Read<()> {
         let open = self.at;
-        match FUNCTIONS.iter().find(|row| row.0 == word) {
+        let row = FUNCTIONS.iter().find(|row| row.0 == word);
+        if row.is_none()
+            && let Some((table, columns)) = self.results.and_then(|results| results.table(word))
+        {
+            let count = self.values(open, &[','])?;
+            check_count(at, word, count, [1, 1])?;
+            self.steps.push((at, Step::Look(table, columns)));
+            return Ok(());
+        }
+        match row {
             Some(&(name, function, least, most)) => {
                 // the points of a table are divided
                 let signs: &[char] = match function {
@@ -264,8 +273,13 @@ impl<'a> Parser<'a> {
     fn no_function(&self, word: &str) -> Fault {
         let reductions = response::words().filter(|_| self.results.is_some());
         let names = FUNCTIONS.iter().map(|row| row.0).chain(reductions);
-        let near =
-            suggest::nearest(word, names.clone()).map(|near| format!("did you mean {near:?}?"));
+        let tables = self.results.map(|results| results.tables());
+        let tables = tables.unwrap_or_default();
+        let mut known: Vec<&str> = tables.iter().map(String::as_str).collect();
+        for name in names.clone() {
+            known.push(name);
+        }
+        let near = suggest::nearest(word, known).map(|near| format!("did you mean {near:?}?"));
         let mut all: Vec<&str> = Vec::new();
         for name in names {
             if !all.contains(&name) {

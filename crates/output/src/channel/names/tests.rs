@@ -14,6 +14,8 @@ fn all() -> Vec<Channel> {
     all.extend(TransmissionQuantity::OF_ALL.map(Channel::Transmission));
     all.push(Channel::Transmission(TransmissionQuantity::Angle(0)));
     all.push(Channel::Output(0));
+    let states = [StateQuantity::Value, StateQuantity::Rate];
+    all.extend(states.map(|quantity| Channel::State(0, quantity)));
     all
 }
 
@@ -34,12 +36,13 @@ fn every_name_reads_back_as_its_channel() {
                 Channel::Point(..) => format!("{owner}.{owner}"),
                 Channel::Time | Channel::Energy(_) | Channel::Shaking(_) => String::new(),
                 Channel::Transmission(quantity) if quantity.name() != "angle" => String::new(),
-                // no output is called like a quantity of a body
-                Channel::Output(_) if owner == "angle" => continue,
+                // no output, and no state, is called like a quantity of a body
+                Channel::Output(_) | Channel::State(..) if owner == "angle" => continue,
                 Channel::Body(..)
                 | Channel::Joint(..)
                 | Channel::Relative(..)
                 | Channel::Output(_)
+                | Channel::State(..)
                 | Channel::Driver(..)
                 | Channel::Load(..)
                 | Channel::Transmission(_) => owner.to_string(),

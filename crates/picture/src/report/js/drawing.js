@@ -252,7 +252,7 @@
 
   const springs = ({ pen, at, scale, px, row, colours, show, names }) => {
     pen.strokeStyle = colours.ink; pen.lineWidth = 1.5;
-    mechanism.springs.forEach(({ between, damper, damped, name }, number) => {
+    mechanism.springs.forEach(({ between, damper, damped, cable, name }, number) => {
       const [a, b] = between.map(at);
       if (!a || !b) return;
       const cylinder = shapes.actuators[number];
@@ -262,7 +262,8 @@
         const onGround = between[k][0] === 0 && !mechanism.joints.some((joint) => joint.between.some(([body, number]) => body === 0 && number === between[k][1]));
         if (onGround) hatch(pen, [end[0] + px, end[1] + 3], [end[0] - px, end[1] + 3], -1, px * 0.6);
       }
-      if (!cylinder) spring(pen, a, b, px, damper, damped);
+      if (cable) { pen.beginPath(); pen.moveTo(...a); pen.lineTo(...b); pen.stroke(); }
+      else if (!cylinder) spring(pen, a, b, px, damper, damped);
       if (show.joints) names.push({ text: name, at: [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2], colour: colours.ink, beside: px, key: `spring ${number}` });
     });
     mechanism.torsion_springs.forEach(({ bodies, pin, damper, name }, number) => {

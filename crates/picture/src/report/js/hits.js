@@ -22,8 +22,8 @@
   const loads = mechanism.loads.map(({ name, at, body }) => ({
     name, kind: "load", at: (row) => shapes.place(at || [body, 0], row), columns: list(`force.${name}`, ["f", "fx", "fy", "torque", "power"]), owner: `force.${name}`, plot: ["f", "torque"],
   }));
-  const springs = mechanism.springs.map(({ name, between, damper, damped, actuator }) => ({
-    name, kind: actuator ? "actuator" : damper ? "damper" : damped ? "spring and damper" : "spring", between,
+  const springs = mechanism.springs.map(({ name, between, damper, damped, actuator, cable }) => ({
+    name, kind: cable ? "cable" : actuator ? "actuator" : damper ? "damper" : damped ? "spring and damper" : "spring", between,
     columns: list(`force.${name}`, ["length", "rate", "f", "fx", "fy", "power"]), plot: ["f", "length"], owner: `force.${name}`,
   }));
   const bodies = mechanism.bodies.map(({ name }, k) => ({ name, kind: "body", body: k, columns: k ? list(name, ["x", "y", "angle", "omega", "alpha"]) : [], owner: name, plot: ["angle", "omega"] }));

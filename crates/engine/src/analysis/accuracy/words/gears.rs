@@ -84,6 +84,7 @@ pub(in crate::analysis::accuracy) fn gear_curvature(system: &System, joint: usiz
         drive: &[],
         offset: &[],
         sides: &[],
+        states: &[],
         contacts: &[],
         time: 0.0,
     };

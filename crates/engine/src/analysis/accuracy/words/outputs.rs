@@ -149,6 +149,7 @@ fn force(system: &System, name: &str) -> Result<Force, String> {
         | Channel::Shaking(_)
         | Channel::Transmission(_)
         | Channel::Relative(..)
+        | Channel::State(..)
         | Channel::Output(_) => None,
     };
     let forces = columns.iter().filter(|column| column.unit.starts_with('N'));

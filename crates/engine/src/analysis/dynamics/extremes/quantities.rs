@@ -75,6 +75,7 @@ pub fn watched(columns: &[Column], patterns: &[String]) -> (Vec<Watched>, usize)
             | Channel::Shaking(_)
             | Channel::Transmission(_)
             | Channel::Relative(..)
+            | Channel::State(..)
             | Channel::Output(_) => (2, false, None),
         };
         let of_joint = |quantity| at(Channel::Joint(joint?, quantity));

@@ -8,8 +8,8 @@ use crate::element::pair::Surface;
 use crate::integrate::{Implicit, Refused};
 
 impl Flow<'_> {
-    /// Whether the equations solve their systems themselves: without bristles, whose rates depend on themselves, and without
-    /// journals that stay on rigid bearings.
+    /// Whether the equations solve their systems themselves: without bristles and states, whose rates depend on themselves, and
+    /// without journals that stay on rigid bearings.
     pub(super) fn is_implicit(&self) -> bool {
         let contacts = &self.system().contacts;
         let has_bristle = |surface: &Surface| match surface {
@@ -17,6 +17,7 @@ impl Flow<'_> {
             Surface::Rigid(_) => false,
         };
         self.equations.is_implicit()
+            && self.system().states.is_empty()
             && !self.has_sustained()
             && !contacts.iter().any(|contact| has_bristle(&contact.surface))
     }

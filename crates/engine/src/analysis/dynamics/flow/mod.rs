@@ -166,6 +166,7 @@ impl<'s> Flow<'s> {
 
     fn take_bristles(&mut self, y: &[f64]) {
         let inputs = &mut self.equations.inputs;
+        inputs.states.copy_from_slice(&y[self.layout.states()]);
         for (contact, memory) in inputs.contacts.iter_mut().enumerate() {
             if let Some(component) = self.layout.bristle(contact) {
                 memory.bristle = y[component];
@@ -219,6 +220,10 @@ impl<'s> Flow<'s> {
                 let memory = self.equations.inputs.memories[force];
                 dy[component] = dependent.force.memory_rate(&at, memory);
             }
+        }
+        let states = self.system().states.iter().zip(self.layout.states());
+        for (state, component) in states {
+            dy[component] = state.rate.value(&self.equations.kinematics());
         }
         if !self.sustained.is_empty() {
             self.eval_ledger(t, dy);

@@ -56,6 +56,9 @@ impl Flow<'_> {
                 tolerance.atol[component] = rtol * scale;
             }
         }
+        for component in layout.states() {
+            tolerance.atol[component] = atol;
+        }
         if !clearance.is_finite() {
             return tolerance;
         }
