@@ -175,6 +175,18 @@ impl Scale {
                     }
                     words
                 }
+                JointKind::Rack {
+                    axis,
+                    radius,
+                    offset,
+                } => {
+                    let radius = radius * self.length;
+                    let mut words = json!({ "type": "rack", "between": between, "axis": axis, "radius": radius });
+                    if let Some(offset) = offset {
+                        words["offset"] = json!(offset * self.length);
+                    }
+                    words
+                }
                 JointKind::Fixed { angle } => {
                     json!({ "type": "fixed", "between": between, "angle": angle * self.angle })
                 }

@@ -53,6 +53,7 @@ mod joint_friction;
 mod joints;
 mod laws;
 mod outputs;
+mod racks;
 mod responses;
 mod schema;
 mod shaking;

@@ -31,6 +31,7 @@ impl Model {
             JointKind::Revolute { .. }
             | JointKind::Prismatic { .. }
             | JointKind::Slot { .. }
+            | JointKind::Rack { .. }
             | JointKind::Fixed { .. } => None,
         }
     }
@@ -110,6 +111,9 @@ impl Model {
 fn holds_points(kind: &JointKind) -> bool {
     match kind {
         JointKind::Revolute { .. } | JointKind::Fixed { .. } => true,
-        JointKind::Prismatic { .. } | JointKind::Slot { .. } | JointKind::Gear { .. } => false,
+        JointKind::Prismatic { .. }
+        | JointKind::Slot { .. }
+        | JointKind::Gear { .. }
+        | JointKind::Rack { .. } => false,
     }
 }

@@ -155,6 +155,17 @@ pub enum JointKind {
         #[serde(default)]
         backlash: Option<f64>,
     },
+    /// A wheel, the first body, rolls about its point on a line of the second body that goes through that one's point.
+    #[doc(hidden)]
+    Rack {
+        /// Direction of the line, fixed in the second body; its length does not matter.
+        axis: [f64; 2],
+        /// Radius of the wheel's pitch circle \[m\]; negative where the line lies to the left of the centre, looking along the axis.
+        radius: f64,
+        /// a·(C − R) + radius·(θ₁ − θ₂) \[m\]; left out: as drawn, that of the poses.
+        #[serde(default)]
+        offset: Option<f64>,
+    },
     /// The points coincide, relative angle fixed \[rad\].
     Fixed {
         /// Angle of the second body relative to the first \[rad\].

@@ -74,6 +74,7 @@ fn without(name: &str, kind: &JointKind) -> Complaint {
         JointKind::Prismatic { .. }
         | JointKind::Slot { .. }
         | JointKind::Gear { .. }
+        | JointKind::Rack { .. }
         | JointKind::Fixed { .. } => {
             Complaint::new(path, "only a revolute joint can have a clearance")
                 .hint("name another joint")

@@ -10,6 +10,7 @@ pub const KINDS: &[&str] = &[
     "prismatic",
     "slot",
     "gear",
+    "rack",
     "fixed",
     "rotation",
     "translation",

@@ -91,6 +91,7 @@ fn edit_words(value: &mut serde_json::Value, rng: &mut Rng) {
                 "prismatic",
                 "slot",
                 "gear",
+                "rack",
                 "fixed",
                 "rotation",
                 "translation",

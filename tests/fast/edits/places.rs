@@ -84,6 +84,7 @@ pub fn numbers(model: &mut Model) -> Vec<&mut f64> {
             }
             JointKind::Slot { axis, .. } => numbers.extend(axis),
             JointKind::Gear { ratio, .. } => numbers.push(ratio),
+            JointKind::Rack { axis, radius, .. } => numbers.extend(axis.iter_mut().chain([radius])),
             JointKind::Fixed { angle } => numbers.push(angle),
             JointKind::Revolute { .. } => {}
         }
@@ -168,6 +169,10 @@ pub fn options(model: &mut Model) -> Vec<&mut Option<f64>> {
             }
             JointKind::Gear { angle, .. } => {
                 options.push(angle);
+                continue;
+            }
+            JointKind::Rack { offset, .. } => {
+                options.push(offset);
                 continue;
             }
             JointKind::Slot { .. } | JointKind::Fixed { .. } => continue,

@@ -47,6 +47,7 @@ fn has_clearance(model: &Model) -> bool {
         | JointKind::Prismatic { .. }
         | JointKind::Slot { .. }
         | JointKind::Gear { .. }
+        | JointKind::Rack { .. }
         | JointKind::Fixed { .. } => false,
     })
 }

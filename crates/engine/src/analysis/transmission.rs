@@ -119,7 +119,10 @@ fn drawn(system: &System, output: Output) -> Vec<Drawn> {
     let of = |(joint, data): (usize, &crate::system::JointData)| {
         let carries = match data.role {
             JointRole::Revolute | JointRole::Slot { .. } => true,
-            JointRole::Prismatic { .. } | JointRole::Gear | JointRole::Fixed => false,
+            JointRole::Prismatic { .. }
+            | JointRole::Gear
+            | JointRole::Rack { .. }
+            | JointRole::Fixed => false,
         };
         let own = BodyId(output.body + 1);
         let side = data.bodies.iter().position(|&body| body == own)?;
@@ -358,6 +361,7 @@ impl Output {
             | JointRole::Prismatic { .. }
             | JointRole::Slot { .. }
             | JointRole::Gear
+            | JointRole::Rack { .. }
             | JointRole::Fixed => None,
         });
         Output { body, slide }

@@ -32,6 +32,7 @@ pub mod load;
 pub mod pair;
 pub mod prismatic;
 pub mod quantity;
+pub mod rack;
 pub mod revolute;
 pub mod slot;
 pub(crate) mod span;

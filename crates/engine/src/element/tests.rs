@@ -51,6 +51,7 @@ pub(crate) fn all_constraints() -> Vec<Named> {
     let mut all = joints();
     all.extend(drivers_and_initial_values());
     all.extend(super::stop::tests::both());
+    all.extend(super::rack::tests::both());
     all
 }
 
@@ -60,6 +61,11 @@ fn joints() -> Vec<Named> {
         bearing: first,
         journal: second,
         clearance: 0.4,
+    };
+    let weld = Fixed {
+        first,
+        second,
+        angle: -0.3,
     };
     vec![
         (
@@ -98,14 +104,7 @@ fn joints() -> Vec<Named> {
         ("sticking", Box::new(following.stuck(1.3, ContactId(0)))),
         ("gear", Box::new(gear(3, -1.7))),
         ("internal gear on ground", Box::new(gear(0, 2.5))),
-        (
-            "fixed",
-            Box::new(Fixed {
-                first,
-                second,
-                angle: -0.3,
-            }),
-        ),
+        ("fixed", Box::new(weld)),
     ]
 }
 

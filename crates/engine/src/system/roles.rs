@@ -25,6 +25,13 @@ pub enum JointRole {
     },
     /// Two wheels that mesh.
     Gear,
+    /// A wheel that rolls on a line of the second body.
+    Rack {
+        /// Direction of the line in the second body's frame, length one.
+        axis: Vec2,
+        /// Radius of the wheel \[m\], signed by the side on which the line lies.
+        radius: f64,
+    },
     /// Two bodies as one.
     Fixed,
 }
@@ -34,7 +41,9 @@ impl JointRole {
     pub(crate) fn axis(self) -> Option<Vec2> {
         match self {
             JointRole::Prismatic { axis, .. } | JointRole::Slot { axis } => Some(axis),
-            JointRole::Revolute | JointRole::Gear | JointRole::Fixed => None,
+            JointRole::Revolute | JointRole::Gear | JointRole::Rack { .. } | JointRole::Fixed => {
+                None
+            }
         }
     }
 }

@@ -22,7 +22,10 @@ pub(super) fn joint(rules: &mut Rules<'_>, joint: &Joint, path: &str) {
             pin_radius,
         } => (clearance.as_deref(), friction.as_deref(), Some(pin_radius)),
         JointKind::Prismatic { friction, .. } => (None, friction.as_deref(), None),
-        JointKind::Slot { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => return,
+        JointKind::Slot { .. }
+        | JointKind::Gear { .. }
+        | JointKind::Rack { .. }
+        | JointKind::Fixed { .. } => return,
     };
     if let Some(clearance) = clearance {
         of_clearance(rules, clearance, &format!("{path}.clearance"));

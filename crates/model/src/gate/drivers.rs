@@ -76,7 +76,10 @@ fn translation(rules: &mut Rules<'_>, path: &str, joint: &str) -> Option<String>
     let found = found.filter(|_| !rules.holes.has(&format!("joints.{joint}.type")));
     let slides = found.is_none_or(|found| match found.kind {
         JointKind::Prismatic { .. } | JointKind::Slot { .. } => true,
-        JointKind::Revolute { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => false,
+        JointKind::Revolute { .. }
+        | JointKind::Gear { .. }
+        | JointKind::Rack { .. }
+        | JointKind::Fixed { .. } => false,
     });
     match found.filter(|_| !slides) {
         Some(found) => {

@@ -63,6 +63,7 @@ impl Names<'_, '_> {
                 JointKind::Revolute { .. }
                 | JointKind::Prismatic { .. }
                 | JointKind::Slot { .. }
+                | JointKind::Rack { .. }
                 | JointKind::Fixed { .. } => {}
             }
         }

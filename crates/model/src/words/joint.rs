@@ -237,6 +237,46 @@ pub static JOINT: Tagged = Tagged {
             either: None,
         },
         Object {
+            name: "rack",
+            about: "A wheel, the first body, rolls about its point on a line through the point of the second body, the rack.",
+            fields: &[
+                required(
+                    "axis",
+                    Shape::Direction,
+                    "Direction of the line, fixed in the second body; its length does not matter.",
+                ),
+                required(
+                    "radius",
+                    Shape::Quantity(Measure::Of(Dimension::Length), Bound::NotZero),
+                    "Radius of the wheel's pitch circle \\[m\\]; negative where the line lies to the left of the centre, looking along the axis.",
+                ),
+                optional(
+                    "offset",
+                    Shape::Quantity(Measure::Of(Dimension::Length), Bound::Any),
+                    "Place of the centre along the axis from the rack's point, and radius·(θ₁ − θ₂) \\[m\\]; left out: as drawn, that of the poses.",
+                ),
+                required(
+                    "between",
+                    Shape::Pair(&Shape::Point),
+                    "Centre of the wheel and a point of the rack's pitch line, `body.point`.",
+                ),
+            ],
+            refused: &[
+                (
+                    "limits",
+                    "the teeth have no end: give limits to the joint that guides the rack",
+                ),
+                ("clearance", "only a revolute joint can have clearance"),
+                (
+                    "friction",
+                    "only revolute and prismatic joints can have friction",
+                ),
+                ("backlash", "a rack has none: its teeth touch on both sides"),
+            ],
+            drives: Drives::Nothing,
+            either: None,
+        },
+        Object {
             name: "fixed",
             about: "The points coincide, relative angle fixed \\[rad\\].",
             fields: &[

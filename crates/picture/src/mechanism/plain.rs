@@ -79,7 +79,8 @@ impl Mechanism {
                     JointKind::Revolute { .. } | JointKind::Fixed => true,
                     JointKind::Prismatic { .. }
                     | JointKind::Slot { .. }
-                    | JointKind::Gear { .. } => false,
+                    | JointKind::Gear { .. }
+                    | JointKind::Rack { .. } => false,
                 })
                 .collect(),
             joints: joints

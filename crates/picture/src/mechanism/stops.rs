@@ -36,7 +36,10 @@ pub fn reach(joint: &Joint, slides: [f64; 2]) -> [f64; 2] {
             lower.map_or(low, |end| low.min(end)),
             upper.map_or(high, |end| high.max(end)),
         ],
-        JointKind::Revolute { .. } | JointKind::Gear { .. } | JointKind::Fixed => slides,
+        JointKind::Revolute { .. }
+        | JointKind::Gear { .. }
+        | JointKind::Rack { .. }
+        | JointKind::Fixed => slides,
     }
 }
 
@@ -49,7 +52,10 @@ pub fn draw(scene: &mut Scene, sketch: &Sketch, joint: &Joint, slides: [f64; 2])
     match joint.kind {
         JointKind::Prismatic { .. } => bars(scene, sketch, joint, slides, pen),
         JointKind::Revolute { .. } => arc(scene, sketch, joint, pen),
-        JointKind::Slot { .. } | JointKind::Gear { .. } | JointKind::Fixed => {}
+        JointKind::Slot { .. }
+        | JointKind::Gear { .. }
+        | JointKind::Rack { .. }
+        | JointKind::Fixed => {}
     }
 }
 

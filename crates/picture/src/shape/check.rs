@@ -77,6 +77,7 @@ impl Shape {
             JointKind::Revolute { .. }
             | JointKind::Prismatic { .. }
             | JointKind::Slot { .. }
+            | JointKind::Rack { .. }
             | JointKind::Fixed => None,
         });
         let driven = self.drivers.iter().flat_map(|driver| match driver.kind {

@@ -5,7 +5,7 @@
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::parts::{Body, Joint, JointKind, PointId, Shape, Spring};
+use super::parts::{Body, Joint, JointKind, PitchLine, PointId, Shape, Spring};
 use crate::fault::Fault;
 
 /// Keys of `summary.json`.
@@ -43,6 +43,7 @@ enum DrawnKind {
     Revolute,
     Guide { axis: [f64; 2] },
     Gear { ratio: f64 },
+    Rack { rack: PitchLine },
     Fixed,
 }
 
@@ -67,6 +68,7 @@ impl Shape {
                     DrawnKind::Guide { axis }
                 }
                 JointKind::Gear { ratio, .. } => DrawnKind::Gear { ratio },
+                JointKind::Rack { rack } => DrawnKind::Rack { rack },
                 JointKind::Fixed => DrawnKind::Fixed,
             },
         };
@@ -134,6 +136,7 @@ fn of_drawing(drawing: Drawing) -> Result<Shape, Fault> {
                 DrawnKind::Revolute => JointKind::Revolute { clearance: None },
                 DrawnKind::Guide { axis } => JointKind::Prismatic { axis },
                 DrawnKind::Gear { ratio } => JointKind::Gear { ratio, gear: None },
+                DrawnKind::Rack { rack } => JointKind::Rack { rack },
                 DrawnKind::Fixed => JointKind::Fixed,
             },
         })

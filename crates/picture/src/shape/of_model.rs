@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use super::parts::{
-    Body, Clearance, Driver, DriverKind, Joint, JointKind, Load, PitchCircles, PointId, Shape,
-    Spring, TorsionSpring,
+    Body, Clearance, Driver, DriverKind, Joint, JointKind, Load, PitchCircles, PitchLine, PointId,
+    Shape, Spring, TorsionSpring,
 };
 use linkdyn_model::{self as model, ClearanceModel, ForceKind, GROUND, Model, PointRef};
 
@@ -156,6 +156,12 @@ fn joint_of(numbers: &Numbers, name: &str, joint: &model::Joint) -> Joint {
             ratio: *ratio,
             gear: pitch_circles(numbers, name, joint, *ratio),
         },
+        model::JointKind::Rack { axis, radius, .. } => JointKind::Rack {
+            rack: PitchLine {
+                axis: unit(*axis),
+                radius: *radius,
+            },
+        },
         model::JointKind::Fixed { .. } => JointKind::Fixed,
     };
     Joint {
@@ -164,6 +170,12 @@ fn joint_of(numbers: &Numbers, name: &str, joint: &model::Joint) -> Joint {
         kind,
         limits: joint.stops.limits,
     }
+}
+
+/// The same direction, length one.
+fn unit([u, v]: [f64; 2]) -> [f64; 2] {
+    let length = u.hypot(v);
+    [u / length, v / length]
 }
 
 /// Wheels roll on each other: |R₁| = |ratio|·|R₂|, R₂ = ℓ/(1 − ratio), where ℓ is the distance of their centres.

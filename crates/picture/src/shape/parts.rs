@@ -79,6 +79,11 @@ pub enum JointKind {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         gear: Option<PitchCircles>,
     },
+    /// A wheel that rolls on a line of the second body.
+    Rack {
+        /// The line and its wheel.
+        rack: PitchLine,
+    },
     /// A weld.
     Fixed,
 }
@@ -92,6 +97,15 @@ pub struct PitchCircles {
     pub internal: bool,
     /// The body on which both wheels turn.
     pub carrier: usize,
+}
+
+/// A wheel's pitch circle, and the line of the second body on which it rolls.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct PitchLine {
+    /// Direction of the line in the frame of the second body, length one.
+    pub axis: [f64; 2],
+    /// Radius of the wheel \[m\]; negative where the line lies to the left of its centre, looking along the axis.
+    pub radius: f64,
 }
 
 /// Clearance of a pin.
@@ -215,7 +229,10 @@ impl Joint {
                 let length = u.hypot(v);
                 (length > 0.0).then(|| [u / length, v / length])
             }
-            JointKind::Revolute { .. } | JointKind::Gear { .. } | JointKind::Fixed => None,
+            JointKind::Revolute { .. }
+            | JointKind::Gear { .. }
+            | JointKind::Rack { .. }
+            | JointKind::Fixed => None,
         }
     }
 

@@ -6,6 +6,7 @@ mod ground;
 mod hull;
 mod line;
 mod marker;
+mod rack;
 mod spring;
 mod wheel;
 
@@ -15,5 +16,6 @@ pub use ground::{hatched_line, rails, support};
 pub use hull::rounded_hull;
 pub use line::{BLOCK, block, slot};
 pub use marker::marker;
+pub use rack::{Rack, rack};
 pub use spring::{coil, damped_spring, dashpot, round_dashpot, spring};
 pub use wheel::{Wheel, wheel};

@@ -20,7 +20,7 @@ pub const CASES: &[Case] = &[
         edits: &[(r#""type": "prismatic", "#, "")],
         sets: &[],
         complaints: &[
-            r#"line 20, column 10: joints.e: "type" is missing (one of "revolute", "prismatic", "slot", "gear" or "fixed")"#,
+            r#"line 20, column 10: joints.e: "type" is missing (one of "revolute", "prismatic", "slot", "gear", "rack" or "fixed")"#,
         ],
     },
     Case {
@@ -36,7 +36,7 @@ pub const CASES: &[Case] = &[
         edits: &[(r#""prismatic""#, r#""worm""#)],
         sets: &[],
         complaints: &[
-            r#"line 20, column 20: joints.e.type: "worm": unknown type (one of "revolute", "prismatic", "slot", "gear" or "fixed")"#,
+            r#"line 20, column 20: joints.e.type: "worm": unknown type (one of "revolute", "prismatic", "slot", "gear", "rack" or "fixed")"#,
         ],
     },
     Case {
@@ -44,7 +44,7 @@ pub const CASES: &[Case] = &[
         edits: &[(r#""prismatic""#, "7")],
         sets: &[],
         complaints: &[
-            r#"line 20, column 20: joints.e.type: 7: text is expected, not a number (one of "revolute", "prismatic", "slot", "gear" or "fixed")"#,
+            r#"line 20, column 20: joints.e.type: 7: text is expected, not a number (one of "revolute", "prismatic", "slot", "gear", "rack" or "fixed")"#,
         ],
     },
     Case {
@@ -155,6 +155,53 @@ pub const CASES: &[Case] = &[
         sets: &[],
         complaints: &[
             r#"line 20, column 10: joints.e: "axis" is missing (a direction in the first body, as in "axis": [1, 0])"#,
+        ],
+    },
+    Case {
+        what: "rack without radius",
+        edits: &[],
+        sets: &[
+            r#"joints.g={ "type": "rack", "between": ["crank.O", "rocker.Q"], "axis": [1, 0] }"#,
+        ],
+        complaints: &[
+            r#"--set joints.g={ "type": "rack", "between": ["crank.O", "rocker.Q"…: "radius" is missing (of the wheel, as in "radius": "20 mm"; negative where the line lies to the left of its centre, looking along the axis)"#,
+        ],
+    },
+    Case {
+        what: "rack of radius zero, with an axis of no direction and limits",
+        edits: &[(
+            r#""axis": [1, 0] }"#,
+            r#""axis": [1, 0] },
+    "g": { "type": "rack", "between": ["crank.O", "rocker.Q"], "axis": [0, 0], "radius": 0, "limits": [0, 1] }"#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 21, column 72: joints.g.axis: both components are zero, which is no direction"#,
+            r#"line 21, column 90: joints.g.radius: 0: must not be zero"#,
+            r#"line 21, column 93: joints.g.limits: "limits": the teeth have no end: give limits to the joint that guides the rack"#,
+        ],
+    },
+    Case {
+        what: "rack on its own wheel, with backlash",
+        edits: &[(
+            r#""axis": [1, 0] }"#,
+            r#""axis": [1, 0] },
+    "g": { "type": "rack", "between": ["crank.O", "crank.A"], "axis": [1, 0], "radius": "20 mm", "backlash": "0.1 mm" }"#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 21, column 39: joints.g.between: both points are of "crank" (a joint connects two bodies)"#,
+            r#"line 21, column 98: joints.g.backlash: "backlash": a rack has none: its teeth touch on both sides"#,
+        ],
+    },
+    Case {
+        what: "rack whose radius is an angle",
+        edits: &[],
+        sets: &[
+            r#"joints.g={ "type": "rack", "between": ["crank.O", "rocker.Q"], "axis": [1, 0], "radius": "20 deg" }"#,
+        ],
+        complaints: &[
+            r#"--set joints.g={ "type": "rack", "between": ["crank.O", "rocker.Q"…: joints.g.radius: "deg" is not a unit of length (such as "m")"#,
         ],
     },
     Case {

@@ -16,6 +16,7 @@ pub fn clearances(model: &Model) -> impl Iterator<Item = (&str, ClearanceModel)>
             | JointKind::Prismatic { .. }
             | JointKind::Slot { .. }
             | JointKind::Gear { .. }
+            | JointKind::Rack { .. }
             | JointKind::Fixed { .. } => None,
         })
 }

@@ -64,7 +64,10 @@ pub(super) fn angles(model: &Model, degrees: bool, found: &mut Vec<Complaint>) {
             JointKind::Prismatic { angle, .. } | JointKind::Fixed { angle } => {
                 look(format!("joints.{name}.angle"), angle)
             }
-            JointKind::Revolute { .. } | JointKind::Slot { .. } | JointKind::Gear { .. } => {}
+            JointKind::Revolute { .. }
+            | JointKind::Slot { .. }
+            | JointKind::Gear { .. }
+            | JointKind::Rack { .. } => {}
         }
     }
     for (name, initial) in &model.initial {

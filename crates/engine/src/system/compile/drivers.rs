@@ -38,6 +38,7 @@ impl Compiler<'_> {
                         // The loader lets translations drive prismatic joints and slots only.
                         JointKind::Revolute { .. }
                         | JointKind::Gear { .. }
+                        | JointKind::Rack { .. }
                         | JointKind::Fixed { .. } => Vec2::x(),
                     };
                     let (first, second) = (

@@ -8,9 +8,12 @@ use crate::element::joint_friction::{GuideFriction, PinFriction};
 use crate::element::journal::{Bearing, Free, Journal};
 use crate::element::pair::{ContactId, Pair, Shape};
 use crate::element::prismatic::{Guide, Prismatic};
+use crate::element::rack::Rack;
 use crate::element::revolute::{OffsetId, Revolute};
 use crate::element::slot::Slot;
-use crate::element::{BodyId, Constraint, ConstraintDependentForce, Marker, Measure};
+use crate::element::{
+    BodyColumns, BodyId, Constraint, ConstraintDependentForce, Kinematics, Marker, Measure, Pose,
+};
 use crate::system::{
     ClearanceLink, ContactRows, DependentForce, JointData, JointFriction, JointId, Origin,
 };
@@ -70,6 +73,22 @@ impl Compiler<'_> {
             JointKind::Gear { ratio, angle, .. } => {
                 let carrier = &self.joints.carriers[name];
                 (Arc::new(self.gear(points, *ratio, *angle, carrier)), true)
+            }
+            JointKind::Rack {
+                axis,
+                radius,
+                offset,
+            } => {
+                let rack = Rack {
+                    first,
+                    second,
+                    axis: unit(Vec2::from(*axis)),
+                    radius: *radius,
+                    offset: 0.0,
+                };
+                let drawn = || self.as_drawn(|at| rack.rolled(at));
+                let offset = offset.unwrap_or_else(drawn);
+                (Arc::new(Rack { offset, ..rack }), true)
             }
             JointKind::Fixed { angle } => {
                 let angle = *angle;
@@ -211,7 +230,10 @@ impl Compiler<'_> {
                     Measure::Length,
                 )
             }
-            JointKind::Slot { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => {
+            JointKind::Slot { .. }
+            | JointKind::Gear { .. }
+            | JointKind::Rack { .. }
+            | JointKind::Fixed { .. } => {
                 return None;
             }
         };
@@ -223,6 +245,25 @@ impl Compiler<'_> {
         Some(JointFriction {
             force: self.system.dependent_forces.len() - 1,
             measure,
+        })
+    }
+
+    /// A number of the poses as drawn.
+    fn as_drawn(&self, number: impl Fn(&Kinematics) -> f64) -> f64 {
+        let place = |columns: BodyColumns| {
+            let [x, y, theta] = columns.read(&self.system.guess);
+            Pose::new(x, y, theta)
+        };
+        let moving = self.system.layout.bodies().map(place);
+        let poses: Vec<Pose> = [Pose::GROUND].into_iter().chain(moving).collect();
+        number(&Kinematics {
+            poses: &poses,
+            twists: &[],
+            drive: &[],
+            offset: &[],
+            sides: &[],
+            contacts: &[],
+            time: 0.0,
         })
     }
 

@@ -35,6 +35,7 @@ pub(super) fn clearance(kind: &JointKind) -> Option<&linkdyn_model::Clearance> {
         JointKind::Prismatic { .. }
         | JointKind::Slot { .. }
         | JointKind::Gear { .. }
+        | JointKind::Rack { .. }
         | JointKind::Fixed { .. } => None,
     }
 }
@@ -95,6 +96,7 @@ fn frictions<'a>(
             | JointKind::Prismatic { .. }
             | JointKind::Slot { .. }
             | JointKind::Gear { .. }
+            | JointKind::Rack { .. }
             | JointKind::Fixed { .. } => continue,
         };
         let radius = pin.map_or(Ok(0.0), |radius| {

@@ -18,6 +18,10 @@ pub(super) fn joint_role(kind: &JointKind) -> JointRole {
             axis: unit(Vec2::from(*axis)),
         },
         JointKind::Gear { .. } => JointRole::Gear,
+        JointKind::Rack { axis, radius, .. } => JointRole::Rack {
+            axis: unit(Vec2::from(*axis)),
+            radius: *radius,
+        },
         JointKind::Fixed { .. } => JointRole::Fixed,
     }
 }

@@ -32,7 +32,10 @@ impl Compiler<'_> {
                 Some(unit(Vec2::from(*axis)))
             }
             // The gate lets turning and sliding joints alone have limits.
-            JointKind::Revolute { .. } | JointKind::Gear { .. } | JointKind::Fixed { .. } => None,
+            JointKind::Revolute { .. }
+            | JointKind::Gear { .. }
+            | JointKind::Rack { .. }
+            | JointKind::Fixed { .. } => None,
         };
         let arm = axis.map_or(self.system.size, |_| 1.0);
         let pair = Pair {

@@ -67,6 +67,8 @@ pub(super) fn changes(system: &System, at: &Kinematics, radii: &Radii) -> Vec<Ch
                         guide_changes(at, radii, &joint.points, u, perp(u), own);
                     }
                     JointRole::Gear => gear_changes(at, radii, block, &joint.points, own),
+                    // No question is answered of a mechanism with one.
+                    JointRole::Rack { .. } => {}
                 }
             }
             Origin::Driver(id) => {

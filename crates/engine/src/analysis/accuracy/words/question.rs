@@ -12,7 +12,7 @@ use crate::analysis::control::{Control, Stop};
 use crate::analysis::question::instants;
 use crate::system::compile::compile_geometry;
 use linkdyn_model::error::{Complaint, Complaints};
-use linkdyn_model::{AnalysisKind, Checked, DriverKind, Model};
+use linkdyn_model::{AnalysisKind, Checked, DriverKind, JointKind, Model};
 
 /// Why there is no answer.
 #[derive(Debug)]
@@ -64,6 +64,7 @@ pub fn accuracy(
     scope: Scope,
     control: &Control,
 ) -> Result<Accuracy, Refusal> {
+    uncounted(model)?;
     let ideal = model.with_clearances(|_| false);
     let system = compile_geometry(&ideal)?;
     let names = Names::new(&ideal);
@@ -131,6 +132,28 @@ pub fn accuracy(
             Refusal::Input(Complaints(faults.collect()))
         }
     })
+}
+
+/// Joints of which it is not known what their dimensions do.
+fn uncounted(model: &Model) -> Result<(), Complaint> {
+    let kind = |kind: &JointKind| match kind {
+        JointKind::Rack { .. } => Some("a rack"),
+        JointKind::Revolute { .. }
+        | JointKind::Prismatic { .. }
+        | JointKind::Slot { .. }
+        | JointKind::Gear { .. }
+        | JointKind::Fixed { .. } => None,
+    };
+    let mut joints = model.joints.iter();
+    let found = joints.find_map(|(name, joint)| Some((name, kind(&joint.kind)?)));
+    let Some((name, kind)) = found else {
+        return Ok(());
+    };
+    let message = format!(
+        "accuracy does not count yet what is off in {kind}, and gives no answer that leaves it out"
+    );
+    let hint = "vary its numbers as parameters of a `study`, which runs the model with each";
+    Err(Complaint::new(format!("joints.{name}"), message).hint(hint))
 }
 
 /// What is said of a pose that the motion does not have.

@@ -154,7 +154,7 @@ fn joint_play(kind: &JointKind, row: usize, system: &System, index: usize) -> Op
                 half: [half, half],
             })
         }
-        JointKind::Fixed { .. } => None,
+        JointKind::Rack { .. } | JointKind::Fixed { .. } => None,
     }
 }
 
