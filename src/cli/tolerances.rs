@@ -136,7 +136,7 @@ fn of_joint(name: &str, joint: &Joint, units: &DisplayUnits) -> Option<String> {
             let backlash = units.length((*backlash)?);
             Some(format!("{name} {backlash} of backlash"))
         }
-        JointKind::Rack { .. } | JointKind::Fixed { .. } => None,
+        JointKind::Rack { .. } | JointKind::Belt { .. } | JointKind::Fixed { .. } => None,
     }
 }
 

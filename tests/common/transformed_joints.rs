@@ -2,7 +2,7 @@
 
 use super::limits::{flip_limits, turn_limits};
 use super::turned;
-use linkdyn_model::{GROUND, Joint, JointKind};
+use linkdyn_model::{GROUND, Joint, JointKind, Strands};
 
 /// A joint of a mechanism that has turned about the ground's origin; `carrier` bears the wheels of a gear.
 pub fn rotate(joint: &mut Joint, angle: f64, carrier: Option<&str>) {
@@ -46,6 +46,7 @@ pub fn rotate(joint: &mut Joint, angle: f64, carrier: Option<&str>) {
             }
             *offset = offset.map(|offset| offset - *radius * relative);
         }
+        JointKind::Belt { .. } => {}
         JointKind::Fixed {
             angle: relative_angle,
         } => *relative_angle += relative,
@@ -68,6 +69,7 @@ pub fn mirror(joint: &mut Joint) {
             *axis = mirrored(*axis);
             *radius = -*radius;
         }
+        JointKind::Belt { .. } => {}
         JointKind::Fixed { angle } => *angle = -*angle,
     }
 }
@@ -90,6 +92,10 @@ pub fn swap(joint: &mut Joint) {
             joint.between.reverse();
         }
         JointKind::Prismatic { .. } | JointKind::Slot { .. } | JointKind::Rack { .. } => {}
+        JointKind::Belt { radii, .. } => {
+            radii.reverse();
+            joint.between.reverse();
+        }
     }
 }
 
@@ -100,5 +106,10 @@ pub fn swapped_signs(joint: &Joint) -> [f64; 2] {
         // The torque is the tooth force's moment on the other wheel, at the other radius.
         JointKind::Gear { ratio, .. } => [-1.0, -ratio],
         JointKind::Prismatic { .. } | JointKind::Slot { .. } | JointKind::Rack { .. } => [1.0, 1.0],
+        // The torque on the other pulley.
+        JointKind::Belt { radii, strands, .. } => match strands {
+            Strands::Open => [-1.0, -radii[0] / radii[1]],
+            Strands::Crossed => [-1.0, radii[0] / radii[1]],
+        },
     }
 }

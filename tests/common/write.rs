@@ -2,7 +2,7 @@
 
 use linkdyn_model::{
     AnalysisKind, Driver, DriverKind, Force, ForceKind, Frame, Friction, FrictionLaw, GROUND,
-    JointKind, Model, Motion, PointRef, Value as Law,
+    Joint, JointKind, Model, Motion, PointRef, Strands, Value as Law,
 };
 use serde_json::{Map, Value, json};
 
@@ -175,6 +175,7 @@ impl Scale {
                     }
                     words
                 }
+                JointKind::Belt { .. } => self.belt(joint, &between),
                 JointKind::Rack {
                     axis,
                     radius,
@@ -194,6 +195,39 @@ impl Scale {
             joints.insert(name.clone(), words);
         }
         Value::Object(joints)
+    }
+
+    fn belt(&self, joint: &Joint, between: &[String; 2]) -> Value {
+        let JointKind::Belt {
+            radii,
+            strands,
+            pretension,
+            carrier,
+        } = joint.kind.clone()
+        else {
+            panic!("no belt");
+        };
+        let radii = radii.map(|radius| radius * self.length);
+        let strands = match strands {
+            Strands::Open => "open",
+            Strands::Crossed => "crossed",
+        };
+        let mut words =
+            json!({ "type": "belt", "between": between, "radii": radii, "strands": strands });
+        if let Some(carrier) = carrier {
+            words["carrier"] = json!(carrier);
+        }
+        let force = self.mass * self.length;
+        for (key, value, scale) in [
+            ("pretension", pretension, force),
+            ("stiffness", joint.stops.stiffness, self.mass),
+            ("damping", joint.stops.damping, self.mass),
+        ] {
+            if let Some(value) = value {
+                words[key] = json!(value * scale);
+            }
+        }
+        words
     }
 
     /// Scale of what a driver drives.

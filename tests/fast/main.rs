@@ -31,6 +31,7 @@ mod allocate;
 mod allocations;
 mod architecture;
 mod assembly;
+mod belts;
 mod bundled;
 mod complaints;
 mod complaints_clearance;

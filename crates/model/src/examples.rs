@@ -162,6 +162,7 @@ fn row(path: &str) -> Option<(&'static str, &'static str)> {
             "",
             r#""responses": { "stroke": "max(piston.x) - min(piston.x)" }"#,
         )),
+        ["joints", _, "radii"] => Some(("of both pulleys, ", r#""radii": ["30 mm", "60 mm"]"#)),
         ["joints", _, "radius"] => Some((
             "of the wheel, ",
             r#""radius": "20 mm"; negative where the line lies to the left of its centre, looking along the axis"#,

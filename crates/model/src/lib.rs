@@ -70,7 +70,7 @@ pub use gate::Checked;
 pub use hold::unheld;
 pub use joint::{Joint, JointKind, PointRef};
 #[doc(hidden)]
-pub use joint::{Latch, Stops};
+pub use joint::{Latch, Stops, Strands};
 pub use load::{Loaded, load, load_file};
 pub use motion::Motion;
 #[doc(hidden)]

@@ -101,6 +101,12 @@ pub enum JointQuantity {
     State,
     /// Torque [N·m] of the stops of a turning joint on the second body, or force \[N\] of those of a slide.
     Stop,
+    /// Tension \[N\] of the strand of a belt that pulls more.
+    #[doc(hidden)]
+    Tight,
+    /// Tension \[N\] of the other one, negative where it would have to push.
+    #[doc(hidden)]
+    Slack,
 }
 
 /// What a driver prescribes and what it takes.

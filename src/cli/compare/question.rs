@@ -75,6 +75,7 @@ fn without(name: &str, kind: &JointKind) -> Complaint {
         | JointKind::Slot { .. }
         | JointKind::Gear { .. }
         | JointKind::Rack { .. }
+        | JointKind::Belt { .. }
         | JointKind::Fixed { .. } => {
             Complaint::new(path, "only a revolute joint can have a clearance")
                 .hint("name another joint")

@@ -93,7 +93,7 @@ impl<'m> Newton<'m> {
                 JointKind::Prismatic { axis, angle, .. } => Kind::Prismatic(unit(*axis), *angle),
                 JointKind::Slot { axis, .. } => Kind::Slot(unit(*axis)),
                 JointKind::Fixed { angle } => Kind::Fixed(*angle),
-                JointKind::Rack { .. } => panic!("accuracy has no racks"),
+                JointKind::Rack { .. } | JointKind::Belt { .. } => panic!("accuracy has none"),
                 JointKind::Gear { ratio, angle, .. } => {
                     let carrier = model.carrier(name, joint).expect("a gear");
                     let carrier = carrier.expect("a carrier").body.to_owned();

@@ -145,7 +145,7 @@ fn gaps(model: &Model, pitch: &[f64], numbers: &mut Numbers) -> Gaps {
             JointKind::Gear { backlash, .. } => {
                 [0.5 * backlash.unwrap_or(0.0) / pitch * side(numbers), 0.0]
             }
-            JointKind::Rack { .. } | JointKind::Fixed { .. } => [0.0; 2],
+            JointKind::Rack { .. } | JointKind::Belt { .. } | JointKind::Fixed { .. } => [0.0; 2],
         });
     let joints = joints.collect();
     let drivers = model.drivers.values();
@@ -178,6 +178,7 @@ fn pitch(model: &Model) -> Vec<f64> {
             | JointKind::Prismatic { .. }
             | JointKind::Slot { .. }
             | JointKind::Rack { .. }
+            | JointKind::Belt { .. }
             | JointKind::Fixed { .. } => 1.0,
         })
         .collect()

@@ -11,6 +11,7 @@ pub const KINDS: &[&str] = &[
     "slot",
     "gear",
     "rack",
+    "belt",
     "fixed",
     "rotation",
     "translation",

@@ -207,6 +207,16 @@ line 12, column 15: bodies.rocker: inverse dynamics needs the inertia of body "r
         status: 2,
         says: r#"line 19, column 13: joints.mesh: accuracy does not count yet what is off in a rack, and gives no answer that leaves it out (vary its numbers as parameters of a `study`, which runs the model with each)"#,
     },
+    Case {
+        edits: &[(
+            r#"["ground.Q", "rocker.Q"] }"#,
+            r#"["ground.Q", "rocker.Q"] },
+    "loop": { "type": "belt", "between": ["crank.O", "rocker.Q"], "radii": ["20 mm", "20 mm"] }"#,
+        )],
+        options: &[],
+        status: 2,
+        says: r#"line 19, column 13: joints.loop: accuracy does not count yet what is off in a belt, and gives no answer that leaves it out (vary its numbers as parameters of a `study`, which runs the model with each)"#,
+    },
 ];
 
 #[test]

@@ -92,6 +92,7 @@ fn edit_words(value: &mut serde_json::Value, rng: &mut Rng) {
                 "slot",
                 "gear",
                 "rack",
+                "belt",
                 "fixed",
                 "rotation",
                 "translation",

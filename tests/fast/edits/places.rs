@@ -84,6 +84,7 @@ pub fn numbers(model: &mut Model) -> Vec<&mut f64> {
             }
             JointKind::Slot { axis, .. } => numbers.extend(axis),
             JointKind::Gear { ratio, .. } => numbers.push(ratio),
+            JointKind::Belt { radii, .. } => numbers.extend(radii),
             JointKind::Rack { axis, radius, .. } => numbers.extend(axis.iter_mut().chain([radius])),
             JointKind::Fixed { angle } => numbers.push(angle),
             JointKind::Revolute { .. } => {}
@@ -171,6 +172,10 @@ pub fn options(model: &mut Model) -> Vec<&mut Option<f64>> {
                 options.push(angle);
                 continue;
             }
+            JointKind::Belt { pretension, .. } => {
+                options.push(pretension);
+                continue;
+            }
             JointKind::Rack { offset, .. } => {
                 options.push(offset);
                 continue;
@@ -205,7 +210,7 @@ pub fn names(model: &mut Model) -> Vec<&mut String> {
     let mut names: Vec<&mut String> = model.points.iter_mut().flat_map(of_point).collect();
     for joint in model.joints.values_mut() {
         names.extend(joint.between.iter_mut().flat_map(of_point));
-        if let JointKind::Gear { carrier, .. } = &mut joint.kind {
+        if let JointKind::Gear { carrier, .. } | JointKind::Belt { carrier, .. } = &mut joint.kind {
             names.extend(carrier);
         }
     }

@@ -48,6 +48,7 @@ fn has_clearance(model: &Model) -> bool {
         | JointKind::Slot { .. }
         | JointKind::Gear { .. }
         | JointKind::Rack { .. }
+        | JointKind::Belt { .. }
         | JointKind::Fixed { .. } => false,
     })
 }

@@ -59,7 +59,9 @@ fn of_joint(joint: &JointData, contents: Contents) -> impl Iterator<Item = Relat
         JointRole::Revolute => (true, false),
         JointRole::Prismatic { .. } => (false, true),
         JointRole::Slot { .. } => (true, true),
-        JointRole::Gear | JointRole::Rack { .. } | JointRole::Fixed => (false, false),
+        JointRole::Gear | JointRole::Rack { .. } | JointRole::Belt | JointRole::Fixed => {
+            (false, false)
+        }
     };
     let all = RelativeQuantity::ALL.into_iter();
     all.filter(move |quantity| match quantity {

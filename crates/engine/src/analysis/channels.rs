@@ -50,6 +50,7 @@ const VELOCITIES: [PointQuantity; 2] = [PointQuantity::Vx, PointQuantity::Vy];
 const ACCELERATIONS: [PointQuantity; 2] = [PointQuantity::Ax, PointQuantity::Ay];
 const FORCES: [JointQuantity; 2] = [JointQuantity::Fx, JointQuantity::Fy];
 const ECCENTRICITIES: [JointQuantity; 2] = [JointQuantity::Ex, JointQuantity::Ey];
+const TENSIONS: [JointQuantity; 2] = [JointQuantity::Tight, JointQuantity::Slack];
 const CONTACT: [JointQuantity; 6] = [
     JointQuantity::Eccentricity,
     JointQuantity::Penetration,
@@ -279,12 +280,14 @@ impl Contents {
         let has_bearing = joint.bearing.is_some();
         let contact_wanted = has_bearing && self.reactions;
         let stop = (self.reactions && joint.has_stops()).then_some(JointQuantity::Stop);
+        let has_strands = self.reactions && joint.belt.is_some();
         forces
             .chain(torque)
             .chain(friction)
             .chain(ECCENTRICITIES.into_iter().filter(move |_| has_bearing))
             .chain(CONTACT.into_iter().filter(move |_| contact_wanted))
             .chain(stop)
+            .chain(TENSIONS.into_iter().filter(move |_| has_strands))
     }
 
     fn of_driver(self) -> impl Iterator<Item = DriverQuantity> {
@@ -307,7 +310,9 @@ fn joint_unit(quantity: JointQuantity, joint: &JointData) -> &'static str {
         JointQuantity::Fx
         | JointQuantity::Fy
         | JointQuantity::NormalForce
-        | JointQuantity::TangentialForce => "N",
+        | JointQuantity::TangentialForce
+        | JointQuantity::Tight
+        | JointQuantity::Slack => "N",
         JointQuantity::Torque => "N*m",
         JointQuantity::Friction => match joint.friction.map(|friction| friction.measure) {
             Some(Measure::Angle) => "N*m",

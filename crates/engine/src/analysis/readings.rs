@@ -101,6 +101,8 @@ pub struct JointReading {
     journal: ContactSample,
     /// Torque or force of the joint's stops on the second body.
     stop: f64,
+    /// Of the strands of a belt \[N\].
+    tensions: [f64; 2],
 }
 
 impl JointReading {
@@ -114,9 +116,13 @@ impl JointReading {
     ) -> Self {
         // Blocks of joints stand first, in their order.
         let (data, block) = (&system.joints[joint], &system.blocks[joint]);
-        let (mut force, torque) = block
-            .constraint
-            .reaction(at, &sample.lambda[block.row..block.row + block.rows]);
+        let lambda = &sample.lambda[block.row..block.row + block.rows];
+        let (mut force, mut torque) = block.constraint.reaction(at, lambda);
+        let mut tensions = [0.0; 2];
+        if let Some(belt) = &data.belt {
+            tensions = belt.tensions(at, lambda.first().copied());
+            (force, torque) = belt.wrench(at, tensions);
+        }
         let contact = data.contact.map(|id| sample.contacts[id.0]);
         if let Some(contact) = contact {
             force += contact.reading.force;
@@ -147,6 +153,7 @@ impl JointReading {
         };
         JointReading {
             stop,
+            tensions,
             force,
             torque,
             friction,
@@ -171,6 +178,8 @@ impl JointReading {
             JointQuantity::SlidingSpeed => reading.sliding,
             JointQuantity::State => self.journal.state,
             JointQuantity::Stop => self.stop,
+            JointQuantity::Tight => self.tensions[0].max(self.tensions[1]),
+            JointQuantity::Slack => self.tensions[0].min(self.tensions[1]),
         }
     }
 }

@@ -122,6 +122,7 @@ fn drawn(system: &System, output: Output) -> Vec<Drawn> {
             JointRole::Prismatic { .. }
             | JointRole::Gear
             | JointRole::Rack { .. }
+            | JointRole::Belt
             | JointRole::Fixed => false,
         };
         let own = BodyId(output.body + 1);
@@ -362,6 +363,7 @@ impl Output {
             | JointRole::Slot { .. }
             | JointRole::Gear
             | JointRole::Rack { .. }
+            | JointRole::Belt
             | JointRole::Fixed => None,
         });
         Output { body, slide }

@@ -52,6 +52,7 @@ pub(crate) fn all_constraints() -> Vec<Named> {
     all.extend(drivers_and_initial_values());
     all.extend(super::stop::tests::both());
     all.extend(super::rack::tests::both());
+    all.extend(super::belt::tests::both());
     all
 }
 

@@ -30,6 +30,7 @@ pub use rows::{ContactRows, Extent};
 pub use scale::Scale;
 pub(crate) use slopes::Slopes;
 
+use crate::element::belt::Belt;
 use crate::element::formula::Formula;
 use crate::element::journal::Bearing;
 use crate::element::pair::{ContactId, Pair};
@@ -124,6 +125,8 @@ pub struct JointData {
     pub(crate) bearing: Option<Bearing>,
     /// Of an ideal joint with friction.
     pub(crate) friction: Option<JointFriction>,
+    /// Pulleys with a belt.
+    pub(crate) belt: Option<Box<Belt>>,
 }
 
 /// A driver's numbers beyond its constraint.

@@ -32,6 +32,8 @@ pub enum JointRole {
         /// Radius of the wheel \[m\], signed by the side on which the line lies.
         radius: f64,
     },
+    /// Two pulleys with a belt.
+    Belt,
     /// Two bodies as one.
     Fixed,
 }
@@ -41,9 +43,11 @@ impl JointRole {
     pub(crate) fn axis(self) -> Option<Vec2> {
         match self {
             JointRole::Prismatic { axis, .. } | JointRole::Slot { axis } => Some(axis),
-            JointRole::Revolute | JointRole::Gear | JointRole::Rack { .. } | JointRole::Fixed => {
-                None
-            }
+            JointRole::Revolute
+            | JointRole::Gear
+            | JointRole::Rack { .. }
+            | JointRole::Belt
+            | JointRole::Fixed => None,
         }
     }
 }

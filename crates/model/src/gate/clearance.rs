@@ -25,6 +25,7 @@ pub(super) fn joint(rules: &mut Rules<'_>, joint: &Joint, path: &str) {
         JointKind::Slot { .. }
         | JointKind::Gear { .. }
         | JointKind::Rack { .. }
+        | JointKind::Belt { .. }
         | JointKind::Fixed { .. } => return,
     };
     if let Some(clearance) = clearance {

@@ -79,6 +79,7 @@ fn translation(rules: &mut Rules<'_>, path: &str, joint: &str) -> Option<String>
         JointKind::Revolute { .. }
         | JointKind::Gear { .. }
         | JointKind::Rack { .. }
+        | JointKind::Belt { .. }
         | JointKind::Fixed { .. } => false,
     });
     match found.filter(|_| !slides) {

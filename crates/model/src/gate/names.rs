@@ -59,7 +59,9 @@ impl Names<'_, '_> {
             let path = format!("joints.{name}");
             self.points(&joint.between, &path);
             match &joint.kind {
-                JointKind::Gear { carrier, .. } => self.maybe_body(carrier, &path, "carrier"),
+                JointKind::Gear { carrier, .. } | JointKind::Belt { carrier, .. } => {
+                    self.maybe_body(carrier, &path, "carrier");
+                }
                 JointKind::Revolute { .. }
                 | JointKind::Prismatic { .. }
                 | JointKind::Slot { .. }

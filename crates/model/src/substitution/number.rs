@@ -88,6 +88,8 @@ fn joint<'m, 'p>(
             "axis",
         ) => of_list(axis, path),
         (JointKind::Rack { radius, .. }, "radius") => Some(radius),
+        (JointKind::Belt { radii, .. }, "radii") => of_list(radii, path),
+        (JointKind::Belt { pretension, .. }, "pretension") => pretension.as_mut(),
         (JointKind::Rack { offset, .. }, "offset") => offset.as_mut(),
         (JointKind::Prismatic { angle, .. } | JointKind::Fixed { angle }, "angle") => Some(angle),
         (JointKind::Gear { ratio, .. }, "ratio") => Some(ratio),

@@ -33,7 +33,7 @@ use clearance::{CLEARANCE, CLEARANCE_MODEL, IMPACT, IMPACT_SENSE, NORMAL, NORMAL
 use driver::DRIVER;
 use force::{FORCE, FRAME};
 use friction::{FRICTION, FRICTION_LAW};
-use joint::{JOINT, LATCH};
+use joint::{JOINT, LATCH, STRANDS};
 use motion::{INTERPOLATION, RISE_LAW, SEGMENT};
 use optimise::{CURVE, OBJECTIVE, OPTIMISE};
 use parameter::DISTRIBUTION;
@@ -161,7 +161,7 @@ impl Definition {
 }
 
 /// All that the schema defines by a name, in its order.
-pub static DEFINITIONS: [Definition; 48] = [
+pub static DEFINITIONS: [Definition; 49] = [
     Definition::Format(&FORMATS),
     Definition::Object(&GROUND),
     Definition::Object(&BODY),
@@ -184,6 +184,7 @@ pub static DEFINITIONS: [Definition; 48] = [
     Definition::Tagged(&FORCE),
     Definition::Choice(&FRAME),
     Definition::Choice(&LATCH),
+    Definition::Choice(&STRANDS),
     Definition::Object(&INITIAL),
     Definition::Object(&ANALYSIS),
     Definition::Choice(&ANALYSIS_KIND),

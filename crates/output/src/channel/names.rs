@@ -180,7 +180,7 @@ impl Quantity for PointQuantity {
 
 impl JointQuantity {
     /// Every one.
-    const ALL: [JointQuantity; 13] = [
+    const ALL: [JointQuantity; 15] = [
         JointQuantity::Fx,
         JointQuantity::Fy,
         JointQuantity::Torque,
@@ -194,6 +194,8 @@ impl JointQuantity {
         JointQuantity::SlidingSpeed,
         JointQuantity::State,
         JointQuantity::Stop,
+        JointQuantity::Tight,
+        JointQuantity::Slack,
     ];
 
     /// The last word of the column's name.
@@ -212,6 +214,8 @@ impl JointQuantity {
             JointQuantity::SlidingSpeed => "sliding_speed",
             JointQuantity::State => "state",
             JointQuantity::Stop => "stop",
+            JointQuantity::Tight => "tight",
+            JointQuantity::Slack => "slack",
         }
     }
 }

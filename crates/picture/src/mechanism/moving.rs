@@ -157,6 +157,7 @@ impl Mechanism {
             let radii = match joint.kind {
                 JointKind::Gear { gear, .. } => gear.map(|gear| gear.radii).unwrap_or_default(),
                 JointKind::Rack { rack } => [rack.radius.abs(), 0.0],
+                JointKind::Belt { belt } => belt.radii,
                 JointKind::Revolute { .. }
                 | JointKind::Prismatic { .. }
                 | JointKind::Slot { .. }

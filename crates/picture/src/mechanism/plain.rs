@@ -80,7 +80,8 @@ impl Mechanism {
                     JointKind::Prismatic { .. }
                     | JointKind::Slot { .. }
                     | JointKind::Gear { .. }
-                    | JointKind::Rack { .. } => false,
+                    | JointKind::Rack { .. }
+                    | JointKind::Belt { .. } => false,
                 })
                 .collect(),
             joints: joints

@@ -84,6 +84,7 @@ fn draw_guide(scene: &mut Scene, sketch: &Sketch, joint: &Joint, slides: [f64; 2
         JointKind::Revolute { .. }
         | JointKind::Gear { .. }
         | JointKind::Rack { .. }
+        | JointKind::Belt { .. }
         | JointKind::Fixed => {}
     }
 }
@@ -175,7 +176,10 @@ fn draw_pin(scene: &mut Scene, sketch: &Sketch, joint: &Joint) {
             let corners = corners.map(|[dx, dy]| [x + dx, y + dy]);
             scene.area("weld", corners, Some(sketch.ink(palette::STEEL)), None);
         }
-        JointKind::Prismatic { .. } | JointKind::Gear { .. } | JointKind::Rack { .. } => {}
+        JointKind::Prismatic { .. }
+        | JointKind::Gear { .. }
+        | JointKind::Rack { .. }
+        | JointKind::Belt { .. } => {}
     }
 }
 

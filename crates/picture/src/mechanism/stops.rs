@@ -39,6 +39,7 @@ pub fn reach(joint: &Joint, slides: [f64; 2]) -> [f64; 2] {
         JointKind::Revolute { .. }
         | JointKind::Gear { .. }
         | JointKind::Rack { .. }
+        | JointKind::Belt { .. }
         | JointKind::Fixed => slides,
     }
 }
@@ -55,6 +56,7 @@ pub fn draw(scene: &mut Scene, sketch: &Sketch, joint: &Joint, slides: [f64; 2])
         JointKind::Slot { .. }
         | JointKind::Gear { .. }
         | JointKind::Rack { .. }
+        | JointKind::Belt { .. }
         | JointKind::Fixed => {}
     }
 }

@@ -2,9 +2,10 @@
 
 use super::places::turned;
 use super::sketch::Sketch;
+use crate::palette;
 use crate::scene::Scene;
-use crate::shape::{Joint, JointKind, PitchCircles, PitchLine};
-use crate::symbols::{self, Rack, Wheel};
+use crate::shape::{Joint, JointKind, PitchCircles, PitchLine, Pulleys};
+use crate::symbols::{self, Belt, Rack, Wheel};
 
 /// A rack reaches beyond its wheel's way by this, in radii of the wheel.
 const BEYOND: f64 = 0.6;
@@ -16,6 +17,7 @@ pub fn draw(scene: &mut Scene, sketch: &Sketch, joint: &Joint, slides: [f64; 2])
             gear: Some(gear), ..
         } => pair(scene, sketch, joint, gear),
         JointKind::Rack { rack } => wheel_on_rack(scene, sketch, joint, rack, slides),
+        JointKind::Belt { belt } => belt_on_pulleys(scene, sketch, joint, belt),
         JointKind::Gear { gear: None, .. }
         | JointKind::Revolute { .. }
         | JointKind::Prismatic { .. }
@@ -75,4 +77,17 @@ fn wheel_on_rack(
     };
     symbols::rack(scene, &rack, sketch.bar(), sketch.of_body(rack_body));
     symbols::wheel(scene, &wheel, sketch.bar(), sketch.of_body(wheel_body));
+}
+
+/// Two pulleys with the belt around them.
+fn belt_on_pulleys(scene: &mut Scene, sketch: &Sketch, joint: &Joint, pulleys: Pulleys) {
+    let wheels = [0, 1].map(|k| wheel_of(sketch, joint, k, pulleys.radii[k], false));
+    for (wheel, (body, _)) in wheels.iter().zip(joint.between) {
+        symbols::pulley(scene, wheel, sketch.of_body(body));
+    }
+    let belt = Belt {
+        pulleys: wheels,
+        crossed: pulleys.crossed,
+    };
+    symbols::belt(scene, &belt, sketch.bar(), sketch.pen(palette::STEEL));
 }

@@ -78,6 +78,7 @@ impl Shape {
             | JointKind::Prismatic { .. }
             | JointKind::Slot { .. }
             | JointKind::Rack { .. }
+            | JointKind::Belt { .. }
             | JointKind::Fixed => None,
         });
         let driven = self.drivers.iter().flat_map(|driver| match driver.kind {

@@ -5,7 +5,7 @@
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::parts::{Body, Joint, JointKind, PitchLine, PointId, Shape, Spring};
+use super::parts::{Body, Joint, JointKind, PitchLine, PointId, Pulleys, Shape, Spring};
 use crate::fault::Fault;
 
 /// Keys of `summary.json`.
@@ -44,6 +44,7 @@ enum DrawnKind {
     Guide { axis: [f64; 2] },
     Gear { ratio: f64 },
     Rack { rack: PitchLine },
+    Belt { belt: Pulleys },
     Fixed,
 }
 
@@ -69,6 +70,7 @@ impl Shape {
                 }
                 JointKind::Gear { ratio, .. } => DrawnKind::Gear { ratio },
                 JointKind::Rack { rack } => DrawnKind::Rack { rack },
+                JointKind::Belt { belt } => DrawnKind::Belt { belt },
                 JointKind::Fixed => DrawnKind::Fixed,
             },
         };
@@ -137,6 +139,7 @@ fn of_drawing(drawing: Drawing) -> Result<Shape, Fault> {
                 DrawnKind::Guide { axis } => JointKind::Prismatic { axis },
                 DrawnKind::Gear { ratio } => JointKind::Gear { ratio, gear: None },
                 DrawnKind::Rack { rack } => JointKind::Rack { rack },
+                DrawnKind::Belt { belt } => JointKind::Belt { belt },
                 DrawnKind::Fixed => JointKind::Fixed,
             },
         })

@@ -20,5 +20,5 @@ mod parts;
 
 pub use parts::{
     Body, Clearance, Driver, DriverKind, Joint, JointKind, Load, PitchCircles, PitchLine, PointId,
-    Shape, Spring, TorsionSpring,
+    Pulleys, Shape, Spring, TorsionSpring,
 };

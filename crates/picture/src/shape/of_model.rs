@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::parts::{
     Body, Clearance, Driver, DriverKind, Joint, JointKind, Load, PitchCircles, PitchLine, PointId,
-    Shape, Spring, TorsionSpring,
+    Pulleys, Shape, Spring, TorsionSpring,
 };
 use linkdyn_model::{self as model, ClearanceModel, ForceKind, GROUND, Model, PointRef};
 
@@ -160,6 +160,12 @@ fn joint_of(numbers: &Numbers, name: &str, joint: &model::Joint) -> Joint {
             rack: PitchLine {
                 axis: unit(*axis),
                 radius: *radius,
+            },
+        },
+        model::JointKind::Belt { radii, strands, .. } => JointKind::Belt {
+            belt: Pulleys {
+                radii: *radii,
+                crossed: *strands == model::Strands::Crossed,
             },
         },
         model::JointKind::Fixed { .. } => JointKind::Fixed,

@@ -84,6 +84,11 @@ pub enum JointKind {
         /// The line and its wheel.
         rack: PitchLine,
     },
+    /// Two pulleys with a belt.
+    Belt {
+        /// The pulleys.
+        belt: Pulleys,
+    },
     /// A weld.
     Fixed,
 }
@@ -106,6 +111,16 @@ pub struct PitchLine {
     pub axis: [f64; 2],
     /// Radius of the wheel \[m\]; negative where the line lies to the left of its centre, looking along the axis.
     pub radius: f64,
+}
+
+/// The pulleys of a belt.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Pulleys {
+    /// Radii of the first and the second one \[m\].
+    pub radii: [f64; 2],
+    /// Whether the strands cross.
+    #[serde(default, skip_serializing_if = "is_not")]
+    pub crossed: bool,
 }
 
 /// Clearance of a pin.
@@ -232,6 +247,7 @@ impl Joint {
             JointKind::Revolute { .. }
             | JointKind::Gear { .. }
             | JointKind::Rack { .. }
+            | JointKind::Belt { .. }
             | JointKind::Fixed => None,
         }
     }

@@ -1,6 +1,7 @@
 //! Small signs: markers of curves, and the parts of a mechanism. Sizes are told in bars, half the width of a drawn body.
 
 mod arrow;
+mod belt;
 mod cylinder;
 mod ground;
 mod hull;
@@ -11,6 +12,7 @@ mod spring;
 mod wheel;
 
 pub use arrow::{arrow, round_arrow};
+pub use belt::{Belt, belt, pulley};
 pub use cylinder::{Cylinder, cylinder};
 pub use ground::{hatched_line, rails, support};
 pub use hull::rounded_hull;

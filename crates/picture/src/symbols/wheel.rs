@@ -35,6 +35,19 @@ impl Wheel {
         ]
     }
 
+    /// Draws two spokes of that length \[pt\].
+    pub(super) fn spokes(&self, scene: &mut Scene, reach: f64, pen: Pen) {
+        let dashed = Pen {
+            dash: &[3.0, 2.0],
+            ink: pen.ink.faded(0.6),
+            ..pen
+        };
+        for quarter in [0.0, std::f64::consts::FRAC_PI_2] {
+            let ends = [reach, -reach].map(|radius| self.at(radius, quarter));
+            scene.line("spoke", ends, dashed);
+        }
+    }
+
     /// Number of its teeth.
     pub(super) fn count(&self, bar: f64) -> f64 {
         (std::f64::consts::TAU * self.radius / (PITCH * bar))
@@ -65,15 +78,7 @@ pub fn wheel(scene: &mut Scene, wheel: &Wheel, bar: f64, (fill, pen): (Ink, Pen)
     }
     scene.area("wheel", teeth, fill, Some(pen));
     let reach = (wheel.radius - 2.0 * DEPTH * bar).max(0.0);
-    let dashed = Pen {
-        dash: &[3.0, 2.0],
-        ink: pen.ink.faded(0.6),
-        ..pen
-    };
-    for quarter in [0.0, std::f64::consts::FRAC_PI_2] {
-        let ends = [reach, -reach].map(|radius| wheel.at(radius, quarter));
-        scene.line("spoke", ends, dashed);
-    }
+    wheel.spokes(scene, reach, pen);
 }
 
 /// A ring with teeth inside: its area goes around outside, and back inside.

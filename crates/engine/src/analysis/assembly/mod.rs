@@ -49,7 +49,7 @@ pub fn assemble(system: &System, inputs: &Inputs) -> Result<Assembled, Stop> {
     {
         overlap::refuse(system, &q, inputs)?;
     }
-    warnings.extend(meeting::apart(system, &q, inputs));
+    warnings.extend(meeting::doubts(system, &q, inputs)?);
     let mobility = mobility(system, &joints);
     Ok(Assembled {
         q,

@@ -17,6 +17,7 @@ pub fn clearances(model: &Model) -> impl Iterator<Item = (&str, ClearanceModel)>
             | JointKind::Slot { .. }
             | JointKind::Gear { .. }
             | JointKind::Rack { .. }
+            | JointKind::Belt { .. }
             | JointKind::Fixed { .. } => None,
         })
 }

@@ -60,14 +60,8 @@ pub(super) fn angles(model: &Model, degrees: bool, found: &mut Vec<Complaint>) {
         look(format!("bodies.{name}.pose.angle"), body.pose.angle);
     }
     for (name, joint) in &model.joints {
-        match joint.kind {
-            JointKind::Prismatic { angle, .. } | JointKind::Fixed { angle } => {
-                look(format!("joints.{name}.angle"), angle)
-            }
-            JointKind::Revolute { .. }
-            | JointKind::Slot { .. }
-            | JointKind::Gear { .. }
-            | JointKind::Rack { .. } => {}
+        if let JointKind::Prismatic { angle, .. } | JointKind::Fixed { angle } = joint.kind {
+            look(format!("joints.{name}.angle"), angle);
         }
     }
     for (name, initial) in &model.initial {

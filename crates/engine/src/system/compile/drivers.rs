@@ -39,6 +39,7 @@ impl Compiler<'_> {
                         JointKind::Revolute { .. }
                         | JointKind::Gear { .. }
                         | JointKind::Rack { .. }
+                        | JointKind::Belt { .. }
                         | JointKind::Fixed { .. } => Vec2::x(),
                     };
                     let (first, second) = (

@@ -2,32 +2,42 @@
 
 use super::needs::{bearing, clearance};
 use super::{Compiler, roles};
+use crate::element::belt::Belt;
 use crate::element::fixed::Fixed;
-use crate::element::gear::Gear;
 use crate::element::joint_friction::{GuideFriction, PinFriction};
 use crate::element::journal::{Bearing, Free, Journal};
 use crate::element::pair::{ContactId, Pair, Shape};
 use crate::element::prismatic::{Guide, Prismatic};
-use crate::element::rack::Rack;
 use crate::element::revolute::{OffsetId, Revolute};
 use crate::element::slot::Slot;
-use crate::element::{
-    BodyColumns, BodyId, Constraint, ConstraintDependentForce, Kinematics, Marker, Measure, Pose,
-};
+use crate::element::{Constraint, ConstraintDependentForce, Marker, Measure};
 use crate::system::{
     ClearanceLink, ContactRows, DependentForce, JointData, JointFriction, JointId, Origin,
 };
 use linkdyn_linear::math::{Vec2, unit};
-use linkdyn_model::{Carrier, Clearance, ClearanceModel, JointKind};
+use linkdyn_model::{Clearance, ClearanceModel, JointKind};
 use std::sync::Arc;
 
 /// What a joint becomes.
-struct Made {
+pub(super) struct Made {
     constraint: Arc<dyn Constraint>,
     /// Whether it carries a torque.
     torque: bool,
     link: Option<ClearanceLink>,
     contact: Option<ContactId>,
+    pub(super) belt: Option<Box<Belt>>,
+}
+
+impl Made {
+    pub(super) fn of(constraint: Arc<dyn Constraint>, torque: bool) -> Made {
+        Made {
+            constraint,
+            torque,
+            link: None,
+            contact: None,
+            belt: None,
+        }
+    }
 }
 
 impl Compiler<'_> {
@@ -36,7 +46,10 @@ impl Compiler<'_> {
         self.system.joints.reserve_exact(model.joints.len());
         for (k, (name, joint)) in model.joints.iter().enumerate() {
             let points = [0, 1].map(|side: usize| self.marker(&joint.between[side]));
-            let made = self.joint(k, name, &joint.kind, points);
+            let made = match &joint.kind {
+                JointKind::Belt { .. } => self.belt(name, joint, points),
+                kind => self.joint(k, name, kind, points),
+            };
             let friction = self.friction(k, name, &joint.kind, points);
             self.system.joints.push(JointData {
                 name: name.clone(),
@@ -49,6 +62,7 @@ impl Compiler<'_> {
                 bearing: clearance(&joint.kind).map(bearing),
                 stops: None,
                 friction,
+                belt: made.belt,
             });
             self.push_block(made.constraint, Origin::Joint(JointId(k)));
         }
@@ -78,18 +92,9 @@ impl Compiler<'_> {
                 axis,
                 radius,
                 offset,
-            } => {
-                let rack = Rack {
-                    first,
-                    second,
-                    axis: unit(Vec2::from(*axis)),
-                    radius: *radius,
-                    offset: 0.0,
-                };
-                let drawn = || self.as_drawn(|at| rack.rolled(at));
-                let offset = offset.unwrap_or_else(drawn);
-                (Arc::new(Rack { offset, ..rack }), true)
-            }
+            } => (Arc::new(self.rack(points, *axis, *radius, *offset)), true),
+            // The caller has taken belts.
+            JointKind::Belt { .. } => (Arc::new(Free), true),
             JointKind::Fixed { angle } => {
                 let angle = *angle;
                 let weld = Fixed {
@@ -100,12 +105,7 @@ impl Compiler<'_> {
                 (Arc::new(weld), true)
             }
         };
-        Made {
-            constraint,
-            torque,
-            link: None,
-            contact: None,
-        }
+        Made::of(constraint, torque)
     }
 
     /// A pin: ideal, at the end of a massless link, or a journal that is free in its bearing.
@@ -122,12 +122,7 @@ impl Compiler<'_> {
             second,
             offset,
         };
-        let ideal = Made {
-            constraint: Arc::new(pin(None)),
-            torque: false,
-            link: None,
-            contact: None,
-        };
+        let ideal = Made::of(Arc::new(pin(None)), false);
         let Some(clearance) = clearance else {
             return ideal;
         };
@@ -233,6 +228,7 @@ impl Compiler<'_> {
             JointKind::Slot { .. }
             | JointKind::Gear { .. }
             | JointKind::Rack { .. }
+            | JointKind::Belt { .. }
             | JointKind::Fixed { .. } => {
                 return None;
             }
@@ -246,46 +242,5 @@ impl Compiler<'_> {
             force: self.system.dependent_forces.len() - 1,
             measure,
         })
-    }
-
-    /// A number of the poses as drawn.
-    fn as_drawn(&self, number: impl Fn(&Kinematics) -> f64) -> f64 {
-        let place = |columns: BodyColumns| {
-            let [x, y, theta] = columns.read(&self.system.guess);
-            Pose::new(x, y, theta)
-        };
-        let moving = self.system.layout.bodies().map(place);
-        let poses: Vec<Pose> = [Pose::GROUND].into_iter().chain(moving).collect();
-        number(&Kinematics {
-            poses: &poses,
-            twists: &[],
-            drive: &[],
-            offset: &[],
-            sides: &[],
-            contacts: &[],
-            time: 0.0,
-        })
-    }
-
-    /// A gear pair; without an angle it meshes as drawn.
-    fn gear(&self, wheels: [Marker; 2], ratio: f64, angle: Option<f64>, carrier: &Carrier) -> Gear {
-        let [first, second] = wheels;
-        let span = Vec2::from(carrier.centres[1]) - Vec2::from(carrier.centres[0]);
-        let carrier = self.body(carrier.body);
-        let drawn = |body: BodyId| {
-            let columns = self.system.layout.columns(body);
-            columns.map_or(0.0, |columns| self.system.guess[columns.theta()])
-        };
-        let from_carrier = |wheel: Marker| drawn(wheel.body) - drawn(carrier);
-        let angle = angle.unwrap_or_else(|| from_carrier(second) - ratio * from_carrier(first));
-        Gear {
-            first,
-            second,
-            carrier,
-            axis: unit(span),
-            distance: span.norm(),
-            ratio,
-            angle,
-        }
     }
 }

@@ -9,6 +9,7 @@ mod laws;
 mod needs;
 mod roles;
 mod stops;
+mod wheels;
 
 pub use laws::{law, value_law};
 
@@ -128,6 +129,7 @@ impl<'a> Compiler<'a> {
         self.add_stops();
         self.add_initial();
         self.add_forces();
+        self.add_strands();
         self.add_outputs();
         self.system.scale = Scale::of(&self.system);
         self.system.kinks = self.kinks();

@@ -36,6 +36,7 @@ pub(super) fn clearance(kind: &JointKind) -> Option<&linkdyn_model::Clearance> {
         | JointKind::Slot { .. }
         | JointKind::Gear { .. }
         | JointKind::Rack { .. }
+        | JointKind::Belt { .. }
         | JointKind::Fixed { .. } => None,
     }
 }
@@ -97,6 +98,7 @@ fn frictions<'a>(
             | JointKind::Slot { .. }
             | JointKind::Gear { .. }
             | JointKind::Rack { .. }
+            | JointKind::Belt { .. }
             | JointKind::Fixed { .. } => continue,
         };
         let radius = pin.map_or(Ok(0.0), |radius| {

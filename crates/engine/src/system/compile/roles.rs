@@ -22,6 +22,7 @@ pub(super) fn joint_role(kind: &JointKind) -> JointRole {
             axis: unit(Vec2::from(*axis)),
             radius: *radius,
         },
+        JointKind::Belt { .. } => JointRole::Belt,
         JointKind::Fixed { .. } => JointRole::Fixed,
     }
 }

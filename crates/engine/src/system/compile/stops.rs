@@ -35,6 +35,7 @@ impl Compiler<'_> {
             JointKind::Revolute { .. }
             | JointKind::Gear { .. }
             | JointKind::Rack { .. }
+            | JointKind::Belt { .. }
             | JointKind::Fixed { .. } => None,
         };
         let arm = axis.map_or(self.system.size, |_| 1.0);

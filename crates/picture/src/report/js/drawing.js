@@ -2,7 +2,7 @@
 // The mechanism on a canvas at one instant, layer by layer. `to` turns metres into pixels, `px` is the size of a detail in pixels.
 (() => {
   const { mechanism, shapes, symbols } = linkdyn;
-  const { path, hatch, disc, support, arrow, round, spring, coil, roundDashpot, strip, wheel, rack, cylinder } = symbols;
+  const { path, hatch, disc, support, arrow, round, spring, coil, roundDashpot, strip, wheel, rack, pulley, belt, cylinder } = symbols;
 
   // Colours of the style sheet, as the canvas needs them.
   const probe = document.createElement("span");
@@ -29,7 +29,14 @@
 
   // Behind all: wheels.
   const wheels = ({ pen, at, direction, scale, px, row, colours }) => {
-    for (const [k, { between, gear, rack: line }] of mechanism.joints.entries()) {
+    for (const [k, { between, gear, rack: line, belt: pulleys }] of mechanism.joints.entries()) {
+      if (pulleys) {
+        const centres = between.map(at), poses = between.map(([number]) => shapes.pose(number, row)), radii = pulleys.radii.map((r) => r * scale);
+        if (!centres.every(Boolean) || !poses.every(Boolean)) continue;
+        between.forEach(([number], end) => pulley(pen, colours.body(number), centres[end], poses[end][2], radii[end], px));
+        pen.strokeStyle = colours.steel;
+        belt(pen, centres, radii, pulleys.crossed, px);
+      }
       if (line) {
         const pose = shapes.pose(between[0][0], row), [c, b] = between.map(at), a = direction(between[1][0], line.axis), stroke = shapes.strokes[k];
         if (!pose || !c || !b || !a || !stroke) continue;
@@ -177,7 +184,7 @@
     } else if (joint.type === "fixed") {
       pen.fillStyle = colours.steel; pen.fillRect(b[0] - px * 0.45, b[1] - px * 0.45, px * 0.9, px * 0.9);
     }
-    if (show.joints && joint.type !== "gear" && joint.type !== "rack") names.push({ text: joint.name, at: b, colour: colours.ink, beside: px, key: `joint ${k}` });
+    if (show.joints && !["gear", "rack", "belt"].includes(joint.type)) names.push({ text: joint.name, at: b, colour: colours.ink, beside: px, key: `joint ${k}` });
   });
 
   // Where something turns: around a pin, else at a body.

@@ -12,7 +12,7 @@
   const joints = mechanism.joints.map(({ name, type, between, clearance }, k) => ({
     name, kind: clearance ? `${type} with clearance` : type, at: (row) => shapes.place(between[1], row),
     columns: list(`joint.${name}`, ["angle", "omega", "slide", "rate", "f", "fx", "fy", "torque", "eccentricity", "penetration", "normal_force", "sliding_speed"]),
-    plot: clearance ? ["f", "eccentricity"] : ["f", "torque"], owner: `joint.${name}`, hidden: (type === "gear" || type === "rack") && k >= 0,
+    plot: clearance ? ["f", "eccentricity"] : ["f", "torque"], owner: `joint.${name}`, hidden: ["gear", "rack", "belt"].includes(type) && k >= 0,
   })).filter(({ hidden }) => !hidden);
   const drivers = mechanism.drivers.map(({ name }) => ({ name, columns: list(`driver.${name}`, ["value", "effort"]), owner: `driver.${name}`, plot: ["effort"] }));
   const points = mechanism.points.map(([body, number]) => {

@@ -139,7 +139,8 @@ linkdyn.measureShapes = () => {
       for (const row of used) points.forEach((_, k) => add(place([body, k], row)));
       if (points.length === 0 && body > 0) for (const row of sampled) { const at = pose(body, row); if (at) add(at); }
     });
-    for (const { between, gear, rack } of mechanism.joints) {
+    for (const { between, gear, rack, belt } of mechanism.joints) {
+      if (belt) for (const row of sampled) between.forEach((end, k) => add(place(end, row), Math.min(belt.radii[k], 1e6)));
       if (rack) for (const row of sampled) add(place(between[0], row), Math.min(Math.abs(rack.radius), 1e6));
       if (gear) for (const row of sampled) between.forEach((end, k) => add(place(end, row), Math.min(gear.radii[k], 1e6)));
     }

@@ -68,7 +68,7 @@ pub(super) fn changes(system: &System, at: &Kinematics, radii: &Radii) -> Vec<Ch
                     }
                     JointRole::Gear => gear_changes(at, radii, block, &joint.points, own),
                     // No question is answered of a mechanism with one.
-                    JointRole::Rack { .. } => {}
+                    JointRole::Rack { .. } | JointRole::Belt => {}
                 }
             }
             Origin::Driver(id) => {

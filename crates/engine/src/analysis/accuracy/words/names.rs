@@ -215,7 +215,7 @@ fn add_joints(found: &mut Dimensions, model: &Model, system: &System) {
                     None => add_mesh(found, model, joint, (row, carrier)),
                 }
             }
-            JointKind::Revolute { .. } | JointKind::Rack { .. } => {}
+            JointKind::Revolute { .. } | JointKind::Rack { .. } | JointKind::Belt { .. } => {}
         }
     }
 }
@@ -239,7 +239,7 @@ pub(in crate::analysis::accuracy) fn dimension_values(model: &Model, system: &Sy
                     values.push(angle.unwrap_or_else(|| mesh(model, system, index, carrier)));
                 }
             }
-            JointKind::Revolute { .. } | JointKind::Rack { .. } => {}
+            JointKind::Revolute { .. } | JointKind::Rack { .. } | JointKind::Belt { .. } => {}
         }
     }
     for data in model.drivers.values() {

@@ -138,6 +138,7 @@ pub fn accuracy(
 fn uncounted(model: &Model) -> Result<(), Complaint> {
     let kind = |kind: &JointKind| match kind {
         JointKind::Rack { .. } => Some("a rack"),
+        JointKind::Belt { .. } => Some("a belt"),
         JointKind::Revolute { .. }
         | JointKind::Prismatic { .. }
         | JointKind::Slot { .. }

@@ -154,7 +154,7 @@ fn joint_play(kind: &JointKind, row: usize, system: &System, index: usize) -> Op
                 half: [half, half],
             })
         }
-        JointKind::Rack { .. } | JointKind::Fixed { .. } => None,
+        JointKind::Rack { .. } | JointKind::Belt { .. } | JointKind::Fixed { .. } => None,
     }
 }
 
