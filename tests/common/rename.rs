@@ -39,6 +39,7 @@ pub fn rename_and_reverse(model: &Model) -> Model {
                 *relative_to = relative_to.as_deref().map(renamed);
             }
             DriverKind::Translation { joint } => *joint = renamed(joint),
+            DriverKind::Length { between } => between.iter_mut().for_each(reference),
         }
     }
     model.forces = reversed(model.forces);

@@ -234,7 +234,7 @@ impl Scale {
     fn driven(&self, driver: &Driver) -> f64 {
         match driver.kind {
             DriverKind::Rotation { .. } => self.angle,
-            DriverKind::Translation { .. } => self.length,
+            DriverKind::Translation { .. } | DriverKind::Length { .. } => self.length,
         }
     }
 
@@ -252,6 +252,10 @@ impl Scale {
                 relative_to: Some(other),
             } => {
                 json!({ "type": "rotation", "body": body, "relative_to": other, "motion": motion })
+            }
+            DriverKind::Length { between } => {
+                let between = between.each_ref().map(PointRef::to_string);
+                json!({ "type": "length", "between": between, "motion": motion })
             }
             DriverKind::Translation { joint } => {
                 json!({ "type": "translation", "joint": joint, "motion": motion })

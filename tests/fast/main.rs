@@ -53,6 +53,7 @@ mod jacobian;
 mod joint_friction;
 mod joints;
 mod laws;
+mod lengths;
 mod outputs;
 mod racks;
 mod responses;

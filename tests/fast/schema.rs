@@ -294,6 +294,7 @@ fn bad_structure_satisfies_neither() {
         json!({ "joints": { "mesh": { "type": "rack", "between": ["ground.O", "bar.O"], "axis": [1, 0], "radius": 0 } } }),
         json!({ "joints": { "mesh": { "type": "rack", "between": ["ground.O", "bar.O"], "radius": 1 } } }),
         json!({ "joints": { "belt": { "type": "belt", "between": ["ground.O", "bar.O"], "radii": [1] } } }),
+        json!({ "drivers": { "oil": { "type": "length", "motion": { "type": "polynomial", "coefficients": [1] } } } }),
         json!({ "joints": { "belt": { "type": "belt", "between": ["ground.O", "bar.O"], "radii": [1, 1], "strands": "twisted" } } }),
         json!({ "forces": { "s": { "type": "spring", "between": ["ground.O", "bar.A"], "free_length": 1 } } }),
         motion(&json!({ "type": "polynomial", "coefficients": [] })),

@@ -15,6 +15,7 @@ pub const KINDS: &[&str] = &[
     "fixed",
     "rotation",
     "translation",
+    "length",
     "polynomial",
     "harmonic",
     "table",

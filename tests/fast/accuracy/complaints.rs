@@ -217,6 +217,18 @@ line 12, column 15: bodies.rocker: inverse dynamics needs the inertia of body "r
         status: 2,
         says: r#"line 19, column 13: joints.loop: accuracy does not count yet what is off in a belt, and gives no answer that leaves it out (vary its numbers as parameters of a `study`, which runs the model with each)"#,
     },
+    Case {
+        edits: &[
+            (
+                r#""motor": { "type": "rotation", "body": "crank", "motion": { "type": "polynomial", "coefficients": [60, 90] } }"#,
+                r#""oil": { "type": "length", "between": ["ground.Q", "crank.A"], "motion": { "type": "constant_velocity", "start": 260, "velocity": 1 } }"#,
+            ),
+            (r#", "at": { "value": 90 }"#, ""),
+        ],
+        options: &[],
+        status: 2,
+        says: r#"line 21, column 12: drivers.oil: accuracy does not count yet what is off in a driven length, and gives no answer that leaves it out (vary its numbers as parameters of a `study`, which runs the model with each)"#,
+    },
 ];
 
 #[test]

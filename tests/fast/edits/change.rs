@@ -96,6 +96,7 @@ fn edit_words(value: &mut serde_json::Value, rng: &mut Rng) {
                 "fixed",
                 "rotation",
                 "translation",
+                "length",
                 "contact",
                 "two_state",
                 "three_state",

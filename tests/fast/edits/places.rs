@@ -221,6 +221,7 @@ pub fn names(model: &mut Model) -> Vec<&mut String> {
                 names.extend(relative_to);
             }
             DriverKind::Translation { joint } => names.push(joint),
+            DriverKind::Length { between } => names.extend(between.iter_mut().flat_map(of_point)),
         }
     }
     for force in model.forces.values_mut() {

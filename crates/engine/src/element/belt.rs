@@ -27,8 +27,8 @@
 //! than half a turn in that body. Its derivatives do not know of the carrier. (Tensions: Shigley, Mechanical Engineering Design,
 //! flexible elements; the form is ours.)
 
-use super::span::{BOTH, Span, all_pairs};
-use super::{Applied, Axis, BodyId, Constraint, Entry, Force, Kinematics, Marker, Measure, Slope};
+use super::span::{BOTH, Span, all_pairs, both_bodies, upper_pairs};
+use super::{Applied, BodyId, Constraint, Entry, Force, Kinematics, Marker, Measure, Slope};
 use linkdyn_linear::math::{Vec2, perp};
 
 /// cos β where pulleys overlap, whose belt has no strands: tensions stay finite there [–].
@@ -155,22 +155,10 @@ impl Belt {
     /// Derivatives of a function of d, of gradient `g` and second derivatives that `bent` applies to a vector.
     fn slopes_of(&self, at: &Kinematics, g: Vec2, bent: impl Fn(Vec2) -> Vec2) -> Slopes {
         let span = Span::at(at, &self.first, &self.second);
-        let mut slopes = Slopes {
-            first: [0.0; BOTH],
-            second: [[0.0; BOTH]; BOTH],
-        };
-        for column in 0..BOTH {
-            let moved = span.spread(column);
-            slopes.first[column] = g.dot(&moved);
-            let change = bent(moved);
-            for row in 0..BOTH {
-                slopes.second[row][column] = span.spread(row).dot(&change);
-            }
+        Slopes {
+            first: std::array::from_fn(|column| g.dot(&span.spread(column))),
+            second: span.bent(g, bent),
         }
-        // d has −ρ₁ and ρ₂, which turn.
-        slopes.second[2][2] += g.dot(&self.first.rho(at));
-        slopes.second[5][5] -= g.dot(&self.second.rho(at));
-        slopes
     }
 
     /// Derivatives of s.
@@ -240,8 +228,8 @@ impl Constraint for Belt {
     }
 
     fn entries(&self) -> Vec<Entry> {
-        let of = |body: BodyId| Axis::ALL.map(|axis| (0, body, axis));
-        [of(self.first.body), of(self.second.body)].concat()
+        let both = both_bodies(&self.first, &self.second).into_iter();
+        both.map(|(body, axis)| (0, body, axis)).collect()
     }
 
     fn position(&self, at: &Kinematics, phi: &mut [f64]) {
@@ -263,12 +251,7 @@ impl Constraint for Belt {
     }
 
     fn bends(&self) -> Vec<Slope> {
-        let of = |body: BodyId| Axis::ALL.map(|axis| (body, axis));
-        let both = [of(self.first.body), of(self.second.body)].concat();
-        let rows = 0..BOTH;
-        rows.flat_map(|row| (row..BOTH).map(move |column| (row, column)))
-            .map(|(row, column)| [both[row], both[column]])
-            .collect()
+        upper_pairs(&self.first, &self.second)
     }
 
     fn bend(&self, at: &Kinematics, lambda: &[f64], values: &mut [f64]) {
@@ -377,8 +360,8 @@ pub(super) mod tests {
         }
     }
 
-    pub(in super::super) fn both() -> Vec<Named> {
-        vec![
+    pub(in super::super) fn both() -> [Named; 2] {
+        [
             ("belt", Box::new(belt(false, None))),
             ("crossed belt", Box::new(belt(true, None))),
         ]

@@ -22,6 +22,7 @@ pub mod actuator;
 pub mod belt;
 pub mod coordinate;
 pub mod coordinates;
+pub mod distance;
 pub mod driven;
 pub mod fixed;
 pub mod following;

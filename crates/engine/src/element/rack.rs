@@ -144,9 +144,9 @@ pub(super) mod tests {
     }
 
     /// On a body, and on the ground.
-    pub(in super::super) fn both() -> Vec<Named> {
+    pub(in super::super) fn both() -> [Named; 2] {
         let (wheel, bar) = (marker(1, 0.3, -0.2), marker(2, -0.4, 0.1));
-        vec![
+        [
             ("rack", rack(wheel, bar)),
             (
                 "rack with a wheel on ground",

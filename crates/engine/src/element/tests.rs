@@ -50,9 +50,9 @@ pub(super) type Named = (&'static str, Box<dyn Constraint>);
 pub(crate) fn all_constraints() -> Vec<Named> {
     let mut all = joints();
     all.extend(drivers_and_initial_values());
-    all.extend(super::stop::tests::both());
-    all.extend(super::rack::tests::both());
-    all.extend(super::belt::tests::both());
+    let rolling = [super::rack::tests::both(), super::belt::tests::both()];
+    let points = [super::stop::tests::both(), super::distance::tests::both()];
+    all.extend(rolling.into_iter().chain(points).flatten());
     all
 }
 

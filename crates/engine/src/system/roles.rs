@@ -3,7 +3,7 @@
 use super::JointId;
 use crate::element::formula::Strength;
 use crate::element::quantity::Measured;
-use crate::element::{BodyId, Measure};
+use crate::element::{BodyId, Marker, Measure};
 use linkdyn_linear::math::Vec2;
 
 /// What a joint is.
@@ -53,7 +53,7 @@ impl JointRole {
 }
 
 /// What a driver moves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum DriverRole {
     /// It turns a body against another.
     Rotation {
@@ -66,6 +66,11 @@ pub enum DriverRole {
     Translation {
         /// The joint with the guide.
         joint: JointId,
+    },
+    /// It holds two points at a distance.
+    Length {
+        /// Its ends.
+        between: [Marker; 2],
     },
 }
 

@@ -79,6 +79,7 @@ impl Names<'_, '_> {
                 DriverKind::Translation { joint } => {
                     self.name(&format!("{path}.joint"), Named::Joint, joint);
                 }
+                DriverKind::Length { between } => self.points(between, &path),
             }
         }
         self.forces();

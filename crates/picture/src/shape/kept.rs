@@ -151,6 +151,7 @@ fn of_drawing(drawing: Drawing) -> Result<Shape, Fault> {
             damper: false,
             damped: false,
             actuator: false,
+            driven: false,
         })
     };
     let body = |body: &DrawnBody| Body {

@@ -34,6 +34,18 @@ impl Shape {
             .iter()
             .filter_map(|(name, driver)| driver_of(&numbers, &shape, name, &driver.kind))
             .collect();
+        let lengths = shape.drivers.iter().filter_map(|driver| match driver.kind {
+            DriverKind::Length { between } => Some(Spring {
+                name: driver.name.clone(),
+                between,
+                damper: false,
+                damped: false,
+                actuator: true,
+                driven: true,
+            }),
+            DriverKind::Rotation { .. } | DriverKind::Translation { .. } => None,
+        });
+        shape.springs = lengths.collect();
         for (name, force) in &model.forces {
             shape.add_force(&numbers, name, &force.kind);
         }
@@ -54,6 +66,7 @@ impl Shape {
                 damper: *stiffness == 0.0,
                 damped: *stiffness != 0.0 && *damping != 0.0,
                 actuator: false,
+                driven: false,
             }),
             ForceKind::Actuator { between, .. } => self.springs.push(Spring {
                 name,
@@ -61,6 +74,7 @@ impl Shape {
                 damper: false,
                 damped: false,
                 actuator: true,
+                driven: false,
             }),
             ForceKind::TorsionSpring {
                 between, stiffness, ..
@@ -244,6 +258,9 @@ fn driver_of(
                 pin: shape.pin_between([body, relative_to]),
             }
         }
+        model::DriverKind::Length { between } => DriverKind::Length {
+            between: numbers.ends(between),
+        },
         model::DriverKind::Translation { joint } => DriverKind::Translation {
             joint: numbers.model.joints.get_index_of(joint)?,
         },

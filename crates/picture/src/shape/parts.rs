@@ -148,6 +148,9 @@ pub struct Spring {
     /// An actuator: a cylinder with its rod.
     #[serde(default, skip_serializing_if = "is_not")]
     pub actuator: bool,
+    /// The driver of this name has its length.
+    #[serde(default, skip_serializing_if = "is_not")]
+    pub driven: bool,
 }
 
 /// A spring or damper between the angles of two bodies.
@@ -211,6 +214,11 @@ pub enum DriverKind {
     Translation {
         /// The driven joint.
         joint: usize,
+    },
+    /// The distance of two points.
+    Length {
+        /// First and second point.
+        between: [PointId; 2],
     },
 }
 

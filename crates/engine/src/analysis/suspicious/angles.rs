@@ -71,7 +71,7 @@ pub(super) fn angles(model: &Model, degrees: bool, found: &mut Vec<Complaint>) {
     }
     for (name, driver) in &model.drivers {
         let start = match (&driver.kind, &driver.motion) {
-            (DriverKind::Translation { .. }, _) => continue,
+            (DriverKind::Translation { .. } | DriverKind::Length { .. }, _) => continue,
             (DriverKind::Rotation { .. }, Motion::Polynomial { coefficients }) => coefficients
                 .first()
                 .map(|start| ("coefficients[0]", *start)),

@@ -3,6 +3,7 @@
 use super::Compiler;
 use super::laws::law;
 use crate::element::coordinate::Coordinate;
+use crate::element::distance::Distance;
 use crate::element::driven::{DriveId, Rotation, Translation};
 use crate::element::prismatic::Guide;
 use crate::element::{Axis, BodyId, Constraint, Marker, Measure};
@@ -28,6 +29,15 @@ impl Compiler<'_> {
                         }),
                         Measure::Angle,
                     )
+                }
+                DriverKind::Length { between } => {
+                    let [first, second] = between.each_ref().map(|end| self.marker(end));
+                    let length = Distance {
+                        first,
+                        second,
+                        drive,
+                    };
+                    (Arc::new(length), Measure::Length)
                 }
                 DriverKind::Translation { joint } => {
                     let joint = &self.model.joints[joint];

@@ -37,6 +37,9 @@ impl Compiler<'_> {
                     .as_deref()
                     .map_or(BodyId::GROUND, |name| self.body(name)),
             },
+            DriverKind::Length { between } => DriverRole::Length {
+                between: between.each_ref().map(|end| self.marker(end)),
+            },
             DriverKind::Translation { joint } => DriverRole::Translation {
                 // The loader knows each joint that a driver names.
                 joint: JointId(self.model.joints.get_index_of(joint).unwrap_or_default()),

@@ -242,6 +242,7 @@
   // Drivers: an arrow round the pin, or along the guide.
   const drivers = ({ pen, at, direction, px, colours, show }) => {
     if (show.drivers) for (const driver of mechanism.drivers) {
+      if (driver.type === "length") continue;
       pen.strokeStyle = pen.fillStyle = colours.accent;
       if (driver.type === "translation") {
         const { between, axis } = mechanism.joints[driver.joint], b = at(between[1]), u = direction(between[0][0], axis);

@@ -134,7 +134,7 @@ pub fn accuracy(
     })
 }
 
-/// Joints of which it is not known what their dimensions do.
+/// Joints and drivers of which it is not known what their dimensions do.
 fn uncounted(model: &Model) -> Result<(), Complaint> {
     let kind = |kind: &JointKind| match kind {
         JointKind::Rack { .. } => Some("a rack"),
@@ -147,14 +147,18 @@ fn uncounted(model: &Model) -> Result<(), Complaint> {
     };
     let mut joints = model.joints.iter();
     let found = joints.find_map(|(name, joint)| Some((name, kind(&joint.kind)?)));
-    let Some((name, kind)) = found else {
+    let found = found.map(|(name, kind)| (format!("joints.{name}"), kind));
+    let mut drivers = model.drivers.iter();
+    let length = drivers.find(|(_, driver)| matches!(driver.kind, DriverKind::Length { .. }));
+    let length = length.map(|(name, _)| (format!("drivers.{name}"), "a driven length"));
+    let Some((path, kind)) = found.or(length) else {
         return Ok(());
     };
     let message = format!(
         "accuracy does not count yet what is off in {kind}, and gives no answer that leaves it out"
     );
     let hint = "vary its numbers as parameters of a `study`, which runs the model with each";
-    Err(Complaint::new(format!("joints.{name}"), message).hint(hint))
+    Err(Complaint::new(path, message).hint(hint))
 }
 
 /// What is said of a pose that the motion does not have.
@@ -163,7 +167,9 @@ fn outside(model: &Model, unmet: &Unmet) -> Complaint {
     let (name, driver) = model.drivers.get_index(by.driver).expect("a driver");
     let text = |value: f64| match driver.kind {
         DriverKind::Rotation { .. } => model.display.angle_to(value, 6),
-        DriverKind::Translation { .. } => model.display.length_to(value, 6),
+        DriverKind::Translation { .. } | DriverKind::Length { .. } => {
+            model.display.length_to(value, 6)
+        }
     };
     let [low, high] = by.range.map(text);
     let message = if by.is_stopped {
