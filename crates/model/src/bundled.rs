@@ -24,6 +24,11 @@ pub const MODELS: &[Bundled] = &[
         text: include_str!("../../../models/andrews-squeezer.json"),
     },
     Bundled {
+        name: "bicycle-suspension",
+        aliases: &["bicycle"],
+        text: include_str!("../../../models/bicycle-suspension.json"),
+    },
+    Bundled {
         name: "chebyshev",
         aliases: &[],
         text: include_str!("../../../models/chebyshev.json"),
@@ -37,6 +42,11 @@ pub const MODELS: &[Bundled] = &[
         name: "double-wishbone",
         aliases: &["suspension"],
         text: include_str!("../../../models/double-wishbone.json"),
+    },
+    Bundled {
+        name: "excavator",
+        aliases: &[],
+        text: include_str!("../../../models/excavator.json"),
     },
     Bundled {
         name: "four-bar",
@@ -132,6 +142,11 @@ pub const MODELS: &[Bundled] = &[
         name: "whitworth",
         aliases: &[],
         text: include_str!("../../../models/whitworth.json"),
+    },
+    Bundled {
+        name: "wiper",
+        aliases: &[],
+        text: include_str!("../../../models/wiper.json"),
     },
 ];
 

@@ -1,6 +1,6 @@
 //! Laws of accuracy that hold for all models with one driver.
 
-use super::told::{Told, ask_outputs, bare, parametric, spoil, tolerate};
+use super::told::{Told, ask_outputs, bare, is_counted, parametric, spoil, tolerate};
 use crate::models;
 use crate::transform::{mirror, rename_and_reverse};
 use linkdyn_engine::analysis::accuracy::{Accuracy, PoseAccuracy, Refusal};
@@ -15,6 +15,7 @@ fn each_model() -> Vec<(String, Model)> {
     let all = models::all().into_iter();
     let all = all.map(|named| (named.name, models::load(&named.json)));
     all.filter(|(_, model)| model.drivers.len() == 1 && model.analysis.is_some())
+        .filter(|(_, model)| is_counted(model))
         .collect()
 }
 

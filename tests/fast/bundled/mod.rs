@@ -1,6 +1,7 @@
 //! Every bundled model runs, and says one thing each that is known without running it.
 
 mod lines;
+mod machines;
 mod motions;
 
 use crate::benchmarks;
