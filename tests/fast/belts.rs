@@ -293,3 +293,33 @@ fn pulleys_that_overlap_are_refused() {
          the radii, and at the places of the pulleys)"
     );
 }
+
+/// In a carrier that the file names the line of centres may turn by less than half a turn: it is said where it goes on, and the motion
+/// ends there.
+#[test]
+fn a_line_of_centres_that_comes_round_is_told() {
+    let bodies = json!({ "ground": { "points": { "O": [0.0, 0.0] } },
+        "arm": { "mass": 0.5, "inertia": 0.01, "com": [0.1, 0.0], "points": { "O": [0.0, 0.0], "C": [0.4, 0.0] },
+                 "pose": { "angle": 1.0 } },
+        "planet": pulley([0.2, 0.3], 0.3, 0.02) });
+    let mut joints = json!({ "arm": pin("ground.O", "arm.O"), "planet": pin("arm.C", "planet.C"),
+        "belt": belt("ground.O", "planet.C", [0.06, 0.03], "open") });
+    joints["belt"]["carrier"] = json!("ground");
+    let motor = json!({ "type": "rotation", "body": "arm", "motion": { "type": "polynomial", "coefficients": [1.0, 4.0] } });
+    let mut turns = model(bodies, joints, json!({ "motor": motor }));
+    let report = outcome(&turns).report;
+    assert_ne!(report.status, Status::Completed);
+    assert_eq!(
+        report.warnings,
+        [
+            "joint \"belt\": at t = 0.71 s the line of centres has turned by nearly half a turn in the body that \"carrier\" names, \
+             beyond which a belt is not followed; name a body that turns with the line"
+        ]
+    );
+    turns["joints"]["belt"]["carrier"] = json!("arm");
+    let report = outcome(&turns).report;
+    assert_eq!(
+        (report.status, report.warnings.len()),
+        (Status::Completed, 0)
+    );
+}

@@ -9,6 +9,8 @@ use std::f64::consts::PI;
 
 /// Tensions below this part of that of the other strand are round-off [–].
 const ROUND_OFF: f64 = 1e-9;
+/// A line of centres that has turned this far in its carrier \[rad\] may come round before the next row.
+const FAR: f64 = 0.9 * PI;
 /// Significant digits of forces and times.
 const DIGITS: usize = 4;
 
@@ -51,7 +53,6 @@ fn geometry(system: &System, belts: &[(&str, &Belt)], rows: &Trajectory) -> Vec<
     };
     let mut notes = Vec::new();
     let mut said = vec![false; belts.len()];
-    let mut before: Vec<Option<f64>> = vec![None; belts.len()];
     for row in rows.rows() {
         replay.take(row);
         if !replay.is_there() {
@@ -59,15 +60,11 @@ fn geometry(system: &System, belts: &[(&str, &Belt)], rows: &Trajectory) -> Vec<
         }
         let at = replay.kinematics();
         for (k, (name, belt)) in belts.iter().enumerate() {
-            let swing = belt.swing(&at);
-            let comes_round = before[k]
-                .replace(swing)
-                .is_some_and(|last| (swing - last).abs() > PI);
             let fault = if belt.span(&at) <= belt.lean().abs() {
                 "the pulleys are too near to each other for the strands between them"
-            } else if comes_round {
-                "the line of centres has turned by half a turn in the body that \"carrier\" names, where the belt slips in the results; \
-                 name a body that turns with it"
+            } else if belt.swing(&at).abs() > FAR {
+                "the line of centres has turned by nearly half a turn in the body that \"carrier\" names, beyond which a belt is not \
+                 followed; name a body that turns with the line"
             } else {
                 continue;
             };
