@@ -152,6 +152,14 @@ impl Finder<'_> {
                 DriverKind::Rotation {
                     body, pin: None, ..
                 } => found[0].push(body),
+                DriverKind::Length { between } => {
+                    found[0].extend(
+                        between
+                            .map(|(body, _)| body)
+                            .into_iter()
+                            .filter(|body| *body > 0),
+                    );
+                }
             }
         }
         found

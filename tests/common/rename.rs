@@ -27,7 +27,7 @@ pub fn rename_and_reverse(model: &Model) -> Model {
     model.joints = reversed(model.joints);
     for joint in model.joints.values_mut() {
         joint.between.iter_mut().for_each(reference);
-        if let JointKind::Gear { carrier, .. } = &mut joint.kind {
+        if let JointKind::Gear { carrier, .. } | JointKind::Belt { carrier, .. } = &mut joint.kind {
             *carrier = carrier.as_deref().map(renamed);
         }
     }
@@ -39,6 +39,7 @@ pub fn rename_and_reverse(model: &Model) -> Model {
                 *relative_to = relative_to.as_deref().map(renamed);
             }
             DriverKind::Translation { joint } => *joint = renamed(joint),
+            DriverKind::Length { between } => between.iter_mut().for_each(reference),
         }
     }
     model.forces = reversed(model.forces);

@@ -3,19 +3,19 @@
 //! Each function changes the words of a model so that its results must change in a known way.
 
 mod cams;
+#[path = "transformed_joints.rs"]
+mod joints;
 mod limits;
 mod outlines;
 mod rename;
 
 use indexmap::IndexMap;
 use linkdyn_model::{
-    Driver, DriverKind, Force, ForceKind, Frame, GROUND, Joint, JointKind, Model, Motion, Paced,
-    Rise, Segment, Value,
+    Driver, DriverKind, Force, ForceKind, Frame, GROUND, Model, Motion, Paced, Rise, Segment, Value,
 };
 
-use cams::mirror_cam;
-use limits::{flip_limits, turn_limits};
-use outlines::{mirror_outline, move_outline, turn_contact};
+pub use joints::swapped_signs;
+use outlines::move_outline;
 pub use rename::{rename_and_reverse, renamed};
 
 /// A plane vector turned by an angle.
@@ -173,7 +173,7 @@ pub fn is_absolute(driver: &Driver) -> bool {
         DriverKind::Rotation { relative_to, .. } => {
             relative_to.as_deref().is_none_or(|body| body == GROUND)
         }
-        DriverKind::Translation { .. } => false,
+        DriverKind::Translation { .. } | DriverKind::Length { .. } => false,
     }
 }
 
@@ -204,42 +204,7 @@ pub fn rotate(model: &Model, angle: f64) -> Model {
     }
     for (name, joint) in &mut model.joints {
         let carrier = carrier(original, name);
-        let [first, second] = [0, 1].map(|end: usize| joint.between[end].body == GROUND);
-        // Relative angles against the ground, which has not turned.
-        let relative = angle * (f64::from(u8::from(first)) - f64::from(u8::from(second)));
-        match &mut joint.kind {
-            JointKind::Revolute { .. } => turn_limits(&mut joint.stops, |limit| limit + relative),
-            JointKind::Prismatic {
-                axis,
-                angle: relative_angle,
-                ..
-            } => {
-                if first {
-                    *axis = turned(*axis, angle);
-                }
-                *relative_angle += relative;
-            }
-            JointKind::Slot { axis, .. } => {
-                if first {
-                    *axis = turned(*axis, angle);
-                }
-            }
-            JointKind::Gear {
-                ratio, angle: mesh, ..
-            } => {
-                let turns = |fixed: bool| if fixed { 0.0 } else { angle };
-                let carried = turns(carrier.as_deref() == Some(GROUND));
-                if let Some(mesh) = mesh {
-                    *mesh += turns(second) - carried - *ratio * (turns(first) - carried);
-                }
-            }
-            // the cams here are of moving bodies, in whose frames everything stays
-            JointKind::Cam(_) => assert!(!first && !second),
-            JointKind::Fixed {
-                angle: relative_angle,
-            } => *relative_angle += relative,
-            kind @ JointKind::Contact { .. } => turn_contact(kind, [first, second], angle),
-        }
+        joints::rotate(joint, angle, carrier.as_deref());
     }
     for driver in model
         .drivers
@@ -341,20 +306,7 @@ pub fn mirror(model: &Model) -> Model {
         body.pose.position = mirrored(body.pose.position);
         body.pose.angle = -body.pose.angle;
     }
-    for joint in model.joints.values_mut() {
-        match &mut joint.kind {
-            JointKind::Revolute { .. } => flip_limits(&mut joint.stops),
-            JointKind::Prismatic { axis, angle, .. } => {
-                *axis = mirrored(*axis);
-                *angle = -*angle;
-            }
-            JointKind::Slot { axis, .. } => *axis = mirrored(*axis),
-            JointKind::Gear { angle, .. } => *angle = angle.map(|angle| -angle),
-            JointKind::Cam(cam) => mirror_cam(cam),
-            JointKind::Fixed { angle } => *angle = -*angle,
-            kind @ JointKind::Contact { .. } => mirror_outline(kind),
-        }
-    }
+    model.joints.values_mut().for_each(joints::mirror);
     for driver in model.drivers.values_mut() {
         if matches!(driver.kind, DriverKind::Rotation { .. }) {
             driver.motion = affine(&driver.motion, -1.0, 0.0);
@@ -379,40 +331,6 @@ pub fn mirror(model: &Model) -> Model {
 /// First and second body of every revolute and fixed joint and of every gear exchanged.
 pub fn swap(model: &Model) -> Model {
     let mut model = model.clone();
-    for joint in model.joints.values_mut() {
-        match &mut joint.kind {
-            JointKind::Revolute { .. } => {
-                flip_limits(&mut joint.stops);
-                joint.between.reverse();
-            }
-            JointKind::Fixed { angle } => {
-                *angle = -*angle;
-                joint.between.reverse();
-            }
-            // θ₁ − θ_c = (θ₂ − θ_c)/r − angle/r.
-            JointKind::Gear { ratio, angle, .. } => {
-                *angle = angle.map(|angle| -angle / *ratio);
-                *ratio = ratio.recip();
-                joint.between.reverse();
-            }
-            JointKind::Prismatic { .. }
-            | JointKind::Slot { .. }
-            | JointKind::Contact { .. }
-            | JointKind::Cam(_) => {}
-        }
-    }
+    model.joints.values_mut().for_each(joints::swap);
     model
-}
-
-/// What [`swap`] makes of a joint's force and torque.
-pub fn swapped_signs(joint: &Joint) -> [f64; 2] {
-    match joint.kind {
-        JointKind::Revolute { .. } | JointKind::Fixed { .. } => [-1.0, -1.0],
-        // The torque is the tooth force's moment on the other wheel, at the other radius.
-        JointKind::Gear { ratio, .. } => [-1.0, -ratio],
-        JointKind::Prismatic { .. }
-        | JointKind::Slot { .. }
-        | JointKind::Contact { .. }
-        | JointKind::Cam(_) => [1.0, 1.0],
-    }
 }

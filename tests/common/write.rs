@@ -2,7 +2,7 @@
 
 use linkdyn_model::{
     AnalysisKind, Cam, CamSegment, Driver, DriverKind, Force, ForceKind, Frame, Friction,
-    FrictionLaw, GROUND, JointKind, Model, Motion, PointRef, Profile, Value as Law,
+    FrictionLaw, GROUND, Joint, JointKind, Model, Motion, PointRef, Profile, Strands, Value as Law,
 };
 use serde_json::{Map, Value, json};
 
@@ -177,6 +177,19 @@ impl Scale {
                     words
                 }
                 JointKind::Cam(cam) => self.cam(cam, &between),
+                JointKind::Belt { .. } => self.belt(joint, &between),
+                JointKind::Rack {
+                    axis,
+                    radius,
+                    offset,
+                } => {
+                    let radius = radius * self.length;
+                    let mut words = json!({ "type": "rack", "between": between, "axis": axis, "radius": radius });
+                    if let Some(offset) = offset {
+                        words["offset"] = json!(offset * self.length);
+                    }
+                    words
+                }
                 JointKind::Fixed { angle } => {
                     json!({ "type": "fixed", "between": between, "angle": angle * self.angle })
                 }
@@ -268,11 +281,44 @@ impl Scale {
         words
     }
 
+    fn belt(&self, joint: &Joint, between: &[String; 2]) -> Value {
+        let JointKind::Belt {
+            radii,
+            strands,
+            pretension,
+            carrier,
+        } = joint.kind.clone()
+        else {
+            panic!("no belt");
+        };
+        let radii = radii.map(|radius| radius * self.length);
+        let strands = match strands {
+            Strands::Open => "open",
+            Strands::Crossed => "crossed",
+        };
+        let mut words =
+            json!({ "type": "belt", "between": between, "radii": radii, "strands": strands });
+        if let Some(carrier) = carrier {
+            words["carrier"] = json!(carrier);
+        }
+        let force = self.mass * self.length;
+        for (key, value, scale) in [
+            ("pretension", pretension, force),
+            ("stiffness", joint.stops.stiffness, self.mass),
+            ("damping", joint.stops.damping, self.mass),
+        ] {
+            if let Some(value) = value {
+                words[key] = json!(value * scale);
+            }
+        }
+        words
+    }
+
     /// Scale of what a driver drives.
     fn driven(&self, driver: &Driver) -> f64 {
         match driver.kind {
             DriverKind::Rotation { .. } => self.angle,
-            DriverKind::Translation { .. } => self.length,
+            DriverKind::Translation { .. } | DriverKind::Length { .. } => self.length,
         }
     }
 
@@ -290,6 +336,10 @@ impl Scale {
                 relative_to: Some(other),
             } => {
                 json!({ "type": "rotation", "body": body, "relative_to": other, "motion": motion })
+            }
+            DriverKind::Length { between } => {
+                let between = between.each_ref().map(PointRef::to_string);
+                json!({ "type": "length", "between": between, "motion": motion })
             }
             DriverKind::Translation { joint } => {
                 json!({ "type": "translation", "joint": joint, "motion": motion })

@@ -5,7 +5,7 @@ mod rest;
 
 use crate::accuracy::told::Random;
 use crate::family::{off, spread};
-use crate::models;
+use crate::models::{self, Named};
 use linkdyn_engine::analysis::{Control, Family, Member};
 use linkdyn_model::{Given, Loaded};
 use std::f64::consts::TAU;
@@ -315,11 +315,17 @@ fn compare(
     }
 }
 
+/// Models that were bundled when the numbers of the others had been drawn.
+const LATER: [&str; 3] = ["bicycle-suspension", "excavator", "wiper"];
+
 #[test]
 fn gradients_are_those_of_central_differences() {
     let mut random = Random(14);
     let (mut known, mut unknown, mut faults) = (0, 0, Vec::new());
-    for named in models::all() {
+    // What came later is tried last, so that the others keep their numbers.
+    let later = |named: &Named| LATER.contains(&named.name.as_str());
+    let (later, first): (Vec<Named>, Vec<Named>) = models::all().into_iter().partition(later);
+    for named in first.into_iter().chain(later) {
         for kind in ["kinematics", "inverse_dynamics"] {
             let Some(loaded) = spread(&named.json, kind) else {
                 continue;

@@ -24,6 +24,11 @@ pub const MODELS: &[Bundled] = &[
         text: include_str!("../../../models/andrews-squeezer.json"),
     },
     Bundled {
+        name: "bicycle-suspension",
+        aliases: &["bicycle"],
+        text: include_str!("../../../models/bicycle-suspension.json"),
+    },
+    Bundled {
         name: "cam-roller",
         aliases: &["cam"],
         text: include_str!("../../../models/cam-roller.json"),
@@ -47,6 +52,11 @@ pub const MODELS: &[Bundled] = &[
         name: "engine",
         aliases: &[],
         text: include_str!("../../../models/engine.json"),
+    },
+    Bundled {
+        name: "excavator",
+        aliases: &[],
+        text: include_str!("../../../models/excavator.json"),
     },
     Bundled {
         name: "four-bar",
@@ -152,6 +162,11 @@ pub const MODELS: &[Bundled] = &[
         name: "whitworth",
         aliases: &[],
         text: include_str!("../../../models/whitworth.json"),
+    },
+    Bundled {
+        name: "wiper",
+        aliases: &[],
+        text: include_str!("../../../models/wiper.json"),
     },
 ];
 

@@ -1,16 +1,16 @@
-//! Which body carries a gear pair: the one that revolute (or fixed) joints hold at both wheels' centres.
+//! Which body carries a gear pair, or the pulleys of a belt: the one that revolute (or fixed) joints hold at both wheels' centres.
 //!
 //! A centre is found on a body also through others: three bodies pinned at one place by two joints share it.
 
-use super::{Joint, JointKind, Model, PointRef};
+use super::{GROUND, Joint, JointKind, Model, PointRef};
 use crate::error::Complaint;
 
-/// The body on which both wheels of a gear turn.
+/// The body on which both wheels of a gear turn, or both pulleys of a belt.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Carrier<'a> {
     /// Its name.
     pub body: &'a str,
-    /// Centres of the first and the second wheel, in its frame \[m\].
+    /// Centres of the first and the second wheel, in its frame \[m\]; one place where it holds no centres.
     pub centres: [[f64; 2]; 2],
 }
 
@@ -18,7 +18,7 @@ pub struct Carrier<'a> {
 type Place<'a> = (&'a str, [f64; 2]);
 
 impl Model {
-    /// The carrier of a gear; none for other joints.
+    /// The carrier of a gear or a belt; none for other joints.
     ///
     /// # Errors
     /// No body holds both centres, not the one that the file names, or the centres are one.
@@ -28,13 +28,41 @@ impl Model {
             JointKind::Gear { carrier, .. } => {
                 Some(self.find_carrier(name, &joint.between, carrier.as_deref()))
             }
+            JointKind::Belt { carrier, .. } => {
+                Some(self.of_belt(name, &joint.between, carrier.as_deref()))
+            }
             JointKind::Revolute { .. }
             | JointKind::Prismatic { .. }
             | JointKind::Slot { .. }
             | JointKind::Fixed { .. }
             | JointKind::Contact { .. }
-            | JointKind::Cam(_) => None,
+            | JointKind::Cam(_)
+            | JointKind::Rack { .. } => None,
         }
+    }
+
+    /// The body in which the line of centres of a belt turns little: any that the file names, else the one that holds both.
+    fn of_belt(
+        &self,
+        name: &str,
+        pulleys: &[PointRef; 2],
+        named: Option<&str>,
+    ) -> Result<Carrier<'_>, Complaint> {
+        if let Ok(carrier) = self.find_carrier(name, pulleys, named) {
+            return Ok(carrier);
+        }
+        let found = named.and_then(|named| self.bodies.get_key_value(named));
+        if let Some((body, _)) = found {
+            let centres = [[0.0; 2]; 2];
+            return Ok(Carrier { body, centres });
+        }
+        if named == Some(GROUND) {
+            let (body, centres) = (GROUND, [[0.0; 2]; 2]);
+            return Ok(Carrier { body, centres });
+        }
+        let message = format!("no third body holds both {} and {}", pulleys[0], pulleys[1]);
+        let hint = "pin both pulleys to one body, or name as \"carrier\" the body in which the line between them turns by less than half a turn";
+        Err(Complaint::new(format!("joints.{name}.between"), message).hint(hint))
     }
 
     fn find_carrier(
@@ -116,6 +144,8 @@ fn holds_points(kind: &JointKind) -> bool {
         | JointKind::Slot { .. }
         | JointKind::Gear { .. }
         | JointKind::Contact { .. }
-        | JointKind::Cam(_) => false,
+        | JointKind::Cam(_)
+        | JointKind::Rack { .. }
+        | JointKind::Belt { .. } => false,
     }
 }

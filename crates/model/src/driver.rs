@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::joint::PointRef;
 use crate::motion::Motion;
 
 /// A prescribed coordinate.
@@ -34,5 +35,11 @@ pub enum DriverKind {
     Translation {
         /// Name of the prismatic joint or slot.
         joint: String,
+    },
+    /// Distance of two points of two bodies, as a hydraulic cylinder has it.
+    #[doc(hidden)]
+    Length {
+        /// Its ends.
+        between: [PointRef; 2],
     },
 }

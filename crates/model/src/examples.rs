@@ -162,6 +162,11 @@ fn row(path: &str) -> Option<(&'static str, &'static str)> {
             "",
             r#""responses": { "stroke": "max(piston.x) - min(piston.x)" }"#,
         )),
+        ["joints", _, "radii"] => Some(("of both pulleys, ", r#""radii": ["30 mm", "60 mm"]"#)),
+        ["joints", _, "radius"] => Some((
+            "of the wheel, ",
+            r#""radius": "20 mm"; negative where the line lies to the left of its centre, looking along the axis"#,
+        )),
         ["parameters", _, "value"] => Some(("", r#""value": "5 mm""#)),
         ["study", "vary", ..] => Some(("", r#""vary": { "r": "40 mm:60 mm:21" }"#)),
         ["study"] => Some(("", r#""study": { "vary": { "r": "40 mm:60 mm:21" } }"#)),

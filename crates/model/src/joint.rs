@@ -68,10 +68,10 @@ pub struct Stops {
     /// Coefficient of restitution of rigid stops, 0 to 1 [–]; left out: 0.
     #[serde(default)]
     pub restitution: Option<f64>,
-    /// Stiffness of stops that yield [N·m/rad or N/m]; left out: they are rigid.
+    /// Stiffness of stops that yield [N·m/rad or N/m], and of each strand of a belt [N/m]; left out: they are rigid.
     #[serde(default)]
     pub stiffness: Option<f64>,
-    /// Damping of stops that yield [N·m·s/rad or N·s/m]; left out: none.
+    /// Damping of the same [N·m·s/rad or N·s/m]; left out: none.
     #[serde(default)]
     pub damping: Option<f64>,
     /// The ends at which the joint latches.
@@ -80,6 +80,17 @@ pub struct Stops {
     /// Pull [N·m or N] above which a latch opens; left out: none does.
     #[serde(default)]
     pub release: Option<f64>,
+}
+
+/// How the strands of a belt run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Strands {
+    /// Beside each other: both pulleys turn the same way.
+    #[default]
+    Open,
+    /// Across: the pulleys turn against each other.
+    Crossed,
 }
 
 /// At which of its ends a joint latches.
@@ -158,6 +169,32 @@ pub enum JointKind {
     },
     /// The profile of the first body, about its point, moves the follower of the second and holds it from both sides.
     Cam(Box<Cam>),
+    /// A wheel, the first body, rolls about its point on a line of the second body that goes through that one's point.
+    #[doc(hidden)]
+    Rack {
+        /// Direction of the line, fixed in the second body; its length does not matter.
+        axis: [f64; 2],
+        /// Radius of the wheel's pitch circle \[m\]; negative where the line lies to the left of the centre, looking along the axis.
+        radius: f64,
+        /// a·(C − R) + radius·(θ₁ − θ₂) \[m\]; left out: as drawn, that of the poses.
+        #[serde(default)]
+        offset: Option<f64>,
+    },
+    /// Two pulleys with a belt around them, each held at its point by other joints.
+    #[doc(hidden)]
+    Belt {
+        /// Radii of the first and the second pulley \[m\].
+        radii: [f64; 2],
+        /// How the strands run.
+        #[serde(default)]
+        strands: Strands,
+        /// Tension of both strands of a belt that drives nothing \[N\]; left out: none is known.
+        #[serde(default)]
+        pretension: Option<f64>,
+        /// The body in which the line of centres turns little; left out: the one that holds both pulleys.
+        #[serde(default)]
+        carrier: Option<String>,
+    },
     /// The points coincide, relative angle fixed \[rad\].
     Fixed {
         /// Angle of the second body relative to the first \[rad\].

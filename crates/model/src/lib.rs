@@ -79,7 +79,7 @@ pub use gate::Checked;
 pub use hold::unheld;
 pub use joint::{Joint, JointKind, PointRef};
 #[doc(hidden)]
-pub use joint::{Latch, Stops};
+pub use joint::{Latch, Stops, Strands};
 #[doc(hidden)]
 pub use load::load_beside;
 pub use load::{Loaded, load, load_file};

@@ -60,7 +60,7 @@ fn print(source: &Source, model: &Model) -> Value {
     let drivers = model.drivers.iter().map(|(name, driver)| {
         let dimension = match driver.kind {
             DriverKind::Rotation { .. } => Dimension::Angle,
-            DriverKind::Translation { .. } => Dimension::Length,
+            DriverKind::Translation { .. } | DriverKind::Length { .. } => Dimension::Length,
         };
         (name.clone(), dimension)
     });

@@ -122,6 +122,12 @@ pub enum JointQuantity {
     Curvature,
     /// From the way of a cam's follower to the normal in the contact \[rad\].
     PressureAngle,
+    /// Tension \[N\] of the strand of a belt that pulls more.
+    #[doc(hidden)]
+    Tight,
+    /// Tension \[N\] of the other one, negative where it would have to push.
+    #[doc(hidden)]
+    Slack,
 }
 
 /// What a driver prescribes and what it takes.

@@ -76,8 +76,12 @@ fn without(name: &str, kind: &JointKind) -> Complaint {
         | JointKind::Gear { .. }
         | JointKind::Fixed { .. }
         | JointKind::Contact { .. }
-        | JointKind::Cam(_) => Complaint::new(path, "only a revolute joint can have a clearance")
-            .hint("name another joint"),
+        | JointKind::Cam(_)
+        | JointKind::Rack { .. }
+        | JointKind::Belt { .. } => {
+            Complaint::new(path, "only a revolute joint can have a clearance")
+                .hint("name another joint")
+        }
     }
 }
 

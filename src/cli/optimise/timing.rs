@@ -140,7 +140,7 @@ pub fn sets(
         }
         (None, Some(sample)) => {
             let unit = match model.drivers.get(&sample.driver).map(|own| &own.kind) {
-                Some(DriverKind::Translation { .. }) => "m",
+                Some(DriverKind::Translation { .. } | DriverKind::Length { .. }) => "m",
                 Some(DriverKind::Rotation { .. }) | None => "rad",
             };
             let step = (sample.to - sample.from).abs() / (rows - 1) as f64;

@@ -96,6 +96,7 @@ impl<'m> Newton<'m> {
                 JointKind::Fixed { angle } => Kind::Fixed(*angle),
                 // Free to go.
                 JointKind::Contact { .. } => continue,
+                JointKind::Rack { .. } | JointKind::Belt { .. } => panic!("accuracy has none"),
                 JointKind::Gear { ratio, angle, .. } => {
                     let carrier = model.carrier(name, joint).expect("a gear");
                     let carrier = carrier.expect("a carrier").body.to_owned();
@@ -124,6 +125,7 @@ impl<'m> Newton<'m> {
                     newton.number(body),
                     relative_to.as_deref().and_then(|to| newton.number(to)),
                 ),
+                DriverKind::Length { .. } => panic!("accuracy has none"),
                 DriverKind::Translation { joint } => {
                     let index = model.joints.get_index_of(joint).expect("a joint");
                     match &newton.joints[index].kind {

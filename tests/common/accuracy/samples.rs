@@ -145,7 +145,11 @@ fn gaps(model: &Model, pitch: &[f64], numbers: &mut Numbers) -> Gaps {
             JointKind::Gear { backlash, .. } => {
                 [0.5 * backlash.unwrap_or(0.0) / pitch * side(numbers), 0.0]
             }
-            JointKind::Fixed { .. } | JointKind::Contact { .. } | JointKind::Cam(_) => [0.0; 2],
+            JointKind::Fixed { .. }
+            | JointKind::Contact { .. }
+            | JointKind::Cam(_)
+            | JointKind::Rack { .. }
+            | JointKind::Belt { .. } => [0.0; 2],
         });
     let joints = joints.collect();
     let drivers = model.drivers.values();
@@ -179,7 +183,9 @@ fn pitch(model: &Model) -> Vec<f64> {
             | JointKind::Slot { .. }
             | JointKind::Fixed { .. }
             | JointKind::Contact { .. }
-            | JointKind::Cam(_) => 1.0,
+            | JointKind::Cam(_)
+            | JointKind::Rack { .. }
+            | JointKind::Belt { .. } => 1.0,
         })
         .collect()
 }

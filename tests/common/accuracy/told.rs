@@ -123,11 +123,28 @@ fn meshing(model: &Model) -> Vec<String> {
     names
 }
 
+/// Whether accuracy counts all of its joints and drivers.
+pub fn is_counted(model: &Model) -> bool {
+    use linkdyn_model::{DriverKind, JointKind};
+    let rolls = |kind: &JointKind| {
+        matches!(
+            kind,
+            JointKind::Rack { .. }
+                | JointKind::Belt { .. }
+                | JointKind::Cam(_)
+                | JointKind::Contact { .. }
+        )
+    };
+    let is_length = |kind: &DriverKind| matches!(kind, DriverKind::Length { .. });
+    !model.joints.values().any(|joint| rolls(&joint.kind))
+        && !model.drivers.values().any(|driver| is_length(&driver.kind))
+}
+
 /// The model as JSON in SI units, kinematic, at some instants, without clearances.
 pub fn bare(model: &Model, outputs: usize) -> Value {
     let mut json = model.to_json();
     let top = json.as_object_mut().expect("an object");
-    for key in ["forces", "initial", "accuracy", "materials"] {
+    for key in ["forces", "initial", "accuracy", "materials", "outputs"] {
         top.remove(key);
     }
     for driver in drivers(&mut json) {

@@ -197,6 +197,38 @@ line 12, column 15: bodies.rocker: inverse dynamics needs the inertia of body "r
         status: 2,
         says: r#"line 21, column 103: drivers.motor.motion.points[1][0]: "=crank/100 mm*1 s": a tolerance of the times of a table is not followed (give the values of the table the tolerance, or take another law of motion)"#,
     },
+    Case {
+        edits: &[(
+            r#"["ground.Q", "rocker.Q"] }"#,
+            r#"["ground.Q", "rocker.Q"] },
+    "mesh": { "type": "rack", "between": ["crank.O", "coupler.A"], "axis": [1, 0], "radius": "20 mm" }"#,
+        )],
+        options: &[],
+        status: 2,
+        says: r#"line 19, column 13: joints.mesh: accuracy does not count yet what is off in a rack, and gives no answer that leaves it out (vary its numbers as parameters of a `study`, which runs the model with each)"#,
+    },
+    Case {
+        edits: &[(
+            r#"["ground.Q", "rocker.Q"] }"#,
+            r#"["ground.Q", "rocker.Q"] },
+    "loop": { "type": "belt", "between": ["crank.O", "rocker.Q"], "radii": ["20 mm", "20 mm"] }"#,
+        )],
+        options: &[],
+        status: 2,
+        says: r#"line 19, column 13: joints.loop: accuracy does not count yet what is off in a belt, and gives no answer that leaves it out (vary its numbers as parameters of a `study`, which runs the model with each)"#,
+    },
+    Case {
+        edits: &[
+            (
+                r#""motor": { "type": "rotation", "body": "crank", "motion": { "type": "polynomial", "coefficients": [60, 90] } }"#,
+                r#""oil": { "type": "length", "between": ["ground.Q", "crank.A"], "motion": { "type": "constant_velocity", "start": 260, "velocity": 1 } }"#,
+            ),
+            (r#", "at": { "value": 90 }"#, ""),
+        ],
+        options: &[],
+        status: 2,
+        says: r#"line 21, column 12: drivers.oil: accuracy does not count yet what is off in a driven length, and gives no answer that leaves it out (vary its numbers as parameters of a `study`, which runs the model with each)"#,
+    },
 ];
 
 #[test]
@@ -243,7 +275,7 @@ fn mechanisms_with_cams_are_refused() {
     let asked = r#""accuracy": { "outputs": { "lift": { "column": "follower.y" } } }, "analysis":"#;
     let text = include_str!("../../../models/cam-roller.json").replace("\"analysis\":", asked);
     let (status, said) = asked_in_vain(CASES.len(), &text, &[]);
-    let expected = "joints.lobe: the accuracy of a mechanism with a cam is not known to linkdyn (vary its parameters by a \
-                    \"study\", whose runs take cams)";
+    let expected = "joints.lobe: accuracy does not count yet what is off in a cam, and gives no answer that leaves it out (vary its numbers \
+        as parameters of a `study`, which runs the model with each)";
     assert_eq!((status, said.contains(expected)), (2, true), "{said}");
 }

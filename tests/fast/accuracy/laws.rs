@@ -1,10 +1,10 @@
 //! Laws of accuracy that hold for all models with one driver.
 
-use super::told::{Told, ask_outputs, bare, parametric, spoil, tolerate};
+use super::told::{Told, ask_outputs, bare, is_counted, parametric, spoil, tolerate};
 use crate::models;
 use crate::transform::{mirror, rename_and_reverse};
 use linkdyn_engine::analysis::accuracy::{Accuracy, PoseAccuracy, Refusal};
-use linkdyn_model::{GROUND, JointKind, Model};
+use linkdyn_model::{GROUND, Model};
 use serde_json::{Value, json};
 
 /// Instants of a stroke.
@@ -14,12 +14,8 @@ const INSTANTS: usize = 4;
 fn each_model() -> Vec<(String, Model)> {
     let all = models::all().into_iter();
     let all = all.map(|named| (named.name, models::load(&named.json)));
-    // Of cams no accuracy is known, which is said, and contacts hold nothing where nothing touches.
-    let is_known = |model: &Model| {
-        let mut joints = model.joints.values();
-        joints.all(|joint| !matches!(joint.kind, JointKind::Cam(_) | JointKind::Contact { .. }))
-    };
-    all.filter(|(_, model)| model.drivers.len() == 1 && model.analysis.is_some() && is_known(model))
+    all.filter(|(_, model)| model.drivers.len() == 1 && model.analysis.is_some())
+        .filter(|(_, model)| is_counted(model))
         .collect()
 }
 

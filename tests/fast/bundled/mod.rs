@@ -2,6 +2,7 @@
 
 mod lines;
 mod loads;
+mod machines;
 mod motions;
 
 use crate::benchmarks;

@@ -234,7 +234,8 @@ fn the_geneva_wheel_is_turned_and_held() {
             let mut json: serde_json::Value =
                 serde_json::from_str(bundled::find("geneva").expect("bundled").text).expect("JSON");
             json["forces"] = serde_json::json!({ "load": { "type": "torque", "body": "wheel", "value": torque } });
-            loaded = linkdyn_model::load(json.to_string().as_bytes(), &[]).expect("sound");
+            let sound = linkdyn_model::load(json.to_string().as_bytes(), &[]).expect("sound");
+            loaded = sound.model.into_model();
         }
         let outcome = solve(&loaded);
         let (motor, wheel) = (

@@ -84,6 +84,8 @@ pub fn numbers(model: &mut Model) -> Vec<&mut f64> {
             }
             JointKind::Slot { axis, .. } => numbers.extend(axis),
             JointKind::Gear { ratio, .. } => numbers.push(ratio),
+            JointKind::Belt { radii, .. } => numbers.extend(radii),
+            JointKind::Rack { axis, radius, .. } => numbers.extend(axis.iter_mut().chain([radius])),
             JointKind::Fixed { angle } => numbers.push(angle),
             JointKind::Contact {
                 outline, radius, ..
@@ -187,6 +189,14 @@ pub fn options(model: &mut Model) -> Vec<&mut Option<f64>> {
                 options.push(&mut cam.roller_radius);
                 continue;
             }
+            JointKind::Belt { pretension, .. } => {
+                options.push(pretension);
+                continue;
+            }
+            JointKind::Rack { offset, .. } => {
+                options.push(offset);
+                continue;
+            }
             JointKind::Slot { .. } | JointKind::Fixed { .. } | JointKind::Contact { .. } => {
                 continue;
             }
@@ -219,7 +229,7 @@ pub fn names(model: &mut Model) -> Vec<&mut String> {
     let mut names: Vec<&mut String> = model.points.iter_mut().flat_map(of_point).collect();
     for joint in model.joints.values_mut() {
         names.extend(joint.between.iter_mut().flat_map(of_point));
-        if let JointKind::Gear { carrier, .. } = &mut joint.kind {
+        if let JointKind::Gear { carrier, .. } | JointKind::Belt { carrier, .. } = &mut joint.kind {
             names.extend(carrier);
         }
     }
@@ -230,6 +240,7 @@ pub fn names(model: &mut Model) -> Vec<&mut String> {
                 names.extend(relative_to);
             }
             DriverKind::Translation { joint } => names.push(joint),
+            DriverKind::Length { between } => names.extend(between.iter_mut().flat_map(of_point)),
         }
     }
     for force in model.forces.values_mut() {

@@ -23,7 +23,12 @@ use std::collections::{BTreeMap, HashMap};
 fn each_model() -> Vec<(String, Model)> {
     let models = all()
         .into_iter()
-        .map(|Named { name, json }| (name, load(&json)));
+        .map(|Named { name, json }| (name, load(&json)))
+        // Outputs name directions of the plane and things of the model, which the laws turn and rename.
+        .map(|(name, model)| {
+            let outputs = Default::default();
+            (name, Model { outputs, ..model })
+        });
     let prescribed = |model: &Model| {
         model
             .analysis
@@ -49,7 +54,9 @@ fn has_clearance(model: &Model) -> bool {
         | JointKind::Gear { .. }
         | JointKind::Fixed { .. }
         | JointKind::Contact { .. }
-        | JointKind::Cam(_) => false,
+        | JointKind::Cam(_)
+        | JointKind::Rack { .. }
+        | JointKind::Belt { .. } => false,
     })
 }
 

@@ -16,7 +16,7 @@ fn reactions_are_opposite_and_equal() {
             // The eccentricity, journal minus bearing, is zero here and has either sign.
             let sign = match quantity(column) {
                 "torque" => torque,
-                "normal_force" | "tangential_force" | "state" => 1.0,
+                "normal_force" | "tangential_force" | "state" | "tight" | "slack" => 1.0,
                 // Bearing and journal have other radii.
                 "sliding_speed" => return ("time".into(), row.get("time")),
                 _ => force,

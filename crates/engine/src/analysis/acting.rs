@@ -60,7 +60,12 @@ fn of_joint(joint: &JointData, contents: Contents) -> impl Iterator<Item = Relat
         JointRole::Revolute => (true, false),
         JointRole::Prismatic { .. } => (false, true),
         JointRole::Slot { .. } => (true, true),
-        JointRole::Gear | JointRole::Fixed | JointRole::Contact | JointRole::Cam => (false, false),
+        JointRole::Gear
+        | JointRole::Fixed
+        | JointRole::Contact
+        | JointRole::Cam
+        | JointRole::Rack { .. }
+        | JointRole::Belt => (false, false),
     };
     let all = RelativeQuantity::ALL.into_iter();
     all.filter(move |quantity| match quantity {

@@ -52,6 +52,7 @@ const VELOCITIES: [PointQuantity; 2] = [PointQuantity::Vx, PointQuantity::Vy];
 const ACCELERATIONS: [PointQuantity; 2] = [PointQuantity::Ax, PointQuantity::Ay];
 const FORCES: [JointQuantity; 2] = [JointQuantity::Fx, JointQuantity::Fy];
 const ECCENTRICITIES: [JointQuantity; 2] = [JointQuantity::Ex, JointQuantity::Ey];
+const TENSIONS: [JointQuantity; 2] = [JointQuantity::Tight, JointQuantity::Slack];
 const CONTACT: [JointQuantity; 6] = [
     JointQuantity::Eccentricity,
     JointQuantity::Penetration,
@@ -319,6 +320,7 @@ impl Contents {
         let way = cam.is_some_and(|cam| cam.way.is_some());
         let way = way.then_some(JointQuantity::PressureAngle);
         let touch = TOUCH.into_iter().filter(move |_| cam.is_some()).chain(way);
+        let has_strands = self.reactions && joint.belt.is_some();
         forces
             .chain(torque)
             .chain(friction)
@@ -330,6 +332,7 @@ impl Contents {
             .chain(stop)
             .chain(pushes)
             .chain(touch)
+            .chain(TENSIONS.into_iter().filter(move |_| has_strands))
     }
 
     fn of_driver(self) -> impl Iterator<Item = DriverQuantity> {
@@ -352,7 +355,9 @@ fn joint_unit(quantity: JointQuantity, joint: &JointData) -> &'static str {
         JointQuantity::Fx
         | JointQuantity::Fy
         | JointQuantity::NormalForce
-        | JointQuantity::TangentialForce => "N",
+        | JointQuantity::TangentialForce
+        | JointQuantity::Tight
+        | JointQuantity::Slack => "N",
         JointQuantity::Torque => "N*m",
         JointQuantity::Friction => match joint.friction.map(|friction| friction.measure) {
             Some(Measure::Angle) => "N*m",

@@ -4,6 +4,7 @@ pub mod accuracy;
 mod acting;
 mod applied;
 pub mod assembly;
+mod belts;
 mod beside;
 mod branch;
 mod cams;

@@ -104,6 +104,8 @@ pub struct JointReading {
     stop: f64,
     /// Of a cam.
     meeting: Option<Meeting>,
+    /// Of the strands of a belt \[N\].
+    tensions: [f64; 2],
 }
 
 impl JointReading {
@@ -117,9 +119,13 @@ impl JointReading {
     ) -> Self {
         // Blocks of joints stand first, in their order.
         let (data, block) = (&system.joints[joint], &system.blocks[joint]);
-        let (mut force, torque) = block
-            .constraint
-            .reaction(at, &sample.lambda[block.row..block.row + block.rows]);
+        let lambda = &sample.lambda[block.row..block.row + block.rows];
+        let (mut force, mut torque) = block.constraint.reaction(at, lambda);
+        let mut tensions = [0.0; 2];
+        if let Some(belt) = &data.belt {
+            tensions = belt.tensions(at, lambda.first().copied());
+            (force, torque) = belt.wrench(at, tensions);
+        }
         let touching = data.is_contact().then(|| touching(sample, data));
         let contact = data.contact.map(|id| sample.contacts[id.0]).or(touching);
         if let Some(contact) = contact {
@@ -157,6 +163,7 @@ impl JointReading {
         JointReading {
             stop,
             meeting,
+            tensions,
             force,
             torque,
             friction,
@@ -192,6 +199,8 @@ impl JointReading {
             JointQuantity::PressureAngle => {
                 self.touch(|meeting| meeting.pressure.unwrap_or_default())
             }
+            JointQuantity::Tight => self.tensions[0].max(self.tensions[1]),
+            JointQuantity::Slack => self.tensions[0].min(self.tensions[1]),
         }
     }
 }

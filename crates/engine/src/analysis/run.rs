@@ -12,7 +12,7 @@ use super::responses::{Answer, Responses};
 use super::rows::Columns;
 use super::sample::Sample;
 use super::settings::settings;
-use super::{assembly, driven, dynamics, statics};
+use super::{assembly, belts, driven, dynamics, statics};
 use crate::system::{Evaluation, Inputs, System, compile::compile};
 use linkdyn_model::error::{Complaint, Complaints};
 use linkdyn_model::{Checked, unheld};
@@ -146,6 +146,9 @@ impl Prepared {
             mut report,
             ..
         } = solved;
+        report
+            .warnings
+            .extend(belts::notes(&self.system, &trajectory));
         let (trajectory, peaks) = self.with_following((trajectory, peaks), &mut report);
         let patterns = &self.question.columns;
         let (selected, warnings) = match patterns.is_empty() {

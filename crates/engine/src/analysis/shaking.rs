@@ -10,7 +10,7 @@
 //! (Berkof and Lowen, J. Eng. Ind. 91, 1969, of the inertia part alone). Checked against that balance in `tests/fast/shaking.rs`.
 
 use super::rows::{Columns, Frame, Place, Replay};
-use crate::element::{Applied, BodyId};
+use crate::element::{Applied, BodyId, direction};
 use crate::system::{DriverRole, System};
 use linkdyn_linear::math::Vec2;
 use linkdyn_output::{Channel, Column, DriverQuantity, JointQuantity, ShakingQuantity};
@@ -47,6 +47,12 @@ enum Share {
         at: Place,
         guide: Frame,
         axis: Vec2,
+        effort: usize,
+    },
+    /// A driven length: force on the second end, away from the first.
+    Between {
+        sign: f64,
+        ends: [Place; 2],
         effort: usize,
     },
     /// A force element between ground and a moving body: the opposite of what it exerts on that body.
@@ -124,6 +130,12 @@ impl Share {
             } => {
                 let force = guide.turn(row, *axis) * row[*effort];
                 sum.add(*sign, at.at(row), force, 0.0);
+            }
+            Share::Between { sign, ends, effort } => {
+                let [first, second] = ends.each_ref().map(|end| end.at(row));
+                if let Some((along, _)) = direction(second - first) {
+                    sum.add(*sign, second, along * row[*effort], 0.0);
+                }
             }
             Share::Element { element, body } => {
                 let (place, force, torque) = exerted.by(*element, *body);
@@ -218,6 +230,20 @@ fn driver_shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
                     let effort = effort?;
                     shares.push(Share::Torque { sign, effort });
                 }
+            }
+            DriverRole::Length { between } => {
+                let Some(sign) = side(between.map(|end| end.body)) else {
+                    continue;
+                };
+                let [first, second] = &between;
+                shares.push(Share::Between {
+                    sign,
+                    ends: [
+                        Place::of(system, columns, first)?,
+                        Place::of(system, columns, second)?,
+                    ],
+                    effort: effort?,
+                });
             }
             DriverRole::Translation { joint } => {
                 let joint = &system.joints[joint.0];

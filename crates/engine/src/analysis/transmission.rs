@@ -123,7 +123,9 @@ fn drawn(system: &System, output: Output) -> Vec<Drawn> {
             | JointRole::Gear
             | JointRole::Fixed
             | JointRole::Contact
-            | JointRole::Cam => false,
+            | JointRole::Cam
+            | JointRole::Rack { .. }
+            | JointRole::Belt => false,
         };
         let own = BodyId(output.body + 1);
         let side = data.bodies.iter().position(|&body| body == own)?;
@@ -364,7 +366,9 @@ impl Output {
             | JointRole::Gear
             | JointRole::Fixed
             | JointRole::Contact
-            | JointRole::Cam => None,
+            | JointRole::Cam
+            | JointRole::Rack { .. }
+            | JointRole::Belt => None,
         });
         Output { body, slide }
     }

@@ -19,10 +19,12 @@
 //! bundled model that uses it, a row in `docs/format.md`.
 
 pub mod actuator;
+pub mod belt;
 pub mod cable;
 pub mod cam;
 pub mod coordinate;
 pub mod coordinates;
+pub mod distance;
 pub mod driven;
 pub mod edge;
 pub mod fixed;
@@ -35,6 +37,7 @@ pub mod load;
 pub mod pair;
 pub mod prismatic;
 pub mod quantity;
+pub mod rack;
 pub mod revolute;
 pub mod slot;
 pub(crate) mod span;

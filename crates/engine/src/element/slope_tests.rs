@@ -1,6 +1,7 @@
 //! The shared check of what elements say of the derivatives of their forces.
 
 use super::actuator::Actuator;
+use super::belt::{Strands, tests::belt};
 use super::edge::tests::{disc, edge};
 use super::edge::{Piece, Sector};
 use super::formula::{Formula, Function, Strength};
@@ -184,6 +185,12 @@ fn slopes_are_the_derivatives_of_forces() {
         free_length: constant(0.4),
     };
     let forces: Vec<(&str, Box<dyn Force>)> = vec![
+        ("belt", Box::new(Strands(belt(false, Some([12.0, 1.7]))))),
+        (
+            "crossed belt",
+            Box::new(Strands(belt(true, Some([12.0, 1.7])))),
+        ),
+        ("pretension", Box::new(Strands(belt(false, None)))),
         ("spring", Box::new(spring(first))),
         ("spring to ground", Box::new(spring(marker(0, 1.0, 0.3)))),
         (

@@ -6,7 +6,7 @@
 //! Q = Bᵀ F             ∂Q/∂q = Bᵀ ∂F/∂q + diag(0, 0, ρ₁·F | 0, 0, −ρ₂·F)      of a force F on the second point, −F on the first
 //! ```
 
-use super::{Axis, Kinematics, Marker, Slope};
+use super::{Axis, BodyId, Kinematics, Marker, Slope};
 use linkdyn_linear::math::{Vec2, perp};
 
 /// Coordinates of two bodies.
@@ -18,10 +18,24 @@ pub struct Span {
     omega: [f64; 2],
 }
 
+/// The coordinates of two bodies.
+pub fn both_bodies(first: &Marker, second: &Marker) -> Vec<(BodyId, Axis)> {
+    let of = |marker: &Marker| Axis::ALL.map(|axis| (marker.body, axis));
+    [of(first), of(second)].concat()
+}
+
+/// The pairs of these with a second one that does not stand before the first.
+pub fn upper_pairs(first: &Marker, second: &Marker) -> Vec<Slope> {
+    let both = both_bodies(first, second);
+    let pairs = (0..BOTH).flat_map(|row| (row..BOTH).map(move |column| (row, column)));
+    pairs
+        .map(|(row, column)| [both[row], both[column]])
+        .collect()
+}
+
 /// All pairs of the coordinates of two bodies, row by row.
 pub fn all_pairs(first: &Marker, second: &Marker) -> Vec<Slope> {
-    let of = |marker: &Marker| Axis::ALL.map(|axis| (marker.body, axis));
-    let both = [of(first), of(second)].concat();
+    let both = both_bodies(first, second);
     let row = |row: &_| both.iter().map(|column| [*row, *column]).collect();
     both.iter().flat_map::<Vec<Slope>, _>(row).collect()
 }
@@ -52,6 +66,21 @@ impl Span {
             5 => self.rho[1] * -self.omega[1],
             _ => Vec2::zeros(),
         }
+    }
+
+    /// Second derivatives by the coordinates of a function of d: of its gradient, and of its second derivatives, applied to a vector.
+    pub fn bent(&self, gradient: Vec2, second: impl Fn(Vec2) -> Vec2) -> [[f64; BOTH]; BOTH] {
+        let mut bent = [[0.0; BOTH]; BOTH];
+        for column in 0..BOTH {
+            let change = second(self.spread(column));
+            for (row, of_row) in bent.iter_mut().enumerate() {
+                of_row[column] = self.spread(row).dot(&change);
+            }
+        }
+        // d has −ρ₁ and ρ₂, which turn.
+        bent[2][2] += gradient.dot(&self.rho[0]);
+        bent[5][5] -= gradient.dot(&self.rho[1]);
+        bent
     }
 
     /// Adds a column of Bᵀ ∂F to a matrix by rows (6 × 6).

@@ -49,8 +49,11 @@ pub(super) type Named = (&'static str, Box<dyn Constraint>);
 /// One of each kind. A new constraint is added below.
 pub(crate) fn all_constraints() -> Vec<Named> {
     let own = [joints(), drivers_and_initial_values()];
-    let others = [super::edge::tests::held(), super::cam::tests::all()];
-    own.into_iter().chain(others).flatten().collect()
+    let rolling = [super::rack::tests::both(), super::belt::tests::both()];
+    let pieces = [super::edge::tests::held(), super::cam::tests::all()];
+    let all = own.into_iter().chain(pieces).flatten();
+    let more = rolling.into_iter().chain([super::distance::tests::both()]);
+    all.chain(more.flatten()).collect()
 }
 
 fn joints() -> Vec<Named> {
@@ -59,6 +62,11 @@ fn joints() -> Vec<Named> {
         bearing: first,
         journal: second,
         clearance: 0.4,
+    };
+    let weld = Fixed {
+        first,
+        second,
+        angle: -0.3,
     };
     vec![
         (
@@ -97,14 +105,7 @@ fn joints() -> Vec<Named> {
         ("sticking", Box::new(following.stuck(1.3, ContactId(0)))),
         ("gear", Box::new(gear(3, -1.7))),
         ("internal gear on ground", Box::new(gear(0, 2.5))),
-        (
-            "fixed",
-            Box::new(Fixed {
-                first,
-                second,
-                angle: -0.3,
-            }),
-        ),
+        ("fixed", Box::new(weld)),
     ]
 }
 

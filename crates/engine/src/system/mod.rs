@@ -32,6 +32,7 @@ pub use scale::Scale;
 pub(crate) use slopes::Slopes;
 pub(crate) use states::StateData;
 
+use crate::element::belt::Belt;
 use crate::element::cam::Cam;
 use crate::element::formula::Formula;
 use crate::element::journal::Bearing;
@@ -132,6 +133,8 @@ pub struct JointData {
     pub(crate) bearing: Option<Bearing>,
     /// Of an ideal joint with friction.
     pub(crate) friction: Option<JointFriction>,
+    /// Pulleys with a belt.
+    pub(crate) belt: Option<Box<Belt>>,
 }
 
 /// A driver's numbers beyond its constraint.

@@ -3,7 +3,7 @@
 use super::JointId;
 use crate::element::formula::Strength;
 use crate::element::quantity::Measured;
-use crate::element::{BodyId, Measure};
+use crate::element::{BodyId, Marker, Measure};
 use linkdyn_linear::math::Vec2;
 
 /// What a joint is.
@@ -27,6 +27,15 @@ pub enum JointRole {
     Gear,
     /// A profile and its follower.
     Cam,
+    /// A wheel that rolls on a line of the second body.
+    Rack {
+        /// Direction of the line in the second body's frame, length one.
+        axis: Vec2,
+        /// Radius of the wheel \[m\], signed by the side on which the line lies.
+        radius: f64,
+    },
+    /// Two pulleys with a belt.
+    Belt,
     /// Two bodies as one.
     Fixed,
     /// A tip that may touch an outline.
@@ -42,13 +51,15 @@ impl JointRole {
             | JointRole::Gear
             | JointRole::Fixed
             | JointRole::Contact
-            | JointRole::Cam => None,
+            | JointRole::Cam
+            | JointRole::Rack { .. }
+            | JointRole::Belt => None,
         }
     }
 }
 
 /// What a driver moves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum DriverRole {
     /// It turns a body against another.
     Rotation {
@@ -61,6 +72,11 @@ pub enum DriverRole {
     Translation {
         /// The joint with the guide.
         joint: JointId,
+    },
+    /// It holds two points at a distance.
+    Length {
+        /// Its ends.
+        between: [Marker; 2],
     },
 }
 

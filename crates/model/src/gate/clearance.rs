@@ -27,6 +27,8 @@ pub(super) fn joint(rules: &mut Rules<'_>, joint: &Joint, path: &str) {
         JointKind::Slot { .. }
         | JointKind::Gear { .. }
         | JointKind::Cam(_)
+        | JointKind::Rack { .. }
+        | JointKind::Belt { .. }
         | JointKind::Fixed { .. } => return,
     };
     if let Some(clearance) = clearance {

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::Rules;
 use crate::tree::word;
-use crate::{DriverKind, GROUND, JointKind};
+use crate::{DriverKind, GROUND, JointKind, PointRef};
 
 /// Complains about drivers of what can't be driven, or is driven already.
 pub(super) fn drivers(rules: &mut Rules<'_>) {
@@ -28,6 +28,12 @@ pub(super) fn drivers(rules: &mut Rules<'_>) {
                     continue;
                 }
                 translation(rules, &path, joint)
+            }
+            DriverKind::Length { between } => {
+                if !known("between") || !known("between[0]") || !known("between[1]") {
+                    continue;
+                }
+                length(rules, &path, between)
             }
         };
         let Some(coordinate) = coordinate else {
@@ -70,6 +76,24 @@ fn rotation(
     Some(format!("the angle between {first:?} and {second:?}"))
 }
 
+/// The distance that a length prescribes, in words.
+fn length(rules: &mut Rules<'_>, path: &str, between: &[PointRef; 2]) -> Option<String> {
+    let [mut first, mut second] = between.each_ref().map(PointRef::to_string);
+    if between[0].body == between[1].body {
+        let message = format!(
+            "both points are of {:?}, whose distance is what it is",
+            between[0].body
+        );
+        let hint = "name points of two bodies";
+        rules.complain(format!("{path}.between"), message, hint);
+        return None;
+    }
+    if second < first {
+        std::mem::swap(&mut first, &mut second);
+    }
+    Some(format!("the distance of {first} and {second}"))
+}
+
 /// The slide that a translation prescribes, in words.
 fn translation(rules: &mut Rules<'_>, path: &str, joint: &str) -> Option<String> {
     let found = rules.model.joints.get(joint);
@@ -80,7 +104,9 @@ fn translation(rules: &mut Rules<'_>, path: &str, joint: &str) -> Option<String>
         | JointKind::Gear { .. }
         | JointKind::Fixed { .. }
         | JointKind::Contact { .. }
-        | JointKind::Cam(_) => false,
+        | JointKind::Cam(_)
+        | JointKind::Rack { .. }
+        | JointKind::Belt { .. } => false,
     });
     match found.filter(|_| !slides) {
         Some(found) => {

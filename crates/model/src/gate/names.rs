@@ -59,13 +59,16 @@ impl Names<'_, '_> {
             let path = format!("joints.{name}");
             self.points(&joint.between, &path);
             match &joint.kind {
-                JointKind::Gear { carrier, .. } => self.maybe_body(carrier, &path, "carrier"),
+                JointKind::Gear { carrier, .. } | JointKind::Belt { carrier, .. } => {
+                    self.maybe_body(carrier, &path, "carrier");
+                }
                 JointKind::Revolute { .. }
                 | JointKind::Prismatic { .. }
                 | JointKind::Slot { .. }
                 | JointKind::Fixed { .. }
                 | JointKind::Contact { .. }
-                | JointKind::Cam(_) => {}
+                | JointKind::Cam(_)
+                | JointKind::Rack { .. } => {}
             }
         }
         for (name, driver) in &model.drivers {
@@ -78,6 +81,7 @@ impl Names<'_, '_> {
                 DriverKind::Translation { joint } => {
                     self.name(&format!("{path}.joint"), Named::Joint, joint);
                 }
+                DriverKind::Length { between } => self.points(between, &path),
             }
         }
         self.forces();

@@ -11,6 +11,14 @@ pub(super) fn stops(rules: &mut Rules<'_>, joint: &Joint, path: &str) {
     if !known("type") || !known("limits") {
         return;
     }
+    if let JointKind::Belt { .. } = joint.kind {
+        if joint.stops.damping.is_some() && joint.stops.stiffness.is_none() && known("stiffness") {
+            let message = "\"stiffness\" is missing: a belt with damping stretches";
+            let hint = "give the stiffness of a strand, as in \"stiffness\": \"50 N/mm\"";
+            rules.complain(format!("{path}.damping"), message, hint);
+        }
+        return;
+    }
     let found = match joint.stops.limits {
         None if matches!(joint.kind, JointKind::Contact { .. }) => None,
         None => of_nothing(joint),

@@ -75,7 +75,7 @@ impl Catalogue {
         for (name, driver) in &model.drivers {
             let dimension = match driver.kind {
                 DriverKind::Rotation { .. } => Dimension::Angle,
-                DriverKind::Translation { .. } => Dimension::Length,
+                DriverKind::Translation { .. } | DriverKind::Length { .. } => Dimension::Length,
             };
             catalogue.drivers.push((name.clone(), Some(dimension)));
         }
@@ -170,7 +170,7 @@ impl Catalogue {
         for (name, member) in members("drivers") {
             let dimension = match kind(&member.node).as_deref() {
                 Some("rotation") => Some(Dimension::Angle),
-                Some("translation") => Some(Dimension::Length),
+                Some("translation" | "length") => Some(Dimension::Length),
                 _ => None,
             };
             catalogue.drivers.push((name.clone(), dimension));

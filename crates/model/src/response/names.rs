@@ -21,7 +21,7 @@ const BODY: [(&str, Dimension); 9] = [
 
 const POINT: [&str; 6] = ["x", "y", "vx", "vy", "ax", "ay"];
 
-const JOINT: [(&str, Dimension); 10] = [
+const JOINT: [(&str, Dimension); 12] = [
     ("fx", Dimension::Force),
     ("fy", Dimension::Force),
     ("torque", Dimension::Torque),
@@ -32,6 +32,8 @@ const JOINT: [(&str, Dimension); 10] = [
     ("normal_force", Dimension::Force),
     ("tangential_force", Dimension::Force),
     ("sliding_speed", Dimension::Velocity),
+    ("tight", Dimension::Force),
+    ("slack", Dimension::Force),
 ];
 
 const SHAKING: [(&str, Dimension); 3] = [

@@ -94,9 +94,16 @@ fn joint<'m, 'p>(
     path: &mut impl Iterator<Item = &'p str>,
 ) -> Option<&'m mut f64> {
     match (kind, path.next()?) {
-        (JointKind::Prismatic { axis, .. } | JointKind::Slot { axis, .. }, "axis") => {
-            of_list(axis, path)
-        }
+        (
+            JointKind::Prismatic { axis, .. }
+            | JointKind::Slot { axis, .. }
+            | JointKind::Rack { axis, .. },
+            "axis",
+        ) => of_list(axis, path),
+        (JointKind::Rack { radius, .. }, "radius") => Some(radius),
+        (JointKind::Belt { radii, .. }, "radii") => of_list(radii, path),
+        (JointKind::Belt { pretension, .. }, "pretension") => pretension.as_mut(),
+        (JointKind::Rack { offset, .. }, "offset") => offset.as_mut(),
         (JointKind::Prismatic { angle, .. } | JointKind::Fixed { angle }, "angle") => Some(angle),
         (JointKind::Gear { ratio, .. }, "ratio") => Some(ratio),
         (JointKind::Gear { angle, .. }, "angle") => angle.as_mut(),

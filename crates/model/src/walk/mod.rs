@@ -129,7 +129,7 @@ fn driven(root: &Node) -> HashMap<String, Dimension> {
     let known = drivers.iter().filter_map(|(name, driver)| {
         let dimension = match driver.node.get("type")?.as_str()? {
             "rotation" => Dimension::Angle,
-            "translation" => Dimension::Length,
+            "translation" | "length" => Dimension::Length,
             _ => return None,
         };
         Some((name.clone(), dimension))

@@ -58,5 +58,29 @@ pub static DRIVER: Tagged = Tagged {
             drives: Drives::Always(Dimension::Length),
             either: None,
         },
+        Object {
+            name: "length",
+            about: "Distance of two points of two bodies, as a hydraulic cylinder has it.",
+            fields: &[
+                required(
+                    "between",
+                    Shape::Pair(&Shape::Point),
+                    "Its ends, `body.point`.",
+                ),
+                required(
+                    "motion",
+                    Shape::Tagged(&MOTION),
+                    "The law of time that the distance follows.",
+                ),
+                optional(
+                    "tolerance",
+                    Shape::Quantity(Measure::Driven, Bound::AtLeast(0.0)),
+                    "How far the distance may be from what the motion says, to either side; for accuracy.",
+                ),
+            ],
+            refused: &[],
+            drives: Drives::Always(Dimension::Length),
+            either: None,
+        },
     ],
 };

@@ -6,7 +6,7 @@ use super::friction::FRICTION;
 use crate::dimension::Dimension;
 use crate::shape::{
     Bound, Choice, Default, Drives, Field, Measure, Named, Object, Shape, Tagged, default,
-    optional, required,
+    optional, required, silent,
 };
 
 /// At which of its ends a joint latches.
@@ -20,6 +20,17 @@ pub static LATCH: Choice = Choice {
     ],
 };
 
+/// How the strands of a belt run.
+pub static STRANDS: Choice = Choice {
+    name: "Strands",
+    about: "How the strands of a belt run.",
+    words: &[
+        ("open", "Beside each other: both pulleys turn the same way."),
+        ("crossed", "Across: the pulleys turn against each other."),
+    ],
+};
+
+static RADIUS: Shape = Shape::Quantity(Measure::Of(Dimension::Length), Bound::Above(0.0));
 static OUTLINE_POINT: Shape = Shape::List(
     &Shape::Quantity(Measure::Of(Dimension::Length), Bound::Any),
     2,
@@ -232,6 +243,102 @@ pub static JOINT: Tagged = Tagged {
                     "limits",
                     "a gear turns without end: give limits to the revolute joints of its wheels",
                 ),
+                ("clearance", "only a revolute joint can have clearance"),
+                (
+                    "friction",
+                    "only revolute and prismatic joints can have friction",
+                ),
+            ],
+            drives: Drives::Nothing,
+            either: None,
+        },
+        Object {
+            name: "rack",
+            about: "A wheel, the first body, rolls about its point on a line through the point of the second body, the rack.",
+            fields: &[
+                required(
+                    "axis",
+                    Shape::Direction,
+                    "Direction of the line, fixed in the second body; its length does not matter.",
+                ),
+                required(
+                    "radius",
+                    Shape::Quantity(Measure::Of(Dimension::Length), Bound::NotZero),
+                    "Radius of the wheel's pitch circle \\[m\\]; negative where the line lies to the left of the centre, looking along the axis.",
+                ),
+                optional(
+                    "offset",
+                    Shape::Quantity(Measure::Of(Dimension::Length), Bound::Any),
+                    "Place of the centre along the axis from the rack's point, and radius·(θ₁ − θ₂) \\[m\\]; left out: as drawn, that of the poses.",
+                ),
+                required(
+                    "between",
+                    Shape::Pair(&Shape::Point),
+                    "Centre of the wheel and a point of the rack's pitch line, `body.point`.",
+                ),
+            ],
+            refused: &[
+                (
+                    "limits",
+                    "the teeth have no end: give limits to the joint that guides the rack",
+                ),
+                ("clearance", "only a revolute joint can have clearance"),
+                (
+                    "friction",
+                    "only revolute and prismatic joints can have friction",
+                ),
+                ("backlash", "a rack has none: its teeth touch on both sides"),
+            ],
+            drives: Drives::Nothing,
+            either: None,
+        },
+        Object {
+            name: "belt",
+            about: "Two pulleys with a belt around them, each held at its point by other joints.",
+            fields: &[
+                required(
+                    "radii",
+                    Shape::Pair(&RADIUS),
+                    "Radii of the first and the second pulley, to the middle of the belt \\[m\\].",
+                ),
+                silent(
+                    "strands",
+                    Shape::Choice(&STRANDS),
+                    Default::Text("open"),
+                    "How the strands run.",
+                ),
+                optional(
+                    "pretension",
+                    Shape::Quantity(Measure::Of(Dimension::Force), Bound::AtLeast(0.0)),
+                    "Tension of each strand while nothing is driven \\[N\\]; it loads the bearings. Left out: 0, and no strand is said to be slack.",
+                ),
+                optional(
+                    "stiffness",
+                    Shape::Quantity(Measure::Of(Dimension::Stiffness), Bound::Above(0.0)),
+                    "Of each strand, its tension by the length it is stretched by [N/m]; left out: the belt does not stretch.",
+                ),
+                optional(
+                    "damping",
+                    Shape::Quantity(Measure::Of(Dimension::Damping), Bound::AtLeast(0.0)),
+                    "Of each strand that stretches [N·s/m].",
+                ),
+                optional(
+                    "carrier",
+                    Shape::Name(Named::Body),
+                    "The body in which the line of centres turns by less than half a turn; left out: the one that holds both pulleys, found from the joints.",
+                ),
+                required(
+                    "between",
+                    Shape::Pair(&Shape::Point),
+                    "Centres of the two pulleys, `body.point`.",
+                ),
+            ],
+            refused: &[
+                (
+                    "limits",
+                    "a belt turns without end: give limits to the revolute joints of its pulleys",
+                ),
+                ("ratio", "it follows from the radii"),
                 ("clearance", "only a revolute joint can have clearance"),
                 (
                     "friction",

@@ -37,7 +37,7 @@ use clearance::{CLEARANCE, CLEARANCE_MODEL, IMPACT, IMPACT_SENSE, NORMAL, NORMAL
 use driver::DRIVER;
 use force::{FORCE, FRAME};
 use friction::{FRICTION, FRICTION_LAW};
-use joint::{JOINT, LATCH};
+use joint::{JOINT, LATCH, STRANDS};
 use motion::{INTERPOLATION, RISE_LAW, SEGMENT};
 use optimise::{CURVE, OBJECTIVE, OPTIMISE};
 use parameter::DISTRIBUTION;
@@ -177,7 +177,7 @@ impl Definition {
 }
 
 /// All that the schema defines by a name, in its order.
-pub static DEFINITIONS: [Definition; 55] = [
+pub static DEFINITIONS: [Definition; 56] = [
     Definition::Format(&FORMATS),
     Definition::Object(&GROUND),
     Definition::Object(&BODY),
@@ -200,6 +200,7 @@ pub static DEFINITIONS: [Definition; 55] = [
     Definition::Tagged(&FORCE),
     Definition::Choice(&FRAME),
     Definition::Choice(&LATCH),
+    Definition::Choice(&STRANDS),
     Definition::Object(&INITIAL),
     Definition::Object(&ANALYSIS),
     Definition::Choice(&ANALYSIS_KIND),

@@ -188,7 +188,7 @@ impl Quantity for PointQuantity {
 
 impl JointQuantity {
     /// Every one.
-    const ALL: [JointQuantity; 17] = [
+    const ALL: [JointQuantity; 19] = [
         JointQuantity::Fx,
         JointQuantity::Fy,
         JointQuantity::Torque,
@@ -206,6 +206,8 @@ impl JointQuantity {
         JointQuantity::ContactY,
         JointQuantity::Curvature,
         JointQuantity::PressureAngle,
+        JointQuantity::Tight,
+        JointQuantity::Slack,
     ];
 
     /// The last word of the column's name.
@@ -228,6 +230,8 @@ impl JointQuantity {
             JointQuantity::ContactY => "contact_y",
             JointQuantity::Curvature => "curvature",
             JointQuantity::PressureAngle => "pressure_angle",
+            JointQuantity::Tight => "tight",
+            JointQuantity::Slack => "slack",
         }
     }
 }

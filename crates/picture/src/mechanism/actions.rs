@@ -114,6 +114,8 @@ fn draw_driver(scene: &mut Scene, sketch: &Sketch, driver: DriverKind) {
             let centre = around(sketch, pin, body);
             symbols::round_arrow(scene, "driver", (centre, DRIVER), true, bar, pen);
         }
+        // It is drawn as the cylinder that it is.
+        DriverKind::Length { .. } => {}
         DriverKind::Translation { joint } => {
             let joint = &sketch.mechanism.shape.joints[joint];
             let Some([u, v]) = sketch.direction(joint) else {

@@ -10,6 +10,10 @@ pub fn driver_value(shape: &Shape, pose: &[Pose], driver: DriverKind) -> f64 {
         DriverKind::Rotation {
             body, relative_to, ..
         } => pose[body][2] - pose[relative_to][2],
+        DriverKind::Length { between } => {
+            let [a, b] = between.map(|end| place(shape, pose, end));
+            (b[0] - a[0]).hypot(b[1] - a[1])
+        }
         DriverKind::Translation { joint } => {
             let joint = &shape.joints[joint];
             let [a, b] = joint.between.map(|end| place(shape, pose, end));

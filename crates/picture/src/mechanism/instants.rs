@@ -29,10 +29,12 @@ impl Mechanism {
         let words = drivers.take(MOST_TOLD).map(|(driver, [low, high])| {
             let (factor, unit) = match driver.kind {
                 DriverKind::Rotation { .. } => (1f64.to_degrees(), "°"),
-                DriverKind::Translation { .. } if high.abs().max(low.abs()) < 10.0 => {
+                DriverKind::Translation { .. } | DriverKind::Length { .. }
+                    if high.abs().max(low.abs()) < 10.0 =>
+                {
                     (1000.0, " mm")
                 }
-                DriverKind::Translation { .. } => (1.0, " m"),
+                DriverKind::Translation { .. } | DriverKind::Length { .. } => (1.0, " m"),
             };
             let value = driver_value(&self.shape, pose, driver.kind) * factor;
             let span = (high - low) * factor;

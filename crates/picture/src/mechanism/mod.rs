@@ -34,6 +34,7 @@ mod stops;
 
 mod values;
 mod view;
+mod wheels;
 
 pub use moving::Mechanism;
 pub use pages::{Layout, MOST_POSES};

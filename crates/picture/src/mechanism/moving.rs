@@ -166,6 +166,8 @@ impl Mechanism {
             let radii = match &joint.kind {
                 JointKind::Gear { gear, .. } => gear.map(|gear| gear.radii).unwrap_or_default(),
                 JointKind::Contact { radius, .. } => [0.0, *radius],
+                JointKind::Rack { rack } => [rack.radius.abs(), 0.0],
+                JointKind::Belt { belt } => belt.radii,
                 JointKind::Revolute { .. }
                 | JointKind::Prismatic { .. }
                 | JointKind::Slot { .. }
@@ -174,6 +176,13 @@ impl Mechanism {
             };
             for (end, radius) in ends.into_iter().zip(radii) {
                 self.frame.extent.add(end, radius);
+            }
+            // Of a rack, how far its wheel is along it.
+            if let JointKind::Rack { rack } = joint.kind {
+                let [u, v] = turned(pose[joint.between[1].0], rack.axis);
+                let s =
+                    (u * (ends[0][0] - ends[1][0]) + v * (ends[0][1] - ends[1][1])) / u.hypot(v);
+                *slide = [slide[0].min(s), slide[1].max(s)];
             }
             if let Some(axis) = joint.axis() {
                 let [u, v] = turned(pose[joint.between[0].0], axis);

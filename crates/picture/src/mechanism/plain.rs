@@ -81,7 +81,9 @@ impl Mechanism {
                     | JointKind::Slot { .. }
                     | JointKind::Gear { .. }
                     | JointKind::Contact { .. }
-                    | JointKind::Cam(_) => false,
+                    | JointKind::Cam(_)
+                    | JointKind::Rack { .. }
+                    | JointKind::Belt { .. } => false,
                 })
                 .collect(),
             joints: joints

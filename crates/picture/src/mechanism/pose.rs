@@ -4,11 +4,11 @@
 use super::cams;
 use super::cylinder::Lengths;
 use super::sketch::Sketch;
-use super::{outlines, stops};
+use super::{outlines, stops, wheels};
 use crate::palette;
 use crate::scene::{Ink, Pen, Place, Scene};
 use crate::shape::{Clearance, Joint, JointKind};
-use crate::symbols::{self, Cylinder, Wheel};
+use crate::symbols::{self, Cylinder};
 
 /// Radius of a pin, and of the ring that tells of a clearance, in bars.
 const PIN: f64 = 0.62;
@@ -21,8 +21,8 @@ const APART: f64 = 0.3;
 /// Draws what would cover other poses: wheels, and guides that do not move.
 pub fn draw_backdrop(scene: &mut Scene, sketch: &Sketch) {
     let mechanism = sketch.mechanism;
-    for joint in &mechanism.shape.joints {
-        draw_wheels(scene, sketch, joint);
+    for (joint, slides) in mechanism.shape.joints.iter().zip(&mechanism.slides) {
+        wheels::draw(scene, sketch, joint, *slides);
         cams::draw_profile(scene, sketch, joint);
     }
     for (number, joint) in mechanism.shape.joints.iter().enumerate() {
@@ -70,27 +70,6 @@ pub fn draw(scene: &mut Scene, sketch: &Sketch) {
     }
 }
 
-/// Two wheels in mesh, a ring behind the wheel in it.
-fn draw_wheels(scene: &mut Scene, sketch: &Sketch, joint: &Joint) {
-    let JointKind::Gear {
-        gear: Some(gear), ..
-    } = joint.kind
-    else {
-        return;
-    };
-    let larger = usize::from(gear.radii[1] > gear.radii[0]);
-    for k in [larger, 1 - larger] {
-        let body = joint.between[k].0;
-        let wheel = Wheel {
-            centre: sketch.at(joint.between[k]),
-            radius: gear.radii[k] * sketch.view.scale,
-            angle: sketch.pose[body][2],
-            internal: gear.internal && k == larger,
-        };
-        symbols::wheel(scene, &wheel, sketch.bar(), sketch.of_body(body));
-    }
-}
-
 /// Rails on the ground, a rod on a body, or a slot.
 fn draw_guide(scene: &mut Scene, sketch: &Sketch, joint: &Joint, slides: [f64; 2]) {
     let [low, high] = stops::reach(joint, slides);
@@ -118,7 +97,9 @@ fn draw_guide(scene: &mut Scene, sketch: &Sketch, joint: &Joint, slides: [f64; 2
         | JointKind::Gear { .. }
         | JointKind::Fixed
         | JointKind::Contact { .. }
-        | JointKind::Cam(_) => {}
+        | JointKind::Cam(_)
+        | JointKind::Rack { .. }
+        | JointKind::Belt { .. } => {}
     }
 }
 
@@ -212,7 +193,9 @@ fn draw_pin(scene: &mut Scene, sketch: &Sketch, joint: &Joint) {
         JointKind::Prismatic { .. }
         | JointKind::Gear { .. }
         | JointKind::Contact { .. }
-        | JointKind::Cam(_) => {}
+        | JointKind::Cam(_)
+        | JointKind::Rack { .. }
+        | JointKind::Belt { .. } => {}
     }
 }
 

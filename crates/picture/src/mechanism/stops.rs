@@ -40,7 +40,9 @@ pub fn reach(joint: &Joint, slides: [f64; 2]) -> [f64; 2] {
         | JointKind::Gear { .. }
         | JointKind::Fixed
         | JointKind::Contact { .. }
-        | JointKind::Cam(_) => slides,
+        | JointKind::Cam(_)
+        | JointKind::Rack { .. }
+        | JointKind::Belt { .. } => slides,
     }
 }
 
@@ -57,7 +59,9 @@ pub fn draw(scene: &mut Scene, sketch: &Sketch, joint: &Joint, slides: [f64; 2])
         | JointKind::Gear { .. }
         | JointKind::Fixed
         | JointKind::Contact { .. }
-        | JointKind::Cam(_) => {}
+        | JointKind::Cam(_)
+        | JointKind::Rack { .. }
+        | JointKind::Belt { .. } => {}
     }
 }
 

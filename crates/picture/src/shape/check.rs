@@ -63,9 +63,14 @@ impl Shape {
     fn named_points(&self) -> impl Iterator<Item = PointId> {
         let joints = self.joints.iter().flat_map(|joint| joint.between);
         let springs = self.springs.iter().flat_map(|spring| spring.between);
+        let lengths = self.drivers.iter().filter_map(|driver| match driver.kind {
+            DriverKind::Length { between } => Some(between),
+            DriverKind::Rotation { .. } | DriverKind::Translation { .. } => None,
+        });
         let loads = self.loads.iter().filter_map(|load| load.at);
         joints
             .chain(springs)
+            .chain(lengths.flatten())
             .chain(loads)
             .chain(self.points.iter().copied())
     }
@@ -79,13 +84,15 @@ impl Shape {
             | JointKind::Slot { .. }
             | JointKind::Fixed
             | JointKind::Contact { .. }
-            | JointKind::Cam(_) => None,
+            | JointKind::Cam(_)
+            | JointKind::Rack { .. }
+            | JointKind::Belt { .. } => None,
         });
         let driven = self.drivers.iter().flat_map(|driver| match driver.kind {
             DriverKind::Rotation {
                 body, relative_to, ..
             } => [Some(body), Some(relative_to)],
-            DriverKind::Translation { .. } => [None, None],
+            DriverKind::Translation { .. } | DriverKind::Length { .. } => [None, None],
         });
         let twisted = self.torsion_springs.iter().flat_map(|spring| spring.bodies);
         self.named_points()
@@ -101,6 +108,7 @@ impl Shape {
         let driven = self.drivers.iter().filter_map(|driver| match driver.kind {
             DriverKind::Rotation { pin, .. } => pin,
             DriverKind::Translation { joint } => Some(joint),
+            DriverKind::Length { .. } => None,
         });
         driven.chain(self.torsion_springs.iter().filter_map(|spring| spring.pin))
     }

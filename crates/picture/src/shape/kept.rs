@@ -5,7 +5,7 @@
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::parts::{Body, Joint, JointKind, PointId, Shape, Spring};
+use super::parts::{Body, Joint, JointKind, PitchLine, PointId, Pulleys, Shape, Spring};
 use crate::fault::Fault;
 
 /// Keys of `summary.json`.
@@ -43,6 +43,8 @@ enum DrawnKind {
     Revolute,
     Guide { axis: [f64; 2] },
     Gear { ratio: f64 },
+    Rack { rack: PitchLine },
+    Belt { belt: Pulleys },
     Fixed,
 }
 
@@ -66,6 +68,8 @@ impl Shape {
                     DrawnKind::Guide { axis }
                 }
                 JointKind::Gear { ratio, .. } => DrawnKind::Gear { ratio },
+                JointKind::Rack { rack } => DrawnKind::Rack { rack },
+                JointKind::Belt { belt } => DrawnKind::Belt { belt },
                 // 0.1 knew no contacts and no cams.
                 JointKind::Fixed => DrawnKind::Fixed,
                 JointKind::Cam(_) | JointKind::Contact { .. } => return None,
@@ -137,6 +141,8 @@ fn of_drawing(drawing: Drawing) -> Result<Shape, Fault> {
                 DrawnKind::Revolute => JointKind::Revolute { clearance: None },
                 DrawnKind::Guide { axis } => JointKind::Prismatic { axis },
                 DrawnKind::Gear { ratio } => JointKind::Gear { ratio, gear: None },
+                DrawnKind::Rack { rack } => JointKind::Rack { rack },
+                DrawnKind::Belt { belt } => JointKind::Belt { belt },
                 DrawnKind::Fixed => JointKind::Fixed,
             },
         })
@@ -149,6 +155,7 @@ fn of_drawing(drawing: Drawing) -> Result<Shape, Fault> {
             damped: false,
             actuator: false,
             cable: false,
+            driven: false,
         })
     };
     let body = |body: &DrawnBody| Body {

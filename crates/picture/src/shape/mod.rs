@@ -19,6 +19,6 @@ mod of_model;
 mod parts;
 
 pub use parts::{
-    Body, Clearance, Driver, DriverKind, Joint, JointKind, Load, PitchCircles, PointId, Profile,
-    Shape, Spring, TorsionSpring,
+    Body, Clearance, Driver, DriverKind, Joint, JointKind, Load, PitchCircles, PitchLine, PointId,
+    Profile, Pulleys, Shape, Spring, TorsionSpring,
 };

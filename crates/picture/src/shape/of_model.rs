@@ -4,8 +4,8 @@ use std::collections::HashMap;
 use std::f64::consts::TAU;
 
 use super::parts::{
-    Body, Clearance, Driver, DriverKind, Joint, JointKind, Load, PitchCircles, PointId, Profile,
-    Shape, Spring, TorsionSpring,
+    Body, Clearance, Driver, DriverKind, Joint, JointKind, Load, PitchCircles, PitchLine, PointId,
+    Profile, Pulleys, Shape, Spring, TorsionSpring,
 };
 use linkdyn_model::outline::{Corner, arc_centre};
 use linkdyn_model::{self as model, ClearanceModel, ForceKind, GROUND, Model, PointRef};
@@ -38,6 +38,19 @@ impl Shape {
             .iter()
             .filter_map(|(name, driver)| driver_of(&numbers, &shape, name, &driver.kind))
             .collect();
+        let lengths = shape.drivers.iter().filter_map(|driver| match driver.kind {
+            DriverKind::Length { between } => Some(Spring {
+                name: driver.name.clone(),
+                between,
+                damper: false,
+                damped: false,
+                actuator: true,
+                cable: false,
+                driven: true,
+            }),
+            DriverKind::Rotation { .. } | DriverKind::Translation { .. } => None,
+        });
+        shape.springs = lengths.collect();
         for (name, force) in &model.forces {
             shape.add_force(&numbers, name, &force.kind);
         }
@@ -59,6 +72,7 @@ impl Shape {
                 damped: *stiffness != 0.0 && *damping != 0.0,
                 actuator: false,
                 cable: false,
+                driven: false,
             }),
             ForceKind::Actuator { between, .. } => self.springs.push(Spring {
                 name,
@@ -67,6 +81,7 @@ impl Shape {
                 damped: false,
                 actuator: true,
                 cable: false,
+                driven: false,
             }),
             ForceKind::Cable { through, .. } => {
                 let stretches = through.windows(2).map(|pair| Spring {
@@ -76,6 +91,7 @@ impl Shape {
                     damped: false,
                     actuator: false,
                     cable: true,
+                    driven: false,
                 });
                 self.springs.extend(stretches);
             }
@@ -185,6 +201,18 @@ fn joint_of(numbers: &Numbers, name: &str, joint: &model::Joint) -> Joint {
             roller: cam.roller_radius,
             face: cam.face,
         })),
+        model::JointKind::Rack { axis, radius, .. } => JointKind::Rack {
+            rack: PitchLine {
+                axis: unit(*axis),
+                radius: *radius,
+            },
+        },
+        model::JointKind::Belt { radii, strands, .. } => JointKind::Belt {
+            belt: Pulleys {
+                radii: *radii,
+                crossed: *strands == model::Strands::Crossed,
+            },
+        },
         model::JointKind::Fixed { .. } => JointKind::Fixed,
         model::JointKind::Contact { radius, arc, .. } => JointKind::Contact {
             outlines: joint
@@ -226,6 +254,12 @@ fn corners(outline: &[Corner]) -> Vec<[f64; 2]> {
         corners.push(to);
     }
     corners
+}
+
+/// The same direction, length one.
+fn unit([u, v]: [f64; 2]) -> [f64; 2] {
+    let length = u.hypot(v);
+    [u / length, v / length]
 }
 
 /// Wheels roll on each other: |R₁| = |ratio|·|R₂|, R₂ = ℓ/(1 − ratio), where ℓ is the distance of their centres.
@@ -288,6 +322,9 @@ fn driver_of(
                 pin: shape.pin_between([body, relative_to]),
             }
         }
+        model::DriverKind::Length { between } => DriverKind::Length {
+            between: numbers.ends(between),
+        },
         model::DriverKind::Translation { joint } => DriverKind::Translation {
             joint: numbers.model.joints.get_index_of(joint)?,
         },

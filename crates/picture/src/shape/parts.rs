@@ -81,6 +81,16 @@ pub enum JointKind {
     },
     /// A cam and its follower.
     Cam(Box<Profile>),
+    /// A wheel that rolls on a line of the second body.
+    Rack {
+        /// The line and its wheel.
+        rack: PitchLine,
+    },
+    /// Two pulleys with a belt.
+    Belt {
+        /// The pulleys.
+        belt: Pulleys,
+    },
     /// A weld.
     Fixed,
     /// A tip that may touch an outline.
@@ -124,6 +134,25 @@ pub struct PitchCircles {
     pub carrier: usize,
 }
 
+/// A wheel's pitch circle, and the line of the second body on which it rolls.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct PitchLine {
+    /// Direction of the line in the frame of the second body, length one.
+    pub axis: [f64; 2],
+    /// Radius of the wheel \[m\]; negative where the line lies to the left of its centre, looking along the axis.
+    pub radius: f64,
+}
+
+/// The pulleys of a belt.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Pulleys {
+    /// Radii of the first and the second one \[m\].
+    pub radii: [f64; 2],
+    /// Whether the strands cross.
+    #[serde(default, skip_serializing_if = "is_not")]
+    pub crossed: bool,
+}
+
 /// Clearance of a pin.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Clearance {
@@ -152,6 +181,9 @@ pub struct Spring {
     /// A stretch of a cable.
     #[serde(default, skip_serializing_if = "is_not")]
     pub cable: bool,
+    /// The driver of this name has its length.
+    #[serde(default, skip_serializing_if = "is_not")]
+    pub driven: bool,
 }
 
 /// A spring or damper between the angles of two bodies.
@@ -216,6 +248,11 @@ pub enum DriverKind {
         /// The driven joint.
         joint: usize,
     },
+    /// The distance of two points.
+    Length {
+        /// First and second point.
+        between: [PointId; 2],
+    },
 }
 
 /// What is false is left out, as before there was the key.
@@ -272,7 +309,9 @@ impl Joint {
             | JointKind::Gear { .. }
             | JointKind::Fixed
             | JointKind::Contact { .. }
-            | JointKind::Cam(_) => None,
+            | JointKind::Cam(_)
+            | JointKind::Rack { .. }
+            | JointKind::Belt { .. } => None,
         }
     }
 

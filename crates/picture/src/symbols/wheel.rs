@@ -4,14 +4,14 @@ use crate::scene::{Ink, Pen, Place, Scene};
 
 /// Length of a tooth with its gap along the pitch circle, half its depth, and the rim of an internal wheel, in bars.
 const PITCH: f64 = 2.0;
-const DEPTH: f64 = 0.42;
-const RIM: f64 = 1.5;
+pub(super) const DEPTH: f64 = 0.42;
+pub(super) const RIM: f64 = 1.5;
 /// Least and greatest number of teeth: they are a sign, not those of the wheel.
 const TEETH: [f64; 2] = [8.0, 240.0];
 /// Where a tooth changes between root (−1) and tip (1), as parts of its pitch.
 const TOOTH: [[f64; 2]; 4] = [[0.0, -1.0], [0.3, -1.0], [0.45, 1.0], [0.85, 1.0]];
 /// How much of the fill a wheel has: what lies behind shows through.
-const FILL: f64 = 0.45;
+pub(super) const FILL: f64 = 0.45;
 
 /// A wheel with its pitch circle on the page.
 #[derive(Debug, Clone, Copy)]
@@ -35,11 +35,29 @@ impl Wheel {
         ]
     }
 
+    /// Draws two spokes of that length \[pt\].
+    pub(super) fn spokes(&self, scene: &mut Scene, reach: f64, pen: Pen) {
+        let dashed = Pen {
+            dash: &[3.0, 2.0],
+            ink: pen.ink.faded(0.6),
+            ..pen
+        };
+        for quarter in [0.0, std::f64::consts::FRAC_PI_2] {
+            let ends = [reach, -reach].map(|radius| self.at(radius, quarter));
+            scene.line("spoke", ends, dashed);
+        }
+    }
+
+    /// Number of its teeth.
+    pub(super) fn count(&self, bar: f64) -> f64 {
+        (std::f64::consts::TAU * self.radius / (PITCH * bar))
+            .round()
+            .clamp(TEETH[0], TEETH[1])
+    }
+
     fn teeth(&self, bar: f64) -> Vec<Place> {
         let around = std::f64::consts::TAU;
-        let count = (around * self.radius / (PITCH * bar))
-            .round()
-            .clamp(TEETH[0], TEETH[1]);
+        let count = self.count(bar);
         let tooth = |k: usize| {
             TOOTH.map(|[part, out]| {
                 let angle = around * (k as f64 + part) / count;
@@ -60,15 +78,7 @@ pub fn wheel(scene: &mut Scene, wheel: &Wheel, bar: f64, (fill, pen): (Ink, Pen)
     }
     scene.area("wheel", teeth, fill, Some(pen));
     let reach = (wheel.radius - 2.0 * DEPTH * bar).max(0.0);
-    let dashed = Pen {
-        dash: &[3.0, 2.0],
-        ink: pen.ink.faded(0.6),
-        ..pen
-    };
-    for quarter in [0.0, std::f64::consts::FRAC_PI_2] {
-        let ends = [reach, -reach].map(|radius| wheel.at(radius, quarter));
-        scene.line("spoke", ends, dashed);
-    }
+    wheel.spokes(scene, reach, pen);
 }
 
 /// A ring with teeth inside: its area goes around outside, and back inside.

@@ -58,6 +58,41 @@ pub const CASES: &[Case] = &[
         ],
     },
     Case {
+        what: "length of one body, and of a point that is not there",
+        edits: &[(
+            r#""drivers": {"#,
+            "\"drivers\": {\n    \"oil\": { \"type\": \"length\", \"between\": [\"crank.O\", \"crank.A\"], \"motion\": { \"type\": \"constant_velocity\", \"velocity\": 1 } },\n    \"air\": { \"type\": \"length\", \"between\": [\"crank.O\", \"rocker.Z\"], \"motion\": { \"type\": \"constant_velocity\", \"velocity\": 1 } },",
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 23, column 43: drivers.oil.between: both points are of "crank", whose distance is what it is (name points of two bodies)"#,
+            r#"line 24, column 55: drivers.air.between[1]: "rocker.Z": body "rocker" has no point "Z" (its points: Q, B)"#,
+        ],
+    },
+    Case {
+        what: "two drivers of one length",
+        edits: &[(
+            r#""drivers": {"#,
+            "\"drivers\": {\n    \"oil\": { \"type\": \"length\", \"between\": [\"crank.A\", \"ground.Q\"], \"motion\": { \"type\": \"constant_velocity\", \"velocity\": 1 } },\n    \"air\": { \"type\": \"length\", \"between\": [\"ground.Q\", \"crank.A\"], \"motion\": { \"type\": \"constant_velocity\", \"velocity\": 1 } },",
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 24, column 12: drivers.air: the distance of crank.A and ground.Q is driven by "oil" already (keep one of them)"#,
+        ],
+    },
+    Case {
+        what: "length that is an angle, between nothing",
+        edits: &[(
+            r#""drivers": {"#,
+            "\"drivers\": {\n    \"oil\": { \"type\": \"length\", \"motion\": { \"type\": \"constant_velocity\", \"start\": \"20 deg\", \"velocity\": 1 } },",
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 23, column 12: drivers.oil: "between" is missing (the two ends, as in "between": ["ground.A", "crank.A"])"#,
+            r#"line 23, column 82: drivers.oil.motion.start: "20 deg": "deg" is not a unit of length (such as "m")"#,
+        ],
+    },
+    Case {
         what: "coefficient of another order",
         edits: &[(r#"[60, "10 rad/s"]"#, r#"[60, 0, "10 rad/s"]"#)],
         sets: &[],

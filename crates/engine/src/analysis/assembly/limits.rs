@@ -1,6 +1,6 @@
 //! Numbers that are too large or too small to be computed with.
 
-use crate::system::{Block, Evaluation, Inputs, Origin, System};
+use crate::system::{Block, DriverData, DriverRole, Evaluation, Inputs, Origin, System};
 use linkdyn_model::error::Complaint;
 
 /// Lengths up to which squares, and what is made of them, do not overflow \[m\]; as large angles may be \[rad\], and what a
@@ -14,6 +14,7 @@ const SHORTEST: f64 = 1e-60;
 pub(super) fn beyond_numbers(system: &System, inputs: &Inputs) -> Option<Complaint> {
     too_long(system)
         .or_else(|| too_short(system))
+        .or_else(|| no_length(system, inputs))
         .or_else(|| too_far(system, inputs))
         .or_else(|| too_steep(system, inputs))
 }
@@ -57,6 +58,22 @@ pub fn too_short(system: &System) -> Option<Complaint> {
     })?;
     let path = format!("joints.{}.clearance.radius", joint.name);
     Some(complaint(path, "the radial clearance"))
+}
+
+/// Complains of a driven length that no two points have.
+fn no_length(system: &System, inputs: &Inputs) -> Option<Complaint> {
+    let mut drivers = system.drivers.iter().zip(&inputs.drive);
+    let is_none = |driver: &DriverData, value: f64| {
+        matches!(driver.role, DriverRole::Length { .. }) && value <= 0.0
+    };
+    let (driver, value) = drivers.find(|(driver, value)| is_none(driver, value[0]))?;
+    let length = system.display.length(value[0]);
+    let path = format!("drivers.{}.motion", driver.name);
+    let message = format!(
+        "the length begins at {length}, and points that are driven apart have a distance above 0"
+    );
+    let hint = "a driven length is the whole distance of its points, not the stroke";
+    Some(Complaint::new(path, message).hint(hint))
 }
 
 /// Complains of a joint, driver or initial value that is further from the drawing than can be computed with.

@@ -5,6 +5,7 @@ mod beside;
 mod determined;
 mod diagnosis;
 mod limits;
+mod meeting;
 mod mobility;
 mod overlap;
 mod ranks;
@@ -35,7 +36,7 @@ pub fn assemble(system: &System, inputs: &Inputs) -> Result<Assembled, Stop> {
     }
     let all: Vec<&Block> = system.blocks.iter().chain(&system.initial).collect();
     let closed = close(system, &all, &system.guess, inputs);
-    let (q, iterations, warnings) = if closed.converged {
+    let (q, iterations, mut warnings) = if closed.converged {
         (closed.q, closed.iterations, Vec::new())
     } else {
         diagnose(system, inputs, closed)?
@@ -48,6 +49,7 @@ pub fn assemble(system: &System, inputs: &Inputs) -> Result<Assembled, Stop> {
     {
         overlap::refuse(system, &q, inputs)?;
     }
+    warnings.extend(meeting::doubts(system, &q, inputs)?);
     let mobility = mobility(system, &joints);
     Ok(Assembled {
         q,

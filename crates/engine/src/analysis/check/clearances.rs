@@ -18,7 +18,9 @@ pub fn clearances(model: &Model) -> impl Iterator<Item = (&str, ClearanceModel)>
             | JointKind::Gear { .. }
             | JointKind::Fixed { .. }
             | JointKind::Contact { .. }
-            | JointKind::Cam(_) => None,
+            | JointKind::Cam(_)
+            | JointKind::Rack { .. }
+            | JointKind::Belt { .. } => None,
         })
 }
 

@@ -60,15 +60,8 @@ pub(super) fn angles(model: &Model, degrees: bool, found: &mut Vec<Complaint>) {
         look(format!("bodies.{name}.pose.angle"), body.pose.angle);
     }
     for (name, joint) in &model.joints {
-        match joint.kind {
-            JointKind::Prismatic { angle, .. } | JointKind::Fixed { angle } => {
-                look(format!("joints.{name}.angle"), angle)
-            }
-            JointKind::Revolute { .. }
-            | JointKind::Slot { .. }
-            | JointKind::Gear { .. }
-            | JointKind::Contact { .. }
-            | JointKind::Cam(_) => {}
+        if let JointKind::Prismatic { angle, .. } | JointKind::Fixed { angle } = joint.kind {
+            look(format!("joints.{name}.angle"), angle);
         }
     }
     for (name, initial) in &model.initial {
@@ -78,7 +71,7 @@ pub(super) fn angles(model: &Model, degrees: bool, found: &mut Vec<Complaint>) {
     }
     for (name, driver) in &model.drivers {
         let start = match (&driver.kind, &driver.motion) {
-            (DriverKind::Translation { .. }, _) => continue,
+            (DriverKind::Translation { .. } | DriverKind::Length { .. }, _) => continue,
             (DriverKind::Rotation { .. }, Motion::Polynomial { coefficients }) => coefficients
                 .first()
                 .map(|start| ("coefficients[0]", *start)),

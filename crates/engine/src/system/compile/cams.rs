@@ -174,6 +174,8 @@ impl Compiler<'_> {
                 JointKind::Slot { .. }
                 | JointKind::Gear { .. }
                 | JointKind::Cam(_)
+                | JointKind::Rack { .. }
+                | JointKind::Belt { .. }
                 | JointKind::Fixed { .. }
                 | JointKind::Contact { .. } => None,
             }

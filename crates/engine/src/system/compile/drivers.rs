@@ -3,6 +3,7 @@
 use super::Compiler;
 use super::laws::law;
 use crate::element::coordinate::Coordinate;
+use crate::element::distance::Distance;
 use crate::element::driven::{DriveId, Rotation, Translation};
 use crate::element::prismatic::Guide;
 use crate::element::{Axis, BodyId, Constraint, Marker, Measure};
@@ -29,6 +30,15 @@ impl Compiler<'_> {
                         Measure::Angle,
                     )
                 }
+                DriverKind::Length { between } => {
+                    let [first, second] = between.each_ref().map(|end| self.marker(end));
+                    let length = Distance {
+                        first,
+                        second,
+                        drive,
+                    };
+                    (Arc::new(length), Measure::Length)
+                }
                 DriverKind::Translation { joint } => {
                     let joint = &self.model.joints[joint];
                     let axis = match &joint.kind {
@@ -40,7 +50,9 @@ impl Compiler<'_> {
                         | JointKind::Gear { .. }
                         | JointKind::Fixed { .. }
                         | JointKind::Contact { .. }
-                        | JointKind::Cam(_) => Vec2::x(),
+                        | JointKind::Cam(_)
+                        | JointKind::Rack { .. }
+                        | JointKind::Belt { .. } => Vec2::x(),
                     };
                     let (first, second) = (
                         self.marker(&joint.between[0]),

@@ -135,6 +135,9 @@ impl Compiler<'_> {
                 first: relative_to,
                 second: body,
             },
+            DriverRole::Length {
+                between: [first, second],
+            } => Measured::Distance { first, second },
             DriverRole::Translation { joint } => {
                 let joint = &self.system.joints[joint.0];
                 let [first, second] = joint.points;

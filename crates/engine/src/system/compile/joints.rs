@@ -2,31 +2,45 @@
 
 use super::needs::{bearing, clearance};
 use super::{Compiler, roles};
+use crate::element::belt::Belt;
 use crate::element::cam::Cam;
 use crate::element::fixed::Fixed;
-use crate::element::gear::Gear;
 use crate::element::joint_friction::{GuideFriction, PinFriction};
 use crate::element::journal::{Bearing, Free, Journal};
 use crate::element::pair::{ContactId, Pair, Shape};
 use crate::element::prismatic::{Guide, Prismatic};
 use crate::element::revolute::{OffsetId, Revolute};
 use crate::element::slot::Slot;
-use crate::element::{BodyId, Constraint, ConstraintDependentForce, Marker, Measure};
+use crate::element::{Constraint, ConstraintDependentForce, Marker, Measure};
 use crate::system::{
     ClearanceLink, ContactRows, DependentForce, JointData, JointFriction, JointId, Origin,
 };
 use linkdyn_linear::math::{Vec2, unit};
-use linkdyn_model::{Carrier, Clearance, ClearanceModel, JointKind};
+use linkdyn_model::{Clearance, ClearanceModel, JointKind};
 use std::sync::Arc;
 
 /// What a joint becomes.
-struct Made {
+pub(super) struct Made {
     constraint: Arc<dyn Constraint>,
     /// Whether it carries a torque.
     torque: bool,
     link: Option<ClearanceLink>,
     contact: Option<ContactId>,
+    pub(super) belt: Option<Box<Belt>>,
     cam: Option<Arc<Cam>>,
+}
+
+impl Made {
+    pub(super) fn of(constraint: Arc<dyn Constraint>, torque: bool) -> Made {
+        Made {
+            constraint,
+            torque,
+            link: None,
+            contact: None,
+            belt: None,
+            cam: None,
+        }
+    }
 }
 
 impl Compiler<'_> {
@@ -35,7 +49,10 @@ impl Compiler<'_> {
         self.system.joints.reserve_exact(model.joints.len());
         for (k, (name, joint)) in model.joints.iter().enumerate() {
             let points = [0, 1].map(|side: usize| self.marker(&joint.between[side]));
-            let made = self.joint(k, name, &joint.kind, points);
+            let made = match &joint.kind {
+                JointKind::Belt { .. } => self.belt(name, joint, points),
+                kind => self.joint(k, name, kind, points),
+            };
             let friction = self.friction(k, name, &joint.kind, points);
             self.system.joints.push(JointData {
                 name: name.clone(),
@@ -50,6 +67,7 @@ impl Compiler<'_> {
                 stops: None,
                 edges: 0..0,
                 friction,
+                belt: made.belt,
             });
             self.push_block(made.constraint, Origin::Joint(JointId(k)));
         }
@@ -84,6 +102,13 @@ impl Compiler<'_> {
                 let torque = made.is_face();
                 (made, torque)
             }
+            JointKind::Rack {
+                axis,
+                radius,
+                offset,
+            } => (Arc::new(self.rack(points, *axis, *radius, *offset)), true),
+            // The caller has taken belts.
+            JointKind::Belt { .. } => (Arc::new(Free), true),
             JointKind::Fixed { angle } => {
                 let angle = *angle;
                 let weld = Fixed {
@@ -95,11 +120,8 @@ impl Compiler<'_> {
             }
         };
         Made {
-            constraint,
-            torque,
-            link: None,
-            contact: None,
             cam,
+            ..Made::of(constraint, torque)
         }
     }
 
@@ -117,13 +139,7 @@ impl Compiler<'_> {
             second,
             offset,
         };
-        let ideal = Made {
-            constraint: Arc::new(pin(None)),
-            torque: false,
-            link: None,
-            contact: None,
-            cam: None,
-        };
+        let ideal = Made::of(Arc::new(pin(None)), false);
         let Some(clearance) = clearance else {
             return ideal;
         };
@@ -230,7 +246,9 @@ impl Compiler<'_> {
             | JointKind::Gear { .. }
             | JointKind::Fixed { .. }
             | JointKind::Contact { .. }
-            | JointKind::Cam(_) => return None,
+            | JointKind::Cam(_)
+            | JointKind::Rack { .. }
+            | JointKind::Belt { .. } => return None,
         };
         // Blocks stand in the order of the joints.
         self.system.dependent_forces.push(DependentForce {
@@ -241,27 +259,5 @@ impl Compiler<'_> {
             force: self.system.dependent_forces.len() - 1,
             measure,
         })
-    }
-
-    /// A gear pair; without an angle it meshes as drawn.
-    fn gear(&self, wheels: [Marker; 2], ratio: f64, angle: Option<f64>, carrier: &Carrier) -> Gear {
-        let [first, second] = wheels;
-        let span = Vec2::from(carrier.centres[1]) - Vec2::from(carrier.centres[0]);
-        let carrier = self.body(carrier.body);
-        let drawn = |body: BodyId| {
-            let columns = self.system.layout.columns(body);
-            columns.map_or(0.0, |columns| self.system.guess[columns.theta()])
-        };
-        let from_carrier = |wheel: Marker| drawn(wheel.body) - drawn(carrier);
-        let angle = angle.unwrap_or_else(|| from_carrier(second) - ratio * from_carrier(first));
-        Gear {
-            first,
-            second,
-            carrier,
-            axis: unit(span),
-            distance: span.norm(),
-            ratio,
-            angle,
-        }
     }
 }

@@ -12,6 +12,7 @@ mod needs;
 mod profiles;
 mod roles;
 mod stops;
+mod wheels;
 
 pub use laws::{law, value_law};
 #[doc(hidden)]
@@ -139,6 +140,7 @@ impl<'a> Compiler<'a> {
         self.add_initial();
         self.add_forces();
         self.add_states();
+        self.add_strands();
         self.add_outputs();
         self.system.scale = Scale::of(&self.system);
         self.system.kinks = self.kinks();

@@ -45,7 +45,9 @@ pub(super) fn clearance(kind: &JointKind) -> Option<&linkdyn_model::Clearance> {
         | JointKind::Gear { .. }
         | JointKind::Fixed { .. }
         | JointKind::Contact { .. }
-        | JointKind::Cam(_) => None,
+        | JointKind::Cam(_)
+        | JointKind::Rack { .. }
+        | JointKind::Belt { .. } => None,
     }
 }
 
@@ -138,7 +140,9 @@ fn frictions<'a>(
             | JointKind::Gear { .. }
             | JointKind::Fixed { .. }
             | JointKind::Contact { .. }
-            | JointKind::Cam(_) => continue,
+            | JointKind::Cam(_)
+            | JointKind::Rack { .. }
+            | JointKind::Belt { .. } => continue,
         };
         let radius = pin.map_or(Ok(0.0), |radius| {
             need(&path, "pin_radius", radius, |radius| radius > 0.0)

@@ -19,6 +19,11 @@ pub(super) fn joint_role(kind: &JointKind) -> JointRole {
         },
         JointKind::Gear { .. } => JointRole::Gear,
         JointKind::Cam(_) => JointRole::Cam,
+        JointKind::Rack { axis, radius, .. } => JointRole::Rack {
+            axis: unit(Vec2::from(*axis)),
+            radius: *radius,
+        },
+        JointKind::Belt { .. } => JointRole::Belt,
         JointKind::Fixed { .. } => JointRole::Fixed,
         JointKind::Contact { .. } => JointRole::Contact,
     }
@@ -33,6 +38,9 @@ impl Compiler<'_> {
                 relative_to: relative_to
                     .as_deref()
                     .map_or(BodyId::GROUND, |name| self.body(name)),
+            },
+            DriverKind::Length { between } => DriverRole::Length {
+                between: between.each_ref().map(|end| self.marker(end)),
             },
             DriverKind::Translation { joint } => DriverRole::Translation {
                 // The loader knows each joint that a driver names.

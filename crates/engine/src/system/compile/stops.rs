@@ -36,7 +36,9 @@ impl Compiler<'_> {
             | JointKind::Gear { .. }
             | JointKind::Fixed { .. }
             | JointKind::Contact { .. }
-            | JointKind::Cam(_) => None,
+            | JointKind::Cam(_)
+            | JointKind::Rack { .. }
+            | JointKind::Belt { .. } => None,
         };
         let arm = axis.map_or(self.system.size, |_| 1.0);
         let pair = Pair {

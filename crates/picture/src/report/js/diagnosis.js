@@ -29,7 +29,7 @@
   const { mobility, quality, statistics, timing, settings, equilibrium } = summary;
   // A sample is in the unit of its driver, the rest that has one is time.
   const settingUnit = ([key, inner]) => {
-    if (key === "sample") return mechanism.drivers.find(({ name }) => name === settings.sample.driver)?.type === "translation" ? "m" : "rad";
+    if (key === "sample") return mechanism.drivers.find(({ name }) => name === settings.sample.driver)?.type === "rotation" ? "rad" : "m";
     return key === "end" || ["max_step", "initial_step", "max_wall_time"].includes(inner) ? "s" : undefined;
   };
   const small = (value) => value === null || value === undefined ? undefined : units.number(value, 3);

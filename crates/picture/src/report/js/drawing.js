@@ -2,7 +2,7 @@
 // The mechanism on a canvas at one instant, layer by layer. `to` turns metres into pixels, `px` is the size of a detail in pixels.
 (() => {
   const { mechanism, shapes, symbols } = linkdyn;
-  const { path, hatch, disc, support, arrow, round, spring, coil, roundDashpot, strip, wheel, cylinder } = symbols;
+  const { path, hatch, disc, support, arrow, round, spring, coil, roundDashpot, strip, wheel, rack, pulley, belt, cylinder } = symbols;
 
   // Colours of the style sheet, as the canvas needs them.
   const probe = document.createElement("span");
@@ -28,8 +28,24 @@
   };
 
   // Behind all: wheels.
-  const wheels = ({ pen, at, scale, px, row, colours }) => {
-    for (const { between, gear } of mechanism.joints) {
+  const wheels = ({ pen, at, direction, scale, px, row, colours }) => {
+    for (const [k, { between, gear, rack: line, belt: pulleys }] of mechanism.joints.entries()) {
+      if (pulleys) {
+        const centres = between.map(at), poses = between.map(([number]) => shapes.pose(number, row)), radii = pulleys.radii.map((r) => r * scale);
+        if (!centres.every(Boolean) || !poses.every(Boolean)) continue;
+        between.forEach(([number], end) => pulley(pen, colours.body(number), centres[end], poses[end][2], radii[end], px));
+        pen.strokeStyle = colours.steel;
+        belt(pen, centres, radii, pulleys.crossed, px);
+      }
+      if (line) {
+        const pose = shapes.pose(between[0][0], row), [c, b] = between.map(at), a = direction(between[1][0], line.axis), stroke = shapes.strokes[k];
+        if (!pose || !c || !b || !a || !stroke) continue;
+        const long = Math.hypot(...a), u = [a[0] / long, a[1] / long], side = Math.sign(line.radius), radius = Math.abs(line.radius);
+        const here = (c[0] - b[0]) * u[0] + (c[1] - b[1]) * u[1], n = [u[1] * side, -u[0] * side];
+        const ends = [stroke[0] - 0.6 * radius, stroke[1] + 0.6 * radius].map((far) => far * scale - here);
+        rack(pen, colours.body(between[1][0]), c, pose[2], radius * scale, u, n, ends, px);
+        wheel(pen, colours.body(between[0][0]), c, pose[2], radius * scale, px, false);
+      }
       if (!gear) continue;
       const bigger = gear.radii[0] > gear.radii[1] ? 0 : 1;
       between.forEach((end, k) => {
@@ -232,7 +248,7 @@
     } else if (joint.type === "fixed") {
       pen.fillStyle = colours.steel; pen.fillRect(b[0] - px * 0.45, b[1] - px * 0.45, px * 0.9, px * 0.9);
     }
-    if (show.joints && joint.type !== "gear") names.push({ text: joint.name, at: b, colour: colours.ink, beside: px, key: `joint ${k}` });
+    if (show.joints && !["gear", "rack", "belt"].includes(joint.type)) names.push({ text: joint.name, at: b, colour: colours.ink, beside: px, key: `joint ${k}` });
   });
 
   // Where something turns: around a pin, else at a body.
@@ -291,6 +307,7 @@
   // Drivers: an arrow round the pin, or along the guide.
   const drivers = ({ pen, at, direction, px, colours, show }) => {
     if (show.drivers) for (const driver of mechanism.drivers) {
+      if (driver.type === "length") continue;
       pen.strokeStyle = pen.fillStyle = colours.accent;
       if (driver.type === "translation") {
         const { between, axis } = mechanism.joints[driver.joint], b = at(between[1]), u = direction(between[0][0], axis);

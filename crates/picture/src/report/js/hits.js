@@ -12,7 +12,7 @@
   const joints = mechanism.joints.map(({ name, type, between, clearance }, k) => ({
     name, kind: clearance ? `${type} with clearance` : type, at: (row) => shapes.place(between[1], row),
     columns: list(`joint.${name}`, ["angle", "omega", "slide", "rate", "f", "fx", "fy", "torque", "eccentricity", "penetration", "normal_force", "sliding_speed", "pressure_angle", "curvature"]),
-    plot: clearance ? ["f", "eccentricity"] : ["f", "torque"], owner: `joint.${name}`, hidden: type === "gear" && k >= 0,
+    plot: clearance ? ["f", "eccentricity"] : ["f", "torque"], owner: `joint.${name}`, hidden: ["gear", "rack", "belt"].includes(type) && k >= 0,
   })).filter(({ hidden }) => !hidden);
   const drivers = mechanism.drivers.map(({ name }) => ({ name, columns: list(`driver.${name}`, ["value", "effort"]), owner: `driver.${name}`, plot: ["effort"] }));
   const points = mechanism.points.map(([body, number]) => {
@@ -22,13 +22,14 @@
   const loads = mechanism.loads.map(({ name, at, body }) => ({
     name, kind: "load", at: (row) => shapes.place(at || [body, 0], row), columns: list(`force.${name}`, ["f", "fx", "fy", "torque", "power"]), owner: `force.${name}`, plot: ["f", "torque"],
   }));
-  const springs = mechanism.springs.map(({ name, between, damper, damped, actuator, cable }) => ({
+  const springs = mechanism.springs.map(({ name, between, damper, damped, actuator, driven, cable }) => driven ? { name, kind: "driven length", between, ...drivers.find((driver) => driver.name === name) } : ({
     name, kind: cable ? "cable" : actuator ? "actuator" : damper ? "damper" : damped ? "spring and damper" : "spring", between,
     columns: list(`force.${name}`, ["length", "rate", "f", "fx", "fy", "power"]), plot: ["f", "length"], owner: `force.${name}`,
   }));
   const bodies = mechanism.bodies.map(({ name }, k) => ({ name, kind: "body", body: k, columns: k ? list(name, ["x", "y", "angle", "omega", "alpha"]) : [], owner: name, plot: ["angle", "omega"] }));
   // A driver is told of with the joint that it turns or pushes.
   mechanism.drivers.forEach((driver, k) => {
+    if (driver.type === "length") return;
     const number = driver.type === "translation" ? driver.joint : driver.pin;
     const owner = number === undefined ? bodies[driver.body] : joints.find(({ name }) => name === mechanism.joints[number].name) || bodies[driver.body];
     if (owner) owner.driver = drivers[k];

@@ -77,7 +77,9 @@ linkdyn.measureShapes = () => {
     return low > high ? [0, 0] : [low, high];
   };
   // How far guides reach; one on a body reaches to the body's point.
-  const strokes = mechanism.joints.map((joint) => !joint.axis ? null : joint.between[0][0] === 0 ? slides(joint) : slides(joint, 0, 0));
+  // The way of a wheel along its rack is measured from the rack.
+  const onRack = ({ between, rack }) => slides({ between: [between[1], between[0]], axis: rack.axis }, 0, 0);
+  const strokes = mechanism.joints.map((joint) => joint.rack ? onRack(joint) : !joint.axis ? null : joint.between[0][0] === 0 ? slides(joint) : slides(joint, 0, 0));
 
   // A driven slide between moving bodies is a cylinder: where barrel and piston are along its axis, from the first and the second
   // point of the joint \[m\]. Bodies of which all points lie on the axis are drawn as part of it.
@@ -145,9 +147,11 @@ linkdyn.measureShapes = () => {
         add(place(between[1], row), radius);
       }
     }
-    for (const { between, gear, outline, roller, reach } of mechanism.joints) {
+    for (const { between, gear, outline, roller, reach, rack, belt } of mechanism.joints) {
       if (outline) for (const row of sampled) add(place(between[0], row), Math.min(Math.max(0, ...outline.map(([x, y]) => Math.hypot(x, y))), 1e6));
       if (outline) for (const row of sampled) add(place(between[1], row), Math.min(roller || reach || 0, 1e6));
+      if (belt) for (const row of sampled) between.forEach((end, k) => add(place(end, row), Math.min(belt.radii[k], 1e6)));
+      if (rack) for (const row of sampled) add(place(between[0], row), Math.min(Math.abs(rack.radius), 1e6));
       if (gear) for (const row of sampled) between.forEach((end, k) => add(place(end, row), Math.min(gear.radii[k], 1e6)));
     }
     if (!Number.isFinite(left)) return [-0.1, 0.1, -0.1, 0.1];

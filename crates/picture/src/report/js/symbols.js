@@ -141,8 +141,9 @@
     pen.closePath();
   };
 
+  const toothCount = (radius, px) => Math.min(Math.max(Math.round(2 * Math.PI * radius / (px * 1.3)), 8), 240);
   const wheel = (pen, colours, centre, angle, radius, px, internal) => {
-    const teeth = Math.min(Math.max(Math.round(2 * Math.PI * radius / (px * 1.3)), 8), 240), deep = px * 0.28;
+    const teeth = toothCount(radius, px), deep = px * 0.28;
     pen.beginPath();
     for (let k = 0; k < teeth; k++) {
       for (const [part, out] of [[0, -1], [0.3, -1], [0.45, 1], [0.85, 1]]) {
@@ -173,5 +174,49 @@
     pen.globalAlpha = 1;
   };
 
-  linkdyn.symbols = { path, hatch, disc, support, arrow, round, spring, coil, roundDashpot, strip, wheel, cylinder };
+  // A pulley, and the belt around two of them; strands touch both circles.
+  const pulley = (pen, colours, centre, angle, radius, px) => {
+    pen.beginPath(); pen.arc(...centre, radius, 0, 2 * Math.PI);
+    pen.globalAlpha = 0.45; pen.fillStyle = colours.fill; pen.fill(); pen.globalAlpha = 1;
+    pen.lineWidth = 1.3; pen.strokeStyle = colours.line; pen.stroke();
+    pen.setLineDash([px * 0.6, px * 0.4]);
+    pen.globalAlpha = 0.6;
+    for (let k = 0; k < 2; k++) {
+      const turned = -angle + k * Math.PI / 2, [c, s] = [Math.cos(turned), Math.sin(turned)].map((v) => v * radius);
+      path(pen, [[centre[0] - c, centre[1] - s], [centre[0] + c, centre[1] + s]]);
+      pen.stroke();
+    }
+    pen.setLineDash([]);
+    pen.globalAlpha = 1;
+  };
+  const belt = (pen, [first, second], [one, two], crossed, px) => {
+    const [x, y] = [second[0] - first[0], second[1] - first[1]], sin = (one + (crossed ? two : -two)) / Math.hypot(x, y);
+    if (!(Math.abs(sin) < 1)) return;
+    const line = Math.atan2(y, x), leave = Math.PI / 2 - Math.asin(sin), meet = crossed ? Math.PI - leave : leave;
+    pen.beginPath();
+    pen.arc(...first, one, line + leave, line - leave + 2 * Math.PI);
+    pen.arc(...second, two, line + (crossed ? meet : -meet), line + (crossed ? -meet : meet), crossed);
+    pen.closePath();
+    pen.lineWidth = px * 0.3; pen.stroke();
+  };
+  // Teeth of a rack along `u` from `back` to `forth` of the point where its wheel rolls, `n` towards the wheel's centre: a tip where the
+  // wheel has its root.
+  const rack = (pen, colours, centre, angle, radius, u, n, [back, forth], px) => {
+    const teeth = toothCount(radius, px), pitch = 2 * Math.PI * radius / teeth, deep = px * 0.28;
+    const part = (Math.atan2(-n[1], -n[0]) + angle) * teeth / (2 * Math.PI), side = Math.sign(-n[0] * u[1] + n[1] * u[0]);
+    const ends = [back, forth].map((far) => part + side * far / pitch), first = Math.floor(Math.min(...ends));
+    const last = Math.min(Math.ceil(Math.max(...ends)), first + 500);
+    const at = (along, across) => [0, 1].map((k) => centre[k] + along * u[k] + (across - radius) * n[k]);
+    const outline = [];
+    for (let k = first; k < last; k++) {
+      for (const [of, out] of [[0, 1], [0.3, 1], [0.45, -1], [0.85, -1]]) outline.push(at(side * (k + of - part) * pitch, out * deep));
+    }
+    if (outline.length === 0) return;
+    outline.push(at(side * (last - 0.15 - part) * pitch, -px), at(side * (first - part) * pitch, -px));
+    path(pen, outline, true);
+    pen.globalAlpha = 0.45; pen.fillStyle = colours.fill; pen.fill(); pen.globalAlpha = 1;
+    pen.lineWidth = 1.3; pen.strokeStyle = colours.line; pen.stroke();
+  };
+
+  linkdyn.symbols = { path, hatch, disc, support, arrow, round, spring, coil, roundDashpot, strip, wheel, rack, pulley, belt, cylinder };
 })();

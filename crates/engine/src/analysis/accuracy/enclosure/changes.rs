@@ -74,6 +74,8 @@ pub(super) fn changes(system: &System, at: &Kinematics, radii: &Radii) -> Vec<Ch
                         mean: f64::INFINITY,
                         most: f64::INFINITY,
                     }),
+                    // No question is answered of a mechanism with one.
+                    JointRole::Rack { .. } | JointRole::Belt => {}
                 }
             }
             Origin::Driver(id) => {

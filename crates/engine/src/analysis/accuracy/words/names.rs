@@ -218,7 +218,10 @@ fn add_joints(found: &mut Dimensions, model: &Model, system: &System) {
                 }
             }
             // the question is refused where there is one
-            JointKind::Cam(_) | JointKind::Revolute { .. } => {}
+            JointKind::Cam(_)
+            | JointKind::Revolute { .. }
+            | JointKind::Rack { .. }
+            | JointKind::Belt { .. } => {}
         }
     }
 }
@@ -243,7 +246,11 @@ pub(in crate::analysis::accuracy) fn dimension_values(model: &Model, system: &Sy
                 }
             }
             // the question is refused where there is one
-            JointKind::Revolute { .. } | JointKind::Contact { .. } | JointKind::Cam(_) => {}
+            JointKind::Revolute { .. }
+            | JointKind::Contact { .. }
+            | JointKind::Cam(_)
+            | JointKind::Rack { .. }
+            | JointKind::Belt { .. } => {}
         }
     }
     for data in model.drivers.values() {

@@ -53,19 +53,6 @@ pub struct Scope<'a> {
     pub levels: Option<Levels>,
 }
 
-/// Tolerances of profiles, and what others do along them, are not worked out.
-fn without_cams(model: &Model) -> Result<(), Complaints> {
-    let cams = model.joints.iter();
-    let mut cams = cams.filter(|(_, joint)| matches!(joint.kind, JointKind::Cam(_)));
-    let Some((name, _)) = cams.next() else {
-        return Ok(());
-    };
-    let message = "the accuracy of a mechanism with a cam is not known to linkdyn";
-    let hint = "vary its parameters by a \"study\", whose runs take cams";
-    let complaint = Complaint::new(format!("joints.{name}"), message).hint(hint);
-    Err(Complaints(vec![complaint]))
-}
-
 /// What tolerances and clearances do to the outputs of a model.
 ///
 /// # Errors
@@ -77,7 +64,7 @@ pub fn accuracy(
     scope: Scope,
     control: &Control,
 ) -> Result<Accuracy, Refusal> {
-    without_cams(model)?;
+    uncounted(model)?;
     let ideal = model.with_clearances(|_| false);
     let system = compile_geometry(&ideal)?;
     let names = Names::new(&ideal);
@@ -147,13 +134,44 @@ pub fn accuracy(
     })
 }
 
+/// Joints and drivers of which it is not known what their dimensions do.
+fn uncounted(model: &Model) -> Result<(), Complaint> {
+    let kind = |kind: &JointKind| match kind {
+        JointKind::Rack { .. } => Some("a rack"),
+        JointKind::Belt { .. } => Some("a belt"),
+        JointKind::Cam(_) => Some("a cam"),
+        JointKind::Revolute { .. }
+        | JointKind::Prismatic { .. }
+        | JointKind::Slot { .. }
+        | JointKind::Gear { .. }
+        | JointKind::Fixed { .. }
+        | JointKind::Contact { .. } => None,
+    };
+    let mut joints = model.joints.iter();
+    let found = joints.find_map(|(name, joint)| Some((name, kind(&joint.kind)?)));
+    let found = found.map(|(name, kind)| (format!("joints.{name}"), kind));
+    let mut drivers = model.drivers.iter();
+    let length = drivers.find(|(_, driver)| matches!(driver.kind, DriverKind::Length { .. }));
+    let length = length.map(|(name, _)| (format!("drivers.{name}"), "a driven length"));
+    let Some((path, kind)) = found.or(length) else {
+        return Ok(());
+    };
+    let message = format!(
+        "accuracy does not count yet what is off in {kind}, and gives no answer that leaves it out"
+    );
+    let hint = "vary its numbers as parameters of a `study`, which runs the model with each";
+    Err(Complaint::new(path, message).hint(hint))
+}
+
 /// What is said of a pose that the motion does not have.
 fn outside(model: &Model, unmet: &Unmet) -> Complaint {
     let by = &unmet.by;
     let (name, driver) = model.drivers.get_index(by.driver).expect("a driver");
     let text = |value: f64| match driver.kind {
         DriverKind::Rotation { .. } => model.display.angle_to(value, 6),
-        DriverKind::Translation { .. } => model.display.length_to(value, 6),
+        DriverKind::Translation { .. } | DriverKind::Length { .. } => {
+            model.display.length_to(value, 6)
+        }
     };
     let [low, high] = by.range.map(text);
     let message = if by.is_stopped {

@@ -154,7 +154,11 @@ fn joint_play(kind: &JointKind, row: usize, system: &System, index: usize) -> Op
                 half: [half, half],
             })
         }
-        JointKind::Fixed { .. } | JointKind::Contact { .. } | JointKind::Cam(_) => None,
+        JointKind::Fixed { .. }
+        | JointKind::Contact { .. }
+        | JointKind::Cam(_)
+        | JointKind::Rack { .. }
+        | JointKind::Belt { .. } => None,
     }
 }
 
