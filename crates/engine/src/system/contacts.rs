@@ -1,6 +1,7 @@
-//! Which contacts a mechanism has, and how messages speak of them.
+//! Which contacts a mechanism has, and how messages speak of them and of what else holds it.
 
-use super::{ContactRows, JointData, JointRole, System};
+use super::{ContactRows, JointData, JointRole, Origin, System};
+use crate::element::Measure;
 use crate::element::pair::{ContactId, Shape};
 
 /// The lower and the upper stop of a joint.
@@ -30,6 +31,24 @@ impl System {
         match self.contacts[id.0].stop() {
             None => format!("joint \"{joint}\""),
             Some(stop) => format!("the {} stop of joint \"{joint}\"", stop.side.word()),
+        }
+    }
+
+    /// A value of driver `id` [rad or m] as messages say it.
+    pub(crate) fn driver_value(&self, id: usize, value: f64) -> String {
+        match self.drivers[id].measure {
+            Measure::Angle => self.display.angle(value),
+            Measure::Length => self.display.length(value),
+        }
+    }
+
+    /// The name a row's origin goes by in messages.
+    pub(crate) fn origin_name(&self, origin: &Origin) -> String {
+        match origin {
+            Origin::Joint(id) => format!("joint \"{}\"", self.joints[id.0].name),
+            Origin::Driver(id) => format!("driver \"{}\"", self.drivers[id.0].name),
+            Origin::Stop(id) => self.contact_name(*id),
+            Origin::Initial(name) => format!("initial value \"{name}\""),
         }
     }
 

@@ -291,24 +291,6 @@ impl System {
         self.joint_rows() + id.0
     }
 
-    /// A value of driver `id` [rad or m] as messages say it.
-    pub(crate) fn driver_value(&self, id: usize, value: f64) -> String {
-        match self.drivers[id].measure {
-            Measure::Angle => self.display.angle(value),
-            Measure::Length => self.display.length(value),
-        }
-    }
-
-    /// The name a row's origin goes by in messages.
-    pub(crate) fn origin_name(&self, origin: &Origin) -> String {
-        match origin {
-            Origin::Joint(id) => format!("joint \"{}\"", self.joints[id.0].name),
-            Origin::Driver(id) => format!("driver \"{}\"", self.drivers[id.0].name),
-            Origin::Stop(id) => self.contact_name(*id),
-            Origin::Initial(name) => format!("initial value \"{name}\""),
-        }
-    }
-
     /// Whether kinetic and potential energy stay constant together: no moving drivers, dampers or loads.
     pub(crate) fn is_conservative(&self) -> bool {
         self.drivers.iter().all(|driver| driver.law.is_constant())

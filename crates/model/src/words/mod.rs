@@ -8,6 +8,7 @@ mod clearance;
 mod driver;
 mod force;
 mod friction;
+mod higher;
 mod joint;
 mod motion;
 mod optimise;
@@ -37,7 +38,8 @@ use clearance::{CLEARANCE, CLEARANCE_MODEL, IMPACT, IMPACT_SENSE, NORMAL, NORMAL
 use driver::DRIVER;
 use force::{FORCE, FRAME};
 use friction::{FRICTION, FRICTION_LAW};
-use joint::{JOINT, LATCH, STRANDS};
+use higher::STRANDS;
+use joint::{JOINT, LATCH};
 use motion::{INTERPOLATION, RISE_LAW, SEGMENT};
 use optimise::{CURVE, OBJECTIVE, OPTIMISE};
 use parameter::DISTRIBUTION;
