@@ -48,9 +48,9 @@ pub(super) type Named = (&'static str, Box<dyn Constraint>);
 
 /// One of each kind. A new constraint is added below.
 pub(crate) fn all_constraints() -> Vec<Named> {
-    let own = [joints(), drivers_and_initial_values()];
-    let others = [super::stop::tests::both(), super::cam::tests::all()];
-    own.into_iter().chain(others).flatten().collect()
+    let own = joints().into_iter().chain(drivers_and_initial_values());
+    let stops = own.chain(super::stop::tests::both());
+    stops.chain(super::cam::tests::all()).collect()
 }
 
 fn joints() -> Vec<Named> {
