@@ -120,9 +120,9 @@ fn a_roller_moves_by_its_law() {
 
 #[test]
 fn an_edge_moves_by_its_law_and_leans_with_its_frame() {
-    for lean in [0.0, 0.7] {
+    for lean in [0.0_f64, 0.7] {
         let mut profile = profile("cycloidal");
-        let (sin, cos) = (PI / 2.0 - lean as f64).sin_cos();
+        let (sin, cos) = (PI / 2.0 - lean).sin_cos();
         // the follower's frame leans against the guide's: its axis and the cam's angle are told in it
         profile["axis"] = json!([cos, sin]);
         profile["begin"] = json!(BEGIN - lean);
