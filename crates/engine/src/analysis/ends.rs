@@ -111,7 +111,7 @@ fn check(system: &System, at: &Kinematics) -> Result<(), Failed> {
     }
     for (contact, pair) in system.contacts.iter().enumerate() {
         let Some(edge) = pair.edge() else { continue };
-        let depth = edge.depth(at, system.size);
+        let depth = edge.depth(&edge.read(at), system.size);
         if depth > deepest(pair) {
             return Err(Failed::Input(vec![deep(system, contact, depth)]));
         }
@@ -173,7 +173,7 @@ impl Overrun {
         for (contact, pair) in system.contacts.iter().enumerate() {
             let depth = match (pair.stop(), pair.edge()) {
                 (Some(stop), _) => stop.turned(turns[contact]).read(at).penetration,
-                (_, Some(edge)) => edge.depth(at, system.size),
+                (_, Some(edge)) => edge.depth(&edge.read(at), system.size),
                 (None, None) => continue,
             };
             if depth <= BEYOND * pair.size() {

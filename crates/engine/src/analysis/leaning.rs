@@ -9,7 +9,7 @@ use super::ends::{BEYOND, seen};
 use super::sample::{ContactSample, Sample};
 use super::statics::{balance, start};
 use crate::element::Kinematics;
-use crate::element::pair::{ContactId, Hold, Surface};
+use crate::element::pair::{ContactId, Hold, Pair, Surface};
 use crate::element::quantity::Measured;
 use crate::element::stop::Stop;
 use crate::element::yielding::Yielding;
@@ -29,6 +29,8 @@ struct Leaning<'s> {
     /// The whole mechanism, its stops included.
     whole: &'s System,
     pressed: Vec<ContactId>,
+    /// Contacts from whose free side the search comes (by contact): pieces of outlines may be behind others.
+    free: &'s [bool],
 }
 
 /// Calls `told` with the equilibrium, in which stops press where they have to; the mechanism begins at `q` (n).
@@ -43,6 +45,7 @@ pub fn rest<T>(
     control: &Control,
     told: impl FnOnce(&Assembled, &mut Held, &Balance, &[ContactSample]) -> T,
 ) -> Result<T, Failed> {
+    let free = seen(system, q, |at| free(system, at));
     let mut queue: Vec<Vec<ContactId>> = vec![latched(system, q)];
     let mut guess = None;
     let mut failure = None;
@@ -51,6 +54,7 @@ pub fn rest<T>(
         let leaning = Leaning {
             whole: system,
             pressed: queue[next].clone(),
+            free: &free,
         };
         next += 1;
         let held_system = leaning.system(guess.as_deref());
@@ -86,6 +90,17 @@ pub fn rest<T>(
     }))
 }
 
+/// Whether each contact is seen from its free side.
+fn free(system: &System, at: &Kinematics) -> Vec<bool> {
+    let of = |pair: &Pair| {
+        pair.edge().is_none_or(|edge| {
+            let reading = edge.read(at);
+            reading.room > 0.0 && reading.penetration <= edge.deepest
+        })
+    };
+    system.contacts.iter().map(of).collect()
+}
+
 /// Latches that are closed at a position.
 fn latched(system: &System, q: &[f64]) -> Vec<ContactId> {
     let closed = |id: &ContactId, at: &Kinematics| {
@@ -103,6 +118,7 @@ pub fn latched_system(system: &System, q: &[f64]) -> Option<System> {
     let leaning = Leaning {
         whole: system,
         pressed,
+        free: &[],
     };
     (!leaning.pressed.is_empty()).then(|| leaning.system(None))
 }
@@ -191,8 +207,12 @@ impl Leaning<'_> {
             .iter()
             .enumerate()
             .map(|(contact, sample)| {
-                let reading = &sample.reading;
-                (reading.penetration.min(reading.room), ContactId(contact))
+                let (reading, size) = (&sample.reading, self.whole.size);
+                let depth = match self.whole.contacts[contact].edge() {
+                    Some(edge) if !self.free[contact] => edge.depth(reading, size),
+                    Some(_) | None => reading.penetration.min(reading.room),
+                };
+                (depth, ContactId(contact))
             })
             .filter(|(depth, id)| *depth > BEYOND * self.whole.size && !self.pressed.contains(id))
             .collect();

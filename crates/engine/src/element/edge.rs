@@ -142,8 +142,7 @@ impl Edge {
     }
 
     /// How deep the tip is in the material, where it has come from above \[m\]; not above zero elsewhere.
-    pub fn depth(&self, at: &Kinematics, size: f64) -> f64 {
-        let reading = self.read(at);
+    pub fn depth(&self, reading: &Reading, size: f64) -> f64 {
         let most = self.radius().max(SHALLOW * size);
         match reading.penetration <= most {
             true => reading.penetration.min(reading.room),

@@ -131,6 +131,7 @@ impl System {
         system.contact_rows.clear();
         for joint in &mut system.joints {
             joint.contact = None;
+            joint.edges = 0..0;
         }
         system
     }
@@ -191,6 +192,7 @@ impl System {
         for (index, &joint) in joints.iter().enumerate() {
             let mut data = self.joints[joint].clone();
             data.bodies = data.bodies.map(id);
+            data.edges = 0..0;
             for point in &mut data.points {
                 point.body = id(point.body);
             }
