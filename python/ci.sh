@@ -47,8 +47,15 @@ cp ../docs/{cluster,python}.md "$place/docs"
 stage ruff check .
 stage ruff format --check .
 cd "$place"
-stage mypy --package linkdyn
-stage mypy tests
-stage python -m mypy.stubtest linkdyn._linkdyn
+# Types are looked at while the tests run, and tell what they found behind them.
+types() {
+  stage mypy --package linkdyn
+  stage mypy tests
+  stage python -m mypy.stubtest linkdyn._linkdyn
+}
+(set -e; types) > types.log 2>&1 &
+typing=$!
 stage pytest tests --doctest-modules --pyargs linkdyn
+wait "$typing" || { cat types.log >&2; exit 1; }
+cat types.log
 echo "-- done (${SECONDS} s)"
