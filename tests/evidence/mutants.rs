@@ -26,7 +26,7 @@ fn finds(runner: Runner, name: &str, seed: u64, mutants: u64) -> Vec<String> {
 
 #[test]
 fn no_mutant_breaks_a_command() {
-    let told = finds(Runner::Inside, "inside", 1, 600);
+    let told = finds(Runner::Inside, "inside", 1, 1200);
     assert!(told.is_empty(), "{}", told.join("\n"));
 }
 
@@ -36,7 +36,7 @@ fn no_mutant_kills_the_binary() {
     let told = finds(
         Runner::Process(env!("CARGO_BIN_EXE_linkdyn").into()),
         "process",
-        2,
+        4,
         100,
     );
     assert!(told.is_empty(), "{}", told.join("\n"));
