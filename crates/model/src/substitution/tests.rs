@@ -24,6 +24,11 @@ fn bundled_models_take_numbers() {
                 &names,
                 given,
             );
+            // Of segments of a cam's law there are rules that only reading knows.
+            if model.name == "cam-roller" {
+                assert!(found.is_none());
+                continue;
+            }
             let substitution = found.unwrap_or_else(|| panic!("{}: is read again", model.name));
             let mut place = substitution.begin();
             let values: Vec<f64> = loaded
