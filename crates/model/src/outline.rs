@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use crate::joint::JointKind;
 
-/// Lengths below this part of an outline are none.
-const NEAR: f64 = 1e-9;
+/// Points this near, in parts of an outline, are one: coordinates are written with the digits of a drawing.
+const NEAR: f64 = 1e-4;
 
 /// A point of an outline \[m\], with the radius of the arc that leads to it, 0 where a straight does.
 pub type Corner = ([f64; 2], f64);
@@ -74,4 +74,24 @@ pub fn arc_centre(from: [f64; 2], to: [f64; 2], radius: f64) -> [f64; 2] {
         from[0] + half[0] - off * half[1],
         from[1] + half[1] + off * half[0],
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Teeth of a ratchet, whose end is written with five digits.
+    #[test]
+    fn copies_that_meet_but_for_rounding_are_one_way() {
+        let kind = JointKind::Contact {
+            outline: vec![vec![40.0, 0.0], vec![50.0, 0.0], vec![34.641, 20.0]],
+            repeat: Some(12),
+            radius: 0.0,
+            arc: None,
+            friction: None,
+        };
+        let ways = kind.outlines_around([0.0, 0.0]);
+        assert_eq!((ways.len(), ways[0].len()), (1, 25));
+        assert_eq!(ways[0].first(), ways[0].last());
+    }
 }
