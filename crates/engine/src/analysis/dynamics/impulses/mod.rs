@@ -2,7 +2,8 @@
 //!
 //! Several impacts at one instant are taken one after the other until none approaches. An impact whose rebound would come back
 //! after a flight lower than a small part of the clearance, v²/(2 δ̈), is one of infinitely many in a finite time: the journal
-//! loses its normal velocity and stays on the surface, as a sustained contact.
+//! loses its normal velocity and stays on the surface, as a sustained contact. So do those that its impact throws off no higher
+//! while the others hold: two walls that hold a tip would else pass it to and fro.
 
 mod grips;
 mod impact;
@@ -261,18 +262,20 @@ impl<'a, 's> Impulses<'a, 's> {
         self.at.push_all(&touching, &pushes)?;
         let flow = &*self.at.flow;
         let rates = touching.approaches(flow);
-        let free: Vec<f64> = (0..touching.len())
+        let accelerations = touching.approach_accelerations(flow);
+        let mut free: Vec<f64> = (0..touching.len())
             .map(|k| {
                 // What an impact has stopped may leave by round-off.
                 let was = were[touching.contacts[k]] != Hold::Free;
                 let least = if was { slow } else { at_rest(flow) };
                 if stays[k] || rates[k].abs() <= least {
-                    touching.approach_acceleration(flow, k) - touching.round_off(flow, k)
+                    accelerations[k]
                 } else {
                     f64::NEG_INFINITY
                 }
             })
             .collect();
+        touching.keep_low(flow, (&rates, &accelerations), self.lowest, &mut free);
         let (along, slides) = (touching.along(flow), touching.sliding_accelerations(flow));
         let Some((found, _)) = Grips::new(&touching, &along, [&free, &slides]).solve() else {
             let way = Way::find(self.at.flow, &touching);

@@ -141,14 +141,49 @@ impl Touching {
             .collect()
     }
 
-    /// δ̈ of contact k at the last evaluation [m/s²].
-    pub fn approach_acceleration(&self, flow: &Flow, k: usize) -> f64 {
-        approach_acceleration(flow, self.contacts[k], &self.points[k])
+    /// δ̈ of each at the last evaluation, less what may be round-off [m/s²].
+    pub fn approach_accelerations(&self, flow: &Flow) -> Vec<f64> {
+        let contacts = self.contacts.iter().zip(&self.points).enumerate();
+        contacts
+            .map(|(k, (&contact, point))| {
+                approach_acceleration(flow, contact, point) - self.round_off(flow, k)
+            })
+            .collect()
+    }
+
+    /// Contacts that leave with δ̇ = `rates`, and come back after a flight lower than `lowest` of their size, want to stay, too: with
+    /// N of those that stay in `free`, the fall of contact k is a = δ̈ − W̃ₖ N, and its flight is δ̇²/(2 a) high.
+    pub fn keep_low(
+        &self,
+        flow: &Flow,
+        (rates, accelerations): (&[f64], &[f64]),
+        lowest: f64,
+        free: &mut [f64],
+    ) {
+        let leaving = (0..self.len()).filter(|&k| free[k] == f64::NEG_INFINITY && rates[k] < 0.0);
+        let leaving: Vec<usize> = leaving.collect();
+        if leaving.is_empty() {
+            return;
+        }
+        let inverse_mass = self.inverse_mass(&self.friction_ratios(flow));
+        for k in leaving {
+            let Some((_, pushes)) = complementary(&inverse_mass, free) else {
+                return;
+            };
+            let held: f64 = (0..self.len())
+                .map(|j| inverse_mass[(k, j)] * pushes[j])
+                .sum();
+            let fall = accelerations[k] - held;
+            let height = lowest * flow.system().contacts[self.contacts[k]].size();
+            if rates[k] * rates[k] < 2.0 * fall * height {
+                free[k] = accelerations[k];
+            }
+        }
     }
 
     /// What of δ̈ of a piece of an outline may be round-off [m/s²]: two of them may hold a tip from both sides, and must not both want
     /// to press.
-    pub fn round_off(&self, flow: &Flow, k: usize) -> f64 {
+    fn round_off(&self, flow: &Flow, k: usize) -> f64 {
         match flow.system().contacts[self.contacts[k]].edge() {
             Some(_) => EVEN * approach_size(flow, &self.points[k]),
             None => 0.0,
