@@ -93,6 +93,27 @@ fn a_time_that_is_over_is_a_time_limit_in_every_analysis() {
     }
 }
 
+/// A ball bounces on a floor without loss until its time is over.
+#[test]
+fn a_time_that_is_over_names_the_contact_that_took_it() {
+    let text = r#"{ "format": "linkdyn/1", "units": "SI", "gravity": [0, -9.81], "bodies": { "ground": { "points": { "O": [0, 0] } },
+        "ball": { "mass": 1, "inertia": 1, "com": [0, 0], "points": { "C": [0, 0] }, "pose": { "position": [0, 0.001] } } },
+        "joints": { "floor": { "type": "contact", "between": ["ground.O", "ball.C"], "outline": [[1, 0], [-1, 0]], "restitution": 1 } },
+        "analysis": { "type": "dynamics", "end": 1e6, "outputs": 2 } }"#;
+    let loaded = linkdyn_model::load(text.as_bytes(), &[]).expect("a sound model");
+    let control = Control {
+        deadline: Some(Instant::now() + Duration::from_millis(300)),
+        ..Control::default()
+    };
+    let report = run(&loaded.model, &control).expect("sound").report;
+    assert_eq!(report.status, Status::TimeLimit);
+    let message = report.message.expect("a reason");
+    assert!(
+        message.contains(": the contact in joint \"floor\" has changed "),
+        "{message}"
+    );
+}
+
 /// Ten million cycles of a driver: with one driver its path is gone once, of several it is followed in time until the limit.
 #[test]
 fn a_fast_driver_does_not_outlast_its_time() {

@@ -2,10 +2,11 @@
 
 use super::fault::Fault;
 use super::flow::Flow;
-use super::words::{chatters, culprits, describe, jam, no_value, tight};
+use super::ledger::Ledger;
+use super::words::{busiest, chatters, culprits, describe, jam, no_value, tight};
 use crate::analysis::words::locked;
 use crate::mechanism::driven::Failure;
-use linkdyn_model::display::DisplayUnits;
+use crate::system::System;
 use linkdyn_output::{Reason, Status};
 
 /// Why the loop ended before its time.
@@ -19,11 +20,15 @@ pub struct Ended {
 }
 
 impl Ended {
-    /// By the user or the clock, at `time`.
-    pub fn stopped(status: Status, time: f64, display: &DisplayUnits) -> Ended {
+    /// By the user or the clock, at `time`, in a motion whose contacts have done so much.
+    pub fn stopped(status: Status, time: f64, system: &System, ledger: &Ledger) -> Ended {
         let why = match status {
             Status::Interrupted => "interrupted".to_string(),
-            _ => format!("max_wall_time is over at t = {}", display.time(time)),
+            _ => format!(
+                "max_wall_time is over at t = {}{}",
+                system.display.time(time),
+                ledger.busiest(system).map_or_else(String::new, busiest)
+            ),
         };
         Ended {
             status,

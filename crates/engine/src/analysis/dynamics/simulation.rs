@@ -61,8 +61,8 @@ impl<'s> Simulation<'s> {
         while self.reached() < time {
             control.progress.note(self.steps.time(), self.steps.end());
             if let Some(status) = control.stop() {
-                let display = &self.flow.system().display;
-                return Err(Ended::stopped(status, self.steps.time(), display));
+                let (time, system) = (self.steps.time(), self.flow.system());
+                return Err(Ended::stopped(status, time, system, &self.ledger));
             }
             let now = self.reached();
             if let Err(fault) = self.advance() {

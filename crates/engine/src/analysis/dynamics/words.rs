@@ -12,10 +12,20 @@ use linkdyn_model::error::Complaint;
 
 /// Determinant of the friction's equations, 1 without friction, below which a joint is about to lock itself.
 pub(super) const TIGHT: f64 = 0.1;
+/// So often a contact changes in a run that it keeps busy.
+const BUSY: u64 = 30;
 /// Penetration, in parts of the journal's radius, that is not small any more.
 const DEEP: f64 = 0.1;
 /// Digits of penetrations: of the deepest that steps and outputs have met.
 const PENETRATION_DIGITS: usize = 4;
+
+/// The joint whose contact has kept a run busy, where it has.
+pub(super) fn busiest((joint, happened): (&str, u64)) -> String {
+    if happened < BUSY {
+        return String::new();
+    }
+    format!(": the contact in joint {joint:?} has changed {happened} times, more than any other")
+}
 
 /// Rigid contacts, by number, that no forces answer.
 pub(super) fn jam(flow: &Flow, jammed: &[usize], now: f64) -> String {

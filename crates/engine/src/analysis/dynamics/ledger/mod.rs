@@ -76,6 +76,15 @@ impl Ledger {
             .sum()
     }
 
+    /// The joint whose contact has begun, stuck and slipped most often, and how often.
+    pub fn busiest<'s>(&self, system: &'s System) -> Option<(&'s str, u64)> {
+        let accounts = self.accounts.iter().enumerate();
+        let happened = |account: &Account| account.history.episodes + account.history.switches;
+        let (contact, account) = accounts.max_by_key(|(_, account)| happened(account))?;
+        let joint = system.joint_of(ContactId(contact));
+        Some((&joint.name, happened(account)))
+    }
+
     /// A contact with this reading at an instant.
     pub fn entry(
         &self,
