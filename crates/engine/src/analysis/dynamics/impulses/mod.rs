@@ -263,11 +263,16 @@ impl<'a, 's> Impulses<'a, 's> {
         let rates = touching.approaches(flow);
         let free: Vec<f64> = (0..touching.len())
             .map(|k| {
-                // What an impact has stopped may leave by round-off.
-                let was = were[touching.contacts[k]] != Hold::Free;
-                let least = if was { slow } else { at_rest(flow) };
+                let contact = touching.contacts[k];
+                let fall = touching.approach_acceleration(flow, k);
+                // What an impact has stopped may leave by round-off, and what an impact elsewhere has lifted may be back at once:
+                // contacts that hold one body lift each other so without end.
+                let height = self.lowest * flow.system().contacts[contact].size();
+                let back = (2.0 * fall.max(0.0) * height).sqrt().min(slow);
+                let was = were[contact] != Hold::Free;
+                let least = if was { slow } else { at_rest(flow).max(back) };
                 if stays[k] || rates[k].abs() <= least {
-                    touching.approach_acceleration(flow, k) - touching.round_off(flow, k)
+                    fall - touching.round_off(flow, k)
                 } else {
                     f64::NEG_INFINITY
                 }
