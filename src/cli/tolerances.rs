@@ -140,7 +140,8 @@ fn of_joint(name: &str, joint: &Joint, units: &DisplayUnits) -> Option<String> {
         | JointKind::Contact { .. }
         | JointKind::Cam(_)
         | JointKind::Rack { .. }
-        | JointKind::Belt { .. } => None,
+        | JointKind::Belt { .. }
+        | JointKind::Bushing(_) => None,
     }
 }
 

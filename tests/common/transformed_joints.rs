@@ -4,7 +4,7 @@ use super::cams::mirror_cam;
 use super::limits::{flip_limits, turn_limits};
 use super::outlines::{mirror_outline, turn_contact};
 use super::turned;
-use linkdyn_model::{GROUND, Joint, JointKind, Strands};
+use linkdyn_model::{Bushing, GROUND, Joint, JointKind, PerAxis, Strands};
 
 /// A joint of a mechanism that has turned about the ground's origin; `carrier` bears the wheels of a gear.
 pub fn rotate(joint: &mut Joint, angle: f64, carrier: Option<&str>) {
@@ -49,6 +49,11 @@ pub fn rotate(joint: &mut Joint, angle: f64, carrier: Option<&str>) {
             *offset = offset.map(|offset| offset - *radius * relative);
         }
         JointKind::Belt { .. } => {}
+        JointKind::Bushing(bushing) => {
+            // The axes of the ground stay, and with them what yields otherwise along each.
+            assert!(!first || knows_no_axes(bushing));
+            bushing.free_angle += relative;
+        }
         JointKind::Fixed {
             angle: relative_angle,
         } => *relative_angle += relative,
@@ -75,6 +80,7 @@ pub fn mirror(joint: &mut Joint) {
             *radius = -*radius;
         }
         JointKind::Belt { .. } => {}
+        JointKind::Bushing(bushing) => bushing.free_angle = -bushing.free_angle,
         JointKind::Fixed { angle } => *angle = -*angle,
         JointKind::Cam(cam) => mirror_cam(cam),
         kind @ JointKind::Contact { .. } => mirror_outline(kind),
@@ -103,6 +109,12 @@ pub fn swap(joint: &mut Joint) {
         | JointKind::Rack { .. }
         | JointKind::Cam(_)
         | JointKind::Contact { .. } => {}
+        JointKind::Bushing(bushing) => {
+            if is_elastic(bushing) {
+                bushing.free_angle = -bushing.free_angle;
+                joint.between.reverse();
+            }
+        }
         JointKind::Belt { radii, .. } => {
             radii.reverse();
             joint.between.reverse();
@@ -114,12 +126,14 @@ pub fn swap(joint: &mut Joint) {
 pub fn swapped_signs(joint: &Joint) -> [f64; 2] {
     match joint.kind {
         JointKind::Revolute { .. } | JointKind::Fixed { .. } => [-1.0, -1.0],
+        JointKind::Bushing(ref bushing) if is_elastic(bushing) => [-1.0, -1.0],
         // The torque is the tooth force's moment on the other wheel, at the other radius.
         JointKind::Gear { ratio, .. } => [-1.0, -ratio],
         JointKind::Prismatic { .. }
         | JointKind::Slot { .. }
         | JointKind::Rack { .. }
         | JointKind::Cam(_)
+        | JointKind::Bushing(_)
         | JointKind::Contact { .. } => [1.0, 1.0],
         // The torque on the other pulley.
         JointKind::Belt { radii, strands, .. } => match strands {
@@ -127,4 +141,15 @@ pub fn swapped_signs(joint: &Joint) -> [f64; 2] {
             Strands::Crossed => [-1.0, radii[0] / radii[1]],
         },
     }
+}
+
+/// Whether a bushing yields alike in all directions.
+fn knows_no_axes(bushing: &Bushing) -> bool {
+    let alike = |PerAxis([x, y]): PerAxis| x == y;
+    alike(bushing.radial_stiffness) && alike(bushing.radial_damping)
+}
+
+/// Whether, besides, its force goes through both of its points: damping sees the axes of the first body turn.
+fn is_elastic(bushing: &Bushing) -> bool {
+    knows_no_axes(bushing) && bushing.radial_damping.0 == [0.0; 2]
 }

@@ -181,6 +181,7 @@ impl Scale {
                 }
                 JointKind::Cam(cam) => self.cam(cam, &between),
                 JointKind::Belt { .. } => self.belt(joint, &between),
+                JointKind::Bushing(bushing) => self.bushing(bushing, &between),
                 JointKind::Rack { .. } => self.rack(joint, &between),
                 JointKind::Fixed { angle } => {
                     json!({ "type": "fixed", "between": between, "angle": angle * self.angle })

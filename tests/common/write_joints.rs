@@ -1,7 +1,7 @@
 //! Joints that roll, press and touch, in units of choice.
 
 use super::Scale;
-use linkdyn_model::{Cam, CamSegment, Joint, JointKind, Profile, Strands};
+use linkdyn_model::{Bushing, Cam, CamSegment, Joint, JointKind, Profile, Strands};
 use serde_json::{Value, json};
 
 impl Scale {
@@ -107,6 +107,18 @@ impl Scale {
             }),
         };
         words
+    }
+
+    pub(super) fn bushing(&self, bushing: &Bushing, between: &[String; 2]) -> Value {
+        let turning = self.mass * self.length * self.length / self.angle;
+        json!({
+            "type": "bushing", "between": between,
+            "radial_stiffness": bushing.radial_stiffness.0.map(|each| each * self.mass),
+            "radial_damping": bushing.radial_damping.0.map(|each| each * self.mass),
+            "torsional_stiffness": bushing.torsional_stiffness * turning,
+            "torsional_damping": bushing.torsional_damping * turning,
+            "free_angle": bushing.free_angle * self.angle,
+        })
     }
 
     pub(super) fn belt(&self, joint: &Joint, between: &[String; 2]) -> Value {

@@ -33,6 +33,7 @@ mod architecture;
 mod assembly;
 mod belts;
 mod bundled;
+mod bushings;
 mod cable;
 mod cams;
 mod complaints;

@@ -149,6 +149,11 @@ pub const MODELS: &[Bundled] = &[
         text: include_str!("../../../models/toggle-clamp.json"),
     },
     Bundled {
+        name: "walking-strandbeest",
+        aliases: &["walker"],
+        text: include_str!("../../../models/walking-strandbeest.json"),
+    },
+    Bundled {
         name: "watt-i-lock",
         aliases: &["lock"],
         text: include_str!("../../../models/watt-i-lock.json"),

@@ -37,7 +37,8 @@ impl Model {
             | JointKind::Fixed { .. }
             | JointKind::Contact { .. }
             | JointKind::Cam(_)
-            | JointKind::Rack { .. } => None,
+            | JointKind::Rack { .. }
+            | JointKind::Bushing(_) => None,
         }
     }
 
@@ -146,6 +147,7 @@ fn holds_points(kind: &JointKind) -> bool {
         | JointKind::Contact { .. }
         | JointKind::Cam(_)
         | JointKind::Rack { .. }
-        | JointKind::Belt { .. } => false,
+        | JointKind::Belt { .. }
+        | JointKind::Bushing(_) => false,
     }
 }

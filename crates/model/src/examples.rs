@@ -7,7 +7,7 @@ pub(super) const UNITS: &str =
 const MOTION: &str = r#""motion": { "type": "constant_velocity", "velocity": "60 rpm" }"#;
 
 /// Keys and how to write them; what is to be said before that.
-const EXAMPLES: [(&str, &str, &str); 48] = [
+const EXAMPLES: [(&str, &str, &str); 49] = [
     ("format", "", r#""format": "linkdyn/1""#),
     ("units", "", UNITS),
     ("gravity", "", r#""gravity": [0, -9.81]"#),
@@ -135,6 +135,11 @@ const EXAMPLES: [(&str, &str, &str); 48] = [
         r#""initial": { "crank": { "angle": "60 deg" } }"#,
     ),
     ("stiffness", "", r#""stiffness": "1e8 N/m""#),
+    (
+        "radial_stiffness",
+        "",
+        r#""radial_stiffness": "800 N/mm", or "radial_stiffness": ["800 N/mm", "200 N/mm"] along x and y of the first body"#,
+    ),
     ("tolerance", "", r#""tolerance": "0.05 mm""#),
     ("fit", "", r#""fit": "20 H7/g6""#),
     ("column", "", r#""column": "rocker.angle""#),

@@ -4,6 +4,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
+use super::bushing::Bushing;
 use super::cam::Cam;
 use super::clearance::{Clearance, Friction};
 use super::tolerance::Play;
@@ -195,6 +196,9 @@ pub enum JointKind {
         #[serde(default)]
         carrier: Option<String>,
     },
+    /// The points stay near each other: a pin in rubber, which is no constraint.
+    #[doc(hidden)]
+    Bushing(Box<Bushing>),
     /// The points coincide, relative angle fixed \[rad\].
     Fixed {
         /// Angle of the second body relative to the first \[rad\].

@@ -8,6 +8,8 @@ pub mod analysis;
 pub mod body;
 pub mod bundled;
 #[doc(hidden)]
+pub mod bushing;
+#[doc(hidden)]
 pub mod cam;
 pub mod clearance;
 pub mod display;
@@ -59,6 +61,8 @@ pub use analysis::{
     Accelerations, Analysis, AnalysisKind, OutputsAt, Sample, Solver, Transmission,
 };
 pub use body::{Body, Initial, Pose};
+#[doc(hidden)]
+pub use bushing::{Bushing, PerAxis};
 #[doc(hidden)]
 pub use cam::{Cam, CamSegment, Follower, Profile};
 pub use carrier::Carrier;

@@ -196,7 +196,7 @@ impl Printer<'_> {
             (Shape::Pair(of) | Shape::List(of, _), Tree::List(items)) => {
                 self.list(items, |_| **of, written, driven)
             }
-            (Shape::Range(measure, bound), tree) => {
+            (Shape::Range(measure, bound) | Shape::PerAxis(measure, bound), tree) => {
                 let each = Shape::Quantity(*measure, *bound);
                 self.range(tree, &each, written, driven)
             }

@@ -265,9 +265,7 @@ fn at(shape: &Shape, field: Option<&Field>) -> Keys {
         Shape::Point => reference("PointRef"),
         Shape::Materials => reference("Elastic"),
         Shape::Choice(choice) => reference(choice.name),
-        Shape::Object(object) | Shape::Curve(object) | Shape::State(object) => {
-            reference(object.name)
-        }
+        Shape::Object(of) | Shape::Curve(of) | Shape::State(of) => reference(of.name),
         Shape::Tagged(tagged) => reference(tagged.name),
         Shape::Units => places::units(),
         Shape::Parameters => return places::parameters(field),
@@ -304,10 +302,12 @@ fn at(shape: &Shape, field: Option<&Field>) -> Keys {
             bounded(&mut keys, Bound::Above(0.0), true);
             return keys;
         }
-        Shape::Range(measure, bound) => places::range(&Shape::Quantity(*measure, *bound)),
+        Shape::Range(measure, bound) | Shape::PerAxis(measure, bound) => {
+            places::range(*measure, *bound)
+        }
         Shape::End(measure) => places::end(&quantity(*measure)),
         Shape::Place => places::place(),
-        Shape::Limit | Shape::Nominal => places::value(),
+        Shape::Limit | Shape::Nominal | Shape::Entry => places::value(),
         Shape::Deviations => places::deviations(),
         Shape::Alike(bound) => {
             let mut keys = places::value();
@@ -324,7 +324,6 @@ fn at(shape: &Shape, field: Option<&Field>) -> Keys {
                 &json!({ "prefixItems": [time, quantity(Measure::Driven)], "items": false }),
             )
         }
-        Shape::Entry => places::value(),
         Shape::Entries => places::points(&json!({ "items": places::value() })),
         Shape::Varying(dimension) => keys(json!({
             "anyOf": [quantity(Measure::Of(*dimension)), reference(MOTION.name)],

@@ -120,6 +120,8 @@ pub enum Shape {
     Quantity(Measure, Bound),
     /// A number with a dimension, or its least and greatest value.
     Range(Measure, Bound),
+    /// A number with a dimension, or one for each of two axes.
+    PerAxis(Measure, Bound),
     /// A number with a dimension, or nothing.
     End(Measure),
     /// Two lengths, or these with a tolerance of their place.

@@ -78,7 +78,8 @@ fn without(name: &str, kind: &JointKind) -> Complaint {
         | JointKind::Contact { .. }
         | JointKind::Cam(_)
         | JointKind::Rack { .. }
-        | JointKind::Belt { .. } => {
+        | JointKind::Belt { .. }
+        | JointKind::Bushing(_) => {
             Complaint::new(path, "only a revolute joint can have a clearance")
                 .hint("name another joint")
         }

@@ -96,7 +96,9 @@ impl<'m> Newton<'m> {
                 JointKind::Fixed { angle } => Kind::Fixed(*angle),
                 // Free to go.
                 JointKind::Contact { .. } => continue,
-                JointKind::Rack { .. } | JointKind::Belt { .. } => panic!("accuracy has none"),
+                JointKind::Rack { .. } | JointKind::Belt { .. } | JointKind::Bushing(_) => {
+                    panic!("accuracy has none")
+                }
                 JointKind::Gear { ratio, angle, .. } => {
                     let carrier = model.carrier(name, joint).expect("a gear");
                     let carrier = carrier.expect("a carrier").body.to_owned();

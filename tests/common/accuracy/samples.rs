@@ -149,7 +149,8 @@ fn gaps(model: &Model, pitch: &[f64], numbers: &mut Numbers) -> Gaps {
             | JointKind::Contact { .. }
             | JointKind::Cam(_)
             | JointKind::Rack { .. }
-            | JointKind::Belt { .. } => [0.0; 2],
+            | JointKind::Belt { .. }
+            | JointKind::Bushing(_) => [0.0; 2],
         });
     let joints = joints.collect();
     let drivers = model.drivers.values();
@@ -185,7 +186,8 @@ fn pitch(model: &Model) -> Vec<f64> {
             | JointKind::Contact { .. }
             | JointKind::Cam(_)
             | JointKind::Rack { .. }
-            | JointKind::Belt { .. } => 1.0,
+            | JointKind::Belt { .. }
+            | JointKind::Bushing(_) => 1.0,
         })
         .collect()
 }

@@ -131,6 +131,7 @@ pub fn is_counted(model: &Model) -> bool {
             kind,
             JointKind::Rack { .. }
                 | JointKind::Belt { .. }
+                | JointKind::Bushing(_)
                 | JointKind::Cam(_)
                 | JointKind::Contact { .. }
         )

@@ -12,6 +12,7 @@ pub const KINDS: &[&str] = &[
     "gear",
     "rack",
     "belt",
+    "bushing",
     "fixed",
     "rotation",
     "translation",

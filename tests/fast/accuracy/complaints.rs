@@ -218,6 +218,16 @@ line 12, column 15: bodies.rocker: inverse dynamics needs the inertia of body "r
         says: r#"line 19, column 13: joints.loop: accuracy does not count yet what is off in a belt, and gives no answer that leaves it out (vary its numbers as parameters of a `study`, which runs the model with each)"#,
     },
     Case {
+        edits: &[(
+            r#"["ground.Q", "rocker.Q"] }"#,
+            r#"["ground.Q", "rocker.Q"] },
+    "mount": { "type": "bushing", "between": ["crank.O", "rocker.Q"], "radial_stiffness": "800 N/mm" }"#,
+        )],
+        options: &[],
+        status: 2,
+        says: r#"line 19, column 14: joints.mount: accuracy does not count yet what is off in a bushing, and gives no answer that leaves it out (vary its numbers as parameters of a `study`, which runs the model with each)"#,
+    },
+    Case {
         edits: &[
             (
                 r#""motor": { "type": "rotation", "body": "crank", "motion": { "type": "polynomial", "coefficients": [60, 90] } }"#,

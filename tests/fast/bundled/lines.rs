@@ -32,23 +32,23 @@ fn triangle(p: [f64; 2], to_p: f64, q: [f64; 2], to_q: f64) -> [f64; 2] {
     ]
 }
 
-/// Triangle by triangle from Jansen's eleven numbers.
+/// Jansen's foot \[m\] at an angle of the crank, triangle by triangle from his eleven numbers.
+pub(super) fn jansens_foot(theta: f64) -> [f64; 2] {
+    let pivot = [-38.0, -7.8];
+    let pin = [15.0 * theta.cos(), 15.0 * theta.sin()];
+    let top = triangle(pivot, 41.5, pin, 50.0);
+    let rear = triangle(pivot, 40.1, top, 55.8);
+    let low = triangle(pin, 61.9, pivot, 39.3);
+    let knee = triangle(low, 36.7, rear, 39.4);
+    let foot = triangle(low, 49.0, knee, 65.7);
+    foot.map(|x| 1e-3 * x)
+}
+
 #[test]
 fn jansens_foot_follows_from_his_eleven_numbers() {
     let outcome = solve(&load_bundled("jansen-leg", &[]));
-    let pivot = [-38.0, -7.8];
-    let known: Vec<[f64; 2]> = values(&outcome, "crank.angle")
-        .iter()
-        .map(|theta| {
-            let pin = [15.0 * theta.cos(), 15.0 * theta.sin()];
-            let top = triangle(pivot, 41.5, pin, 50.0);
-            let rear = triangle(pivot, 40.1, top, 55.8);
-            let low = triangle(pin, 61.9, pivot, 39.3);
-            let knee = triangle(low, 36.7, rear, 39.4);
-            let foot = triangle(low, 49.0, knee, 65.7);
-            foot.map(|x| 1e-3 * x)
-        })
-        .collect();
+    let angles = values(&outcome, "crank.angle");
+    let known: Vec<[f64; 2]> = angles.into_iter().map(jansens_foot).collect();
     let ours = path(&outcome, "foot.tip");
     assert!(
         apart(&ours, &known) <= 10.0 * ROUND_OFF,

@@ -4,6 +4,7 @@ mod lines;
 mod loads;
 mod machines;
 mod motions;
+mod walking;
 
 use crate::benchmarks;
 use crate::models::{checked, load_bundled, solve, values};

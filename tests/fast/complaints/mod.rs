@@ -60,8 +60,9 @@ const GEAR: &str = r#""axis": [1, 0] },
     "g": { "type": "gear", "between": ["crank.O", "rocker.Q"], "ratio": -2 }"#;
 
 /// The bad models by theme.
-const CASES: [&[Case]; 12] = [
+const CASES: [&[Case]; 13] = [
     cases::words::CASES,
+    cases::yielding::CASES,
     cases::expressions::CASES,
     cases::bodies::CASES,
     cases::joints::CASES,

@@ -93,6 +93,7 @@ fn edit_words(value: &mut serde_json::Value, rng: &mut Rng) {
                 "gear",
                 "rack",
                 "belt",
+                "bushing",
                 "fixed",
                 "rotation",
                 "translation",

@@ -85,6 +85,12 @@ pub fn numbers(model: &mut Model) -> Vec<&mut f64> {
             JointKind::Slot { axis, .. } => numbers.extend(axis),
             JointKind::Gear { ratio, .. } => numbers.push(ratio),
             JointKind::Belt { radii, .. } => numbers.extend(radii),
+            JointKind::Bushing(bushing) => {
+                numbers.extend(&mut bushing.radial_stiffness.0);
+                numbers.extend(&mut bushing.radial_damping.0);
+                numbers.push(&mut bushing.torsional_stiffness);
+                numbers.push(&mut bushing.free_angle);
+            }
             JointKind::Rack { axis, radius, .. } => numbers.extend(axis.iter_mut().chain([radius])),
             JointKind::Fixed { angle } => numbers.push(angle),
             JointKind::Contact {
@@ -197,7 +203,10 @@ pub fn options(model: &mut Model) -> Vec<&mut Option<f64>> {
                 options.push(offset);
                 continue;
             }
-            JointKind::Slot { .. } | JointKind::Fixed { .. } | JointKind::Contact { .. } => {
+            JointKind::Slot { .. }
+            | JointKind::Fixed { .. }
+            | JointKind::Contact { .. }
+            | JointKind::Bushing(_) => {
                 continue;
             }
         };

@@ -56,7 +56,8 @@ fn has_clearance(model: &Model) -> bool {
         | JointKind::Contact { .. }
         | JointKind::Cam(_)
         | JointKind::Rack { .. }
-        | JointKind::Belt { .. } => false,
+        | JointKind::Belt { .. }
+        | JointKind::Bushing(_) => false,
     })
 }
 

@@ -8,6 +8,7 @@
 //!
 //! (Geneva drive: J. H. Bickford, *Mechanisms for Intermittent Motion*, 1972, ch. 9.)
 
+mod resting;
 mod words;
 
 use crate::mechanisms::{column, model, outcome, pin};
@@ -231,53 +232,6 @@ fn a_tip_rests_on_the_step_below_it() {
     let rests = completed(&model);
     near(last(&rests, "disc.y"), 0.02, 1e-12);
     near(last(&rests, "joint.t.fy"), GRAVITY + 50.0 * 0.62, 1e-8);
-}
-
-#[test]
-fn a_disc_comes_to_rest_in_a_groove() {
-    let groove = json!([[2.0, 1.2], [0.0, 0.0], [-2.0, 1.2]]);
-    let (cos, start) = (2.0 / 2.0_f64.hypot(1.2), 0.6);
-    for restitution in [0.0, 0.1, 0.5] {
-        let run = completed(&disc(
-            [0.3, start],
-            [0.0; 2],
-            groove.clone(),
-            json!({ "restitution": restitution }),
-            2.0,
-        ));
-        near(last(&run, "disc.x"), 0.0, 1e-12);
-        near(last(&run, "disc.y"), RADIUS / cos, 1e-12);
-        near(last(&run, "joint.t.fy"), GRAVITY, 1e-11);
-        let fallen = GRAVITY * (start - RADIUS / cos);
-        near(last(&run, "energy.dissipated"), fallen, 1e-8);
-        let events = run.report.events.len();
-        assert!(events < 100, "{restitution}: {events} events");
-    }
-}
-
-/// The load of the wheel and the weight of the pawl hold the pawl in the root of a tooth, each against one flank: an impact on one
-/// throws the pawl off the other.
-#[test]
-fn a_pawl_comes_to_rest_in_the_root_of_a_tooth() {
-    let bodies = json!({
-        "ground": { "points": { "W": [0.0, 0.0], "P": [-0.06, 0.05] } },
-        "wheel": { "mass": 0.5, "inertia": 4e-4, "com": [0.0, 0.0], "points": { "W": [0.0, 0.0] } },
-        "pawl": { "mass": 0.1, "inertia": 6e-5, "com": [0.025, 0.0], "points": { "P": [0.0, 0.0], "T": [0.06, 0.0] },
-            "pose": { "position": [-0.06, 0.05], "angle": 5.0_f64.to_radians() } } });
-    let teeth = json!({ "type": "contact", "between": ["wheel.W", "pawl.T"], "radius": 0.002, "repeat": 12, "restitution": 0.1,
-        "outline": [[0.04, 0.0], [0.05, 0.0], [0.034641016, 0.02]] });
-    let (axle, pivot) = (pin("ground.W", "wheel.W"), pin("ground.P", "pawl.P"));
-    let mut model = model(
-        bodies,
-        json!({ "axle": axle, "pivot": pivot, "teeth": teeth }),
-        json!({}),
-    );
-    model["forces"] = json!({ "load": { "type": "torque", "body": "wheel", "value": "=0.05 N*m*sin(2*pi*t/(0.5 s))" } });
-    model["gravity"] = json!([0.0, -GRAVITY]);
-    model["analysis"] = json!({ "type": "dynamics", "end": 1.5, "outputs": 31 });
-    let run = completed(&model);
-    let events = run.report.events.len();
-    assert!((50..200).contains(&events), "{events} events");
 }
 
 /// A Geneva drive whose pin fits its slots without clearance: crank and wheel 0.1 m apart, the crank at a constant speed.

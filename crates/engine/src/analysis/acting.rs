@@ -57,7 +57,7 @@ pub(super) fn is_unasked(system: &System, column: &Column) -> bool {
 
 fn of_joint(joint: &JointData, contents: Contents) -> impl Iterator<Item = RelativeQuantity> {
     let (turns, slides) = match joint.role {
-        JointRole::Revolute => (true, false),
+        JointRole::Revolute | JointRole::Bushing => (true, false),
         JointRole::Prismatic { .. } => (false, true),
         JointRole::Slot { .. } => (true, true),
         JointRole::Gear

@@ -126,6 +126,9 @@ impl JointReading {
             tensions = belt.tensions(at, lambda.first().copied());
             (force, torque) = belt.wrench(at, tensions);
         }
+        if let Some(bushing) = &data.bushing {
+            (force, torque) = bushing.wrench(at);
+        }
         let touching = data.is_contact().then(|| touching(sample, data));
         let contact = data.contact.map(|id| sample.contacts[id.0]).or(touching);
         if let Some(contact) = contact {

@@ -125,7 +125,8 @@ fn drawn(system: &System, output: Output) -> Vec<Drawn> {
             | JointRole::Contact
             | JointRole::Cam
             | JointRole::Rack { .. }
-            | JointRole::Belt => false,
+            | JointRole::Belt
+            | JointRole::Bushing => false,
         };
         let own = BodyId(output.body + 1);
         let side = data.bodies.iter().position(|&body| body == own)?;
@@ -368,7 +369,8 @@ impl Output {
             | JointRole::Contact
             | JointRole::Cam
             | JointRole::Rack { .. }
-            | JointRole::Belt => None,
+            | JointRole::Belt
+            | JointRole::Bushing => None,
         });
         Output { body, slide }
     }

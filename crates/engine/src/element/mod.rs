@@ -20,6 +20,7 @@
 
 pub mod actuator;
 pub mod belt;
+pub mod bushing;
 pub mod cable;
 pub mod cam;
 pub mod coordinate;

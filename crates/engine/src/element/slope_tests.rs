@@ -2,6 +2,7 @@
 
 use super::actuator::Actuator;
 use super::belt::{Strands, tests::belt};
+use super::bushing::tests::bushing;
 use super::edge::tests::{disc, edge};
 use super::edge::{Piece, Sector};
 use super::formula::{Formula, Function, Strength};
@@ -191,6 +192,8 @@ fn slopes_are_the_derivatives_of_forces() {
             Box::new(Strands(belt(true, Some([12.0, 1.7])))),
         ),
         ("pretension", Box::new(Strands(belt(false, None)))),
+        ("bushing", Box::new(bushing(1))),
+        ("bushing on ground", Box::new(bushing(0))),
         ("spring", Box::new(spring(first))),
         ("spring to ground", Box::new(spring(marker(0, 1.0, 0.3)))),
         (

@@ -33,6 +33,7 @@ pub(crate) use slopes::Slopes;
 pub(crate) use states::StateData;
 
 use crate::element::belt::Belt;
+use crate::element::bushing::Bushing;
 use crate::element::cam::Cam;
 use crate::element::formula::Formula;
 use crate::element::journal::Bearing;
@@ -135,6 +136,8 @@ pub struct JointData {
     pub(crate) friction: Option<JointFriction>,
     /// Pulleys with a belt.
     pub(crate) belt: Option<Box<Belt>>,
+    /// A pin in rubber.
+    pub(crate) bushing: Option<Box<Bushing>>,
 }
 
 /// A driver's numbers beyond its constraint.

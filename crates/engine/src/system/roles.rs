@@ -36,6 +36,8 @@ pub enum JointRole {
     },
     /// Two pulleys with a belt.
     Belt,
+    /// A pin in rubber.
+    Bushing,
     /// Two bodies as one.
     Fixed,
     /// A tip that may touch an outline.
@@ -53,7 +55,8 @@ impl JointRole {
             | JointRole::Contact
             | JointRole::Cam
             | JointRole::Rack { .. }
-            | JointRole::Belt => None,
+            | JointRole::Belt
+            | JointRole::Bushing => None,
         }
     }
 }

@@ -29,6 +29,7 @@ pub(super) fn joint(rules: &mut Rules<'_>, joint: &Joint, path: &str) {
         | JointKind::Cam(_)
         | JointKind::Rack { .. }
         | JointKind::Belt { .. }
+        | JointKind::Bushing(_)
         | JointKind::Fixed { .. } => return,
     };
     if let Some(clearance) = clearance {

@@ -106,7 +106,8 @@ fn translation(rules: &mut Rules<'_>, path: &str, joint: &str) -> Option<String>
         | JointKind::Contact { .. }
         | JointKind::Cam(_)
         | JointKind::Rack { .. }
-        | JointKind::Belt { .. } => false,
+        | JointKind::Belt { .. }
+        | JointKind::Bushing(_) => false,
     });
     match found.filter(|_| !slides) {
         Some(found) => {

@@ -68,7 +68,8 @@ impl Names<'_, '_> {
                 | JointKind::Fixed { .. }
                 | JointKind::Contact { .. }
                 | JointKind::Cam(_)
-                | JointKind::Rack { .. } => {}
+                | JointKind::Rack { .. }
+                | JointKind::Bushing(_) => {}
             }
         }
         for (name, driver) in &model.drivers {

@@ -105,6 +105,10 @@ impl Look<'_> {
             ) => self.number(*number, *bound),
             (Shape::End(_), Tree::Number(number)) => self.number(*number, Bound::Any),
             (Shape::Range(_, bound), limits) => self.range(limits, *bound),
+            (Shape::PerAxis(_, bound), Tree::Number(number)) => self.number(*number, *bound),
+            (Shape::PerAxis(measure, bound), Tree::List(items)) => {
+                self.list(items, &Shape::Quantity(*measure, *bound), 0);
+            }
             (Shape::Place, Tree::List(items)) => self.list(items, &LENGTH, 0),
             (Shape::Place, place) => self.object(place, &PLACE),
             (Shape::ContactStiffness, Tree::Number(number)) => {
@@ -153,6 +157,7 @@ impl Look<'_> {
                 | Shape::Name(_)
                 | Shape::Point
                 | Shape::Quantity(..)
+                | Shape::PerAxis(..)
                 | Shape::Number(_)
                 | Shape::Coefficient(_)
                 | Shape::Count(..)

@@ -4,7 +4,7 @@ use serde_json::json;
 
 use super::{Keys, QUANTITY_PATTERN, at, keys, list, note, said, target};
 use crate::dimension::Dimension;
-use crate::shape::{Asked, Bound, Field, Shape};
+use crate::shape::{Asked, Bound, Field, Measure, Shape};
 use crate::words::{LENGTH, PARAMETER, PLACE, RESPONSE};
 
 /// Name of a parameter.
@@ -72,9 +72,10 @@ pub fn parameters(field: Option<&Field>) -> Keys {
     keys
 }
 
-/// A number, or the least and the greatest one.
-pub fn range(each: &Shape) -> Keys {
-    keys(json!({ "anyOf": [at(each, None), list(each, 2, Some(2))] }))
+/// A number, or two of it: the least and the greatest one, or one along each axis.
+pub fn range(measure: Measure, bound: Bound) -> Keys {
+    let each = Shape::Quantity(measure, bound);
+    keys(json!({ "anyOf": [at(&each, None), list(&each, 2, Some(2))] }))
 }
 
 /// Two coordinates, or these with a tolerance.

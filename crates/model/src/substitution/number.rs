@@ -105,6 +105,13 @@ fn joint<'m, 'p>(
         (JointKind::Belt { pretension, .. }, "pretension") => pretension.as_mut(),
         (JointKind::Rack { offset, .. }, "offset") => offset.as_mut(),
         (JointKind::Prismatic { angle, .. } | JointKind::Fixed { angle }, "angle") => Some(angle),
+        (JointKind::Bushing(bushing), key) => match key {
+            "torsional_stiffness" => Some(&mut bushing.torsional_stiffness),
+            "torsional_damping" => Some(&mut bushing.torsional_damping),
+            "free_angle" => Some(&mut bushing.free_angle),
+            // one number may stand for both axes
+            _ => None,
+        },
         (JointKind::Gear { ratio, .. }, "ratio") => Some(ratio),
         (JointKind::Gear { angle, .. }, "angle") => angle.as_mut(),
         (JointKind::Contact { radius, .. }, "radius") => Some(radius),

@@ -16,6 +16,7 @@ pub fn filler(shape: &Shape) -> Value {
         Shape::Choice(choice) => Value::from(choice.words.first().map_or("", |word| word.0)),
         Shape::Quantity(..)
         | Shape::Range(..)
+        | Shape::PerAxis(..)
         | Shape::Alike(_)
         | Shape::Number(_)
         | Shape::Coefficient(_)

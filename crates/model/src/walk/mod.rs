@@ -257,7 +257,7 @@ impl<'a> Walk<'a> {
             Shape::Nominal => Some(Value::Null),
             Shape::Deviations => self.deviations(node, path, driven),
             Shape::Alike(bound) => self.alike(node, *bound, path, driven),
-            Shape::Range(measure, bound) => {
+            Shape::Range(measure, bound) | Shape::PerAxis(measure, bound) => {
                 self.range(node, &Shape::Quantity(*measure, *bound), path, driven)
             }
             Shape::End(_) if matches!(node.kind, Kind::Null) => Some(Value::Null),

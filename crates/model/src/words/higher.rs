@@ -124,6 +124,72 @@ pub const BELT: Object = Object {
     either: None,
 };
 
+/// A pin that yields.
+pub const BUSHING: Object = Object {
+    name: "bushing",
+    about: "The points stay near each other: a pin in rubber, which yields in all directions and is no constraint.",
+    fields: &[
+        required(
+            "radial_stiffness",
+            Shape::PerAxis(Measure::Of(Dimension::Stiffness), Bound::Above(0.0)),
+            "Force by how far the second point is from the first [N/m]; one number, or `[along x, along y]` of the first body's frame.",
+        ),
+        default(
+            "radial_damping",
+            Shape::PerAxis(Measure::Of(Dimension::Damping), Bound::AtLeast(0.0)),
+            Default::Zero,
+            "The same by the rate of that [N·s/m].",
+        ),
+        default(
+            "torsional_stiffness",
+            Shape::Quantity(
+                Measure::Of(Dimension::AngularStiffness),
+                Bound::AtLeast(0.0),
+            ),
+            Default::Zero,
+            "Torque by the angle of the second body in the first, from `free_angle` [N·m/rad].",
+        ),
+        default(
+            "torsional_damping",
+            Shape::Quantity(Measure::Of(Dimension::AngularDamping), Bound::AtLeast(0.0)),
+            Default::Zero,
+            "The same by the rate of that [N·m·s/rad].",
+        ),
+        default(
+            "free_angle",
+            Shape::Quantity(Measure::Of(Dimension::Angle), Bound::Any),
+            Default::Zero,
+            "Angle of the second body in the first at which there is no torque \\[rad\\].",
+        ),
+        required(
+            "between",
+            Shape::Pair(&Shape::Point),
+            "Two points `body.point`, first → second.",
+        ),
+    ],
+    refused: &[
+        (
+            "stiffness",
+            "a bushing has two: \"radial_stiffness\" and \"torsional_stiffness\"",
+        ),
+        (
+            "damping",
+            "a bushing has two: \"radial_damping\" and \"torsional_damping\"",
+        ),
+        (
+            "limits",
+            "a bushing yields without end; a \"revolute\" joint has limits",
+        ),
+        ("clearance", "only a revolute joint can have clearance"),
+        (
+            "friction",
+            "only revolute and prismatic joints can have friction",
+        ),
+    ],
+    drives: Drives::Nothing,
+    either: None,
+};
+
 /// A cam and its follower.
 pub const CAM: Object = Object {
     name: "cam",

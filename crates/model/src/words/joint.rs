@@ -2,7 +2,7 @@
 
 use super::clearance::CLEARANCE;
 use super::friction::FRICTION;
-use super::higher::{BELT, CAM, CONTACT, RACK};
+use super::higher::{BELT, BUSHING, CAM, CONTACT, RACK};
 use crate::dimension::Dimension;
 use crate::shape::{
     Bound, Choice, Default, Drives, Field, Measure, Named, Object, Shape, Tagged, default,
@@ -241,6 +241,7 @@ pub static JOINT: Tagged = Tagged {
         BELT,
         CAM,
         CONTACT,
+        BUSHING,
         Object {
             name: "fixed",
             about: "The points coincide, relative angle fixed \\[rad\\].",

@@ -171,6 +171,7 @@ impl Mechanism {
                 JointKind::Revolute { .. }
                 | JointKind::Prismatic { .. }
                 | JointKind::Slot { .. }
+                | JointKind::Bushing
                 | JointKind::Fixed => [0.0; 2],
                 JointKind::Cam(cam) => [cam.radius(), cam.roller.or(cam.reach).unwrap_or(0.0)],
             };

@@ -76,7 +76,7 @@ impl Mechanism {
             holds: joints
                 .clone()
                 .map(|joint| match joint.kind {
-                    JointKind::Revolute { .. } | JointKind::Fixed => true,
+                    JointKind::Revolute { .. } | JointKind::Bushing | JointKind::Fixed => true,
                     JointKind::Prismatic { .. }
                     | JointKind::Slot { .. }
                     | JointKind::Gear { .. }

@@ -13,6 +13,8 @@ use crate::symbols::{self, Cylinder};
 /// Radius of a pin, and of the ring that tells of a clearance, in bars.
 const PIN: f64 = 0.62;
 const RING: f64 = 1.2;
+/// Radius of a ring of rubber around a pin.
+const SLEEVE: f64 = 1.15;
 /// Half the side of a weld, in bars.
 const WELD: f64 = 0.7;
 /// Distance from which on bearing and journal are seen apart, in bars.
@@ -99,7 +101,8 @@ fn draw_guide(scene: &mut Scene, sketch: &Sketch, joint: &Joint, slides: [f64; 2
         | JointKind::Contact { .. }
         | JointKind::Cam(_)
         | JointKind::Rack { .. }
-        | JointKind::Belt { .. } => {}
+        | JointKind::Belt { .. }
+        | JointKind::Bushing => {}
     }
 }
 
@@ -180,6 +183,13 @@ fn draw_pin(scene: &mut Scene, sketch: &Sketch, joint: &Joint) {
             }
             pin(scene, second);
             draw_clearance(scene, sketch, clearance.as_ref(), first);
+        }
+        JointKind::Bushing => {
+            support(scene);
+            let rubber = Some(sketch.ink(palette::MUTED));
+            let sleeve = Some(sketch.pen(palette::STEEL));
+            scene.circle("bushing", first, SLEEVE * bar, rubber, sleeve);
+            pin(scene, second);
         }
         JointKind::Slot { .. } => pin(scene, second),
         JointKind::Fixed => {

@@ -42,7 +42,8 @@ pub fn reach(joint: &Joint, slides: [f64; 2]) -> [f64; 2] {
         | JointKind::Contact { .. }
         | JointKind::Cam(_)
         | JointKind::Rack { .. }
-        | JointKind::Belt { .. } => slides,
+        | JointKind::Belt { .. }
+        | JointKind::Bushing => slides,
     }
 }
 
@@ -61,7 +62,8 @@ pub fn draw(scene: &mut Scene, sketch: &Sketch, joint: &Joint, slides: [f64; 2])
         | JointKind::Contact { .. }
         | JointKind::Cam(_)
         | JointKind::Rack { .. }
-        | JointKind::Belt { .. } => {}
+        | JointKind::Belt { .. }
+        | JointKind::Bushing => {}
     }
 }
 

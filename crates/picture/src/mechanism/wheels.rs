@@ -23,6 +23,7 @@ pub fn draw(scene: &mut Scene, sketch: &Sketch, joint: &Joint, slides: [f64; 2])
         | JointKind::Prismatic { .. }
         | JointKind::Slot { .. }
         | JointKind::Cam(_)
+        | JointKind::Bushing
         | JointKind::Fixed
         | JointKind::Contact { .. } => {}
     }

@@ -86,7 +86,8 @@ impl Shape {
             | JointKind::Contact { .. }
             | JointKind::Cam(_)
             | JointKind::Rack { .. }
-            | JointKind::Belt { .. } => None,
+            | JointKind::Belt { .. }
+            | JointKind::Bushing => None,
         });
         let driven = self.drivers.iter().flat_map(|driver| match driver.kind {
             DriverKind::Rotation {

@@ -70,9 +70,9 @@ impl Shape {
                 JointKind::Gear { ratio, .. } => DrawnKind::Gear { ratio },
                 JointKind::Rack { rack } => DrawnKind::Rack { rack },
                 JointKind::Belt { belt } => DrawnKind::Belt { belt },
-                // 0.1 knew no contacts and no cams.
+                // 0.1 knew no contacts, no cams and no bushings.
                 JointKind::Fixed => DrawnKind::Fixed,
-                JointKind::Cam(_) | JointKind::Contact { .. } => return None,
+                JointKind::Cam(_) | JointKind::Contact { .. } | JointKind::Bushing => return None,
             };
             let between = joint.between.map(at);
             Some(DrawnJoint { between, kind })

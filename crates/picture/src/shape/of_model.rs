@@ -213,6 +213,7 @@ fn joint_of(numbers: &Numbers, name: &str, joint: &model::Joint) -> Joint {
                 crossed: *strands == model::Strands::Crossed,
             },
         },
+        model::JointKind::Bushing(_) => JointKind::Bushing,
         model::JointKind::Fixed { .. } => JointKind::Fixed,
         model::JointKind::Contact { radius, arc, .. } => JointKind::Contact {
             outlines: joint

@@ -91,6 +91,8 @@ pub enum JointKind {
         /// The pulleys.
         belt: Pulleys,
     },
+    /// A pin in rubber.
+    Bushing,
     /// A weld.
     Fixed,
     /// A tip that may touch an outline.
@@ -311,7 +313,8 @@ impl Joint {
             | JointKind::Contact { .. }
             | JointKind::Cam(_)
             | JointKind::Rack { .. }
-            | JointKind::Belt { .. } => None,
+            | JointKind::Belt { .. }
+            | JointKind::Bushing => None,
         }
     }
 

@@ -20,7 +20,7 @@ pub const CASES: &[Case] = &[
         edits: &[(r#""type": "prismatic", "#, "")],
         sets: &[],
         complaints: &[
-            r#"line 20, column 10: joints.e: "type" is missing (one of "revolute", "prismatic", "slot", "gear", "rack", "belt", "cam", "contact" or "fixed")"#,
+            r#"line 20, column 10: joints.e: "type" is missing (one of "revolute", "prismatic", "slot", "gear", "rack", "belt", "cam", "contact", "bushing" or "fixed")"#,
         ],
     },
     Case {
@@ -36,7 +36,7 @@ pub const CASES: &[Case] = &[
         edits: &[(r#""prismatic""#, r#""worm""#)],
         sets: &[],
         complaints: &[
-            r#"line 20, column 20: joints.e.type: "worm": unknown type (one of "revolute", "prismatic", "slot", "gear", "rack", "belt", "cam", "contact" or "fixed")"#,
+            r#"line 20, column 20: joints.e.type: "worm": unknown type (one of "revolute", "prismatic", "slot", "gear", "rack", "belt", "cam", "contact", "bushing" or "fixed")"#,
         ],
     },
     Case {
@@ -44,7 +44,7 @@ pub const CASES: &[Case] = &[
         edits: &[(r#""prismatic""#, "7")],
         sets: &[],
         complaints: &[
-            r#"line 20, column 20: joints.e.type: 7: text is expected, not a number (one of "revolute", "prismatic", "slot", "gear", "rack", "belt", "cam", "contact" or "fixed")"#,
+            r#"line 20, column 20: joints.e.type: 7: text is expected, not a number (one of "revolute", "prismatic", "slot", "gear", "rack", "belt", "cam", "contact", "bushing" or "fixed")"#,
         ],
     },
     Case {
@@ -202,93 +202,6 @@ pub const CASES: &[Case] = &[
         ],
         complaints: &[
             r#"--set joints.g={ "type": "rack", "between": ["crank.O", "rocker.Q"…: joints.g.radius: "deg" is not a unit of length (such as "m")"#,
-        ],
-    },
-    Case {
-        what: "belt without radii",
-        edits: &[(
-            r#""axis": [1, 0] }"#,
-            r#""axis": [1, 0] },
-    "g": { "type": "belt", "between": ["crank.O", "rocker.Q"], "pretension": "200 N" }"#,
-        )],
-        sets: &[],
-        complaints: &[
-            r#"line 21, column 10: joints.g: "radii" is missing (of both pulleys, as in "radii": ["30 mm", "60 mm"])"#,
-        ],
-    },
-    Case {
-        what: "belt with a radius that is zero and a negative pretension",
-        edits: &[(
-            r#""axis": [1, 0] }"#,
-            r#""axis": [1, 0] },
-    "g": { "type": "belt", "between": ["crank.O", "rocker.Q"], "radii": ["30 mm", 0], "pretension": "-200 N" }"#,
-        )],
-        sets: &[],
-        complaints: &[
-            r#"line 21, column 83: joints.g.radii[1]: 0: must be greater than 0"#,
-            r#"line 21, column 101: joints.g.pretension: "-200 N": must not be negative"#,
-        ],
-    },
-    Case {
-        what: "belt with damping that does not stretch, with limits",
-        edits: &[(
-            r#""axis": [1, 0] }"#,
-            r#""axis": [1, 0] },
-    "g": { "type": "belt", "between": ["crank.O", "rocker.Q"], "radii": ["30 mm", "60 mm"], "damping": "2 N*s/m", "limits": [0, 1] }"#,
-        )],
-        sets: &[],
-        complaints: &[
-            r#"line 21, column 104: joints.g.damping: "2 N*s/m": "stiffness" is missing: a belt with damping stretches (give the stiffness of a strand, as in "stiffness": "50 N/mm")"#,
-            r#"line 21, column 115: joints.g.limits: "limits": a belt turns without end: give limits to the revolute joints of its pulleys"#,
-        ],
-    },
-    Case {
-        what: "belt whose strands run otherwise",
-        edits: &[(
-            r#""axis": [1, 0] }"#,
-            r#""axis": [1, 0] },
-    "g": { "type": "belt", "between": ["crank.O", "rocker.Q"], "radii": ["30 mm", "60 mm"], "strands": "twisted" }"#,
-        )],
-        sets: &[],
-        complaints: &[
-            r#"line 21, column 104: joints.g.strands: "twisted": unknown strands (one of "open" or "crossed")"#,
-        ],
-    },
-    Case {
-        what: "belt of pulleys that no body holds",
-        edits: &[(
-            r#""axis": [1, 0] }"#,
-            r#""axis": [1, 0] },
-    "g": { "type": "belt", "between": ["crank.A", "rocker.Q"], "radii": ["30 mm", "60 mm"] }"#,
-        )],
-        sets: &[],
-        complaints: &[
-            r#"line 21, column 39: joints.g.between: no third body holds both crank.A and rocker.Q (pin both pulleys to one body, or name as "carrier" the body in which the line between them turns by less than half a turn)"#,
-        ],
-    },
-    Case {
-        what: "belt on one body",
-        edits: &[(
-            r#""axis": [1, 0] }"#,
-            r#""axis": [1, 0] },
-    "g": { "type": "belt", "between": ["crank.A", "crank.O"], "radii": ["30 mm", "60 mm"], "carrier": "ground" }"#,
-        )],
-        sets: &[],
-        complaints: &[
-            r#"line 21, column 39: joints.g.between: both points are of "crank" (a joint connects two bodies)"#,
-        ],
-    },
-    Case {
-        what: "belt with a radius too much, and a carrier that is not there",
-        edits: &[(
-            r#""axis": [1, 0] }"#,
-            r#""axis": [1, 0] },
-    "g": { "type": "belt", "between": ["crank.O", "rocker.Q"], "radii": ["30 mm", "60 mm", 3], "carrier": "frame" }"#,
-        )],
-        sets: &[],
-        complaints: &[
-            r#"line 21, column 73: joints.g.radii: a list of 2 is expected, this one has 3"#,
-            r#"line 21, column 107: joints.g.carrier: "frame": there is no body "frame" (the bodies: ground, crank, coupler, rocker, slider)"#,
         ],
     },
     Case {

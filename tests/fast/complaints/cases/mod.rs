@@ -14,3 +14,4 @@ pub mod slips;
 pub mod syntax;
 pub mod tolerances;
 pub mod words;
+pub mod yielding;

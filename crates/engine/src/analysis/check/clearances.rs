@@ -20,7 +20,8 @@ pub fn clearances(model: &Model) -> impl Iterator<Item = (&str, ClearanceModel)>
             | JointKind::Contact { .. }
             | JointKind::Cam(_)
             | JointKind::Rack { .. }
-            | JointKind::Belt { .. } => None,
+            | JointKind::Belt { .. }
+            | JointKind::Bushing(_) => None,
         })
 }
 

@@ -176,6 +176,7 @@ impl Compiler<'_> {
                 | JointKind::Cam(_)
                 | JointKind::Rack { .. }
                 | JointKind::Belt { .. }
+                | JointKind::Bushing(_)
                 | JointKind::Fixed { .. }
                 | JointKind::Contact { .. } => None,
             }

@@ -52,7 +52,8 @@ impl Compiler<'_> {
                         | JointKind::Contact { .. }
                         | JointKind::Cam(_)
                         | JointKind::Rack { .. }
-                        | JointKind::Belt { .. } => Vec2::x(),
+                        | JointKind::Belt { .. }
+                        | JointKind::Bushing(_) => Vec2::x(),
                     };
                     let (first, second) = (
                         self.marker(&joint.between[0]),

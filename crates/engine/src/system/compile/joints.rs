@@ -3,6 +3,7 @@
 use super::needs::{bearing, clearance};
 use super::{Compiler, roles};
 use crate::element::belt::Belt;
+use crate::element::bushing::Bushing;
 use crate::element::cam::Cam;
 use crate::element::fixed::Fixed;
 use crate::element::joint_friction::{GuideFriction, PinFriction};
@@ -27,6 +28,7 @@ pub(super) struct Made {
     link: Option<ClearanceLink>,
     contact: Option<ContactId>,
     pub(super) belt: Option<Box<Belt>>,
+    pub(super) bushing: Option<Box<Bushing>>,
     cam: Option<Arc<Cam>>,
 }
 
@@ -38,6 +40,7 @@ impl Made {
             link: None,
             contact: None,
             belt: None,
+            bushing: None,
             cam: None,
         }
     }
@@ -68,6 +71,7 @@ impl Compiler<'_> {
                 edges: 0..0,
                 friction,
                 belt: made.belt,
+                bushing: made.bushing,
             });
             self.push_block(made.constraint, Origin::Joint(JointId(k)));
         }
@@ -107,6 +111,7 @@ impl Compiler<'_> {
                 radius,
                 offset,
             } => (Arc::new(self.rack(points, *axis, *radius, *offset)), true),
+            JointKind::Bushing(given) => return Made::bushing(given, points),
             // The caller has taken belts.
             JointKind::Belt { .. } => (Arc::new(Free), true),
             JointKind::Fixed { angle } => {
@@ -248,7 +253,8 @@ impl Compiler<'_> {
             | JointKind::Contact { .. }
             | JointKind::Cam(_)
             | JointKind::Rack { .. }
-            | JointKind::Belt { .. } => return None,
+            | JointKind::Belt { .. }
+            | JointKind::Bushing(_) => return None,
         };
         // Blocks stand in the order of the joints.
         self.system.dependent_forces.push(DependentForce {

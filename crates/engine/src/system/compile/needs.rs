@@ -47,7 +47,8 @@ pub(super) fn clearance(kind: &JointKind) -> Option<&linkdyn_model::Clearance> {
         | JointKind::Contact { .. }
         | JointKind::Cam(_)
         | JointKind::Rack { .. }
-        | JointKind::Belt { .. } => None,
+        | JointKind::Belt { .. }
+        | JointKind::Bushing(_) => None,
     }
 }
 
@@ -142,7 +143,8 @@ fn frictions<'a>(
             | JointKind::Contact { .. }
             | JointKind::Cam(_)
             | JointKind::Rack { .. }
-            | JointKind::Belt { .. } => continue,
+            | JointKind::Belt { .. }
+            | JointKind::Bushing(_) => continue,
         };
         let radius = pin.map_or(Ok(0.0), |radius| {
             need(&path, "pin_radius", radius, |radius| radius > 0.0)

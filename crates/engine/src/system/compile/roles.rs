@@ -24,6 +24,7 @@ pub(super) fn joint_role(kind: &JointKind) -> JointRole {
             radius: *radius,
         },
         JointKind::Belt { .. } => JointRole::Belt,
+        JointKind::Bushing(_) => JointRole::Bushing,
         JointKind::Fixed { .. } => JointRole::Fixed,
         JointKind::Contact { .. } => JointRole::Contact,
     }

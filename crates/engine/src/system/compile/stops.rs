@@ -38,7 +38,8 @@ impl Compiler<'_> {
             | JointKind::Contact { .. }
             | JointKind::Cam(_)
             | JointKind::Rack { .. }
-            | JointKind::Belt { .. } => None,
+            | JointKind::Belt { .. }
+            | JointKind::Bushing(_) => None,
         };
         let arm = axis.map_or(self.system.size, |_| 1.0);
         let pair = Pair {

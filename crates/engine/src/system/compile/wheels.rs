@@ -1,8 +1,9 @@
-//! What rolls: wheels in mesh, on racks, and with belts.
+//! What rolls: wheels in mesh, on racks, and with belts; and what yields: bushings.
 
 use super::Compiler;
 use super::joints::Made;
 use crate::element::belt::{Belt, Strands};
+use crate::element::bushing::Bushing;
 use crate::element::gear::Gear;
 use crate::element::journal::Free;
 use crate::element::rack::Rack;
@@ -10,6 +11,23 @@ use crate::element::{BodyColumns, BodyId, Constraint, Kinematics, Marker, Pose, 
 use linkdyn_linear::math::{Vec2, unit};
 use linkdyn_model::{self as model, Carrier, Joint, JointKind};
 use std::sync::Arc;
+
+impl Made {
+    /// A pin in rubber, which holds nothing and is a force.
+    pub(super) fn bushing(given: &model::Bushing, [first, second]: [Marker; 2]) -> Made {
+        let bushing = Bushing {
+            first,
+            second,
+            stiffness: Vec2::from(given.radial_stiffness.0),
+            damping: Vec2::from(given.radial_damping.0),
+            torsion: [given.torsional_stiffness, given.torsional_damping],
+            free_angle: given.free_angle,
+        };
+        let mut made = Made::of(Arc::new(Free), true);
+        made.bushing = Some(Box::new(bushing));
+        made
+    }
+}
 
 impl Compiler<'_> {
     /// A number of the poses as drawn.
@@ -126,7 +144,7 @@ impl Compiler<'_> {
         made
     }
 
-    /// What belts exert beside their constraints: behind all forces of the model.
+    /// What belts exert beside their constraints, and bushings: behind all forces of the model.
     pub(super) fn add_strands(&mut self) {
         let belts = self
             .system
@@ -137,6 +155,10 @@ impl Compiler<'_> {
         let strands: Vec<Strands> = belts.filter(acts).cloned().map(Strands).collect();
         for strands in strands {
             self.system.forces.push(Arc::new(strands));
+        }
+        let joints = self.system.joints.iter();
+        for bushing in joints.filter_map(|joint| joint.bushing.as_deref()) {
+            self.system.forces.push(Arc::new(*bushing));
         }
     }
 

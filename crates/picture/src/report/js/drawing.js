@@ -234,7 +234,7 @@
     if (!a || !b) return;
     const grounded = joint.between.some(([number]) => number === 0), pin = joint.between[0][0] === 0 ? a : b;
     pen.strokeStyle = colours.ground; pen.lineWidth = 1.5;
-    if (grounded && (joint.type === "revolute" || joint.type === "fixed")) support(pen, colours, pin, px);
+    if (grounded && ["revolute", "bushing", "fixed"].includes(joint.type)) support(pen, colours, pin, px);
     pen.strokeStyle = colours.steel; pen.fillStyle = colours.pin; pen.lineWidth = 1.8;
     if (joint.type === "revolute" || joint.type === "slot") {
       // A clearance that can be seen is seen.
@@ -245,6 +245,10 @@
         pen.beginPath(); pen.arc(...a, Math.max(joint.clearance.radius * scale, px * 0.85), 0, 7); pen.stroke();
         pen.setLineDash([]);
       }
+    } else if (joint.type === "bushing") {
+      // Rubber in its sleeve, around a pin.
+      pen.fillStyle = colours.muted; disc(pen, a, px * 0.85);
+      pen.fillStyle = colours.pin; disc(pen, b, px * 0.46);
     } else if (joint.type === "fixed") {
       pen.fillStyle = colours.steel; pen.fillRect(b[0] - px * 0.45, b[1] - px * 0.45, px * 0.9, px * 0.9);
     }

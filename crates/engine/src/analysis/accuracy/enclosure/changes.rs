@@ -75,7 +75,7 @@ pub(super) fn changes(system: &System, at: &Kinematics, radii: &Radii) -> Vec<Ch
                         most: f64::INFINITY,
                     }),
                     // No question is answered of a mechanism with one.
-                    JointRole::Rack { .. } | JointRole::Belt => {}
+                    JointRole::Rack { .. } | JointRole::Belt | JointRole::Bushing => {}
                 }
             }
             Origin::Driver(id) => {

@@ -221,7 +221,8 @@ fn add_joints(found: &mut Dimensions, model: &Model, system: &System) {
             JointKind::Cam(_)
             | JointKind::Revolute { .. }
             | JointKind::Rack { .. }
-            | JointKind::Belt { .. } => {}
+            | JointKind::Belt { .. }
+            | JointKind::Bushing(_) => {}
         }
     }
 }
@@ -250,7 +251,8 @@ pub(in crate::analysis::accuracy) fn dimension_values(model: &Model, system: &Sy
             | JointKind::Contact { .. }
             | JointKind::Cam(_)
             | JointKind::Rack { .. }
-            | JointKind::Belt { .. } => {}
+            | JointKind::Belt { .. }
+            | JointKind::Bushing(_) => {}
         }
     }
     for data in model.drivers.values() {

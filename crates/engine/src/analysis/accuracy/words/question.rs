@@ -139,6 +139,7 @@ fn uncounted(model: &Model) -> Result<(), Complaint> {
     let kind = |kind: &JointKind| match kind {
         JointKind::Rack { .. } => Some("a rack"),
         JointKind::Belt { .. } => Some("a belt"),
+        JointKind::Bushing(_) => Some("a bushing"),
         JointKind::Cam(_) => Some("a cam"),
         JointKind::Revolute { .. }
         | JointKind::Prismatic { .. }

@@ -158,7 +158,8 @@ fn joint_play(kind: &JointKind, row: usize, system: &System, index: usize) -> Op
         | JointKind::Contact { .. }
         | JointKind::Cam(_)
         | JointKind::Rack { .. }
-        | JointKind::Belt { .. } => None,
+        | JointKind::Belt { .. }
+        | JointKind::Bushing(_) => None,
     }
 }
 

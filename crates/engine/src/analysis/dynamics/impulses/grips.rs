@@ -148,13 +148,21 @@ impl<'a> Grips<'a> {
         }
     }
 
-    /// Impulses after which what presses comes no nearer, and what sticks does not slide.
+    /// Impulses after which what presses comes no nearer, what sticks does not slide, and what begins to slide does not slide the
+    /// other way, be it by round-off: that would be an event at once, and another one.
     pub fn resting(&self, modes: &[Mode]) -> Option<Vec<[f64; 2]>> {
-        let smooth = modes.iter().map(|mode| match mode {
-            Mode::Slips(_) => Mode::Slips(0.0),
-            Mode::Leaves | Mode::Sticks => *mode,
-        });
-        self.forces(&smooth.collect::<Vec<Mode>>())
+        let slides_back = |k: usize, ratio: f64| {
+            matches!(self.along[k], Along::Rests(_)) && self.free[1][k] * ratio > 0.0
+        };
+        let smooth = |stops: bool| {
+            let modes = modes.iter().enumerate().map(|(k, mode)| match *mode {
+                Mode::Slips(ratio) if stops && slides_back(k, ratio) => Mode::Sticks,
+                Mode::Slips(_) => Mode::Slips(0.0),
+                Mode::Leaves | Mode::Sticks => *mode,
+            });
+            self.forces(&modes.collect::<Vec<Mode>>())
+        };
+        smooth(true).or_else(|| smooth(false))
     }
 
     /// (N, T) in these modes, and whether nothing contradicts them.

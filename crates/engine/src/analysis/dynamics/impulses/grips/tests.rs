@@ -119,3 +119,37 @@ fn what_is_found_is_coulombs_law() {
     }
     assert!(sticking > 500, "{sticking}");
 }
+
+/// What sticks, and what begins to slide while round-off moves it the other way, is stopped; what slides its way already goes on.
+#[test]
+fn what_begins_to_slide_does_not_slide_back() {
+    let mass = DMatrix::from_row_slice(2, 2, &[1.0, 0.2, 0.2, 0.5]);
+    let (friction, creep) = (0.4, 1e-9);
+    for (way, sliding, stops) in [
+        (1.0, -creep, true),
+        (1.0, creep, false),
+        (-1.0, creep, true),
+    ] {
+        let grips = Grips {
+            along: &[Along::Rests(friction)],
+            free: [&[0.0], &[sliding]],
+            mass: mass.clone(),
+            held: None,
+        };
+        let pushes = grips
+            .resting(&[Mode::Slips(-friction * way)])
+            .expect("pushes");
+        let pushed = DVector::from_row_slice(&pushes[0]);
+        let changed = &mass * pushed;
+        assert!(changed[0].abs() < 1e-24, "{changed}");
+        let left = sliding + changed[1];
+        assert!(
+            if stops {
+                left.abs() < 1e-24
+            } else {
+                left == sliding
+            },
+            "{left:e}"
+        );
+    }
+}
