@@ -87,7 +87,9 @@ fn a_beam_rocks_from_end_to_end_until_it_rests() {
         // What is left of the series is by rebounds that are lower than round-off.
         let end = hits.last().expect("it falls");
         assert!((0.9 * rests..rests).contains(end), "{end} of {rests}");
-        assert!((10..60).contains(&hits.len()), "{}", hits.len());
+        // Flights are lower by ρ² each, down to 1e-9 of the mechanism's 1 m.
+        let enough = (lift / 1e-9).ln() / (-2.0 * ratio.ln());
+        near(hits.len() as f64, enough, 1.0);
         for name in ["joint.a.fy", "joint.b.fy"] {
             near(last(&run, name), 0.5 * GRAVITY, 1e-9);
         }
