@@ -69,4 +69,5 @@ mod statics;
 mod sticking;
 mod stops;
 mod tables;
+mod timed;
 mod transmission;

@@ -22,6 +22,7 @@ pub mod actuator;
 pub mod belt;
 pub mod cable;
 pub mod cam;
+pub mod clasp;
 pub mod coordinate;
 pub mod coordinates;
 pub mod distance;

@@ -2,7 +2,7 @@
 
 use super::fault::Fault;
 use super::flow::Flow;
-use super::words::{chatters, culprits, describe, jam, no_value, tight};
+use super::words::{chatters, culprits, describe, jam, no_value, tight, unclosed};
 use crate::analysis::words::locked;
 use crate::mechanism::driven::Failure;
 use linkdyn_model::display::DisplayUnits;
@@ -47,6 +47,8 @@ impl Ended {
             | Fault::TooSmall { .. }
             | Fault::Chatters { .. }
             | Fault::NoValue { .. }
+            | Fault::Apart { .. }
+            | Fault::Driven { .. }
             | Fault::Indivisible { .. } => format!("the position at t = {when} can't be solved"),
         };
         Ended {
@@ -82,11 +84,17 @@ fn told(
     ahead: Option<usize>,
     jammed: &[usize],
 ) -> (Status, String) {
+    if let Some(message) = unclosed(flow.system(), fault, now) {
+        return (Status::Singular, message);
+    }
     let refused = match fault {
         Fault::Chatters { force } => return (Status::StepTooSmall, chatters(flow, force, now)),
         Fault::NoValue { force } => return (Status::Singular, no_value(flow, force, now)),
         Fault::TooSmall { .. } => false,
-        Fault::Indivisible { .. } | Fault::Unsolved(_) => true,
+        Fault::Indivisible { .. }
+        | Fault::Apart { .. }
+        | Fault::Driven { .. }
+        | Fault::Unsolved(_) => true,
     };
     let lock = flow
         .equations

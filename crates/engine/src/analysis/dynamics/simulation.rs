@@ -207,10 +207,33 @@ impl<'s> Simulation<'s> {
         }
     }
 
+    /// Closes and opens what events of the motion say.
+    fn fire(&mut self, time: f64) -> Result<(), Fault> {
+        let Some(force) = self.flow.switching() else {
+            return Ok(());
+        };
+        let fired = self.flow.fired();
+        if fired.is_empty() {
+            return Ok(());
+        }
+        self.switches.note(force, time, self.flow.system())?;
+        self.flow.hold_sides();
+        for (contact, closes) in fired {
+            match closes {
+                true => self.impulses(time).close(contact)?,
+                false => self.impulses(time).open(contact)?,
+            }
+        }
+        Ok(())
+    }
+
     /// What happens at an event: impulses, then phases that end. The motion starts again from there.
     fn change(&mut self, time: f64) -> Result<(), Fault> {
         self.last_step().0.evaluate(time)?;
         self.pass();
+        if !self.flow.system().timed.is_empty() {
+            self.fire(time)?;
+        }
         self.impulses(time).resolve()?;
         let system = self.flow.system();
         let mut begun = None;
