@@ -311,6 +311,29 @@ fn hooks_close_and_open_in_flight() {
     }
 }
 
+/// What opens by the speed that its closing leaves opens at once, and closes when its event comes again.
+#[test]
+fn a_closing_may_open_it_again() {
+    let lock =
+        json!({ "lock": { "from": "rotor.omega >= 6 rad/s", "until": "rotor.omega <= 5 rad/s" } });
+    let mut model = shaft([0.5, 0.5], [5.0, 0.0], &lock, 2.0);
+    model["forces"] = json!({ "m": { "type": "torque", "body": "rotor", "value": 2.0 } });
+    let run = completed(&model);
+    let (closed, opened) = (times(&run, EventKind::Close), times(&run, EventKind::Open));
+    // From 6 and 0 to 3 and 3; from 6 and 3 to 4.5 each; from 6 and 4.5 to 5.25, which is enough to stay.
+    for (k, time) in [0.25, 1.0, 1.375].iter().enumerate() {
+        near(closed[k], *time, 1e-11);
+    }
+    assert_eq!(
+        (closed.len(), opened.len()),
+        (3, 2),
+        "{closed:?} {opened:?}"
+    );
+    near(opened[0], closed[0], 0.0);
+    let omega = *column(&run, "load.omega").last().expect("rows");
+    near(omega, 5.25 + 2.0 * 0.625, 1e-10);
+}
+
 /// A pin that closes where its points do not meet ends the run, and says how far they are apart.
 #[test]
 fn points_that_do_not_meet_are_told() {

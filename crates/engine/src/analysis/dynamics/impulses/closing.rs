@@ -142,6 +142,11 @@ impl Impulses<'_, '_> {
     /// # Errors
     /// Where the joint's ends do not meet, where something drives them apart, and where the mechanism can't be solved.
     pub fn close(&mut self, contact: usize) -> Result<(), Fault> {
+        self.begin_to_hold(contact, true)
+    }
+
+    /// The same; what holds from the start on is no event.
+    fn begin_to_hold(&mut self, contact: usize, is_event: bool) -> Result<(), Fault> {
         let flow = &*self.at.flow;
         let system = flow.system();
         if let Some(clasp) = system.contacts[contact].clasp() {
@@ -188,7 +193,7 @@ impl Impulses<'_, '_> {
         let work = self.at.flow.impulsive_work(&force, &change);
         self.at.state.add_work(work);
         self.at.is_answered()?;
-        self.at.latch(contact)?;
+        self.at.latch(contact, is_event)?;
         let slow = at_rest(self.at.flow);
         Ok(self.settle_from(&were, slow)?)
     }
@@ -234,8 +239,11 @@ impl Impulses<'_, '_> {
     pub fn engage(&mut self) -> Result<(), Fault> {
         let held: Vec<usize> = self.at.flow.system().held_at_start().collect();
         let events = self.at.flow.true_at_start();
-        held.into_iter()
-            .chain(events)
+        for contact in held {
+            self.begin_to_hold(contact, false)?;
+        }
+        events
+            .into_iter()
             .try_for_each(|contact| self.close(contact))
     }
 }

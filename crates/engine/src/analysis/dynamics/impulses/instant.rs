@@ -110,7 +110,7 @@ impl Instant<'_, '_> {
     }
 
     /// A contact latches: it is sustained from here, whatever pulls.
-    pub(super) fn latch(&mut self, contact: usize) -> Result<(), Failure> {
+    pub(super) fn latch(&mut self, contact: usize, is_event: bool) -> Result<(), Failure> {
         let mut holds = self.flow.holds();
         holds[contact] = Hold::Slides;
         let pair = &self.flow.system().contacts[contact];
@@ -121,7 +121,9 @@ impl Instant<'_, '_> {
         let memory = self.flow.memory_mut(contact);
         (memory.phase, memory.anchor) = (Phase::Contact, anchor);
         self.exchange_rows(&holds)?;
-        self.ledger.history(contact).latch(self.time, true);
+        if is_event {
+            self.ledger.history(contact).latch(self.time, true);
+        }
         Ok(())
     }
 

@@ -87,7 +87,7 @@ impl<'a, 's> Impulses<'a, 's> {
                 let reading = self.at.flow.reading(contact);
                 let entry = self.at.entry(contact, &reading);
                 self.at.ledger.history(contact).begin(&entry);
-                self.at.latch(contact)?;
+                self.at.latch(contact, true)?;
             }
         }
         let settled = self.settle(at_rest(self.at.flow));
@@ -174,7 +174,7 @@ impl<'a, 's> Impulses<'a, 's> {
             self.at.leave(contact, entry.angle);
         }
         if latches {
-            self.at.latch(contact)?;
+            self.at.latch(contact, true)?;
             return self.settle(at_rest(self.at.flow));
         }
         if stays || strike.parts || jams {
