@@ -330,10 +330,18 @@ pub(super) mod tests {
     use super::*;
     use crate::element::tests::{Named, marker};
 
-    /// One of a slide, and one of an angle.
-    pub(in crate::element) fn both() -> [Named; 2] {
+    /// One of a slide, and one of an angle; and a lock of a slide.
+    pub(in crate::element) fn all() -> [Named; 3] {
         let axis = Vec2::new(0.6, 0.8);
+        let lock = Stop {
+            kept: Some(Kept {
+                id: ContactId(0),
+                is_lock: true,
+            }),
+            ..stop(Some(axis))
+        };
         [
+            ("lock of a slide", Box::new(lock)),
             ("stop of a slide", Box::new(stop(Some(axis)))),
             ("stop of an angle", Box::new(stop(None))),
         ]
