@@ -153,7 +153,11 @@ fn event_words(event: &Event, trajectory: &Trajectory, display: &DisplayUnits) -
         (_, Some(end)) => format!("{kind} from {}", display.times(event.time, end)),
         (None, None) => format!("{kind} at {start}"),
     };
-    let stop = event.stop.map(|stop| format!(", {stop} stop"));
+    let stop = event.stop.map(|stop| match stop {
+        "one_way" => ", one-way clutch".to_owned(),
+        "lock" => ", lock".to_owned(),
+        stop => format!(", {stop} stop"),
+    });
     let stop = stop.unwrap_or_default();
     text.extend(
         event

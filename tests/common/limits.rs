@@ -1,6 +1,6 @@
 //! Ends of joints' ways, told otherwise.
 
-use linkdyn_model::{Latch, Stops};
+use linkdyn_model::{Latch, OneWay, Stops};
 
 /// Limits of an angle that is counted otherwise.
 pub fn turn_limits(stops: &mut Stops, turned: impl Fn(f64) -> f64) {
@@ -15,6 +15,10 @@ pub fn flip_limits(stops: &mut Stops) {
     if let Some(limits) = &mut stops.limits {
         limits.reverse();
     }
+    stops.one_way = stops.one_way.map(|way| match way {
+        OneWay::Forward => OneWay::Backward,
+        OneWay::Backward => OneWay::Forward,
+    });
     stops.latch = stops.latch.map(|latch| match latch {
         Latch::Lower => Latch::Upper,
         Latch::Upper => Latch::Lower,

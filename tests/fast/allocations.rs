@@ -204,6 +204,15 @@ fn stopped_pendulum() -> serde_json::Value {
     model
 }
 
+/// What closes and opens, and a clutch, stand among its rows and formulas.
+fn clasped_pendulum() -> serde_json::Value {
+    let mut model = double_pendulum();
+    model["joints"]["o"]["one_way"] = serde_json::json!("forward");
+    model["joints"]["p"]["lock"] =
+        serde_json::json!({ "from": "lower.omega >= 1e3 rad/s", "until": "time >= 9 s" });
+    model
+}
+
 fn rubbing_pendulum() -> serde_json::Value {
     let mut pendulum = double_pendulum();
     for joint in ["o", "p"] {
@@ -224,6 +233,7 @@ fn steps_of_forward_dynamics_allocate_nothing_and_repeat_bit_by_bit() {
         ("double pendulum", double_pendulum(), 1.0, Method::Auto),
         ("with friction", rubbing_pendulum(), 1.0, Method::Auto),
         ("with stops", stopped_pendulum(), 1.0, Method::Auto),
+        ("with a lock", clasped_pendulum(), 1.0, Method::Auto),
         ("with formulas", pulled_pendulum(), 1.0, Method::Radau5),
         ("a chain, sparse", chain(8), 0.5, Method::Auto),
         ("a stiff chain, sparse", stiff_chain(8), 0.5, Method::Radau5),

@@ -70,4 +70,5 @@ mod statics;
 mod sticking;
 mod stops;
 mod tables;
+mod timed;
 mod transmission;

@@ -211,6 +211,8 @@ fn row(path: &str) -> Option<(&'static str, &'static str)> {
         ["accuracy", .., "at"] => Some(("", r#""at": { "driver": "motor", "value": "90 deg" }"#)),
         ["accuracy", .., "at", "value"] => Some(("", r#""value": "90 deg""#)),
         ["bodies", _, "points", _, "tolerance"] => Some(("", r#""tolerance": "0.1 mm""#)),
+        ["joints", _, "active" | "lock"] => Some(("", r#""lock": { "from": "time >= 1 s" }"#)),
+        ["joints", _, _, "from" | "until"] => Some(("", r#""from": "door.angle >= 90 deg""#)),
         [.., "points", _] => Some(("", r#""A": [50, 0]"#)),
         ["points"] => Some(("", r#""points": ["coupler.P"]"#)),
         ["bodies", _, "points"] => Some(("", r#""points": { "A": [0, 0], "B": [50, 0] }"#)),

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::bushing::Bushing;
 use super::cam::Cam;
 use super::clearance::{Clearance, Friction};
+use super::event::Event;
 use super::tolerance::Play;
 
 /// `body.point`, split.
@@ -81,6 +82,39 @@ pub struct Stops {
     /// Pull [N·m or N] above which a latch opens; left out: none does.
     #[serde(default)]
     pub release: Option<f64>,
+    /// When the joint holds at all; left out: always.
+    #[serde(default)]
+    pub active: Option<Box<Timed>>,
+    /// When it does not move, of revolute, prismatic and slot joints; left out: never.
+    #[serde(default)]
+    pub lock: Option<Box<Timed>>,
+    /// The way in which a revolute joint turns alone; left out: both.
+    #[serde(default)]
+    pub one_way: Option<OneWay>,
+}
+
+/// From when until when something holds.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
+pub struct Timed {
+    /// Where it closes; left out: it holds at the start.
+    #[serde(default)]
+    pub from: Option<Event>,
+    /// Where it opens; left out: no event opens it.
+    #[serde(default)]
+    pub until: Option<Event>,
+    /// Force \[N\], of the lock of an angle torque [N·m], above which it opens; left out: none does.
+    #[serde(default)]
+    pub release: Option<f64>,
+}
+
+/// The way in which a joint turns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum OneWay {
+    /// The angle of the second body in the first grows alone.
+    Forward,
+    /// It becomes less alone.
+    Backward,
 }
 
 /// How the strands of a belt run.

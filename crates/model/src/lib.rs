@@ -15,6 +15,8 @@ pub mod clearance;
 pub mod display;
 pub mod driver;
 pub mod error;
+#[doc(hidden)]
+pub mod event;
 pub mod fit;
 pub mod force;
 #[doc(hidden)]
@@ -83,7 +85,7 @@ pub use gate::Checked;
 pub use hold::unheld;
 pub use joint::{Joint, JointKind, PointRef};
 #[doc(hidden)]
-pub use joint::{Latch, Stops, Strands};
+pub use joint::{Latch, OneWay, Stops, Strands, Timed};
 #[doc(hidden)]
 pub use load::load_beside;
 pub use load::{Loaded, load, load_file};

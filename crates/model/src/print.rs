@@ -185,6 +185,7 @@ impl Printer<'_> {
             (Shape::Tagged(tagged), tree) => self.tagged(tree, tagged, written, driven),
             (Shape::Curve(_) | Shape::State(_), tree) => self.whole(tree, shape, written, driven),
             (Shape::Formula(of), tree) => self.formula(tree, *of, written, driven),
+            (Shape::Event, tree) => self.event(tree, written, driven),
             (Shape::Varying(dimension), Tree::Map(_)) => {
                 self.tagged(tree, &MOTION, written, Driven::Dimension(*dimension))
             }

@@ -274,7 +274,7 @@ fn at(shape: &Shape, field: Option<&Field>) -> Keys {
         Shape::Response => places::response(),
         Shape::Asked(asked) => places::asked(*asked),
         Shape::Bodies => return bodies(field),
-        Shape::Text => keys(json!({ "type": "string" })),
+        Shape::Text | Shape::Event => keys(json!({ "type": "string" })),
         Shape::Name(kind) => {
             let mut keys = keys(json!({ "type": "string" }));
             said(&mut keys, field);

@@ -160,6 +160,8 @@ pub enum Shape {
     Varying(Dimension),
     /// The same, or an expression of what moves.
     Formula(Dimension),
+    /// An event of the motion, `door.angle >= 90 deg`.
+    Event,
     /// One elastic material, or one of the bearing and one of the journal.
     Materials,
     /// Things of one kind by their names.

@@ -28,6 +28,12 @@ pub enum EventKind {
     /// A latch opens.
     #[doc(hidden)]
     Unlatch,
+    /// A joint, or the lock of one, closes.
+    #[doc(hidden)]
+    Close,
+    /// It opens.
+    #[doc(hidden)]
+    Open,
 }
 
 impl EventKind {
@@ -45,6 +51,8 @@ impl EventKind {
             EventKind::Slip => "slip",
             EventKind::Latch => "latch",
             EventKind::Unlatch => "unlatch",
+            EventKind::Close => "close",
+            EventKind::Open => "open",
         }
     }
 }

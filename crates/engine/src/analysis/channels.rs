@@ -241,12 +241,7 @@ impl Stretch {
 impl Contents {
     /// Motions with forces and a joint with clearance, by whatever model, or with stops.
     fn has_contact_energy(self, system: &System) -> bool {
-        self.reactions
-            && self.velocities
-            && system
-                .joints
-                .iter()
-                .any(|joint| joint.bearing.is_some() || joint.has_stops() || joint.is_contact())
+        self.reactions && self.velocities && system.joints.iter().any(JointData::touches)
     }
 
     /// Headings in the order of results.
@@ -315,6 +310,7 @@ impl Contents {
         let has_bearing = joint.bearing.is_some();
         let contact_wanted = (has_bearing || joint.is_contact()) && self.reactions;
         let stop = (self.reactions && joint.has_stops()).then_some(JointQuantity::Stop);
+        let closed = (self.reactions && joint.clasp.is_some()).then_some(JointQuantity::State);
         let cam = joint.cam.as_deref();
         let pushes = (self.reactions && cam.is_some()).then_some(JointQuantity::NormalForce);
         let way = cam.is_some_and(|cam| cam.way.is_some());
@@ -330,6 +326,7 @@ impl Contents {
                 contact_wanted && (has_bearing || *quantity != JointQuantity::Eccentricity)
             }))
             .chain(stop)
+            .chain(closed)
             .chain(pushes)
             .chain(touch)
             .chain(TENSIONS.into_iter().filter(move |_| has_strands))

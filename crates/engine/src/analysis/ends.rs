@@ -45,7 +45,7 @@ pub fn turns(system: &System, at: &Kinematics) -> Vec<f64> {
         .iter()
         .filter_map(|joint| joint.stops.as_deref())
     {
-        let [Some(lower), Some(upper)] = *ends else {
+        let [Some(lower), Some(upper), ..] = *ends else {
             continue;
         };
         let stops = [lower, upper].map(|id| system.contacts[id.0].stop());
@@ -73,6 +73,18 @@ pub fn at_this_turn(system: &System, q: &[f64]) -> Option<System> {
         .iter()
         .any(|turn| *turn != 0.0)
         .then(|| system.turned(&turns))
+}
+
+/// The system at rest, with its stops at the turn at which the mechanism is, and with its locks and one-way clutches where they are;
+/// none where that is what it is.
+pub fn at_rest(system: &System, q: &[f64]) -> Option<System> {
+    let turned = at_this_turn(system, q);
+    let system = turned.as_ref().unwrap_or(system);
+    let place = |id: ContactId| {
+        let stop = system.contacts[id.0].stop();
+        seen(system, q, |at| stop.map_or(0.0, |stop| stop.coordinate(at)))
+    };
+    system.standing(place).or(turned)
 }
 
 /// Refuses a start beyond the end of a joint's way; stops that yield may be pressed in a little.
@@ -172,6 +184,8 @@ impl Overrun {
         let turns = self.turns.get_or_insert_with(|| turns(system, at));
         for (contact, pair) in system.contacts.iter().enumerate() {
             let depth = match (pair.stop(), pair.edge()) {
+                // How fast it turns the way that its clutch holds.
+                (Some(stop), _) if pair.is_one_way() => stop.read(at).rate * system.scale.time,
                 (Some(stop), _) => stop.turned(turns[contact]).read(at).penetration,
                 (_, Some(edge)) => edge.depth(&edge.read(at), system.size),
                 (None, None) => continue,
@@ -194,6 +208,13 @@ impl Overrun {
         let warning = |&(id, deepest, time): &(ContactId, f64, f64)| {
             let pair = &system.contacts[id.0];
             let joint = &system.joint_of(id).name;
+            if pair.is_one_way() {
+                return format!(
+                    "the drivers turn joint \"{joint}\" the way that its one-way clutch holds, most at t = {}: a motion that is \
+                     prescribed does not stop there",
+                    display.time(time)
+                );
+            }
             let deepest = depth(pair, display, deepest, 3);
             let Some(stop) = pair.stop() else {
                 return format!(

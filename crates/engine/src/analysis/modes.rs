@@ -99,7 +99,7 @@ fn linearise(system: &System, pose: bool, control: &Control) -> Result<Linearise
     refuse(system)?;
     let (assembled, mut held) = start(system, pose)?;
     if !system.contacts.is_empty() {
-        let turned = ends::at_this_turn(system, &assembled.q);
+        let turned = ends::at_rest(system, &assembled.q);
         let system = turned.as_ref().unwrap_or(system);
         ends::check_start(system, &assembled.q)?;
         if !pose {

@@ -160,6 +160,9 @@ impl JointReading {
         };
         let meeting = data.cam.as_ref().map(|cam| cam.meeting(at));
         let mut journal = contact.or_else(held).unwrap_or_default();
+        if data.clasp.is_some() {
+            journal.state = if block.rows > 0 { 1.0 } else { 0.0 };
+        }
         if meeting.is_some() {
             journal.reading.normal = sample.lambda[block.row];
         }

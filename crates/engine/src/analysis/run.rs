@@ -253,7 +253,7 @@ impl Prepared {
                     return Err(Stop::Input(vec![complaint]));
                 }
                 let start = dynamics::Start::of(system)?;
-                if start.is_driven(system) {
+                if start.is_driven(system) && system.timed.is_empty() {
                     return prescribed();
                 }
                 let mut settings = question.dynamics(system)?;

@@ -44,7 +44,7 @@ pub fn run(
     }
     // What the mechanism is without its stops, and where they are seen from there.
     let assembled = start(system, false)?.0;
-    let turned = ends::at_this_turn(system, &assembled.q);
+    let turned = ends::at_rest(system, &assembled.q);
     let system = turned.as_ref().unwrap_or(system);
     ends::check_start(system, &assembled.q)?;
     let mobility = assembled.mobility;

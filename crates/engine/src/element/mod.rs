@@ -23,6 +23,7 @@ pub mod belt;
 pub mod bushing;
 pub mod cable;
 pub mod cam;
+pub mod clasp;
 pub mod coordinate;
 pub mod coordinates;
 pub mod distance;

@@ -15,6 +15,9 @@
 //! which the analysis changes between steps only: within a step every law is the analytic branch that the phase says, also a
 //! little beyond its end, so that steps are smooth and their events can be located.
 
+mod kinds;
+
+use super::clasp::Clasp;
 use super::edge::Edge;
 use super::following::FollowingFriction;
 use super::journal::Journal;
@@ -43,6 +46,8 @@ pub enum Shape {
     Stop(Stop),
     /// A tip and a piece of an outline.
     Edge(Edge),
+    /// A joint that closes and opens.
+    Clasp(Clasp),
 }
 
 /// Where a contact's memory stands in `Kinematics::contacts`.
@@ -74,7 +79,8 @@ pub struct Contact {
     pub piece: i8,
     /// Bristles' deflection z of the friction law \[m\].
     pub bristle: f64,
-    /// Where a rigid journal sticks: what its rolling keeps \[m\], see [`Sticking`](super::following::Sticking).
+    /// Where a rigid journal sticks: what its rolling keeps \[m\], see [`Sticking`](super::following::Sticking). Where a lock or a
+    /// one-way clutch holds: the coordinate there [m or rad].
     pub anchor: f64,
 }
 
@@ -189,6 +195,9 @@ impl Pair {
     /// Geometry, velocities and forces; in the phase that `memory` says.
     pub fn read(&self, at: &Kinematics, memory: &Contact) -> Reading {
         let mut reading = self.shape.read(at);
+        if self.is_timed() && memory.phase != Phase::Contact {
+            reading.penetration = -self.size();
+        }
         if let (Phase::Contact, Surface::Compliant(laws)) = (memory.phase, &self.surface) {
             let (depth, rate) = (reading.penetration, reading.rate);
             let normal = laws.normal.continued(depth, rate, memory.approach);
@@ -226,6 +235,7 @@ impl Pair {
             Shape::Journal(journal) => journal.slopes(),
             Shape::Stop(stop) => stop.slopes(),
             Shape::Edge(edge) => edge.slopes(),
+            Shape::Clasp(_) => Vec::new(),
         }
     }
 
@@ -249,6 +259,8 @@ impl Pair {
             }
             Shape::Stop(stop) => stop.slope(at, (memory, laws), &reading, position, velocity),
             Shape::Edge(edge) => edge.slope(at, (memory, laws), &reading, position, velocity),
+            // It is rigid.
+            Shape::Clasp(_) => {}
         }
     }
 
@@ -277,6 +289,7 @@ impl Pair {
             Shape::Journal(journal) => journal.clearance,
             Shape::Stop(stop) => stop.size,
             Shape::Edge(edge) => edge.size,
+            Shape::Clasp(clasp) => clasp.size,
         }
     }
 
@@ -285,7 +298,7 @@ impl Pair {
         match &self.shape {
             Shape::Journal(journal) => Some(journal.clearance),
             Shape::Edge(edge) => edge.turns_over(),
-            Shape::Stop(_) => None,
+            Shape::Stop(_) | Shape::Clasp(_) => None,
         }
     }
 
@@ -295,35 +308,6 @@ impl Pair {
             Surface::Rigid(rigid) => rigid.latch,
             Surface::Compliant(_) => None,
         }
-    }
-
-    /// Its journal, where it is one in a bearing.
-    pub fn journal(&self) -> Option<&Journal> {
-        match &self.shape {
-            Shape::Journal(journal) => Some(journal),
-            Shape::Stop(_) | Shape::Edge(_) => None,
-        }
-    }
-
-    /// Its stop, where it is one.
-    pub fn stop(&self) -> Option<&Stop> {
-        match &self.shape {
-            Shape::Stop(stop) => Some(stop),
-            Shape::Journal(_) | Shape::Edge(_) => None,
-        }
-    }
-
-    /// The piece of an outline, where it is one.
-    pub fn edge(&self) -> Option<&Edge> {
-        match &self.shape {
-            Shape::Edge(edge) => Some(edge),
-            Shape::Journal(_) | Shape::Stop(_) => None,
-        }
-    }
-
-    /// Whether the mechanism is put together with it: bodies at stops and outlines, but not journals, which their bearings hold.
-    pub fn limits(&self) -> bool {
-        self.journal().is_none()
     }
 
     /// Angle of the contact in the bearing's body \[rad\]; 0 of a stop.
@@ -338,6 +322,7 @@ impl Pair {
             Shape::Journal(journal) => Arc::new(journal.following()),
             Shape::Stop(stop) => Arc::new(stop.clone()),
             Shape::Edge(edge) => edge.sustained(),
+            Shape::Clasp(clasp) => clasp.constraint.clone(),
         }
     }
 
@@ -347,6 +332,7 @@ impl Pair {
             Shape::Journal(journal) => Arc::new(journal.sticking(id)),
             Shape::Stop(stop) => Arc::new(stop.clone()),
             Shape::Edge(edge) => edge.stuck(id),
+            Shape::Clasp(clasp) => clasp.constraint.clone(),
         }
     }
 
@@ -370,7 +356,8 @@ impl Pair {
         match &self.shape {
             Shape::Journal(journal) => journal.sticking(id).rolled(at),
             Shape::Edge(edge) => edge.anchor(at, id),
-            Shape::Stop(_) => 0.0,
+            Shape::Stop(stop) => stop.kept.map_or(0.0, |_| stop.coordinate(at)),
+            Shape::Clasp(_) => 0.0,
         }
     }
 }
@@ -382,6 +369,7 @@ impl Shape {
             Shape::Journal(journal) => journal.read(at),
             Shape::Stop(stop) => stop.read(at),
             Shape::Edge(edge) => edge.read(at),
+            Shape::Clasp(clasp) => clasp.read(),
         }
     }
 
@@ -391,6 +379,8 @@ impl Shape {
             Shape::Journal(journal) => journal.press(at, reading, forces, to),
             Shape::Stop(stop) => stop.press(at, forces[0], to),
             Shape::Edge(edge) => edge.press(at, reading, forces, to),
+            // Nothing presses there: it holds by all its rows or not at all.
+            Shape::Clasp(_) => {}
         }
     }
 }

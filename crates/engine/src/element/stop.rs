@@ -16,8 +16,12 @@
 //! ```
 //!
 //! with the derivatives of [`super::quantity`].
+//!
+//! A **lock** and a **one-way clutch** are stops that have no place of their own: s_σ is where the joint was when they began to hold,
+//! and while they do not, δ = 0. A lock holds from both sides, N of either sign, from one event until another; a one-way clutch
+//! holds against δ̇ > 0 alone, N ≥ 0.
 
-use super::pair::{Compliant, Contact, Reading};
+use super::pair::{Compliant, Contact, ContactId, Reading};
 use super::prismatic::Guide;
 use super::quantity::Measured;
 use super::span::{BOTH, all_pairs};
@@ -76,6 +80,17 @@ pub struct Stop {
     pub arm: f64,
     /// What penetrations are measured against \[m\].
     pub size: f64,
+    /// Where its place is kept, of one that has none of its own.
+    pub kept: Option<Kept>,
+}
+
+/// A stop that holds where the joint was when it began to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Kept {
+    /// Whose memory has the place.
+    pub id: ContactId,
+    /// Whether it is a lock; else it is a one-way clutch.
+    pub is_lock: bool,
 }
 
 impl Stop {
@@ -110,6 +125,21 @@ impl Stop {
         }
     }
 
+    /// The word for it in results.
+    pub fn word(&self) -> &'static str {
+        match self.kept {
+            None => self.side.word(),
+            Some(Kept { is_lock: true, .. }) => "lock",
+            Some(Kept { is_lock: false, .. }) => "one_way",
+        }
+    }
+
+    /// s_σ, where it holds [m or rad].
+    fn place(&self, at: &Kinematics) -> f64 {
+        self.kept
+            .map_or(self.limit, |kept| at.contacts[kept.id.0].anchor)
+    }
+
     /// σ L
     fn factor(&self) -> f64 {
         self.side.sign() * self.arm
@@ -128,8 +158,12 @@ impl Stop {
     /// Penetration and its rate.
     pub fn read(&self, at: &Kinematics) -> Reading {
         let [s, rate] = self.measured().value(at);
+        let penetration = match self.kept {
+            None => self.factor() * (s - self.limit),
+            Some(_) => 0.0,
+        };
         Reading {
-            penetration: self.factor() * (s - self.limit),
+            penetration,
             rate: self.factor() * rate,
             ..Reading::default()
         }
@@ -254,7 +288,7 @@ impl Constraint for Stop {
     }
 
     fn position(&self, at: &Kinematics, phi: &mut [f64]) {
-        phi[0] = self.read(at).penetration;
+        phi[0] = self.factor() * (self.coordinate(at) - self.place(at));
     }
 
     fn jacobian(&self, at: &Kinematics, values: &mut [f64]) {
@@ -296,10 +330,18 @@ pub(super) mod tests {
     use super::*;
     use crate::element::tests::{Named, marker};
 
-    /// One of a slide, and one of an angle.
-    pub(in crate::element) fn both() -> [Named; 2] {
+    /// One of a slide, and one of an angle; and a lock of a slide.
+    pub(in crate::element) fn all() -> [Named; 3] {
         let axis = Vec2::new(0.6, 0.8);
+        let lock = Stop {
+            kept: Some(Kept {
+                id: ContactId(0),
+                is_lock: true,
+            }),
+            ..stop(Some(axis))
+        };
         [
+            ("lock of a slide", Box::new(lock)),
             ("stop of a slide", Box::new(stop(Some(axis)))),
             ("stop of an angle", Box::new(stop(None))),
         ]
@@ -315,6 +357,7 @@ pub(super) mod tests {
             limit: 0.4,
             arm: if axis.is_some() { 1.0 } else { 0.7 },
             size: 0.7,
+            kept: None,
         }
     }
 }

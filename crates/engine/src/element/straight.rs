@@ -39,6 +39,7 @@ impl Straight {
             limit: -radius,
             arm: 1.0,
             size,
+            kept: None,
         };
         Straight {
             stop,

@@ -3,14 +3,25 @@
 use super::{ContactRows, JointData, JointRole, Origin, System};
 use crate::element::Measure;
 use crate::element::pair::{ContactId, Shape};
+use crate::element::stop::Stop;
 
-/// The lower and the upper stop of a joint.
-pub(crate) type Ends = [Option<ContactId>; 2];
+/// The lower and the upper stop of a joint, its one-way clutch, and its lock.
+pub(crate) type Ends = [Option<ContactId>; 4];
+
+/// Where the one-way clutch stands among them, and the lock.
+pub(crate) const ONE_WAY: usize = 2;
+pub(crate) const LOCK: usize = 3;
 
 impl JointData {
     /// Whether its way has an end.
     pub(crate) fn has_stops(&self) -> bool {
         self.stops.is_some()
+    }
+
+    /// Whether anything of it begins and ends to hold.
+    pub(crate) fn touches(&self) -> bool {
+        let comes_and_goes = self.has_stops() || self.clasp.is_some();
+        self.bearing.is_some() || comes_and_goes || self.is_contact()
     }
 
     /// Whether it holds only where it touches.
@@ -30,7 +41,17 @@ impl System {
         let joint = &self.joint_of(id).name;
         match self.contacts[id.0].stop() {
             None => format!("joint \"{joint}\""),
-            Some(stop) => format!("the {} stop of joint \"{joint}\"", stop.side.word()),
+            Some(Stop {
+                kept: None, side, ..
+            }) => {
+                format!("the {} stop of joint \"{joint}\"", side.word())
+            }
+            Some(Stop {
+                kept: Some(kept), ..
+            }) if kept.is_lock => {
+                format!("the lock of joint \"{joint}\"")
+            }
+            Some(_) => format!("the one-way clutch of joint \"{joint}\""),
         }
     }
 
@@ -59,11 +80,16 @@ impl System {
             let pair = &mut system.contacts[contact];
             if let Shape::Stop(stop) = &mut pair.shape {
                 *stop = stop.turned(*turn);
-                let rows = &mut system.contact_rows[contact];
-                *rows = ContactRows::of(pair, ContactId(contact), rows.joint, rows.block);
+                system.rows_anew(ContactId(contact));
             }
         }
         system
+    }
+
+    /// The rows of a stop after a change of it.
+    pub(super) fn rows_anew(&mut self, id: ContactId) {
+        let rows = &mut self.contact_rows[id.0];
+        *rows = ContactRows::of(&self.contacts[id.0], id, rows.joint, rows.block);
     }
 
     /// Whether joints are open, their journals free in their bearings: these stand before all other contacts.

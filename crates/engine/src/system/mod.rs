@@ -19,8 +19,9 @@ mod rows;
 mod scale;
 mod slopes;
 mod states;
+mod timed;
 
-pub(crate) use contacts::Ends;
+pub(crate) use contacts::{Ends, LOCK, ONE_WAY};
 pub use eval::{Evaluation, Inputs};
 pub use mass::Mass;
 pub use matrices::{Terms, write_matrix_market};
@@ -31,6 +32,7 @@ pub use rows::{ContactRows, Extent};
 pub use scale::Scale;
 pub(crate) use slopes::Slopes;
 pub(crate) use states::StateData;
+pub(crate) use timed::{TimedData, Trigger};
 
 use crate::element::belt::Belt;
 use crate::element::bushing::Bushing;
@@ -128,6 +130,8 @@ pub struct JointData {
     pub(crate) cam: Option<Arc<Cam>>,
     /// Where its way ends.
     pub(crate) stops: Option<Box<Ends>>,
+    /// It, where it closes and opens.
+    pub(crate) clasp: Option<ContactId>,
     /// Pieces of its outline.
     pub(crate) edges: Range<usize>,
     /// Of a joint with a `clearance` in the file, whatever its model.
@@ -206,6 +210,8 @@ pub struct System {
     pub(crate) contacts: Vec<Pair>,
     /// Rows that may come into force for each of them.
     pub(crate) contact_rows: Vec<ContactRows>,
+    /// Which of them events close and open.
+    pub(crate) timed: Vec<TimedData>,
     /// Laws of drivers and forces that have breaks.
     pub(crate) broken: Vec<Law>,
     /// Ratios of velocities among the results.

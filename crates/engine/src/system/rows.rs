@@ -129,8 +129,11 @@ impl System {
         system.exchange(pins.collect());
         system.contacts.clear();
         system.contact_rows.clear();
+        system.timed.clear();
         for joint in &mut system.joints {
             joint.contact = None;
+            joint.clasp = None;
+            joint.stops = None;
             joint.edges = 0..0;
         }
         system
@@ -175,6 +178,7 @@ impl System {
             dependent_forces: Vec::new(),
             contacts: Vec::new(),
             contact_rows: Vec::new(),
+            timed: Vec::new(),
             broken: Vec::new(),
             gravity: self.gravity,
             mass,

@@ -18,13 +18,16 @@ pub(crate) struct StateData {
 }
 
 impl System {
-    /// Whose formula the one of a force, or behind all forces of a state, is.
+    /// Whose formula the one of a force is, or behind all forces of a state, or behind these of what closes and opens.
     pub(crate) fn owner(&self, force: usize) -> String {
         match self.force_data.get(force) {
             Some(data) => format!("force \"{}\"", data.name),
             None => {
-                let state = self.states.get(force - self.force_data.len());
-                format!("state \"{}\"", state.map_or("", |state| &state.name))
+                let index = force - self.force_data.len();
+                match self.states.get(index) {
+                    Some(state) => format!("state \"{}\"", state.name),
+                    None => self.contact_name(self.timed[index - self.states.len()].contact),
+                }
             }
         }
     }

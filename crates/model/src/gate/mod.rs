@@ -20,6 +20,7 @@ mod responses;
 mod states;
 mod stops;
 mod tables;
+mod timed;
 
 pub use holes::Holes;
 pub use names::no_point;
@@ -153,6 +154,7 @@ fn inspect(model: &Model, holes: Holes) -> Said {
     tables::tables(&mut rules);
     forces::formulas(&mut rules);
     states::states(&mut rules);
+    timed::events(&mut rules);
     names::initial(&mut rules);
     names::wanted_points(&mut rules);
     analysis::analysis(&mut rules);
@@ -236,6 +238,7 @@ impl Rules<'_> {
             stops::stops(self, joint, &path);
             outlines::outline(self, joint, &path);
             cams::cam(self, joint, &path);
+            timed::joint(self, joint, &path);
         }
     }
 }

@@ -145,6 +145,7 @@ impl Look<'_> {
                 Shape::Format
                 | Shape::Curve(_)
                 | Shape::State(_)
+                | Shape::Event
                 | Shape::Entries
                 | Shape::Entry
                 | Shape::Units

@@ -4,6 +4,7 @@ use serde_json::{Map, Value, json};
 
 use super::{Printer, plain};
 use crate::dimension::Dimension;
+use crate::event::Event;
 use crate::formula::Formula;
 use crate::node::{Kind, Node, Origin};
 use crate::response::{Response, self_contained};
@@ -81,6 +82,21 @@ impl Printer<'_> {
             out.extend(members);
         }
         Value::Object(out)
+    }
+
+    /// An event as the file says it, else with the values of its parameters.
+    pub(super) fn event(&mut self, tree: &Tree, written: Option<&Node>, driven: Driven) -> Value {
+        let tree = without_nulls(plain(tree));
+        if let Some(node) = written {
+            let said = self.walk.sound(node, &Shape::Event, driven);
+            if said.map(without_nulls).as_ref() == Some(&tree) {
+                return node.to_value();
+            }
+        }
+        match serde_json::from_value::<Event>(tree.clone()) {
+            Ok(event) => event.self_contained().into(),
+            Err(_) => tree,
+        }
     }
 
     /// A table or a state as the file says it, else in SI.

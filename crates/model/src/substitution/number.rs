@@ -2,7 +2,7 @@
 
 use crate::Model;
 use crate::force::{ForceKind, Value};
-use crate::joint::JointKind;
+use crate::joint::{Joint, JointKind, Timed};
 use crate::motion::Motion;
 use crate::table::Table;
 
@@ -35,7 +35,7 @@ pub fn number<'m, 'p>(
     match path.next()? {
         "gravity" => of_list(&mut model.gravity, path),
         "bodies" => body(model.bodies.get_mut(path.next()?)?, path),
-        "joints" => joint(&mut model.joints.get_mut(path.next()?)?.kind, path),
+        "joints" => joint(model.joints.get_mut(path.next()?)?, path),
         "drivers" => {
             let driver = model.drivers.get_mut(path.next()?)?;
             (path.next()? == "motion").then_some(())?;
@@ -90,10 +90,13 @@ fn body<'m, 'p>(
 }
 
 fn joint<'m, 'p>(
-    kind: &'m mut JointKind,
+    joint: &'m mut Joint,
     path: &mut impl Iterator<Item = &'p str>,
 ) -> Option<&'m mut f64> {
-    match (kind, path.next()?) {
+    let stops = &mut joint.stops;
+    match (&mut joint.kind, path.next()?) {
+        (_, "active") => timed(stops.active.as_deref_mut()?, path),
+        (_, "lock") => timed(stops.lock.as_deref_mut()?, path),
         (
             JointKind::Prismatic { axis, .. }
             | JointKind::Slot { axis, .. }
@@ -130,6 +133,21 @@ fn joint<'m, 'p>(
         }
         _ => None,
     }
+}
+
+fn timed<'m, 'p>(
+    timed: &'m mut Timed,
+    path: &mut impl Iterator<Item = &'p str>,
+) -> Option<&'m mut f64> {
+    let event = match path.next()? {
+        "release" => return timed.release.as_mut(),
+        "from" => timed.from.as_mut()?,
+        "until" => timed.until.as_mut()?,
+        _ => return None,
+    };
+    (path.next()? == "parameters").then_some(())?;
+    let constant = event.parameters.get_mut(path.next()?)?;
+    Some(&mut constant.value)
 }
 
 fn motion<'m, 'p>(

@@ -30,6 +30,7 @@ pub fn filler(shape: &Shape) -> Value {
         Shape::Pair(of) => Value::from(vec![filler(of), filler(of)]),
         Shape::Entries | Shape::Entry => Value::Null,
         Shape::Curve(_) => serde_json::json!({ "points": [] }),
+        Shape::Event => serde_json::json!({ "event": "" }),
         Shape::State(_) => serde_json::json!({ "rate": { "formula": "=0" } }),
         Shape::List(..) | Shape::Table => Value::Array(Vec::new()),
         Shape::Response => serde_json::json!({ "value": "" }),

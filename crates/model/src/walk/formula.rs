@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 use super::{Driven, Walk};
 use crate::dimension::Dimension;
 use crate::error::Complaint;
+use crate::event::Sides;
 use crate::expression::{Misfit, Moved, Quantity, is_expression};
 use crate::formula::{Arguments, misfit};
 use crate::node::{Kind, Node};
@@ -65,6 +66,45 @@ impl Walk<'_> {
                 Some(None)
             }
             Err(_) => None,
+        }
+    }
+
+    /// An event, or nothing where it is faulty.
+    pub(super) fn event(&mut self, node: &Node, path: &str) -> Option<Value> {
+        let text = self.text(node, path)?;
+        let said = |complaint: Complaint| Complaint {
+            path: path.to_owned(),
+            ..complaint
+        };
+        let sides = match Sides::of(&text) {
+            Ok(sides) => sides,
+            Err(complaint) => {
+                self.complain(node, said(complaint));
+                return None;
+            }
+        };
+        match self.moving(&sides.step()) {
+            Ok(Some((moving, _))) if !moving.has_arguments() => {
+                let complaint = Complaint::new(path, "nothing in this event moves");
+                let hint = "it names what moves, or time, as in \"time >= 1 s\"";
+                self.complain(node, complaint.hint(hint));
+                None
+            }
+            Ok(Some((_, constants))) => {
+                let parameters = self.constants(constants, path);
+                Some(json!({ "event": text, "parameters": parameters }))
+            }
+            Ok(None) => None,
+            // what is wrong with a table is told there
+            Err(_) if self.has_faulty_function() => None,
+            Err(Misfit { at, fault }) => {
+                let complaint = Complaint {
+                    hint: fault.hint,
+                    ..Complaint::new(path, fault.message)
+                };
+                self.complain_at(node, Some(sides.place(at)), complaint);
+                None
+            }
         }
     }
 

@@ -294,6 +294,7 @@ impl<'a> Walk<'a> {
             Shape::Table => self.table(node, path, driven),
             Shape::Curve(_) => self.curve(node, path),
             Shape::State(_) => self.state(node, path),
+            Shape::Event => self.event(node, path),
             // whoever knows the units reads them
             Shape::Entries | Shape::Entry => Some(Value::Null),
             Shape::Formula(dimension) => match self.formula(node, *dimension, path) {

@@ -20,6 +20,77 @@ pub static LATCH: Choice = Choice {
     ],
 };
 
+/// The way in which a joint turns alone.
+pub static ONE_WAY: Choice = Choice {
+    name: "OneWay",
+    about: "The way in which a joint with a one-way clutch turns.",
+    words: &[
+        (
+            "forward",
+            "The angle of the second body in the first grows alone.",
+        ),
+        ("backward", "It becomes less alone."),
+    ],
+};
+
+const FROM: Field = optional(
+    "from",
+    Shape::Event,
+    "The event at which it closes, as in `door.angle >= 90 deg`; left out: it holds at the start.",
+);
+const UNTIL: Field = optional(
+    "until",
+    Shape::Event,
+    "The event at which it opens; left out: no event does.",
+);
+
+/// When a joint, or the lock of a slide, holds.
+pub static ACTIVE: Object = Object {
+    name: "Active",
+    about: "From when until when a joint, or the lock of a slide, holds.",
+    fields: &[
+        FROM,
+        UNTIL,
+        optional(
+            "release",
+            Shape::Quantity(Measure::Of(Dimension::Force), Bound::Above(0.0)),
+            "Force \\[N\\] above which it opens; left out: it does not.",
+        ),
+    ],
+    refused: &[],
+    drives: Drives::Nothing,
+    either: None,
+};
+
+/// When the lock of an angle holds.
+pub static TURN_LOCK: Object = Object {
+    name: "TurnLock",
+    about: "From when until when the lock of an angle holds.",
+    fields: &[
+        FROM,
+        UNTIL,
+        optional(
+            "release",
+            Shape::Quantity(Measure::Of(Dimension::Torque), Bound::Above(0.0)),
+            "Torque [N·m] above which it opens; left out: it does not.",
+        ),
+    ],
+    refused: &[],
+    drives: Drives::Nothing,
+    either: None,
+};
+
+const WHEN: Field = optional(
+    "active",
+    Shape::Object(&ACTIVE),
+    "From when until when the joint holds; left out: always.",
+);
+const SLIDE_LOCK: Field = optional(
+    "lock",
+    Shape::Object(&ACTIVE),
+    "From when until when it does not slide: it is held where it is then. Left out: it is free.",
+);
+
 static TURN: Shape = Shape::End(Measure::Of(Dimension::Angle));
 static SLIDE: Shape = Shape::End(Measure::Of(Dimension::Length));
 
@@ -97,6 +168,17 @@ pub static JOINT: Tagged = Tagged {
                     Shape::Quantity(Measure::Of(Dimension::Torque), Bound::Above(0.0)),
                     "Pull [N·m] above which the latch opens; left out: it does not.",
                 ),
+                WHEN,
+                optional(
+                    "lock",
+                    Shape::Object(&TURN_LOCK),
+                    "From when until when it does not turn: it is held where it is then. Left out: it is free.",
+                ),
+                optional(
+                    "one_way",
+                    Shape::Choice(&ONE_WAY),
+                    "The way in which it turns alone, by a one-way clutch; left out: both.",
+                ),
                 required(
                     "between",
                     Shape::Pair(&Shape::Point),
@@ -143,6 +225,8 @@ pub static JOINT: Tagged = Tagged {
                 SLIDE_DAMPING,
                 LATCHED,
                 SLIDE_RELEASE,
+                WHEN,
+                SLIDE_LOCK,
                 required(
                     "between",
                     Shape::Pair(&Shape::Point),
@@ -173,6 +257,8 @@ pub static JOINT: Tagged = Tagged {
                 SLIDE_DAMPING,
                 LATCHED,
                 SLIDE_RELEASE,
+                WHEN,
+                SLIDE_LOCK,
                 required(
                     "between",
                     Shape::Pair(&Shape::Point),
@@ -252,6 +338,7 @@ pub static JOINT: Tagged = Tagged {
                     Default::Zero,
                     "Angle of the second body relative to the first \\[rad\\].",
                 ),
+                WHEN,
                 required(
                     "between",
                     Shape::Pair(&Shape::Point),

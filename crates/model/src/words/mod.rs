@@ -39,7 +39,7 @@ use driver::DRIVER;
 use force::{FORCE, FRAME};
 use friction::{FRICTION, FRICTION_LAW};
 use higher::STRANDS;
-use joint::{JOINT, LATCH};
+use joint::{ACTIVE, JOINT, LATCH, ONE_WAY, TURN_LOCK};
 use motion::{INTERPOLATION, RISE_LAW, SEGMENT};
 use optimise::{CURVE, OBJECTIVE, OPTIMISE};
 use parameter::DISTRIBUTION;
@@ -179,7 +179,7 @@ impl Definition {
 }
 
 /// All that the schema defines by a name, in its order.
-pub static DEFINITIONS: [Definition; 56] = [
+pub static DEFINITIONS: [Definition; 59] = [
     Definition::Format(&FORMATS),
     Definition::Object(&GROUND),
     Definition::Object(&BODY),
@@ -203,6 +203,9 @@ pub static DEFINITIONS: [Definition; 56] = [
     Definition::Choice(&FRAME),
     Definition::Choice(&LATCH),
     Definition::Choice(&STRANDS),
+    Definition::Object(&ACTIVE),
+    Definition::Object(&TURN_LOCK),
+    Definition::Choice(&ONE_WAY),
     Definition::Object(&INITIAL),
     Definition::Object(&ANALYSIS),
     Definition::Choice(&ANALYSIS_KIND),

@@ -3,7 +3,7 @@
 use super::extremes::Extremes;
 use super::fault::Fault;
 use super::flow::Flow;
-use super::impulses::{Impulses, Instant, Jams, rests};
+use super::impulses::{Impulses, Instant, Jams, at_rest, rests};
 use super::ledger::Ledger;
 use super::margins::Margins;
 use super::modes::{first_phase, passes};
@@ -12,7 +12,7 @@ use super::simulation::Simulation;
 use super::state::State;
 use super::steps::Steps;
 use super::switches::Switches;
-use super::words::{deep_start, describe};
+use super::words::{backward_start, deep_start, describe, unclosed};
 use crate::analysis::control::Stop;
 use crate::analysis::outside::Outside;
 use crate::element::pair::{Contact, Surface};
@@ -53,23 +53,30 @@ impl<'s> Simulation<'s> {
         own.zip(starts).for_each(|(own, start)| *own = start);
         flow.hold_sides();
         let mut jams = Jams::new();
-        let rested = match leans(&flow) {
-            true => {
-                let at = Instant {
-                    time: 0.0,
-                    flow: &mut flow,
-                    state: &mut state,
-                    ledger: &mut ledger,
-                    jams: &mut jams,
-                };
-                Impulses::new(at, rtol).rest().map_err(Fault::Unsolved)
-            }
-            false => Ok(()),
+        let (has_timed, leans) = (!flow.system().timed.is_empty(), leans(&flow));
+        let mut start = |begin: fn(&mut Impulses) -> Result<(), Fault>| {
+            let at = Instant {
+                time: 0.0,
+                flow: &mut flow,
+                state: &mut state,
+                ledger: &mut ledger,
+                jams: &mut jams,
+            };
+            begin(&mut Impulses::new(at, rtol))
         };
+        let mut rested = Ok(());
+        if has_timed {
+            rested = start(|impulses| impulses.engage());
+        }
+        if rested.is_ok() && leans {
+            rested = start(|impulses| impulses.rest().map_err(Fault::Unsolved));
+        }
         let started = rested
             .and_then(|()| Steps::new(settings, Wanted { rtol, atol }, (&mut flow, &state), end));
         let steps = started.map_err(|fault| {
-            let message = describe(fault, 0.0, "", &flow.system().display);
+            let system = flow.system();
+            let message = unclosed(system, fault, 0.0);
+            let message = message.unwrap_or_else(|| describe(fault, 0.0, "", &system.display));
             Stop::failed(Status::Singular, message)
         })?;
         let extremes = settings.watched.as_ref().map(|watched| {
@@ -108,6 +115,9 @@ fn first_phases(flow: &mut Flow, state: &State, ledger: &mut Ledger) -> Result<(
             Surface::Compliant(_) => DEEPEST_START,
             Surface::Rigid(_) => DEEPEST_RIGID,
         };
+        if pair.is_one_way() && reading.rate > at_rest(flow) {
+            return Err(Stop::Input(vec![backward_start(system, contact)]));
+        }
         let is_behind = passes(pair, &mut Contact::default(), &reading);
         if !is_behind && reading.penetration.min(reading.room) > deepest * pair.size() {
             return Err(Stop::Input(vec![deep_start(system, contact, &reading)]));

@@ -3,7 +3,7 @@
 use super::fault::Fault;
 use super::flow::Flow;
 use super::ledger::Ledger;
-use super::words::{busiest, chatters, culprits, describe, jam, no_value, tight};
+use super::words::{busiest, chatters, culprits, describe, jam, no_value, tight, unclosed};
 use crate::analysis::words::locked;
 use crate::mechanism::driven::Failure;
 use crate::system::System;
@@ -52,6 +52,8 @@ impl Ended {
             | Fault::TooSmall { .. }
             | Fault::Chatters { .. }
             | Fault::NoValue { .. }
+            | Fault::Apart { .. }
+            | Fault::Driven { .. }
             | Fault::Indivisible { .. } => format!("the position at t = {when} can't be solved"),
         };
         Ended {
@@ -87,11 +89,17 @@ fn told(
     ahead: Option<usize>,
     jammed: &[usize],
 ) -> (Status, String) {
+    if let Some(message) = unclosed(flow.system(), fault, now) {
+        return (Status::Singular, message);
+    }
     let refused = match fault {
         Fault::Chatters { force } => return (Status::StepTooSmall, chatters(flow, force, now)),
         Fault::NoValue { force } => return (Status::Singular, no_value(flow, force, now)),
         Fault::TooSmall { .. } => false,
-        Fault::Indivisible { .. } | Fault::Unsolved(_) => true,
+        Fault::Indivisible { .. }
+        | Fault::Apart { .. }
+        | Fault::Driven { .. }
+        | Fault::Unsolved(_) => true,
     };
     let lock = flow
         .equations

@@ -1,6 +1,7 @@
 //! Why a motion can't be followed any further, from the solver that finds it up to the report.
 
 use super::flow::Flow;
+use crate::element::pair::ContactId;
 use crate::mechanism::failure::Failure;
 use linkdyn_output::Reason;
 use thiserror::Error;
@@ -36,6 +37,22 @@ pub enum Fault {
         /// Index of the force.
         force: usize,
     },
+    /// The joint of this contact closes where its ends do not meet.
+    #[error("a joint closes with its ends {} m and {} rad apart", gap[0], gap[1])]
+    Apart {
+        /// Index of the contact.
+        contact: usize,
+        /// Gap \[m\] and angle \[rad\].
+        gap: [f64; 2],
+    },
+    /// What this contact would hold is driven on.
+    #[error("what closes is driven on at {left} m/s")]
+    Driven {
+        /// Index of the contact.
+        contact: usize,
+        /// How fast, at the mechanism's size [m/s].
+        left: f64,
+    },
     /// The mechanism can't be evaluated.
     #[error(transparent)]
     Unsolved(#[from] Failure),
@@ -49,6 +66,8 @@ impl Fault {
             Fault::Indivisible { .. }
             | Fault::Chatters { .. }
             | Fault::NoValue { .. }
+            | Fault::Apart { .. }
+            | Fault::Driven { .. }
             | Fault::Unsolved(_) => self,
         }
     }
@@ -63,6 +82,8 @@ impl Fault {
             | Fault::TooSmall { .. }
             | Fault::Chatters { .. }
             | Fault::NoValue { .. }
+            | Fault::Apart { .. }
+            | Fault::Driven { .. }
             | Fault::Indivisible { .. } => None,
         };
         let system = flow.system();
@@ -77,6 +98,8 @@ impl Fault {
             Fault::TooSmall { .. }
             | Fault::Indivisible { .. }
             | Fault::Chatters { .. }
+            | Fault::Apart { .. }
+            | Fault::Driven { .. }
             | Fault::NoValue { .. } => Vec::new(),
         };
         let owner = |row: &usize| system.origin_name(&system.block_of_row(*row).origin);
@@ -84,6 +107,9 @@ impl Fault {
         owners.dedup();
         if let Fault::Chatters { force } | Fault::NoValue { force } = self {
             owners.push(system.owner(force));
+        }
+        if let Fault::Apart { contact, .. } | Fault::Driven { contact, .. } = self {
+            owners.push(system.contact_name(ContactId(contact)));
         }
         Reason {
             time,

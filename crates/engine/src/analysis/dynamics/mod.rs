@@ -38,7 +38,7 @@ mod steps;
 mod switches;
 mod words;
 
-use super::assembly::Assembled;
+use super::assembly::{Assembled, ranked};
 use super::branch::singularity;
 use super::control::{Control, Stop};
 use super::ends;
@@ -47,7 +47,7 @@ use crate::element::pair::{Pair, Surface};
 use crate::mechanism::driven::Failure;
 use crate::mechanism::phases::Phases;
 use crate::mechanism::reduced::{Reduced, Solver, is_curve};
-use crate::system::System;
+use crate::system::{Inputs, System};
 use flow::Flow;
 use linkdyn_model::error::Complaint;
 use linkdyn_output::{Report, Status, Stopwatch, Trajectory};
@@ -79,6 +79,17 @@ pub fn run(
     let assembling = clock.read();
 
     let watch = Stopwatch::start();
+    let mut report = Report {
+        mobility: assembled.mobility.clone(),
+        ..Report::default()
+    };
+    // It begins with all open that may be; what holds at the start closes there.
+    let opened = system.opened();
+    let system = opened.as_ref().unwrap_or(system);
+    let assembled = match opened {
+        Some(_) => ranked(system, assembled, &Inputs::at_time(system, 0.0)),
+        None => assembled,
+    };
     let phases = Phases::new(system);
     let parts = if is_curve(system, assembled.all.free_columns.len()) {
         Vec::new()
@@ -97,11 +108,7 @@ pub fn run(
     };
     let mut reduced = equations(system, &assembled, &v, solver)?;
     reduced.cross(&parts, &phases);
-    let mut report = Report {
-        mobility: assembled.mobility,
-        warnings: assembled.warnings,
-        ..Report::default()
-    };
+    report.warnings = assembled.warnings;
     report.assemble = assembling;
     let end = settings.instants.last().copied().unwrap_or(0.0);
     let flow = Flow::new(&phases, reduced);

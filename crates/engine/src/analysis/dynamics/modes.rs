@@ -12,11 +12,14 @@
 //!
 //! rigid surfaces:
 //! flight     min(δ, δ̇, room)                an impact
-//! contact    −N                             the multiplier of the journal on the surface would pull (of a latch beyond what it holds)
+//! contact    −N                             the multiplier of the journal on the surface would pull (of a latch beyond what it holds,
+//!                                           of what an event has closed |N|)
 //!            −room − ε                      the surface ends there
 //!            −s v_t                         it slides no more in the way s
 //!            |T| − μ N                      it sticks, and friction can't hold it any longer
 //! ```
+//!
+//! A one-way clutch has the guard δ̇ in flight; locks and joints that events close have none.
 //!
 //! Between events the equations are smooth; events are located on the step's continuous extension.
 
@@ -46,6 +49,10 @@ const GRIP: f64 = 1e-8;
 pub fn largest_guard(scale: &Scale, pair: &Pair, memory: &Contact, reading: &Reading) -> f64 {
     match (&pair.surface, memory.phase) {
         (Surface::Compliant(_), Phase::Flight) => reading.penetration.min(reading.room),
+        // It touches always.
+        (Surface::Rigid(_), Phase::Flight) if pair.is_one_way() => {
+            (reading.rate - creep(scale)) * scale.time
+        }
         // On its way out it may still be where it touched.
         (Surface::Rigid(_), Phase::Flight) => {
             let approach = reading.rate - creep(scale);
@@ -57,7 +64,7 @@ pub fn largest_guard(scale: &Scale, pair: &Pair, memory: &Contact, reading: &Rea
         }
         (Surface::Rigid(rigid), Phase::Contact) => {
             let ended = -reading.room - GONE * pair.size();
-            lets_go(scale, rigid, reading)
+            lets_go(scale, (pair, rigid), reading)
                 .max(turns(scale, rigid, memory, reading))
                 .max(ended)
         }
@@ -99,8 +106,13 @@ fn turns(scale: &Scale, rigid: &Rigid, memory: &Contact, reading: &Reading) -> f
 }
 
 /// Positive where surfaces that stay together would be pulled, or by more than their latch holds.
-fn lets_go(scale: &Scale, rigid: &Rigid, reading: &Reading) -> f64 {
-    -reading.normal - rigid.latch.unwrap_or(0.0) - PULL * scale.force()
+fn lets_go(scale: &Scale, (pair, rigid): (&Pair, &Rigid), reading: &Reading) -> f64 {
+    // What an event has closed holds from both sides.
+    let pull = match pair.is_timed() {
+        true => reading.normal.abs(),
+        false => -reading.normal,
+    };
+    pull - rigid.latch.unwrap_or(0.0) - PULL * scale.force()
 }
 
 /// Positive beyond the ends of the friction law's piece.

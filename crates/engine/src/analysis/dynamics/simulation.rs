@@ -207,11 +207,42 @@ impl<'s> Simulation<'s> {
         }
     }
 
+    /// Closes and opens what events of the motion say; whether there was anything.
+    fn fire(&mut self, time: f64) -> Result<bool, Fault> {
+        if self.flow.system().timed.is_empty() {
+            return Ok(false);
+        }
+        let switching = self.flow.switching();
+        if switching.is_none() && !self.flow.turns_over() {
+            return Ok(false);
+        }
+        let fired = self.flow.fired();
+        if fired.is_empty() {
+            return Ok(false);
+        }
+        if let Some(force) = switching {
+            self.switches.note(force, time, self.flow.system())?;
+        }
+        self.flow.hold_sides();
+        for (contact, closes) in fired {
+            match closes {
+                true => self.impulses(time).close(contact)?,
+                false => self.impulses(time).open(contact)?,
+            }
+        }
+        Ok(true)
+    }
+
     /// What happens at an event: impulses, then phases that end. The motion starts again from there.
     fn change(&mut self, time: f64) -> Result<(), Fault> {
         self.last_step().0.evaluate(time)?;
         self.pass();
+        // Velocities that impulses leave may be an event themselves.
+        while self.fire(time)? {}
         self.impulses(time).resolve()?;
+        while self.fire(time)? {
+            self.impulses(time).resolve()?;
+        }
         let system = self.flow.system();
         let mut begun = None;
         for (contact, journal) in system.contacts.iter().enumerate() {

@@ -70,6 +70,16 @@ pub(super) fn beyond_range(
     ))
 }
 
+/// A start against a one-way clutch.
+pub(super) fn backward_start(system: &System, contact: usize) -> Complaint {
+    let id = ContactId(contact);
+    Complaint::new(
+        format!("joints.{}.one_way", system.joint_of(id).name),
+        "the mechanism starts with the joint turning the way that its clutch holds",
+    )
+    .hint("turn the clutch round, or give initial velocities the other way")
+}
+
 pub(super) fn deep_start(system: &System, contact: usize, reading: &Reading) -> Complaint {
     let name = &system.joint_of(ContactId(contact)).name;
     let pair = &system.contacts[contact];
@@ -129,6 +139,40 @@ pub(super) fn no_value(flow: &Flow, force: usize, now: f64) -> String {
     )
 }
 
+/// What can't close at an event; nothing of another fault.
+pub(super) fn unclosed(system: &System, fault: Fault, now: f64) -> Option<String> {
+    let display = &system.display;
+    let when = display.time(now);
+    Some(match fault {
+        Fault::Apart { contact, gap } => {
+            let name = system.contact_name(ContactId(contact));
+            let [length, angle] = gap;
+            let apart = match length > angle * system.size {
+                true => format!("its points are {} apart", display.length_to(length, 4)),
+                false => format!(
+                    "its bodies are {} off their angle",
+                    display.angle_to(angle, 4)
+                ),
+            };
+            format!(
+                "at t = {when} {name} closes, and {apart}; the rows until there are kept. Let its event be where they meet"
+            )
+        }
+        Fault::Driven { contact, .. } => {
+            let name = system.contact_name(ContactId(contact));
+            format!(
+                "at t = {when} {name} closes on what a driver moves on; the rows until there are kept. Let the driver rest \
+                 there, or let a torque drive instead of it"
+            )
+        }
+        Fault::TooSmall { .. }
+        | Fault::Indivisible { .. }
+        | Fault::Chatters { .. }
+        | Fault::NoValue { .. }
+        | Fault::Unsolved(_) => return None,
+    })
+}
+
 /// What a failed step means; `what` says what is singular.
 pub(super) fn describe(fault: Fault, now: f64, what: &str, display: &DisplayUnits) -> String {
     match fault {
@@ -141,6 +185,8 @@ pub(super) fn describe(fault: Fault, now: f64, what: &str, display: &DisplayUnit
         Fault::Indivisible { .. }
         | Fault::Chatters { .. }
         | Fault::NoValue { .. }
+        | Fault::Apart { .. }
+        | Fault::Driven { .. }
         | Fault::Unsolved(_) => format!(
             "the motion can't be followed beyond t = {}: the constraints are singular there{what}; the rows until there are kept",
             display.time(now)

@@ -7,8 +7,9 @@ use crate::element::formula::{Formula, Function, MOST_ARGUMENTS, Strength};
 use crate::element::quantity::{Measured, Quantity};
 use crate::element::{BodyId, Marker};
 use crate::motion::{Curve, Law, Shape};
-use crate::system::{DriverRole, OutputRatio, StateData};
+use crate::system::{DriverRole, OutputRatio, StateData, TimedData, Trigger};
 use linkdyn_linear::math::Vec2;
+use linkdyn_model::event::Event;
 use linkdyn_model::formula::{Argument, Coordinate, Order};
 use linkdyn_model::ratio::Ratio;
 use linkdyn_model::response::{Catalogue, Fixed, Look, Program, Tangent};
@@ -91,6 +92,27 @@ impl Compiler<'_> {
                 rate,
             };
             self.system.states.push(data);
+        }
+    }
+
+    /// Events that close and open, behind all states.
+    pub(super) fn add_events(&mut self) {
+        for (index, (contact, timed)) in std::mem::take(&mut self.timed).into_iter().enumerate() {
+            let owner = self.system.force_data.len() + self.system.states.len() + index;
+            let mut trigger = |event: &Option<Event>| {
+                let event = event.as_ref()?;
+                let formula = event.formula().expect("the gate reads each event");
+                Some(Trigger {
+                    formula: self.formula(&formula, owner),
+                    either_way: event.is_either_way(),
+                })
+            };
+            let (from, until) = (trigger(&timed.from), trigger(&timed.until));
+            self.system.timed.push(TimedData {
+                contact,
+                from,
+                until,
+            });
         }
     }
 

@@ -68,12 +68,20 @@ impl Compiler<'_> {
                 cam: made.cam,
                 bearing: clearance(&joint.kind).map(bearing),
                 stops: None,
+                clasp: None,
                 edges: 0..0,
                 friction,
                 belt: made.belt,
                 bushing: made.bushing,
             });
-            self.push_block(made.constraint, Origin::Joint(JointId(k)));
+            let mut constraint = made.constraint;
+            if let Some(active) = &joint.stops.active {
+                self.closed.insert(k, constraint.clone());
+                if active.from.is_some() {
+                    constraint = Arc::new(Free);
+                }
+            }
+            self.push_block(constraint, Origin::Joint(JointId(k)));
         }
     }
 

@@ -20,11 +20,12 @@ pub use profiles::{Profile, profiles};
 
 use super::rows::{reach, size, spread};
 use super::{BodyData, Extent, Mass, Origin, OutputPoint, Scale, System};
+use crate::element::pair::ContactId;
 use crate::element::{BodyId, Constraint, Layout, Marker, Pose};
 use linkdyn_linear::math::Vec2;
 use linkdyn_model::error::{Complaint, Complaints};
 use linkdyn_model::response::{Catalogue, Look};
-use linkdyn_model::{AnalysisKind, Body, Checked, GROUND, Model, PointRef};
+use linkdyn_model::{AnalysisKind, Body, Checked, GROUND, Model, PointRef, Timed};
 use needs::{Joints, missing};
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -73,6 +74,10 @@ struct Compiler<'a> {
     curves: Option<Vec<Arc<dyn Look>>>,
     /// Exponents of what the formulas' kinks compare.
     kinks: Vec<[f64; 4]>,
+    /// Joints that close and open, as they are when they are closed.
+    closed: HashMap<usize, Arc<dyn Constraint>>,
+    /// What events close and open.
+    timed: Vec<(ContactId, &'a Timed)>,
     system: System,
 }
 
@@ -102,6 +107,7 @@ impl<'a> Compiler<'a> {
             dependent_forces: Vec::new(),
             contacts: Vec::new(),
             contact_rows: Vec::new(),
+            timed: Vec::new(),
             broken: laws::broken(model),
             gravity: Vec2::from(model.gravity),
             mass: Mass::default(),
@@ -124,6 +130,8 @@ impl<'a> Compiler<'a> {
             catalogue: None,
             curves: None,
             kinks: Vec::new(),
+            closed: HashMap::new(),
+            timed: Vec::new(),
             system,
         }
     }
@@ -140,6 +148,7 @@ impl<'a> Compiler<'a> {
         self.add_initial();
         self.add_forces();
         self.add_states();
+        self.add_events();
         self.add_strands();
         self.add_outputs();
         self.system.scale = Scale::of(&self.system);

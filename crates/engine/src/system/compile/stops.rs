@@ -3,12 +3,13 @@
 use super::Compiler;
 use crate::contact::impact::Sense;
 use crate::contact::{friction, normal};
+use crate::element::clasp::Clasp;
 use crate::element::journal::Free;
 use crate::element::pair::{Compliant, ContactId, Pair, Rigid, Shape, Surface};
-use crate::element::stop::{Side, Stop};
-use crate::system::{ContactRows, JointId, Origin};
+use crate::element::stop::{Kept, Side, Stop};
+use crate::system::{ContactRows, JointId, LOCK, ONE_WAY, Origin};
 use linkdyn_linear::math::{Vec2, unit};
-use linkdyn_model::{Joint, JointKind, Latch, Stops};
+use linkdyn_model::{Joint, JointKind, Latch, OneWay, Stops};
 use std::sync::Arc;
 
 impl Compiler<'_> {
@@ -18,13 +19,72 @@ impl Compiler<'_> {
             let limits = joint.stops.limits.unwrap_or_default();
             for (side, limit) in [Side::Lower, Side::Upper].into_iter().zip(limits) {
                 if let Some(limit) = limit {
-                    self.add_stop((k, joint), side, limit);
+                    let material = surface(&joint.stops, self.arm(joint), side);
+                    self.add_stop((k, joint), (side, side.index(), Some(limit)), material);
                 }
+            }
+            if let Some(way) = joint.stops.one_way {
+                // What turns forward alone is held against turning back.
+                let side = match way {
+                    OneWay::Forward => Side::Lower,
+                    OneWay::Backward => Side::Upper,
+                };
+                self.add_stop((k, joint), (side, ONE_WAY, None), rigid(None));
+            }
+            if let Some(lock) = &joint.stops.lock {
+                let release = lock.release.map(|release| release / self.arm(joint));
+                let material = rigid(Some(release.unwrap_or(f64::INFINITY)));
+                let id = self.add_stop((k, joint), (Side::Upper, LOCK, None), material);
+                self.timed.push((id, lock));
+            }
+            if let Some(active) = &joint.stops.active {
+                let id = self.add_clasp(k, active.release);
+                self.timed.push((id, active));
             }
         }
     }
 
-    fn add_stop(&mut self, (k, joint): (usize, &Joint), side: Side, limit: f64) {
+    /// L of a joint: at which its angle is measured \[m\], or 1 of a slide.
+    fn arm(&self, joint: &Joint) -> f64 {
+        match &joint.kind {
+            JointKind::Prismatic { .. } | JointKind::Slot { .. } => 1.0,
+            // The gate lets turning and sliding joints alone have stops.
+            JointKind::Revolute { .. }
+            | JointKind::Gear { .. }
+            | JointKind::Fixed { .. }
+            | JointKind::Contact { .. }
+            | JointKind::Cam(_)
+            | JointKind::Rack { .. }
+            | JointKind::Belt { .. }
+            | JointKind::Bushing(_) => self.system.size,
+        }
+    }
+
+    /// A joint that closes and opens as a whole; its rows are those of the joint.
+    fn add_clasp(&mut self, k: usize, release: Option<f64>) -> ContactId {
+        let id = ContactId(self.system.contacts.len());
+        let constraint = self.closed[&k].clone();
+        let pair = Pair {
+            shape: Shape::Clasp(Clasp {
+                constraint,
+                size: self.system.size,
+            }),
+            surface: rigid(Some(release.unwrap_or(f64::INFINITY))),
+        };
+        let rows = ContactRows::of(&pair, id, JointId(k), k);
+        self.system.contact_rows.push(rows);
+        self.system.contacts.push(pair);
+        self.system.joints[k].clasp = Some(id);
+        id
+    }
+
+    /// A stop at a limit; without one it holds where the joint is: a lock, or a one-way clutch.
+    fn add_stop(
+        &mut self,
+        (k, joint): (usize, &Joint),
+        (side, index, limit): (Side, usize, Option<f64>),
+        surface: Surface,
+    ) -> ContactId {
         let id = ContactId(self.system.contacts.len());
         let [first, second] = [0, 1].map(|end: usize| self.marker(&joint.between[end]));
         let axis = match &joint.kind {
@@ -41,26 +101,41 @@ impl Compiler<'_> {
             | JointKind::Belt { .. }
             | JointKind::Bushing(_) => None,
         };
-        let arm = axis.map_or(self.system.size, |_| 1.0);
+        let arm = self.arm(joint);
         let pair = Pair {
             shape: Shape::Stop(Stop {
                 first,
                 second,
                 axis,
                 side,
-                limit,
+                limit: limit.unwrap_or(0.0),
                 arm,
                 size: self.system.size,
+                kept: limit.is_none().then_some(Kept {
+                    id,
+                    is_lock: index == LOCK,
+                }),
             }),
-            surface: surface(&joint.stops, arm, side),
+            surface,
         };
         let block = self.system.blocks.len();
         self.push_block(Arc::new(Free), Origin::Stop(id));
         let rows = ContactRows::of(&pair, id, JointId(k), block);
         self.system.contact_rows.push(rows);
         self.system.contacts.push(pair);
-        self.system.joints[k].stops.get_or_insert_default()[side.index()] = Some(id);
+        self.system.joints[k].stops.get_or_insert_default()[index] = Some(id);
+        id
     }
+}
+
+/// What has neither rebound nor friction; where it latches, with the pull that it holds.
+fn rigid(latch: Option<f64>) -> Surface {
+    Surface::Rigid(Rigid {
+        restitution: 0.0,
+        friction: 0.0,
+        sense: Sense::Kinematic,
+        latch,
+    })
 }
 
 /// What stops are made of; stiffness and damping are by the square of the arm at which an angle is measured.

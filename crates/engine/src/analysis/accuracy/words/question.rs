@@ -12,7 +12,7 @@ use crate::analysis::control::{Control, Stop};
 use crate::analysis::question::instants;
 use crate::system::compile::compile_geometry;
 use linkdyn_model::error::{Complaint, Complaints};
-use linkdyn_model::{AnalysisKind, Checked, DriverKind, JointKind, Model};
+use linkdyn_model::{AnalysisKind, Checked, DriverKind, Joint, JointKind, Model};
 
 /// Why there is no answer.
 #[derive(Debug)]
@@ -149,7 +149,12 @@ fn uncounted(model: &Model) -> Result<(), Complaint> {
         | JointKind::Contact { .. } => None,
     };
     let mut joints = model.joints.iter();
-    let found = joints.find_map(|(name, joint)| Some((name, kind(&joint.kind)?)));
+    let open = |joint: &Joint| {
+        let is_open = joint.stops.active.is_some() || joint.stops.lock.is_some();
+        is_open.then_some("what closes and opens")
+    };
+    let found =
+        joints.find_map(|(name, joint)| Some((name, kind(&joint.kind).or_else(|| open(joint))?)));
     let found = found.map(|(name, kind)| (format!("joints.{name}"), kind));
     let mut drivers = model.drivers.iter();
     let length = drivers.find(|(_, driver)| matches!(driver.kind, DriverKind::Length { .. }));

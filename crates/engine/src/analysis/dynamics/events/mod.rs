@@ -10,6 +10,8 @@ use locate::{Bracket, Point, locate};
 const POINTS: usize = 8;
 /// Width, as a part of the distance between these points, at which an event is located.
 const NARROW: f64 = 1e-10;
+/// The same where events close joints.
+const NARROWER: f64 = 1e-13;
 /// A step with an event is taken again to this part of it beyond the event, which is then near its end.
 const BEYOND: f64 = 1e-3;
 /// An event is known well enough for that within this part of `BEYOND`.
@@ -24,7 +26,12 @@ pub fn first_event(step: &mut LastStep) -> Result<Option<f64>, Fault> {
     let Some(mut bracket) = search(step)? else {
         return Ok(None);
     };
-    let mut narrow = NARROW * bracket.width();
+    // Where joints meet depends on the instant at which they close.
+    let part = match step.flow.system().timed.is_empty() {
+        true => NARROW,
+        false => NARROWER,
+    };
+    let mut narrow = part * bracket.width();
     bracket = locate(
         bracket,
         ROUGH * BEYOND * (bracket.high.time - from),
@@ -40,7 +47,7 @@ pub fn first_event(step: &mut LastStep) -> Result<Option<f64>, Fault> {
             return Ok(None);
         };
         bracket = again;
-        narrow = narrow.min(NARROW * (step.to() - from) / POINTS as f64);
+        narrow = narrow.min(part * (step.to() - from) / POINTS as f64);
     }
     let located = locate(bracket, narrow, |time| guard(step, time))?;
     Ok(Some(located.high.time))

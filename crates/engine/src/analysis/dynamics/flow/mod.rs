@@ -5,6 +5,7 @@ mod formulas;
 mod implicit;
 mod marks;
 mod sustained;
+mod timed;
 mod tolerance;
 
 use super::modes::largest_guard;

@@ -66,7 +66,8 @@ impl Flow<'_> {
     pub fn is_latched(&self, contact: usize) -> bool {
         let system = self.system();
         let pair = &system.contacts[contact];
-        pair.latch().is_some() && self.sustained[contact].is_some() && {
+        let is_closed = self.sustained[contact].is_some() && self.is_in_contact(contact);
+        pair.latch().is_some() && is_closed && {
             let (memory, reading) = (&self.memories()[contact], self.reading(contact));
             largest_guard(&system.scale, pair, memory, &reading) <= 0.0
         }
@@ -123,8 +124,14 @@ impl Flow<'_> {
     pub(super) fn eval_normal_forces(&mut self) {
         if self.has_sustained() {
             self.equations.multipliers(&mut self.lambda);
-            for sustained in self.sustained.iter_mut().flatten() {
-                sustained.normal_force = self.lambda[sustained.row];
+            let system = self.equations.system();
+            let at = self.equations.kinematics();
+            for (pair, sustained) in system.contacts.iter().zip(&mut self.sustained) {
+                let Some(sustained) = sustained else { continue };
+                sustained.normal_force = match pair.clasp() {
+                    Some(clasp) => clasp.transmitted(&at, &self.lambda[sustained.row..]),
+                    None => self.lambda[sustained.row],
+                };
                 if let Grip::Sticks(force) = &mut sustained.grip {
                     *force = self.lambda[sustained.row + 1];
                 }

@@ -10,6 +10,8 @@ const SLOW: f64 = 2e-3;
 
 /// Errors of the energy ledger are bounded by this, times rtol, of the kinetic energy at the last event.
 const LEDGER: f64 = 10.0;
+/// A mechanism in which locks and clutches hold has no less than this part of its own energy [–].
+const REST: f64 = 1e-6;
 /// No step is bounded by less than this part of what it moves, for evaluations are no better.
 const ROUND_OFF: f64 = 1e-14;
 /// The same of contacts' lengths, which are differences of coordinates, and of coordinates in sizes.
@@ -63,7 +65,11 @@ impl Flow<'_> {
             return tolerance;
         }
         let evaluation = self.equations.evaluation();
-        let energy = evaluation.kinetic_energy(system, self.equations.velocity());
+        let mut energy = evaluation.kinetic_energy(system, self.equations.velocity());
+        // What begins to hold may leave next to nothing of it, by round-off.
+        if system.begins_to_hold() && energy > 0.0 {
+            energy = energy.max(REST * system.scale.mass * system.scale.velocity().powi(2));
+        }
         let depth = system
             .contacts
             .iter()
@@ -102,7 +108,7 @@ fn depth(contact: &Pair, energy: f64) -> f64 {
     };
     let shallowest = match contact.shape {
         Shape::Journal(_) => SHALLOW,
-        Shape::Stop(_) | Shape::Edge(_) => SHALLOW_STOP,
+        Shape::Stop(_) | Shape::Edge(_) | Shape::Clasp(_) => SHALLOW_STOP,
     };
     let (mut low, mut high) = (shallowest * contact.size(), contact.size());
     if laws.normal.elastic_energy(high) <= energy {

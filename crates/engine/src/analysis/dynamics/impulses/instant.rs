@@ -110,12 +110,20 @@ impl Instant<'_, '_> {
     }
 
     /// A contact latches: it is sustained from here, whatever pulls.
-    pub(super) fn latch(&mut self, contact: usize) -> Result<(), Failure> {
+    pub(super) fn latch(&mut self, contact: usize, is_event: bool) -> Result<(), Failure> {
         let mut holds = self.flow.holds();
         holds[contact] = Hold::Slides;
-        self.flow.memory_mut(contact).phase = Phase::Contact;
+        let pair = &self.flow.system().contacts[contact];
+        let at = self.flow.equations.kinematics();
+        let anchor = pair
+            .stop()
+            .map_or(0.0, |_| pair.anchor(&at, ContactId(contact)));
+        let memory = self.flow.memory_mut(contact);
+        (memory.phase, memory.anchor) = (Phase::Contact, anchor);
         self.exchange_rows(&holds)?;
-        self.ledger.history(contact).latch(self.time, true);
+        if is_event {
+            self.ledger.history(contact).latch(self.time, true);
+        }
         Ok(())
     }
 
@@ -145,6 +153,14 @@ impl Instant<'_, '_> {
             let pair = &self.flow.system().contacts[contact];
             let (hold, way, anchor) = match *mode {
                 Mode::Leaves => continue,
+                // It holds where it has begun to.
+                Mode::Slips(_) if pair.is_one_way() && were[contact] == Hold::Slides => {
+                    (Hold::Slides, 0, self.flow.memories()[contact].anchor)
+                }
+                Mode::Slips(_) if pair.is_one_way() => {
+                    let at = self.flow.equations.kinematics();
+                    (Hold::Slides, 0, pair.anchor(&at, ContactId(contact)))
+                }
                 Mode::Slips(ratio) => (Hold::Slides, -sign(ratio), 0.0),
                 Mode::Sticks if were[contact] == Hold::Sticks => {
                     (Hold::Sticks, 0, self.flow.memories()[contact].anchor)

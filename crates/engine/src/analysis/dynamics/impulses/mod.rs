@@ -5,6 +5,7 @@
 //! loses its normal velocity and stays on the surface, as a sustained contact. So do those that its impact throws off no higher
 //! while the others hold: two walls that hold a tip would else pass it to and fro.
 
+mod closing;
 mod grips;
 mod impact;
 mod instant;
@@ -21,11 +22,12 @@ use crate::mechanism::driven::Failure;
 use grips::{Grips, Mode};
 use impact::Strike;
 use jamming::{Way, stop};
-use point::{LOWEST, Point, approach_acceleration, at_rest, touches};
+use point::{LOWEST, Point, approach_acceleration, touches};
 use touching::Touching;
 
 pub use instant::Instant;
 pub use jamming::Jams;
+pub use point::at_rest;
 
 /// Impacts one after the other at one instant after which the rest are one, without rebound.
 const MANY: usize = 100;
@@ -86,7 +88,7 @@ impl<'a, 's> Impulses<'a, 's> {
                 let reading = self.at.flow.reading(contact);
                 let entry = self.at.entry(contact, &reading);
                 self.at.ledger.history(contact).begin(&entry);
-                self.at.latch(contact)?;
+                self.at.latch(contact, true)?;
             }
         }
         let settled = self.settle(at_rest(self.at.flow));
@@ -173,7 +175,7 @@ impl<'a, 's> Impulses<'a, 's> {
             self.at.leave(contact, entry.angle);
         }
         if latches {
-            self.at.latch(contact)?;
+            self.at.latch(contact, true)?;
             return self.settle(at_rest(self.at.flow));
         }
         if stays || strike.parts || jams {
@@ -245,12 +247,17 @@ impl<'a, 's> Impulses<'a, 's> {
     /// by [`grips`].
     fn settle(&mut self, slow: f64) -> Result<(), Failure> {
         let were = self.at.release_all()?;
+        self.settle_from(&were, slow)
+    }
+
+    /// The same where contacts were held so, and none is but latches.
+    fn settle_from(&mut self, were: &[Hold], slow: f64) -> Result<(), Failure> {
         let flow = &*self.at.flow;
         let latched = flow.holds();
         let contacts = (0..were.len()).filter(|&k| {
             let pair = &flow.system().contacts[k];
             let goes_on = were[k] != Hold::Free && is_there(pair, &flow.reading(k));
-            latched[k] == Hold::Free && (goes_on || touches(flow, k, slow))
+            latched[k] == Hold::Free && !pair.is_timed() && (goes_on || touches(flow, k, slow))
         });
         let contacts = contacts.collect();
         let touching = Touching::new(self.at.flow, contacts);
@@ -293,7 +300,7 @@ impl<'a, 's> Impulses<'a, 's> {
         let mut modes = vec![Mode::Leaves; were.len()];
         let contacts = touching.contacts.iter().zip(found);
         contacts.for_each(|(&contact, mode)| modes[contact] = mode);
-        match self.at.take(&were, &modes) {
+        match self.at.take(were, &modes) {
             // These forces answer the motion, but do not come of those without friction.
             Err(Failure::Locked { .. }) => {
                 let way = Way::find(self.at.flow, &touching);

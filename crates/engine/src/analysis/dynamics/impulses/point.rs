@@ -15,7 +15,7 @@ const AT_REST: f64 = 1e-9;
 const BEYOND: f64 = 10.0;
 
 /// The same in a motion [m/s].
-pub(super) fn at_rest(flow: &Flow) -> f64 {
+pub fn at_rest(flow: &Flow) -> f64 {
     AT_REST * flow.system().scale.velocity()
 }
 

@@ -28,6 +28,8 @@ pub struct History {
     joint: String,
     /// Which stop of the joint it is, with its arm.
     stop: Option<(&'static str, f64)>,
+    /// Whether events close it.
+    is_timed: bool,
     /// What stays together where it stays.
     together: &'static str,
     open: Option<(Episode, Sums)>,
@@ -57,10 +59,13 @@ impl History {
             Shape::Journal(_) => "would follow: the journal stays on the bearing's surface",
             Shape::Stop(_) => "follow until then: from there the joint stays at its stop",
             Shape::Edge(_) => "follow until then: from there the tip stays on the outline",
+            // It has no impacts of its own.
+            Shape::Clasp(_) => "",
         };
         History {
             joint: joint.into(),
-            stop: pair.stop().map(|stop| (stop.side.word(), stop.arm)),
+            stop: pair.stop().map(|stop| (stop.word(), stop.arm)),
+            is_timed: pair.is_timed(),
             together,
             open: None,
             last: Sums::default(),
@@ -186,12 +191,14 @@ impl History {
         });
     }
 
-    /// The joint latches at its stop, or comes off it.
+    /// The joint latches at its stop, or comes off it; or an event closes or opens it.
     pub fn latch(&mut self, time: f64, closes: bool) {
         self.list(Event::at(
-            match closes {
-                true => EventKind::Latch,
-                false => EventKind::Unlatch,
+            match (closes, self.is_timed) {
+                (true, false) => EventKind::Latch,
+                (false, false) => EventKind::Unlatch,
+                (true, true) => EventKind::Close,
+                (false, true) => EventKind::Open,
             },
             time,
         ));

@@ -211,11 +211,19 @@ impl Ledger {
                 }
                 Shape::Stop(stop) => report.stops.push(StopSums {
                     joint,
-                    stop: stop.side.word(),
+                    stop: stop.word(),
                     episodes: history.episodes,
                     time_in_contact: history.time_in_contact,
                     energy_lost: sums.dissipated,
                     impulse: sums.impulse * stop.arm,
+                }),
+                Shape::Clasp(_) => report.stops.push(StopSums {
+                    joint,
+                    stop: "active",
+                    episodes: history.episodes,
+                    time_in_contact: history.time_in_contact,
+                    energy_lost: sums.dissipated,
+                    impulse: sums.impulse,
                 }),
                 Shape::Edge(_) => {
                     let known = report.stops.iter().position(|all| all.joint == joint);
