@@ -116,6 +116,7 @@ fn large(bodies: usize, rows: usize, name: impl Fn(usize) -> String) -> String {
         .map(|k| Joint {
             name: format!("j{k}"),
             limits: None,
+            one_way: None,
             kind: JointKind::Revolute { clearance: None },
             between: [(k, 1), (k + 1, 0)],
         })

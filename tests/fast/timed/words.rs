@@ -1,6 +1,8 @@
 //! Bad words of what closes and opens.
 
 use super::*;
+use linkdyn_model::event::Event as Happens;
+use linkdyn_model::{JointKind, OneWay, Timed};
 
 fn said(joint: &str, more: &Value) -> String {
     let mut model = shaft([0.5, 0.3], [0.0, 0.0], &json!({}), 1.0);
@@ -148,5 +150,94 @@ fn what_cannot_close_is_told() {
     assert_eq!(
         said_of(&model),
         r#"joints.clutch.one_way: "one_way": unknown key (known keys: type, axis, play, limits, restitution, stiffness, damping, latch, release, active, lock, between, note)"#
+    );
+}
+
+/// A model with events prints as it was read, with parameters as names over its file and as numbers alone.
+#[test]
+fn events_print_as_they_were_read() {
+    let more = json!({ "one_way": "backward",
+        "lock": { "from": "rotor.omega >= top/2", "until": "time reaches 0.4 s", "release": "=5 N*m" } });
+    let mut model = shaft([0.5, 0.3], [1.0, 1.0], &more, 1.0);
+    model["parameters"] = json!({ "top": { "value": "9 rad/s" } });
+    let read = loaded(&model);
+    assert_eq!(read.source.print(&read.model), read.document);
+    let printed = read.model.to_json();
+    let lock = &printed["joints"]["clutch"]["lock"];
+    assert_eq!(lock["from"], "rotor.omega >= (9.0 rad/s)/2");
+    assert_eq!(loaded(&printed).model.to_json(), printed);
+    assert_eq!(
+        column(&outcome(&printed), "load.omega"),
+        column(&outcome(&model), "load.omega")
+    );
+    // Another value of the parameter is put in without reading again.
+    let set = |value: &str| {
+        let sets = [format!("parameters.top={value}")];
+        linkdyn_model::load(model.to_string().as_bytes(), &sets).expect("a sound model")
+    };
+    let expected = set("4 rad/s").model.to_json();
+    assert_eq!(
+        expected["joints"]["clutch"]["lock"]["from"],
+        "rotor.omega >= (4.0 rad/s)/2"
+    );
+}
+
+/// Programs can write what files can't.
+#[test]
+fn what_programs_write_is_checked() {
+    let model = loaded(&shaft([0.5, 0.3], [1.0, 1.0], &json!({}), 1.0)).model;
+    let lock = Timed {
+        from: Some(Happens::new("time >= 1 s")),
+        ..Timed::default()
+    };
+    let said = |kind: JointKind, active: bool| {
+        let changed = model.edit(|model| {
+            let joint = &mut model.joints["clutch"];
+            joint.kind = kind;
+            let place = match active {
+                true => &mut joint.stops.active,
+                false => &mut joint.stops.lock,
+            };
+            *place = Some(Box::new(lock.clone()));
+        });
+        changed.expect_err("refused").to_string()
+    };
+    let fixed = JointKind::Fixed { angle: 0.0 };
+    assert_eq!(
+        said(fixed, false),
+        "joints.clutch.lock: this joint can't be locked (revolute and prismatic joints and slots can)"
+    );
+    let rack = || JointKind::Rack {
+        axis: [1.0, 0.0],
+        radius: 0.1,
+        offset: None,
+    };
+    assert_eq!(
+        said(rack(), true),
+        "joints.clutch.active: this joint can't be open (revolute, prismatic, slot and fixed joints can)"
+    );
+    let changed = model.edit(|model| {
+        let joint = &mut model.joints["clutch"];
+        joint.kind = JointKind::Slot {
+            axis: [1.0, 0.0],
+            play: None,
+        };
+        joint.stops.one_way = Some(OneWay::Forward);
+    });
+    assert_eq!(
+        changed.expect_err("refused").to_string(),
+        "joints.clutch.one_way: only a revolute joint turns (leave it out)"
+    );
+    let changed = model.edit(|model| {
+        let lock = Timed {
+            from: Some(Happens::new("rotor.omeg >= 1 rad/s")),
+            ..Timed::default()
+        };
+        model.joints["clutch"].stops.lock = Some(Box::new(lock));
+    });
+    assert_eq!(
+        changed.expect_err("refused").to_string(),
+        "joints.clutch.lock.from: there is no parameter, and nothing that moves, called \"rotor.omeg\" (did you mean \
+         \"rotor.omega\"?)"
     );
 }

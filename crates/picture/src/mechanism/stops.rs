@@ -5,6 +5,7 @@ use crate::palette;
 use crate::scene::{Pen, Place, Scene};
 use crate::shape::{Joint, JointKind};
 use crate::symbols;
+use linkdyn_model::OneWay;
 
 /// Half the height of a bar, in bars.
 const HIGH: f64 = 2.0;
@@ -13,6 +14,11 @@ const PEG: [f64; 2] = [3.0, 4.6];
 const ARC: f64 = 3.8;
 /// Angle between corners of the arc \[rad\].
 const CORNER: f64 = 0.1;
+/// Radius of the arrow about a pin with a one-way clutch, in bars, how far it goes round, and the length \[rad\] and half the
+/// width, in bars, of its head.
+const ROUND: f64 = 2.4;
+const TURN: f64 = 4.5;
+const HEAD: [f64; 2] = [0.4, 0.8];
 /// An end this much of the stroke beyond it is drawn.
 const NEAR: f64 = 0.5;
 
@@ -49,10 +55,13 @@ pub fn reach(joint: &Joint, slides: [f64; 2]) -> [f64; 2] {
 
 /// Draws the stops of a joint.
 pub fn draw(scene: &mut Scene, sketch: &Sketch, joint: &Joint, slides: [f64; 2]) {
+    let pen = sketch.pen(palette::STEEL);
+    if let Some(way) = joint.one_way {
+        arrow(scene, sketch, joint, way, pen);
+    }
     if joint.limits.is_none() {
         return;
     }
-    let pen = sketch.pen(palette::STEEL);
     match joint.kind {
         JointKind::Prismatic { .. } => bars(scene, sketch, joint, slides, pen),
         JointKind::Revolute { .. } => arc(scene, sketch, joint, pen),
@@ -116,6 +125,30 @@ fn arc(scene: &mut Scene, sketch: &Sketch, joint: &Joint, pen: Pen) {
         let width = 0.5 * pen.width;
         scene.line("stop", places, Pen { width, ..pen });
     }
+}
+
+/// An arrow about a pin, the way in which its one-way clutch lets the second body turn.
+fn arrow(scene: &mut Scene, sketch: &Sketch, joint: &Joint, way: OneWay, pen: Pen) {
+    let [x, y] = sketch.at(joint.between[0]);
+    let bar = sketch.bar();
+    let base = sketch.pose[joint.between[0].0][2];
+    let sign = match way {
+        OneWay::Forward => 1.0,
+        OneWay::Backward => -1.0,
+    };
+    let at = |angle: f64, radius: f64| -> Place {
+        let (sin, cos) = (base + sign * angle).sin_cos();
+        [x + radius * bar * cos, y - radius * bar * sin]
+    };
+    let width = 0.5 * pen.width;
+    let corners = (TURN / CORNER).ceil();
+    let way: Vec<Place> = (0..=corners as usize)
+        .map(|k| at(TURN * k as f64 / corners, ROUND))
+        .collect();
+    scene.line("clutch", way, Pen { width, ..pen });
+    let head = [-1.0, 1.0].map(|side| at(TURN - HEAD[0], ROUND + side * HEAD[1]));
+    let tip = at(TURN, ROUND);
+    scene.line("clutch", [head[0], tip, head[1]], Pen { width, ..pen });
 }
 
 /// Where the second body of a pin lies, in its own frame \[rad\].

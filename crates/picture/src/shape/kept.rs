@@ -137,6 +137,7 @@ fn of_drawing(drawing: Drawing) -> Result<Shape, Fault> {
             name: String::new(),
             between: pair(joint.between)?,
             limits: None,
+            one_way: None,
             kind: match joint.kind {
                 DrawnKind::Revolute => JointKind::Revolute { clearance: None },
                 DrawnKind::Guide { axis } => JointKind::Prismatic { axis },

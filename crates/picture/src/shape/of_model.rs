@@ -231,6 +231,7 @@ fn joint_of(numbers: &Numbers, name: &str, joint: &model::Joint) -> Joint {
         between: numbers.ends(&joint.between),
         kind,
         limits: joint.stops.limits,
+        one_way: joint.stops.one_way,
     }
 }
 

@@ -1,5 +1,6 @@
 //! The types of a shape. Lengths are in metres, in the frame of the body; the ground is body 0.
 
+use linkdyn_model::OneWay;
 use serde::{Deserialize, Serialize};
 
 /// A body and the number of one of its points.
@@ -49,6 +50,10 @@ pub struct Joint {
     /// Where its way ends, below and above [rad or m].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub limits: Option<[Option<f64>; 2]>,
+    /// The way in which it turns alone.
+    #[doc(hidden)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub one_way: Option<OneWay>,
 }
 
 /// Kinds of joints, by the words of the model file.

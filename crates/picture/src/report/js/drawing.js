@@ -131,6 +131,17 @@
     }
   });
 
+  // An arrow about a pin, the way in which its one-way clutch turns.
+  const clutches = ({ pen, at, px, row, colours }) => mechanism.joints.forEach(({ between: [first], one_way: way }) => {
+    const a = way && at(first), pose = a && shapes.pose(first[0], row);
+    if (!pose) return;
+    const sign = way === "forward" ? 1 : -1, turn = 4.5;
+    const place = (angle, radius) => [a[0] + radius * px * Math.cos(pose[2] + sign * angle), a[1] - radius * px * Math.sin(pose[2] + sign * angle)];
+    pen.strokeStyle = colours.steel; pen.lineWidth = 1;
+    path(pen, Array.from({ length: 46 }, (_, k) => place(turn * k / 45, 2.4))); pen.stroke();
+    path(pen, [place(turn - 0.4, 1.6), place(turn, 2.4), place(turn - 0.4, 3.2)]); pen.stroke();
+  });
+
   // Outlines that may be touched: plates where they are closed, else lines, hatched on the ground; and the tips.
   const outlines = ({ pen, at, to, scale, px, row, colours }) => mechanism.joints.forEach(({ type, between, outlines, radius, arc }) => {
     if (type !== "contact") return;
@@ -323,7 +334,7 @@
     }
   };
 
-  const LAYERS = [wheels, cams, guides, outlines, bodiesOf, blocks, followers, stops, pins, springs, centres, drivers];
+  const LAYERS = [wheels, cams, guides, outlines, bodiesOf, blocks, followers, stops, clutches, pins, springs, centres, drivers];
 
   // Everything at `row`; returns where names may go.
   const draw = (pen, { to, scale, px, row, colours, show }) => {
