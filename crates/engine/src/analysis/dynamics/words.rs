@@ -19,7 +19,7 @@ const PENETRATION_DIGITS: usize = 4;
 
 /// Rigid contacts, by number, that no forces answer.
 pub(super) fn jam(flow: &Flow, jammed: &[usize], now: f64) -> String {
-    let name = |&contact: &usize| format!("{:?}", flow.system().joint_of(ContactId(contact)).name);
+    let name = |&contact: &usize| format!("{:?}", flow.system().owner_name(ContactId(contact)));
     let jammed: Vec<String> = jammed.iter().map(name).collect();
     format!(
         "at t = {} the journals that slide on their bearings jam in {} {}: with this friction neither normal forces nor \
@@ -61,7 +61,7 @@ pub(super) fn beyond_range(
 }
 
 pub(super) fn deep_start(system: &System, contact: usize, reading: &Reading) -> Complaint {
-    let name = &system.joint_of(ContactId(contact)).name;
+    let name = system.owner_name(ContactId(contact));
     let pair = &system.contacts[contact];
     let Some(clearance) = pair.journal().map(|journal| journal.clearance) else {
         return ends::deep(system, contact, reading.penetration);

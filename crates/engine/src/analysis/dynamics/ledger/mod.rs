@@ -37,7 +37,7 @@ impl Ledger {
     pub fn new(system: &System) -> Self {
         let contacts = system.contacts.iter().enumerate();
         let accounts = contacts.map(|(contact, pair)| Account {
-            history: History::new(&system.joint_of(ContactId(contact)).name, pair),
+            history: History::new(&system.owner_key(ContactId(contact)), pair),
             last: Reading::default(),
             released: 0.0,
         });
@@ -178,7 +178,7 @@ impl Ledger {
     pub fn close(&mut self, system: &System, state: &State, time: f64, report: &mut Report) {
         for (contact, pair) in system.contacts.iter().enumerate() {
             let id = ContactId(contact);
-            let joint = system.joint_of(id).name.clone();
+            let joint = system.owner_key(id);
             let sums = self.sums(state, contact);
             let history = self.history(contact);
             history.finish(time, sums);
