@@ -224,7 +224,8 @@ pub fn rotate(model: &Model, angle: f64) -> Model {
     let mut forces = IndexMap::new();
     for (name, force) in &model.forces {
         for (suffix, kind) in rotate_force(&force.kind, angle) {
-            forces.insert(format!("{name}{suffix}"), Force { kind });
+            let stroke = force.stroke.clone();
+            forces.insert(format!("{name}{suffix}"), Force { kind, stroke });
         }
     }
     model.forces = forces;

@@ -280,6 +280,24 @@ impl Scale {
 
     /// Forces in N, torques in N·m times the length's scale (N·mm).
     fn force(&self, force: &Force) -> Value {
+        let mut words = self.force_kind(force);
+        let stroke = &force.stroke;
+        if let Some(limits) = stroke.limits {
+            words["limits"] = json!(limits.map(|limit| limit.map(|limit| limit * self.length)));
+        }
+        for (key, value, scale) in [
+            ("restitution", stroke.restitution, 1.0),
+            ("stop_stiffness", stroke.stop_stiffness, 1.0 / self.length),
+            ("stop_damping", stroke.stop_damping, 1.0 / self.length),
+        ] {
+            if let Some(value) = value {
+                words[key] = json!(value * scale);
+            }
+        }
+        words
+    }
+
+    fn force_kind(&self, force: &Force) -> Value {
         match &force.kind {
             ForceKind::Spring {
                 between,

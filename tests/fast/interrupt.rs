@@ -109,7 +109,7 @@ fn a_time_that_is_over_names_the_contact_that_took_it() {
     assert_eq!(report.status, Status::TimeLimit);
     let message = report.message.expect("a reason");
     assert!(
-        message.contains(": the contact in joint \"floor\" has changed "),
+        message.contains(": the contact of joint \"floor\" has changed "),
         "{message}"
     );
 }

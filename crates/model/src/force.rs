@@ -42,6 +42,28 @@ pub struct Force {
     /// What acts.
     #[serde(flatten)]
     pub kind: ForceKind,
+    /// Where the stroke of a spring or an actuator ends.
+    #[serde(flatten)]
+    #[doc(hidden)]
+    pub stroke: Stroke,
+}
+
+/// The ends of the stroke of a spring or an actuator: nothing where it has none.
+#[doc(hidden)]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
+pub struct Stroke {
+    /// Least and greatest length \[m\]; none where the stroke has no end.
+    #[serde(default)]
+    pub limits: Option<[Option<f64>; 2]>,
+    /// Coefficient of restitution of rigid stops, 0 to 1 [–]; left out: 0.
+    #[serde(default)]
+    pub restitution: Option<f64>,
+    /// Stiffness of stops that yield [N/m]; left out: they are rigid.
+    #[serde(default)]
+    pub stop_stiffness: Option<f64>,
+    /// Damping of the same [N·s/m]; left out: none.
+    #[serde(default)]
+    pub stop_damping: Option<f64>,
 }
 
 /// What acts.

@@ -78,6 +78,8 @@ pub use driver::{Driver, DriverKind};
 pub use expression::Given;
 pub use expression::{Derivatives, Interval, Leaf, Parameter};
 pub use fit::Fit;
+#[doc(hidden)]
+pub use force::Stroke;
 pub use force::{Force, ForceKind, Frame, Value};
 #[doc(hidden)]
 pub use formula::Formula;

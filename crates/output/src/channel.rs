@@ -188,6 +188,9 @@ pub enum LoadQuantity {
     Omega,
     /// Work by time done on the mechanism \[W\].
     Power,
+    /// Force \[N\] of the stops of a spring or an actuator on its second point, along the line, positive where it pushes them apart.
+    #[doc(hidden)]
+    Stop,
 }
 
 /// What reaches the ground.
@@ -294,7 +297,7 @@ impl LoadQuantity {
     /// The unit of the column.
     pub fn unit(self) -> &'static str {
         match self {
-            LoadQuantity::Fx | LoadQuantity::Fy | LoadQuantity::F => "N",
+            LoadQuantity::Fx | LoadQuantity::Fy | LoadQuantity::F | LoadQuantity::Stop => "N",
             LoadQuantity::Torque => "N*m",
             LoadQuantity::Length => "m",
             LoadQuantity::Rate => "m/s",
@@ -314,7 +317,8 @@ impl LoadQuantity {
             | LoadQuantity::Rate
             | LoadQuantity::F
             | LoadQuantity::Omega
-            | LoadQuantity::Power => None,
+            | LoadQuantity::Power
+            | LoadQuantity::Stop => None,
         }
     }
 }

@@ -141,7 +141,10 @@ pub fn quantity_words(channel: Channel) -> &'static str {
         Channel::Point(_, quantity) => motion(quantity.of_body()),
         Channel::Joint(_, JointQuantity::Fx | JointQuantity::Fy)
         | Channel::Relative(_, RelativeQuantity::F)
-        | Channel::Load(_, LoadQuantity::Fx | LoadQuantity::Fy | LoadQuantity::F)
+        | Channel::Load(
+            _,
+            LoadQuantity::Fx | LoadQuantity::Fy | LoadQuantity::F | LoadQuantity::Stop,
+        )
         | Channel::Shaking(ShakingQuantity::Fx | ShakingQuantity::Fy) => "force",
         Channel::Joint(_, JointQuantity::Ex | JointQuantity::Ey) => "eccentricity",
         Channel::Joint(_, other) => other.name(),

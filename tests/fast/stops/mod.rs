@@ -7,6 +7,7 @@
 
 mod latches;
 mod rest;
+mod strokes;
 mod words;
 
 use crate::mechanisms::{column, loaded, model, outcome, pin};

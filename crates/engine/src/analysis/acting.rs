@@ -101,6 +101,8 @@ fn of_force(role: &ForceRole, contents: Contents) -> impl Iterator<Item = LoadQu
         LoadQuantity::Fx | LoadQuantity::Fy => pushes,
         LoadQuantity::Torque => !pushes,
         LoadQuantity::Power => contents.velocities,
+        // it stands among the rows
+        LoadQuantity::Stop => false,
     })
 }
 
@@ -227,7 +229,8 @@ impl<'s> Acting<'s> {
             | LoadQuantity::Rate
             | LoadQuantity::Angle
             | LoadQuantity::Omega
-            | LoadQuantity::Power => f64::NAN,
+            | LoadQuantity::Power
+            | LoadQuantity::Stop => f64::NAN,
         }
     }
 }

@@ -4,13 +4,13 @@
 //! list come the headings, and stretches of channels with one owner. For a row each stretch reads its owner once
 //! (`readings`) and writes the quantities that it lists.
 
-use super::readings::{BodyReading, JointReading, PointReading, energy};
+use super::readings::{BodyReading, JointReading, PointReading, energy, stroke, strokes};
 use super::sample::Sample;
 use crate::element::Measure;
 use crate::system::{Evaluation, Inputs, JointData, System};
 use linkdyn_output::{
-    BodyQuantity, Channel, Column, DriverQuantity, EnergyQuantity, JointQuantity, PointQuantity,
-    StateQuantity,
+    BodyQuantity, Channel, Column, DriverQuantity, EnergyQuantity, JointQuantity, LoadQuantity,
+    PointQuantity, StateQuantity,
 };
 use std::sync::Arc;
 
@@ -40,6 +40,8 @@ enum Stretch {
     Point(usize, Vec<PointQuantity>),
     Joint(usize, Vec<JointQuantity>),
     Driver(usize, Vec<DriverQuantity>),
+    /// Of the stops of a force.
+    Stroke(usize),
     State(usize, Vec<StateQuantity>),
     Energy(Vec<EnergyQuantity>),
 }
@@ -101,14 +103,16 @@ impl Channels {
             Stretch::Body(_, wanted) => wanted.iter().all(|one| POSES.contains(one)),
             Stretch::Point(_, wanted) => wanted.iter().all(|one| PLACES.contains(one)),
             Stretch::Driver(_, wanted) => wanted.iter().all(|one| *one == DriverQuantity::Value),
-            Stretch::Joint(..) | Stretch::State(..) | Stretch::Energy(_) => false,
+            Stretch::Joint(..) | Stretch::Stroke(_) | Stretch::State(..) | Stretch::Energy(_) => {
+                false
+            }
         })
     }
 
     /// Whether they need what joints and drivers carry.
     pub fn have_forces(&self) -> bool {
         self.stretches.iter().any(|stretch| match stretch {
-            Stretch::Joint(..) => true,
+            Stretch::Joint(..) | Stretch::Stroke(_) => true,
             Stretch::Driver(_, wanted) => wanted.contains(&DriverQuantity::Effort),
             Stretch::Time
             | Stretch::Body(..)
@@ -149,6 +153,7 @@ impl Channels {
                         DriverQuantity::Effort => sample.lambda[system.joint_rows() + driver],
                     }));
                 }
+                Stretch::Stroke(force) => row.push(stroke(system, *force, sample)),
                 Stretch::State(state, wanted) => {
                     row.extend(wanted.iter().map(|quantity| match quantity {
                         StateQuantity::Value => inputs.states[*state],
@@ -198,6 +203,7 @@ impl Stretch {
             Channel::Driver(driver, quantity) => Some(Stretch::Driver(driver, vec![quantity])),
             Channel::State(state, quantity) => Some(Stretch::State(state, vec![quantity])),
             Channel::Energy(quantity) => Some(Stretch::Energy(vec![quantity])),
+            Channel::Load(force, LoadQuantity::Stop) => Some(Stretch::Stroke(force)),
             Channel::Relative(..)
             | Channel::Load(..)
             | Channel::Shaking(_)
@@ -241,7 +247,9 @@ impl Stretch {
 impl Contents {
     /// Motions with forces and a joint with clearance, by whatever model, or with stops.
     fn has_contact_energy(self, system: &System) -> bool {
-        self.reactions && self.velocities && system.joints.iter().any(JointData::touches)
+        self.reactions
+            && self.velocities
+            && (system.has_strokes() || system.joints.iter().any(JointData::touches))
     }
 
     /// Headings in the order of results.
@@ -269,6 +277,7 @@ impl Contents {
                 Column::of(Channel::Driver(driver, quantity), &data.name, unit)
             }));
         }
+        columns.extend(strokes(system).filter(|_| self.reactions));
         let states = system.states.iter().filter(|_| self.velocities);
         for (state, data) in states.enumerate() {
             let units = [(StateQuantity::Value, 0), (StateQuantity::Rate, 1)];

@@ -3,7 +3,7 @@
 use super::control::Stop as Failed;
 use crate::element::Kinematics;
 use crate::element::pair::{ContactId, Pair, Surface};
-use crate::element::stop::Stop;
+use crate::element::stop::{Stop, Way};
 use crate::system::{Evaluation, Inputs, System};
 use linkdyn_model::display::DisplayUnits;
 use linkdyn_model::error::Complaint;
@@ -16,16 +16,16 @@ const DEEPEST: f64 = 0.1;
 
 /// A place of a joint on its way, in words.
 pub fn place(stop: &Stop, display: &DisplayUnits, value: f64) -> String {
-    match stop.axis {
-        None => display.angle(value),
-        Some(_) => display.length(value),
+    match stop.turns() {
+        true => display.angle(value),
+        false => display.length(value),
     }
 }
 
 /// A small depth \[m\] beyond a stop or an outline, in words.
 pub fn depth(pair: &Pair, display: &DisplayUnits, depth: f64, digits: usize) -> String {
     match pair.stop() {
-        Some(stop) if stop.axis.is_none() => display.angle_to(depth / stop.arm, digits),
+        Some(stop) if stop.turns() => display.angle_to(depth / stop.arm, digits),
         _ => display.length_to(depth, digits),
     }
 }
@@ -52,7 +52,7 @@ pub fn turns(system: &System, at: &Kinematics) -> Vec<f64> {
         let [Some(first), Some(last)] = stops else {
             continue;
         };
-        if first.axis.is_some() {
+        if !first.turns() {
             continue;
         }
         let angle = first.coordinate(at);
@@ -142,7 +142,7 @@ fn deepest(pair: &Pair) -> f64 {
 
 /// A tip that starts in the material.
 pub fn deep(system: &System, contact: usize, depth: f64) -> Complaint {
-    let name = &system.joint_of(ContactId(contact)).name;
+    let name = system.owner_name(ContactId(contact));
     Complaint::new(
         format!("joints.{name}.outline"),
         format!(
@@ -155,7 +155,7 @@ pub fn deep(system: &System, contact: usize, depth: f64) -> Complaint {
 
 fn beyond(system: &System, id: ContactId, stop: &Stop, here: f64) -> Complaint {
     Complaint::new(
-        format!("joints.{}.limits", system.joint_of(id).name),
+        format!("{}.limits", system.owner_path(id)),
         format!(
             "the mechanism starts at {}, beyond the {} limit {}",
             place(stop, &system.display, here),
@@ -163,9 +163,10 @@ fn beyond(system: &System, id: ContactId, stop: &Stop, here: f64) -> Complaint {
             place(stop, &system.display, stop.limit)
         ),
     )
-    .hint(match stop.axis {
-        None => "it is the angle of the second body in the first: give wider limits, or another start",
-        Some(_) => "it is the slide of the second point along \"axis\": give wider limits, or another start",
+    .hint(match stop.way {
+        Way::Turn => "it is the angle of the second body in the first: give wider limits, or another start",
+        Way::Along(_) => "it is the slide of the second point along \"axis\": give wider limits, or another start",
+        Way::Apart => "it is the distance of its points: give wider limits, or another start",
     })
 }
 
@@ -207,10 +208,10 @@ impl Overrun {
         let display = &system.display;
         let warning = |&(id, deepest, time): &(ContactId, f64, f64)| {
             let pair = &system.contacts[id.0];
-            let joint = &system.joint_of(id).name;
+            let owner = system.owner_words(id);
             if pair.is_one_way() {
                 return format!(
-                    "the drivers turn joint \"{joint}\" the way that its one-way clutch holds, most at t = {}: a motion that is \
+                    "the drivers turn {owner} the way that its one-way clutch holds, most at t = {}: a motion that is \
                      prescribed does not stop there",
                     display.time(time)
                 );
@@ -218,15 +219,15 @@ impl Overrun {
             let deepest = depth(pair, display, deepest, 3);
             let Some(stop) = pair.stop() else {
                 return format!(
-                    "the drivers take the tip of joint \"{joint}\" into the outline, by {deepest} at t = {}: a motion that is \
+                    "the drivers take the tip of {owner} into the outline, by {deepest} at t = {}: a motion that is \
                      prescribed does not stop there",
                     display.time(time)
                 );
             };
             format!(
-                "the drivers take joint \"{}\" beyond its {} limit {}, by {} at t = {}: a motion that is prescribed does not \
+                "the drivers take {} beyond its {} limit {}, by {} at t = {}: a motion that is prescribed does not \
                  stop there",
-                joint,
+                owner,
                 stop.side.word(),
                 place(stop, display, stop.limit),
                 deepest,

@@ -99,7 +99,7 @@ fn holds(system: &System, block: &Block) -> Holds {
 fn joint_name<'s>(system: &'s System, block: &Block) -> &'s str {
     match block.origin {
         Origin::Joint(id) => system.joints[id.0].name.as_str(),
-        Origin::Stop(id) => system.joint_of(id).name.as_str(),
+        Origin::Stop(id) => system.owner_name(id),
         Origin::Driver(_) | Origin::Initial(_) => "",
     }
 }

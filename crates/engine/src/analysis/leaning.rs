@@ -15,7 +15,7 @@ use crate::element::stop::Stop;
 use crate::element::yielding::Yielding;
 use crate::mechanism::equilibrium::Balance;
 use crate::mechanism::held::Held;
-use crate::system::{ForceData, ForceRole, System};
+use crate::system::{ForceData, ForceRole, Owner, System};
 use linkdyn_output::Status;
 use std::sync::Arc;
 
@@ -136,14 +136,20 @@ impl Leaning<'_> {
         for id in &self.pressed {
             let pair = &self.whole.contacts[id.0];
             if let Some(yielding) = Yielding::of(pair) {
-                let joint = self.whole.joint_of(*id);
-                let [first, second] = joint.points;
+                let [first, second] = match (pair.stop(), self.whole.owner_of(*id)) {
+                    (None, Owner::Joint(joint)) => self.whole.joints[joint.0].points,
+                    (Some(stop), _) => [stop.first, stop.second],
+                    // What forces have are stops.
+                    (None, Owner::Force(_)) => continue,
+                };
                 let apart = Measured::Distance { first, second };
-                system.forces.push(Arc::new(yielding));
+                // Beside its numbers: what belts and bushings exert stands behind those that have some.
+                let place = system.force_data.len();
+                system.forces.insert(place, Arc::new(yielding));
                 system.force_data.push(ForceData {
-                    name: joint.name.clone(),
+                    name: self.whole.owner_name(*id).to_owned(),
                     role: ForceRole::Spring {
-                        between: joint.bodies,
+                        between: [first.body, second.body],
                         measured: pair.stop().map_or(apart, Stop::measured),
                         is_actuator: false,
                     },

@@ -5,7 +5,9 @@ use crate::element::Kinematics;
 use crate::element::cam::Meeting;
 use crate::system::{Evaluation, Inputs, JointData, System};
 use linkdyn_linear::math::{Vec2, perp};
-use linkdyn_output::{BodyQuantity, EnergyQuantity, JointQuantity, PointQuantity};
+use linkdyn_output::{
+    BodyQuantity, Channel, Column, EnergyQuantity, JointQuantity, LoadQuantity, PointQuantity,
+};
 
 /// Motion of the frame of a moving body.
 pub struct BodyReading {
@@ -209,6 +211,26 @@ impl JointReading {
             JointQuantity::Slack => self.tensions[0].min(self.tensions[1]),
         }
     }
+}
+
+/// Headings of the columns of these.
+pub fn strokes(system: &System) -> impl Iterator<Item = Column> {
+    let forces = system.force_data.iter().enumerate();
+    let ending = forces.filter(|(force, _)| system.stops_of_force(*force).next().is_some());
+    ending.map(|(force, data)| {
+        let quantity = LoadQuantity::Stop;
+        Column::of(Channel::Load(force, quantity), &data.name, quantity.unit())
+    })
+}
+
+/// Force of the stops of a spring or an actuator on its second point, along the line \[N\].
+pub fn stroke(system: &System, force: usize, sample: &Sample) -> f64 {
+    let stops = system.stops_of_force(force);
+    let pushes = stops.filter_map(|id| {
+        let stop = system.contacts[id.0].stop()?;
+        Some(stop.pushed(sample.contacts[id.0].reading.normal))
+    });
+    pushes.sum()
 }
 
 /// A tip on its outline: the sum of what its pieces do, seen where most presses.

@@ -13,7 +13,9 @@ use super::rows::{Columns, Frame, Place, Replay};
 use crate::element::{Applied, BodyId, direction};
 use crate::system::{DriverRole, System};
 use linkdyn_linear::math::Vec2;
-use linkdyn_output::{Channel, Column, DriverQuantity, JointQuantity, ShakingQuantity};
+use linkdyn_output::{
+    Channel, Column, DriverQuantity, JointQuantity, LoadQuantity, ShakingQuantity,
+};
 
 /// A force at a place and a torque.
 #[derive(Debug, Clone, Copy, Default)]
@@ -194,7 +196,32 @@ fn shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
             }));
         }
     }
+    shares.extend(stroke_shares(system, columns)?);
     (!shares.is_empty()).then_some(shares)
+}
+
+/// Shares of the stops of springs and actuators on the ground; none where their force is not in the table.
+fn stroke_shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
+    let mut shares = Vec::new();
+    for force in 0..system.force_data.len() {
+        let stop = system.stops_of_force(force).next();
+        let Some(stop) = stop.and_then(|id| system.contacts[id.0].stop()) else {
+            continue;
+        };
+        let ends = [stop.first, stop.second];
+        let Some(sign) = side(ends.map(|end| end.body)) else {
+            continue;
+        };
+        shares.push(Share::Between {
+            sign,
+            ends: [
+                Place::of(system, columns, &ends[0])?,
+                Place::of(system, columns, &ends[1])?,
+            ],
+            effort: columns.find(Channel::Load(force, LoadQuantity::Stop))?,
+        });
+    }
+    Some(shares)
 }
 
 /// Shares of the joints on the ground; none where a force is not in the table.

@@ -263,7 +263,7 @@ pub(super) mod tests {
             ("sticking to a disc", Box::new(sticking)),
             ("rolling on a straight", Box::new(rolling)),
         ];
-        super::super::stop::tests::all()
+        super::super::stop::tests::each()
             .into_iter()
             .chain(held)
             .collect()

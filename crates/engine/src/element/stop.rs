@@ -1,7 +1,8 @@
 //! An end of a joint's way: a stop.
 //!
 //! ```text
-//! s                  angle θ₂ − θ₁ of a turning joint [rad], or slide a·(P₂ − P₁) along an axis of the first body [m]
+//! s                  angle θ₂ − θ₁ of a turning joint [rad], slide a·(P₂ − P₁) along an axis of the first body [m], or length |P₂ − P₁|
+//!                    of a spring or an actuator [m]
 //! δ = σ L (s − s_σ)  penetration [m], σ = 1 at the upper end, −1 at the lower
 //! Q = −N ∂δ/∂q       N L is a torque [N·m] or force [N] on the second body against σ, and back on the first
 //! ```
@@ -24,8 +25,8 @@
 use super::pair::{Compliant, Contact, ContactId, Reading};
 use super::prismatic::Guide;
 use super::quantity::Measured;
-use super::span::{BOTH, all_pairs};
-use super::{Applied, Axis, Constraint, Entry, Kinematics, Marker, Measure, Slope};
+use super::span::{BOTH, Span, all_pairs, upper_pairs};
+use super::{Applied, Axis, Constraint, Entry, Kinematics, Marker, Measure, Slope, direction};
 use linkdyn_linear::math::Vec2;
 
 /// Which end of the way it is.
@@ -63,20 +64,31 @@ impl Side {
     }
 }
 
-/// An end of a joint's way.
+/// What a stop is an end of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Way {
+    /// The angle of the second body in the first.
+    Turn,
+    /// The slide of the second point along an axis of the first body, in its frame, of length one.
+    Along(Vec2),
+    /// The distance of both points.
+    Apart,
+}
+
+/// An end of a joint's way, or of the stroke of a spring or an actuator.
 #[derive(Debug, Clone)]
 pub struct Stop {
     /// The joint's point of the first body.
     pub first: Marker,
     /// Its point of the second body.
     pub second: Marker,
-    /// Direction of the slide in the frame of the first body, of length one; none of a turning joint.
-    pub axis: Option<Vec2>,
+    /// What it ends.
+    pub way: Way,
     /// Which end it is.
     pub side: Side,
     /// s_σ [m or rad]
     pub limit: f64,
-    /// L \[m\] of an angle, 1 of a slide.
+    /// L \[m\] of an angle, 1 of what is a length.
     pub arm: f64,
     /// What penetrations are measured against \[m\].
     pub size: f64,
@@ -96,24 +108,49 @@ pub struct Kept {
 impl Stop {
     /// s, as a quantity of the motion.
     pub fn measured(&self) -> Measured {
-        match self.axis {
-            None => Measured::Turn {
-                first: self.first.body,
-                second: self.second.body,
+        let (first, second) = (self.first, self.second);
+        match self.way {
+            Way::Turn => Measured::Turn {
+                first: first.body,
+                second: second.body,
             },
-            Some(axis) => Measured::Along {
-                first: self.first,
-                second: self.second,
+            Way::Along(axis) => Measured::Along {
+                first,
+                second,
                 axis,
             },
+            Way::Apart => Measured::Distance { first, second },
         }
+    }
+
+    /// Direction of a slide.
+    pub fn axis(&self) -> Option<Vec2> {
+        match self.way {
+            Way::Along(axis) => Some(axis),
+            Way::Turn | Way::Apart => None,
+        }
+    }
+
+    /// Whether s is an angle.
+    pub fn turns(&self) -> bool {
+        self.way == Way::Turn
+    }
+
+    /// ∂²s/∂q² of a length, by the coordinates of both bodies.
+    fn bent(&self, at: &Kinematics) -> [[f64; BOTH]; BOTH] {
+        let d = self.second.place(at) - self.first.place(at);
+        let Some((u, length)) = direction(d) else {
+            return [[0.0; BOTH]; BOTH];
+        };
+        let span = Span::at(at, &self.first, &self.second);
+        span.bent(u, |a| (a - u * u.dot(&a)) / length)
     }
 
     fn guide(&self) -> Option<Guide> {
         Some(Guide {
             first: self.first,
             second: self.second,
-            axis: self.axis?,
+            axis: self.axis()?,
         })
     }
 
@@ -245,6 +282,12 @@ impl Stop {
                 velocity[row * BOTH + column] = -by_rate * g[row] * g[column];
             }
         }
+        if self.way == Way::Apart {
+            let bent = self.bent(at);
+            for (to, bent) in position.iter_mut().zip(bent.as_flattened()) {
+                *to -= self.factor() * normal * bent;
+            }
+        }
         let Some(guide) = self.guide() else {
             return;
         };
@@ -305,11 +348,21 @@ impl Constraint for Stop {
     }
 
     fn bends(&self) -> Vec<Slope> {
+        if self.way == Way::Apart {
+            return upper_pairs(&self.first, &self.second);
+        }
         self.guide()
             .map_or_else(Vec::new, |guide| guide.bends().to_vec())
     }
 
     fn bend(&self, at: &Kinematics, lambda: &[f64], values: &mut [f64]) {
+        if self.way == Way::Apart {
+            let bent = self.bent(at);
+            let pairs = (0..BOTH).flat_map(|row| (row..BOTH).map(move |column| (row, column)));
+            for (value, (row, column)) in values.iter_mut().zip(pairs) {
+                *value = self.factor() * lambda[0] * bent[row][column];
+            }
+        }
         if let Some(guide) = self.guide() {
             let along = at.poses[self.first.body.0].turn(guide.axis);
             values.copy_from_slice(&guide.bend(at, along, self.factor() * lambda[0]));
@@ -318,9 +371,14 @@ impl Constraint for Stop {
 
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         let pressed = self.pushed(lambda[0]);
-        match self.axis {
-            None => (Vec2::zeros(), pressed),
-            Some(axis) => (at.poses[self.first.body.0].turn(axis) * pressed, 0.0),
+        match self.way {
+            Way::Turn => (Vec2::zeros(), pressed),
+            Way::Along(axis) => (at.poses[self.first.body.0].turn(axis) * pressed, 0.0),
+            Way::Apart => {
+                let d = self.second.place(at) - self.first.place(at);
+                let along = direction(d).map_or_else(Vec2::zeros, |(u, _)| u);
+                (along * pressed, 0.0)
+            }
         }
     }
 }
@@ -330,32 +388,33 @@ pub(super) mod tests {
     use super::*;
     use crate::element::tests::{Named, marker};
 
-    /// One of a slide, and one of an angle; and a lock of a slide.
-    pub(in crate::element) fn all() -> [Named; 3] {
+    /// One of each kind, and a lock of a slide.
+    pub(in crate::element) fn each() -> [Named; 4] {
         let axis = Vec2::new(0.6, 0.8);
         let lock = Stop {
             kept: Some(Kept {
                 id: ContactId(0),
                 is_lock: true,
             }),
-            ..stop(Some(axis))
+            ..stop(Way::Along(axis))
         };
         [
             ("lock of a slide", Box::new(lock)),
-            ("stop of a slide", Box::new(stop(Some(axis)))),
-            ("stop of an angle", Box::new(stop(None))),
+            ("stop of a slide", Box::new(stop(Way::Along(axis)))),
+            ("stop of an angle", Box::new(stop(Way::Turn))),
+            ("stop of a length", Box::new(stop(Way::Apart))),
         ]
     }
 
-    /// A stop of a slide, or of an angle, for checks by differences.
-    pub(in crate::element) fn stop(axis: Option<Vec2>) -> Stop {
+    /// A stop for checks by differences.
+    pub(in crate::element) fn stop(way: Way) -> Stop {
         Stop {
             first: marker(1, 0.3, -0.2),
             second: marker(2, -0.4, 0.1),
-            axis,
+            way,
             side: Side::Lower,
             limit: 0.4,
-            arm: if axis.is_some() { 1.0 } else { 0.7 },
+            arm: if way == Way::Turn { 0.7 } else { 1.0 },
             size: 0.7,
             kept: None,
         }

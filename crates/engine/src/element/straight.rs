@@ -11,7 +11,7 @@ use super::pair::{Compliant, Contact, ContactId, Reading};
 use super::prismatic::Guide;
 use super::quantity::Measured;
 use super::span::BOTH;
-use super::stop::{BENT, Side, Stop, index};
+use super::stop::{BENT, Side, Stop, Way, index};
 use super::{Applied, Constraint, Entry, Kinematics, Marker, Measure, Slope};
 use linkdyn_linear::math::{Vec2, perp};
 
@@ -34,7 +34,7 @@ impl Straight {
         let stop = Stop {
             first: from,
             second: tip,
-            axis: Some(perp(way / length)),
+            way: Way::Along(perp(way / length)),
             side: Side::Upper,
             limit: -radius,
             arm: 1.0,
@@ -59,7 +59,7 @@ impl Straight {
 
     /// E, P, and t in the first body's frame.
     fn guide(&self) -> Guide {
-        let axis = self.stop.axis.map_or(Vec2::x(), perp);
+        let axis = self.stop.axis().map_or(Vec2::x(), perp);
         Guide {
             first: self.stop.first,
             second: self.stop.second,
@@ -78,7 +78,7 @@ impl Straight {
 
     pub(super) fn read(&self, at: &Kinematics) -> Reading {
         let mut reading = self.stop.read(at);
-        let inward = self.stop.axis.unwrap_or(Vec2::x());
+        let inward = self.stop.axis().unwrap_or(Vec2::x());
         reading.towards = at.poses[self.stop.first.body.0].turn(inward);
         let [_, rate] = self.along().value(at);
         reading.sliding = rate + self.arm(&reading) * self.spin(at);

@@ -1,6 +1,6 @@
 //! Which contacts a mechanism has, and how messages speak of them and of what else holds it.
 
-use super::{ContactRows, JointData, JointRole, Origin, System};
+use super::{ContactRows, JointData, JointRole, Origin, Owner, System};
 use crate::element::Measure;
 use crate::element::pair::{ContactId, Shape};
 use crate::element::stop::Stop;
@@ -31,28 +31,69 @@ impl JointData {
 }
 
 impl System {
-    /// The joint that a contact belongs to.
-    pub(crate) fn joint_of(&self, id: ContactId) -> &JointData {
-        &self.joints[self.contact_rows[id.0].joint.0]
+    /// What a contact belongs to.
+    pub(crate) fn owner_of(&self, id: ContactId) -> Owner {
+        self.contact_rows[id.0].owner
     }
 
-    /// The name that a contact goes by in messages: that of its joint, or of a stop of it.
+    /// The name of what a contact belongs to.
+    pub(crate) fn owner_name(&self, id: ContactId) -> &str {
+        match self.owner_of(id) {
+            Owner::Joint(joint) => &self.joints[joint.0].name,
+            Owner::Force(force) => &self.force_data[force].name,
+        }
+    }
+
+    /// The same as events and sums have it: forces as columns have them, `force.NAME`.
+    pub(crate) fn owner_key(&self, id: ContactId) -> String {
+        match self.owner_of(id) {
+            Owner::Joint(_) => self.owner_name(id).to_owned(),
+            Owner::Force(_) => format!("force.{}", self.owner_name(id)),
+        }
+    }
+
+    /// The same as complaints have it, `joints.NAME`.
+    pub(crate) fn owner_path(&self, id: ContactId) -> String {
+        match self.owner_of(id) {
+            Owner::Joint(_) => format!("joints.{}", self.owner_name(id)),
+            Owner::Force(_) => format!("forces.{}", self.owner_name(id)),
+        }
+    }
+
+    /// The same as messages have it, `joint "NAME"`.
+    pub(crate) fn owner_words(&self, id: ContactId) -> String {
+        match self.owner_of(id) {
+            Owner::Joint(_) => format!("joint \"{}\"", self.owner_name(id)),
+            Owner::Force(_) => format!("force \"{}\"", self.owner_name(id)),
+        }
+    }
+
+    /// The name that a contact goes by in messages: that of what it belongs to, or of a stop of it.
     pub(crate) fn contact_name(&self, id: ContactId) -> String {
-        let joint = &self.joint_of(id).name;
+        let owner = self.owner_words(id);
         match self.contacts[id.0].stop() {
-            None => format!("joint \"{joint}\""),
+            None => owner,
             Some(Stop {
                 kept: None, side, ..
-            }) => {
-                format!("the {} stop of joint \"{joint}\"", side.word())
-            }
+            }) => format!("the {} stop of {owner}", side.word()),
             Some(Stop {
                 kept: Some(kept), ..
-            }) if kept.is_lock => {
-                format!("the lock of joint \"{joint}\"")
-            }
-            Some(_) => format!("the one-way clutch of joint \"{joint}\""),
+            }) if kept.is_lock => format!("the lock of {owner}"),
+            Some(_) => format!("the one-way clutch of {owner}"),
         }
+    }
+
+    /// Whether springs or actuators have stops.
+    pub(crate) fn has_strokes(&self) -> bool {
+        let mut owners = self.contact_rows.iter();
+        owners.any(|rows| matches!(rows.owner, Owner::Force(_)))
+    }
+
+    /// The stops of a spring or an actuator.
+    pub(crate) fn stops_of_force(&self, force: usize) -> impl Iterator<Item = ContactId> {
+        let owners = self.contact_rows.iter().enumerate();
+        let own = owners.filter(move |(_, rows)| rows.owner == Owner::Force(force));
+        own.map(|(contact, _)| ContactId(contact))
     }
 
     /// A value of driver `id` [rad or m] as messages say it.
@@ -89,7 +130,7 @@ impl System {
     /// The rows of a stop after a change of it.
     pub(super) fn rows_anew(&mut self, id: ContactId) {
         let rows = &mut self.contact_rows[id.0];
-        *rows = ContactRows::of(&self.contacts[id.0], id, rows.joint, rows.block);
+        *rows = ContactRows::of(&self.contacts[id.0], id, rows.owner, rows.block);
     }
 
     /// Whether joints are open, their journals free in their bearings: these stand before all other contacts.

@@ -28,7 +28,7 @@ pub use matrices::{Terms, write_matrix_market};
 pub use roles::{
     ClearanceLink, DriverRole, ForceData, ForceRole, JointFriction, JointRole, OutputRatio,
 };
-pub use rows::{ContactRows, Extent};
+pub use rows::{ContactRows, Extent, Owner};
 pub use scale::Scale;
 pub(crate) use slopes::Slopes;
 pub(crate) use states::StateData;

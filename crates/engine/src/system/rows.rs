@@ -18,11 +18,20 @@ use crate::element::{BodyId, Constraint, ConstraintDependentForce, Layout};
 use linkdyn_linear::math::Vec2;
 use std::sync::Arc;
 
+/// What a contact belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Owner {
+    /// A joint.
+    Joint(JointId),
+    /// A spring or an actuator, by its number among the model's forces.
+    Force(usize),
+}
+
 /// Rows that may stand for a contact.
 #[derive(Clone)]
 pub struct ContactRows {
-    /// The joint that it belongs to.
-    pub(crate) joint: JointId,
+    /// What it belongs to.
+    pub(crate) owner: Owner,
     /// Index into [`System::blocks`].
     pub(crate) block: usize,
     /// Those of an ideal pin, in the place of a journal in its bearing.
@@ -80,10 +89,10 @@ pub(super) fn reach(extents: &[Extent]) -> f64 {
 }
 
 impl ContactRows {
-    /// Of a contact that belongs to this joint, where no rows stand for it otherwise.
-    pub(super) fn of(pair: &Pair, id: ContactId, joint: JointId, block: usize) -> Self {
+    /// Of a contact, where no rows stand for it otherwise.
+    pub(super) fn of(pair: &Pair, id: ContactId, owner: Owner, block: usize) -> Self {
         ContactRows {
-            joint,
+            owner,
             block,
             closed: None,
             sustained: pair.sustained(),

@@ -17,6 +17,7 @@ pub(super) fn forces(rules: &mut Rules<'_>) {
         if let ForceKind::Cable { through, .. } = &force.kind {
             cable(rules, through, &path);
         }
+        super::stops::stroke(rules, force, &path);
         let known = |key: &str| !rules.holes.has(&format!("{path}.{key}"));
         let idle = match &force.kind {
             ForceKind::Load { at, .. } if at.body == GROUND && known("at") => {

@@ -2,7 +2,7 @@
 
 use super::Rules;
 use crate::error::Complaint;
-use crate::{Joint, JointKind, Model};
+use crate::{Force, Joint, JointKind, Model};
 
 /// Limits are the right way round, and what their stops are made of belongs together.
 pub(super) fn stops(rules: &mut Rules<'_>, joint: &Joint, path: &str) {
@@ -32,6 +32,63 @@ pub(super) fn stops(rules: &mut Rules<'_>, joint: &Joint, path: &str) {
     for (key, message, hint) in stops.into_iter().flatten() {
         let complaint = Complaint::new(format!("{path}.{key}"), message).hint(hint);
         rules.complaints.push(complaint);
+    }
+}
+
+/// The same of a spring or an actuator.
+pub(super) fn stroke(rules: &mut Rules<'_>, force: &Force, path: &str) {
+    let holes = &rules.holes;
+    let known = |key: &str| !holes.has(&format!("{path}.{key}"));
+    if !known("type") || !known("limits") || !known("limits[0]") || !known("limits[1]") {
+        return;
+    }
+    let stroke = &force.stroke;
+    let given = [
+        ("restitution", stroke.restitution),
+        ("stop_stiffness", stroke.stop_stiffness),
+        ("stop_damping", stroke.stop_damping),
+    ];
+    let said = |length: f64| rules.model.display.length(length);
+    let fault = match (stroke.limits, stroke.stop_stiffness) {
+        (None, _) => given.iter().find(|(_, value)| value.is_some()).map(|(key, _)| (
+            *key,
+            "is of the stops at its limits, and there are no \"limits\"".to_owned(),
+            "as in \"limits\": [\"300 mm\", \"500 mm\"]",
+        )),
+        (Some([None, None]), _) => Some((
+            "limits",
+            "neither end is given".to_owned(),
+            "give one of them, or leave \"limits\" out",
+        )),
+        (Some([Some(lower), _]), _) if lower <= 0.0 => Some((
+            "limits",
+            format!("the lower limit {} is no length that its points could come to", said(lower)),
+            "a distance is above 0: give a greater one, or null where the stroke has no end",
+        )),
+        (Some([_, Some(upper)]), _) if upper <= 0.0 => Some((
+            "limits",
+            format!("the upper limit {} leaves no stroke", said(upper)),
+            "it is the greatest distance of its points",
+        )),
+        (Some([Some(lower), Some(upper)]), _) if lower >= upper => Some((
+            "limits",
+            format!("the lower limit {} is not below the upper limit {}", said(lower), said(upper)),
+            "write [lower, upper]",
+        )),
+        (Some(_), None) if stroke.stop_damping.is_some() => Some((
+            "stop_damping",
+            "\"stop_stiffness\" is missing: a stop with damping yields".to_owned(),
+            "give the stiffness of the stops, or \"restitution\" instead of the damping",
+        )),
+        (Some(_), Some(_)) if stroke.restitution.is_some() => Some((
+            "restitution",
+            "the stops yield, since there is a \"stop_stiffness\": what they give back follows from stiffness and damping".to_owned(),
+            "leave out one of them",
+        )),
+        (Some(_), _) => None,
+    };
+    if let Some((key, message, hint)) = fault.filter(|(key, ..)| known(key)) {
+        rules.complain(format!("{path}.{key}"), message, hint);
     }
 }
 

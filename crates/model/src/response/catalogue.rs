@@ -34,6 +34,8 @@ pub(super) struct Load {
     pub(super) name: String,
     /// A torque, not a force; of a spring, one of torsion.
     pub(super) turns: bool,
+    /// Its stroke has an end.
+    pub(super) stops: bool,
 }
 
 #[derive(Debug, Clone)]
@@ -90,7 +92,11 @@ impl Catalogue {
                 ForceKind::Cable { .. } => (&mut catalogue.cables, false),
             };
             let name = name.clone();
-            list.push(Load { name, turns });
+            list.push(Load {
+                name,
+                turns,
+                stops: force.stroke.limits.is_some(),
+            });
         }
         let analysis = model.analysis.as_ref();
         if let Some(wanted) = analysis.and_then(|analysis| analysis.transmission.as_ref()) {
@@ -184,8 +190,8 @@ impl Catalogue {
                 Some("cable") => (&mut catalogue.cables, false),
                 _ => continue,
             };
-            let name = name.clone();
-            list.push(Load { name, turns });
+            let (name, stops) = (name.clone(), member.node.get("limits").is_some());
+            list.push(Load { name, turns, stops });
         }
         let wanted = root
             .get("analysis")

@@ -46,6 +46,8 @@ const SHAKING: [(&str, Dimension); 3] = [
 const LOAD: [&str; 3] = ["fx", "fy", "power"];
 const TORQUE: [&str; 2] = ["torque", "power"];
 const SPRING: [&str; 6] = ["length", "rate", "f", "fx", "fy", "power"];
+/// Of springs and actuators with limits.
+const STROKE: [&str; 7] = ["length", "rate", "f", "fx", "fy", "power", "stop"];
 const CABLE: [&str; 4] = ["length", "rate", "f", "power"];
 const TORSION: [&str; 4] = ["angle", "omega", "torque", "power"];
 /// Of joints that turn, that slide, and of all.
@@ -63,7 +65,7 @@ fn shown(word: &str) -> Option<Powers> {
         "rate" => Dimension::Velocity,
         "angle" | "pressure_angle" => Dimension::Angle,
         "omega" => Dimension::AngularVelocity,
-        "f" | "fx" | "fy" => Dimension::Force,
+        "f" | "fx" | "fy" | "stop" => Dimension::Force,
         "torque" => Dimension::Torque,
         "power" => return Some(powers(2, 1, -3, 0)),
         _ => return None,
@@ -183,13 +185,17 @@ impl Catalogue {
             move |one: &'_ Load| if one.turns { turn } else { push }
         };
         let (load, spring) = (of(&TORQUE, &LOAD), of(&TORSION, &SPRING));
+        let stroke = of(&TORSION, &STROKE);
         let loads = self
             .loads
             .iter()
             .map(move |one| (one.name.as_str(), load(one)));
         let springs = self.springs.iter();
         let cables = self.cables.iter();
-        let springs = springs.map(move |one| (one.name.as_str(), spring(one)));
+        let springs = springs.map(move |one| {
+            let words = if one.stops { stroke(one) } else { spring(one) };
+            (one.name.as_str(), words)
+        });
         loads
             .chain(springs)
             .chain(cables.map(|one| (one.name.as_str(), &CABLE[..])))

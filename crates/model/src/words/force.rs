@@ -2,7 +2,7 @@
 
 use crate::dimension::Dimension;
 use crate::shape::{
-    Bound, Choice, Default, Drives, Either, Measure, Named, Object, Shape, Tagged, default,
+    Bound, Choice, Default, Drives, Either, Field, Measure, Named, Object, Shape, Tagged, default,
     optional, required, silent,
 };
 
@@ -12,6 +12,30 @@ const DAMPED: Either = Either {
     needed: Some("with \"damping\" alone it would be a damper"),
     exclusive: false,
 };
+
+static LENGTH: Shape = Shape::End(Measure::Of(Dimension::Length));
+
+/// Stops of springs and actuators.
+const LIMITS: Field = optional(
+    "limits",
+    Shape::Pair(&LENGTH),
+    "Where its stroke ends: least and greatest distance of its points \\[m\\]; `null` where it does not.",
+);
+const RESTITUTION: Field = optional(
+    "restitution",
+    Shape::Number(Bound::Between(0.0, 1.0)),
+    "Of rigid stops at its limits, 0 where left out [–].",
+);
+const STOP_STIFFNESS: Field = optional(
+    "stop_stiffness",
+    Shape::Quantity(Measure::Of(Dimension::Stiffness), Bound::Above(0.0)),
+    "Of stops that yield [N/m]; left out: they are rigid.",
+);
+const STOP_DAMPING: Field = optional(
+    "stop_damping",
+    Shape::Quantity(Measure::Of(Dimension::Damping), Bound::AtLeast(0.0)),
+    "Of stops that yield [N·s/m].",
+);
 
 /// A force element.
 pub static FORCE: Tagged = Tagged {
@@ -45,6 +69,10 @@ pub static FORCE: Tagged = Tagged {
                     Default::Zero,
                     "\\[m\\]",
                 ),
+                LIMITS,
+                RESTITUTION,
+                STOP_STIFFNESS,
+                STOP_DAMPING,
             ],
             refused: &[],
             drives: Drives::Nothing,
@@ -64,6 +92,10 @@ pub static FORCE: Tagged = Tagged {
                     Shape::Formula(Dimension::Force),
                     "\\[N\\]; negative, it pulls them together.",
                 ),
+                LIMITS,
+                RESTITUTION,
+                STOP_STIFFNESS,
+                STOP_DAMPING,
             ],
             refused: &[],
             drives: Drives::Nothing,

@@ -289,17 +289,10 @@ impl Quantity for EnergyQuantity {
 
 impl LoadQuantity {
     /// Every one, in the order of results.
-    pub const ALL: [LoadQuantity; 9] = [
-        LoadQuantity::Length,
-        LoadQuantity::Rate,
-        LoadQuantity::Angle,
-        LoadQuantity::Omega,
-        LoadQuantity::F,
-        LoadQuantity::Fx,
-        LoadQuantity::Fy,
-        LoadQuantity::Torque,
-        LoadQuantity::Power,
-    ];
+    pub const ALL: [LoadQuantity; 10] = {
+        use LoadQuantity::{Angle, F, Fx, Fy, Length, Omega, Power, Rate, Stop, Torque};
+        [Length, Rate, Angle, Omega, F, Fx, Fy, Torque, Power, Stop]
+    };
 
     /// The last word of the column's name.
     pub fn name(self) -> &'static str {
@@ -313,6 +306,7 @@ impl LoadQuantity {
             LoadQuantity::Angle => "angle",
             LoadQuantity::Omega => "omega",
             LoadQuantity::Power => "power",
+            LoadQuantity::Stop => "stop",
         }
     }
 }

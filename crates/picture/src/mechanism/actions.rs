@@ -18,6 +18,10 @@ const LARGEST: f64 = 11.0;
 const ARROW: f64 = 0.32;
 /// A force this small beside the largest is none.
 const NONE: f64 = 1e-9;
+/// Half the length of a bar at the end of a stroke, in bars.
+const STOP: f64 = 2.4;
+/// Ends of a stroke that are further than this, in lengths of the moment, are not drawn.
+const NEAR: f64 = 1.6;
 /// Radius of the end of a spring, in bars.
 const END: f64 = 0.4;
 /// Radius of the eye of an actuator, in bars.
@@ -59,6 +63,7 @@ fn draw_spring(scene: &mut Scene, sketch: &Sketch, spring: &Spring, stretch: [f6
             symbols::hatched_line(scene, line, bar, sketch.pen(palette::GROUND));
         }
     }
+    draw_limits(scene, sketch, spring, ends);
     if spring.cable {
         return scene.line("cable", ends.to_vec(), pen);
     }
@@ -67,6 +72,29 @@ fn draw_spring(scene: &mut Scene, sketch: &Sketch, spring: &Spring, stretch: [f6
         (false, true, _) => symbols::dashpot(scene, ends, bar, pen),
         (false, false, true) => symbols::damped_spring(scene, ends, bar, pen),
         (false, false, false) => symbols::spring(scene, ends, bar, pen),
+    }
+}
+
+/// Bars across the line where the second point comes to the ends of its stroke, but for those that are far beyond it.
+fn draw_limits(scene: &mut Scene, sketch: &Sketch, spring: &Spring, [[x, y], tip]: [Place; 2]) {
+    let [dx, dy] = [tip[0] - x, tip[1] - y];
+    let length = dx.hypot(dy);
+    if length == 0.0 {
+        return;
+    }
+    let ([u, v], bar) = ([dx / length, dy / length], sketch.bar());
+    let limits = spring.limits.unwrap_or_default().into_iter().flatten();
+    for far in limits.map(|limit| limit * sketch.view.scale) {
+        if far <= NEAR * length {
+            let at = |across: f64| [x + far * u - across * v, y + far * v + across * u];
+            let width = 0.6 * bar;
+            let pen = sketch.pen(palette::STEEL);
+            scene.line(
+                "stop",
+                [at(-STOP * bar), at(STOP * bar)],
+                Pen { width, ..pen },
+            );
+        }
     }
 }
 

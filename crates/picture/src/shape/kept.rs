@@ -157,6 +157,7 @@ fn of_drawing(drawing: Drawing) -> Result<Shape, Fault> {
             actuator: false,
             cable: false,
             driven: false,
+            limits: None,
         })
     };
     let body = |body: &DrawnBody| Body {

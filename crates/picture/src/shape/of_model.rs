@@ -47,12 +47,17 @@ impl Shape {
                 actuator: true,
                 cable: false,
                 driven: true,
+                limits: None,
             }),
             DriverKind::Rotation { .. } | DriverKind::Translation { .. } => None,
         });
         shape.springs = lengths.collect();
         for (name, force) in &model.forces {
             shape.add_force(&numbers, name, &force.kind);
+            // what has a stroke is the last one
+            if let (Some(limits), Some(spring)) = (force.stroke.limits, shape.springs.last_mut()) {
+                spring.limits = Some(limits);
+            }
         }
         shape
     }
@@ -73,6 +78,7 @@ impl Shape {
                 actuator: false,
                 cable: false,
                 driven: false,
+                limits: None,
             }),
             ForceKind::Actuator { between, .. } => self.springs.push(Spring {
                 name,
@@ -82,6 +88,7 @@ impl Shape {
                 actuator: true,
                 cable: false,
                 driven: false,
+                limits: None,
             }),
             ForceKind::Cable { through, .. } => {
                 let stretches = through.windows(2).map(|pair| Spring {
@@ -92,6 +99,7 @@ impl Shape {
                     actuator: false,
                     cable: true,
                     driven: false,
+                    limits: None,
                 });
                 self.springs.extend(stretches);
             }

@@ -191,6 +191,9 @@ pub struct Spring {
     /// The driver of this name has its length.
     #[serde(default, skip_serializing_if = "is_not")]
     pub driven: bool,
+    /// Where its stroke ends \[m\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub limits: Option<[Option<f64>; 2]>,
 }
 
 /// A spring or damper between the angles of two bodies.

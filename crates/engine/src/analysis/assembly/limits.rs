@@ -126,7 +126,7 @@ fn path(system: &System, block: &Block) -> String {
     match &block.origin {
         Origin::Joint(id) => format!("joints.{}", system.joints[id.0].name),
         Origin::Driver(id) => format!("drivers.{}", system.drivers[id.0].name),
-        Origin::Stop(id) => format!("joints.{}.limits", system.joint_of(*id).name),
+        Origin::Stop(id) => format!("{}.limits", system.owner_path(*id)),
         Origin::Initial(name) => format!("initial.{name}"),
     }
 }

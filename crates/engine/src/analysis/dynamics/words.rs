@@ -19,17 +19,17 @@ const DEEP: f64 = 0.1;
 /// Digits of penetrations: of the deepest that steps and outputs have met.
 const PENETRATION_DIGITS: usize = 4;
 
-/// The joint whose contact has kept a run busy, where it has.
-pub(super) fn busiest((joint, happened): (&str, u64)) -> String {
+/// Whose contact has kept a run busy, where it has.
+pub(super) fn busiest((owner, happened): (String, u64)) -> String {
     if happened < BUSY {
         return String::new();
     }
-    format!(": the contact in joint {joint:?} has changed {happened} times, more than any other")
+    format!(": the contact of {owner} has changed {happened} times, more than any other")
 }
 
 /// Rigid contacts, by number, that no forces answer.
 pub(super) fn jam(flow: &Flow, jammed: &[usize], now: f64) -> String {
-    let name = |&contact: &usize| format!("{:?}", flow.system().joint_of(ContactId(contact)).name);
+    let name = |&contact: &usize| format!("{:?}", flow.system().owner_name(ContactId(contact)));
     let jammed: Vec<String> = jammed.iter().map(name).collect();
     format!(
         "at t = {} the journals that slide on their bearings jam in {} {}: with this friction neither normal forces nor \
@@ -74,14 +74,14 @@ pub(super) fn beyond_range(
 pub(super) fn backward_start(system: &System, contact: usize) -> Complaint {
     let id = ContactId(contact);
     Complaint::new(
-        format!("joints.{}.one_way", system.joint_of(id).name),
+        format!("{}.one_way", system.owner_path(id)),
         "the mechanism starts with the joint turning the way that its clutch holds",
     )
     .hint("turn the clutch round, or give initial velocities the other way")
 }
 
 pub(super) fn deep_start(system: &System, contact: usize, reading: &Reading) -> Complaint {
-    let name = &system.joint_of(ContactId(contact)).name;
+    let name = system.owner_name(ContactId(contact));
     let pair = &system.contacts[contact];
     let Some(clearance) = pair.journal().map(|journal| journal.clearance) else {
         return ends::deep(system, contact, reading.penetration);

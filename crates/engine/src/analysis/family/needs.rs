@@ -71,6 +71,7 @@ impl Follows {
                 )) if system.force_data[force].role.is_applied() => {
                     follows.rates |= !system.formulas.is_empty();
                 }
+                Some(Channel::Load(_, LoadQuantity::Stop)) => follows.reactions = true,
                 Some(Channel::Load(..)) => follows.rates = true,
                 Some(Channel::Relative(_, RelativeQuantity::F)) => {
                     (follows.rates, follows.reactions) = (true, true);

@@ -8,7 +8,7 @@ use crate::element::edge::{Edge, Piece, Sector};
 use crate::element::journal::{Free, Journal};
 use crate::element::pair::{Compliant, ContactId, Pair, Rigid, Shape, Surface};
 use crate::element::straight::Straight;
-use crate::system::{ContactRows, JointId, Origin};
+use crate::system::{ContactRows, JointId, Origin, Owner};
 use linkdyn_linear::math::{Vec2, perp};
 use linkdyn_model::outline::{Corner, arc_centre};
 use linkdyn_model::{Joint, JointKind};
@@ -104,7 +104,7 @@ impl Compiler<'_> {
         let id = ContactId(self.system.contacts.len());
         let block = self.system.blocks.len();
         self.push_block(Arc::new(Free), Origin::Stop(id));
-        let rows = ContactRows::of(&pair, id, JointId(joint), block);
+        let rows = ContactRows::of(&pair, id, Owner::Joint(JointId(joint)), block);
         self.system.contact_rows.push(rows);
         self.system.contacts.push(pair);
     }

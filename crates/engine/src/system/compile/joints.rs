@@ -14,7 +14,7 @@ use crate::element::revolute::{OffsetId, Revolute};
 use crate::element::slot::Slot;
 use crate::element::{Constraint, ConstraintDependentForce, Marker, Measure};
 use crate::system::{
-    ClearanceLink, ContactRows, DependentForce, JointData, JointFriction, JointId, Origin,
+    ClearanceLink, ContactRows, DependentForce, JointData, JointFriction, JointId, Origin, Owner,
 };
 use linkdyn_linear::math::{Vec2, unit};
 use linkdyn_model::{Clearance, ClearanceModel, JointKind};
@@ -210,7 +210,7 @@ impl Compiler<'_> {
         self.system.contact_rows.push(ContactRows {
             block: joint,
             closed,
-            ..ContactRows::of(&pair, id, JointId(joint), joint)
+            ..ContactRows::of(&pair, id, Owner::Joint(JointId(joint)), joint)
         });
         self.system.contacts.push(pair);
     }

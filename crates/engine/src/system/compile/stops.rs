@@ -1,4 +1,4 @@
-//! The ends of joints' ways.
+//! The ends of joints' ways, and of the strokes of springs and actuators.
 
 use super::Compiler;
 use crate::contact::impact::Sense;
@@ -6,35 +6,44 @@ use crate::contact::{friction, normal};
 use crate::element::clasp::Clasp;
 use crate::element::journal::Free;
 use crate::element::pair::{Compliant, ContactId, Pair, Rigid, Shape, Surface};
-use crate::element::stop::{Kept, Side, Stop};
-use crate::system::{ContactRows, JointId, LOCK, ONE_WAY, Origin};
+use crate::element::stop::{Kept, Side, Stop, Way};
+use crate::system::{ContactRows, JointId, LOCK, ONE_WAY, Origin, Owner};
 use linkdyn_linear::math::{Vec2, unit};
-use linkdyn_model::{Joint, JointKind, Latch, OneWay, Stops};
+use linkdyn_model::{JointKind, Latch, OneWay, PointRef, Stops};
 use std::sync::Arc;
 
+/// What has an end.
+struct End<'m> {
+    owner: Owner,
+    between: &'m [PointRef; 2],
+    way: Way,
+    /// L
+    arm: f64,
+}
+
 impl Compiler<'_> {
-    /// Stops stand behind all other contacts, and their rows behind all others.
+    /// Stops stand behind all other contacts but outlines, and their rows behind all others.
     pub(super) fn add_stops(&mut self) {
         for (k, joint) in self.model.joints.values().enumerate() {
-            let limits = joint.stops.limits.unwrap_or_default();
-            for (side, limit) in [Side::Lower, Side::Upper].into_iter().zip(limits) {
-                if let Some(limit) = limit {
-                    let material = surface(&joint.stops, self.arm(joint), side);
-                    self.add_stop((k, joint), (side, side.index(), Some(limit)), material);
-                }
-            }
+            let end = End {
+                owner: Owner::Joint(JointId(k)),
+                between: &joint.between,
+                way: way(&joint.kind),
+                arm: self.arm(way(&joint.kind)),
+            };
+            self.add_ends(&end, &joint.stops);
             if let Some(way) = joint.stops.one_way {
                 // What turns forward alone is held against turning back.
                 let side = match way {
                     OneWay::Forward => Side::Lower,
                     OneWay::Backward => Side::Upper,
                 };
-                self.add_stop((k, joint), (side, ONE_WAY, None), rigid(None));
+                self.add_stop(&end, (side, ONE_WAY, None), rigid(None));
             }
             if let Some(lock) = &joint.stops.lock {
-                let release = lock.release.map(|release| release / self.arm(joint));
+                let release = lock.release.map(|release| release / end.arm);
                 let material = rigid(Some(release.unwrap_or(f64::INFINITY)));
-                let id = self.add_stop((k, joint), (Side::Upper, LOCK, None), material);
+                let id = self.add_stop(&end, (Side::Upper, LOCK, None), material);
                 self.timed.push((id, lock));
             }
             if let Some(active) = &joint.stops.active {
@@ -42,21 +51,44 @@ impl Compiler<'_> {
                 self.timed.push((id, active));
             }
         }
+        for (k, force) in self.model.forces.values().enumerate() {
+            let stroke = &force.stroke;
+            let Some(between) = force.kind.ends() else {
+                continue;
+            };
+            let stops = Stops {
+                limits: stroke.limits,
+                restitution: stroke.restitution,
+                stiffness: stroke.stop_stiffness,
+                damping: stroke.stop_damping,
+                ..Stops::default()
+            };
+            let end = End {
+                owner: Owner::Force(k),
+                between,
+                way: Way::Apart,
+                arm: self.arm(Way::Apart),
+            };
+            self.add_ends(&end, &stops);
+        }
     }
 
-    /// L of a joint: at which its angle is measured \[m\], or 1 of a slide.
-    fn arm(&self, joint: &Joint) -> f64 {
-        match &joint.kind {
-            JointKind::Prismatic { .. } | JointKind::Slot { .. } => 1.0,
-            // The gate lets turning and sliding joints alone have stops.
-            JointKind::Revolute { .. }
-            | JointKind::Gear { .. }
-            | JointKind::Fixed { .. }
-            | JointKind::Contact { .. }
-            | JointKind::Cam(_)
-            | JointKind::Rack { .. }
-            | JointKind::Belt { .. }
-            | JointKind::Bushing(_) => self.system.size,
+    /// L of a way: at which an angle is measured \[m\], or 1 of a length.
+    fn arm(&self, way: Way) -> f64 {
+        match way {
+            Way::Turn => self.system.size,
+            Way::Along(_) | Way::Apart => 1.0,
+        }
+    }
+
+    /// Stops at the limits that there are.
+    fn add_ends(&mut self, end: &End, stops: &Stops) {
+        let limits = stops.limits.unwrap_or_default();
+        for (side, limit) in [Side::Lower, Side::Upper].into_iter().zip(limits) {
+            if let Some(limit) = limit {
+                let material = surface(stops, end.arm, side);
+                self.add_stop(end, (side, side.index(), Some(limit)), material);
+            }
         }
     }
 
@@ -71,7 +103,7 @@ impl Compiler<'_> {
             }),
             surface: rigid(Some(release.unwrap_or(f64::INFINITY))),
         };
-        let rows = ContactRows::of(&pair, id, JointId(k), k);
+        let rows = ContactRows::of(&pair, id, Owner::Joint(JointId(k)), k);
         self.system.contact_rows.push(rows);
         self.system.contacts.push(pair);
         self.system.joints[k].clasp = Some(id);
@@ -81,35 +113,20 @@ impl Compiler<'_> {
     /// A stop at a limit; without one it holds where the joint is: a lock, or a one-way clutch.
     fn add_stop(
         &mut self,
-        (k, joint): (usize, &Joint),
+        end: &End,
         (side, index, limit): (Side, usize, Option<f64>),
         surface: Surface,
     ) -> ContactId {
         let id = ContactId(self.system.contacts.len());
-        let [first, second] = [0, 1].map(|end: usize| self.marker(&joint.between[end]));
-        let axis = match &joint.kind {
-            JointKind::Prismatic { axis, .. } | JointKind::Slot { axis, .. } => {
-                Some(unit(Vec2::from(*axis)))
-            }
-            // The gate lets turning and sliding joints alone have limits.
-            JointKind::Revolute { .. }
-            | JointKind::Gear { .. }
-            | JointKind::Fixed { .. }
-            | JointKind::Contact { .. }
-            | JointKind::Cam(_)
-            | JointKind::Rack { .. }
-            | JointKind::Belt { .. }
-            | JointKind::Bushing(_) => None,
-        };
-        let arm = self.arm(joint);
+        let [first, second] = [0, 1].map(|k: usize| self.marker(&end.between[k]));
         let pair = Pair {
             shape: Shape::Stop(Stop {
                 first,
                 second,
-                axis,
+                way: end.way,
                 side,
                 limit: limit.unwrap_or(0.0),
-                arm,
+                arm: end.arm,
                 size: self.system.size,
                 kept: limit.is_none().then_some(Kept {
                     id,
@@ -120,11 +137,32 @@ impl Compiler<'_> {
         };
         let block = self.system.blocks.len();
         self.push_block(Arc::new(Free), Origin::Stop(id));
-        let rows = ContactRows::of(&pair, id, JointId(k), block);
+        let rows = ContactRows::of(&pair, id, end.owner, block);
         self.system.contact_rows.push(rows);
         self.system.contacts.push(pair);
-        self.system.joints[k].stops.get_or_insert_default()[index] = Some(id);
+        if let Owner::Joint(joint) = end.owner {
+            let ends = &mut self.system.joints[joint.0].stops;
+            ends.get_or_insert_default()[index] = Some(id);
+        }
         id
+    }
+}
+
+/// What of a joint has ends.
+fn way(kind: &JointKind) -> Way {
+    match kind {
+        JointKind::Prismatic { axis, .. } | JointKind::Slot { axis, .. } => {
+            Way::Along(unit(Vec2::from(*axis)))
+        }
+        // The gate lets turning and sliding joints alone have stops.
+        JointKind::Revolute { .. }
+        | JointKind::Gear { .. }
+        | JointKind::Fixed { .. }
+        | JointKind::Contact { .. }
+        | JointKind::Cam(_)
+        | JointKind::Rack { .. }
+        | JointKind::Belt { .. }
+        | JointKind::Bushing(_) => Way::Turn,
     }
 }
 

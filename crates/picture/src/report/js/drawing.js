@@ -283,7 +283,7 @@
 
   const springs = ({ pen, at, scale, px, row, colours, show, names }) => {
     pen.strokeStyle = colours.ink; pen.lineWidth = 1.5;
-    mechanism.springs.forEach(({ between, damper, damped, cable, name }, number) => {
+    mechanism.springs.forEach(({ between, damper, damped, cable, name, limits }, number) => {
       const [a, b] = between.map(at);
       if (!a || !b) return;
       const cylinder = shapes.actuators[number];
@@ -292,6 +292,14 @@
         pen.beginPath(); pen.arc(...end, 2.6, 0, 7); pen.fillStyle = colours.ink; pen.fill();
         const onGround = between[k][0] === 0 && !mechanism.joints.some((joint) => joint.between.some(([body, number]) => body === 0 && number === between[k][1]));
         if (onGround) hatch(pen, [end[0] + px, end[1] + 3], [end[0] - px, end[1] + 3], -1, px * 0.6);
+      }
+      // Where the stroke ends, but for what is far beyond.
+      const length = Math.hypot(b[0] - a[0], b[1] - a[1]), u = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
+      for (const far of (limits || []).filter((limit) => limit !== null).map((limit) => limit * scale)) {
+        if (!(far <= 1.6 * length)) continue;
+        const at = (d) => [a[0] + u[0] * far - u[1] * d, a[1] + u[1] * far + u[0] * d];
+        pen.strokeStyle = colours.steel; pen.lineWidth = px * 0.6; path(pen, [at(-2.4 * px), at(2.4 * px)]); pen.stroke();
+        pen.strokeStyle = colours.ink; pen.lineWidth = 1.5;
       }
       if (cable) { pen.beginPath(); pen.moveTo(...a); pen.lineTo(...b); pen.stroke(); }
       else if (!cylinder) spring(pen, a, b, px, damper, damped);

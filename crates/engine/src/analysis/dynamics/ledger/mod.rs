@@ -37,7 +37,7 @@ impl Ledger {
     pub fn new(system: &System) -> Self {
         let contacts = system.contacts.iter().enumerate();
         let accounts = contacts.map(|(contact, pair)| Account {
-            history: History::new(&system.joint_of(ContactId(contact)).name, pair),
+            history: History::new(&system.owner_key(ContactId(contact)), pair),
             last: Reading::default(),
             released: 0.0,
         });
@@ -76,13 +76,13 @@ impl Ledger {
             .sum()
     }
 
-    /// The joint whose contact has begun, stuck and slipped most often, and how often.
-    pub fn busiest<'s>(&self, system: &'s System) -> Option<(&'s str, u64)> {
+    /// Whose contact has begun, stuck and slipped most often, and how often.
+    pub fn busiest(&self, system: &System) -> Option<(String, u64)> {
         let accounts = self.accounts.iter().enumerate();
         let happened = |account: &Account| account.history.episodes + account.history.switches;
         let (contact, account) = accounts.max_by_key(|(_, account)| happened(account))?;
-        let joint = system.joint_of(ContactId(contact));
-        Some((&joint.name, happened(account)))
+        let owner = system.owner_words(ContactId(contact));
+        Some((owner, happened(account)))
     }
 
     /// A contact with this reading at an instant.
@@ -187,7 +187,7 @@ impl Ledger {
     pub fn close(&mut self, system: &System, state: &State, time: f64, report: &mut Report) {
         for (contact, pair) in system.contacts.iter().enumerate() {
             let id = ContactId(contact);
-            let joint = system.joint_of(id).name.clone();
+            let joint = system.owner_key(id);
             let sums = self.sums(state, contact);
             let history = self.history(contact);
             history.finish(time, sums);
