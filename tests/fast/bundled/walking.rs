@@ -28,8 +28,7 @@ fn foot((_, side, pin): (&str, f64, f64), theta: f64) -> [f64; 2] {
 fn the_strandbeest_walks_by_friction() {
     let outcome = solve(&load_bundled("walking-strandbeest", &[]));
     let of = |name: &str| values(&outcome, name);
-    let [x, y, lean, crank] =
-        ["frame.x", "frame.y", "frame.angle", "crank.angle"].map(|name| of(name));
+    let [x, y, lean, crank] = ["frame.x", "frame.y", "frame.angle", "crank.angle"].map(&of);
     let mut advance = [0.0; ROWS];
     for leg in LEGS {
         let name = leg.0;
