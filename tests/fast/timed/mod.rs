@@ -244,10 +244,12 @@ fn a_shear_pin_breaks() {
     model["initial"] = json!({ "block": { "angle": 0.0, "angular_velocity": 0.0 } });
     model["analysis"] =
         json!({ "type": "dynamics", "end": 2.5, "outputs": 26, "solver": { "rtol": 1e-12 } });
+    model["responses"] = json!({ "opened": "max(events.open)" });
     let run = completed(&model);
     let opened = times(&run, EventKind::Open);
     assert_eq!(opened.len(), 1);
     near(opened[0], 1.25, 1e-8);
+    assert_eq!(run.responses[0].value, Some(opened[0]));
     let (time, x, fx) = (
         column(&run, "time"),
         column(&run, "block.x"),

@@ -33,11 +33,11 @@ fn faulty_events_are_told() {
         ),
         (
             lock("load.omega >= 3 rad"),
-            r#"joints.clutch.lock.from: "load.omega >= 3 rad": an angular velocity [rad/s] and an angle [rad] can't be subtracted"#,
+            r#"joints.clutch.lock.from: "load.omega >= 3 rad": an angular velocity [rad/s] and an angle [rad] can't be compared"#,
         ),
         (
             lock("load.omega >= 3"),
-            r#"joints.clutch.lock.from: "load.omega >= 3": an angular velocity [rad/s] and a plain number can't be subtracted (a number gets a unit as in 2 rad/s)"#,
+            r#"joints.clutch.lock.from: "load.omega >= 3": an angular velocity [rad/s] and a plain number can't be compared (a number gets a unit as in 2 rad/s)"#,
         ),
         (
             lock("laod.omega >= 3 rad/s"),

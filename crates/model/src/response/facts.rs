@@ -4,7 +4,7 @@
 use crate::dimension::{Powers, powers};
 
 /// The kinds of events, as `summary.json` names them.
-pub const EVENTS: [&str; 9] = [
+pub const EVENTS: [&str; 13] = [
     "change_point",
     "dead_centre",
     "no_solution",
@@ -14,6 +14,10 @@ pub const EVENTS: [&str; 9] = [
     "following",
     "stick",
     "slip",
+    "latch",
+    "unlatch",
+    "close",
+    "open",
 ];
 
 const PLAIN: Powers = powers(0, 0, 0, 0);

@@ -98,9 +98,11 @@ impl Walk<'_> {
             // what is wrong with a table is told there
             Err(_) if self.has_faulty_function() => None,
             Err(Misfit { at, fault }) => {
+                // The sides of an event are compared by their difference.
+                let message = fault.message.replace("be subtracted", "be compared");
                 let complaint = Complaint {
                     hint: fault.hint,
-                    ..Complaint::new(path, fault.message)
+                    ..Complaint::new(path, message)
                 };
                 self.complain_at(node, Some(sides.place(at)), complaint);
                 None

@@ -17,7 +17,7 @@ use super::{Impulses, at_rest};
 use crate::analysis::dynamics::fault::Fault;
 use crate::analysis::dynamics::flow::Flow;
 use crate::analysis::dynamics::state::Sums;
-use crate::element::clasp::{MOST_ROWS, sizes};
+use crate::element::clasp::sizes;
 use crate::element::pair::Contact;
 use crate::element::{Constraint, Measure};
 use crate::mechanism::driven::Failure;
@@ -247,5 +247,3 @@ impl Impulses<'_, '_> {
             .try_for_each(|contact| self.close(contact))
     }
 }
-
-const _: () = assert!(MOST_ROWS == 3);
