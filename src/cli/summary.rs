@@ -159,12 +159,15 @@ fn event_words(event: &Event, trajectory: &Trajectory, display: &DisplayUnits) -
         stop => format!(", {stop} stop"),
     });
     let stop = stop.unwrap_or_default();
-    text.extend(
-        event
-            .joint
-            .iter()
-            .map(|joint| format!(" (joint {joint}{stop})")),
-    );
+    text.extend(event.joint.iter().map(|owner| {
+        // No joint has a name with a full stop.
+        let what = if owner.starts_with("force.") {
+            ""
+        } else {
+            "joint "
+        };
+        format!(" ({what}{owner}{stop})")
+    }));
     if let (Some(driver), Some(start)) = (&event.driver, event.value) {
         let unit = trajectory
             .column_index(&format!("driver.{driver}.value"))
@@ -344,6 +347,17 @@ mod tests {
         assert_eq!(
             of_pin(EventKind::Slip, None, None),
             "slip at 0.0100964 s (joint pin)"
+        );
+        let of_strut = Event {
+            end_time: Some(0.5),
+            joint: Some("force.strut".into()),
+            stop: Some("upper"),
+            episode: Some(Episode::default()),
+            ..Event::at(EventKind::Contact, 0.5)
+        };
+        assert_eq!(
+            event_words(&of_strut, &results(), &DisplayUnits::default()),
+            "impact at 0.5 s (force.strut, upper stop)"
         );
     }
 
