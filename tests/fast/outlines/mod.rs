@@ -325,6 +325,38 @@ fn a_geneva_wheel_goes_on_turn_by_turn() {
     near(last(&run, "wheel.angle"), 0.75 * PI - 1.5 * PI, 1e-7);
 }
 
+/// A Geneva drive as a slot without end: the pin is within the points that draw it, and beyond them.
+#[test]
+fn a_pin_that_leaves_its_drawn_slot_is_warned_of() {
+    let bodies = |mouth: f64| {
+        json!({ "ground": { "points": { "A": [0.0, 0.0], "W": [0.1, 0.0] } },
+            "crank": { "points": { "A": [0.0, 0.0], "P": [0.07, 0.0] } },
+            "wheel": { "points": { "W": [0.0, 0.0], "mouth": [-mouth, 0.0] }, "pose": { "position": [0.1, 0.0] } } })
+    };
+    let warnings = |mouth: f64, limits: Value| {
+        let mut slot =
+            json!({ "type": "slot", "between": ["wheel.W", "crank.P"], "axis": [1.0, 0.0] });
+        join(&mut slot, limits);
+        let joints = json!({ "a": pin("ground.A", "crank.A"), "w": pin("ground.W", "wheel.W"), "slot": slot });
+        let drivers = json!({ "m": { "type": "rotation", "body": "crank",
+            "motion": { "type": "constant_velocity", "start": 0.0, "velocity": 2.0 * PI } } });
+        let mut model = model(bodies(mouth), joints, drivers);
+        model["analysis"] = json!({ "type": "kinematics", "end": 1.0, "outputs": 101 });
+        completed(&model).report.warnings
+    };
+    let told = warnings(0.07, json!({}));
+    assert_eq!(
+        told,
+        [
+            "the pin of joint \"slot\" leaves its slot as the points of its body draw it, by 0.1 m at t = 0.5 s: a slot has no end of \
+             its own; give it \"limits\", or let a joint of type \"contact\" set the pin free"
+        ]
+    );
+    assert_eq!(warnings(0.18, json!({})), [""; 0]);
+    let limited = warnings(0.07, json!({ "limits": [-0.07, 0.0] }));
+    assert!(limited[0].contains("beyond its lower limit"), "{limited:?}");
+}
+
 /// A wheel that a motor drives through its outline: what is prescribed is warned of.
 #[test]
 fn a_motion_through_an_outline_is_warned_of() {

@@ -3,8 +3,9 @@
 use super::control::Stop as Failed;
 use crate::element::Kinematics;
 use crate::element::pair::{ContactId, Pair, Surface};
+use crate::element::quantity::Measured;
 use crate::element::stop::{Stop, Way};
-use crate::system::{Evaluation, Inputs, System};
+use crate::system::{Evaluation, Inputs, JointRole, System};
 use linkdyn_model::display::DisplayUnits;
 use linkdyn_model::error::Complaint;
 use std::f64::consts::TAU;
@@ -177,11 +178,26 @@ pub struct Overrun {
     most: Vec<(ContactId, f64, f64)>,
     /// Of the first output.
     turns: Option<Vec<f64>>,
+    /// Pins in slots that points draw, by joint.
+    pins: Vec<(usize, Pin)>,
+}
+
+/// A pin in a slot that points draw.
+#[derive(Debug, Clone, Copy, Default)]
+struct Pin {
+    /// Whether it has been within.
+    within: bool,
+    /// How far it goes beyond \[m\], and when \[s\].
+    most: (f64, f64),
 }
 
 impl Overrun {
     /// Looks at an output.
     pub fn note(&mut self, system: &System, at: &Kinematics) {
+        self.note_pins(system, at);
+        if system.contacts.is_empty() {
+            return;
+        }
         let turns = self.turns.get_or_insert_with(|| turns(system, at));
         for (contact, pair) in system.contacts.iter().enumerate() {
             let depth = match (pair.stop(), pair.edge()) {
@@ -201,6 +217,49 @@ impl Overrun {
                 None => self.most.push((id, depth, at.time)),
             }
         }
+    }
+
+    fn note_pins(&mut self, system: &System, at: &Kinematics) {
+        for (k, joint) in system.joints.iter().enumerate() {
+            let (Some(drawn), JointRole::Slot { axis }) = (&joint.drawn, &joint.role) else {
+                continue;
+            };
+            let [low, high] = **drawn;
+            let [first, second] = joint.points;
+            let slide = Measured::Along {
+                first,
+                second,
+                axis: *axis,
+            };
+            let [slide, _] = slide.value(at);
+            let beyond = (low - slide).max(slide - high);
+            let index = self.pins.iter().position(|(known, _)| *known == k);
+            let index = index.unwrap_or_else(|| {
+                self.pins.push((k, Pin::default()));
+                self.pins.len() - 1
+            });
+            let pin = &mut self.pins[index].1;
+            pin.within |= beyond <= 0.0;
+            if beyond > pin.most.0.max(BEYOND * system.size) {
+                pin.most = (beyond, at.time);
+            }
+        }
+    }
+
+    /// What is said of pins that are in their slots now and then.
+    fn pins_that_leave(&self, system: &System) -> impl Iterator<Item = String> {
+        let pins = self.pins.iter();
+        let leaves = pins.filter(|(_, pin)| pin.within && pin.most.0 > 0.0);
+        leaves.map(|(joint, pin)| {
+            let (beyond, time) = pin.most;
+            format!(
+                "the pin of joint \"{}\" leaves its slot as the points of its body draw it, by {} at t = {}: a slot has no end of \
+                 its own; give it \"limits\", or let a joint of type \"contact\" set the pin free",
+                system.joints[*joint].name,
+                system.display.length_to(beyond, 3),
+                system.display.time(time)
+            )
+        })
     }
 
     /// What is said of it.
@@ -234,6 +293,7 @@ impl Overrun {
                 display.time(time)
             )
         };
-        self.most.iter().map(warning).collect()
+        let beyond = self.most.iter().map(warning);
+        beyond.chain(self.pins_that_leave(system)).collect()
     }
 }

@@ -130,6 +130,8 @@ pub struct JointData {
     pub(crate) cam: Option<Arc<Cam>>,
     /// Where its way ends.
     pub(crate) stops: Option<Box<Ends>>,
+    /// From where to where points of a moving body draw its slot \[m\], along its axis from its own point; nothing ends there.
+    pub(crate) drawn: Option<Box<[f64; 2]>>,
     /// It, where it closes and opens.
     pub(crate) clasp: Option<ContactId>,
     /// Pieces of its outline.
@@ -377,8 +379,7 @@ impl System {
         value * self.column_scale(column) / self.row_scale(row)
     }
 
-    /// The Jacobian's joint and driver rows as a dense row-major matrix (m × n), columns and rows scaled to be comparable:
-    /// S_φ⁻¹ J S_q.
+    /// S_φ⁻¹ J S_q, the Jacobian's joint and driver rows as a dense row-major matrix (m × n), scaled to be comparable.
     pub(crate) fn dense_scaled(&self, values: &[f64]) -> Vec<f64> {
         let n = self.n();
         let mut dense = vec![0.0; self.m() * n];

@@ -192,10 +192,8 @@ impl<'a, 'r> Outputs<'a, 'r> {
         if self.reactions {
             self.account();
         }
-        if !system.contacts.is_empty() {
-            let at = driven.evaluation.kinematics(&self.inputs);
-            self.overrun.note(system, &at);
-        }
+        let at = driven.evaluation.kinematics(&self.inputs);
+        self.overrun.note(system, &at);
         self.recorder
             .push(system, &driven.evaluation, &self.inputs, &self.sample);
         Ok(())

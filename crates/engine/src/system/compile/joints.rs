@@ -17,8 +17,11 @@ use crate::system::{
     ClearanceLink, ContactRows, DependentForce, JointData, JointFriction, JointId, Origin, Owner,
 };
 use linkdyn_linear::math::{Vec2, unit};
-use linkdyn_model::{Clearance, ClearanceModel, JointKind};
+use linkdyn_model::{Clearance, ClearanceModel, GROUND, Joint, JointKind};
 use std::sync::Arc;
+
+/// A point is on a line where it is no further off, in parts of its distance.
+const ON_LINE: f64 = 1e-4;
 
 /// What a joint becomes.
 pub(super) struct Made {
@@ -68,6 +71,7 @@ impl Compiler<'_> {
                 cam: made.cam,
                 bearing: clearance(&joint.kind).map(bearing),
                 stops: None,
+                drawn: self.drawn_slot(joint),
                 clasp: None,
                 edges: 0..0,
                 friction,
@@ -83,6 +87,26 @@ impl Compiler<'_> {
             }
             self.push_block(constraint, Origin::Joint(JointId(k)));
         }
+    }
+
+    /// The stretch of a slot without limits that its body's points on its line draw; none where there is but one.
+    fn drawn_slot(&self, joint: &Joint) -> Option<Box<[f64; 2]>> {
+        let own = &joint.between[0];
+        let JointKind::Slot { axis, .. } = &joint.kind else {
+            return None;
+        };
+        // Points of the ground stand for all that is there.
+        if own.body == GROUND || joint.stops.limits.is_some() {
+            return None;
+        }
+        let axis = unit(Vec2::from(*axis));
+        let points = &self.model.bodies[&own.body].points;
+        let origin = Vec2::from(points[&own.point]);
+        let places = points.values().map(|place| Vec2::from(*place) - origin);
+        let on_line = places.filter(|place| place.perp(&axis).abs() <= ON_LINE * place.norm());
+        let slides = on_line.map(|place| place.dot(&axis));
+        let [low, high] = slides.fold([0.0_f64; 2], |[low, high], s| [low.min(s), high.max(s)]);
+        (low < high).then(|| Box::new([low, high]))
     }
 
     fn joint(&mut self, k: usize, name: &str, kind: &JointKind, points: [Marker; 2]) -> Made {
