@@ -2,6 +2,7 @@
 
 use linkdyn_engine::analysis::{Control, Outcome, run};
 use linkdyn_model::{Loaded, load};
+use linkdyn_output::Status;
 use serde_json::{Value, json};
 
 /// A uniform rod from A to B with a guessed pose.
@@ -96,4 +97,38 @@ pub fn column(outcome: &Outcome, name: &str) -> Vec<f64> {
         .trajectory
         .values(name)
         .unwrap_or_else(|| panic!("no column {name}"))
+}
+
+/// Runs a model that has to come to its end.
+#[track_caller]
+pub fn completed(model: &Value) -> Outcome {
+    let run = outcome(model);
+    let message = &run.report.message;
+    assert_eq!(run.report.status, Status::Completed, "{message:?}");
+    run
+}
+
+#[track_caller]
+pub fn near(found: f64, expected: f64, tolerance: f64) {
+    let off = (found - expected).abs();
+    assert!(
+        off <= tolerance,
+        "{found} for {expected}: {off:e} > {tolerance:e}"
+    );
+}
+
+/// Linear and angular momentum, about the origin, of bodies in a row of the results: name, mass, inertia and centre of mass of each.
+pub fn momenta(run: &Outcome, row: usize, bodies: &[(&str, f64, f64, [f64; 2])]) -> [f64; 3] {
+    let mut sums = [0.0; 3];
+    for &(body, mass, inertia, [u, v]) in bodies {
+        let at = |quantity: &str| column(run, &format!("{body}.{quantity}"))[row];
+        let ((sin, cos), omega) = (at("angle").sin_cos(), at("omega"));
+        let arm = [cos * u - sin * v, sin * u + cos * v];
+        let place = [at("x") + arm[0], at("y") + arm[1]];
+        let speed = [at("vx") - omega * arm[1], at("vy") + omega * arm[0]];
+        sums[0] += mass * speed[0];
+        sums[1] += mass * speed[1];
+        sums[2] += mass * (place[0] * speed[1] - place[1] * speed[0]) + inertia * omega;
+    }
+    sums
 }

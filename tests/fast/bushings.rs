@@ -155,23 +155,11 @@ fn two_free_bodies_keep_their_momentum() {
         let run = outcome(&pair);
         assert_eq!(run.report.status, Status::Completed, "{:?}", run.report);
         let of = |name: &str| column(&run, name);
-        let sums = |row: usize| {
-            let mut sums = [0.0; 3];
-            for (body, mass, inertia, [u, v]) in [
-                ("frame", 3.0, 0.2, [0.1, 0.0]),
-                ("arm", 1.0, 0.05, [0.2, -0.1]),
-            ] {
-                let at = |quantity: &str| of(&format!("{body}.{quantity}"))[row];
-                let ((sin, cos), omega) = (at("angle").sin_cos(), at("omega"));
-                let arm = [cos * u - sin * v, sin * u + cos * v];
-                let place = [at("x") + arm[0], at("y") + arm[1]];
-                let speed = [at("vx") - omega * arm[1], at("vy") + omega * arm[0]];
-                sums[0] += mass * speed[0];
-                sums[1] += mass * speed[1];
-                sums[2] += mass * (place[0] * speed[1] - place[1] * speed[0]) + inertia * omega;
-            }
-            sums
-        };
+        let bodies = [
+            ("frame", 3.0, 0.2, [0.1, 0.0]),
+            ("arm", 1.0, 0.05, [0.2, -0.1]),
+        ];
+        let sums = |row: usize| momenta(&run, row, &bodies);
         let energy: Vec<f64> = of("energy.kinetic")
             .into_iter()
             .zip(of("energy.potential"))

@@ -11,9 +11,9 @@
 mod resting;
 mod words;
 
-use crate::mechanisms::{column, model, outcome, pin};
+use crate::mechanisms::{column, completed, model, near, pin};
 use linkdyn_engine::analysis::Outcome;
-use linkdyn_output::{EventKind, Status};
+use linkdyn_output::EventKind;
 use serde_json::{Value, json};
 use std::f64::consts::PI;
 
@@ -44,23 +44,6 @@ fn join(to: &mut Value, more: Value) {
 
 fn floor() -> Value {
     json!([[5.0, 0.0], [-5.0, 0.0]])
-}
-
-#[track_caller]
-fn completed(model: &Value) -> Outcome {
-    let run = outcome(model);
-    let message = &run.report.message;
-    assert_eq!(run.report.status, Status::Completed, "{message:?}");
-    run
-}
-
-#[track_caller]
-fn near(found: f64, expected: f64, tolerance: f64) {
-    let off = (found - expected).abs();
-    assert!(
-        off <= tolerance,
-        "{found} for {expected}: {off:e} > {tolerance:e}"
-    );
 }
 
 fn last(run: &Outcome, name: &str) -> f64 {

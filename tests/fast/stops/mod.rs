@@ -10,9 +10,9 @@ mod rest;
 mod strokes;
 mod words;
 
-use crate::mechanisms::{column, loaded, model, outcome, pin};
+use crate::mechanisms::{column, completed, loaded, model, near, pin};
 use linkdyn_engine::analysis::{self, Control, Outcome};
-use linkdyn_output::{Episode, Event, EventKind, Status};
+use linkdyn_output::{Episode, Event, EventKind};
 use serde_json::{Value, json};
 use std::f64::consts::PI;
 
@@ -54,32 +54,11 @@ fn join(to: &mut Value, more: &Value) {
     to.as_object_mut().expect("an object").extend(more.clone());
 }
 
-#[track_caller]
-fn completed(model: &Value) -> Outcome {
-    let run = outcome(model);
-    assert_eq!(
-        run.report.status,
-        Status::Completed,
-        "{:?}",
-        run.report.message
-    );
-    run
-}
-
 fn contacts(run: &Outcome) -> Vec<(Event, Episode)> {
     let events = run.report.events.iter();
     events
         .filter_map(|event| Some((event.clone(), event.episode?)))
         .collect()
-}
-
-#[track_caller]
-fn near(found: f64, expected: f64, tolerance: f64) {
-    let off = (found - expected).abs();
-    assert!(
-        off <= tolerance,
-        "{found} for {expected}: {off:e} > {tolerance:e}"
-    );
 }
 
 /// Impacts of a falling block, and the instant from which it rests.

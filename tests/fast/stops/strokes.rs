@@ -6,6 +6,7 @@
 //! ```
 
 use super::*;
+use crate::mechanisms::momenta;
 
 const STIFFNESS: f64 = 200.0;
 const FREE: f64 = 0.5;
@@ -206,23 +207,11 @@ fn ends_of_a_stroke_keep_the_momentum() {
     pair["analysis"] = json!({ "type": "dynamics", "end": 5.0, "outputs": 51, "solver": { "rtol": 1e-12, "atol": 1e-14 } });
     let run = completed(&pair);
     assert!(contacts(&run).len() >= 5, "{}", contacts(&run).len());
-    let sums = |row: usize| {
-        let mut sums = [0.0; 3];
-        for (body, mass, inertia, [u, v]) in [
-            ("one", 3.0, 0.2, [0.1, 0.0]),
-            ("two", 1.0, 0.05, [0.2, -0.1]),
-        ] {
-            let at = |quantity: &str| column(&run, &format!("{body}.{quantity}"))[row];
-            let ((sin, cos), omega) = (at("angle").sin_cos(), at("omega"));
-            let arm = [cos * u - sin * v, sin * u + cos * v];
-            let place = [at("x") + arm[0], at("y") + arm[1]];
-            let speed = [at("vx") - omega * arm[1], at("vy") + omega * arm[0]];
-            sums[0] += mass * speed[0];
-            sums[1] += mass * speed[1];
-            sums[2] += mass * (place[0] * speed[1] - place[1] * speed[0]) + inertia * omega;
-        }
-        sums
-    };
+    let bodies = [
+        ("one", 3.0, 0.2, [0.1, 0.0]),
+        ("two", 1.0, 0.05, [0.2, -0.1]),
+    ];
+    let sums = |row: usize| momenta(&run, row, &bodies);
     let first = sums(0);
     let kinetic = column(&run, "energy.kinetic");
     for row in 0..51 {

@@ -8,31 +8,10 @@ mod words;
 
 use flight::{Flight, MEETING, flight, turned};
 
-use crate::mechanisms::{column, loaded, model, outcome, pin};
+use crate::mechanisms::{column, completed, loaded, model, near, outcome, pin};
 use linkdyn_engine::analysis::Outcome;
 use linkdyn_output::{Episode, Event, EventKind, Status};
 use serde_json::{Value, json};
-
-#[track_caller]
-fn near(found: f64, expected: f64, tolerance: f64) {
-    let off = (found - expected).abs();
-    assert!(
-        off <= tolerance,
-        "{found} for {expected}: {off:e} > {tolerance:e}"
-    );
-}
-
-#[track_caller]
-fn completed(model: &Value) -> Outcome {
-    let run = outcome(model);
-    assert_eq!(
-        run.report.status,
-        Status::Completed,
-        "{:?}",
-        run.report.message
-    );
-    run
-}
 
 fn times(run: &Outcome, kind: EventKind) -> Vec<f64> {
     let events = run.report.events.iter();

@@ -178,23 +178,63 @@ pub struct Overrun {
     most: Vec<(ContactId, f64, f64)>,
     /// Of the first output.
     turns: Option<Vec<f64>>,
-    /// Pins in slots that points draw, by joint.
-    pins: Vec<(usize, Pin)>,
+    /// Pins in slots that points draw.
+    pins: Option<Vec<Pin>>,
 }
 
 /// A pin in a slot that points draw.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone)]
 struct Pin {
+    /// The slot, by its number.
+    joint: usize,
+    slide: Measured,
+    /// Where its drawing begins and ends \[m\].
+    drawn: [f64; 2],
     /// Whether it has been within.
     within: bool,
     /// How far it goes beyond \[m\], and when \[s\].
     most: (f64, f64),
 }
 
+impl Pin {
+    fn all(system: &System) -> Vec<Pin> {
+        let joints = system.joints.iter().enumerate();
+        let pins = joints.filter_map(|(joint, data)| {
+            let (Some(drawn), JointRole::Slot { axis }) = (&data.drawn, &data.role) else {
+                return None;
+            };
+            let [first, second] = data.points;
+            Some(Pin {
+                joint,
+                slide: Measured::Along {
+                    first,
+                    second,
+                    axis: *axis,
+                },
+                drawn: **drawn,
+                within: false,
+                most: (0.0, 0.0),
+            })
+        });
+        pins.collect()
+    }
+
+    fn note(&mut self, at: &Kinematics, least: f64) {
+        let ([slide, _], [low, high]) = (self.slide.value(at), self.drawn);
+        let beyond = (low - slide).max(slide - high);
+        self.within |= beyond <= 0.0;
+        if beyond > self.most.0.max(least) {
+            self.most = (beyond, at.time);
+        }
+    }
+}
+
 impl Overrun {
     /// Looks at an output.
     pub fn note(&mut self, system: &System, at: &Kinematics) {
-        self.note_pins(system, at);
+        let pins = self.pins.get_or_insert_with(|| Pin::all(system));
+        pins.iter_mut()
+            .for_each(|pin| pin.note(at, BEYOND * system.size));
         if system.contacts.is_empty() {
             return;
         }
@@ -219,43 +259,16 @@ impl Overrun {
         }
     }
 
-    fn note_pins(&mut self, system: &System, at: &Kinematics) {
-        for (k, joint) in system.joints.iter().enumerate() {
-            let (Some(drawn), JointRole::Slot { axis }) = (&joint.drawn, &joint.role) else {
-                continue;
-            };
-            let [low, high] = **drawn;
-            let [first, second] = joint.points;
-            let slide = Measured::Along {
-                first,
-                second,
-                axis: *axis,
-            };
-            let [slide, _] = slide.value(at);
-            let beyond = (low - slide).max(slide - high);
-            let index = self.pins.iter().position(|(known, _)| *known == k);
-            let index = index.unwrap_or_else(|| {
-                self.pins.push((k, Pin::default()));
-                self.pins.len() - 1
-            });
-            let pin = &mut self.pins[index].1;
-            pin.within |= beyond <= 0.0;
-            if beyond > pin.most.0.max(BEYOND * system.size) {
-                pin.most = (beyond, at.time);
-            }
-        }
-    }
-
     /// What is said of pins that are in their slots now and then.
     fn pins_that_leave(&self, system: &System) -> impl Iterator<Item = String> {
-        let pins = self.pins.iter();
-        let leaves = pins.filter(|(_, pin)| pin.within && pin.most.0 > 0.0);
-        leaves.map(|(joint, pin)| {
+        let pins = self.pins.iter().flatten();
+        let leaves = pins.filter(|pin| pin.within && pin.most.0 > 0.0);
+        leaves.map(|pin| {
             let (beyond, time) = pin.most;
             format!(
                 "the pin of joint \"{}\" leaves its slot as the points of its body draw it, by {} at t = {}: a slot has no end of \
                  its own; give it \"limits\", or let a joint of type \"contact\" set the pin free",
-                system.joints[*joint].name,
+                system.joints[pin.joint].name,
                 system.display.length_to(beyond, 3),
                 system.display.time(time)
             )

@@ -17,8 +17,6 @@ struct End<'m> {
     owner: Owner,
     between: &'m [PointRef; 2],
     way: Way,
-    /// L
-    arm: f64,
 }
 
 impl Compiler<'_> {
@@ -29,7 +27,6 @@ impl Compiler<'_> {
                 owner: Owner::Joint(JointId(k)),
                 between: &joint.between,
                 way: way(&joint.kind),
-                arm: self.arm(way(&joint.kind)),
             };
             self.add_ends(&end, &joint.stops);
             if let Some(way) = joint.stops.one_way {
@@ -41,7 +38,7 @@ impl Compiler<'_> {
                 self.add_stop(&end, (side, ONE_WAY, None), rigid(None));
             }
             if let Some(lock) = &joint.stops.lock {
-                let release = lock.release.map(|release| release / end.arm);
+                let release = lock.release.map(|release| release / self.arm(end.way));
                 let material = rigid(Some(release.unwrap_or(f64::INFINITY)));
                 let id = self.add_stop(&end, (Side::Upper, LOCK, None), material);
                 self.timed.push((id, lock));
@@ -67,7 +64,6 @@ impl Compiler<'_> {
                 owner: Owner::Force(k),
                 between,
                 way: Way::Apart,
-                arm: self.arm(Way::Apart),
             };
             self.add_ends(&end, &stops);
         }
@@ -86,7 +82,7 @@ impl Compiler<'_> {
         let limits = stops.limits.unwrap_or_default();
         for (side, limit) in [Side::Lower, Side::Upper].into_iter().zip(limits) {
             if let Some(limit) = limit {
-                let material = surface(stops, end.arm, side);
+                let material = surface(stops, self.arm(end.way), side);
                 self.add_stop(end, (side, side.index(), Some(limit)), material);
             }
         }
@@ -126,7 +122,7 @@ impl Compiler<'_> {
                 way: end.way,
                 side,
                 limit: limit.unwrap_or(0.0),
-                arm: end.arm,
+                arm: self.arm(end.way),
                 size: self.system.size,
                 kept: limit.is_none().then_some(Kept {
                     id,

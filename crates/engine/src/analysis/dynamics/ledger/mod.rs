@@ -32,6 +32,13 @@ struct Account {
     released: f64,
 }
 
+impl Account {
+    /// Episodes and changes between stick and slip so far.
+    fn happened(&self) -> u64 {
+        self.history.episodes + self.history.switches
+    }
+}
+
 impl Ledger {
     /// Before anything has happened.
     pub fn new(system: &System) -> Self {
@@ -68,21 +75,16 @@ impl Ledger {
         [dissipated.sum(), state.work()]
     }
 
-    /// Episodes and changes between stick and slip so far.
+    /// The same of all contacts.
     pub fn happened(&self) -> u64 {
-        let accounts = self.accounts.iter();
-        accounts
-            .map(|Account { history, .. }| history.episodes + history.switches)
-            .sum()
+        self.accounts.iter().map(Account::happened).sum()
     }
 
     /// Whose contact has begun, stuck and slipped most often, and how often.
     pub fn busiest(&self, system: &System) -> Option<(String, u64)> {
         let accounts = self.accounts.iter().enumerate();
-        let happened = |account: &Account| account.history.episodes + account.history.switches;
-        let (contact, account) = accounts.max_by_key(|(_, account)| happened(account))?;
-        let owner = system.owner_words(ContactId(contact));
-        Some((owner, happened(account)))
+        let (contact, account) = accounts.max_by_key(|(_, account)| account.happened())?;
+        Some((system.owner_words(ContactId(contact)), account.happened()))
     }
 
     /// A contact with this reading at an instant.
