@@ -16,9 +16,9 @@ const ARC: f64 = 3.8;
 const CORNER: f64 = 0.1;
 /// Radius of the arrow about a pin with a one-way clutch, in bars, how far it goes round, and the length \[rad\] and half the
 /// width, in bars, of its head.
-const ROUND: f64 = 2.4;
+const ROUND: f64 = 1.6;
 const TURN: f64 = 4.5;
-const HEAD: [f64; 2] = [0.4, 0.8];
+const HEAD: [f64; 2] = [0.5, 0.6];
 /// An end this much of the stroke beyond it is drawn.
 const NEAR: f64 = 0.5;
 

@@ -137,9 +137,10 @@
     if (!pose) return;
     const sign = way === "forward" ? 1 : -1, turn = 4.5;
     const place = (angle, radius) => [a[0] + radius * px * Math.cos(pose[2] + sign * angle), a[1] - radius * px * Math.sin(pose[2] + sign * angle)];
-    pen.strokeStyle = colours.steel; pen.lineWidth = 1;
-    path(pen, Array.from({ length: 46 }, (_, k) => place(turn * k / 45, 2.4))); pen.stroke();
-    path(pen, [place(turn - 0.4, 1.6), place(turn, 2.4), place(turn - 0.4, 3.2)]); pen.stroke();
+    pen.strokeStyle = colours.steel; pen.lineWidth = 1.5;
+    // Within the arrows of torques.
+    path(pen, Array.from({ length: 46 }, (_, k) => place(turn * k / 45, 1.6))); pen.stroke();
+    path(pen, [place(turn - 0.5, 1.0), place(turn, 1.6), place(turn - 0.5, 2.2)]); pen.stroke();
   });
 
   // Outlines that may be touched: plates where they are closed, else lines, hatched on the ground; and the tips.
