@@ -1,7 +1,15 @@
 //! Osculating polynomials through values with two derivatives.
 //!
-//! Between two nodes: the quintic that meets q, q′, q″ at both. Through many nodes: Newton's form with every node
-//! counted three times (Stoer and Bulirsch, Introduction to Numerical Analysis, 2002, §2.1.5).
+//! Between two nodes: the quintic that meets q, q′, q″ at both. Through K nodes, once: Lagrange's form with every factor to the
+//! third power, of degree 3K − 1, whose weights do not depend on the values:
+//!
+//! ```text
+//! L(s) = Π (s − s_i)³/(s_j − s_i)³ = 1 + p t + r t² + …,  t = s − s_j
+//! q_j:  L (1 − p t + (p² − r) t²)       q_j′:  L t (1 − p t)       q_j″:  L t²/2
+//! ```
+//!
+//! Through many nodes, many times: Newton's form with every node counted three times (Stoer and Bulirsch, Introduction to
+//! Numerical Analysis, 2002, §2.1.5).
 
 /// q, q′, q″ at a parameter value, each (n).
 #[derive(Debug, Clone, PartialEq)]
@@ -38,6 +46,64 @@ pub fn quintic(a: &Node, b: &Node, s: f64, q: &mut [f64], d: Option<&mut [f64]>)
             let c = coefficients(k);
             *d = (1..6).rev().fold(0.0, |sum, j| sum * u + j as f64 * c[j]) / h;
         }
+    }
+}
+
+/// Value, first and second derivative.
+type Jet = [f64; 3];
+
+fn product(a: Jet, b: Jet) -> Jet {
+    [
+        a[0] * b[0],
+        a[0] * b[1] + a[1] * b[0],
+        a[0] * b[2] + 2.0 * a[1] * b[1] + a[2] * b[0],
+    ]
+}
+
+/// What q, q′, q″ of node j of K are multiplied by in the polynomial through all of them at `s`: the jets of three weights.
+fn weights<const K: usize>(at: &[f64; K], j: usize, s: f64) -> [Jet; 3] {
+    let t = s - at[j];
+    let (mut all, mut slope, mut squares) = ([1.0, 0.0, 0.0], 0.0, 0.0);
+    for (i, other) in at.iter().enumerate() {
+        if i != j {
+            let inverse = 1.0 / (at[j] - other);
+            let factor = [(s - other) * inverse, inverse, 0.0];
+            all = product(all, product(factor, product(factor, factor)));
+            slope += 3.0 * inverse;
+            squares += 3.0 * inverse * inverse;
+        }
+    }
+    let bend = 0.5 * (slope * slope - squares);
+    let (c1, c2) = (-slope, slope * slope - bend);
+    [
+        product(all, [1.0 + t * (c1 + t * c2), c1 + 2.0 * c2 * t, 2.0 * c2]),
+        product(all, [t + c1 * t * t, 1.0 + 2.0 * c1 * t, 2.0 * c1]),
+        product(all, [0.5 * t * t, t, 1.0]),
+    ]
+}
+
+/// Evaluates the polynomial of degree 3K − 1 that meets q, q′, q″ at K distinct nodes, at `s`; q goes to `q`, its derivatives
+/// to `d` and `dd`.
+pub fn osculate<const K: usize>(nodes: [&Node; K], s: f64, [q, d, dd]: [&mut [f64]; 3]) {
+    let at = nodes.map(|node| node.s);
+    let nearest = (0..K).min_by(|&i, &j| (at[i] - s).abs().total_cmp(&(at[j] - s).abs()));
+    // The weights of q add up to 1: differences from one node lose least.
+    let base = &nodes[nearest.unwrap_or(0)].q;
+    let weights: [[Jet; 3]; K] = std::array::from_fn(|j| weights(&at, j, s));
+    let n = base.len();
+    let values = nodes.map(|node| [&node.q[..n], &node.d[..n], &node.dd[..n]]);
+    let to = q.iter_mut().zip(d).zip(dd).zip(base).enumerate();
+    for (k, (((q, d), dd), base)) in to {
+        let mut sum = [0.0; 3];
+        for (values, weights) in values.iter().zip(&weights) {
+            let own = [values[0][k] - base, values[1][k], values[2][k]];
+            for (value, weight) in own.iter().zip(weights) {
+                for (sum, weight) in sum.iter_mut().zip(weight) {
+                    *sum += value * weight;
+                }
+            }
+        }
+        [*q, *d, *dd] = [base + sum[0], sum[1], sum[2]];
     }
 }
 
@@ -182,6 +248,53 @@ mod tests {
                     "{s}: {dd:?} {want:?}"
                 );
             }
+        }
+    }
+
+    #[test]
+    fn osculating_polynomials_repeat_polynomials_of_their_degree() {
+        let power = |s: f64, p: i32| {
+            let slope = f64::from(p);
+            [
+                s.powi(p),
+                slope * s.powi(p - 1),
+                slope * (slope - 1.0) * s.powi(p - 2),
+            ]
+        };
+        let at = |p: i32, s: f64| {
+            let [q, d, dd] = power(s, p);
+            Node {
+                s,
+                q: vec![100.0 + q],
+                d: vec![d],
+                dd: vec![dd],
+            }
+        };
+        let (mut q, mut d, mut dd) = ([0.0], [0.0], [0.0]);
+        for p in [2, 5, 8] {
+            let nodes = [0.7, 1.0, 1.2].map(|s| at(p, s));
+            osculate(
+                [&nodes[0], &nodes[1], &nodes[2]],
+                1.5,
+                [&mut q, &mut d, &mut dd],
+            );
+            let want = power(1.5, p);
+            for (k, got) in [q[0] - 100.0, d[0], dd[0]].into_iter().enumerate() {
+                assert!(
+                    (got / want[k] - 1.0).abs() < 1e-11,
+                    "{p} {k}: {got} {want:?}"
+                );
+            }
+        }
+        let nodes = [0.7, 0.9, 1.2, 1.3].map(|s| at(11, s));
+        osculate(
+            [&nodes[0], &nodes[1], &nodes[2], &nodes[3]],
+            1.05,
+            [&mut q, &mut d, &mut dd],
+        );
+        let want = power(1.05, 11);
+        for (k, got) in [q[0] - 100.0, d[0], dd[0]].into_iter().enumerate() {
+            assert!((got / want[k] - 1.0).abs() < 1e-11, "{k}: {got} {want:?}");
         }
     }
 
