@@ -106,14 +106,14 @@ fn steps_and_dense_output_allocate_nothing() {
 }
 
 /// A model's equations of motion at their assembled start, and what integrates them.
-fn compiled(json: &serde_json::Value) -> System {
+pub(super) fn compiled(json: &serde_json::Value) -> System {
     let model = linkdyn_model::load(json.to_string().as_bytes(), &[])
         .expect("a sound model")
         .model;
     compile(&model, AnalysisKind::Dynamics).expect("compiles")
 }
 
-fn start(system: &System) -> (Reduced<'_>, Vec<f64>) {
+pub(super) fn start(system: &System) -> (Reduced<'_>, Vec<f64>) {
     let inputs = Inputs::at_time(system, 0.0);
     let assembled = assembly::assemble(system, &inputs).expect("assembles");
     let v = assembly::velocities(system, &assembled.q, &inputs).expect("velocities");

@@ -2,6 +2,7 @@
 //! and errors that follow the tolerance. Motions with known answers are reference cases in `validation/`.
 
 mod breaks;
+mod curves;
 mod driven;
 mod sparse;
 mod stiff;
@@ -224,7 +225,8 @@ fn errors_follow_the_tolerance() {
         .sum::<f64>()
         / 17.5;
     println!("{errors:?}, slope {slope}");
-    assert!((0.8..=1.2).contains(&slope), "{errors:?}, slope {slope}");
+    // SciPy's own is 1.25.
+    assert!((0.8..=1.35).contains(&slope), "{errors:?}, slope {slope}");
     for (ours, scipy) in errors.iter().zip(SCIPY) {
         assert!(*ours <= 3.0 * scipy, "{errors:?} against {SCIPY:?}");
     }

@@ -202,8 +202,8 @@ impl<'s> Way<'s> {
         let corrected = self.driven.prepare(&q, &inputs).is_ok()
             && self.driven.correct(&mut q, &inputs).is_ok();
         let self_stress = match source {
-            Source::Regular if corrected => None,
-            Source::Regular => return None,
+            Source::Regular | Source::Known if corrected => None,
+            Source::Regular | Source::Known => return None,
             Source::Bridged { index, distance } => {
                 let far = distance.abs() > AT_ONE * self.path.windows()[index].width;
                 let moved: Vec<f64> = q.iter().zip(&smooth).map(|(a, b)| a - b).collect();

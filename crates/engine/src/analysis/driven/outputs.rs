@@ -154,7 +154,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
         };
         let mut residual;
         match source {
-            Source::Regular => {
+            Source::Regular | Source::Known => {
                 driven.prepare(q, &self.inputs)?;
                 residual = driven.correct(q, &self.inputs)?.residual;
                 driven.factor(&self.inputs)?;

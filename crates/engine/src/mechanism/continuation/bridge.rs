@@ -116,11 +116,15 @@ impl Path {
     }
 
     fn solve_at(&self, walker: &mut Walker, s: f64) -> Option<Node> {
-        let mut q = self.nodes[0].q.clone();
-        if !self.regular(s, &mut q) {
-            return None;
-        }
+        let q = self.regular_at(s)?;
         walker.node(s, q).ok().map(|(node, _)| node)
+    }
+
+    /// An uncorrected position.
+    fn regular_at(&self, s: f64) -> Option<Vec<f64>> {
+        let [mut q, mut d, mut dd] = std::array::from_fn(|_| self.nodes[0].q.clone());
+        self.regular(s, [&mut q, &mut d, &mut dd])?;
+        Some(q)
     }
 
     fn null_vectors(&self, walker: &mut Walker, s: f64) -> Option<NullVectors> {
@@ -140,10 +144,7 @@ impl Path {
 
     /// The test function at an uncorrected position (at the singular position itself nothing can be corrected).
     fn test_at_guess(&self, walker: &mut Walker, s: f64, vectors: &NullVectors) -> Option<f64> {
-        let mut q = self.nodes[0].q.clone();
-        if !self.regular(s, &mut q) {
-            return None;
-        }
+        let q = self.regular_at(s)?;
         walker.set(s);
         walker.driven.evaluation.set_position(&q);
         walker.driven.factor(&walker.inputs).ok()?;

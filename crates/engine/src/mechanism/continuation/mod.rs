@@ -1,8 +1,8 @@
 //! The path of a driven mechanism: q(s), followed branch-safely over a range of its parameter s.
 //!
 //! s is the driver's value where there is one driver (then the path does not depend on the motion in time at all), else
-//! time. From node to node the step is a prediction by the quintic through the last two nodes (error h⁶ q⁽⁶⁾/90) and a
-//! Newton correction; it is accepted only if the prediction was good, Newton contracted fast and the tangent is the
+//! time. From node to node the step is a prediction by the quintic through the last two nodes (error h⁶ q⁽⁶⁾/90), for a
+//! coordinate by the polynomial of degree 8 through the last three (6·10⁻⁴ h⁹ q⁽⁹⁾), and a Newton correction; it is accepted only if the prediction was good, Newton contracted fast and the tangent is the
 //! predicted one, so that by the Newton–Kantorovich theorem the solution found is the one the prediction belongs to. The
 //! nodes are the path's own: nobody who asks for values can move them, so the branch does not depend on the outputs.
 //! (Allgower and Georg, Introduction to Numerical Continuation Methods, 2003, ch. 6.)
@@ -15,6 +15,7 @@
 
 mod bridge;
 mod dead_centre;
+mod known;
 mod path;
 mod walk;
 
@@ -22,7 +23,8 @@ pub use path::{Branch, HALF_TURN, Path, Source, Window};
 
 use super::driven::{Driven, Failure};
 use crate::system::{Inputs, System};
-use walk::Walker;
+use linkdyn_linear::hermite::Node;
+use walk::{Mark, Walker};
 
 /// What the path's parameter is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,11 +57,28 @@ impl Parameter {
     }
 
     /// Prediction error accepted, in rad or mechanism sizes: far below any distance of branches but at their crossings.
-    /// Where an integrator asks for values at its own points, interpolation must do without a second Newton step.
+    /// Where an integrator asks for values at its own points, nodes must be so near that the polynomial through four of them is the
+    /// curve to round-off.
     fn prediction(self) -> f64 {
         match self {
             Parameter::DriverValue | Parameter::Time => 1e-6,
             Parameter::Coordinate => 1e-7,
+        }
+    }
+
+    /// Newton step after which the same factors serve once more, scaled \[–\]: they are made anew at the node in any case.
+    fn chord(self) -> f64 {
+        match self {
+            Parameter::DriverValue | Parameter::Time => 0.0,
+            Parameter::Coordinate => 1e-6,
+        }
+    }
+
+    /// Nodes that predict the next one, where there are so many.
+    fn predictors(self) -> usize {
+        match self {
+            Parameter::DriverValue | Parameter::Time => 2,
+            Parameter::Coordinate => 3,
         }
     }
 }
@@ -135,7 +154,7 @@ pub fn follow(
         .iter()
         .all(|d| d.law.is_constant())
         && range.0 == range.1;
-    let (mut up, high) = if still {
+    let (up, high) = if still {
         (Vec::new(), End::Reached)
     } else {
         walker.march(&first, range.1.max(start.0), 1.0)
@@ -145,26 +164,12 @@ pub fn follow(
     } else {
         (Vec::new(), End::Reached)
     };
-    // Ascending: the nodes below, the start, the nodes above. A crossing mark belongs to the gap before its node.
-    let mut nodes = Vec::with_capacity(up.len() + down.len() + 1);
-    let mut crossings = Vec::new();
-    let below = down.len();
-    for (k, mark) in down.into_iter().rev().enumerate() {
-        if mark.crossing {
-            crossings.push(k);
-        }
-        nodes.push(mark.node);
-    }
-    nodes.push(first);
-    for (k, mark) in up.drain(..).enumerate() {
-        if mark.crossing {
-            crossings.push(below + k);
-        }
-        nodes.push(mark.node);
-    }
+    let (nodes, crossings) = joined(down, first, up);
     let mut path = Path {
         parameter,
         nodes,
+        errors: Vec::new(),
+        tolerance: 0.0,
         windows: Vec::new(),
         singular: Vec::new(),
         turn: None,
@@ -188,5 +193,31 @@ pub fn follow(
     }
     path.singular.sort_by(|a, b| a.s.total_cmp(&b.s));
     path.windows.sort_by(|a, b| a.s.total_cmp(&b.s));
+    if parameter == Parameter::Coordinate {
+        let unit = walker.unit();
+        path.find_errors(walker.driven.system, unit);
+    }
     Ok(path)
+}
+
+/// Ascending: the nodes below, the start, the nodes above; and the nodes before singular positions. A crossing mark belongs to
+/// the gap before its node.
+fn joined(down: Vec<Mark>, first: Node, up: Vec<Mark>) -> (Vec<Node>, Vec<usize>) {
+    let mut nodes = Vec::with_capacity(up.len() + down.len() + 1);
+    let mut crossings = Vec::new();
+    let below = down.len();
+    for (k, mark) in down.into_iter().rev().enumerate() {
+        if mark.crossing {
+            crossings.push(k);
+        }
+        nodes.push(mark.node);
+    }
+    nodes.push(first);
+    for (k, mark) in up.into_iter().enumerate() {
+        if mark.crossing {
+            crossings.push(below + k);
+        }
+        nodes.push(mark.node);
+    }
+    (nodes, crossings)
 }

@@ -2,13 +2,15 @@
 
 use super::{End, Parameter, SingularPosition};
 use crate::system::System;
-use linkdyn_linear::hermite::{Node, Osculating, quintic};
+use linkdyn_linear::hermite::{Node, Osculating, osculate, quintic};
 use std::f64::consts::TAU;
 
 /// Half a turn and a little more: how far a path must be followed to both sides to know whether it comes round.
 pub const HALF_TURN: f64 = 1.05 * std::f64::consts::PI;
 /// A turn that misses the position by less than this (rad, sizes) closes the path: round-off of its prediction.
 const CLOSES: f64 = 1e-7;
+/// Nodes on each side of a gap that tell what is in it.
+const AROUND: usize = 2;
 /// More turns than anybody reads the events of.
 const MOST_TURNS: i64 = 1000;
 
@@ -29,6 +31,11 @@ pub struct Path {
     /// What s is.
     pub(crate) parameter: Parameter,
     pub(super) nodes: Vec<Node>,
+    /// Error of q″ of the polynomial through the four nodes around the gap after each node [rad or sizes, by the square of the
+    /// parameter's unit]; empty where it was not looked for.
+    pub(super) errors: Vec<f64>,
+    /// Where it is no more than this, q, q′ and q″ count as known.
+    pub(crate) tolerance: f64,
     pub(super) windows: Vec<Window>,
     /// Singular positions on the stretch that was followed, by s.
     pub(super) singular: Vec<SingularPosition>,
@@ -70,6 +77,8 @@ impl Branch {
 pub enum Source {
     /// The guess is good to the prediction error; correct it.
     Regular,
+    /// Good to the path's tolerance, with q′ and q″.
+    Known,
     /// On the smooth branch across a change point, at this distance; do not correct it.
     Bridged {
         /// Number of the window about the change point.
@@ -80,7 +89,7 @@ pub enum Source {
 }
 
 impl Path {
-    /// q, and q′, q″ on a bridged stretch, at `s`; none outside what the path covers.
+    /// q, and q′, q″ where they are known or on a bridged stretch, at `s`; none outside what the path covers.
     pub fn guess(&self, s: f64, q: &mut [f64], d: &mut [f64], dd: &mut [f64]) -> Option<Source> {
         let Some((centre, shift)) = &self.turn else {
             return self.guess_followed(s, q, d, dd);
@@ -122,7 +131,25 @@ impl Path {
             shift.push(whole);
         }
         self.turn = Some((centre, shift));
+        if self.parameter == Parameter::Coordinate {
+            self.keep_turn(centre);
+        }
         true
+    }
+
+    /// Leaves out the nodes that no point of a turn around `centre` needs.
+    fn keep_turn(&mut self, centre: f64) {
+        let nodes = &self.nodes;
+        let first = nodes.partition_point(|node| node.s < centre - 0.5 * TAU);
+        let last = nodes.partition_point(|node| node.s <= centre + 0.5 * TAU);
+        let (first, count) = (
+            first.saturating_sub(AROUND),
+            (last + AROUND).min(nodes.len()),
+        );
+        self.nodes.truncate(count);
+        self.nodes.drain(..first);
+        self.errors.truncate(count - 1);
+        self.errors.drain(..first);
     }
 
     /// Singular positions in [low, high], by s; of a path that repeats itself, those of every turn.
@@ -183,25 +210,35 @@ impl Path {
                 return Some(Source::Bridged { index, distance });
             }
         }
-        self.regular(s, q).then_some(Source::Regular)
+        self.regular(s, [q, d, dd])
     }
 
-    /// The quintic between the neighbouring nodes.
-    pub(super) fn regular(&self, s: f64, q: &mut [f64]) -> bool {
+    /// The polynomial through the four nodes around `s` where that is good enough, else the quintic between
+    /// the neighbouring two, and q alone.
+    pub(super) fn regular(&self, s: f64, [q, d, dd]: [&mut [f64]; 3]) -> Option<Source> {
         if self.nodes.len() == 1 {
             q.copy_from_slice(&self.nodes[0].q);
-            return s == self.nodes[0].s;
+            return (s == self.nodes[0].s).then_some(Source::Regular);
         }
         let (low, high) = self.covered();
         if s < low || s > high {
-            return false;
+            return None;
         }
         let k = self
             .nodes
             .partition_point(|node| node.s <= s)
             .clamp(1, self.nodes.len() - 1);
+        if self
+            .errors
+            .get(k - 1)
+            .is_some_and(|error| *error <= self.tolerance)
+        {
+            let around: [&Node; 4] = std::array::from_fn(|j| &self.nodes[k - 2 + j]);
+            osculate(around, s, [q, d, dd]);
+            return Some(Source::Known);
+        }
         quintic(&self.nodes[k - 1], &self.nodes[k], s, q, None);
-        true
+        Some(Source::Regular)
     }
 
     /// The stretch that was followed.

@@ -3,7 +3,7 @@
 use super::super::driven::{Correction, Driven, Failure};
 use super::{End, Parameter};
 use crate::system::Inputs;
-use linkdyn_linear::hermite::{Node, quintic};
+use linkdyn_linear::hermite::{Node, osculate, quintic};
 
 /// Newton's second step by its first at most: Kantorovich's constant stays far below ½.
 const CONTRACTION: f64 = 0.1;
@@ -13,6 +13,11 @@ const TANGENT: f64 = 100.0;
 const LARGEST_MOVE: f64 = 0.3;
 /// A step this much smaller than the largest taken means that the path can't go on.
 const SHORTEST_STEP: f64 = 1e-9;
+/// Prediction error accepted of the first step, which starts with little and goes nowhere near another branch.
+const FIRST_PREDICTION: f64 = 1e-6;
+/// Largest growth from step to step, and where three nodes predict: they must not lie too close together for that.
+const GROWTH: f64 = 2.0;
+const GROWTH_OF_THREE: f64 = 1.5;
 /// The first step moves the mechanism by this, in rad or sizes.
 const FIRST_MOVE: f64 = 0.02;
 /// Where time is the parameter, the way takes at least so many steps.
@@ -67,7 +72,10 @@ impl Walker<'_, '_> {
     /// Corrects a guess at `s` and differentiates there.
     pub(super) fn node(&mut self, s: f64, mut q: Vec<f64>) -> Result<(Node, Correction), Failure> {
         self.set(s);
-        let correction = self.driven.correct(&mut q, &self.inputs)?;
+        self.driven.chord = self.parameter.chord();
+        let correction = self.driven.correct(&mut q, &self.inputs);
+        self.driven.chord = 0.0;
+        let correction = correction?;
         self.driven.factor(&self.inputs)?;
         let n = q.len();
         let (mut d, mut dd) = (vec![0.0; n], vec![0.0; n]);
@@ -144,16 +152,19 @@ struct March<'w, 'a, 's> {
     /// Length of the way.
     span: f64,
     current: Node,
+    /// The nodes before.
     previous: Option<Node>,
+    earlier: Option<Node>,
     condition: Condition,
     /// Next step, and the largest taken.
     h: f64,
     largest: f64,
     /// Steps beyond the target.
     beyond: usize,
-    /// Predicted q and q′.
+    /// Predicted q and q′, and room for q″.
     q: Vec<f64>,
     d: Vec<f64>,
+    dd: Vec<f64>,
 }
 
 /// What became of one step.
@@ -176,12 +187,14 @@ impl<'w, 'a, 's> March<'w, 'a, 's> {
             span: (target - start.s).abs(),
             current: start.clone(),
             previous: None,
+            earlier: None,
             condition,
             h: 0.0,
             largest: 0.0,
             beyond: 0,
             q: vec![0.0; n],
             d: vec![0.0; n],
+            dd: vec![0.0; n],
         };
         let speed = march.walker.driven.system.scaled_norm(&start.d);
         march.h = march.cap(&start.d).min(FIRST_MOVE / speed);
@@ -219,7 +232,7 @@ impl<'w, 'a, 's> March<'w, 'a, 's> {
         let accepted = outcome.ok().filter(|(node, correction)| {
             let off = node.d.iter().zip(&self.d).map(|(a, b)| (a - b) * self.h);
             let off: Vec<f64> = off.collect();
-            let prediction = self.walker.parameter.prediction();
+            let prediction = self.prediction();
             correction.first_step <= prediction
                 && correction.contraction <= CONTRACTION
                 && self.walker.driven.system.scaled_norm(&off) <= TANGENT * prediction
@@ -227,6 +240,14 @@ impl<'w, 'a, 's> March<'w, 'a, 's> {
         match accepted {
             Some((node, correction)) => self.accept(node, correction, covered),
             None => self.reject(0.5),
+        }
+    }
+
+    /// Prediction error accepted.
+    fn prediction(&self) -> f64 {
+        match self.previous {
+            Some(_) => self.walker.parameter.prediction(),
+            None => FIRST_PREDICTION,
         }
     }
 
@@ -249,9 +270,13 @@ impl<'w, 'a, 's> March<'w, 'a, 's> {
     /// q and q′ at `s` from the nodes behind.
     fn predict(&mut self, s: f64) {
         let current = &self.current;
-        match &self.previous {
-            Some(before) => quintic(before, current, s, &mut self.q, Some(&mut self.d)),
-            None => {
+        match (&self.previous, &self.earlier) {
+            (Some(before), Some(earlier)) => {
+                let to = [&mut self.q[..], &mut self.d, &mut self.dd];
+                osculate([earlier, before, current], s, to);
+            }
+            (Some(before), None) => quintic(before, current, s, &mut self.q, Some(&mut self.d)),
+            (None, _) => {
                 let step = s - current.s;
                 for k in 0..self.q.len() {
                     self.q[k] = current.q[k] + step * (current.d[k] + 0.5 * step * current.dd[k]);
@@ -277,10 +302,14 @@ impl<'w, 'a, 's> March<'w, 'a, 's> {
         let start = (!walker.driven.is_redundant()).then(|| std::mem::take(&mut self.condition));
         self.condition = walker.condition(start);
         self.largest = self.largest.max(self.h);
-        let order = if self.previous.is_some() { 6.0 } else { 3.0 };
+        let (order, growth) = match (&self.previous, &self.earlier) {
+            (Some(_), Some(_)) => (9.0, GROWTH_OF_THREE),
+            (Some(_), None) => (6.0, GROWTH),
+            (None, _) => (3.0, GROWTH),
+        };
         let error = correction.first_step.max(NO_ERROR);
-        let grow = 0.8 * (walker.parameter.prediction() / error).powf(1.0 / order);
-        self.h = (self.h * grow.clamp(0.3, 2.0)).min(self.cap(&node.d));
+        let grow = 0.8 * (self.prediction() / error).powf(1.0 / order);
+        self.h = (self.h * grow.clamp(0.3, growth)).min(self.cap(&node.d));
         if covered {
             self.beyond += 1;
         }
@@ -288,7 +317,12 @@ impl<'w, 'a, 's> March<'w, 'a, 's> {
             node: node.clone(),
             crossing,
         };
-        self.previous = Some(std::mem::replace(&mut self.current, node));
+        let before = self
+            .previous
+            .replace(std::mem::replace(&mut self.current, node));
+        if self.walker.parameter.predictors() > 2 {
+            self.earlier = before;
+        }
         Step::Taken(mark)
     }
 

@@ -67,6 +67,7 @@ impl<'s> Driven<'s> {
             together: Vec::new(),
             measures_residual: aside.measures_residual,
             last_step: aside.last_step,
+            chord: 0.0,
             done: Work::default(),
             dependent_forces: aside.dependent_forces,
         };

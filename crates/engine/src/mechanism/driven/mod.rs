@@ -116,6 +116,8 @@ pub struct Driven<'s> {
     pub measures_residual: bool,
     /// Newton step after which no further one is made, scaled [–]; by default what leaves nothing above round-off.
     pub last_step: f64,
+    /// Newton step after which the factors at hand serve once more, scaled \[–\]; none by default.
+    pub chord: f64,
     /// Work since it was made.
     pub done: Work,
     /// Forces that depend on multipliers.
@@ -174,6 +176,7 @@ impl<'s> Driven<'s> {
             together: Vec::new(),
             measures_residual: true,
             last_step: LAST_STEP,
+            chord: 0.0,
             done: Work::default(),
             dependent_forces: DependentForces::new(system),
         };
@@ -243,7 +246,9 @@ impl<'s> Driven<'s> {
                     })
                 };
             }
-            self.refresh(inputs)?;
+            if last > self.chord {
+                self.refresh(inputs)?;
+            }
             for (r, phi) in self.rows.iter_mut().zip(&self.evaluation.phi) {
                 *r = -phi;
             }

@@ -2,14 +2,14 @@
 //!
 //! ```text
 //! coordinates   q(u, t) predicted from the accepted points, corrected by Newton         any mechanism
-//! curve         q(u) guessed from a path that was followed once; near change points     one degree of freedom,
-//!               q, S = dq/du and S' on its smooth branch                                drivers at rest
+//! curve         q(u), S = dq/du and S' from a path that was followed once, near         one degree of freedom,
+//!               change points from its smooth branch                                    drivers at rest
 //! bridge        as coordinates, with the smooth branches of parts in the place of       parts with one degree of
 //!               their joints near those parts' change points                            freedom in a larger mechanism
 //! ```
 //!
-//! A chart says whether its position is a guess, which the constraints still correct, or one of a smooth branch, where the
-//! constraints have no trustworthy factors and the chart has S and S' itself.
+//! A chart says whether its position is a guess, which the constraints still correct, or one that is known with S and S', so that
+//! nothing is to be solved: on a smooth branch the constraints have no trustworthy factors at all.
 
 use super::curve::Curve;
 use super::extrapolation::Extrapolation;

@@ -13,12 +13,17 @@ use crate::system::Inputs;
 /// In sizes of the mechanism, or radians.
 const FARTHEST: f64 = 100.0;
 
+/// S and S' are known to no less than this [rad or sizes].
+const KNOWN: f64 = 1e-12;
+/// As well as this the curve is known where a position near it is wanted, which the constraints correct.
+const CLOSE: f64 = 1e-8;
+
 /// The curve, as far as it was followed.
 pub(super) struct Curve<'s> {
     path: Option<Path>,
     /// Where positions come from beyond the curve's ends.
     pub beyond: Extrapolation<'s>,
-    /// S and S' at the point at hand (n), where that is on the smooth branch.
+    /// S and S' at the point at hand (n), where they are known or that is on the smooth branch.
     pub tangent: Vec<f64>,
     pub bend: Vec<f64>,
 }
@@ -48,13 +53,15 @@ impl<'s> Curve<'s> {
     /// Position (and on bridged stretches S, S') at u from the curve, which is followed farther where u needs it.
     fn guess(
         &mut self,
-        u: f64,
-        (accepted, inputs): (&Accepted, &Inputs),
+        given: Given,
+        tolerance: f64,
         driven: &mut Driven,
         q: &mut [f64],
     ) -> Option<Source> {
+        let u = given.u[0];
         for attempt in 0..2 {
-            if let Some(path) = &self.path {
+            if let Some(path) = &mut self.path {
+                path.tolerance = tolerance;
                 if let Some(source) = path.guess(u, q, &mut self.tangent, &mut self.bend) {
                     return Some(source);
                 }
@@ -68,7 +75,7 @@ impl<'s> Curve<'s> {
                     return None;
                 }
             }
-            if attempt == 0 && !self.follow(u, accepted, inputs, driven) {
+            if attempt == 0 && !self.follow(u, given.accepted, given.inputs, driven) {
                 return None;
             }
         }
@@ -119,8 +126,11 @@ impl<'s> Place<'s> for Curve<'s> {
         driven: &mut Driven<'s>,
         q: &mut [f64],
     ) -> Result<Placed, Failure> {
-        match self.guess(given.u[0], (given.accepted, given.inputs), driven, q) {
+        let tolerance = given.known_to.map_or(CLOSE, |known_to| known_to.max(KNOWN));
+        match self.guess(given, tolerance, driven, q) {
             Some(Source::Regular) => Ok(Placed::Guess),
+            Some(Source::Known) if given.known_to.is_none() => Ok(Placed::Close),
+            Some(Source::Known) => Ok(Placed::Known),
             Some(Source::Bridged { .. }) => Ok(Placed::Smooth),
             None => self.beyond.place(given, driven, q),
         }

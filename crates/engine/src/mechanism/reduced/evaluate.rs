@@ -9,6 +9,8 @@ use crate::mechanism::driven::Failure;
 const CONTRACTION: f64 = 0.35;
 /// Largest distance from the prediction, in rad or sizes, for the same reason.
 const FARTHEST: f64 = 0.3;
+/// Factors of a position this near to the solution are those of the solution [rad or sizes].
+const ROUND_OFF: f64 = 1e-13;
 
 impl Reduced<'_> {
     /// q, v, a at (t, (u, u̇)).
@@ -29,6 +31,7 @@ impl Reduced<'_> {
             u,
             inputs: &self.inputs,
             accepted: &self.accepted,
+            known_to: (!self.with_factors).then_some(self.lag),
         };
         let placed = self.chart.place(given, &mut self.driven, &mut self.q)?;
         // The last stage of an implicit step is at its end.
@@ -40,10 +43,10 @@ impl Reduced<'_> {
         for (coordinate, (u, rate)) in self.driven.independent.iter_mut().zip(given) {
             coordinate.jet = [*u, *rate, 0.0];
         }
-        self.is_smooth = placed == Placed::Smooth;
+        self.placed = placed;
         match placed {
-            Placed::Guess => self.solve_constraints(rates)?,
-            Placed::Smooth => self.take_branch(rates[0]),
+            Placed::Guess | Placed::Close => self.solve_constraints(rates)?,
+            Placed::Known | Placed::Smooth => self.take_branch(rates[0]),
         }
         self.driven
             .evaluation
@@ -64,7 +67,11 @@ impl Reduced<'_> {
                 residual: correction.residual,
             });
         }
-        if correction.last_step > self.lag {
+        let lag = match self.placed {
+            Placed::Close => self.lag.max(ROUND_OFF),
+            _ => self.lag,
+        };
+        if correction.last_step > lag {
             self.driven.refresh(&self.inputs)?;
         }
         let (driven, inputs) = (&mut self.driven, &self.inputs);
@@ -72,7 +79,7 @@ impl Reduced<'_> {
         Ok(())
     }
 
-    /// S, v and a₀ of the smooth branch near a change point, on which q is.
+    /// S, v and a₀ of the curve, on which q is.
     fn take_branch(&mut self, rate: f64) {
         let Some(curve) = self.chart.curve() else {
             return;
@@ -93,7 +100,8 @@ impl Reduced<'_> {
     /// ü and a, with the forces that depend on multipliers.
     fn accelerate(&mut self) -> Result<(), Failure> {
         let to = [&mut self.a[..], &mut self.accelerations];
-        match self.inertia.tangents().filter(|_| self.is_smooth) {
+        let has_tangents = matches!(self.placed, Placed::Known | Placed::Smooth);
+        match self.inertia.tangents().filter(|_| has_tangents) {
             Some(tangents) => tangents.accelerate(&self.driven, &self.force, to)?,
             None => {
                 let (driven, inputs) = (&mut self.driven, &self.inputs);

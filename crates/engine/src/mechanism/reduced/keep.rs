@@ -2,6 +2,7 @@
 
 use super::Reduced;
 use super::inertia::Inertia;
+use super::place::Placed;
 
 impl Reduced<'_> {
     /// (t, (u, u̇)) is the end of an accepted step: it serves for predictions from now on.
@@ -40,7 +41,7 @@ impl Reduced<'_> {
         self.accepted
             .keep(time, point, self.inertia.known_tangents());
         self.keep_factors();
-        if !self.is_smooth && self.driven.is_redundant() {
+        if matches!(self.placed, Placed::Guess | Placed::Close) && self.driven.is_redundant() {
             // Where that fails, the next evaluation chooses rows anew.
             let _ = self.driven.exchange_rows();
             self.keep_factors();

@@ -52,7 +52,7 @@ use curve::Curve;
 use extrapolation::Extrapolation;
 use inertia::Inertia;
 pub use inertia::Solver;
-use place::Place;
+use place::{Place, Placed};
 use stages::Stages;
 
 /// A mechanism with freedom left.
@@ -82,8 +82,11 @@ pub struct Reduced<'s> {
     at: Option<f64>,
     /// Where positions come from.
     chart: Chart<'s>,
-    /// The point at hand is on a smooth branch, where the equations have no trustworthy factors.
-    is_smooth: bool,
+    /// What is known of the point at hand.
+    placed: Placed,
+    /// Evaluations make the equations' factors, even where the curve is known: multipliers depend on each other or on contacts, or
+    /// are asked for.
+    with_factors: bool,
     /// When a step first passed a change point with forces that depend on multipliers, which have no bound there.
     passed: Option<f64>,
 }
@@ -145,7 +148,8 @@ impl<'s> Reduced<'s> {
             accepted: Accepted::new(time, q, v),
             at: None,
             chart,
-            is_smooth: false,
+            placed: Placed::Guess,
+            with_factors: wants_factors(system),
             passed: None,
         };
         reduced.choose(time)?;
@@ -370,9 +374,11 @@ impl<'s> Reduced<'s> {
     pub fn evaluate_exactly(&mut self, time: f64, y: &[f64]) -> Result<(), Failure> {
         let (lag, last_step) = (self.lag, self.driven.last_step);
         self.lag = 0.0;
+        self.with_factors = true;
         self.driven.last_step = LAST_STEP;
         let solved = self.evaluate(time, y);
         (self.lag, self.driven.last_step) = (lag, last_step);
+        self.with_factors = wants_factors(self.driven.system);
         solved
     }
 
@@ -380,6 +386,11 @@ impl<'s> Reduced<'s> {
     pub fn passed_change_point(&self) -> Option<f64> {
         self.passed
     }
+}
+
+/// Whether every point is wanted with the equations' factors: contacts and friction ask for multipliers there.
+fn wants_factors(system: &System) -> bool {
+    !(system.contacts.is_empty() && system.dependent_forces.is_empty())
 }
 
 /// Whether the positions of a mechanism with so many degrees of freedom are a curve of one coordinate.

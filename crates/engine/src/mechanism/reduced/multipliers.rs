@@ -1,6 +1,7 @@
 //! Multipliers of the constraints: reactions of joints, efforts of drivers, and what impulses make of them.
 
 use super::Reduced;
+use super::place::Placed;
 
 impl Reduced<'_> {
     /// What a generalized impulse P (n) changes at the point of the last evaluation: the rates u̇ (f), SᵀMS Δu̇ = Sᵀ P, and
@@ -23,12 +24,15 @@ impl Reduced<'_> {
     /// Where a part's smooth branch stands for its joints, theirs mean nothing; see [`Reduced::reactions`]. Near a change
     /// point of the whole, where they can't be computed, they are NaN.
     pub fn multipliers(&mut self, lambda: &mut [f64]) {
-        if self.is_smooth {
+        if matches!(self.placed, Placed::Known | Placed::Smooth) {
             let ready = self.driven.prepare(&self.q, &self.inputs).is_ok()
                 && self.driven.factor(&self.inputs).is_ok();
             if !ready {
                 lambda.fill(f64::NAN);
                 return;
+            }
+            if self.placed == Placed::Known {
+                self.placed = Placed::Close;
             }
         }
         self.eval_balance();

@@ -15,6 +15,8 @@ pub(super) struct Given<'a> {
     pub inputs: &'a Inputs,
     /// The points that predict it.
     pub accepted: &'a Accepted,
+    /// How well S and S' must be known where nothing is solved [rad or sizes]; none where it is wanted with the equations' factors.
+    pub known_to: Option<f64>,
 }
 
 /// What a chart's position is.
@@ -22,6 +24,10 @@ pub(super) struct Given<'a> {
 pub(super) enum Placed {
     /// Near the position that is meant: the constraints correct it.
     Guess,
+    /// The same, nearly to round-off.
+    Close,
+    /// On a curve that is known with S and S'; the constraints have factors there.
+    Known,
     /// On the smooth branch of a curve, whose S and S' hold.
     Smooth,
 }

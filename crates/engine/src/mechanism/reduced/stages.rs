@@ -14,6 +14,7 @@
 
 use super::Reduced;
 use super::inertia::Inertia;
+use super::place::Placed;
 use super::saddle::Saddle;
 use super::sparse::Sparse;
 use crate::mechanism::driven::Failure;
@@ -233,7 +234,7 @@ impl Reduced<'_> {
             return false;
         };
         self.at = None;
-        self.is_smooth = false;
+        self.placed = Placed::Guess;
         self.inputs.set_time(system, time);
         let driven = &mut self.driven;
         for (k, coordinate) in driven.independent.iter_mut().enumerate() {

@@ -1,0 +1,71 @@
+//! Mechanisms of one degree of freedom: what is known of their curve between the points that were solved for.
+
+use crate::allocations::{compiled, start};
+use crate::benchmarks;
+use linkdyn_engine::system::System;
+use linkdyn_model::bundled;
+use serde_json::Value;
+
+/// Places of the independent coordinate that are tried.
+const PLACES: usize = 400;
+/// Its rate [rad/s].
+const RATE: f64 = 3.0;
+
+/// Where nothing is solved: largest difference of position, velocity and acceleration from the equations' own, of the largest of them, and the
+/// part of such places. Those beyond dead centres are none.
+fn known(json: &Value, lag: f64) -> (f64, f64) {
+    let system: System = compiled(json);
+    let (mut reduced, y) = start(&system);
+    reduced.set_lag(lag);
+    let (mut known, mut largest) = (0, 0.0_f64);
+    for place in 0..PLACES {
+        // More than a turn to both sides, and no place twice.
+        let u = y[0] + 8.0 * (place as f64 / PLACES as f64 - 0.5);
+        let before = reduced.work();
+        if reduced.evaluate(0.0, &[u, RATE]).is_err() {
+            continue;
+        }
+        if reduced.work() != before {
+            continue;
+        }
+        known += 1;
+        let found = [
+            reduced.position(),
+            reduced.velocity(),
+            reduced.acceleration(),
+        ]
+        .map(<[f64]>::to_vec);
+        reduced
+            .evaluate_exactly(0.0, &[u, RATE])
+            .expect("solved once");
+        let exact = [
+            reduced.position(),
+            reduced.velocity(),
+            reduced.acceleration(),
+        ];
+        for (found, exact) in found.iter().zip(exact) {
+            let size = exact.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
+            let off = found.iter().zip(exact).map(|(a, b)| (a - b).abs() / size);
+            largest = off.fold(largest, f64::max);
+        }
+    }
+    (largest, known as f64 / PLACES as f64)
+}
+
+#[test]
+fn curves_are_known_as_well_as_is_wanted() {
+    for json in [
+        benchmarks::pendulum(),
+        benchmarks::four_bars(1),
+        benchmarks::four_bars(20),
+        benchmarks::squeezer(),
+        serde_json::from_str(bundled::find("engine").expect("bundled").text).expect("valid JSON"),
+    ] {
+        for lag in [1e-8, 1e-9] {
+            let (off, part) = known(&json, lag);
+            println!("{}: {off:e} {part} at {lag:e}", json["name"]);
+            assert!(off <= 10.0 * lag, "{}: {off:e} at {lag:e}", json["name"]);
+            assert!(part >= 0.6, "{}: {part} at {lag:e}", json["name"]);
+        }
+    }
+}
