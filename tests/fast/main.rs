@@ -40,6 +40,7 @@ mod complaints;
 mod complaints_clearance;
 mod contact;
 mod crossing;
+mod departures;
 mod dynamics;
 mod edits;
 mod extremes;

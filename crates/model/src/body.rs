@@ -50,4 +50,8 @@ pub struct Initial {
     pub vy: Option<f64>,
     /// Angular velocity [rad/s].
     pub angular_velocity: Option<f64>,
+    /// How it turns, by the others, on the branch of motion on which a singular start is left.
+    #[doc(hidden)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub branch: Option<f64>,
 }

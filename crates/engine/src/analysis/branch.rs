@@ -15,7 +15,7 @@ use crate::system::{Block, Evaluation, Inputs, System};
 use linkdyn_output::Status;
 
 /// Remainder of a row above which there is no singular position near [–].
-const DOUBTFUL: f64 = 1e-6;
+pub(super) const DOUBTFUL: f64 = 1e-6;
 /// Largest moves by which a singular position is left, in rad or mechanism sizes, as they are tried.
 const MOVES: [f64; 3] = [1e-2, 3e-2, 2e-3];
 /// A position is on the branch when it lies in its direction: cosine of the angle between both.
@@ -39,7 +39,7 @@ pub fn singularity<'s>(
     if assembled.all.dependent.is_empty() && assembled.all.smallest_kept > DOUBTFUL {
         return Ok(None);
     }
-    Singularity::at(system, &assembled.q, inputs)
+    Singularity::at(system, &assembled.q, inputs, system.m())
         .map_err(|fault| Stop::failed(Status::Singular, fault.to_string()))
 }
 
@@ -53,10 +53,10 @@ pub fn leave(system: &System, assembled: Assembled, inputs: &Inputs) -> Result<A
     };
     let pull = pull(system, &assembled.q, inputs);
     let branches = singular.branches(&pull);
-    let beside = branches
-        .iter()
-        .take(MOST)
-        .find_map(|branch| Some((branch, beside(system, &assembled.q, branch, inputs)?)));
+    let beside = branches.iter().take(MOST).find_map(|branch| {
+        let at = (&assembled.q[..], &branch.direction[..]);
+        Some((branch, beside(system, system.m(), at, inputs)?))
+    });
     let Some((taken, q)) = beside else {
         return Err(Stop::failed(
             Status::Singular,
@@ -93,10 +93,14 @@ fn pull(system: &System, q: &[f64], inputs: &Inputs) -> Vec<f64> {
     force
 }
 
-/// A regular position on a branch, a little beside the singular one.
-fn beside(system: &System, q: &[f64], branch: &Branch, inputs: &Inputs) -> Option<Vec<f64>> {
-    let blocks: Vec<&Block> = system.blocks.iter().collect();
-    let direction = &branch.direction;
+/// A regular position of the first `rows` rows on the branch in a scaled direction, a little beside the singular position `q`.
+pub(super) fn beside(
+    system: &System,
+    rows: usize,
+    (q, direction): (&[f64], &[f64]),
+    inputs: &Inputs,
+) -> Option<Vec<f64>> {
+    let blocks: Vec<&Block> = system.blocks.iter().filter(|b| b.row < rows).collect();
     let largest = linkdyn_linear::math::max_abs(direction);
     MOVES.into_iter().find_map(|size| {
         let mut guess = q.to_vec();
@@ -114,7 +118,7 @@ fn beside(system: &System, q: &[f64], branch: &Branch, inputs: &Inputs) -> Optio
         let length = linkdyn_linear::math::dot(&moved, &moved).sqrt();
         let along = linkdyn_linear::math::dot(&moved, direction) > IN_DIRECTION * length
             && length * largest > 0.5 * size;
-        let regular = || matches!(Singularity::at(system, &closed.q, inputs), Ok(None));
+        let regular = || matches!(Singularity::at(system, &closed.q, inputs, rows), Ok(None));
         (closed.converged && along && regular()).then_some(closed.q)
     })
 }

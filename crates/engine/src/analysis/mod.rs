@@ -12,6 +12,7 @@ mod channels;
 mod check;
 mod clearance_link;
 mod control;
+mod departure;
 pub mod derived;
 pub mod driven;
 mod dynamics;

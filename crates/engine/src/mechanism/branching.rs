@@ -41,7 +41,7 @@ pub struct Singularity<'s> {
     system: &'s System,
     inputs: Inputs,
     evaluation: Evaluation,
-    /// N by columns (f × n) and L by columns (k × m), scaled.
+    /// N by columns (f × n) and L by columns (k × m, of the rows that count), scaled.
     tangents: Vec<Vec<f64>>,
     stresses: Vec<Vec<f64>>,
 }
@@ -49,6 +49,8 @@ pub struct Singularity<'s> {
 /// A branch that leads away from a singular position.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Branch {
+    /// Its tangents there, scaled: orthonormal vectors (n), as many as its degrees of freedom.
+    pub tangents: Vec<Vec<f64>>,
     /// Scaled direction in which it leaves (n), a unit vector; away is also the opposite way.
     pub direction: Vec<f64>,
     /// Its degrees of freedom.
@@ -58,21 +60,25 @@ pub struct Branch {
 }
 
 impl<'s> Singularity<'s> {
-    /// At `q`, where that is a singular position of the rows of joints and drivers; none where it is regular.
+    /// At `q`, where that is a singular position of the first `m` rows; none where it is regular.
     ///
     /// # Errors
     /// Where the Jacobian is not finite.
-    pub fn at(system: &'s System, q: &[f64], inputs: &Inputs) -> Result<Option<Self>, DenseFault> {
-        let (n, m) = (system.n(), system.m());
+    pub fn at(
+        system: &'s System,
+        q: &[f64],
+        inputs: &Inputs,
+        m: usize,
+    ) -> Result<Option<Self>, DenseFault> {
+        let n = system.n();
         let mut inputs = inputs.clone();
         inputs.drive.iter_mut().for_each(|jet| jet[1..].fill(0.0));
         let mut evaluation = Evaluation::new(system);
         evaluation.set_position(q);
         evaluation.eval_jacobian(system, &inputs);
-        let spaces = svd_rank(
-            &Dense::new(m, n, system.dense_scaled(&evaluation.jacobian)),
-            NEAR,
-        )?;
+        let mut rows = system.dense_scaled(&evaluation.jacobian);
+        rows.truncate(m * n);
+        let spaces = svd_rank(&Dense::new(m, n, rows), NEAR)?;
         let columns = |space: &Dense| -> Vec<Vec<f64>> {
             (0..space.columns()).map(|k| space.column(k)).collect()
         };
@@ -153,7 +159,9 @@ impl<'s> Singularity<'s> {
                     .collect(),
             )?;
         }
+        let spread = |k: usize| self.spread(&tangents.column(k));
         Some(Branch {
+            tangents: (0..freedom).map(spread).collect(),
             direction: self.spread(&root),
             freedom,
             along,
@@ -248,7 +256,7 @@ impl<'s> Singularity<'s> {
             .for_each(|(row, gamma)| *gamma /= self.system.row_scale(row));
         self.stresses
             .iter()
-            .map(|stress| dot(stress, &gamma))
+            .map(|stress| dot(stress, &gamma[..stress.len()]))
             .collect()
     }
 

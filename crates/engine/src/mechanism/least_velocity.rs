@@ -60,6 +60,23 @@ pub fn least_velocity(
     (v, residual)
 }
 
+/// What is prescribed of velocities besides the joints: scaled rows (n each) of drivers and initial velocities, and what they
+/// are to be.
+pub fn prescribed(system: &System, q: &[f64], inputs: &Inputs) -> (Vec<Vec<f64>>, Vec<f64>) {
+    let Equations { rows, rhs } = Equations::new(system, q, inputs, true);
+    let dense = |row: &Vec<(usize, f64)>| {
+        let mut dense = vec![0.0; system.n()];
+        row.iter()
+            .for_each(|&(column, value)| dense[column] += value);
+        dense
+    };
+    let joints = system.joint_rows();
+    (
+        rows[joints..].iter().map(dense).collect(),
+        rhs[joints..].to_vec(),
+    )
+}
+
 /// J̃ ṽ = r̃: rows of the system, then one per initial velocity.
 struct Equations {
     rows: Vec<Vec<(usize, f64)>>,
@@ -147,7 +164,7 @@ impl Equations {
 }
 
 /// Weight of each scaled coordinate's velocity, the largest 1.
-fn weights(system: &System) -> Vec<f64> {
+pub fn weights(system: &System) -> Vec<f64> {
     if !system.masses_known {
         return vec![1.0; system.n()];
     }

@@ -1,9 +1,10 @@
 //! Parts with one degree of freedom of a mechanism with more, across their change points.
 //!
-//! Where joints alone hold some bodies in loops with ground and leave them one degree of freedom, their positions are a
-//! curve q(s) of one of their coordinates, whatever else moves: drivers, contacts, bodies hung on them. At a change point
-//! of that curve the part's equations lose rank, and the whole mechanism's with them; near it round-off of accelerations
-//! grows as 1/δ³. There the part's rows are exchanged for as many that say the same without losing rank,
+//! Where joints alone hold some bodies in loops and leave them one degree of freedom, their positions are a curve q(s) of
+//! one of their coordinates, whatever else moves: drivers, contacts, bodies hung on them. Where the loops hold no ground, the
+//! coordinates are those in the frame of one of the bodies, which moves as it likes. At a change point of that curve the
+//! part's equations lose rank, and the whole mechanism's with them; near it round-off of accelerations grows as 1/δ³. There
+//! the part's rows are exchanged for as many that say the same without losing rank,
 //!
 //! ```text
 //! q_i − Q_i(s) = 0      i: the part's coordinates but s;  Q: the smooth branch, see [`super::continuation`]
@@ -11,34 +12,80 @@
 //!
 //! Reactions of the part's joints are still those of their own equations.
 
-use super::continuation::{Branch, HALF_TURN, Parameter, Path, follow};
+mod on_branch;
+
+use super::continuation::{HALF_TURN, Parameter, Path, follow};
 use super::driven::{Driven, Failure};
 use super::independent::better_coordinate;
 use super::phases::{Exchanged, Phases, Windows};
 use crate::element::pair::Hold;
-use crate::element::{Axis, BodyId, Constraint, Entry, Kinematics, Measure};
+use crate::element::{BodyColumns, BodyId};
 use crate::system::{Inputs, System};
 use linkdyn_linear::hermite::Node;
-use linkdyn_linear::math::Vec2;
+use on_branch::OnBranch;
+pub use on_branch::Seen;
 use std::sync::Arc;
 
 /// Exchanges of the independent coordinate at a start of the curve; the first nearly always serves.
 const EXCHANGES: usize = 4;
+/// Stretches of a curve, each by a coordinate of its own, on which change points are looked for.
+const SEGMENTS: usize = 3;
 /// Largest distance of a point from a curve that it is on: that of the curve's interpolation [rad or sizes].
 const SAME: f64 = 1e-5;
 
 /// A part by itself, and where it stands in the whole.
 pub struct Part {
-    /// The part by itself.
+    /// The part by itself, the body that it is seen from as its ground.
     pub system: System,
-    /// Columns of the whole, by those of the part.
-    pub columns: Vec<usize>,
+    /// That body in the whole, and its columns where it moves.
+    pub from: BodyId,
+    pub frame: Option<BodyColumns>,
+    /// By coordinate of the part: columns of its body in the whole.
+    pub columns: Vec<BodyColumns>,
     /// The same as coordinates of the whole's bodies.
-    pub coordinates: Vec<(BodyId, Axis)>,
+    pub coordinates: Vec<Seen>,
     /// Blocks of its joints in the whole, and their numbers of rows; one less than columns in all.
     pub blocks: Vec<(usize, usize)>,
     /// A column of the part that determines the rest.
     pub independent: usize,
+}
+
+impl Part {
+    /// The part's coordinate `k` where the whole is at `q`.
+    fn value(&self, k: usize, q: &[f64]) -> f64 {
+        let own = self.columns[k].read(q);
+        self.coordinates[k].of(own, self.frame.map(|columns| columns.read(q)))
+    }
+
+    /// All of them.
+    pub fn values(&self, q: &[f64]) -> Vec<f64> {
+        (0..self.columns.len()).map(|k| self.value(k, q)).collect()
+    }
+
+    /// Whether the curve through `q` of the whole has change points, as far as two of its coordinates tell it.
+    pub fn has_change_points(&self, q: &[f64]) -> bool {
+        let mut followed = Followed::new(self);
+        let mut starts = vec![self.values(q)];
+        let mut turns = false;
+        for _ in 0..SEGMENTS {
+            let Some(start) = starts.pop() else { break };
+            let Some(index) = followed.follow(&start) else {
+                continue;
+            };
+            let path = &followed.curves[index].path;
+            if !path.windows().is_empty() {
+                return true;
+            }
+            if index == 0 {
+                turns = path.turn.is_some();
+                starts.extend(path.ends().map(<[f64]>::to_vec));
+            }
+            if turns {
+                break;
+            }
+        }
+        false
+    }
 }
 
 /// Parts of a mechanism, and the solvers of what takes its place near their change points.
@@ -190,60 +237,50 @@ impl<'s> Followed<'s> {
 
     /// The window, counted over all curves, that `q` is in.
     fn window_at(&mut self, q: &[f64], here: &Node) -> Option<usize> {
-        let holds =
-            |part: &Part, curve: &Curve| curve.path.holds(q[part.columns[curve.independent]]);
+        let holds = |part: &Part, curve: &Curve| curve.path.holds(part.value(curve.independent, q));
         if !self
             .now
             .is_some_and(|now| holds(self.part, &self.curves[now]))
             && self.started != here.s
         {
             self.started = here.s;
-            self.now = self.find(here).or_else(|| self.follow(here));
+            let there = self.part.values(&here.q);
+            self.now = self.find(&there).or_else(|| self.follow(&there));
         }
         let curve = &self.curves[self.now?];
         let window = curve
             .path
-            .window_at(q[self.part.columns[curve.independent]])?;
+            .window_at(self.part.value(curve.independent, q))?;
         Some(curve.windows_before + window)
     }
 
-    fn positions(&self, here: &Node) -> Vec<f64> {
-        self.part
-            .columns
-            .iter()
-            .map(|&column| here.q[column])
-            .collect()
-    }
-
     /// A curve that the accepted point is on.
-    fn find(&self, here: &Node) -> Option<usize> {
-        let q = self.positions(here);
-        let (mut found, mut d, mut dd) = (q.clone(), q.clone(), q.clone());
+    fn find(&self, q: &[f64]) -> Option<usize> {
+        let (mut found, mut d, mut dd) = (q.to_vec(), q.to_vec(), q.to_vec());
         self.curves.iter().position(|curve| {
             curve
                 .path
                 .guess(q[curve.independent], &mut found, &mut d, &mut dd)
                 .is_some()
                 && {
-                    found.iter_mut().zip(&q).for_each(|(found, q)| *found -= q);
+                    found.iter_mut().zip(q).for_each(|(found, q)| *found -= q);
                     self.part.system.scaled_norm(&found) < SAME
                 }
         })
     }
 
     /// The curve through an accepted point, by the coordinate that moves most there.
-    fn follow(&mut self, here: &Node) -> Option<usize> {
+    fn follow(&mut self, q: &[f64]) -> Option<usize> {
         let system = &self.part.system;
-        let q = self.positions(here);
         let mut driven = match self.driven.take() {
             Some(driven) => driven,
             None => {
-                Driven::with_independent(system, &[self.part.independent], &q, &self.inputs).ok()?
+                Driven::with_independent(system, &[self.part.independent], q, &self.inputs).ok()?
             }
         };
         let mut motion = vec![0.0; system.n()];
         for _ in 0..EXCHANGES {
-            driven.evaluation.set_position(&q);
+            driven.evaluation.set_position(q);
             driven.factor(&self.inputs).ok()?;
             driven.tangents(&mut motion);
             let Some((_, column)) = better_coordinate(&driven, &motion) else {
@@ -259,7 +296,7 @@ impl<'s> Followed<'s> {
         let found = follow(
             &mut driven,
             (Parameter::Coordinate, inputs),
-            (centre, &q),
+            (centre, q),
             range,
             &|_| false,
         );
@@ -291,108 +328,18 @@ impl<'s> Followed<'s> {
             return;
         };
         let branch = Arc::new(curve.path.branch(window - curve.windows_before));
-        let coordinate = |column: usize| self.part.coordinates[column];
-        let mut others = (0..self.part.columns.len()).filter(|column| *column != curve.independent);
-        for &(block, rows) in &self.part.blocks {
+        let part = self.part;
+        let mut others = (0..part.columns.len()).filter(|column| *column != curve.independent);
+        for &(block, rows) in &part.blocks {
             let columns: Vec<usize> = others.by_ref().take(rows).collect();
-            let coordinates = columns.iter().map(|&column| coordinate(column)).collect();
-            let branch = branch.clone();
-            exchanged.push((
-                block,
-                Arc::new(OnBranch {
-                    branch,
-                    columns,
-                    coordinates,
-                    independent: coordinate(curve.independent),
-                }),
-            ));
+            let coordinates = columns.iter().map(|&column| part.coordinates[column]);
+            let independent = part.coordinates[curve.independent];
+            let rows = OnBranch::new(
+                (branch.clone(), columns.clone()),
+                coordinates.collect(),
+                independent,
+            );
+            exchanged.push((block, Arc::new(rows)));
         }
-    }
-}
-
-/// q_i − Q_i(s) = 0 for some coordinates of a part.
-struct OnBranch {
-    branch: Arc<Branch>,
-    /// Of the part.
-    columns: Vec<usize>,
-    /// The same in the whole.
-    coordinates: Vec<(BodyId, Axis)>,
-    independent: (BodyId, Axis),
-}
-
-const L: Measure = Measure::Length;
-const A: Measure = Measure::Angle;
-/// By what rows measure: bit k says that row k is an angle.
-const MEASURES: [[Measure; 3]; 8] = [
-    [L, L, L],
-    [A, L, L],
-    [L, A, L],
-    [A, A, L],
-    [L, L, A],
-    [A, L, A],
-    [L, A, A],
-    [A, A, A],
-];
-
-fn value(at: &Kinematics, (body, axis): (BodyId, Axis)) -> f64 {
-    let pose = &at.poses[body.0];
-    [pose.r.x, pose.r.y, pose.theta][axis as usize]
-}
-
-fn rate(at: &Kinematics, (body, axis): (BodyId, Axis)) -> f64 {
-    let twist = &at.twists[body.0];
-    [twist.v.x, twist.v.y, twist.omega][axis as usize]
-}
-
-impl Constraint for OnBranch {
-    fn rows(&self) -> &'static [Measure] {
-        let angles = self
-            .coordinates
-            .iter()
-            .enumerate()
-            .map(|(k, (_, axis))| usize::from(*axis == Axis::Theta) << k);
-        &MEASURES[angles.sum::<usize>()][..self.columns.len()]
-    }
-
-    fn entries(&self) -> Vec<Entry> {
-        let of = |(k, (body, axis)): (usize, &(BodyId, Axis))| {
-            [
-                (k, *body, *axis),
-                (k, self.independent.0, self.independent.1),
-            ]
-        };
-        self.coordinates.iter().enumerate().flat_map(of).collect()
-    }
-
-    fn position(&self, at: &Kinematics, phi: &mut [f64]) {
-        let s = value(at, self.independent);
-        for ((phi, &column), &coordinate) in
-            phi.iter_mut().zip(&self.columns).zip(&self.coordinates)
-        {
-            *phi = value(at, coordinate) - self.branch.jet(column, s)[0];
-        }
-    }
-
-    fn jacobian(&self, at: &Kinematics, values: &mut [f64]) {
-        let s = value(at, self.independent);
-        for (values, &column) in values.chunks_exact_mut(2).zip(&self.columns) {
-            values.copy_from_slice(&[1.0, -self.branch.jet(column, s)[1]]);
-        }
-    }
-
-    fn rate(&self, _at: &Kinematics, phi_t: &mut [f64]) {
-        phi_t.fill(0.0);
-    }
-
-    fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
-        let (s, rate) = (value(at, self.independent), rate(at, self.independent));
-        for (gamma, &column) in gamma.iter_mut().zip(&self.columns) {
-            *gamma = self.branch.jet(column, s)[2] * rate * rate;
-        }
-    }
-
-    /// The joints' own equations tell their reactions.
-    fn reaction(&self, _at: &Kinematics, _lambda: &[f64]) -> (Vec2, f64) {
-        (Vec2::zeros(), 0.0)
     }
 }

@@ -196,6 +196,8 @@ pub struct System {
     pub(crate) initial: Vec<Block>,
     /// `initial` velocities: name, row over the coordinates as (column, factor) at the assembled pose is in `eval`.
     pub(crate) initial_rates: Vec<(String, crate::element::coordinate::Coordinate)>,
+    /// How bodies turn, by each other, on the branch on which a singular start is left.
+    pub(crate) branch: Vec<(crate::element::BodyId, f64)>,
     /// Springs, dampers, loads and torques.
     pub(crate) forces: Vec<Arc<dyn Force>>,
     /// What each of them is.
@@ -351,29 +353,6 @@ impl System {
         }
     }
 
-    /// Largest coordinate, lengths divided by the mechanism's size [–].
-    pub(crate) fn scaled_norm(&self, dq: &[f64]) -> f64 {
-        let (mut length, mut angle) = (0.0, 0.0);
-        for body in self.layout.bodies() {
-            let [x, y, theta] = body.read(dq);
-            length = larger(larger(length, x), y);
-            angle = larger(angle, theta);
-        }
-        larger(length / self.size, angle)
-    }
-
-    /// Largest residual, lengths divided by the mechanism's size [–].
-    pub(crate) fn scaled_residual(&self, phi: &[f64]) -> f64 {
-        let (mut length, mut angle) = (0.0, 0.0);
-        for (&phi, measure) in phi.iter().zip(&self.measures) {
-            match measure {
-                Measure::Length => length = larger(length, phi),
-                Measure::Angle => angle = larger(angle, phi),
-            }
-        }
-        larger(length / self.size, angle)
-    }
-
     /// An entry of the Jacobian, row and column measured by their scales [–].
     pub fn scaled_entry(&self, value: f64, row: usize, column: usize) -> f64 {
         value * self.column_scale(column) / self.row_scale(row)
@@ -391,10 +370,4 @@ impl System {
         }
         dense
     }
-}
-
-/// The larger of `most` and |x|; NaN where either is.
-fn larger(most: f64, x: f64) -> f64 {
-    let x = x.abs();
-    if x > most || x.is_nan() { x } else { most }
 }

@@ -148,15 +148,15 @@ impl System {
         system
     }
 
-    /// The system of some moving bodies and joints alone, which hold nothing else: no drivers, forces or initial values. None
-    /// where a joint is more than geometry between two bodies.
-    pub(crate) fn part(&self, bodies: &[BodyId], joints: &[usize]) -> Option<System> {
+    /// The system of some moving bodies and joints alone, which hold nothing else: no drivers, forces or initial values; `from`,
+    /// which may move in the whole, is its ground. None where a joint is more than geometry between two bodies.
+    pub(crate) fn part(&self, from: BodyId, bodies: &[BodyId], joints: &[usize]) -> Option<System> {
         let id = |body: BodyId| {
             let index = bodies.iter().position(|own| *own == body);
             index.map_or(BodyId::GROUND, BodyId::moving)
         };
         let own = |body: &BodyId| self.extents[body.0];
-        let extents: Vec<Extent> = [own(&BodyId::GROUND)]
+        let extents: Vec<Extent> = [own(&from)]
             .into_iter()
             .chain(bodies.iter().map(own))
             .collect();
@@ -178,6 +178,7 @@ impl System {
             blocks: Vec::with_capacity(joints.len()),
             initial: Vec::new(),
             initial_rates: Vec::new(),
+            branch: Vec::new(),
             forces: Vec::new(),
             force_data: Vec::new(),
             outputs: Vec::new(),

@@ -14,7 +14,7 @@
 //! these. Where nothing has a mass or moves, kilogram and second stand in: nothing is measured by them then.
 
 use super::{Evaluation, Inputs, System};
-use crate::element::Applied;
+use crate::element::{Applied, Measure};
 
 /// Part of L, or radians, by which bodies are moved to see what springs do that are relaxed as drawn.
 const BESIDE: f64 = 0.1;
@@ -70,6 +70,37 @@ fn usable(scale: f64) -> f64 {
     } else {
         1.0
     }
+}
+
+impl System {
+    /// Largest coordinate, lengths divided by the mechanism's size [–].
+    pub(crate) fn scaled_norm(&self, dq: &[f64]) -> f64 {
+        let (mut length, mut angle) = (0.0, 0.0);
+        for body in self.layout.bodies() {
+            let [x, y, theta] = body.read(dq);
+            length = larger(larger(length, x), y);
+            angle = larger(angle, theta);
+        }
+        larger(length / self.size, angle)
+    }
+
+    /// Largest residual, lengths divided by the mechanism's size [–].
+    pub(crate) fn scaled_residual(&self, phi: &[f64]) -> f64 {
+        let (mut length, mut angle) = (0.0, 0.0);
+        for (&phi, measure) in phi.iter().zip(&self.measures) {
+            match measure {
+                Measure::Length => length = larger(length, phi),
+                Measure::Angle => angle = larger(angle, phi),
+            }
+        }
+        larger(length / self.size, angle)
+    }
+}
+
+/// The larger of `most` and |x|; NaN where either is.
+fn larger(most: f64, x: f64) -> f64 {
+    let x = x.abs();
+    if x > most || x.is_nan() { x } else { most }
 }
 
 /// The heaviest body; an inertia counts as a mass at the length \[kg\].

@@ -147,6 +147,11 @@ pub static INITIAL: Object = Object {
             Shape::Quantity(Measure::Of(Dimension::AngularVelocity), Bound::Any),
             "Angular velocity [rad/s].",
         ),
+        optional(
+            "branch",
+            Shape::Number(Bound::Any),
+            "How it turns, by the others, on the branch of motion on which a singular start is left.",
+        ),
     ],
     refused: &[],
     drives: Drives::Nothing,

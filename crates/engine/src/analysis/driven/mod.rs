@@ -6,9 +6,10 @@ mod outputs;
 mod passages;
 mod words;
 
-use super::assembly::{assemble, check_driven};
+use super::assembly::{Assembled, assemble, check_driven, ranked};
 use super::clearance_link::forces;
 use super::control::{Control, Stop};
+use super::departure::{self, Departure};
 use super::ends;
 use super::instants::Instants;
 use super::sample::Sample;
@@ -50,14 +51,7 @@ pub(super) fn run<'s>(
     } = settings;
     refuse(system, reactions, at_events)?;
     let instants = instants.list(system)?;
-    let start = Inputs::at_time(system, 0.0);
-    let assembled = assemble(system, &start)?;
-    check_driven(system, &assembled, &start)?;
-    super::assembly::velocities(system, &assembled.q, &start)?;
-    if !system.contacts.is_empty() {
-        let turned = ends::at_this_turn(system, &assembled.q);
-        ends::check_start(turned.as_ref().unwrap_or(system), &assembled.q)?;
-    }
+    let (assembled, start) = from(system)?;
     let mut report = Report {
         mobility: assembled.mobility.clone(),
         warnings: assembled.warnings,
@@ -71,18 +65,19 @@ pub(super) fn run<'s>(
             "the start is a singular position of the mechanism; start a little beside it".into(),
         )
     };
-    let mut driven = Driven::new(system, &assembled.q, &start).map_err(singular)?;
     let mut q = assembled.q;
+    let mut driven = Driven::new(system, &q, &start).map_err(singular)?;
     driven.correct(&mut q, &start).map_err(singular)?;
     report.assemble = clock.read();
 
     let clock = Stopwatch::start();
     let range = range(system, &instants);
-    let parameter = Parameter::of(system);
-    let first = if parameter == Parameter::DriverValue {
-        start.drive[0][0]
+    let (first, range) = if Parameter::of(system) == Parameter::DriverValue {
+        // A singular start is passed on the way from where it is followed.
+        let first = start.drive[0][0];
+        (first, (range.0.min(first), range.1.max(first)))
     } else {
-        0.0
+        (0.0, range)
     };
     let path = path(&mut driven, (first, &q), range, control).map_err(singular)?;
     report.statistics.steps = path.steps;
@@ -96,6 +91,33 @@ pub(super) fn run<'s>(
     report.statistics.factorisations += done.factorisations;
     report.solve = clock.read();
     Ok((trajectory, report, Between::new(driven, path, reactions)))
+}
+
+/// Where the motion is followed from, and the drivers there: its start or, where that is singular, a position away from it on
+/// the branch that is meant.
+fn from(system: &System) -> Result<(Assembled, Inputs), Stop> {
+    let start = Inputs::at_time(system, 0.0);
+    let assembled = assemble(system, &start)?;
+    let departure = match check_driven(system, &assembled, &start) {
+        Ok(()) => None,
+        Err(stop @ Stop::Failed { .. }) => {
+            Some(departure::driven(system, &assembled)?.ok_or(stop)?)
+        }
+        Err(stop @ Stop::Input(_)) => return Err(stop),
+    };
+    super::assembly::velocities(system, &assembled.q, &start)?;
+    if !system.contacts.is_empty() {
+        let turned = ends::at_this_turn(system, &assembled.q);
+        ends::check_start(turned.as_ref().unwrap_or(system), &assembled.q)?;
+    }
+    let Some(Departure {
+        away: q, inputs, ..
+    }) = departure
+    else {
+        return Ok((assembled, start));
+    };
+    let away = Assembled { q, ..assembled };
+    Ok((ranked(system, away, &inputs), inputs))
 }
 
 /// What a prescribed motion can't do.

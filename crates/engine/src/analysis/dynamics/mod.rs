@@ -41,12 +41,14 @@ mod words;
 use super::assembly::{Assembled, ranked};
 use super::branch::singularity;
 use super::control::{Control, Stop};
+use super::departure::{self, Departure};
 use super::ends;
 use super::words::{locked, unsure_friction};
 use crate::element::pair::{Pair, Surface};
 use crate::mechanism::driven::Failure;
+use crate::mechanism::parts::Part;
 use crate::mechanism::phases::Phases;
-use crate::mechanism::reduced::{Reduced, Solver, is_curve};
+use crate::mechanism::reduced::{Reduced, Solver};
 use crate::system::{Inputs, System};
 use flow::Flow;
 use linkdyn_model::error::Complaint;
@@ -90,24 +92,24 @@ pub fn run(
         Some(_) => ranked(system, assembled, &Inputs::at_time(system, 0.0)),
         None => assembled,
     };
+    let departure = departure::free(system, &assembled)?;
+    let (assembled, v) = match &departure {
+        Some(departure) => {
+            let assembled = away(system, assembled, departure);
+            report.mobility = assembled.mobility.clone();
+            (assembled, departure.v.clone())
+        }
+        None => (assembled, v),
+    };
     let phases = Phases::new(system);
-    let parts = if is_curve(system, assembled.all.free_columns.len()) {
-        Vec::new()
-    } else {
-        parts::parts(system, &assembled.q)
-    };
-    // Where parts have smooth branches, which stand for their joints at times, there are tangents; and so there are where rigid
-    // journals come and go as constraints, unless it is said otherwise.
-    let is_rigid = |contact: &Pair| matches!(contact.surface, Surface::Rigid(_));
-    let tangents =
-        !parts.is_empty() || settings.solver.is_none() && system.contacts.iter().any(is_rigid);
-    let solver = if tangents {
-        Some(Solver::Tangents)
-    } else {
-        settings.solver
-    };
+    let parts = parts::parts(system, &assembled);
+    let solver = solver(system, &parts, settings);
     let mut reduced = equations(system, &assembled, &v, solver)?;
     reduced.cross(&parts, &phases);
+    if let Some(Departure { q, v, .. }) = &departure {
+        let left = reduced.begin_at(q, v);
+        left.map_err(|_| singular_start())?;
+    }
     report.warnings = assembled.warnings;
     report.assemble = assembling;
     let end = settings.instants.last().copied().unwrap_or(0.0);
@@ -139,6 +141,27 @@ pub fn run(
     Ok((trajectory, peaks, report))
 }
 
+/// The mechanism away from a singular start, on the branch on which it leaves.
+fn away(system: &System, assembled: Assembled, departure: &Departure) -> Assembled {
+    let q = departure.away.clone();
+    ranked(system, Assembled { q, ..assembled }, &departure.inputs)
+}
+
+/// Who solves for accelerations, where that is said.
+///
+/// Where parts have smooth branches, which stand for their joints at times, there are tangents; and so there are where rigid
+/// journals come and go as constraints, unless it is said otherwise.
+fn solver(system: &System, parts: &[Part], settings: &Settings) -> Option<Solver> {
+    let is_rigid = |contact: &Pair| matches!(contact.surface, Surface::Rigid(_));
+    let tangents =
+        !parts.is_empty() || settings.solver.is_none() && system.contacts.iter().any(is_rigid);
+    if tangents {
+        Some(Solver::Tangents)
+    } else {
+        settings.solver
+    }
+}
+
 /// What forward dynamics can't do.
 fn refuse(system: &System) -> Result<(), Stop> {
     if let Some(joint) = system.joints.iter().find(|joint| joint.clearance.is_some()) {
@@ -161,14 +184,6 @@ fn equations<'s>(
     v: &[f64],
     solver: Option<Solver>,
 ) -> Result<Reduced<'s>, Stop> {
-    let singular = || {
-        Stop::failed(
-            Status::Singular,
-            "the start is a singular position (the constraints lose rank there), so that more than one motion leads away \
-             from it; start a little beside it"
-                .into(),
-        )
-    };
     let columns = &assembled.all.free_columns;
     let point = (&assembled.q[..], v, 0.0);
     let reduced = Reduced::new(system, columns, point, solver).map_err(|failure| {
@@ -194,12 +209,22 @@ fn equations<'s>(
                 format!("at the start {}", locked(system, force)),
             ),
             Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. } => {
-                singular()
+                singular_start()
             }
         }
     })?;
     if singularity(system, assembled, &reduced.inputs)?.is_some() {
-        return Err(singular());
+        return Err(singular_start());
     }
     Ok(reduced)
+}
+
+/// What to say of a singular start that can't be left.
+fn singular_start() -> Stop {
+    Stop::failed(
+        Status::Singular,
+        "the start is a singular position (the constraints lose rank there), so that more than one motion leads away \
+         from it; start a little beside it"
+            .into(),
+    )
 }

@@ -2,6 +2,7 @@
 
 use crate::analysis::assembly::{Assembled, assemble, ranked, velocities, velocities_near};
 use crate::analysis::control::Stop;
+use crate::analysis::departure;
 use crate::mechanism::closing::close;
 use crate::system::{Block, Inputs, System};
 use linkdyn_output::Stopwatch;
@@ -31,7 +32,7 @@ impl Start {
 
     /// Whether nothing is free: the motion is that of the drivers.
     pub fn is_driven(&self, system: &System) -> bool {
-        self.assembled.all.rank == system.n()
+        self.assembled.all.rank == system.n() || departure::is_driven(system, &self.assembled)
     }
 }
 

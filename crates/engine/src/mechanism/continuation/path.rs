@@ -246,6 +246,14 @@ impl Path {
         (self.nodes[0].s, self.nodes[self.nodes.len() - 1].s)
     }
 
+    /// The positions at both of its ends.
+    pub(crate) fn ends(&self) -> impl Iterator<Item = &[f64]> {
+        [self.nodes.first(), self.nodes.last()]
+            .into_iter()
+            .flatten()
+            .map(|node| &node.q[..])
+    }
+
     /// The window that `s` is in.
     pub(crate) fn window_at(&self, s: f64) -> Option<usize> {
         let s = match &self.turn {

@@ -23,6 +23,7 @@
 //! is kept while it is good and changed between steps when another coordinate moves more.
 
 mod accepted;
+mod begin;
 mod chart;
 mod curve;
 mod evaluate;

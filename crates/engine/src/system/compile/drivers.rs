@@ -85,6 +85,9 @@ impl Compiler<'_> {
     pub(super) fn add_initial(&mut self) {
         for (name, initial) in &self.model.initial {
             let body = self.body(name);
+            self.system
+                .branch
+                .extend(initial.branch.map(|turn| (body, turn)));
             let origin = Marker {
                 body,
                 s: -self.com[body.0],

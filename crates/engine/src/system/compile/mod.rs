@@ -98,6 +98,7 @@ impl<'a> Compiler<'a> {
             blocks: Vec::new(),
             initial: Vec::new(),
             initial_rates: Vec::new(),
+            branch: Vec::new(),
             forces: Vec::new(),
             force_data: Vec::new(),
             outputs: Vec::new(),
