@@ -184,6 +184,20 @@ fn starts_that_nothing_decides_are_refused_with_the_words_that_would() {
     );
 }
 
+/// The reactions of a flat loop have no bound, nor has friction that depends on them.
+#[test]
+fn a_flat_start_with_friction_in_the_loop_is_refused() {
+    let mut model = drawn(0.0, "ground");
+    model["initial"] = json!({ "c0": { "angle": 0.0, "angular_velocity": 30.0 }, "c1": { "angular_velocity": 30.0 } });
+    model["joints"]["o"]["pin_radius"] = json!(0.005);
+    model["joints"]["o"]["friction"] =
+        json!({ "law": "coulomb", "coefficient": 0.1, "threshold_velocity": 1e-3 });
+    let report = outcome(&model).report;
+    assert_eq!(report.status, Status::Singular);
+    let said = report.message.expect("why");
+    assert!(said.contains("start a little beside it"), "{said}");
+}
+
 #[test]
 fn a_driver_starts_in_a_flat_position() {
     let motion = json!({ "type": "polynomial", "coefficients": [0.0, 30.0] });

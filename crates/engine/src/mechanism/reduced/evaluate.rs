@@ -123,6 +123,12 @@ impl Reduced<'_> {
         let mut dependent = std::mem::take(&mut self.driven.dependent_forces);
         let mut lambda = std::mem::take(&mut dependent.free);
         self.multipliers(&mut lambda);
+        if lambda.iter().any(|lambda| lambda.is_nan()) {
+            // In a change point itself there are none, nor what forces depend on them.
+            dependent.free = lambda;
+            self.driven.dependent_forces = dependent;
+            return Err(Failure::Singular);
+        }
         dependent.eval_units(system, &self.driven.evaluation, &self.inputs);
         for ((unit, response), change) in dependent.units_responses_and_changes() {
             self.inertia.respond(&self.driven, unit, change);
