@@ -1,5 +1,5 @@
 //! Contact dynamics beside its error: the slider-crank with a worn piston pin against its reference, and the lock with seven
-//! contact joints.
+//! contact joints; with `--json NAME` the slider-crank's row of that name (`clearance-1e-2`, …) as JSON, for scripts.
 //!
 //! For each wanted error the loosest rtol of a ladder of half powers of ten is taken that meets it together with the next
 //! tighter one. CPU time is that of the solve as the report has it: from the first step to the last output, all result
@@ -12,6 +12,7 @@ use linkdyn_model::bundled;
 use linkdyn_model::{self, Checked};
 use linkdyn_output::Status;
 use linkdyn_validation::table::Table;
+use serde_json::json;
 
 const MODEL: &str = include_str!("../validation/slider-crank-clearance/model.json");
 const REFERENCE: &str = include_str!("../validation/slider-crank-clearance/reference.csv");
@@ -70,7 +71,15 @@ fn error(outcome: &Outcome, reference: &Table) -> f64 {
     off("slider.x[m]").max(ROD * off("rod.angle[rad]")) / CLEARANCE
 }
 
-fn slider_crank(wanted: f64, goal: f64, reference: &Table) {
+/// The slider-crank at the loosest tolerance that meets an error.
+struct Row {
+    rtol: f64,
+    error: f64,
+    cpu: f64,
+    outcome: Outcome,
+}
+
+fn measure(wanted: f64, reference: &Table) -> Row {
     let at = |half: u32| {
         let rtol = 10f64.powf(-0.5 * f64::from(half));
         (
@@ -85,14 +94,37 @@ fn slider_crank(wanted: f64, goal: f64, reference: &Table) {
     let (rtol, model) = at(half);
     let (cpu, outcome) = least(&model, 11);
     let error = error(&outcome, reference);
-    let verdict = if cpu <= goal { "" } else { "  missed" };
+    Row {
+        rtol,
+        error,
+        cpu,
+        outcome,
+    }
+}
+
+fn slider_crank(wanted: f64, goal: f64, reference: &Table) {
+    let row = measure(wanted, reference);
+    let verdict = if row.cpu <= goal { "" } else { "  missed" };
     println!(
-        "slider-crank, wanted {wanted:.0e}: rtol {rtol:.1e}, error {error:.1e}, {:.1} ms, goal {:.0} ms, {} steps, {} evaluations{verdict}",
-        cpu * 1e3,
+        "slider-crank, wanted {wanted:.0e}: rtol {:.1e}, error {:.1e}, {:.1} ms, goal {:.0} ms, {} steps, {} evaluations{verdict}",
+        row.rtol,
+        row.error,
+        row.cpu * 1e3,
         goal * 1e3,
-        outcome.report.statistics.steps,
-        outcome.report.statistics.evaluations
+        row.outcome.report.statistics.steps,
+        row.outcome.report.statistics.evaluations
     );
+}
+
+fn print_json(name: &str, reference: &Table) {
+    let case = CASES
+        .iter()
+        .find(|(wanted, _)| format!("clearance-{wanted:e}") == name);
+    let (wanted, _) = case.unwrap_or_else(|| panic!("no row is called {name}"));
+    let row = measure(*wanted, reference);
+    let json = json!({ "case": name, "error": row.error, "cpu": row.cpu, "tolerance": row.rtol,
+                       "steps": row.outcome.report.statistics.steps });
+    println!("{json}");
 }
 
 /// The whole motion of the bundled model, from rest.
@@ -125,6 +157,16 @@ fn lock() {
 
 fn main() {
     let reference = Table::parse(REFERENCE).expect("a table");
+    let arguments: Vec<String> = std::env::args()
+        .skip(1)
+        .filter(|argument| argument != "--bench")
+        .collect();
+    if let [flag, names @ ..] = arguments.as_slice()
+        && flag == "--json"
+    {
+        names.iter().for_each(|name| print_json(name, &reference));
+        return;
+    }
     for (wanted, goal) in CASES {
         slider_crank(wanted, goal, &reference);
     }

@@ -2,11 +2,14 @@
 //!
 //! `run` is a whole analysis of a model that is already read: compiling, assembly, following the path, 2000 instants with
 //! all columns, no file. `instants` is the loop over 2000 instants alone: position, velocity, acceleration, all reactions.
+//!
+//! With `--json` the lock at a constant speed as JSON, for `validation/peers`: CPU time of the solve as the report has it,
+//! and the forces of all joints with the effort of the driver at every 20th instant.
 
 use std::hint::black_box;
 use std::time::Instant;
 
-use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use criterion::{Criterion, Throughput, criterion_group};
 use linkdyn_engine::analysis::sample::Sample;
 use linkdyn_engine::analysis::{self, Control, assembly, driven};
 use linkdyn_engine::mechanism::continuation::{Parameter, Path, follow};
@@ -18,10 +21,13 @@ use linkdyn_model::{self, AnalysisKind, Checked};
 use linkdyn_output::Trajectory;
 use linkdyn_validation::table::Table;
 use linkdyn_validation::{CASES, CaseKind};
+use serde_json::json;
 
 const INSTANTS: usize = 2000;
 const FROM: f64 = -50.0;
 const TO: f64 = 125.0;
+/// Where the motion at a constant speed ends, before the change point [deg]; it takes a second.
+const STEADY_TO: f64 = 110.0;
 
 fn load(name: &str, sets: &[String]) -> Checked {
     let text = bundled::find(name).expect("bundled").text;
@@ -37,6 +43,40 @@ fn lock() -> Checked {
         "watt-i-lock",
         &[format!("analysis.sample.step=\"{step} deg\"")],
     )
+}
+
+/// The lock at a constant speed, with its start and 2000 instants after it.
+fn steady_lock() -> Checked {
+    let sweep = STEADY_TO - FROM;
+    let sets = [
+        format!(
+            r#"drivers.motor.motion={{"type":"constant_velocity","start":"{FROM} deg","velocity":"{sweep} deg/s"}}"#
+        ),
+        format!("analysis.sample.to=\"{STEADY_TO} deg\""),
+        format!("analysis.sample.step=\"{} deg\"", sweep / INSTANTS as f64),
+    ];
+    load("watt-i-lock", &sets)
+}
+
+fn print_json() {
+    let model = steady_lock();
+    let runs: Vec<_> = (0..51)
+        .map(|_| analysis::run(black_box(&model), &Control::default()).expect("runs"))
+        .collect();
+    let cpu = runs.iter().map(|outcome| outcome.report.solve.cpu);
+    let trajectory = &runs[0].trajectory;
+    assert_eq!(trajectory.len(), INSTANTS + 1);
+    let forces = ["a", "b", "c", "d", "e", "f", "g"]
+        .iter()
+        .flat_map(|joint| [format!("joint.{joint}.fx"), format!("joint.{joint}.fy")]);
+    let columns: Vec<Vec<f64>> = forces
+        .chain(["driver.motor.effort".into()])
+        .map(|name| trajectory.values(&name).expect("a column").to_vec())
+        .collect();
+    let row = |k: usize| columns.iter().map(|column| column[k]).collect::<Vec<f64>>();
+    let rows: Vec<Vec<f64>> = (0..=INSTANTS).step_by(20).map(row).collect();
+    let cpu = cpu.fold(f64::INFINITY, f64::min);
+    println!("{}", json!({ "case": "lock", "cpu": cpu, "forces": rows }));
 }
 
 /// Inputs when the driver has this value [rad].
@@ -243,4 +283,12 @@ criterion_group! {
         .measurement_time(std::time::Duration::from_secs(1));
     targets = six_bar
 }
-criterion_main!(benches);
+
+fn main() {
+    if std::env::args().any(|argument| argument == "--json") {
+        print_json();
+        return;
+    }
+    benches();
+    Criterion::default().configure_from_args().final_summary();
+}
