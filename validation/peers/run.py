@@ -131,7 +131,8 @@ class Column:
             return self.text
         error, cpu = self.best
         missed = ", not met" if error > wanted else ""
-        return f"{error:.1e}{missed}, {cpu:.2g}, {cpu / ours:.2g}"
+        ratio = cpu / ours
+        return f"{error:.1e}{missed}, {cpu:.2g}, {f'{ratio:.2g}' if ratio < 10 else f'{ratio:.0f}'}"
 
 
 def measure(row, rounds):
