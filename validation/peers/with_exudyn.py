@@ -179,7 +179,7 @@ KEPT = {
     "A03-1e-6": (alpha((14000, 20000, 28000), 0.6, 1e-6), alpha((14000, 20000), 0.9, 1e-6), alpha((20000,), 0.8, 1e-6)),
     "chain-10-1e-5": (freely("DOPRI5", (1e-4, 10**-4.5, 1e-5)), freely("RK67", (140, 200, 280))),
     "chain-50-1e-5": (freely("DOPRI5", (1e-3, 10**-3.5)), freely("RK67", (800, 1000))),
-    "chain-100-1e-5": (freely("DOPRI5", (1e-3, 10**-3.5)), freely("RK67", (1400,))),
+    "chain-100-1e-5": (alpha((10000, 14000), 0.95, 1e-4, "EigenSparse", form="bodies"), freely("DOPRI5", (1e-3,))),
     "lock-1e-4": tuple(
         alpha((2000,), radius, newton, form="speed") for radius in (0.6, 0.3, 0.0) for newton in (1e-3, 1e-4, 1e-6)
     ),
