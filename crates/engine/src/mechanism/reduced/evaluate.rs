@@ -3,7 +3,8 @@
 use super::Reduced;
 use super::inertia::Inertia;
 use super::place::{Given, Place, Placed};
-use crate::mechanism::driven::Failure;
+use crate::mechanism::driven::{Failure, LAST_STEP};
+use crate::system::System;
 
 /// Contraction of Newton above which a point is refused: its branch is not certain.
 const CONTRACTION: f64 = 0.35;
@@ -11,6 +12,11 @@ const CONTRACTION: f64 = 0.35;
 const FARTHEST: f64 = 0.3;
 /// Factors of a position this near to the solution are those of the solution [rad or sizes].
 const ROUND_OFF: f64 = 1e-13;
+
+/// Whether every point is wanted with the equations' factors: contacts and friction ask for multipliers there.
+pub(super) fn wants_factors(system: &System) -> bool {
+    !(system.contacts.is_empty() && system.dependent_forces.is_empty())
+}
 
 impl Reduced<'_> {
     /// q, v, a at (t, (u, u̇)).
@@ -54,6 +60,21 @@ impl Reduced<'_> {
         self.accelerate()?;
         self.at = Some(time);
         Ok(())
+    }
+
+    /// As [`Reduced::evaluate`], exactly onto the constraints, whatever the tolerance of the integration.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn evaluate_exactly(&mut self, time: f64, y: &[f64]) -> Result<(), Failure> {
+        let (lag, last_step) = (self.lag, self.driven.last_step);
+        self.lag = 0.0;
+        self.with_factors = true;
+        self.driven.last_step = LAST_STEP;
+        let solved = self.evaluate(time, y);
+        (self.lag, self.driven.last_step) = (lag, last_step);
+        self.with_factors = wants_factors(self.driven.system);
+        solved
     }
 
     /// q by Newton from the guess at hand, then v.

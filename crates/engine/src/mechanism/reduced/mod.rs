@@ -40,7 +40,7 @@ mod strained;
 mod tangents;
 
 use super::dependent_forces::DependentForces;
-use super::driven::{Driven, Failure, LAST_STEP, Work};
+use super::driven::{Driven, Failure, Work};
 use super::independent::{better_coordinate, better_of_all};
 use super::parts::{Part, Parts};
 use super::phases::Phases;
@@ -50,6 +50,7 @@ use crate::system::{Evaluation, Inputs, System};
 use accepted::Accepted;
 use chart::Chart;
 use curve::Curve;
+use evaluate::wants_factors;
 use extrapolation::Extrapolation;
 use inertia::Inertia;
 pub use inertia::Solver;
@@ -368,30 +369,10 @@ impl<'s> Reduced<'s> {
         &self.accelerations
     }
 
-    /// As [`Reduced::evaluate`], exactly onto the constraints, whatever the tolerance of the integration.
-    ///
-    /// # Errors
-    /// As there.
-    pub fn evaluate_exactly(&mut self, time: f64, y: &[f64]) -> Result<(), Failure> {
-        let (lag, last_step) = (self.lag, self.driven.last_step);
-        self.lag = 0.0;
-        self.with_factors = true;
-        self.driven.last_step = LAST_STEP;
-        let solved = self.evaluate(time, y);
-        (self.lag, self.driven.last_step) = (lag, last_step);
-        self.with_factors = wants_factors(self.driven.system);
-        solved
-    }
-
     /// When a step first passed a change point with forces that depend on multipliers.
     pub fn passed_change_point(&self) -> Option<f64> {
         self.passed
     }
-}
-
-/// Whether every point is wanted with the equations' factors: contacts and friction ask for multipliers there.
-fn wants_factors(system: &System) -> bool {
-    !(system.contacts.is_empty() && system.dependent_forces.is_empty())
 }
 
 /// Whether the positions of a mechanism with so many degrees of freedom are a curve of one coordinate.
