@@ -186,5 +186,7 @@ KEPT = {
     "clearance-1e-2": (
         freely("RK67", (67200, 96000, 140160), jump=10), freely("RK67", (140160,), jump=1e-2), freely("RK44", (96000,), jump=1),
     ),
-    "clearance-1e-3": (freely("RK67", (140160,), jump=10),),
+    "clearance-1e-3": (
+        (Setting("RK67", 0, "tree", newton=1e-8, linear="EigenDense", jump=10), (140160,)), freely("RK67", (140160,), jump=10),
+    ),
 }

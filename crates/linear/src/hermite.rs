@@ -265,7 +265,7 @@ mod tests {
             let [q, d, dd] = power(s, p);
             Node {
                 s,
-                q: vec![100.0 + q],
+                q: vec![1.0 + q],
                 d: vec![d],
                 dd: vec![dd],
             }
@@ -279,7 +279,7 @@ mod tests {
                 [&mut q, &mut d, &mut dd],
             );
             let want = power(1.5, p);
-            for (k, got) in [q[0] - 100.0, d[0], dd[0]].into_iter().enumerate() {
+            for (k, got) in [q[0] - 1.0, d[0], dd[0]].into_iter().enumerate() {
                 assert!(
                     (got / want[k] - 1.0).abs() < 1e-11,
                     "{p} {k}: {got} {want:?}"
@@ -293,7 +293,7 @@ mod tests {
             [&mut q, &mut d, &mut dd],
         );
         let want = power(1.05, 11);
-        for (k, got) in [q[0] - 100.0, d[0], dd[0]].into_iter().enumerate() {
+        for (k, got) in [q[0] - 1.0, d[0], dd[0]].into_iter().enumerate() {
             assert!((got / want[k] - 1.0).abs() < 1e-11, "{k}: {got} {want:?}");
         }
     }
