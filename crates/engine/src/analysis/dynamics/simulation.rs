@@ -233,9 +233,25 @@ impl<'s> Simulation<'s> {
         Ok(true)
     }
 
+    /// Evaluates the mechanism at an event, and tells its time: where round-off of positions makes that its guard is not positive
+    /// at the time that was located, so much later that it is. An event that is not seen would be met again and again.
+    fn met(&mut self, located: f64) -> Result<f64, Fault> {
+        let end = self.steps.time();
+        let mut later = f64::EPSILON * located;
+        let mut time = located;
+        loop {
+            self.last_step().0.evaluate(time)?;
+            if self.flow.largest_guard() > 0.0 || time >= end {
+                return Ok(time);
+            }
+            time = (located + later).min(end);
+            later *= 4.0;
+        }
+    }
+
     /// What happens at an event: impulses, then phases that end. The motion starts again from there.
     fn change(&mut self, time: f64) -> Result<(), Fault> {
-        self.last_step().0.evaluate(time)?;
+        let time = self.met(time)?;
         self.pass();
         // Velocities that impulses leave may be an event themselves.
         while self.fire(time)? {}

@@ -4,6 +4,9 @@ use super::Flow;
 
 /// How far beyond its side a kink is before that counts, by its scale: above what velocities resolve.
 const PAST: f64 = 1e-12;
+/// How far it is at an event: less, so that one that was located is there as well when the mechanism is evaluated again, with
+/// round-off of its own.
+const STILL_PAST: f64 = 0.5 * PAST;
 
 impl Flow<'_> {
     /// Whether any formula or cam has kinks.
@@ -41,7 +44,7 @@ impl Flow<'_> {
 
     /// Whether a cam comes to another stretch of its law at the point of the last evaluation.
     pub fn turns_over(&self) -> bool {
-        self.has_kinks() && self.cam_guard() > 0.0
+        self.has_kinks() && self.cam_guard() > STILL_PAST - PAST
     }
 
     fn beyond(&self, formula: usize) -> f64 {
@@ -52,7 +55,7 @@ impl Flow<'_> {
     /// The force of the first formula that is beyond its side at the point of the last evaluation.
     pub fn switching(&self) -> Option<usize> {
         let mut formulas = self.held_formulas();
-        let formula = formulas.find(|formula| self.beyond(*formula) > 0.0)?;
+        let formula = formulas.find(|formula| self.beyond(*formula) > STILL_PAST - PAST)?;
         Some(self.system().formulas[formula].force)
     }
 
