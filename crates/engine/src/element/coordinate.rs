@@ -80,6 +80,10 @@ impl Constraint for Coordinate {
         values[0] = lambda[0] * along;
     }
 
+    fn is_linear(&self, _row: usize) -> bool {
+        self.axis == Axis::Theta
+    }
+
     fn reaction(&self, _at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         match self.axis {
             Axis::X => (Vec2::new(lambda[0], 0.0), 0.0),

@@ -67,6 +67,10 @@ impl Constraint for Fixed {
         point_bend(at, (&self.first, &self.second), force, values);
     }
 
+    fn is_linear(&self, row: usize) -> bool {
+        row == 2
+    }
+
     fn reaction(&self, _at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         (Vec2::new(lambda[0], lambda[1]), lambda[2])
     }

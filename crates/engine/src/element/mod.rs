@@ -209,6 +209,10 @@ pub trait Constraint: Send + Sync {
     }
     /// Values of these entries.
     fn bend(&self, _at: &Kinematics, _lambda: &[f64], _values: &mut [f64]) {}
+    /// Whether φ of a row is linear in q, whatever the others are.
+    fn is_linear(&self, _row: usize) -> bool {
+        self.bends().is_empty()
+    }
     /// Force on the second body (global axes) \[N\] and torque [N·m] that the multipliers mean.
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64);
     /// The same equations with other numbers of the two bodies; none where they are more than geometry between two bodies

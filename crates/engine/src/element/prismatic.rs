@@ -187,6 +187,10 @@ impl Constraint for Prismatic {
         values.copy_from_slice(&self.guide.bend(at, n, -lambda[0]));
     }
 
+    fn is_linear(&self, row: usize) -> bool {
+        row == 1
+    }
+
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         (self.guide.at(at).n * lambda[0], lambda[1])
     }

@@ -331,3 +331,34 @@ fn bends_are_the_derivatives_of_what_multipliers_do() {
         );
     }
 }
+
+/// What is said to be linear has the same derivatives elsewhere, whatever the other rows of its constraint do.
+#[test]
+fn linear_rows_have_constant_derivatives() {
+    let mut linear = 0;
+    for (name, constraint) in all_constraints() {
+        let entries = constraint.entries();
+        let values = |by: f64| {
+            let q: Vec<f64> = Q0
+                .iter()
+                .enumerate()
+                .map(|(k, q)| q + by * (1.0 + k as f64))
+                .collect();
+            at_state(0.0, &q, &V0, |at| {
+                let mut values = vec![0.0; entries.len()];
+                constraint.jacobian(at, &mut values);
+                values
+            })
+        };
+        let (here, there) = (values(0.0), values(0.03));
+        for row in 0..constraint.rows().len() {
+            if constraint.is_linear(row) {
+                linear += 1;
+                for (entry, (a, b)) in entries.iter().zip(here.iter().zip(&there)) {
+                    assert!(entry.0 != row || a == b, "{name}, row {row}: {a} {b}");
+                }
+            }
+        }
+    }
+    assert!(linear > 3, "{linear}");
+}

@@ -256,24 +256,6 @@ impl Evaluation {
         }
     }
 
-    /// out −= Jᵀ x by the entry list.
-    pub(crate) fn subtract_transposed_product(&self, system: &System, x: &[f64], out: &mut [f64]) {
-        for (entry, value) in system.entries.iter().zip(&self.jacobian) {
-            if let Some(column) = entry.column {
-                out[column as usize] -= value * x[entry.row as usize];
-            }
-        }
-    }
-
-    /// out −= J x by the entry list.
-    pub(crate) fn subtract_product(&self, system: &System, x: &[f64], out: &mut [f64]) {
-        for (entry, value) in system.entries.iter().zip(&self.jacobian) {
-            if let Some(column) = entry.column {
-                out[entry.row as usize] -= value * x[column as usize];
-            }
-        }
-    }
-
     /// out = J x by the entry list.
     pub fn product(&self, system: &System, x: &[f64], out: &mut [f64]) {
         out.fill(0.0);

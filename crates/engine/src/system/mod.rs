@@ -18,6 +18,7 @@ mod roles;
 mod rows;
 mod scale;
 mod slopes;
+mod standing;
 mod states;
 mod timed;
 
@@ -31,6 +32,7 @@ pub use roles::{
 pub use rows::{ContactRows, Extent, Owner};
 pub use scale::Scale;
 pub(crate) use slopes::Slopes;
+pub(crate) use standing::Standing;
 pub(crate) use states::StateData;
 pub(crate) use timed::{TimedData, Trigger};
 

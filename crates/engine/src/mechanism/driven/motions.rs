@@ -85,48 +85,14 @@ impl Driven<'_> {
         self.step_by(factors, q);
     }
 
-    /// Brings the independent coordinates to their values and the others towards the constraints, by the factors of another position;
-    /// how far that was, scaled [–].
-    pub fn near(&mut self, factors: &mut SparseLu, inputs: &Inputs, q: &mut [f64]) -> f64 {
-        self.evaluation.set_position(q);
-        self.evaluation.eval_phi(self.system, inputs);
-        for (row, phi) in self.rows.iter_mut().zip(&self.evaluation.phi) {
-            *row = -phi;
-        }
-        self.independent_rows(|coordinate| q[coordinate.column] - coordinate.jet[0]);
-        self.step_by(factors, q)
-    }
-
-    /// The same of velocities, at the position and the Jacobian last taken; `product` is room (m).
-    pub fn velocity_near(
-        &mut self,
-        factors: &mut SparseLu,
-        inputs: &Inputs,
-        product: &mut [f64],
-        v: &mut [f64],
-    ) {
-        let (system, m) = (self.system, self.system.m());
-        self.evaluation
-            .eval_rate(system, inputs, &mut self.rows[..m]);
-        self.evaluation.product(system, v, product);
-        for (row, product) in self.rows.iter_mut().zip(product) {
-            *row = -*row - *product;
-        }
-        self.independent_rows(|coordinate| v[coordinate.column] - coordinate.jet[1]);
-        self.step_by(factors, v);
-        self.evaluation.set_velocity(v);
-    }
-
-    /// Adds what the rows at hand ask for, by the factors of another position; its size, scaled [–].
-    fn step_by(&mut self, factors: &mut SparseLu, x: &mut [f64]) -> f64 {
+    /// Adds what the rows at hand ask for, by the factors of another position.
+    fn step_by(&mut self, factors: &mut SparseLu, x: &mut [f64]) {
         let mut step = std::mem::take(&mut self.work);
         self.scaled_rows(&mut step);
         factors.solve(&mut step);
         self.system.scale_columns(&mut step);
         x.iter_mut().zip(&step).for_each(|(x, step)| *x += step);
-        let size = self.system.scaled_norm(&step);
         self.work = step;
-        size
     }
 
     /// K motions (n) in which independent coordinate k has these rates, by the factors of another position.

@@ -24,7 +24,7 @@ impl Reduced<'_> {
     /// # Errors
     /// Where the position can't be solved on its branch, or the mass matrix is singular.
     pub fn evaluate(&mut self, time: f64, y: &[f64]) -> Result<(), Failure> {
-        if self.evaluate_straight(time, y) {
+        if !self.with_factors && self.evaluate_straight(time, y) {
             return Ok(());
         }
         let system = self.driven.system;
@@ -51,7 +51,7 @@ impl Reduced<'_> {
         }
         self.placed = placed;
         match placed {
-            Placed::Guess | Placed::Close => self.solve_constraints(rates)?,
+            Placed::Guess | Placed::Close | Placed::Straight => self.solve_constraints(rates)?,
             Placed::Known | Placed::Smooth => self.take_branch(rates[0]),
         }
         self.driven

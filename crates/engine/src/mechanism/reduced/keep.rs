@@ -40,7 +40,10 @@ impl Reduced<'_> {
         let point = [&self.q[..], &self.v, &self.a];
         self.accepted
             .keep(time, point, self.inertia.known_tangents());
-        self.keep_factors();
+        // On straight constraints motions are those of any point.
+        if self.placed != Placed::Straight {
+            self.keep_factors();
+        }
         if matches!(self.placed, Placed::Guess | Placed::Close) && self.driven.is_redundant() {
             // Where that fails, the next evaluation chooses rows anew.
             let _ = self.driven.exchange_rows();

@@ -36,6 +36,7 @@ mod place;
 mod saddle;
 mod sparse;
 mod stages;
+mod straight;
 mod strained;
 mod tangents;
 

@@ -24,14 +24,17 @@ impl Reduced<'_> {
     /// Where a part's smooth branch stands for its joints, theirs mean nothing; see [`Reduced::reactions`]. Near a change
     /// point of the whole, where they can't be computed, they are NaN.
     pub fn multipliers(&mut self, lambda: &mut [f64]) {
-        if matches!(self.placed, Placed::Known | Placed::Smooth) {
+        if matches!(
+            self.placed,
+            Placed::Known | Placed::Smooth | Placed::Straight
+        ) {
             let ready = self.driven.prepare(&self.q, &self.inputs).is_ok()
                 && self.driven.factor(&self.inputs).is_ok();
             if !ready {
                 lambda.fill(f64::NAN);
                 return;
             }
-            if self.placed == Placed::Known {
+            if matches!(self.placed, Placed::Known | Placed::Straight) {
                 self.placed = Placed::Close;
             }
         }

@@ -30,6 +30,8 @@ pub(super) enum Placed {
     Known,
     /// On the smooth branch of a curve, whose S and S' hold.
     Smooth,
+    /// On constraints that are linear in what moves; the constraints have no factors there.
+    Straight,
 }
 
 /// Where positions come from.

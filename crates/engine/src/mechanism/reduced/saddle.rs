@@ -8,7 +8,8 @@
 //! [ J                0  ] [ δλ ] = [ 0                        ]       δu: the entries of δq in the independent columns
 //! ```
 //!
-//! J are the active rows of joints and drivers. C and K are put together from blocks of elements: each force and contact gives
+//! J are the active rows of joints and drivers. What stands, and the rows that hold it, are left out (`system::standing`): of masses
+//! on guides there is neither J nor λ. C and K are put together from blocks of elements: each force and contact gives
 //! its own derivatives, each constraint ∂(Jᵀλ)/∂q at its multipliers (`element`). What is left out are terms of the curvature of
 //! the constraints with velocities and accelerations, ∂(J v)/∂q against s and ∂(J a)/∂q against s²: in a step by h their part is
 //! some h ω of the motion's own frequency ω, whatever is stiff, as is that of the change of J over the step, which a simplified Newton
@@ -19,8 +20,12 @@
 //! Source: E. Hairer, G. Wanner, *Solving Ordinary Differential Equations II*, 2nd ed., Springer 1996, §IV.8 (elimination for
 //! equations of second order), §VII.1 (mechanical systems).
 
+mod entries;
+
+use super::straight::Straight;
 use crate::mechanism::driven::Driven;
-use crate::system::{Inputs, Slopes, System};
+use crate::system::{Inputs, Slopes, Standing};
+use entries::Entries;
 use linkdyn_linear::lu::{Complex, ComplexLu, SparseLu};
 use linkdyn_linear::order::ColumnOrder;
 use linkdyn_linear::pattern::{Pattern, square};
@@ -48,6 +53,11 @@ pub(super) struct Saddle {
     /// Which choice it is of.
     pub revision: u64,
     layout: Slopes,
+    /// Columns that move (w), with their scales and masses, and the place of each independent coordinate among them (f).
+    moving: Vec<u32>,
+    scales: Vec<f64>,
+    masses: Vec<f64>,
+    own: Vec<u32>,
     pattern: Arc<Pattern>,
     /// By slot, with a last cell for what has none.
     parts: Vec<Parts>,
@@ -55,8 +65,8 @@ pub(super) struct Saddle {
     inertia: Vec<(u32, f64)>,
     jacobian: Vec<[u32; 2]>,
     slopes: Vec<Place>,
-    /// Rows and columns of C's entries, for products; the largest number for ground.
-    damped: Vec<[u32; 2]>,
+    /// Places and number of C's entries, for products.
+    damped: Vec<[u32; 3]>,
     bends: Vec<Place>,
     /// Their values.
     position: Vec<f64>,
@@ -79,67 +89,57 @@ pub(super) struct Saddle {
     motions: Vec<f64>,
 }
 
-/// Where entries stand while the pattern is laid out.
-struct Entries {
-    all: Vec<(usize, usize)>,
-    /// By entry that is asked for: its index and the mirrored one's in `all`.
-    owned: Vec<Option<[usize; 2]>>,
+/// What says how columns follow the independent coordinates: factors of J_A at the accepted point, or rows that do not bend.
+pub(super) enum By<'a> {
+    Factors(&'a mut SparseLu),
+    Straight(&'a mut Straight),
 }
 
-impl Entries {
-    fn push(&mut self, row: Option<usize>, column: Option<usize>, mirrored: bool) {
-        let place = row.zip(column).map(|(row, column)| {
-            let at = self.all.len();
-            self.all.push((row, column));
-            if mirrored && row != column {
-                self.all.push((column, row));
-                [at, at + 1]
-            } else {
-                [at, usize::MAX]
+impl By<'_> {
+    /// K motions of the columns that move in which independent coordinate k has these rates, at the beginning of `motions` (n).
+    fn follow<const K: usize>(
+        self,
+        (driven, moving): (&Driven, &[u32]),
+        rates: impl Fn(usize) -> [f64; K],
+        motions: &mut [[f64; K]],
+    ) {
+        match self {
+            By::Straight(straight) => straight.follow(rates, motions),
+            By::Factors(factors) => {
+                driven.follow(factors, rates, motions);
+                for (place, column) in moving.iter().enumerate() {
+                    motions[place] = motions[*column as usize];
+                }
             }
-        });
-        self.owned.push(place);
+        }
     }
 }
 
 impl Saddle {
-    /// Of a mechanism, with its rows and independent coordinates of the moment.
-    pub fn of(driven: &Driven) -> Self {
-        let (system, n, m) = (driven.system, driven.system.n(), driven.system.m());
+    /// Of a mechanism, with its rows and independent coordinates of the moment, and what stands.
+    pub fn of(driven: &Driven, standing: &Standing) -> Self {
+        let (system, n) = (driven.system, driven.system.n());
         let scale = |column: usize| system.column_scale(column);
-        let rows = driven.active_rows().iter().filter(|row| **row < m);
-        let rows: Vec<u32> = rows.map(|row| *row as u32).collect();
-        let mut entries = Entries {
-            all: Vec::new(),
-            owned: Vec::new(),
-        };
+        let (moving, rows) = (standing.moving(), standing.rest(driven.active_rows()));
+        let mut places = vec![None; n];
+        let numbered = moving.iter().enumerate();
+        numbered.for_each(|(place, column)| places[*column as usize] = Some(place));
+        let at = |column: Option<usize>| column.and_then(|column| places[column]);
         let masses: Vec<(usize, usize, f64)> = system.mass.entries().collect();
-        for (row, column, _) in &masses {
-            entries.push(Some(*row), Some(*column), false);
-        }
-        for entry in &system.entries {
-            let row = rows.binary_search(&entry.row).ok().map(|row| n + row);
-            let column = entry.column.map(|column| column as usize);
-            entries.push(row, column, true);
-        }
         let layout = Slopes::of(system);
         let (slopes, bends) = (&layout.forces, &layout.bends);
-        for [row, column] in slopes {
-            entries.push(*row, *column, false);
-        }
-        for [row, column] in bends {
-            entries.push(*row, *column, true);
-        }
-        let size = n + rows.len();
+        let moves = (moving.len(), &places[..]);
+        let entries = Entries::of((system, &layout), &masses, moves, &rows);
+        let size = moving.len() + rows.len();
         let (pattern, slots) = square(size, &entries.all);
         let trash = pattern.entries() as u32;
         let slot = |at: usize| slots.get(at).copied().unwrap_or(trash);
-        let places: Vec<[u32; 2]> = entries
+        let found: Vec<[u32; 2]> = entries
             .owned
             .iter()
             .map(|owned| owned.map_or([trash; 2], |pair| pair.map(slot)))
             .collect();
-        let (of_masses, rest) = places.split_at(masses.len());
+        let (of_masses, rest) = found.split_at(masses.len());
         let (of_jacobian, rest) = rest.split_at(system.entries.len());
         let place = |(&[slot, mirrored], [row, column]): (&[u32; 2], &[Option<usize>; 2])| Place {
             slot,
@@ -149,14 +149,27 @@ impl Saddle {
         let scaled = masses.iter().map(|(i, j, m)| m * scale(*i) * scale(*j));
         let unit = scaled.clone().fold(0.0, f64::max);
         let unit = if unit > 0.0 { unit } else { 1.0 };
-        let number = |column: Option<usize>| column.map_or(u32::MAX, |column| column as u32);
+        let damped = slopes
+            .iter()
+            .zip(0..)
+            .filter_map(|([row, column], number)| {
+                Some([at(*row)? as u32, at(*column)? as u32, number])
+            });
+        let own = driven.independent.iter();
+        let own = own.filter_map(|coordinate| places[coordinate.column]);
+        let columns = || moving.iter().map(|column| *column as usize);
         Saddle {
             revision: driven.revision(),
             parts: vec![Parts::default(); trash as usize + 1],
             inertia: of_masses.iter().map(|[at, _]| *at).zip(scaled).collect(),
             jacobian: of_jacobian.to_vec(),
             slopes: rest.iter().zip(slopes).map(place).collect(),
-            damped: slopes.iter().map(|pair| pair.map(number)).collect(),
+            damped: damped.collect(),
+            own: own.map(|place| place as u32).collect(),
+            scales: columns().map(scale).collect(),
+            masses: columns()
+                .map(|column| system.mass.diagonal()[column])
+                .collect(),
             bends: rest[slopes.len()..].iter().zip(bends).map(place).collect(),
             position: vec![0.0; slopes.len()],
             velocity: vec![0.0; slopes.len()],
@@ -174,6 +187,7 @@ impl Saddle {
             work: vec![0.0; size],
             complex_work: vec![[0.0; 2]; size],
             motions: vec![0.0; 4 * n],
+            moving,
         }
     }
 
@@ -252,38 +266,37 @@ impl Saddle {
         true
     }
 
-    /// Overwrites (r₁, r₂) with (δu, δu̇), of the real s; `kept` are the factors of J_A that S comes from.
-    pub fn solve(&mut self, driven: &mut Driven, kept: &mut SparseLu, b: &mut [f64]) {
-        let (system, n) = (driven.system, driven.system.n());
-        let (r1, r2) = b.split_at_mut(driven.independent.len());
-        let s = self.real;
-        let head = &mut self.work[..n];
+    /// Overwrites (r₁, r₂) with (δu, δu̇), of the real s.
+    pub fn solve(&mut self, driven: &Driven, by: By, b: &mut [f64]) {
+        let (r1, r2) = b.split_at_mut(self.own.len());
+        let (s, n) = (self.real, driven.system.n());
+        let (head, tail) = self.work.split_at_mut(self.moving.len());
+        let at = (driven, &self.moving[..]);
         if self.has_damping {
             let motions = self.motions[..2 * n].as_chunks_mut::<2>().0;
-            driven.follow(kept, |k| [s * r1[k] + r2[k], r1[k]], motions);
-            let momenta = motions.iter().map(|motion| motion[0]);
-            multiply(system, momenta, head);
-            for (&[row, column], c) in self.damped.iter().zip(&self.velocity) {
-                if row != u32::MAX && column != u32::MAX {
-                    head[row as usize] -= c * motions[column as usize][1];
-                }
+            by.follow(at, |k| [s * r1[k] + r2[k], r1[k]], motions);
+            for ((to, motion), m) in head.iter_mut().zip(&*motions).zip(&self.masses) {
+                *to = m * motion[0];
+            }
+            for &[row, column, number] in &self.damped {
+                head[row as usize] -= self.velocity[number as usize] * motions[column as usize][1];
             }
         } else {
             let motions = self.motions[..n].as_chunks_mut::<1>().0;
-            driven.follow(kept, |k| [s * r1[k] + r2[k]], motions);
-            multiply(system, motions.iter().map(|motion| motion[0]), head);
+            by.follow(at, |k| [s * r1[k] + r2[k]], motions);
+            for ((to, motion), m) in head.iter_mut().zip(&*motions).zip(&self.masses) {
+                *to = m * motion[0];
+            }
         }
-        system.scale_columns(head);
         let by = 1.0 / (self.unit * s * s);
-        head.iter_mut().for_each(|x| *x *= by);
-        self.work[n..].fill(0.0);
+        let scaled = head.iter_mut().zip(&self.scales);
+        scaled.for_each(|(x, scale)| *x *= by * scale);
+        tail.fill(0.0);
         if let Some(lu) = &mut self.lu {
             lu.solve(&mut self.work);
         }
-        let own = driven.independent.iter().zip(r1.iter_mut().zip(r2));
-        for (coordinate, (r1, r2)) in own {
-            let column = coordinate.column;
-            let moved = self.work[column] * system.column_scale(column);
+        for (place, (r1, r2)) in self.own.iter().zip(r1.iter_mut().zip(r2)) {
+            let moved = self.work[*place as usize] * self.scales[*place as usize];
             (*r1, *r2) = (moved, s * moved - *r1);
         }
     }
@@ -291,68 +304,59 @@ impl Saddle {
     /// The same of a complex s; real and imaginary parts.
     pub fn solve_complex(
         &mut self,
-        driven: &mut Driven,
-        kept: &mut SparseLu,
+        driven: &Driven,
+        by: By,
         number: usize,
         [re, im]: [&mut [f64]; 2],
     ) {
-        let (system, n, f) = (driven.system, driven.system.n(), driven.independent.len());
+        let n = driven.system.n();
+        let ((re1, re2), (im1, im2)) = (
+            re.split_at_mut(self.own.len()),
+            im.split_at_mut(self.own.len()),
+        );
         let s = self.complex[number];
         let sum = |k: usize| {
-            let r = [re[k], im[k]];
             [
-                s[0] * r[0] - s[1] * r[1] + re[f + k],
-                s[0] * r[1] + s[1] * r[0] + im[f + k],
+                s[0] * re1[k] - s[1] * im1[k] + re2[k],
+                s[0] * im1[k] + s[1] * re1[k] + im2[k],
             ]
         };
-        let head = &mut self.complex_work[..n];
-        let masses = system.mass.diagonal();
+        let (head, tail) = self.complex_work.split_at_mut(self.moving.len());
+        let at = (driven, &self.moving[..]);
         if self.has_damping {
             let motions = self.motions[..4 * n].as_chunks_mut::<4>().0;
-            let sides = |k: usize| [sum(k)[0], sum(k)[1], re[k], im[k]];
-            driven.follow(kept, sides, motions);
-            for ((to, motion), m) in head.iter_mut().zip(&*motions).zip(masses) {
+            by.follow(at, |k| [sum(k)[0], sum(k)[1], re1[k], im1[k]], motions);
+            for ((to, motion), m) in head.iter_mut().zip(&*motions).zip(&self.masses) {
                 *to = [m * motion[0], m * motion[1]];
             }
-            for (&[row, column], c) in self.damped.iter().zip(&self.velocity) {
-                if row != u32::MAX && column != u32::MAX {
-                    let motion = motions[column as usize];
-                    head[row as usize][0] -= c * motion[2];
-                    head[row as usize][1] -= c * motion[3];
-                }
+            for &[row, column, number] in &self.damped {
+                let (c, motion) = (self.velocity[number as usize], motions[column as usize]);
+                head[row as usize][0] -= c * motion[2];
+                head[row as usize][1] -= c * motion[3];
             }
         } else {
             let motions = self.motions[..2 * n].as_chunks_mut::<2>().0;
-            driven.follow(kept, sum, motions);
-            for ((to, motion), m) in head.iter_mut().zip(&*motions).zip(masses) {
+            by.follow(at, sum, motions);
+            for ((to, motion), m) in head.iter_mut().zip(&*motions).zip(&self.masses) {
                 *to = [m * motion[0], m * motion[1]];
             }
         }
         let by = 1.0 / (self.unit * (s[0] * s[0] + s[1] * s[1]));
-        for (column, x) in head.iter_mut().enumerate() {
-            let by = by * system.column_scale(column);
-            *x = [x[0] * by, x[1] * by];
+        for (x, scale) in head.iter_mut().zip(&self.scales) {
+            *x = x.map(|x| x * (by * scale));
         }
-        self.complex_work[n..].fill([0.0; 2]);
+        tail.fill([0.0; 2]);
         if let Some(lu) = &self.lu {
             self.complex_lu[number].solve(lu, &mut self.complex_work);
         }
-        for (k, coordinate) in driven.independent.iter().enumerate() {
-            let column = coordinate.column;
-            let scale = system.column_scale(column);
-            let moved = self.complex_work[column].map(|x| x * scale);
-            let rates = [
-                s[0] * moved[0] - s[1] * moved[1] - re[k],
-                s[0] * moved[1] + s[1] * moved[0] - im[k],
-            ];
-            ([re[k], re[f + k]], [im[k], im[f + k]]) = ([moved[0], rates[0]], [moved[1], rates[1]]);
+        let re = re1.iter_mut().zip(re2);
+        let im = im1.iter_mut().zip(im2);
+        for ((place, (re1, re2)), (im1, im2)) in self.own.iter().zip(re).zip(im) {
+            let scale = self.scales[*place as usize];
+            let moved = self.complex_work[*place as usize].map(|x| x * scale);
+            *re2 = s[0] * moved[0] - s[1] * moved[1] - *re1;
+            *im2 = s[0] * moved[1] + s[1] * moved[0] - *im1;
+            [*re1, *im1] = moved;
         }
-    }
-}
-
-/// M x.
-fn multiply(system: &System, x: impl Iterator<Item = f64>, to: &mut [f64]) {
-    for ((to, x), m) in to.iter_mut().zip(x).zip(system.mass.diagonal()) {
-        *to = m * x;
     }
 }

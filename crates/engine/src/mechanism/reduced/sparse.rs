@@ -163,50 +163,11 @@ impl Sparse {
         &self.lambda
     }
 
-    /// The same, worked out elsewhere.
-    pub fn set_multipliers(&mut self, lambda: &[f64]) {
-        self.lambda.copy_from_slice(lambda);
-    }
-
-    /// Keeps the factors of the last accelerations in another place.
-    pub fn keep_factors(&self, place: &mut Option<SparseLu>) {
-        match (place, &self.lu) {
-            (Some(kept), Some(lu)) => kept.take_over(lu),
-            (place, lu) => place.clone_from(lu),
-        }
-    }
-
     /// J_A's factors at the last accepted point, where they are of the rows of the moment.
     pub fn kept(&mut self, driven: &Driven) -> Option<&mut SparseLu> {
         let is_current = self.kept_revision == driven.revision();
         let kept = self.kept.as_mut();
         kept.filter(|kept| is_current && kept.is_factored())
-    }
-
-    /// Adds to accelerations (n) and multipliers (m) what is missing of the force (n) and of γ (m), by factors of another point.
-    pub fn correct(
-        &mut self,
-        driven: &Driven,
-        factors: &mut SparseLu,
-        [force, gamma]: [&[f64]; 2],
-        [a, lambda]: [&mut [f64]; 2],
-    ) {
-        let system = driven.system;
-        let (head, tail) = self.work.split_at_mut(force.len());
-        for (to, force) in head.iter_mut().zip(force) {
-            *to = force / self.unit;
-        }
-        system.scale_columns(head);
-        for (to, &row) in tail.iter_mut().zip(&self.rows) {
-            *to = gamma[row as usize] / system.row_scale(row as usize);
-        }
-        factors.solve(&mut self.work);
-        let (head, tail) = self.work.split_at_mut(force.len());
-        system.scale_columns(head);
-        a.iter_mut().zip(head).for_each(|(a, x)| *a += *x);
-        for (&row, multiplier) in self.rows.iter().zip(tail) {
-            lambda[row as usize] += *multiplier * self.unit / system.row_scale(row as usize);
-        }
     }
 
     /// Keeps J_A's factors, for positions beside the point at hand.

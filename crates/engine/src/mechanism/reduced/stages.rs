@@ -1,28 +1,21 @@
 //! The stages of an implicit method's step.
 //!
-//! A stage is a point as any other, whose position begins at that of the iteration before. Where J has not changed since the
-//! accepted point, as on guides that do not turn, the factors of that point are those of the stage, and nothing is factored:
+//! A stage is a point as any other, whose position begins at that of the iteration before. Where no constraint bends with what
+//! moves, as on guides that do not turn, nothing is factored at a stage (`straight`).
 //!
-//! ```text
-//! J_A Δq = −(φ, q_c − u),   J_A Δv = −(J v + φ_t, v_c − u̇)
-//! [M Jᵀ; J 0] (Δa, Δλ) = (Q − M a − Jᵀ λ, γ − J a)
-//! ```
-//!
-//! The same corrections by factors that are off by some h ω were tried for all mechanisms, one for each of Newton's iterations:
-//! they save a quarter of the time, but what they leave is not seen by the iteration, and at orders 9 and 13 errors were a hundred
-//! times as large.
+//! Corrections of q, v and a by the factors of the accepted point, which are off by some h ω, were tried for all mechanisms, one for
+//! each of Newton's iterations: they save a quarter of the time, but what they leave is not seen by the iteration, and at orders 9 and
+//! 13 errors were a hundred times as large.
 
 use super::Reduced;
 use super::inertia::Inertia;
 use super::place::Placed;
-use super::saddle::Saddle;
+use super::saddle::{By, Saddle};
 use super::sparse::Sparse;
-use crate::mechanism::driven::Failure;
-use linkdyn_linear::lu::SparseLu;
+use super::straight::Straight;
+use crate::mechanism::driven::{Driven, Failure};
+use crate::system::Standing;
 
-/// Residual above which the constraints are no longer those of the accepted point, whatever J is there: round-off of a few
-/// additions [–].
-const STRAIGHT: f64 = 1e-14;
 /// Most stages of a method.
 const STAGES: usize = 7;
 
@@ -35,19 +28,44 @@ struct Stage {
 
 /// What an implicit method needs of a mechanism.
 pub(super) struct Stages {
-    saddle: Saddle,
+    matrices: Option<Matrices>,
     stages: Vec<Stage>,
-    /// The matrix of the accelerations at the accepted point, and its multipliers (m).
-    accelerations: Option<SparseLu>,
+    /// Multipliers at the accepted point (m).
     lambda: Vec<f64>,
-    /// J's entries there.
-    jacobian: Vec<f64>,
-    /// J has been the same everywhere so far.
-    is_straight: bool,
-    /// (m), (m), (n).
-    multipliers: Vec<f64>,
-    rows: Vec<f64>,
-    columns: Vec<f64>,
+}
+
+/// The matrices of a choice of rows and independent coordinates.
+struct Matrices {
+    saddle: Saddle,
+    /// Where no constraint bends.
+    straight: Option<Straight>,
+}
+
+impl Matrices {
+    /// Of a mechanism with J at a position that satisfies its constraints.
+    fn of(driven: &Driven) -> Self {
+        let scaled = driven.evaluation.jacobian.iter().zip(driven.scales());
+        let scaled: Vec<f64> = scaled.map(|(value, scale)| value * scale).collect();
+        let standing = Standing::of(driven.system, driven.active_rows(), &scaled);
+        Matrices {
+            saddle: Saddle::of(driven, &standing),
+            straight: Straight::of(driven, &standing),
+        }
+    }
+
+    /// The saddle point systems, and how coordinates follow the independent ones, where it is known.
+    fn parts<'a>(
+        &'a mut self,
+        driven: &Driven,
+        inertia: &'a mut Inertia,
+    ) -> Option<(&'a mut Saddle, By<'a>)> {
+        let by = match (&mut self.straight, inertia) {
+            (Some(straight), _) => By::Straight(straight),
+            (None, Inertia::Sparse(sparse)) => By::Factors(sparse.kept(driven)?),
+            (None, Inertia::Tangents(_)) => return None,
+        };
+        Some((&mut self.saddle, by))
+    }
 }
 
 impl Stages {
@@ -58,23 +76,15 @@ impl Stages {
             q: vec![0.0; n],
         };
         Stages {
-            saddle: Saddle::of(&reduced.driven),
+            matrices: None,
             stages: vec![stage; STAGES],
-            accelerations: None,
             lambda: vec![0.0; m],
-            jacobian: vec![0.0; reduced.system().entries.len()],
-            is_straight: true,
-            multipliers: vec![0.0; m],
-            rows: vec![0.0; m],
-            columns: vec![0.0; n],
         }
     }
 
     /// Keeps what belongs to the accepted point at hand.
-    pub fn keep(&mut self, reduced_jacobian: &[f64], sparse: &Sparse) {
-        sparse.keep_factors(&mut self.accelerations);
+    pub fn keep(&mut self, sparse: &Sparse) {
         self.lambda.copy_from_slice(sparse.multipliers());
-        self.jacobian.copy_from_slice(reduced_jacobian);
         self.stages.iter_mut().for_each(|s| s.time = f64::NAN);
     }
 
@@ -116,7 +126,7 @@ impl Reduced<'_> {
     /// Keeps what stages need of the accepted point at hand.
     pub(super) fn keep_stages(&mut self) {
         if let (Some(stages), Inertia::Sparse(sparse)) = (&mut self.stages, &self.inertia) {
-            stages.keep(&self.driven.evaluation.jacobian, sparse);
+            stages.keep(sparse);
         }
     }
 
@@ -137,45 +147,46 @@ impl Reduced<'_> {
         self.driven
             .evaluation
             .eval_jacobian(self.driven.system, &self.inputs);
-        if stages.saddle.revision != self.driven.revision() {
-            stages.saddle = Saddle::of(&self.driven);
-        }
-        stages
-            .saddle
-            .take(&self.driven, &self.inputs, &stages.lambda);
+        let (driven, revision) = (&self.driven, self.driven.revision());
+        let current = stages.matrices.take();
+        let current = current.filter(|matrices| matrices.saddle.revision == revision);
+        let matrices = stages
+            .matrices
+            .insert(current.unwrap_or_else(|| Matrices::of(driven)));
+        matrices.saddle.take(driven, &self.inputs, &stages.lambda);
         Ok(())
     }
 
     /// Factors s − J for a real s and complex ones; false where it can't.
     pub fn factor_shifted(&mut self, real: f64, complex: &[[f64; 2]]) -> bool {
         let stages = self.stages.as_mut();
-        stages.is_some_and(|stages| stages.saddle.factor(real, complex))
+        let matrices = stages.and_then(|stages| stages.matrices.as_mut());
+        matrices.is_some_and(|matrices| matrices.saddle.factor(real, complex))
     }
 
     /// Overwrites b (2 f) with the x of (s − J) x = b, of the real s; NaN where that is not known.
     pub fn solve_shifted(&mut self, b: &mut [f64]) {
-        let kept = match &mut self.inertia {
-            Inertia::Sparse(sparse) => sparse.kept(&self.driven),
-            Inertia::Tangents(_) => None,
-        };
-        match (&mut self.stages, kept) {
-            (Some(stages), Some(kept)) => stages.saddle.solve(&mut self.driven, kept, b),
-            _ => b.fill(f64::NAN),
+        let (driven, inertia) = (&self.driven, &mut self.inertia);
+        let matrices = self
+            .stages
+            .as_mut()
+            .and_then(|stages| stages.matrices.as_mut());
+        match matrices.and_then(|matrices| matrices.parts(driven, inertia)) {
+            Some((saddle, by)) => saddle.solve(driven, by, b),
+            None => b.fill(f64::NAN),
         }
     }
 
     /// The same of a complex s.
     pub fn solve_shifted_complex(&mut self, number: usize, [re, im]: [&mut [f64]; 2]) {
-        let kept = match &mut self.inertia {
-            Inertia::Sparse(sparse) => sparse.kept(&self.driven),
-            Inertia::Tangents(_) => None,
-        };
-        match (&mut self.stages, kept) {
-            (Some(stages), Some(kept)) => {
-                let saddle = &mut stages.saddle;
-                saddle.solve_complex(&mut self.driven, kept, number, [re, im]);
-            }
-            _ => [re, im].into_iter().for_each(|b| b.fill(f64::NAN)),
+        let (driven, inertia) = (&self.driven, &mut self.inertia);
+        let matrices = self
+            .stages
+            .as_mut()
+            .and_then(|stages| stages.matrices.as_mut());
+        match matrices.and_then(|matrices| matrices.parts(driven, inertia)) {
+            Some((saddle, by)) => saddle.solve_complex(driven, by, number, [re, im]),
+            None => [re, im].into_iter().for_each(|b| b.fill(f64::NAN)),
         }
     }
 
@@ -211,58 +222,30 @@ impl Reduced<'_> {
         self.stages.as_mut()?.stages.get_mut(stage)
     }
 
-    /// q, v, a at (t, (u, u̇)) where J is that of the accepted point; whether it is.
+    /// q, v, a at (t, (u, u̇)) where no constraint bends; whether that is so, and known.
     pub(super) fn evaluate_straight(&mut self, time: f64, y: &[f64]) -> bool {
-        let (system, f) = (self.driven.system, self.freedom());
-        let (Some(stages), Inertia::Sparse(sparse)) = (&mut self.stages, &mut self.inertia) else {
+        let (system, f, revision) = (self.system(), self.freedom(), self.driven.revision());
+        let matrices = self
+            .stages
+            .as_mut()
+            .and_then(|stages| stages.matrices.as_mut());
+        let straight = matrices.and_then(|matrices| matrices.straight.as_mut());
+        let Some(straight) = straight.filter(|straight| straight.revision == revision) else {
             return false;
         };
-        let Stages {
-            accelerations: Some(factors),
-            lambda,
-            jacobian,
-            is_straight,
-            multipliers,
-            rows,
-            columns,
-            ..
-        } = &mut **stages
-        else {
-            return false;
-        };
-        let Some(kept) = sparse.kept(&self.driven).filter(|_| *is_straight) else {
-            return false;
-        };
-        self.at = None;
-        self.placed = Placed::Guess;
+        self.placed = Placed::Straight;
         self.inputs.set_time(system, time);
-        let driven = &mut self.driven;
+        let (driven, inputs) = (&mut self.driven, &self.inputs);
         for (k, coordinate) in driven.independent.iter_mut().enumerate() {
             coordinate.jet = [y[k], y[f + k], 0.0];
         }
         self.q.copy_from_slice(&self.accepted.here.q);
-        self.v.copy_from_slice(&self.accepted.here.d);
-        driven.near(kept, &self.inputs, &mut self.q);
-        driven.evaluation.set_position(&self.q);
-        driven.evaluation.eval_jacobian(system, &self.inputs);
-        driven.evaluation.eval_phi(system, &self.inputs);
-        *is_straight = driven.evaluation.jacobian == *jacobian
-            && system.scaled_residual(&driven.evaluation.phi) <= STRAIGHT;
-        if !*is_straight {
-            return false;
-        }
-        driven.velocity_near(kept, &self.inputs, rows, &mut self.v);
-        let evaluation = &driven.evaluation;
-        evaluation.eval_force(system, &self.inputs, &mut self.force);
-        evaluation.eval_gamma(system, &self.inputs, rows);
-        self.a.copy_from_slice(&self.accepted.here.dd);
-        multipliers.copy_from_slice(lambda);
-        evaluation.subtract_product(system, &self.a, rows);
-        system.mass.residual(&self.force, &self.a, columns);
-        evaluation.subtract_transposed_product(system, multipliers, columns);
-        let to = [&mut self.a[..], multipliers];
-        sparse.correct(driven, factors, [columns, rows], to);
-        sparse.set_multipliers(multipliers);
+        straight.place(driven, inputs, &mut self.q);
+        straight.velocity(driven, inputs, &mut self.v);
+        driven
+            .evaluation
+            .eval_force(system, inputs, &mut self.force);
+        straight.accelerate(driven, inputs, &self.force, &mut self.a);
         let own = driven.independent.iter_mut().zip(&mut self.accelerations);
         for (coordinate, rate) in own {
             *rate = self.a[coordinate.column];
