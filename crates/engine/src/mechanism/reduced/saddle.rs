@@ -50,8 +50,6 @@ struct Place {
 
 /// The matrix of a choice of rows, and its factors.
 pub(super) struct Saddle {
-    /// Which choice it is of.
-    pub revision: u64,
     layout: Slopes,
     /// Columns that move (w), with their scales and masses, and the place of each independent coordinate among them (f).
     moving: Vec<u32>,
@@ -159,7 +157,6 @@ impl Saddle {
         let own = own.filter_map(|coordinate| places[coordinate.column]);
         let columns = || moving.iter().map(|column| *column as usize);
         Saddle {
-            revision: driven.revision(),
             parts: vec![Parts::default(); trash as usize + 1],
             inertia: of_masses.iter().map(|[at, _]| *at).zip(scaled).collect(),
             jacobian: of_jacobian.to_vec(),

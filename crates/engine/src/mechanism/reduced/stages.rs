@@ -36,6 +36,8 @@ pub(super) struct Stages {
 
 /// The matrices of a choice of rows and independent coordinates.
 struct Matrices {
+    /// Which choice they are of.
+    revision: u64,
     saddle: Saddle,
     /// Where no constraint bends.
     straight: Option<Straight>,
@@ -48,6 +50,7 @@ impl Matrices {
         let scaled: Vec<f64> = scaled.map(|(value, scale)| value * scale).collect();
         let standing = Standing::of(driven.system, driven.active_rows(), &scaled);
         Matrices {
+            revision: driven.revision(),
             saddle: Saddle::of(driven, &standing),
             straight: Straight::of(driven, &standing),
         }
@@ -93,6 +96,11 @@ impl Stages {
         let stage = self.stages.iter().find(|stage| stage.time == time)?;
         Some(&stage.q)
     }
+}
+
+/// Those of the last linearisation, where there was one.
+fn matrices(stages: &mut Option<Box<Stages>>) -> Option<&mut Matrices> {
+    stages.as_mut()?.matrices.as_mut()
 }
 
 impl Reduced<'_> {
@@ -149,7 +157,7 @@ impl Reduced<'_> {
             .eval_jacobian(self.driven.system, &self.inputs);
         let (driven, revision) = (&self.driven, self.driven.revision());
         let current = stages.matrices.take();
-        let current = current.filter(|matrices| matrices.saddle.revision == revision);
+        let current = current.filter(|matrices| matrices.revision == revision);
         let matrices = stages
             .matrices
             .insert(current.unwrap_or_else(|| Matrices::of(driven)));
@@ -159,18 +167,13 @@ impl Reduced<'_> {
 
     /// Factors s − J for a real s and complex ones; false where it can't.
     pub fn factor_shifted(&mut self, real: f64, complex: &[[f64; 2]]) -> bool {
-        let stages = self.stages.as_mut();
-        let matrices = stages.and_then(|stages| stages.matrices.as_mut());
-        matrices.is_some_and(|matrices| matrices.saddle.factor(real, complex))
+        matrices(&mut self.stages).is_some_and(|matrices| matrices.saddle.factor(real, complex))
     }
 
     /// Overwrites b (2 f) with the x of (s − J) x = b, of the real s; NaN where that is not known.
     pub fn solve_shifted(&mut self, b: &mut [f64]) {
         let (driven, inertia) = (&self.driven, &mut self.inertia);
-        let matrices = self
-            .stages
-            .as_mut()
-            .and_then(|stages| stages.matrices.as_mut());
+        let matrices = matrices(&mut self.stages);
         match matrices.and_then(|matrices| matrices.parts(driven, inertia)) {
             Some((saddle, by)) => saddle.solve(driven, by, b),
             None => b.fill(f64::NAN),
@@ -180,10 +183,7 @@ impl Reduced<'_> {
     /// The same of a complex s.
     pub fn solve_shifted_complex(&mut self, number: usize, [re, im]: [&mut [f64]; 2]) {
         let (driven, inertia) = (&self.driven, &mut self.inertia);
-        let matrices = self
-            .stages
-            .as_mut()
-            .and_then(|stages| stages.matrices.as_mut());
+        let matrices = matrices(&mut self.stages);
         match matrices.and_then(|matrices| matrices.parts(driven, inertia)) {
             Some((saddle, by)) => saddle.solve_complex(driven, by, number, [re, im]),
             None => [re, im].into_iter().for_each(|b| b.fill(f64::NAN)),
@@ -225,12 +225,8 @@ impl Reduced<'_> {
     /// q, v, a at (t, (u, u̇)) where no constraint bends; whether that is so, and known.
     pub(super) fn evaluate_straight(&mut self, time: f64, y: &[f64]) -> bool {
         let (system, f, revision) = (self.system(), self.freedom(), self.driven.revision());
-        let matrices = self
-            .stages
-            .as_mut()
-            .and_then(|stages| stages.matrices.as_mut());
-        let straight = matrices.and_then(|matrices| matrices.straight.as_mut());
-        let Some(straight) = straight.filter(|straight| straight.revision == revision) else {
+        let matrices = matrices(&mut self.stages).filter(|matrices| matrices.revision == revision);
+        let Some(straight) = matrices.and_then(|matrices| matrices.straight.as_mut()) else {
             return false;
         };
         self.placed = Placed::Straight;

@@ -16,8 +16,6 @@ use linkdyn_linear::pattern::square;
 
 /// The matrices of a choice of rows and independent coordinates.
 pub(super) struct Straight {
-    /// Which choice it is of.
-    pub revision: u64,
     /// Columns that move, and among these the place of each independent coordinate (f).
     moving: Vec<u32>,
     own: Vec<u32>,
@@ -116,7 +114,6 @@ impl Straight {
         let weights = rows.iter().map(|row| 1.0 / system.row_scale(*row as usize));
         let size = moving.len() + rows.len();
         Some(Straight {
-            revision: driven.revision(),
             rest: match dependent.is_empty() {
                 true => None,
                 false => Some(factored(rows.len(), &rest)?),
