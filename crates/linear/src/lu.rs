@@ -54,6 +54,9 @@ pub const PIVOT_THRESHOLD: f64 = 0.1;
 /// mechanism meets such configurations a few times per turn.
 pub const GROWTH_LIMIT: f64 = 1e6;
 
+/// Right-hand sides that go through the factors together for an inverse.
+const TOGETHER: usize = 4;
+
 /// The matrix cannot be factored.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error("singular at column {column}: pivot ratio {ratio:e}")]
@@ -202,13 +205,14 @@ impl SparseLu {
         for (&column, value) in self.order.columns().iter().zip(&mut self.vector) {
             *value = b[column as usize];
         }
-        self.frozen.solve_transposed(&mut self.vector, 1);
+        self.frozen
+            .solve_transposed(self.vector.as_chunks_mut::<1>().0);
         for (&at, value) in self.position.iter().zip(b) {
             *value = self.vector[at as usize];
         }
     }
 
-    /// A⁻¹ (n, n) by columns: column r stands at r·n. All right-hand sides go through the factors together.
+    /// A⁻¹ (n, n) by columns: column r stands at r·n.
     ///
     /// # Panics
     /// Without factors, or when `columns` has not n² numbers.
@@ -218,14 +222,22 @@ impl SparseLu {
             self.factored && columns.len() == n * n,
             "an inverse wants a successful factorisation before it, and n² numbers"
         );
-        // Aᵀ Y = I: row r of Y is column r of A⁻¹. Rows stand in pivot order until the end.
-        let mut y = vec![0.0; n * n];
-        for (j, &column) in self.order.columns().iter().enumerate() {
-            y[j * n + column as usize] = 1.0;
-        }
-        self.frozen.solve_transposed(&mut y, n);
-        for (&at, column) in self.position.iter().zip(columns.chunks_exact_mut(n.max(1))) {
-            column.copy_from_slice(&y[at as usize * n..][..n]);
+        // Aᵀ Y = I, some columns of Y at a time: row r of Y is column r of A⁻¹. Rows stand in pivot order until they are copied.
+        let mut y = vec![[0.0; TOGETHER]; n];
+        for first in (0..n).step_by(TOGETHER) {
+            let wanted = first..n.min(first + TOGETHER);
+            y.fill([0.0; TOGETHER]);
+            for (y, &column) in y.iter_mut().zip(self.order.columns()) {
+                if wanted.contains(&(column as usize)) {
+                    y[column as usize - first] = 1.0;
+                }
+            }
+            self.frozen.solve_transposed(&mut y);
+            let rows = columns.chunks_exact_mut(n.max(1));
+            for (&at, row) in self.position.iter().zip(rows) {
+                let own = &mut row[wanted.clone()];
+                own.copy_from_slice(&y[at as usize][..own.len()]);
+            }
         }
     }
 

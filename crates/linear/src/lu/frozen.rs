@@ -318,31 +318,31 @@ impl Frozen {
         }
     }
 
-    /// Uᵀ z = y and Lᵀ x = z in pivot order, for as many right-hand sides as there are numbers in a row of y.
-    pub fn solve_transposed(&self, y: &mut [f64], width: usize) {
-        let mut begin = 0;
-        for (k, ([_, beside], inverse)) in self.lengths.iter().zip(&self.inverse_pivot).enumerate()
-        {
-            let own = begin..begin + *beside as usize;
-            begin = own.end;
-            let (done, rest) = y.split_at_mut((k + 1) * width);
-            let row = &mut done[k * width..];
-            row.iter_mut().for_each(|y| *y *= inverse);
-            for (&u, &column) in self.upper[own.clone()].iter().zip(&self.upper_places[own]) {
-                let other = &mut rest[(column as usize - k - 1) * width..][..width];
-                subtract(other, u, row);
+    /// Uᵀ z = y and Lᵀ x = z for K right-hand sides together, in pivot order.
+    pub fn solve_transposed<const K: usize>(&self, y: &mut [[f64; K]]) {
+        let (mut upper, mut places) = (self.upper.as_slice(), self.upper_places.as_slice());
+        let pivots = self.lengths.iter().zip(&self.inverse_pivot);
+        for (k, ([_, beside], inverse)) in pivots.enumerate() {
+            let (own, columns);
+            (own, upper) = upper.split_at(*beside as usize);
+            (columns, places) = places.split_at(*beside as usize);
+            let factors = y[k].map(|y| y * inverse);
+            y[k] = factors;
+            for (&u, &column) in own.iter().zip(columns) {
+                subtract(&mut y[column as usize], u, &factors);
             }
         }
-        let mut end = self.lower.len();
+        let (mut lower, mut places) = (self.lower.as_slice(), self.lower_places.as_slice());
         for (k, [below, _]) in self.lengths.iter().enumerate().rev() {
-            let own = end - *below as usize..end;
-            end = own.start;
-            let (done, rest) = y.split_at_mut((k + 1) * width);
-            let row = &mut done[k * width..];
-            for (&l, &[other, _]) in self.lower[own.clone()].iter().zip(&self.lower_places[own]) {
-                let other = &rest[(other as usize - k - 1) * width..][..width];
-                subtract(row, l, other);
+            let begin = lower.len() - *below as usize;
+            let (own, rows);
+            (lower, own) = lower.split_at(begin);
+            (places, rows) = places.split_at(begin);
+            let mut rest = y[k];
+            for (&l, &[row, _]) in own.iter().zip(rows) {
+                subtract(&mut rest, l, &y[row as usize]);
             }
+            y[k] = rest;
         }
     }
 
@@ -370,6 +370,6 @@ fn refill<T: Copy>(list: &mut Vec<T>, count: usize, value: T) {
 }
 
 /// a −= factor·b.
-fn subtract(a: &mut [f64], factor: f64, b: &[f64]) {
+fn subtract<const K: usize>(a: &mut [f64; K], factor: f64, b: &[f64; K]) {
     a.iter_mut().zip(b).for_each(|(a, b)| *a -= factor * b);
 }
