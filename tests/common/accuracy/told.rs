@@ -5,16 +5,20 @@ use linkdyn_engine::analysis::accuracy::{Accuracy, Parameters, Refusal, Scope, a
 use linkdyn_model::error::Complaints;
 use linkdyn_model::{Checked, Loaded, Model};
 use serde_json::{Map, Value, json};
+use std::cell::Cell;
 
 /// A model that was read, with its parameters.
 pub struct Told {
     pub loaded: Loaded,
+    /// How often the model was read with other values.
+    pub readings: Cell<usize>,
 }
 
 impl Told {
     pub fn read(json: &Value) -> Result<Told, Complaints> {
         let loaded = linkdyn_model::load(json.to_string().as_bytes(), &[])?;
-        Ok(Told { loaded })
+        let readings = Cell::new(0);
+        Ok(Told { loaded, readings })
     }
 
     /// The accuracy of a model with these parameters.
@@ -37,6 +41,7 @@ impl Told {
             derivatives: &self.loaded.source.derivatives(),
             enclosed: &|| self.loaded.source.derivatives_within(&limits),
             with: &|by| {
+                self.readings.set(self.readings.get() + 1);
                 let named = by.iter().map(|&(k, by)| (known[k].name.as_str(), by));
                 let named: Vec<(&str, f64)> = named.collect();
                 self.loaded.source.with_deviations(&named).ok()

@@ -6,6 +6,7 @@ mod laws;
 mod needed;
 #[path = "../../common/accuracy/newton.rs"]
 mod newton;
+mod orders;
 mod references;
 #[path = "../../common/accuracy/samples.rs"]
 mod samples;

@@ -37,14 +37,12 @@ pub(super) struct Mechanism<'m> {
     pub extents: Extents,
     /// Whether nothing is off farther than that.
     pub is_bounded: bool,
-    /// Whether steps of dimensions are sums of what each parameter does.
-    pub is_straight: bool,
     /// Points that parameters step, each with the number of its first dimension.
     stepped_points: Vec<(PointId, usize)>,
     /// Other dimensions that parameters step.
     stepped_others: Vec<usize>,
-    /// Plays by what they are: parameters, zones with their points, and those that make gaps.
-    parameters: Vec<usize>,
+    /// Plays by what they are: parameters and whether they bend, zones with their points, and those that make gaps.
+    parameters: Vec<(usize, bool)>,
     zones: Vec<(usize, PointId)>,
     gapped: Vec<usize>,
     /// ∂y/∂(dimension), and ∂y/∂P of the points, as last asked for.
@@ -52,11 +50,10 @@ pub(super) struct Mechanism<'m> {
     of_points: Vec<Vec2>,
     /// The e that were taken last.
     pub extremes: Vec<Influence>,
-    /// What corners gave, by the bits of the deviations.
+    /// What corners gave, by the bits of the deviations of parameters that bend.
     known: HashMap<Vec<u64>, Option<Vec<f64>>>,
-    /// The deviations whose steps are in `steps`, and those asked for.
+    /// The deviations whose steps are in `steps`.
     stepped: Vec<f64>,
-    asked: Vec<f64>,
     /// Gaps of the rows (m).
     pub rows: Vec<f64>,
     /// Steps of the dimensions.
@@ -117,7 +114,7 @@ impl<'m> Mechanism<'m> {
         let (mut parameters, mut zones, mut gapped) = (Vec::new(), Vec::new(), Vec::new());
         for (index, play) in plays.iter().enumerate() {
             match play {
-                Play::Parameter { .. } => parameters.push(index),
+                Play::Parameter { bends, .. } => parameters.push((index, *bends)),
                 Play::Zone { point, .. } => zones.push((index, *point)),
                 Play::Pin { .. }
                 | Play::Sides { .. }
@@ -136,7 +133,6 @@ impl<'m> Mechanism<'m> {
         let unknown = vec![0.0; dimensions.all.len()];
         let extents = Extents::new(plays, dimensions, slack.unwrap_or(&unknown));
         Mechanism {
-            is_straight: slack.is_some() && extents.is_straight(),
             is_bounded: slack.is_some(),
             extents,
             stepped_points,
@@ -149,7 +145,6 @@ impl<'m> Mechanism<'m> {
             of_points: vec![Vec2::zeros(); dimensions.points.len()],
             extremes: vec![[0.0; 2]; plays.len()],
             stepped: Vec::new(),
-            asked: Vec::new(),
             rows: vec![0.0; m],
             turns: vec![Turn::default(); plays.len()],
             space,
@@ -304,43 +299,54 @@ impl<'m> Mechanism<'m> {
         self.rows = rows;
     }
 
-    /// Sets the steps of the dimensions for the parameters' deviations. Whether the model can be had with them.
+    /// Sets the steps of the dimensions for the parameters' deviations: what those that bend do together, and of the others the
+    /// sum of what each does. Whether the model can be had with them.
     pub fn step_parameters(&mut self) -> bool {
-        let each = self.parameters.iter().map(|&index| self.extremes[index][0]);
+        let each = self.parameters.iter();
+        let each = each.map(|&(index, _)| self.extremes[index][0]);
         if each.clone().eq(self.stepped.iter().copied()) {
             return true;
         }
-        self.asked.clear();
-        self.asked.extend(each);
-        if self.is_straight {
-            self.step_straight();
-        } else {
-            let key = self.asked.iter().map(|d| d.to_bits()).collect();
-            let corners = self.corners;
-            let steps = self
-                .known
-                .entry(key)
-                .or_insert_with(|| corners(&self.asked));
-            let Some(steps) = steps else {
-                return false;
-            };
-            self.steps.copy_from_slice(steps);
+        self.stepped.clear();
+        if !self.step_bent() {
+            return false;
         }
-        std::mem::swap(&mut self.asked, &mut self.stepped);
-        true
-    }
-
-    /// Sets the steps of the dimensions to the sums of what the parameters do.
-    fn step_straight(&mut self) {
-        self.steps.fill(0.0);
-        for &index in &self.parameters {
+        for &(index, bends) in &self.parameters {
             let e = self.extremes[index][0];
-            if let Play::Parameter { steps, .. } = &self.plays[index] {
+            if let Play::Parameter { steps, .. } = &self.plays[index]
+                && !bends
+            {
                 for &(k, by) in steps {
                     self.steps[k] += by * e;
                 }
             }
         }
+        let each = self.parameters.iter();
+        let each = each.map(|&(index, _)| self.extremes[index][0]);
+        self.stepped.extend(each);
+        true
+    }
+
+    /// Sets the steps of the dimensions for the parameters that bend, the others at their values: the model is read with them.
+    fn step_bent(&mut self) -> bool {
+        let bent = |&(index, bends): &(usize, bool)| match bends {
+            true => self.extremes[index][0],
+            false => 0.0,
+        };
+        let mut asked = self.parameters.iter().map(bent);
+        if asked.all(|by| by == 0.0) {
+            self.steps.fill(0.0);
+            return true;
+        }
+        let asked: Vec<f64> = self.parameters.iter().map(bent).collect();
+        let key = asked.iter().map(|by| by.to_bits()).collect();
+        let corners = self.corners;
+        let steps = self.known.entry(key).or_insert_with(|| corners(&asked));
+        let Some(steps) = steps else {
+            return false;
+        };
+        self.steps.copy_from_slice(steps);
+        true
     }
 
     /// The output at the position last taken, with the shifts of its points times `part`.

@@ -33,12 +33,13 @@ pub(super) enum Play {
     Driver { row: usize, half: f64 },
     /// A point anywhere in its zone.
     Zone { point: PointId, radius: f64 },
-    /// A parameter: what a unit of it changes in the dimensions.
+    /// A parameter: what a unit of it changes in the dimensions, and whether what it changes bends.
     Parameter {
         lower: f64,
         upper: f64,
         scatter: Scatter,
         steps: Vec<(usize, f64)>,
+        bends: bool,
     },
 }
 

@@ -121,6 +121,7 @@ mod tests {
             upper,
             scatter,
             steps: Vec::new(),
+            bends: false,
         }
     }
 

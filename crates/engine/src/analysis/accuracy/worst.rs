@@ -132,6 +132,9 @@ impl Mechanism<'_> {
             mut size,
         } = start;
         self.extremes = extremes;
+        if !self.step_parameters() {
+            return None;
+        }
         let mut load = load.clone();
         let (mut slow, mut is_kept, mut gained) = (0, false, 0.0);
         self.turns.fill(Turn::default());
@@ -154,7 +157,6 @@ impl Mechanism<'_> {
             let shrunk = self.step();
             let gains = gain * (gain / gained).min(1.0);
             let left = gains.max(CURVED * shrunk * shrunk * unit);
-            // The first λ is corrected with the steps that another output or side left behind.
             let is_done = pass > 1 && left <= STILL * now.abs() + round_off;
             if is_done || (shrunk <= STALLED && shrunk > 0.3 * size) {
                 return Some(Farthest {
@@ -214,8 +216,8 @@ impl Mechanism<'_> {
             let end = play.extreme(*g, side);
             let next = match play.ends() {
                 Some(ends) => {
-                    let between = self.is_straight || !matches!(play, Play::Parameter { .. });
-                    let ends = between.then_some(ends);
+                    let bends = matches!(play, Play::Parameter { bends: true, .. });
+                    let ends = (!bends).then_some(ends);
                     [turn.next([e[0], g[0]], end[0], ends, worth), 0.0]
                 }
                 None => end,

@@ -16,19 +16,7 @@ pub(in super::super) struct Extents {
     pub beyond: Vec<f64>,
 }
 
-/// What steps leave out may be this part of them and is round-off.
-const ROUND_OFF: f64 = 1e-13;
-
 impl Extents {
-    /// Whether steps leave out no more than round-off.
-    pub fn is_straight(&self) -> bool {
-        let mut slack = self.slack.iter();
-        slack.all(|(k, slack)| {
-            let most = self.most.iter().find(|(index, _)| index == k);
-            most.is_some_and(|(_, most)| *slack <= ROUND_OFF * most)
-        })
-    }
-
     /// Of sources whose steps leave out `slack` (dimensions).
     pub fn new(plays: &[Play], dimensions: &Dimensions, slack: &[f64]) -> Self {
         let mut steps = vec![0.0; dimensions.all.len()];

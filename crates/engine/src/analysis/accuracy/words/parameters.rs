@@ -5,6 +5,9 @@ use linkdyn_model::error::Complaint;
 use linkdyn_model::{Checked, Derivatives, Interval, Leaf, Parameter};
 use std::collections::HashMap;
 
+/// What steps leave out may be this part of them and is round-off.
+const ROUND_OFF: f64 = 1e-13;
+
 /// The model with parameters that deviate (index, SI); none where that is no legal model.
 pub type Deviating<'p> = dyn Fn(&[(usize, f64)]) -> Option<Checked> + 'p;
 
@@ -18,6 +21,14 @@ pub struct Parameters<'p> {
     pub enclosed: &'p dyn Fn() -> Derivatives<Interval>,
     /// The model with deviations of theirs.
     pub with: &'p Deviating<'p>,
+}
+
+impl Parameters<'_> {
+    /// How far one may be off \[SI\].
+    fn most(&self, index: usize) -> f64 {
+        let tolerance = self.all[index].tolerance.as_ref();
+        tolerance.map_or(0.0, |own| own.lower.abs().max(own.upper.abs()))
+    }
 }
 
 /// What is followed of the parameters.
@@ -92,11 +103,67 @@ fn with_influence(all: &Dimensions, parameters: &Parameters) -> HashMap<usize, V
     followed.collect()
 }
 
+/// What is known of how far steps of dimensions are off the derivatives.
+pub(super) struct Straightness {
+    /// Bounds of what the steps leave out, by dimension; none where there is no enclosure, or a dimension is no multiple of what
+    /// the file says.
+    pub slack: Option<Vec<f64>>,
+    /// By parameter, whether a dimension follows from it in a way that its derivatives don't tell all of.
+    pub bends: Vec<bool>,
+}
+
+impl Straightness {
+    /// Within the tolerances of the parameters.
+    pub fn new(all: &Dimensions, parameters: &Parameters) -> Self {
+        let enclosed = (parameters.enclosed)();
+        Straightness {
+            slack: slack(all, parameters, &enclosed),
+            bends: bends(all, parameters, &enclosed),
+        }
+    }
+}
+
+/// By parameter, whether it has a part in a quantity whose derivatives change within the tolerances by more than round-off, or in a
+/// dimension that is no multiple of its quantity.
+fn bends(all: &Dimensions, parameters: &Parameters, enclosed: &Derivatives<Interval>) -> Vec<bool> {
+    let mut bends = vec![false; parameters.all.len()];
+    let leaves = parameters.derivatives.leaves.iter();
+    for (leaf, enclosed) in leaves.zip(&enclosed.leaves) {
+        let Some(of) = all.by_path.get(&leaf.path) else {
+            continue;
+        };
+        let (mut steps, mut slack) = (0.0, 0.0);
+        for ((index, slope), (_, within)) in leaf.gradient.iter().zip(&enclosed.gradient) {
+            let most = parameters.most(*index);
+            if most > 0.0 {
+                steps += slope.abs() * most;
+                slack += beyond(*slope, within) * most;
+            }
+        }
+        let is_multiple = |&(dimension, _): &(usize, f64)| all.all[dimension].is_linear();
+        // A bound that is not finite is none.
+        let is_straight = enclosed.fault.is_none() && slack <= ROUND_OFF * steps;
+        if !(is_straight && of.iter().all(is_multiple)) {
+            let own = leaf.gradient.iter();
+            own.for_each(|(index, _)| bends[*index] = true);
+        }
+    }
+    bends
+}
+
+/// How far a derivative may be off its value here.
+fn beyond(slope: f64, within: &Interval) -> f64 {
+    (within.most - slope).max(slope - within.least)
+}
+
 /// Bounds of what the steps of the parameters leave out, by dimension: the mean of a derivative along the way is within its
-/// enclosure. None where there is no enclosure, or a dimension is no multiple of what the file says.
-pub(super) fn slack(all: &Dimensions, parameters: &Parameters) -> Option<Vec<f64>> {
+/// enclosure.
+fn slack(
+    all: &Dimensions,
+    parameters: &Parameters,
+    enclosed: &Derivatives<Interval>,
+) -> Option<Vec<f64>> {
     let mut by_dimension = vec![0.0; all.all.len()];
-    let enclosed = (parameters.enclosed)();
     let leaves = parameters.derivatives.leaves.iter();
     let leaves = leaves.zip(&enclosed.leaves);
     for (leaf, enclosed) in leaves {
@@ -106,13 +173,11 @@ pub(super) fn slack(all: &Dimensions, parameters: &Parameters) -> Option<Vec<f64
         let mut slack = 0.0;
         let mut is_off = false;
         for ((index, slope), (_, within)) in leaf.gradient.iter().zip(&enclosed.gradient) {
-            let Some(tolerance) = &parameters.all[*index].tolerance else {
-                continue;
-            };
-            let most = tolerance.lower.abs().max(tolerance.upper.abs());
-            let beyond = (within.most - slope).max(slope - within.least);
-            slack += beyond * most * (1.0 + 1e-12);
-            is_off |= most > 0.0;
+            let most = parameters.most(*index);
+            if most > 0.0 {
+                slack += beyond(*slope, within) * most * (1.0 + 1e-12);
+                is_off = true;
+            }
         }
         if is_off && enclosed.fault.is_some() {
             return None;

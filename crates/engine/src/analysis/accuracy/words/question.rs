@@ -6,7 +6,7 @@ use super::super::{Accuracy, Levels, Question, forces, run};
 use super::forces::{making, refuse, scales};
 use super::names::{Names, dimension_values, dimensions};
 use super::outputs::wanted;
-use super::parameters::{Followed, Parameters, slack};
+use super::parameters::{Followed, Parameters, Straightness};
 use super::sources::{levels, pins, sources};
 use crate::analysis::control::{Control, Stop};
 use crate::analysis::question::instants;
@@ -84,7 +84,12 @@ pub fn accuracy(
     }
     let all = dimensions(&ideal, &names, &system);
     let followed = Followed::new(&all, parameters, !outputs.forces.is_empty());
-    let sources = sources(model, &system, &names, (parameters, &followed))?;
+    let levels = scope.levels.unwrap_or_else(|| levels(model));
+    // The first order asks for no bounds.
+    let straightness = (levels > Levels::First).then(|| Straightness::new(&all, parameters));
+    let straightness = straightness.as_ref();
+    let followed_of = (parameters, &followed);
+    let sources = sources(model, &system, &names, followed_of, straightness)?;
     let nominal = dimension_values(&ideal, &system);
     let tolerated = followed.parameters.iter().map(|(index, _)| *index);
     let tolerated: Vec<usize> = tolerated.collect();
@@ -106,11 +111,10 @@ pub fn accuracy(
         |named| matches!(named.play, Play::Zone { point, .. } if all.points[point.0].bears_wheel),
     );
     let making = making(&ideal, parameters, &followed);
-    let levels = scope.levels.unwrap_or_else(|| levels(model));
-    // The first order asks for no bounds.
-    let is_bounded = levels > Levels::First && !zone_bears_wheel;
     let question = Question {
-        slack: is_bounded.then(|| slack(&all, parameters)).flatten(),
+        slack: straightness
+            .filter(|_| !zone_bears_wheel)
+            .and_then(|known| known.slack.clone()),
         outputs: outputs.positions,
         forces: forces::Question {
             outputs: outputs.forces,

@@ -5,17 +5,18 @@ use super::super::statistics::{Pins, Scatter};
 use super::super::{Levels, Named};
 use super::gears::gear_curvature;
 use super::names::Names;
-use super::parameters::{Followed, Parameters, idle, kinks, times};
+use super::parameters::{Followed, Parameters, Straightness, idle, kinks, times};
 use crate::system::System;
 use linkdyn_model::error::{Complaint, Complaints};
 use linkdyn_model::{Distribution, JointKind, Model};
 
-/// All that may be off.
+/// All that may be off; what bends is asked where worst cases are.
 pub(super) fn sources(
     model: &Model,
     system: &System,
     names: &Names,
     (parameters, followed): (&Parameters, &Followed),
+    straightness: Option<&Straightness>,
 ) -> Result<Vec<Named>, Complaints> {
     let mut sources = Vec::new();
     for (index, (name, joint)) in model.joints.iter().enumerate() {
@@ -66,6 +67,7 @@ pub(super) fn sources(
                 upper,
                 scatter,
                 steps: steps.clone(),
+                bends: straightness.is_some_and(|known| known.bends[*index]),
             },
         });
     }
