@@ -11,10 +11,13 @@
 //!
 //! With impulses and velocities for forces and accelerations it is the problem of an impact from which contacts part. The contact
 //! that contradicts first changes over to what it asks for, by Murty's least index as in
-//! [`linkdyn_linear::complementary`]; where that goes round in a circle the choices are tried one by one. Without friction there is one solution. With it
-//! there may be several, of which the first counts, or none: a jam (see [`super::jamming`]).
+//! [`linkdyn_linear::complementary`]; where that goes round in a circle the choices are tried one by one (see [`search`]). Without
+//! friction there is one solution. With it there may be several, of which the first counts, or none: a jam (see
+//! [`super::jamming`]).
 //!
 //! F. Pfeiffer, C. Glocker, *Multibody Dynamics with Unilateral Contacts*, 1996, ch. 8.
+
+mod search;
 
 use super::touching::Touching;
 use linkdyn_linear::math::dot;
@@ -108,25 +111,6 @@ impl<'a> Grips<'a> {
                 Attempt::Wrong(k, _) if self.held == Some(k) => break,
                 Attempt::Wrong(k, mode) => modes[k] = mode,
                 Attempt::Singular => break,
-            }
-        }
-        None
-    }
-
-    /// The same by trying what there is.
-    fn search(&self) -> Option<(Vec<Mode>, Vec<[f64; 2]>)> {
-        let mut modes = vec![Mode::Leaves; self.along.len()];
-        let choices: Vec<Vec<Mode>> = (0..self.along.len()).map(|k| self.choices(k)).collect();
-        let count = choices
-            .iter()
-            .try_fold(1usize, |count, of| count.checked_mul(of.len()))?;
-        for mut choice in 0..count.min(CHOICES) {
-            for (mode, of) in modes.iter_mut().zip(&choices) {
-                *mode = of[choice % of.len()];
-                choice /= of.len();
-            }
-            if let Attempt::Solved(forces) = self.attempt(&modes) {
-                return Some((modes, forces));
             }
         }
         None

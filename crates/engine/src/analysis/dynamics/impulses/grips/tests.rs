@@ -153,3 +153,61 @@ fn what_begins_to_slide_does_not_slide_back() {
         );
     }
 }
+
+/// The tree finds what trying all choices one by one finds, and nothing else, of contacts that jam or don't.
+#[test]
+fn the_tree_finds_the_first_of_all_choices() {
+    let mut seed = 11_u64;
+    let mut random = || {
+        seed = seed
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (seed >> 33) as f64 / f64::from(1_u32 << 31) * 2.0 - 1.0
+    };
+    let (mut none, mut later) = (0, 0);
+    for round in 0..400 {
+        // Now and then what two contacts hold is the same, so that pivots vanish.
+        let root = DMatrix::from_fn(6, 6, |row, _| match row {
+            2 if round % 5 == 0 => 0.25,
+            _ => random(),
+        });
+        let mut mass = &root * root.transpose();
+        if round % 5 != 0 {
+            mass += DMatrix::identity(6, 6) * 0.01;
+        }
+        let friction = [0.3, 0.8, 2.0][round % 3];
+        let along: Vec<Along> = (0..3)
+            .map(|k| match (round + k) % 4 {
+                0 => Along::Rests(friction),
+                1 => Along::Slides(friction),
+                _ => Along::Slides(-friction),
+            })
+            .collect();
+        let presses: Vec<f64> = (0..3).map(|_| random()).collect();
+        let pulls: Vec<f64> = (0..3).map(|_| random()).collect();
+        let grips = Grips {
+            along: &along,
+            free: [&presses, &pulls],
+            mass,
+            held: (round % 7 == 0).then_some(1),
+        };
+        let choices: Vec<Vec<Mode>> = (0..3).map(|k| grips.choices(k)).collect();
+        let (mut first, mut place) = (None, 0);
+        'all: for &third in &choices[2] {
+            for &second in &choices[1] {
+                for &one in &choices[0] {
+                    let modes = vec![one, second, third];
+                    if let Attempt::Solved(forces) = grips.attempt(&modes) {
+                        first = Some((modes, forces));
+                        break 'all;
+                    }
+                    place += 1;
+                }
+            }
+        }
+        none += usize::from(first.is_none());
+        later += usize::from(first.is_some() && place > 3);
+        assert_eq!(grips.search(), first, "round {round}");
+    }
+    assert!(none > 10 && later > 50, "{none} {later}");
+}
