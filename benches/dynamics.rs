@@ -20,6 +20,8 @@ use serde_json::{Value, json};
 
 #[path = "../tests/common/benchmarks.rs"]
 mod benchmarks;
+#[path = "dynamics/growth.rs"]
+mod growth;
 
 /// What is simulated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -225,33 +227,6 @@ fn set_tolerance(model: &mut Checked, tolerance: f64) {
     *model = edited.expect("legal");
 }
 
-/// CPU per step [s] of some loops, without outputs between and without what is done once: the difference of a longer and
-/// a shorter run.
-fn per_step(loops: usize) -> f64 {
-    let mut json = Problem::FourBars(loops).json();
-    json["analysis"]["outputs"] = json!(2);
-    let mut model = load(&json);
-    set_tolerance(&mut model, 1e-6);
-    let run_to = |end: f64| {
-        let model = model.edit(|model| {
-            model.analysis.as_mut().expect("an analysis").end = Some(end);
-        });
-        let model = model.expect("legal");
-        let runs: Vec<Outcome> = (0..3).map(|_| run(&model)).map(without_rows).collect();
-        (
-            spread(
-                runs.iter()
-                    .map(|outcome| outcome.report.solve.cpu)
-                    .collect(),
-            )
-            .0,
-            runs[0].report.statistics.steps,
-        )
-    };
-    let (short, long) = (run_to(0.2), run_to(1.2));
-    (long.0 - short.0) / (long.1 - short.1) as f64
-}
-
 /// CPU per instant [µs] of the driven Watt-I lock: position, velocity, acceleration, all reactions.
 fn driven_instant() -> (f64, f64) {
     const INSTANTS: usize = 2000;
@@ -358,22 +333,5 @@ fn main() {
     }
     let (least, median) = driven_instant();
     println!("driven six-bar, per instant: {least:.2} µs (median {median:.2}), goal 5");
-    let mut before: Option<(usize, f64)> = None;
-    let mut first = None;
-    for loops in [10, 100, 1000, 10_000] {
-        let time = per_step(loops);
-        let exponent = |(n, t): (usize, f64)| (time / t).ln() / (loops as f64 / n as f64).ln();
-        let growth = before.map_or(String::new(), |before| {
-            format!(", growing as N^{:.2}", exponent(before))
-        });
-        println!("A02 N = {loops}: {:.1} µs per step{growth}", time * 1e6);
-        before = Some((loops, time));
-        let (n, t) = *first.get_or_insert((loops, time));
-        if loops == 10_000 {
-            println!(
-                "from N = {n} to {loops}: N^{:.2}, goal 1.12",
-                exponent((n, t))
-            );
-        }
-    }
+    growth::print();
 }
