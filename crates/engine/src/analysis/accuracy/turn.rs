@@ -4,7 +4,7 @@
 //! this. So g falls on the way between, and the output is farthest where it vanishes; by the straight line through both
 //!
 //! ```text
-//! e − g/k,   k = (g₂ − g₁)/(e₂ − e₁)
+//! e − g/k,   k = (g₂ − g₁)/(e₂ − e₁)      of the last two
 //! ```
 
 /// A source to either side on its way.
@@ -24,10 +24,16 @@ impl Turn {
         if self.bend.is_none() && (end == e || (g * (end - e)).abs() <= worth) {
             return e;
         }
-        if let (None, Some([other, then])) = (self.bend, self.before)
-            && other == end
+        // Others that give way at the same time have a part in it, and stop at their ends: so it is measured at each step.
+        if let Some([other, then]) = self.before
+            && e != other
         {
-            self.bend = Some((g - then) / (e - other));
+            let bend = (g - then) / (e - other);
+            match self.bend {
+                None if other == end => self.bend = Some(bend),
+                Some(before) if before * bend > 0.0 => self.bend = Some(bend),
+                None | Some(_) => {}
+            }
         }
         let next = match (self.bend, ends) {
             (None, _) => end,
@@ -71,5 +77,24 @@ mod tests {
             assert_eq!(turn.next([1.0, -1e-3], -1.0, None, 0.01), 1.0);
             assert_eq!(turn.next([1.0, 0.2], 1.0, Some([-1.0, 1.0]), 0.0), 1.0);
         }
+    }
+
+    /// Two sources with one influence give way together; one may not stand between its ends, and the other goes on alone, as fast.
+    #[test]
+    fn a_source_goes_on_where_another_has_stopped() {
+        let (g0, k, ends) = (-0.6, 2.0, [-1.0, 1.0]);
+        let mut turns = [Turn::default(); 2];
+        let mut e = [1.0; 2];
+        for _ in 0..6 {
+            let g = g0 - k * (e[0] + e[1]);
+            let end = if g >= 0.0 { ends[1] } else { ends[0] };
+            let [first, second] = &mut turns;
+            e = [
+                first.next([e[0], g], end, Some(ends), 0.0),
+                second.next([e[1], g], end, None, 0.0),
+            ];
+        }
+        assert_eq!(e[1], -1.0);
+        assert!((k * (e[0] + e[1]) - g0).abs() < 1e-14, "{e:?}");
     }
 }
