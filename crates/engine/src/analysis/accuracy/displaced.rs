@@ -41,8 +41,8 @@ pub(super) struct Mechanism<'m> {
     stepped_points: Vec<(PointId, usize)>,
     /// Other dimensions that parameters step.
     stepped_others: Vec<usize>,
-    /// Plays by what they are: parameters and whether they bend, zones with their points, and those that make gaps.
-    parameters: Vec<(usize, bool)>,
+    /// Plays by what they are: parameters, zones with their points, and those that make gaps.
+    parameters: Vec<usize>,
     zones: Vec<(usize, PointId)>,
     gapped: Vec<usize>,
     /// ∂y/∂(dimension), and ∂y/∂P of the points, as last asked for.
@@ -114,7 +114,7 @@ impl<'m> Mechanism<'m> {
         let (mut parameters, mut zones, mut gapped) = (Vec::new(), Vec::new(), Vec::new());
         for (index, play) in plays.iter().enumerate() {
             match play {
-                Play::Parameter { bends, .. } => parameters.push((index, *bends)),
+                Play::Parameter { .. } => parameters.push(index),
                 Play::Zone { point, .. } => zones.push((index, *point)),
                 Play::Pin { .. }
                 | Play::Sides { .. }
@@ -302,36 +302,36 @@ impl<'m> Mechanism<'m> {
     /// Sets the steps of the dimensions for the parameters' deviations: what those that bend do together, and of the others the
     /// sum of what each does. Whether the model can be had with them.
     pub fn step_parameters(&mut self) -> bool {
-        let each = self.parameters.iter();
-        let each = each.map(|&(index, _)| self.extremes[index][0]);
-        if each.clone().eq(self.stepped.iter().copied()) {
+        let each = self.parameters.iter().map(|&index| self.extremes[index][0]);
+        if each.eq(self.stepped.iter().copied()) {
             return true;
         }
         self.stepped.clear();
         if !self.step_bent() {
             return false;
         }
-        for &(index, bends) in &self.parameters {
+        for &index in &self.parameters {
             let e = self.extremes[index][0];
-            if let Play::Parameter { steps, .. } = &self.plays[index]
-                && !bends
+            if let Play::Parameter {
+                steps,
+                bends: false,
+                ..
+            } = &self.plays[index]
             {
                 for &(k, by) in steps {
                     self.steps[k] += by * e;
                 }
             }
+            self.stepped.push(e);
         }
-        let each = self.parameters.iter();
-        let each = each.map(|&(index, _)| self.extremes[index][0]);
-        self.stepped.extend(each);
         true
     }
 
     /// Sets the steps of the dimensions for the parameters that bend, the others at their values: the model is read with them.
     fn step_bent(&mut self) -> bool {
-        let bent = |&(index, bends): &(usize, bool)| match bends {
-            true => self.extremes[index][0],
-            false => 0.0,
+        let bent = |&index: &usize| match self.plays[index] {
+            Play::Parameter { bends: true, .. } => self.extremes[index][0],
+            _ => 0.0,
         };
         let mut asked = self.parameters.iter().map(bent);
         if asked.all(|by| by == 0.0) {

@@ -8,7 +8,7 @@
 //! A contact that presses exchanges its rows of u with its part of z (Gauss and Jordan); at the ends of the tree the signs of u and z are read off.
 //! What may be a solution by these numbers is solved by itself, and counts by that alone.
 
-use super::{Along, Attempt, CHOICES, Grips, Mode, NEAR};
+use super::{Along, Attempt, CHOICES, Grips, Mode, NEAR, largest};
 use nalgebra::DMatrix;
 
 /// Pivots below this part of a contact's own inverse mass are not eliminated: all choices below are solved one by one.
@@ -77,24 +77,19 @@ impl Tableau {
         Some(())
     }
 
-    /// Whether these modes may be a solution.
-    fn may_hold(&self, modes: &[Mode], grips: &Grips) -> bool {
+    /// Whether these modes may be a solution; `free` and `mass` are the largest numbers of theirs.
+    fn may_hold(&self, modes: &[Mode], along: &[Along], [free, mass]: [f64; 2]) -> bool {
         let pushes = modes.iter().enumerate().map(|(k, mode)| match mode {
             Mode::Leaves => 0.0,
             Mode::Sticks => self.rest[2 * k].abs().max(self.rest[2 * k + 1].abs()),
             Mode::Slips(ratio) => self.rest[2 * k].abs() * ratio.abs().max(1.0),
         });
         let push = pushes.fold(0.0, f64::max);
-        let free = grips.free.iter().flat_map(|free| free.iter());
-        let free = free.filter(|free| free.is_finite());
-        let most = free.fold(0.0, |most: f64, free| most.max(free.abs()));
-        let (near, close) = (
-            ROUGH * push,
-            ROUGH * (most + grips.mass.amax() * modes.len() as f64 * push),
-        );
+        let near = ROUGH * push;
+        let close = ROUGH * (free + mass * modes.len() as f64 * push);
         modes.iter().enumerate().all(|(k, &mode)| {
             let (normal, tangential) = (self.rest[2 * k], self.rest[2 * k + 1]);
-            match (mode, grips.along[k]) {
+            match (mode, along[k]) {
                 (Mode::Leaves, _) => normal <= close,
                 (Mode::Sticks, Along::Rests(most)) => {
                     normal >= -near
@@ -115,6 +110,8 @@ struct Walk<'g, 'a> {
     grips: &'g Grips<'a>,
     choices: Vec<Vec<Mode>>,
     modes: Vec<Mode>,
+    /// Largest accelerations or velocities without forces, and inverse masses.
+    largest: [f64; 2],
     /// Choices that may still be tried.
     left: usize,
 }
@@ -127,7 +124,8 @@ impl Walk<'_, '_> {
         }
         let Some(k) = decided.checked_sub(1) else {
             self.left -= 1;
-            if tableau.is_some_and(|tableau| !tableau.may_hold(&self.modes, self.grips)) {
+            let (modes, along) = (&self.modes, self.grips.along);
+            if tableau.is_some_and(|tableau| !tableau.may_hold(modes, along, self.largest)) {
                 return None;
             }
             return match self.grips.attempt(&self.modes) {
@@ -154,7 +152,9 @@ impl Grips<'_> {
     /// The first of all choices that is a solution, in the order in which the first contact changes first.
     pub(super) fn search(&self) -> Option<Found> {
         let count = self.along.len();
+        let free = self.free.map(largest);
         let mut walk = Walk {
+            largest: [free[0].max(free[1]), self.mass.amax()],
             grips: self,
             choices: (0..count).map(|k| self.choices(k)).collect(),
             modes: vec![Mode::Leaves; count],

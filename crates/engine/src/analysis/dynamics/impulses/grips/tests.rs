@@ -1,5 +1,15 @@
 use super::*;
 
+/// Numbers from −1 to 1, the same ones by seed.
+fn numbers(mut seed: u64) -> impl FnMut() -> f64 {
+    move || {
+        seed = seed
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (seed >> 33) as f64 / f64::from(1_u32 << 31) * 2.0 - 1.0
+    }
+}
+
 fn solve(
     mass: &DMatrix<f64>,
     along: &[Along],
@@ -65,13 +75,7 @@ fn painleves_rod_has_no_answer() {
 /// a solution (D. E. Stewart, J. C. Trinkle 1996).
 #[test]
 fn what_is_found_is_coulombs_law() {
-    let mut seed = 7_u64;
-    let mut random = || {
-        seed = seed
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
-        (seed >> 33) as f64 / f64::from(1_u32 << 31) * 2.0 - 1.0
-    };
+    let mut random = numbers(7);
     let mut sticking = 0;
     for round in 0..4000 {
         let root = DMatrix::from_fn(4, 4, |_, _| random());
@@ -157,13 +161,7 @@ fn what_begins_to_slide_does_not_slide_back() {
 /// The tree finds what trying all choices one by one finds, and nothing else, of contacts that jam or don't.
 #[test]
 fn the_tree_finds_the_first_of_all_choices() {
-    let mut seed = 11_u64;
-    let mut random = || {
-        seed = seed
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
-        (seed >> 33) as f64 / f64::from(1_u32 << 31) * 2.0 - 1.0
-    };
+    let mut random = numbers(11);
     let (mut none, mut later) = (0, 0);
     for round in 0..400 {
         // Now and then what two contacts hold is the same, so that pivots vanish.
