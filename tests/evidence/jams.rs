@@ -75,6 +75,10 @@ fn jams_end_by_impulses() {
     let ideal = rigid("watt-i-lock", &[], "", 0.0, 0.0, &[]);
     for (joints, restitution, friction) in [
         (&["d", "e", "f"][..], 0.5, 0.05),
+        // Forces of those that press are undetermined but for round-off.
+        (&["d", "e", "f"], 0.5, 0.2),
+        // The others come nearer whatever they do while one of them pushes: it does not jam alone.
+        (&["c", "d", "e", "f"], 0.5, 0.5),
         (&["a", "b"], 0.0, 0.1),
         (&["a", "b"], 0.5, 0.6),
         (&["a", "b", "c"], 0.0, 0.2),
@@ -134,11 +138,11 @@ fn a_motion_that_comes_to_a_jam_goes_on() {
 /// Where no forces and no impulses answer the motion, the joint is named.
 #[test]
 fn jammed_journals_are_named() {
-    let outcome = rigid("watt-i-lock", &["d", "e", "f"], "100 um", 0.5, 0.2, &[]);
+    let outcome = rigid("watt-i-lock", &["d", "e", "f"], "100 um", 0.5, 0.3, &[]);
     assert_eq!(outcome.report.status, Status::Singular);
     let said = outcome.report.message.expect("why");
     assert!(
-        said.contains("joint \"d\"") && !outcome.trajectory.is_empty(),
+        said.contains("joint \"e\"") && !outcome.trajectory.is_empty(),
         "{said}"
     );
 }

@@ -93,17 +93,21 @@ impl Way {
     pub fn find(flow: &Flow, touching: &Touching) -> Option<Way> {
         let ratios = touching.friction_ratios(flow);
         let mass = touching.inverse_mass(&ratios);
-        let ways = touching.points.iter().enumerate().map(|(leader, point)| {
-            let sizes = touching.pushed_by(leader, &mass);
-            let parts = sizes.iter().enumerate();
-            let d: f64 = parts.map(|(j, size)| mass[(leader, j)] * size).sum();
-            Way {
-                leader,
-                margin: d / dot(&point.forces[0], &point.changes[0]),
-                sizes,
-                ratios: ratios.clone(),
-            }
-        });
+        let ways = touching
+            .points
+            .iter()
+            .enumerate()
+            .filter_map(|(leader, point)| {
+                let sizes = touching.pushed_by(leader, &mass)?;
+                let parts = sizes.iter().enumerate();
+                let d: f64 = parts.map(|(j, size)| mass[(leader, j)] * size).sum();
+                Some(Way {
+                    leader,
+                    margin: d / dot(&point.forces[0], &point.changes[0]),
+                    sizes,
+                    ratios: ratios.clone(),
+                })
+            });
         ways.filter(|way| way.margin.is_finite())
             .min_by(|a, b| a.margin.total_cmp(&b.margin))
     }

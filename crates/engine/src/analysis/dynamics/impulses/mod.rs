@@ -14,7 +14,7 @@ mod point;
 mod touching;
 
 use super::flow::Flow;
-use super::modes::{creep, is_there, largest_guard};
+use super::modes::{creep, is_there};
 use super::words::TIGHT;
 use crate::analysis::ends;
 use crate::element::pair::{Contact, Hold, Phase, Reading, Rigid, Surface};
@@ -22,7 +22,7 @@ use crate::mechanism::driven::Failure;
 use grips::{Grips, Mode};
 use impact::Strike;
 use jamming::{Way, stop};
-use point::{LOWEST, Point, approach_acceleration, touches};
+use point::{LOWEST, Point, acting, acting_of, approach_acceleration, touches};
 use touching::Touching;
 
 pub use instant::Instant;
@@ -31,6 +31,9 @@ pub use point::at_rest;
 
 /// Impacts one after the other at one instant after which the rest are one, without rebound.
 const MANY: usize = 100;
+
+/// Determinant of the friction's equations, 1 without friction, below which round-off decides which forces answer a motion.
+const UNDETERMINED: f64 = 1e-9;
 
 /// Resolves what contacts do at an instant.
 pub struct Impulses<'a, 's> {
@@ -306,8 +309,23 @@ impl<'a, 's> Impulses<'a, 's> {
                 let way = Way::find(self.at.flow, &touching);
                 self.end_jam(&touching, way)
             }
+            Ok(()) if self.is_contradicted(&modes) => {
+                self.at.release_all()?;
+                let touching = Touching::new(self.at.flow, touching.contacts);
+                let way = Way::find(self.at.flow, &touching);
+                self.end_jam(&touching, way)
+            }
             gone => gone,
         }
+    }
+
+    /// Whether contacts that press by these modes are pulled, where their forces are all but undetermined: d is zero then but for
+    /// round-off, and no forces answer the motion.
+    fn is_contradicted(&self, modes: &[Mode]) -> bool {
+        let flow = &*self.at.flow;
+        let presses = |contact: usize| modes[contact] != Mode::Leaves;
+        flow.equations.dependent_forces().margin().abs() <= UNDETERMINED
+            && acting_of(flow, presses).is_some()
     }
 
     /// δ̇ that impulses have to stop. Outlines may hold a tip from two sides at once, where round-off would ask for what can't be:
@@ -376,15 +394,4 @@ impl<'a, 's> Impulses<'a, 's> {
 /// Whether rigid surfaces touch, at rest against each other.
 pub fn rests(flow: &Flow, contact: usize) -> bool {
     touches(flow, contact, at_rest(flow))
-}
-
-/// A rigid contact whose guard is positive.
-fn acting(flow: &Flow) -> Option<usize> {
-    let system = flow.system();
-    (0..system.contacts.len()).find(|&contact| {
-        let journal = &system.contacts[contact];
-        let (memory, reading) = (&flow.memories()[contact], flow.reading(contact));
-        matches!(journal.surface, Surface::Rigid(_))
-            && largest_guard(&system.scale, journal, memory, &reading) > 0.0
-    })
 }

@@ -1,6 +1,7 @@
 //! The point at which a rigid journal touches its bearing: what impulses there change, and what friction does there.
 
 use crate::analysis::dynamics::flow::Flow;
+use crate::analysis::dynamics::modes::largest_guard;
 use crate::analysis::dynamics::modes::{STILL, is_there};
 use crate::element::Applied;
 use crate::element::pair::{Reading, Surface};
@@ -128,4 +129,21 @@ pub(super) fn sliding_acceleration(flow: &Flow, contact: usize, point: &Point) -
     let mut gamma = [0.0; 2];
     sticking.gamma(&flow.equations.kinematics(), &mut gamma);
     dot(&point.forces[1], flow.equations.acceleration()) + gamma[1]
+}
+
+/// A rigid contact whose guard is positive.
+pub(super) fn acting(flow: &Flow) -> Option<usize> {
+    acting_of(flow, |_| true)
+}
+
+/// The same of some of them.
+pub(super) fn acting_of(flow: &Flow, counts: impl Fn(usize) -> bool) -> Option<usize> {
+    let system = flow.system();
+    let mut contacts = (0..system.contacts.len()).filter(|&contact| counts(contact));
+    contacts.find(|&contact| {
+        let journal = &system.contacts[contact];
+        let (memory, reading) = (&flow.memories()[contact], flow.reading(contact));
+        matches!(journal.surface, Surface::Rigid(_))
+            && largest_guard(&system.scale, journal, memory, &reading) > 0.0
+    })
 }

@@ -74,8 +74,8 @@ impl Touching {
         complementary(&self.inverse_mass(ratios), free)
     }
 
-    /// p of the others while contact `leader` pushes with 1; they come nearer too where there is no solution.
-    pub fn pushed_by(&self, leader: usize, inverse_mass: &DMatrix<f64>) -> Vec<f64> {
+    /// p of the others while contact `leader` pushes with 1; none where there is no solution.
+    pub fn pushed_by(&self, leader: usize, inverse_mass: &DMatrix<f64>) -> Option<Vec<f64>> {
         let others: Vec<usize> = (0..self.len()).filter(|&other| other != leader).collect();
         let part = DMatrix::from_fn(others.len(), others.len(), |i, j| {
             inverse_mass[(others[i], others[j])]
@@ -86,11 +86,10 @@ impl Touching {
             .collect();
         let mut sizes = vec![0.0; self.len()];
         sizes[leader] = 1.0;
-        if let Some((_, answers)) = complementary(&part, &free) {
-            let answers = others.iter().zip(answers);
-            answers.for_each(|(&other, answer)| sizes[other] = answer);
-        }
-        sizes
+        let (_, answers) = complementary(&part, &free)?;
+        let answers = others.iter().zip(answers);
+        answers.for_each(|(&other, answer)| sizes[other] = answer);
+        Some(sizes)
     }
 
     /// δ̇ of each, at the last evaluation [m/s].
