@@ -28,6 +28,7 @@ mod docs;
 mod exit;
 mod gallery;
 mod interrupt;
+mod largest;
 mod live;
 mod man;
 mod measures;

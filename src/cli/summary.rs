@@ -1,22 +1,17 @@
 //! What `run` tells: how it went, and the numbers that are asked for first.
 
+use super::largest::{efforts, forces};
 use super::open::Opened;
 use super::page::{Page, count, number, seconds, shorten};
 use super::responses;
-use super::words::{analysis_words, equilibrium, mobility, status_words, unit_words};
+use super::words::{analysis_words, equilibrium, mobility, status_words};
 use crate::files::Written;
 use linkdyn_engine::analysis::Outcome;
 use linkdyn_model::display::DisplayUnits;
-use linkdyn_output::{
-    Channel, ClearanceSums, ColumnId, DriverQuantity, Event, JointQuantity, Quality, Stage,
-    StopSums, Trajectory,
-};
+use linkdyn_output::{ClearanceSums, Event, Quality, Stage, StopSums, Trajectory};
 
 /// Digits of numbers.
 const DIGITS: usize = 4;
-/// Joints with the largest forces that are shown.
-const FORCES: usize = 3;
-
 /// The summary of a run as text.
 pub fn page(opened: &Opened, outcome: &Outcome, written: &Written) -> String {
     let Outcome {
@@ -61,8 +56,8 @@ pub fn page(opened: &Opened, outcome: &Outcome, written: &Written) -> String {
                 .collect(),
         ),
     );
-    page.rows("effort", efforts(&curves));
-    page.rows("largest force", forces(&curves));
+    page.rows("effort", efforts(&curves, report));
+    page.rows("largest force", forces(&curves, report));
     page.rows("warnings", shorten(report.warnings.clone()));
     page.rows(
         "written",
@@ -189,70 +184,6 @@ fn event_words(event: &Event, trajectory: &Trajectory, display: &DisplayUnits) -
     text
 }
 
-/// A row per driver: smallest and largest effort, and when.
-fn efforts(trajectory: &Trajectory) -> Vec<String> {
-    let extremes = trajectory.extremes();
-    let rows = trajectory
-        .columns
-        .iter()
-        .zip(extremes)
-        .filter_map(|(column, extremes)| {
-            let Some(Channel::Driver(_, DriverQuantity::Effort)) = column.channel else {
-                return None;
-            };
-            let (driver, e) = (&column.owner, extremes?);
-            let unit = unit_words(column.unit);
-            let at = |value: f64, time: f64| {
-                format!(
-                    "{} {unit} at {} s",
-                    number(value, DIGITS),
-                    number(time, DIGITS)
-                )
-            };
-            Some(format!(
-                "{driver}: {} … {}",
-                at(e.min, e.min_time),
-                at(e.max, e.max_time)
-            ))
-        });
-    shorten(rows.collect())
-}
-
-/// The joints with the largest forces: magnitude and when.
-fn forces(trajectory: &Trajectory) -> Vec<String> {
-    let time = trajectory.column_index("time");
-    let mut peaks: Vec<(f64, f64, &str)> = Vec::new();
-    for (fx, column) in trajectory.columns.iter().enumerate() {
-        let Some(Channel::Joint(joint, JointQuantity::Fx)) = column.channel else {
-            continue;
-        };
-        let across = trajectory.find(Channel::Joint(joint, JointQuantity::Fy));
-        let Some(fy) = across.map(ColumnId::index) else {
-            continue;
-        };
-        let joint = column.owner.as_str();
-        let magnitudes = trajectory.rows().map(|row| {
-            (
-                row[fx].hypot(row[fy]),
-                time.map_or(f64::NAN, |time| row[time]),
-            )
-        });
-        let peak = magnitudes
-            .filter(|(force, _)| force.is_finite())
-            .max_by(|a, b| a.0.total_cmp(&b.0));
-        peaks.extend(peak.map(|(force, time)| (force, time, joint)));
-    }
-    peaks.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let words = |&(force, time, joint): &(f64, f64, &str)| {
-        format!(
-            "{joint}: {} N at {} s",
-            number(force, DIGITS),
-            number(time, DIGITS)
-        )
-    };
-    peaks.iter().take(FORCES).map(words).collect()
-}
-
 /// `load 0.3 ms, solve 12 ms (CPU 11 ms)`.
 fn times(stages: &[(&str, Stage)]) -> String {
     let walls: Vec<String> = stages
@@ -266,27 +197,14 @@ fn times(stages: &[(&str, Stage)]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use linkdyn_output::{Column, Episode, EventKind};
+    use linkdyn_output::{Channel, Column, DriverQuantity, Episode, EventKind};
 
     fn results() -> Trajectory {
-        let force =
-            |joint, quantity, owner| Column::of(Channel::Joint(joint, quantity), owner, "N");
-        let drive = |driver, quantity, owner, unit| {
-            Column::of(Channel::Driver(driver, quantity), owner, unit)
+        let value = |driver, owner, unit| {
+            let channel = Channel::Driver(driver, DriverQuantity::Value);
+            Column::of(channel, owner, unit)
         };
-        let mut table = Trajectory::new(vec![
-            Column::of(Channel::Time, "", "s"),
-            force(0, JointQuantity::Fx, "a"),
-            force(0, JointQuantity::Fy, "a"),
-            force(1, JointQuantity::Fx, "🔒"),
-            force(1, JointQuantity::Fy, "🔒"),
-            drive(0, DriverQuantity::Value, "motor", "rad"),
-            drive(0, DriverQuantity::Effort, "motor", "N*m"),
-            drive(1, DriverQuantity::Value, "slide", "m"),
-        ]);
-        table.push_row(&[0.0, 3.0, -4.0, 6.0, 8.0, 1.0, -2.0, 0.1]);
-        table.push_row(&[0.5, 0.0, 1.0, f64::NAN, f64::NAN, 2.0, 12.5, 0.2]);
-        table
+        Trajectory::new(vec![value(0, "motor", "rad"), value(1, "slide", "m")])
     }
 
     fn event(driver: &str, end_time: Option<f64>) -> Event {
@@ -359,15 +277,6 @@ mod tests {
             event_words(&of_strut, &results(), &DisplayUnits::default()),
             "impact at 0.5 s (force.strut, upper stop)"
         );
-    }
-
-    #[test]
-    fn efforts_and_forces_are_found_in_the_columns() {
-        assert_eq!(
-            efforts(&results()),
-            ["motor: -2 N·m at 0 s … 12.5 N·m at 0.5 s"]
-        );
-        assert_eq!(forces(&results()), ["🔒: 10 N at 0 s", "a: 5 N at 0 s"]);
     }
 
     #[test]

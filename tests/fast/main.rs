@@ -73,3 +73,4 @@ mod stops;
 mod tables;
 mod timed;
 mod transmission;
+mod unbounded;

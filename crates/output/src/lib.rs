@@ -16,6 +16,7 @@ mod status;
 pub mod stopwatch;
 pub mod summary;
 mod trajectory;
+mod unbounded;
 
 #[doc(hidden)]
 pub use channel::StateQuantity;
@@ -34,6 +35,7 @@ pub use status::Status;
 pub use stopwatch::Stopwatch;
 pub use summary::Summary;
 pub use trajectory::Trajectory;
+pub use unbounded::Unbounded;
 
 /// Name of the column that is always first and always kept.
 pub const TIME: &str = "time";
@@ -193,6 +195,9 @@ pub struct Report {
     pub warnings: Vec<String>,
     /// What happened, by time.
     pub events: Vec<Event>,
+    /// Columns without bound.
+    #[doc(hidden)]
+    pub unbounded: Vec<Unbounded>,
     /// Joints with clearance by contact.
     pub clearances: Vec<ClearanceSums>,
     /// Joints with stops.

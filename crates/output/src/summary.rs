@@ -32,7 +32,10 @@ pub struct Summary<'a> {
 /// The summary as JSON; a number that is not finite becomes null.
 pub fn to_json(summary: &Summary) -> Value {
     let mut json = facts(summary);
-    json.insert("extremes".into(), extremes(summary.trajectory));
+    json.insert(
+        "extremes".into(),
+        extremes(summary.trajectory, summary.report),
+    );
     json.insert("drawing".into(), summary.drawing.clone());
     json.insert("mechanism".into(), summary.mechanism.clone());
     Value::Object(json)
@@ -110,6 +113,11 @@ pub fn facts(summary: &Summary) -> Map<String, Value> {
     json.extend(contacts(report));
     json.insert("warnings".into(), report.warnings.as_slice().into());
     json.insert("events".into(), report.events.iter().map(event).collect());
+    if !report.unbounded.is_empty() {
+        let unbounded = report.unbounded.iter();
+        let told = unbounded.map(|one| json!({ "times": one.times, "columns": one.columns }));
+        json.insert("unbounded".into(), told.collect());
+    }
     json
 }
 
@@ -215,11 +223,19 @@ fn event(event: &Event) -> Value {
     Value::Object(json)
 }
 
-/// Extremes by column; nulls where a column has no value at all.
-fn extremes(trajectory: &Trajectory) -> Value {
-    let of_column = trajectory.extremes().into_iter().map(|extremes| match extremes {
-        Some(e) => json!({ "min": e.min, "min_time": e.min_time, "max": e.max, "max_time": e.max_time }),
-        None => json!({ "min": null, "min_time": null, "max": null, "max_time": null }),
+/// Extremes by column; nulls where a column has no value at all. Of a column without bound they are those of the rows.
+fn extremes(trajectory: &Trajectory, report: &Report) -> Value {
+    let unbounded = report.first_unbounded();
+    let found = trajectory.extremes().into_iter().zip(&*trajectory.columns);
+    let of_column = found.map(|(extremes, column)| {
+        let mut json = match extremes {
+            Some(e) => json!({ "min": e.min, "min_time": e.min_time, "max": e.max, "max_time": e.max_time }),
+            None => json!({ "min": null, "min_time": null, "max": null, "max_time": null }),
+        };
+        if unbounded.contains_key(column.name.as_str()) {
+            json["unbounded"] = true.into();
+        }
+        json
     });
     Value::Object(
         trajectory

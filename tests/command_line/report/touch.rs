@@ -85,10 +85,9 @@ fn plots_come_in_order(told: &Value) {
     assert_eq!(first[1][0], "joint.g.f", "the largest force: {first}");
     let peaks = texts(&told["peaks"]);
     assert!(peaks.contains(&"628.6 N·m at 125°"), "{peaks:?}");
-    assert!(
-        peaks.iter().any(|peak| peak.starts_with("76.13 kN at ")),
-        "{peaks:?}"
-    );
+    // Of the four-bar loop that is flat there no row is the largest.
+    assert!(peaks.contains(&"no bound near 117.5°"), "{peaks:?}");
+    assert!(!peaks.iter().any(|peak| peak.contains("kN")), "{peaks:?}");
     assert!(
         texts(&told["peaks_in_time"]).contains(&"628.6 N·m at 1.748 s"),
         "{told:#}"

@@ -41,6 +41,7 @@ mod shaking;
 mod statics;
 mod suspicious;
 mod transmission;
+mod unbounded;
 mod words;
 
 pub use check::{Check, Lack, check};

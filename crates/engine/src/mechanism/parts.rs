@@ -190,6 +190,22 @@ impl<'s> Parts<'s> {
         })
     }
 
+    /// Number of the parts.
+    pub(super) fn count(&self) -> usize {
+        self.parts.len()
+    }
+
+    /// The curve that a part is on, where it was followed.
+    pub(super) fn path(&self, part: usize) -> Option<&Path> {
+        Some(&self.parts[part].on()?.path)
+    }
+
+    /// The coordinate that a part's curve is by, with the whole at `q`.
+    pub(super) fn coordinate(&self, part: usize, q: &[f64]) -> Option<f64> {
+        let followed = &self.parts[part];
+        Some(followed.part.value(followed.on()?.independent, q))
+    }
+
     /// The solver of the mechanism's own equations, where another one is in use.
     pub fn own(&mut self) -> Option<&mut Driven<'s>> {
         let own = |windows: &Windows| windows.iter().all(Option::is_none);
@@ -233,6 +249,11 @@ impl<'s> Followed<'s> {
             now: None,
             started: f64::NEG_INFINITY,
         }
+    }
+
+    /// The curve that holds the point at hand.
+    fn on(&self) -> Option<&Curve> {
+        Some(&self.curves[self.now?])
     }
 
     /// The window, counted over all curves, that `q` is in.

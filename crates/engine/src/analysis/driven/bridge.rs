@@ -1,7 +1,10 @@
 //! Outputs near a change point: motion from the smooth branch, forces as far as they exist.
 
+use super::super::channels::Contents;
 use super::super::clearance_link::{balance, carried};
+use super::super::record::Recorder;
 use super::super::sample::Sample;
+use super::super::unbounded::{DISTANCES, unbounded};
 use crate::mechanism::continuation::Path;
 use crate::mechanism::driven::Driven;
 use crate::system::{Inputs, Origin, System};
@@ -125,6 +128,24 @@ impl Bridge {
             forces.add_forces(&mut sample.balance);
         }
         locked
+    }
+
+    /// Columns of these contents without bound at a change point.
+    pub fn unbounded(
+        &mut self,
+        driven: &mut Driven,
+        path: &Path,
+        near: Near,
+        (inputs, contents): (&Inputs, Contents),
+    ) -> Vec<String> {
+        let system = driven.system;
+        let mut rows = Recorder::new(system, contents, DISTANCES.len());
+        for part in DISTANCES {
+            if self.solve_beside(driven, path, near, part * LIMIT, inputs) {
+                rows.push(system, &driven.evaluation, inputs, &self.scratch);
+            }
+        }
+        unbounded(&rows.trajectory)
     }
 
     /// What is carried at a part of the window's width beside the place, into the scratch; whether that is regular.

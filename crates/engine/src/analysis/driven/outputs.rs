@@ -1,5 +1,7 @@
 //! The loop over the output instants, and what it reports.
 
+mod ended;
+
 use super::super::channels::Contents;
 use super::super::clearance_link::{ClearanceLinks, Fixpoint, balance, carried, effort_by_power};
 use super::super::control::Control;
@@ -10,14 +12,14 @@ use super::super::outside::Outside;
 use super::super::power::Powers;
 use super::super::record::Recorder;
 use super::super::sample::Sample;
-use super::super::words::{locked, unsure_friction};
+use super::super::words::locked;
 use super::bridge::{Bridge, Near};
 use super::passages::{events, range, with_passages};
 use super::words::{describe, limits, stopped};
 use crate::mechanism::continuation::{End, Parameter, Path, Source};
 use crate::mechanism::driven::{Driven, Failure};
 use crate::system::{DriverId, Inputs, System};
-use linkdyn_output::{Event, EventKind, Report, Status, Trajectory};
+use linkdyn_output::{Event, EventKind, Report, Status};
 
 /// A joint belongs to a self-stress when its part is above this, relative to the largest.
 const STRESSED: f64 = 1e-6;
@@ -42,17 +44,21 @@ pub(super) struct Outputs<'a, 'r> {
     overrun: Overrun,
 }
 
+/// What a prescribed motion computes.
+fn contents(reactions: bool) -> Contents {
+    Contents {
+        velocities: true,
+        accelerations: true,
+        reactions,
+    }
+}
+
 impl<'a, 'r> Outputs<'a, 'r> {
     pub fn new(system: &'a System, reactions: bool, rows: usize, report: &'r mut Report) -> Self {
-        let contents = Contents {
-            velocities: true,
-            accelerations: true,
-            reactions,
-        };
         Outputs {
             system,
             links: ClearanceLinks::of(system),
-            recorder: Recorder::new(system, contents, rows),
+            recorder: Recorder::new(system, contents(reactions), rows),
             inputs: Inputs::still(system),
             sample: Sample::new(system),
             bridge: Bridge::new(system),
@@ -90,6 +96,10 @@ impl<'a, 'r> Outputs<'a, 'r> {
         let limit = limits(self.system, path, end);
         let until = limit.as_ref().map_or(end, |(time, ..)| *time);
         let passed = events(self.system, path, range(self.system, instants), until);
+        for event in &passed {
+            let columns = self.unbounded(driven, path, event);
+            self.report.note_unbounded(&columns, event.time);
+        }
         self.report.events.extend(passed);
         self.report.events.sort_by(|a, b| a.time.total_cmp(&b.time));
         let passages: &[Event] = if at_events { &self.report.events } else { &[] };
@@ -130,6 +140,39 @@ impl<'a, 'r> Outputs<'a, 'r> {
         }
     }
 
+    /// Columns without bound at an event. Massless links displace a change point, or take it away.
+    fn unbounded(&mut self, driven: &mut Driven, path: &Path, event: &Event) -> Vec<String> {
+        let is_asked = event.kind == EventKind::ChangePoint && self.reactions;
+        if !is_asked || self.links.is_some() {
+            return Vec::new();
+        }
+        self.inputs.time = event.time;
+        let at = OutputInstant {
+            time: event.time,
+            exact: event.value.map(|value| (0, value)),
+        };
+        at.drive(self.system, &mut self.inputs.drive);
+        let s = self.parameter(path);
+        let Some(index) = path.window_at(s[0]) else {
+            return Vec::new();
+        };
+        let near = Near {
+            index,
+            distance: 0.0,
+            s,
+        };
+        let of = (&self.inputs, contents(self.reactions));
+        self.bridge.unbounded(driven, path, near, of)
+    }
+
+    /// The path's parameter and its rates at the instant at hand.
+    fn parameter(&self, path: &Path) -> [f64; 3] {
+        match path.parameter {
+            Parameter::DriverValue => self.inputs.drive[0],
+            Parameter::Time | Parameter::Coordinate => [self.inputs.time, 1.0, 0.0],
+        }
+    }
+
     fn driver_value(&self) -> Option<(String, f64)> {
         self.system
             .drivers
@@ -139,11 +182,8 @@ impl<'a, 'r> Outputs<'a, 'r> {
 
     fn solve(&mut self, driven: &mut Driven, path: &Path) -> Result<(), Failure> {
         let system = self.system;
-        // The path's parameter and its rates.
-        let [s, rate, bend] = match path.parameter {
-            Parameter::DriverValue => self.inputs.drive[0],
-            Parameter::Time | Parameter::Coordinate => [self.inputs.time, 1.0, 0.0],
-        };
+        let parameter = self.parameter(path);
+        let s = parameter[0];
         self.inputs
             .offset
             .iter_mut()
@@ -167,8 +207,12 @@ impl<'a, 'r> Outputs<'a, 'r> {
                 }
             }
             Source::Bridged { index, distance } => {
-                let s = [s, rate, bend];
-                residual = self.bridged(driven, path, Near { index, distance, s });
+                let near = Near {
+                    index,
+                    distance,
+                    s: parameter,
+                };
+                residual = self.bridged(driven, path, near);
             }
         }
         let has_locked = driven.dependent_forces.locked().is_some();
@@ -332,66 +376,5 @@ impl<'a, 'r> Outputs<'a, 'r> {
             .zip(&self.inputs.drive)
             .map(|(effort, jet)| (*effort, jet[1]));
         self.powers.note(self.system, [v, a, force], drivers);
-    }
-
-    /// What is left to say at the end.
-    pub fn finish(mut self) -> Trajectory {
-        self.gap.close(&mut self.report.events);
-        self.wavering.close(&mut self.report.events);
-        self.locking.close(&mut self.report.events);
-        self.report.events.sort_by(|a, b| a.time.total_cmp(&b.time));
-        if self.reactions {
-            self.report.quality.power_imbalance = Some(self.powers.relative_imbalance());
-        }
-        let outside = self.outside.warnings(self.system);
-        self.report.warnings.extend(outside);
-        let overrun = self.overrun.warnings(self.system);
-        self.report.warnings.extend(overrun);
-        let of_cams = self.recorder.warnings(self.system);
-        self.report.warnings.extend(of_cams);
-        if !self.bridge.missing.is_empty() {
-            self.report.warnings.push(format!(
-                "at a change point the reactions of {} have no bound and are left out",
-                self.bridge.missing.join(", ")
-            ));
-        }
-        if !self.report.mobility.redundant.is_empty() && self.reactions {
-            self.report.warnings.push(format!(
-                "constraints of {} are redundant: the reactions of {} are the ones of least norm, not the only ones",
-                self.report.mobility.redundant.join(", "),
-                self.report.mobility.reactions_not_unique.join(", ")
-            ));
-        }
-        if self.reactions {
-            self.report.warnings.extend(unsure_friction(
-                self.system,
-                &self.report.mobility.reactions_not_unique,
-            ));
-        }
-        for (kind, what) in [
-            (
-                EventKind::NotConverged,
-                "the clearance fixed point does not converge",
-            ),
-            (EventKind::NoSolution, "there is no assembly"),
-            (
-                EventKind::SelfLocking,
-                "a joint locks itself by its friction: forces do not exist",
-            ),
-        ] {
-            let count = self
-                .report
-                .events
-                .iter()
-                .filter(|event| event.kind == kind)
-                .count();
-            if count > 0 {
-                let intervals = if count == 1 { "interval" } else { "intervals" };
-                self.report
-                    .warnings
-                    .push(format!("in {count} {intervals} {what} (see events)"));
-            }
-        }
-        self.recorder.trajectory
     }
 }

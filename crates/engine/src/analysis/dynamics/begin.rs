@@ -7,6 +7,7 @@ use super::impulses::{Impulses, Instant, Jams, at_rest, rests};
 use super::ledger::Ledger;
 use super::margins::Margins;
 use super::modes::{first_phase, passes};
+use super::passages::Passages;
 use super::settings::{Settings, Wanted};
 use super::simulation::Simulation;
 use super::state::State;
@@ -85,6 +86,7 @@ impl<'s> Simulation<'s> {
             extremes
         });
         let outside = Outside::new(flow.system());
+        let passages = Passages::new(settings.contents, &flow);
         Ok(Simulation {
             flow,
             state,
@@ -96,6 +98,7 @@ impl<'s> Simulation<'s> {
             jams,
             margins: Margins::new(),
             extremes,
+            passages,
         })
     }
 }

@@ -29,6 +29,7 @@ mod modes;
 mod outputs;
 mod paces;
 mod parts;
+mod passages;
 mod sampling;
 mod settings;
 mod simulation;

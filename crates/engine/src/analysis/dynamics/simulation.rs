@@ -17,6 +17,7 @@ use super::ledger::Ledger;
 use super::margins::Margins;
 use super::modes::{Change, change, passes};
 use super::paces::Begun;
+use super::passages::Passages;
 use super::state::State;
 use super::steps::{LastStep, Steps};
 use super::switches::Switches;
@@ -45,6 +46,8 @@ pub struct Simulation<'s> {
     pub(super) margins: Margins,
     /// The extremes of columns, where they are looked for.
     pub(super) extremes: Option<Box<Extremes>>,
+    /// Change points that were passed.
+    pub(super) passages: Passages,
 }
 
 impl<'s> Simulation<'s> {
@@ -106,9 +109,12 @@ impl<'s> Simulation<'s> {
         if self.has_guards() {
             self.locate()?;
         }
+        let until = self.reached();
+        let mut step = LastStep::new(&mut self.steps, &mut self.flow, &mut self.state);
+        self.passages.note(&mut step, until);
         let piece = Piece {
             from: self.steps.previous(),
-            until: self.reached(),
+            until,
             has_event: self.event.is_some(),
         };
         let is_smooth = !self.has_guards();
@@ -124,11 +130,7 @@ impl<'s> Simulation<'s> {
 
     /// The last step, and what is kept of it.
     fn last_step(&mut self) -> (LastStep<'_, 's>, &mut Ledger, Option<&mut Box<Extremes>>) {
-        let step = LastStep {
-            steps: &mut self.steps,
-            flow: &mut self.flow,
-            state: &mut self.state,
-        };
+        let step = LastStep::new(&mut self.steps, &mut self.flow, &mut self.state);
         (step, &mut self.ledger, self.extremes.as_mut())
     }
 
@@ -355,9 +357,11 @@ impl<'s> Simulation<'s> {
         let extremes = self.extremes.take();
         let peaks = extremes.map(|extremes| extremes.finish(outputs));
         let system = self.flow.system();
-        if let Some(time) = self.flow.equations.passed_change_point() {
+        if !system.dependent_forces.is_empty()
+            && let Some(time) = self.passages.first()
+        {
             report.warnings.push(format!(
-                "at t = {} or a little before the motion passes a change point: friction from reactions that have no bound \
+                "at t = {} the motion passes a change point: friction from reactions that have no bound \
                  there may hold or brake the mechanism more than the steps see",
                 system.display.time(time)
             ));
@@ -369,6 +373,7 @@ impl<'s> Simulation<'s> {
         report.statistics.evaluations = counters.evaluations;
         self.ledger
             .close(system, &self.state, self.steps.time(), report);
+        self.passages.tell(report);
         let done = self.flow.equations.work();
         report.statistics.newton_iterations += done.newton_iterations;
         report.statistics.factorisations += done.factorisations;

@@ -213,7 +213,12 @@ pub struct LastStep<'a, 's> {
     pub state: &'a mut State,
 }
 
-impl LastStep<'_, '_> {
+impl<'a, 's> LastStep<'a, 's> {
+    /// Of a stepper and the mechanism that it moves.
+    pub fn new(steps: &'a mut Steps, flow: &'a mut Flow<'s>, state: &'a mut State) -> Self {
+        LastStep { steps, flow, state }
+    }
+
     /// Its beginning \[s\].
     pub fn from(&self) -> f64 {
         self.steps.previous()
@@ -238,6 +243,21 @@ impl LastStep<'_, '_> {
     pub fn evaluate(&mut self, time: f64) -> Result<(), Fault> {
         self.interpolate(time)?;
         Ok(self.flow.evaluate(time, self.state.as_slice())?)
+    }
+
+    /// The coordinate of one of the mechanism's curves at a time within the step [rad or m].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn coordinate(&mut self, curve: usize, time: f64) -> Result<f64, Fault> {
+        if self.flow.equations.is_curve() {
+            self.interpolate(time)?;
+            return Ok(self.state.as_slice()[0]);
+        }
+        self.evaluate(time)?;
+        let equations = &self.flow.equations;
+        let coordinate = equations.coordinate(curve, equations.position());
+        Ok(coordinate.unwrap_or(f64::NAN))
     }
 
     /// The same, exactly onto the constraints.

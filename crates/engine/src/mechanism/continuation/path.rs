@@ -181,6 +181,28 @@ impl Path {
         found
     }
 
+    /// Change points that are bridged, from `low` to `high`: numbers of their windows, and the parameter; of a path that repeats itself
+    /// those of every turn.
+    pub(crate) fn change_points_between(
+        &self,
+        low: f64,
+        high: f64,
+    ) -> impl Iterator<Item = (usize, f64)> {
+        let windows = self.windows.iter().enumerate();
+        windows.flat_map(move |(index, window)| {
+            let turns = match &self.turn {
+                None => 0..=0,
+                Some((centre, _)) if (window.s - centre).abs() > 0.5 * TAU => 1..=0,
+                Some(_) => {
+                    let turns = [(low - window.s) / TAU, (high - window.s) / TAU];
+                    turns[0].ceil() as i64..=turns[1].floor() as i64
+                }
+            };
+            let each = turns.map(move |turn| (index, window.s + turn as f64 * TAU));
+            each.filter(move |(_, s)| (low..=high).contains(s))
+        })
+    }
+
     /// The singular position at `s` on the stretch that was followed.
     pub(crate) fn singular_at(&self, s: f64) -> Option<&SingularPosition> {
         self.singular.iter().find(|position| position.s == s)

@@ -39,8 +39,6 @@ impl Reduced<'_> {
         };
         let residual = apart(&self.q, q)
             .max(apart(&self.v, v) / system.scaled_norm(v).max(1.0 / system.scale.time));
-        // What was passed on the way is not of the motion.
-        self.passed = None;
         if residual > MISSED || residual.is_nan() {
             return Err(Failure::Diverged { residual });
         }

@@ -41,11 +41,11 @@ impl<'s> Chart<'s> {
         }
     }
 
-    /// Whether there is a bridge.
-    pub fn has_bridge(&self) -> bool {
+    /// The bridge, where there is one.
+    pub fn bridge(&self) -> Option<&Parts<'s>> {
         match self {
-            Chart::Curve(curve) => curve.beyond.bridge.is_some(),
-            Chart::Coordinates(extrapolation) => extrapolation.bridge.is_some(),
+            Chart::Curve(curve) => curve.beyond.bridge.as_ref(),
+            Chart::Coordinates(extrapolation) => extrapolation.bridge.as_ref(),
         }
     }
 

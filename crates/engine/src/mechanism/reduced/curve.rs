@@ -3,9 +3,7 @@
 use super::accepted::Accepted;
 use super::extrapolation::Extrapolation;
 use super::place::{Given, Place, Placed};
-use crate::mechanism::continuation::{
-    End, HALF_TURN, Parameter, Path, SingularKind, Source, follow,
-};
+use crate::mechanism::continuation::{End, HALF_TURN, Parameter, Path, Source, follow};
 use crate::mechanism::driven::{Driven, Failure};
 use crate::system::Inputs;
 
@@ -39,15 +37,9 @@ impl<'s> Curve<'s> {
         }
     }
 
-    /// Whether a change point lies between two values of the coordinate.
-    pub fn has_change_point_between(&self, from: f64, to: f64) -> bool {
-        let Some(path) = &self.path else {
-            return false;
-        };
-        let between = path.singular_between(from.min(to), from.max(to));
-        between
-            .iter()
-            .any(|position| position.kind == SingularKind::ChangePoint)
+    /// What was followed, where that has begun.
+    pub fn path(&self) -> Option<&Path> {
+        self.path.as_ref()
     }
 
     /// Position (and on bridged stretches S, S') at u from the curve, which is followed farther where u needs it.

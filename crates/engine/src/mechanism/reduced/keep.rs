@@ -29,14 +29,6 @@ impl Reduced<'_> {
 
     /// Keeps the point at hand.
     pub(super) fn keep(&mut self, time: f64) {
-        if self.passed.is_none()
-            && !self.driven.system.dependent_forces.is_empty()
-            && let Some(curve) = self.chart.curve()
-        {
-            let column = self.driven.independent[0].column;
-            let (from, to) = (self.accepted.here.q[column], self.q[column]);
-            self.passed = curve.has_change_point_between(from, to).then_some(time);
-        }
         let point = [&self.q[..], &self.v, &self.a];
         self.accepted
             .keep(time, point, self.inertia.known_tangents());

@@ -26,6 +26,7 @@ mod accepted;
 mod begin;
 mod chart;
 mod curve;
+mod curves;
 mod evaluate;
 mod extrapolation;
 mod inertia;
@@ -51,6 +52,7 @@ use crate::system::{Evaluation, Inputs, System};
 use accepted::Accepted;
 use chart::Chart;
 use curve::Curve;
+pub use curves::ChangePoint;
 use evaluate::wants_factors;
 use extrapolation::Extrapolation;
 use inertia::Inertia;
@@ -90,8 +92,6 @@ pub struct Reduced<'s> {
     /// Evaluations make the equations' factors, even where the curve is known: multipliers depend on each other or on contacts, or
     /// are asked for.
     with_factors: bool,
-    /// When a step first passed a change point with forces that depend on multipliers, which have no bound there.
-    passed: Option<f64>,
 }
 
 impl<'s> Reduced<'s> {
@@ -153,7 +153,6 @@ impl<'s> Reduced<'s> {
             chart,
             placed: Placed::Guess,
             with_factors: wants_factors(system),
-            passed: None,
         };
         reduced.choose(time)?;
         Ok(reduced)
@@ -191,9 +190,9 @@ impl<'s> Reduced<'s> {
 
     /// Who solves for accelerations where the rows change: with bridges there are tangents.
     fn solver(&self) -> Option<Solver> {
-        match self.chart.has_bridge() {
-            true => Some(Solver::Tangents),
-            false => self.wanted,
+        match self.chart.bridge() {
+            Some(_) => Some(Solver::Tangents),
+            None => self.wanted,
         }
     }
 
@@ -368,11 +367,6 @@ impl<'s> Reduced<'s> {
     /// ü of the last evaluation.
     pub fn accelerations(&self) -> &[f64] {
         &self.accelerations
-    }
-
-    /// When a step first passed a change point with forces that depend on multipliers.
-    pub fn passed_change_point(&self) -> Option<f64> {
-        self.passed
     }
 }
 

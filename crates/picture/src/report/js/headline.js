@@ -20,6 +20,14 @@
     }
     return known.get(column);
   };
+  // When a column has no bound, where it has none: it has no largest value then, whatever its rows show.
+  const bounds = new Map();
+  for (const { columns: names, times } of summary.unbounded || []) for (const name of names) if (!bounds.has(name)) bounds.set(name, Math.min(...times));
+  const unbounded = ({ name }) => {
+    const size = /^(joint\..*)\.f$/.exec(name), of = size ? [`${size[1]}.fx`, `${size[1]}.fy`] : [name];
+    const found = of.filter((part) => bounds.has(part)).map((part) => bounds.get(part));
+    return found.length ? Math.min(...found) : undefined;
+  };
   // The row of the value of largest size.
   const peak = (column) => {
     const [low, high] = ends(column);
@@ -49,10 +57,11 @@
     return high - low;
   };
 
-  // [what, of what, SI value, unit, row]
+  // [what, of what, SI value, unit, row], or when it has no bound instead of a value.
   const list = [];
   const put = (what, name, value, unit, row, column) => { if (Number.isFinite(value)) list.push({ what, name: plain(name), value: choices.nothing(value, unit) ? 0 : value, unit, row, column }); };
   const at = (what, name, found, row = peak(found)) => { if (row >= 0) put(what, name, found.values[row], found.unit, row, found); };
+  const largest = (what, name, found) => { const time = unbounded(found); if (time === undefined) at(what, name, found); else list.push({ what, name: plain(name), unbounded: time, column: found }); };
   const wanted = (name) => { const found = column(name); return found && found.wanted ? found : undefined; };
   const speed = (vx, vy) => {
     let best = -1, most = -1;
@@ -64,11 +73,13 @@
     for (const { name } of mechanism.drivers.slice(0, MOST)) {
       const effort = wanted(`driver.${name}.effort`);
       if (!effort) continue;
-      at("Peak effort of", name, effort);
+      largest("Peak effort of", name, effort);
       if (rows > 2) put("Root mean square effort of", name, rms(effort), effort.unit);
     }
     const forces = columns.filter(({ name, wanted }) => wanted && /^joint\..*\.f$/.test(name));
-    for (const found of choices.largest(forces, MOST).filter(choices.lives)) at("Largest force in", found.name.slice(6, -2), found);
+    // Those without bound would leave no room for those that have a largest value.
+    const [bounded, others] = [true, false].map((has) => forces.filter((found) => (unbounded(found) === undefined) === has));
+    for (const found of [others, bounded].flatMap((some) => choices.largest(some, MOST)).filter(choices.lives)) largest("Largest force in", found.name.slice(6, -2), found);
     for (const key of ["ratio", "advantage"]) {
       const found = wanted(`transmission.${key}`), word = key === "ratio" ? "Velocity ratio" : "Mechanical advantage";
       if (found && ends(found)[0] >= 0) for (const [k, size] of ["smallest", "largest"].entries()) at(`${word}, ${size}`, "", found, ends(found)[k]);
@@ -94,5 +105,5 @@
     }
   };
   if (rows) collect();
-  linkdyn.headline = { list, ends, peak };
+  linkdyn.headline = { list, ends, peak, unbounded };
 })();

@@ -65,6 +65,7 @@
   const told = (plot, { column, row }) => {
     const { abscissa } = plot;
     const where = plot.across ? `${units.number(time[row], 4)} s` : units.quantity(abscissa.values[row], abscissa.unit, 4);
+    if (linkdyn.headline.unbounded(column) !== undefined) return `no bound near ${where}`;
     return `${units.quantity(column.values[row], column.unit, 4)} at ${where}`;
   };
 

@@ -23,9 +23,9 @@
 
   // In short.
   const first = element("tbody");
-  const short = () => first.replaceChildren(...headline.list.map(({ what, name: of, value, unit, row, column }) => {
+  const short = () => first.replaceChildren(...headline.list.map(({ what, name: of, value, unit, row, column, unbounded }) => {
     const label = element("td", {}, what, ...(of ? [" ", column ? element("button", { type: "button", className: "text", text: of, title: `Plot ${column.name}`, on: { click: () => linkdyn.plots.point(linkdyn.plots.add(column)) } }) : name(of)] : []));
-    return element("tr", {}, label, number(units.quantity(value, unit, 4)), element("td", { className: "number" }, ...(row === undefined ? [] : [jump(time[row])])));
+    return element("tr", {}, label, number(unbounded === undefined ? units.quantity(value, unit, 4) : "no bound"), element("td", { className: "number" }, ...(row === undefined && unbounded === undefined ? [] : [jump(unbounded ?? time[row])])));
   }));
   if (headline.list.length) {
     const made = table("In short");
@@ -83,8 +83,12 @@
     const found = ordered().filter((column) => column.name.toLowerCase().includes(part));
     body.replaceChildren(...found.slice(0, MOST).map((column) => {
       const [low, high] = headline.ends(column);
-      const at = (row) => row < 0 ? number("–") : element("td", { className: "number" }, jump(time[row]));
-      return element("tr", {}, element("td", {}, plotting(column)), number(low < 0 ? "–" : linkdyn.told(column, low)), at(low), number(high < 0 ? "–" : linkdyn.told(column, high)), at(high));
+      const instant = (text) => element("td", { className: "number" }, text);
+      const known = (row) => row < 0 ? [number("–"), number("–")] : [number(linkdyn.told(column, row)), instant(jump(time[row]))];
+      // A size has no bound above alone, its parts have none to both sides.
+      const bound = headline.unbounded(column), none = () => [number("no bound"), instant(jump(bound))];
+      const isSize = column.name.endsWith(".f");
+      return element("tr", {}, element("td", {}, plotting(column)), ...(bound === undefined || isSize ? known(low) : none()), ...(bound === undefined ? known(high) : none()));
     }));
     more.textContent = found.length > MOST ? `${found.length - MOST} more: filter by name.` : "";
   };

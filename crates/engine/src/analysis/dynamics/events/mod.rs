@@ -1,6 +1,6 @@
 //! Event location: the first instant in the last step at which a guard becomes positive.
 
-mod locate;
+pub(super) mod locate;
 
 use super::fault::Fault;
 use super::steps::LastStep;
