@@ -75,6 +75,10 @@ impl ConstraintDependentForce for FollowingFriction {
         slope[0] * lambda[0]
     }
 
+    fn is_straight(&self) -> bool {
+        true
+    }
+
     fn reaction(&self, at: &Kinematics, size: f64) -> (Vec2, f64) {
         (perp(self.shape.read(at).towards) * size, 0.0)
     }

@@ -61,6 +61,10 @@ impl ConstraintDependentForce for PinFriction {
         self.radius * value.force
     }
 
+    fn is_straight(&self) -> bool {
+        false
+    }
+
     fn reaction(&self, _at: &Kinematics, size: f64) -> (Vec2, f64) {
         (Vec2::zeros(), size)
     }
@@ -121,6 +125,10 @@ impl ConstraintDependentForce for GuideFriction {
             _ => slope[0] = value.d_normal * sign(lambda[0]),
         }
         value.force
+    }
+
+    fn is_straight(&self) -> bool {
+        false
     }
 
     fn reaction(&self, at: &Kinematics, size: f64) -> (Vec2, f64) {

@@ -274,6 +274,8 @@ pub trait ConstraintDependentForce: Send + Sync {
     fn apply_unit(&self, at: &Kinematics, to: &mut Applied);
     /// Size [N or N·m] at the constraint's multipliers, with its derivatives by them, which are as many.
     fn size(&self, at: &Kinematics, memory: f64, lambda: &[f64], slope: &mut [f64]) -> f64;
+    /// Whether its size is proportional to the multipliers, whatever they are.
+    fn is_straight(&self) -> bool;
     /// Force on the second body (global axes) \[N\], at its point, and torque [N·m] that a size means.
     fn reaction(&self, at: &Kinematics, size: f64) -> (Vec2, f64);
     /// Typical size of what the force remembers where that changes with time (bristles' deflection \[m\]).

@@ -13,12 +13,14 @@
 //! meant goes on from the mechanism without friction, and is followed from there as the laws' sizes grow from 0 to 1, with
 //! det(I − ∂s/∂λ Λ) > 0 all the way. Where it ends before 1, the mechanism locks itself.
 
+mod laws;
+
 use super::failure::Failure;
 use crate::element::Applied;
 use crate::system::{Evaluation, Inputs, System};
+use laws::{Here, Laws};
 use linkdyn_linear::math::dot;
 use linkdyn_linear::small::{SmallLu, leading_minors_are_positive};
-use std::ops::Range;
 
 /// Rows of the largest block.
 const ROWS: usize = 3;
@@ -208,19 +210,32 @@ impl DependentForces {
         self.locked = None;
         self.sizes.fill(0.0);
         // Sizes are convex in λ, so a single one has no second solution with a positive determinant.
-        if self.iterate(free, laws, 1.0)
-            && self.margin > 0.0
-            && (self.sizes.len() == 1 || self.contracts(laws))
-        {
-            return Ok(());
+        if self.iterate(free, laws, 1.0) && self.margin > 0.0 {
+            if self.sizes.len() == 1 || self.contracts(laws) {
+                return Ok(());
+            }
+            // Of straight laws this is the one solution, and only the determinant has to be followed.
+            if laws.are_straight() {
+                return self.follow(|forces, part| forces.determinant(laws, part) > 0.0);
+            }
         }
         self.kept.fill(0.0);
+        self.follow(|forces, part| {
+            forces.sizes.copy_from_slice(&forces.kept);
+            let is_found = forces.iterate(free, laws, part) && forces.margin > 0.0;
+            if is_found {
+                forces.kept.copy_from_slice(&forces.sizes);
+            }
+            is_found
+        })
+    }
+
+    /// Goes from no forces to the whole of them, by parts at which there is a solution.
+    fn follow(&mut self, mut is_there: impl FnMut(&mut Self, f64) -> bool) -> Result<(), Failure> {
         let (mut part, mut step) = (0.0, STEP);
         while part < 1.0 {
-            self.sizes.copy_from_slice(&self.kept);
             let next = f64::min(part + step, 1.0);
-            if self.iterate(free, laws, next) && self.margin > 0.0 {
-                self.kept.copy_from_slice(&self.sizes);
+            if is_there(self, next) {
                 part = next;
                 step = f64::min(2.0 * step, STEP);
             } else {
@@ -235,11 +250,23 @@ impl DependentForces {
         Ok(())
     }
 
+    /// det(I − part · ∂s/∂λ Λ) with the slopes at hand, which is the margin then.
+    fn determinant(&mut self, laws: &impl Laws, part: f64) -> f64 {
+        self.eval_matrix(laws, part);
+        self.factor();
+        self.margin = self.lu.determinant();
+        self.margin
+    }
+
     /// Solves T = part · s(λ) from the sizes at hand; whether that was possible.
     fn iterate(&mut self, free: &[f64], laws: &impl Laws, part: f64) -> bool {
         let mut worst = self.eval_residual(free, laws, part);
+        // Straight laws have one matrix.
+        let (is_straight, mut is_regular) = (laws.are_straight(), None);
         for _ in 0..MOST {
-            self.eval_matrix(laws, part);
+            if is_regular.is_none() {
+                self.eval_matrix(laws, part);
+            }
             if worst <= ROUND_OFF || !worst.is_finite() {
                 break;
             }
@@ -249,7 +276,9 @@ impl DependentForces {
             };
             // The step of the plain fixed point, in case Newton's is none.
             plain(&mut self.before, &self.residual);
-            if self.factor() {
+            let regular = is_regular.unwrap_or_else(|| self.factor());
+            is_regular = is_straight.then_some(regular);
+            if regular {
                 self.lu.solve(&mut self.residual);
                 plain(&mut self.sizes, &self.residual);
                 let reached = self.eval_residual(free, laws, part);
@@ -267,7 +296,9 @@ impl DependentForces {
             self.sizes.copy_from_slice(&self.before);
             worst = self.eval_residual(free, laws, part);
         }
-        self.factor();
+        if is_regular.is_none() {
+            self.factor();
+        }
         self.margin = self.lu.determinant();
         worst <= STALLED
     }
@@ -340,36 +371,6 @@ impl DependentForces {
     fn factor(&mut self) -> bool {
         self.lu.values().copy_from_slice(&self.matrix);
         self.lu.factor()
-    }
-}
-
-/// The laws at one instant: sizes by the multipliers of their rows.
-trait Laws {
-    fn rows(&self, force: usize) -> Range<usize>;
-    fn size(&self, force: usize, lambda: &[f64], slope: &mut [f64]) -> f64;
-}
-
-/// Those of a system.
-struct Here<'a> {
-    system: &'a System,
-    evaluation: &'a Evaluation,
-    inputs: &'a Inputs,
-}
-
-impl Laws for Here<'_> {
-    fn rows(&self, force: usize) -> Range<usize> {
-        let block = &self.system.blocks[self.system.dependent_forces[force].block];
-        block.row..block.row + block.rows
-    }
-
-    fn size(&self, force: usize, lambda: &[f64], slope: &mut [f64]) -> f64 {
-        let at = self.evaluation.kinematics(self.inputs);
-        self.system.dependent_forces[force].force.size(
-            &at,
-            self.inputs.memories[force],
-            lambda,
-            slope,
-        )
     }
 }
 

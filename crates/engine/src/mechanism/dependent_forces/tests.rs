@@ -1,4 +1,5 @@
 use super::*;
+use std::ops::Range;
 
 /// s_i = μ_i |λ_i|, one row each.
 struct Coulomb(Vec<f64>);
@@ -17,10 +18,40 @@ impl Laws for Coulomb {
             };
         self.0[force] * lambda[0].abs()
     }
+
+    fn are_straight(&self) -> bool {
+        false
+    }
+}
+
+/// s_i = μ_i λ_i, with or without saying that it is straight.
+struct Straight(Vec<f64>, bool);
+
+impl Laws for Straight {
+    fn rows(&self, force: usize) -> Range<usize> {
+        force..force + 1
+    }
+
+    fn size(&self, force: usize, lambda: &[f64], slope: &mut [f64]) -> f64 {
+        slope[0] = self.0[force];
+        self.0[force] * lambda[0]
+    }
+
+    fn are_straight(&self) -> bool {
+        self.1
+    }
 }
 
 fn find(laws: &[f64], responses: &[f64], free: &[f64]) -> (Result<(), Failure>, Vec<f64>, f64) {
-    let k = laws.len();
+    find_with(&Coulomb(laws.to_vec()), responses, free)
+}
+
+fn find_with(
+    laws: &impl Laws,
+    responses: &[f64],
+    free: &[f64],
+) -> (Result<(), Failure>, Vec<f64>, f64) {
+    let k = free.len();
     let cells = |count: usize| vec![0.0; count];
     let mut forces = DependentForces {
         m: k,
@@ -35,7 +66,7 @@ fn find(laws: &[f64], responses: &[f64], free: &[f64]) -> (Result<(), Failure>, 
         work: cells(k * k),
         ..DependentForces::default()
     };
-    let found = forces.find(free, &Coulomb(laws.to_vec()));
+    let found = forces.find(free, laws);
     (found, forces.sizes.clone(), forces.margin)
 }
 
@@ -110,4 +141,41 @@ fn two_that_feed_each_other_lock_together() {
         let found = find(&[mu, mu], &responses, &[1.0, 1.0]).0;
         assert!(matches!(found, Err(Failure::Locked { .. })), "{mu}");
     }
+}
+
+/// Straight laws have their solution at once, and lock where those that are followed from none do.
+#[test]
+fn straight_laws_need_not_be_followed() {
+    let mut seed = 3_u64;
+    let mut number = || {
+        seed = seed
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (seed >> 33) as f64 / f64::from(1_u32 << 31) * 2.0 - 1.0
+    };
+    let mut locked = 0;
+    for round in 0..2000 {
+        let mut numbers = |count: usize| (0..count).map(|_| number()).collect::<Vec<f64>>();
+        let (laws, responses, free) = (numbers(3), numbers(9), numbers(3));
+        let responses: Vec<f64> = responses.iter().map(|response| 4.0 * response).collect();
+        let [at_once, followed] = [true, false]
+            .map(|straight| find_with(&Straight(laws.clone(), straight), &responses, &free));
+        assert_eq!(at_once.0, followed.0, "round {round}");
+        if at_once.0.is_err() {
+            locked += 1;
+            continue;
+        }
+        let most = followed
+            .1
+            .iter()
+            .fold(0.0, |most: f64, size| most.max(size.abs()));
+        for (one, other) in at_once.1.iter().zip(&followed.1) {
+            assert!(
+                (one - other).abs() < 1e-9 * most,
+                "round {round}: {one} {other}"
+            );
+        }
+        assert!((at_once.2 - followed.2).abs() < 1e-9, "round {round}");
+    }
+    assert!(locked > 100 && locked < 1900, "{locked}");
 }
