@@ -14,6 +14,7 @@
 //! small         LU and Cholesky factors of small dense matrices, without allocation
 //! redundancy    free directions, and independent rows chosen for good condition
 //! complementary linear complementarity problems
+//! lemke         the same of copositive matrices
 //! eigen         eigenvalues of small symmetric matrices, and of M x″ + C x′ + K x = 0
 //! hermite       osculating polynomials
 //! ```
@@ -25,6 +26,7 @@ pub mod dense;
 pub mod eigen;
 pub mod gram;
 pub mod hermite;
+pub mod lemke;
 pub mod lu;
 mod matching;
 pub mod math;

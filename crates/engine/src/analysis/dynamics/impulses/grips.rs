@@ -74,6 +74,11 @@ impl<'a> Grips<'a> {
             let (to, by) = (&touching.points[i / 2], &touching.points[j / 2]);
             dot(&to.forces[i % 2], &by.changes[j % 2])
         });
+        Grips::with_mass(mass, along, free)
+    }
+
+    /// The same with this W.
+    pub fn with_mass(mass: DMatrix<f64>, along: &'a [Along], free: [&'a [f64]; 2]) -> Self {
         Grips {
             along,
             free,
@@ -88,6 +93,16 @@ impl<'a> Grips<'a> {
             held: Some(contact),
             ..self
         }
+    }
+
+    /// What contacts do along the surface.
+    pub fn along(&self) -> &[Along] {
+        self.along
+    }
+
+    /// W by contacts, normal and tangential.
+    pub fn mass(&self) -> &DMatrix<f64> {
+        &self.mass
     }
 
     /// What they do, with (N, T) of each; none where there is no solution.
@@ -189,7 +204,7 @@ impl<'a> Grips<'a> {
     }
 
     /// (N, T) in these modes; none where they hold something twice.
-    fn forces(&self, modes: &[Mode]) -> Option<Vec<[f64; 2]>> {
+    pub fn forces(&self, modes: &[Mode]) -> Option<Vec<[f64; 2]>> {
         // Rows of W that are conditions: contact and way.
         let conditions: Vec<usize> = (0..2 * modes.len())
             .filter(|row| match modes[row / 2] {

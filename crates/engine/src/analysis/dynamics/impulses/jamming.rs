@@ -6,8 +6,15 @@
 //! ```
 //!
 //! W̃ need not be positive definite, and this may have no solution (Painlevé 1895), though the velocities allow the motion. Then
-//! impulses stop the sliding in no time, an **impact without collision** (Lecornu 1905; Génot and Brogliato 1999): one of the contacts
-//! that slide does not any more,
+//! impulses stop the sliding in no time, an **impact without collision** (Lecornu 1905; Génot and Brogliato 1999): those of a time step that goes to
+//! zero, which are always there (see [`super::vanishing`]). While there is a solution the motion may still come to where there is none, N growing
+//! beyond all bounds:
+//!
+//! ```text
+//! z ≥ 0,   w_j = W̃_jk + Σ W̃_ji z_i ≥ 0,   z_j w_j = 0,   d = W̃_kk + Σ W̃_ki z_i → 0      while contact k pushes with 1
+//! ```
+//!
+//! Where those of the time step vanish there, since forces are still an answer, one of the contacts that slide does not any more,
 //!
 //! ```text
 //! v⁺ = v + W p:   δ̇⁺ = 0, v_t⁺ = 0, |p_t| ≤ μ p_n      of that one
@@ -15,17 +22,14 @@
 //! ```
 //!
 //! These impulses do work ½ p·(v + v⁺) ≤ −½ p·W p, which is lost. Of all contacts that may stop so it is the one with which least is
-//! lost; where none may, they are pushed along the way z below until the first slides no more. While there is a solution the motion may still come to where there is none, N growing beyond all bounds:
-//!
-//! ```text
-//! z ≥ 0,   w_j = W̃_jk + Σ W̃_ji z_i ≥ 0,   z_j w_j = 0,   d = W̃_kk + Σ W̃_ki z_i → 0      while contact k pushes with 1
-//! ```
+//! lost; where none may, they are pushed along the way z until the first slides no more.
 //!
 //! A contact by itself is an impact like any other, from δ̇ = 0, with its restitution (see [`crate::contact::impact`]); several at
 //! once give nothing back.
 
 use super::grips::{Along, Grips};
 use super::touching::Touching;
+use super::vanishing::vanishing;
 use crate::analysis::dynamics::flow::Flow;
 use crate::analysis::dynamics::words::TIGHT;
 use crate::mechanism::driven::Failure;
@@ -143,16 +147,19 @@ impl Way {
     }
 }
 
-/// Impulses after which one of the contacts that slide does not: at once, or else along the way on which it jams.
+/// Impulses that end a jam: those that are there though forces are not. Where the motion is about to come to a jam they are not yet, and one of the
+/// contacts that slide is stopped, or pushed along the way on which it will jam.
 pub(super) fn stop(flow: &Flow, touching: &Touching, way: Option<&Way>) -> Option<Vec<[f64; 2]>> {
+    let way = || way.filter(|way| way.margin <= TIGHT);
+    vanishing(flow, touching)
+        .or_else(|| stop_one(flow, touching))
+        .or_else(|| way()?.until_one_stops(flow, touching))
+}
+
+/// Impulses after which one of the contacts that slide does not, of all such the ones with which least is lost.
+fn stop_one(flow: &Flow, touching: &Touching) -> Option<Vec<[f64; 2]>> {
     let (rates, slidings) = (touching.approaches(flow), touching.slidings(flow));
-    let contacts = touching.contacts.iter();
-    let along = contacts.map(|&contact| match flow.rigid_friction(contact) {
-        0.0 => Along::Slides(0.0),
-        friction => Along::Rests(friction),
-    });
-    let along: Vec<Along> = along.collect();
-    let slides = touching.along(flow);
+    let (along, slides) = (touching.at_rest(flow), touching.along(flow));
     let sliding =
         (0..touching.len()).filter(|&k| matches!(slides[k], Along::Slides(ratio) if ratio != 0.0));
     let ways = sliding.filter_map(|k| {
@@ -161,7 +168,5 @@ pub(super) fn stop(flow: &Flow, touching: &Touching, way: Option<&Way>) -> Optio
         Some((touching.work(flow, &pushes), pushes))
     });
     let least = ways.max_by(|a, b| a.0.total_cmp(&b.0));
-    let way = way.filter(|way| way.margin <= TIGHT);
-    let pushes = least.map(|(_, pushes)| pushes);
-    pushes.or_else(|| way?.until_one_stops(flow, touching))
+    least.map(|(_, pushes)| pushes)
 }

@@ -10,18 +10,19 @@ mod grips;
 mod impact;
 mod instant;
 mod jamming;
+mod loosening;
 mod point;
 mod touching;
+mod vanishing;
 
 use super::flow::Flow;
 use super::modes::{creep, is_there};
-use super::words::TIGHT;
 use crate::analysis::ends;
 use crate::element::pair::{Contact, Hold, Phase, Reading, Rigid, Surface};
 use crate::mechanism::driven::Failure;
 use grips::{Grips, Mode};
 use impact::Strike;
-use jamming::{Way, stop};
+use jamming::Way;
 use point::{LOWEST, Point, acting, acting_of, approach_acceleration, touches};
 use touching::Touching;
 
@@ -285,9 +286,14 @@ impl<'a, 's> Impulses<'a, 's> {
                 }
             })
             .collect();
+        let parting = free.clone();
         touching.keep_low(flow, (&rates, &accelerations), self.lowest, &mut free);
         let (along, slides) = (touching.along(flow), touching.sliding_accelerations(flow));
-        let Some((found, _)) = Grips::new(&touching, &along, [&free, &slides]).solve() else {
+        let solve = |free: &[f64]| Grips::new(&touching, &along, [free, &slides]).solve();
+        // What leaves slowly does so where no forces would keep it.
+        let parts = || (parting != free).then(|| solve(&parting)).flatten();
+        let found = solve(&free).or_else(parts);
+        let Some((found, _)) = found else {
             let way = Way::find(self.at.flow, &touching);
             return self.end_jam(&touching, way);
         };
@@ -343,51 +349,6 @@ impl<'a, 's> Impulses<'a, 's> {
                 },
             )
             .collect()
-    }
-
-    /// Impulses that stop sliding in a jam, and what comes of them. `way` is how it jams.
-    fn end_jam(&mut self, touching: &Touching, way: Option<Way>) -> Result<(), Failure> {
-        self.at.jams.begin(self.at.flow, touching, self.at.time)?;
-        if let Some(way) = way.as_ref().filter(|way| way.is_alone()) {
-            // One contact by itself is an impact from its beginning, and restitution gives back of all that it presses in.
-            let leader = touching.contacts[way.leader];
-            let none = self.at.flow.memories().len();
-            self.at
-                .take(&vec![Hold::Free; none], &vec![Mode::Leaves; none])?;
-            let mut reading = self.at.flow.reading(leader);
-            reading.rate = 0.0;
-            self.impact(leader, &reading)?;
-        } else {
-            let pushes = stop(self.at.flow, touching, way.as_ref()).ok_or(Failure::Singular)?;
-            self.at.push_all(touching, &pushes)?;
-            self.settle(at_rest(self.at.flow))?;
-        }
-        self.at.jams.contacts.clear();
-        Ok(())
-    }
-
-    /// Ends a jam at the last accepted point, where the next step would be none.
-    ///
-    /// # Errors
-    /// Where there is none, or no impulses end it.
-    pub fn loosen(&mut self) -> Result<(), Failure> {
-        let loosened = self.try_to_loosen();
-        loosened.map_err(|failure| self.of_contacts(failure))
-    }
-
-    fn try_to_loosen(&mut self) -> Result<(), Failure> {
-        let is_answered = self.at.is_answered()?;
-        let margin = self.at.flow.equations.dependent_forces().margin();
-        let were = self.at.release_all()?;
-        let contacts = (0..were.len()).filter(|&contact| were[contact] != Hold::Free);
-        let touching = Touching::new(self.at.flow, contacts.collect());
-        let way = Way::find(self.at.flow, &touching);
-        let jams = way.as_ref().is_some_and(|way| way.margin <= TIGHT);
-        if is_answered && margin > TIGHT && !jams {
-            return Err(Failure::Singular);
-        }
-        self.end_jam(&touching, way)?;
-        self.try_to_resolve()
     }
 }
 

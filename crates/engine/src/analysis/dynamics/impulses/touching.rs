@@ -124,6 +124,16 @@ impl Touching {
         contacts.collect()
     }
 
+    /// What each does along the surface with impulses that end its sliding at once.
+    pub fn at_rest(&self, flow: &Flow) -> Vec<Along> {
+        let contacts = self.contacts.iter();
+        let along = contacts.map(|&contact| match flow.rigid_friction(contact) {
+            0.0 => Along::Slides(0.0),
+            friction => Along::Rests(friction),
+        });
+        along.collect()
+    }
+
     /// v_t of each, at the last evaluation [m/s].
     pub fn slidings(&self, flow: &Flow) -> Vec<f64> {
         let contacts = self.contacts.iter();
