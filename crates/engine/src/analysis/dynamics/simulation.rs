@@ -98,16 +98,13 @@ impl<'s> Simulation<'s> {
             self.flow.store(&mut self.state);
             self.steps.begin_again(&mut self.flow, &self.state, now)?;
         }
-        if let Err(fault) = self.steps.step(&mut self.flow) {
-            if !self.loosen(now) {
+        if let Err(fault) = self.stride() {
+            let from = self.steps.previous();
+            if !self.loosen(from) {
                 return Err(fault);
             }
-            self.steps.begin_again(&mut self.flow, &self.state, now)?;
-            self.steps.step(&mut self.flow)?;
-        }
-        self.margins.note(&self.flow, self.steps.time());
-        if self.has_guards() {
-            self.locate()?;
+            self.steps.begin_again(&mut self.flow, &self.state, from)?;
+            self.stride()?;
         }
         let until = self.reached();
         let mut step = LastStep::new(&mut self.steps, &mut self.flow, &mut self.state);
@@ -124,6 +121,16 @@ impl<'s> Simulation<'s> {
                 step.take_end();
             }
             extremes.note_step(&mut step, ledger, piece);
+        }
+        Ok(())
+    }
+
+    /// One step, and its first event.
+    fn stride(&mut self) -> Result<(), Fault> {
+        self.steps.step(&mut self.flow)?;
+        self.margins.note(&self.flow, self.steps.time());
+        if self.has_guards() {
+            self.locate()?;
         }
         Ok(())
     }
@@ -189,7 +196,8 @@ impl<'s> Simulation<'s> {
         Impulses::new(at, self.steps.wanted().rtol)
     }
 
-    /// Ends a jam at the last accepted point, where the next step would be none; whether there was one.
+    /// Ends a jam at `time`, beyond which the next step would be none; whether there was one. A step that was taken and can't be
+    /// evaluated within is taken back: where forces grow beyond all bounds its end is beyond that by round-off.
     fn loosen(&mut self, time: f64) -> bool {
         let holds = self.flow.holds();
         let jams =
@@ -197,8 +205,8 @@ impl<'s> Simulation<'s> {
         if !(0..holds.len()).any(jams) {
             return false;
         }
-        self.state.take(self.flow.layout(), self.steps.y());
-        self.impulses(time).loosen().is_ok()
+        self.event = None;
+        self.last_step().0.take_beginning().is_ok() && self.impulses(time).loosen().is_ok()
     }
 
     /// Tips that have gone behind an outline, or have come out from there.

@@ -274,6 +274,19 @@ impl<'a, 's> LastStep<'a, 's> {
         self.state.take(self.flow.layout(), self.steps.y());
     }
 
+    /// y at its beginning, which is its end too where the next one has failed.
+    ///
+    /// # Errors
+    /// Where it can't be interpolated.
+    pub fn take_beginning(&mut self) -> Result<(), Fault> {
+        if self.from() == self.to() {
+            self.take_end();
+            return Ok(());
+        }
+        self.state.fit(self.flow.layout());
+        self.interpolate(self.from())
+    }
+
     /// The point of an output: y and the mechanism, exactly onto the constraints.
     ///
     /// # Errors
