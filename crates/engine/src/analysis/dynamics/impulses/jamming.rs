@@ -6,15 +6,8 @@
 //! ```
 //!
 //! W̃ need not be positive definite, and this may have no solution (Painlevé 1895), though the velocities allow the motion. Then
-//! impulses stop the sliding in no time, an **impact without collision** (Lecornu 1905; Génot and Brogliato 1999): those of a time step that goes to
-//! zero, which are always there (see [`super::vanishing`]). While there is a solution the motion may still come to where there is none, N growing
-//! beyond all bounds:
-//!
-//! ```text
-//! z ≥ 0,   w_j = W̃_jk + Σ W̃_ji z_i ≥ 0,   z_j w_j = 0,   d = W̃_kk + Σ W̃_ki z_i → 0      while contact k pushes with 1
-//! ```
-//!
-//! Where those of the time step vanish there, since forces are still an answer, one of the contacts that slide does not any more,
+//! impulses stop the sliding in no time, an **impact without collision** (Lecornu 1905; Génot and Brogliato 1999): one of the contacts
+//! that slide does not any more,
 //!
 //! ```text
 //! v⁺ = v + W p:   δ̇⁺ = 0, v_t⁺ = 0, |p_t| ≤ μ p_n      of that one
@@ -22,7 +15,13 @@
 //! ```
 //!
 //! These impulses do work ½ p·(v + v⁺) ≤ −½ p·W p, which is lost. Of all contacts that may stop so it is the one with which least is
-//! lost; where none may, they are pushed along the way z until the first slides no more.
+//! lost. Where none may, it is the impulses of a time step that goes to zero, which are there wherever forces are not (see [`super::vanishing`]); and
+//! where these vanish, contacts are pushed along the way z below until the first slides no more. While there is a solution the motion may still come
+//! to where there is none, N growing beyond all bounds:
+//!
+//! ```text
+//! z ≥ 0,   w_j = W̃_jk + Σ W̃_ji z_i ≥ 0,   z_j w_j = 0,   d = W̃_kk + Σ W̃_ki z_i → 0      while contact k pushes with 1
+//! ```
 //!
 //! A contact by itself is an impact like any other, from δ̇ = 0, with its restitution (see [`crate::contact::impact`]); several at
 //! once give nothing back.
@@ -147,12 +146,11 @@ impl Way {
     }
 }
 
-/// Impulses that end a jam: those that are there though forces are not. Where the motion is about to come to a jam they are not yet, and one of the
-/// contacts that slide is stopped, or pushed along the way on which it will jam.
+/// Impulses that end a jam: one of the contacts that slide stops, or what a time step that goes to zero leaves, or they are pushed along the way.
 pub(super) fn stop(flow: &Flow, touching: &Touching, way: Option<&Way>) -> Option<Vec<[f64; 2]>> {
     let way = || way.filter(|way| way.margin <= TIGHT);
-    vanishing(flow, touching)
-        .or_else(|| stop_one(flow, touching))
+    stop_one(flow, touching)
+        .or_else(|| vanishing(flow, touching))
         .or_else(|| way()?.until_one_stops(flow, touching))
 }
 

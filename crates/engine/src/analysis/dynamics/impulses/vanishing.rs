@@ -14,6 +14,7 @@
 //! scheme for rigid body dynamics with inelastic collisions and Coulomb friction*, 1996.
 
 use super::grips::{Along, Grips, Mode};
+use super::point::at_rest;
 use super::touching::Touching;
 use crate::analysis::dynamics::flow::Flow;
 use linkdyn_linear::lemke::lemke;
@@ -23,14 +24,18 @@ use nalgebra::DMatrix;
 const PART: f64 = 1e-7;
 /// Unknowns of a contact.
 const OWN: usize = 4;
-/// Parts of the friction up to which it sticks.
-const GRIP: f64 = 1e-6;
 /// Impulses that change velocities by this part of the largest of them at most are none: they vanish with h.
 const VANISHES: f64 = 1e-3;
 
 /// These impulses of all contacts that touch, where the mechanism was evaluated with none of them sustained; none where they vanish with h.
 pub(super) fn vanishing(flow: &Flow, touching: &Touching) -> Option<Vec<[f64; 2]>> {
-    let velocities = [touching.approaches(flow), touching.slidings(flow)];
+    let mut velocities = [touching.approaches(flow), touching.slidings(flow)];
+    // Where the determinant is all but zero, round-off would be an impulse.
+    let rest = at_rest(flow);
+    let approaches = velocities[0].iter_mut();
+    approaches
+        .filter(|rate| rate.abs() <= rest)
+        .for_each(|rate| *rate = 0.0);
     let accelerations = [
         touching.approach_accelerations(flow),
         touching.sliding_accelerations(flow),
@@ -106,7 +111,8 @@ fn mode(found: &[f64], friction: f64) -> Mode {
         Mode::Leaves
     } else if friction == 0.0 {
         Mode::Slips(0.0)
-    } else if tangential.abs() < (1.0 - GRIP) * friction * normal {
+    } else if found[3] <= 0.0 {
+        // λ = 0, be its friction at the end of the cone.
         Mode::Sticks
     } else {
         Mode::Slips(friction * tangential.signum())
