@@ -49,61 +49,164 @@ pub fn quintic(a: &Node, b: &Node, s: f64, q: &mut [f64], d: Option<&mut [f64]>)
     }
 }
 
+/// A number of each of K nodes.
+type Each<const K: usize> = [f64; K];
 /// Value, first and second derivative.
-type Jet = [f64; 3];
+type Jet<T> = [T; 3];
 
-fn product(a: Jet, b: Jet) -> Jet {
+fn each<const K: usize>(number: impl Fn(usize) -> f64) -> Each<K> {
+    std::array::from_fn(number)
+}
+
+fn product<const K: usize>(a: &Jet<Each<K>>, b: Jet<Each<K>>) -> Jet<Each<K>> {
     [
-        a[0] * b[0],
-        a[0] * b[1] + a[1] * b[0],
-        a[0] * b[2] + 2.0 * a[1] * b[1] + a[2] * b[0],
+        each(|j| a[0][j] * b[0][j]),
+        each(|j| a[0][j] * b[1][j] + a[1][j] * b[0][j]),
+        each(|j| a[0][j] * b[2][j] + 2.0 * a[1][j] * b[1][j] + a[2][j] * b[0][j]),
     ]
 }
 
-/// What q, q′, q″ of node j of K are multiplied by in the polynomial through all of them at `s`: the jets of three weights.
-fn weights<const K: usize>(at: &[f64; K], j: usize, s: f64) -> [Jet; 3] {
-    let t = s - at[j];
-    let (mut all, mut slope, mut squares) = ([1.0, 0.0, 0.0], 0.0, 0.0);
-    for (i, other) in at.iter().enumerate() {
-        if i != j {
-            let inverse = 1.0 / (at[j] - other);
-            let factor = [(s - other) * inverse, inverse, 0.0];
-            all = product(all, product(factor, product(factor, factor)));
-            slope += 3.0 * inverse;
-            squares += 3.0 * inverse * inverse;
-        }
+/// Of each node Π (s − s_i) over all others, from `distance(j, i)`.
+fn others<const K: usize>(distance: impl Fn(usize, usize) -> f64) -> Jet<Each<K>> {
+    const { assert!(K > 2) };
+    let next = |step: usize| each(|j| distance(j, (j + step) % K));
+    let (one, two): (Each<K>, Each<K>) = (next(1), next(2));
+    let mut jet = [
+        each(|j| one[j] * two[j]),
+        each(|j| one[j] + two[j]),
+        [2.0; K],
+    ];
+    for step in 3..K {
+        let own: Each<K> = next(step);
+        let [p, d, dd] = jet;
+        jet = [
+            each(|j| p[j] * own[j]),
+            each(|j| d[j] * own[j] + p[j]),
+            each(|j| dd[j] * own[j] + 2.0 * d[j]),
+        ];
     }
-    let bend = 0.5 * (slope * slope - squares);
-    let (c1, c2) = (-slope, slope * slope - bend);
-    [
-        product(all, [1.0 + t * (c1 + t * c2), c1 + 2.0 * c2 * t, 2.0 * c2]),
-        product(all, [t + c1 * t * t, 1.0 + 2.0 * c1 * t, 2.0 * c1]),
-        product(all, [0.5 * t * t, t, 1.0]),
-    ]
+    jet
 }
+
+/// What q, q′, q″ of K nodes are multiplied by in the polynomial through all of them at `s`: the jets of three weights. Nodes
+/// go side by side.
+#[inline(always)]
+fn weights<const K: usize>(at: &Each<K>, s: f64) -> [Jet<Each<K>>; 3] {
+    // With P = Π (s − s_i): L = (P/P_j)³, p = 3 P_j′/P_j, p² − r = 6 (P_j′/P_j)² − 3/2 P_j″/P_j.
+    let [all, slope, bend] = others::<K>(|j, i| at[j] - at[i]);
+    let inverse: Each<K> = each(|j| 1.0 / all[j]);
+    let slope: Each<K> = each(|j| slope[j] * inverse[j]);
+    let c1: Each<K> = each(|j| -3.0 * slope[j]);
+    let c2: Each<K> = each(|j| 6.0 * slope[j] * slope[j] - 1.5 * bend[j] * inverse[j]);
+    let t: Each<K> = each(|j| s - at[j]);
+    let [p, d, dd] =
+        others::<K>(|_, i| t[i]).map(|part| -> Each<K> { each(|j| part[j] * inverse[j]) });
+    let squares: Each<K> = each(|j| 3.0 * p[j] * p[j]);
+    let all = [
+        each(|j| p[j] * p[j] * p[j]),
+        each(|j| squares[j] * d[j]),
+        each(|j| 6.0 * p[j] * d[j] * d[j] + squares[j] * dd[j]),
+    ];
+    let (one, ct): (Each<K>, Each<K>) = ([1.0; K], each(|j| c1[j] * t[j]));
+    let cct: Each<K> = each(|j| c2[j] * t[j]);
+    let of_q = [
+        each(|j| 1.0 + t[j] * (c1[j] + cct[j])),
+        each(|j| c1[j] + 2.0 * cct[j]),
+        each(|j| 2.0 * c2[j]),
+    ];
+    let of_d = [
+        each(|j| t[j] + t[j] * ct[j]),
+        each(|j| 1.0 + 2.0 * ct[j]),
+        each(|j| 2.0 * c1[j]),
+    ];
+    let of_dd = [each(|j| 0.5 * t[j] * t[j]), t, one];
+    [of_q, of_d, of_dd].map(|own| product(&all, own))
+}
+
+/// Components that are summed side by side, and from how many on it pays to spread the weights for that first.
+const TOGETHER: usize = 2;
+const MANY: usize = 48;
 
 /// Evaluates the polynomial of degree 3K − 1 that meets q, q′, q″ at K distinct nodes, at `s`; q goes to `q`, its derivatives
 /// to `d` and `dd`.
 pub fn osculate<const K: usize>(nodes: [&Node; K], s: f64, [q, d, dd]: [&mut [f64]; 3]) {
     let at = nodes.map(|node| node.s);
-    let nearest = (0..K).min_by(|&i, &j| (at[i] - s).abs().total_cmp(&(at[j] - s).abs()));
-    // The weights of q add up to 1: differences from one node lose least.
-    let base = &nodes[nearest.unwrap_or(0)].q;
-    let weights: [[Jet; 3]; K] = std::array::from_fn(|j| weights(&at, j, s));
-    let n = base.len();
-    let values = nodes.map(|node| [&node.q[..n], &node.d[..n], &node.dd[..n]]);
-    let to = q.iter_mut().zip(d).zip(dd).zip(base).enumerate();
-    for (k, (((q, d), dd), base)) in to {
-        let mut sum = [0.0; 3];
-        for (values, weights) in values.iter().zip(&weights) {
-            let own = [values[0][k] - base, values[1][k], values[2][k]];
-            for (value, weight) in own.iter().zip(weights) {
-                for (sum, weight) in sum.iter_mut().zip(weight) {
-                    *sum += value * weight;
+    // The weights of q add up to 1: differences from one node lose least, those from the nearest.
+    let nearest = (1..K).fold(0, |nearest: usize, j| {
+        let is_nearer = (at[j] - s).abs() < (at[nearest] - s).abs();
+        if is_nearer { j } else { nearest }
+    });
+    let weights = weights(&at, s);
+    let n = q.len();
+    let to = [q, &mut d[..n], &mut dd[..n]];
+    let sums = Sums {
+        values: nodes.map(|node| [&node.q[..n], &node.d[..n], &node.dd[..n]]),
+        base: &nodes[nearest].q[..n],
+    };
+    if n < MANY {
+        sums.put(to, |order, kind, j| [weights[kind][order][j]; TOGETHER]);
+    } else {
+        let spread = |weight: f64| [weight; TOGETHER];
+        let wide = weights.map(|own| own.map(|own| own.map(spread)));
+        sums.put(to, |order, kind, j| wide[kind][order][j]);
+    }
+}
+
+/// q, q′, q″ of K nodes (n), and what q is taken from (n).
+struct Sums<'a, const K: usize> {
+    values: [[&'a [f64]; 3]; K],
+    base: &'a [f64],
+}
+
+impl<const K: usize> Sums<'_, K> {
+    /// Sums by weights, of an order of derivative, a kind of value and a node.
+    #[inline(always)]
+    fn put(
+        &self,
+        [q, d, dd]: [&mut [f64]; 3],
+        weight: impl Fn(usize, usize, usize) -> [f64; TOGETHER],
+    ) {
+        let n = self.base.len();
+        let mut k = 0;
+        while k + TOGETHER <= n {
+            let sums = self.some(k, &weight);
+            q[k..k + TOGETHER].copy_from_slice(&sums[0]);
+            d[k..k + TOGETHER].copy_from_slice(&sums[1]);
+            dd[k..k + TOGETHER].copy_from_slice(&sums[2]);
+            k += TOGETHER;
+        }
+        while k < n {
+            let narrow = |order, kind, j| [weight(order, kind, j)[0]];
+            [[q[k]], [d[k]], [dd[k]]] = self.some(k, &narrow);
+            k += 1;
+        }
+    }
+
+    /// W components from k on.
+    #[inline(always)]
+    fn some<const W: usize>(
+        &self,
+        k: usize,
+        weight: &impl Fn(usize, usize, usize) -> [f64; W],
+    ) -> Jet<[f64; W]> {
+        let take = |from: &[f64]| -> [f64; W] { std::array::from_fn(|lane| from[k + lane]) };
+        let base = take(self.base);
+        let mut sums = [[0.0; W]; 3];
+        for (j, values) in self.values.iter().enumerate() {
+            let [mut q, d, dd] = values.map(take);
+            q.iter_mut().zip(&base).for_each(|(q, base)| *q -= base);
+            for (kind, own) in [q, d, dd].iter().enumerate() {
+                for (order, sum) in sums.iter_mut().enumerate() {
+                    let weight = weight(order, kind, j);
+                    for ((sum, own), weight) in sum.iter_mut().zip(own).zip(&weight) {
+                        *sum += own * weight;
+                    }
                 }
             }
         }
-        [*q, *d, *dd] = [base + sum[0], sum[1], sum[2]];
+        let to = sums[0].iter_mut().zip(&base);
+        to.for_each(|(q, base)| *q += base);
+        sums
     }
 }
 
@@ -200,108 +303,4 @@ pub fn interpolate(x: &[f64], f: &[f64], s: f64) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn node(s: f64) -> Node {
-        Node {
-            s,
-            q: vec![s.sin(), (2.0 * s).exp()],
-            d: vec![s.cos(), 2.0 * (2.0 * s).exp()],
-            dd: vec![-s.sin(), 4.0 * (2.0 * s).exp()],
-        }
-    }
-
-    #[test]
-    fn quintic_is_of_sixth_order() {
-        let error = |h: f64| {
-            let (mut q, mut d) = ([0.0; 2], [0.0; 2]);
-            quintic(
-                &node(0.3),
-                &node(0.3 + h),
-                0.3 + 2.0 * h,
-                &mut q,
-                Some(&mut d),
-            );
-            let want = node(0.3 + 2.0 * h);
-            ((q[0] - want.q[0]).abs(), (d[0] - want.d[0]).abs())
-        };
-        let (coarse, fine) = (error(0.2), error(0.1));
-        let order = (coarse.0 / fine.0).log2();
-        assert!((order - 6.0).abs() < 0.4, "{order}");
-        let order = (coarse.1 / fine.1).log2();
-        assert!((order - 5.0).abs() < 0.4, "{order}");
-    }
-
-    #[test]
-    fn osculating_polynomial_meets_a_smooth_function() {
-        let nodes: Vec<Node> = [-0.3, -0.2, -0.1, 0.1, 0.2, 0.3].map(node).to_vec();
-        let p = Osculating::new(&nodes, 0.0);
-        let (mut q, mut d, mut dd) = ([0.0; 2], [0.0; 2], [0.0; 2]);
-        for s in [0.0, 0.05, -0.25] {
-            p.eval(s, &mut q, &mut d, &mut dd);
-            let want = node(s);
-            for k in 0..2 {
-                assert!((q[k] - want.q[k]).abs() < 1e-14, "{s}: {q:?} {want:?}");
-                assert!(
-                    (d[k] - want.d[k]).abs() < 1e-12 && (dd[k] - want.dd[k]).abs() < 1e-10,
-                    "{s}: {dd:?} {want:?}"
-                );
-            }
-        }
-    }
-
-    #[test]
-    fn osculating_polynomials_repeat_polynomials_of_their_degree() {
-        let power = |s: f64, p: i32| {
-            let slope = f64::from(p);
-            [
-                s.powi(p),
-                slope * s.powi(p - 1),
-                slope * (slope - 1.0) * s.powi(p - 2),
-            ]
-        };
-        let at = |p: i32, s: f64| {
-            let [q, d, dd] = power(s, p);
-            Node {
-                s,
-                q: vec![1.0 + q],
-                d: vec![d],
-                dd: vec![dd],
-            }
-        };
-        let (mut q, mut d, mut dd) = ([0.0], [0.0], [0.0]);
-        for p in [2, 5, 8] {
-            let nodes = [0.7, 1.0, 1.2].map(|s| at(p, s));
-            osculate(
-                [&nodes[0], &nodes[1], &nodes[2]],
-                1.5,
-                [&mut q, &mut d, &mut dd],
-            );
-            let want = power(1.5, p);
-            for (k, got) in [q[0] - 1.0, d[0], dd[0]].into_iter().enumerate() {
-                assert!(
-                    (got / want[k] - 1.0).abs() < 1e-11,
-                    "{p} {k}: {got} {want:?}"
-                );
-            }
-        }
-        let nodes = [0.7, 0.9, 1.2, 1.3].map(|s| at(11, s));
-        osculate(
-            [&nodes[0], &nodes[1], &nodes[2], &nodes[3]],
-            1.05,
-            [&mut q, &mut d, &mut dd],
-        );
-        let want = power(1.05, 11);
-        for (k, got) in [q[0] - 1.0, d[0], dd[0]].into_iter().enumerate() {
-            assert!((got / want[k] - 1.0).abs() < 1e-11, "{k}: {got} {want:?}");
-        }
-    }
-
-    #[test]
-    fn neville_repeats_a_polynomial() {
-        let f = |x: f64| 1.0 - 2.0 * x + x.powi(3);
-        let x = [-1.0, 0.5, 1.0, 2.0];
-        assert!((interpolate(&x, &x.map(f), 0.3) - f(0.3)).abs() < 1e-14);
-    }
-}
+mod tests;
