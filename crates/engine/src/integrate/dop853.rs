@@ -32,6 +32,11 @@ const GROW: f64 = 6.0;
 /// Coefficients of the continuous extension.
 const DENSE: usize = 7;
 
+/// Components are kept by twos, with all their slopes side by side: sums over the slopes of a few components are most of a
+/// step's own work, and have no bounds to check that way. The last pair may have one to spare, which is 0.
+type Pair = [f64; 2];
+type Slopes = [Pair; SLOPES];
+
 /// Explicit method of order 8 with continuous extension of order 7.
 #[derive(Debug, Clone)]
 pub struct Dop853 {
@@ -45,44 +50,39 @@ pub struct Dop853 {
     h: f64,
     /// The last accepted step, with its sign.
     taken: f64,
-    y: Vec<f64>,
+    y: Vec<Pair>,
     /// y at the start of the last step.
-    y_previous: Vec<f64>,
+    y_previous: Vec<Pair>,
     /// Argument of the last stage.
-    stage: Vec<f64>,
+    stage: Vec<Pair>,
+    /// The slope evaluated last.
+    slope: Vec<Pair>,
     /// y at the end of the attempt.
-    next: Vec<f64>,
+    next: Vec<Pair>,
     /// Weights of the errors.
     weights: Vec<f64>,
-    /// Slopes (`SLOPES` × n).
-    k: Vec<f64>,
-    /// Coefficients of the continuous extension (`DENSE` × n).
-    dense: Vec<f64>,
+    /// Slopes.
+    k: Vec<Slopes>,
+    /// Coefficients of the continuous extension.
+    dense: Vec<[Pair; DENSE]>,
     dense_known: bool,
     pub(super) stiffness: Stiffness,
 }
 
-/// Slices of n slopes for the entries of a row.
+/// Σ aⱼ kⱼ.
 #[inline(always)]
-fn slopes<'a, const N: usize>(row: &Row<N>, k: &'a [f64], n: usize) -> [&'a [f64]; N] {
-    row.map(|(s, _)| &k[s * n..][..n])
-}
-
-/// Σ aⱼ kⱼᵢ.
-#[inline(always)]
-fn sum<const N: usize>(row: &Row<N>, slopes: &[&[f64]; N], i: usize) -> f64 {
-    row.iter()
-        .zip(slopes)
-        .fold(0.0, |sum, ((_, a), k)| sum + a * k[i])
+fn sum<const N: usize>(row: &Row<N>, k: &Slopes) -> Pair {
+    row.iter().fold([0.0; 2], |[first, second], (s, a)| {
+        [first + a * k[*s][0], second + a * k[*s][1]]
+    })
 }
 
 /// y + h Σ aⱼ kⱼ.
 #[inline(always)]
-fn combine<const N: usize>(row: &Row<N>, k: &[f64], h: f64, y: &[f64], into: &mut [f64]) {
-    let n = into.len();
-    let slopes = slopes(row, k, n);
-    for (i, (into, y)) in into.iter_mut().zip(y).enumerate() {
-        *into = y + h * sum(row, &slopes, i);
+fn combine<const N: usize>(row: &Row<N>, k: &[Slopes], h: f64, y: &[Pair], into: &mut [Pair]) {
+    for ((into, y), k) in into.iter_mut().zip(y).zip(k) {
+        let sum = sum(row, k);
+        *into = [y[0] + h * sum[0], y[1] + h * sum[1]];
     }
 }
 
@@ -101,6 +101,7 @@ impl Dop853 {
             y: Vec::new(),
             y_previous: Vec::new(),
             stage: Vec::new(),
+            slope: Vec::new(),
             next: Vec::new(),
             weights: Vec::new(),
             k: Vec::new(),
@@ -125,12 +126,23 @@ impl Dop853 {
         row: &Row<N>,
     ) -> Result<(), Refused> {
         combine(row, &self.k, h, &self.y, &mut self.stage);
+        self.evaluate(ode, self.t + C[s] * h)?;
+        self.keep(s);
+        Ok(())
+    }
+
+    /// f at t and the argument in `stage`.
+    fn evaluate(&mut self, ode: &mut dyn Ode, t: f64) -> Result<(), Refused> {
         self.counters.evaluations += 1;
-        ode.eval(
-            self.t + C[s] * h,
-            &self.stage,
-            &mut self.k[s * self.n..][..self.n],
-        )
+        let argument = &self.stage.as_flattened()[..self.n];
+        ode.eval(t, argument, &mut self.slope.as_flattened_mut()[..self.n])
+    }
+
+    /// Takes the slope evaluated last for slope `s`.
+    fn keep(&mut self, s: usize) {
+        for (k, slope) in self.k.iter_mut().zip(&self.slope) {
+            k[s] = *slope;
+        }
     }
 
     /// Stages of a step by h: leaves its end in `next`, and returns its error over the tolerance.
@@ -147,14 +159,19 @@ impl Dop853 {
         self.slope(ode, h, 10, &A10)?;
         self.slope(ode, h, 11, &A11)?;
         combine(&B, &self.k, h, &self.y, &mut self.next);
-        let (fifth, third) = (slopes(&E5, &self.k, self.n), slopes(&E3, &self.k, self.n));
         let (mut fifth_squared, mut third_squared) = (0.0, 0.0);
-        for (i, (y, next)) in self.y.iter().zip(&self.next).enumerate() {
-            let weight = 1.0 / self.tolerance.bound(i, y.abs().max(next.abs()));
-            self.weights[i] = weight;
-            let (fifth, third) = (weight * sum(&E5, &fifth, i), weight * sum(&E3, &third, i));
-            fifth_squared += fifth * fifth;
-            third_squared += third * third;
+        let (y, next) = (self.y.as_flattened(), self.next.as_flattened());
+        let pairs = self.weights.chunks_mut(2).zip(&self.k).enumerate();
+        for (pair, (weights, k)) in pairs {
+            let (fifth, third) = (sum(&E5, k), sum(&E3, k));
+            for (lane, kept) in weights.iter_mut().enumerate() {
+                let i = 2 * pair + lane;
+                let weight = 1.0 / self.tolerance.bound(i, y[i].abs().max(next[i].abs()));
+                *kept = weight;
+                let (fifth, third) = (weight * fifth[lane], weight * third[lane]);
+                fifth_squared += fifth * fifth;
+                third_squared += third * third;
+            }
         }
         let both = fifth_squared + 0.01 * third_squared;
         match both.is_finite() {
@@ -168,10 +185,12 @@ impl Dop853 {
     fn try_step(&mut self, ode: &mut dyn Ode, h: f64, t: f64) -> Result<f64, Refused> {
         let error = self.attempt(ode, h)?;
         if error <= 1.0 {
-            let end = &mut self.k[LAST * self.n..][..self.n];
             self.counters.evaluations += 1;
-            ode.eval(t, &self.next, end)?;
-            finite(end)?;
+            let n = self.n;
+            let slope = &mut self.slope.as_flattened_mut()[..n];
+            ode.eval(t, &self.next.as_flattened()[..n], slope)?;
+            finite(slope)?;
+            self.keep(LAST);
         }
         Ok(error)
     }
@@ -179,15 +198,15 @@ impl Dop853 {
     /// Compares the two slopes and arguments at the end of the attempt.
     fn watch_stiffness(&mut self, h: f64) {
         let (mut slopes, mut arguments) = (0.0, 0.0);
-        let (stage, end) = (
-            &self.k[(STAGES - 1) * self.n..][..self.n],
-            &self.k[LAST * self.n..][..self.n],
-        );
-        for i in 0..self.n {
-            let slope = (end[i] - stage[i]) * self.weights[i];
-            let argument = (self.next[i] - self.stage[i]) * self.weights[i];
-            slopes += slope * slope;
-            arguments += argument * argument;
+        let ends = self.next.iter().zip(&self.stage);
+        let pairs = self.weights.chunks(2).zip(&self.k).zip(ends);
+        for ((weights, k), (next, stage)) in pairs {
+            for (lane, weight) in weights.iter().enumerate() {
+                let slope = (k[LAST][lane] - k[STAGES - 1][lane]) * weight;
+                let argument = (next[lane] - stage[lane]) * weight;
+                slopes += slope * slope;
+                arguments += argument * argument;
+            }
         }
         if arguments > 0.0 {
             self.stiffness.count(h * h * slopes / arguments);
@@ -196,28 +215,23 @@ impl Dop853 {
 
     /// The coefficients of the continuous extension.
     fn extend(&mut self, ode: &mut dyn Ode) -> Result<(), Refused> {
-        let (n, h) = (self.n, self.taken);
+        let h = self.taken;
         self.extra_slope(ode, 13, &A13)?;
         self.extra_slope(ode, 14, &A14)?;
         self.extra_slope(ode, 15, &A15)?;
-        let (d3, d4) = (slopes(&D3, &self.k, n), slopes(&D4, &self.k, n));
-        let (d5, d6) = (slopes(&D5, &self.k, n), slopes(&D6, &self.k, n));
-        for i in 0..n {
-            let (start, end) = (h * self.k[i], h * self.k[LAST * n + i]);
-            let rise = self.y[i] - self.y_previous[i];
-            let higher = [
-                sum(&D3, &d3, i),
-                sum(&D4, &d4, i),
-                sum(&D5, &d5, i),
-                sum(&D6, &d6, i),
-            ]
-            .map(|d| h * d);
-            self.dense[DENSE * i..][..3].copy_from_slice(&[
-                rise,
-                start - rise,
-                2.0 * rise - (start + end),
-            ]);
-            self.dense[DENSE * i + 3..][..4].copy_from_slice(&higher);
+        let ends = self.y_previous.iter().zip(&self.y);
+        for ((dense, k), (from, to)) in self.dense.iter_mut().zip(&self.k).zip(ends) {
+            let higher = [sum(&D3, k), sum(&D4, k), sum(&D5, k), sum(&D6, k)];
+            for lane in 0..2 {
+                let (start, end) = (h * k[0][lane], h * k[LAST][lane]);
+                let rise = to[lane] - from[lane];
+                dense[0][lane] = rise;
+                dense[1][lane] = start - rise;
+                dense[2][lane] = 2.0 * rise - (start + end);
+                for (dense, higher) in dense[3..].iter_mut().zip(&higher) {
+                    dense[lane] = h * higher[lane];
+                }
+            }
         }
         self.dense_known = true;
         Ok(())
@@ -231,10 +245,9 @@ impl Dop853 {
         row: &Row<N>,
     ) -> Result<(), Refused> {
         combine(row, &self.k, self.taken, &self.y_previous, &mut self.stage);
-        self.counters.evaluations += 1;
-        let slope = &mut self.k[s * self.n..][..self.n];
-        ode.eval(self.previous + C[s] * self.taken, &self.stage, slope)?;
-        finite(slope)
+        self.evaluate(ode, self.previous + C[s] * self.taken)?;
+        self.keep(s);
+        finite(&self.slope.as_flattened()[..self.n])
     }
 }
 
@@ -246,33 +259,38 @@ impl Stepper for Dop853 {
             "y and atol have the dimension of the equations"
         );
         self.n = n;
+        let pairs = n.div_ceil(2);
         for vector in [
             &mut self.y,
             &mut self.y_previous,
             &mut self.stage,
+            &mut self.slope,
             &mut self.next,
-            &mut self.weights,
         ] {
-            vector.resize(n, 0.0);
+            vector.clear();
+            vector.resize(pairs, [0.0; 2]);
         }
-        self.k.resize(SLOPES * n, 0.0);
-        self.dense.resize(DENSE * n, 0.0);
+        self.weights.resize(n, 0.0);
+        self.k.resize(pairs, [[0.0; 2]; SLOPES]);
+        self.dense.resize(pairs, [[0.0; 2]; DENSE]);
         (self.t, self.previous, self.taken, self.dense_known) = (t, t, 0.0, false);
         self.stiffness.restart();
-        self.y.copy_from_slice(y);
-        let slope = &mut self.k[LAST * n..][..n];
+        self.y.as_flattened_mut()[..n].copy_from_slice(y);
         self.counters.evaluations += 1;
+        let slope = &mut self.slope.as_flattened_mut()[..n];
         ode.eval(t, y, slope)
             .and_then(|()| finite(slope))
             .map_err(|Refused| StepFailure::Refused { t })?;
+        self.keep(LAST);
         ode.accept(t, y);
         control::weigh(&self.tolerance, y, &mut self.weights);
         let probe = Probe {
             root: eighth_root,
             weights: &self.weights,
-            y: &mut self.stage,
-            dy: &mut self.next,
+            y: &mut self.stage.as_flattened_mut()[..n],
+            dy: &mut self.next.as_flattened_mut()[..n],
         };
+        let slope = &self.slope.as_flattened()[..n];
         let (h, evaluations) = first_step(ode, t, y, slope, end, &self.limits, probe);
         self.h = h;
         self.counters.evaluations += evaluations;
@@ -283,8 +301,7 @@ impl Stepper for Dop853 {
         if self.t == end {
             return Ok(());
         }
-        let n = self.n;
-        self.k.copy_within(LAST * n..(LAST + 1) * n, 0);
+        self.k.iter_mut().for_each(|k| k[0] = k[LAST]);
         let proposed = self.h.min(self.limits.max_step.unwrap_or(f64::INFINITY));
         let shortest = shortest(self.t, &self.limits);
         let mut h = proposed.max(shortest);
@@ -311,7 +328,7 @@ impl Stepper for Dop853 {
                         std::mem::swap(&mut self.y, &mut self.next);
                         (self.previous, self.t, self.taken, self.dense_known) =
                             (self.t, t, signed, false);
-                        ode.accept(self.t, &self.y);
+                        ode.accept(self.t, &self.y.as_flattened()[..self.n]);
                         return Ok(());
                     }
                     rejection = Rejection::Error;
@@ -329,7 +346,7 @@ impl Stepper for Dop853 {
             }
         }
         // the slope at t again, for whoever goes on
-        self.k.copy_within(0..n, LAST * n);
+        self.k.iter_mut().for_each(|k| k[LAST] = k[0]);
         (self.h, self.previous, self.taken, self.dense_known) = (h, self.t, 0.0, false);
         Err(failure(rejection, self.t, h))
     }
@@ -339,7 +356,7 @@ impl Stepper for Dop853 {
     }
 
     fn y(&self) -> &[f64] {
-        &self.y
+        &self.y.as_flattened()[..self.n]
     }
 
     fn previous(&self) -> f64 {
@@ -348,31 +365,27 @@ impl Stepper for Dop853 {
 
     fn interpolate(&mut self, ode: &mut dyn Ode, t: f64, y: &mut [f64]) -> Result<(), Refused> {
         if t == self.t || self.taken == 0.0 {
-            y.copy_from_slice(&self.y);
+            y.copy_from_slice(self.y());
             return Ok(());
         }
         if t == self.previous {
-            y.copy_from_slice(&self.y_previous);
+            y.copy_from_slice(&self.y_previous.as_flattened()[..self.n]);
             return Ok(());
         }
         if !self.dense_known {
             self.extend(ode)?;
         }
         let x = (t - self.previous) / self.taken;
-        for ((y, start), dense) in y
-            .iter_mut()
-            .zip(&self.y_previous)
-            .zip(self.dense.chunks_exact(DENSE))
-        {
-            let polynomial =
-                dense
-                    .iter()
-                    .enumerate()
-                    .rev()
-                    .fold(0.0, |sum, (power, coefficient)| {
-                        (sum + coefficient) * if power % 2 == 0 { x } else { 1.0 - x }
-                    });
-            *y = start + polynomial;
+        let pairs = self.y_previous.iter().zip(&self.dense);
+        for (y, (start, dense)) in y.chunks_mut(2).zip(pairs) {
+            let polynomial = dense.iter().enumerate().rev();
+            let polynomial = polynomial.fold([0.0; 2], |sum, (power, coefficient)| {
+                let factor = if power % 2 == 0 { x } else { 1.0 - x };
+                [0, 1].map(|lane| (sum[lane] + coefficient[lane]) * factor)
+            });
+            for (lane, y) in y.iter_mut().enumerate() {
+                *y = start[lane] + polynomial[lane];
+            }
         }
         Ok(())
     }
