@@ -173,6 +173,9 @@ impl Evaluation {
     pub(crate) fn eval_force(&self, system: &System, inputs: &Inputs, q_force: &mut [f64]) {
         let gravity = [system.gravity.x, system.gravity.y];
         system.mass.weigh(&system.layout, gravity, q_force);
+        if system.forces.is_empty() && system.contacts.is_empty() {
+            return;
+        }
         let at = self.kinematics(inputs);
         let mut applied = Applied::to(q_force, &system.layout);
         for force in &system.forces {

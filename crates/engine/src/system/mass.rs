@@ -49,6 +49,14 @@ impl Mass {
         }
     }
 
+    /// sᵀ M s, and sᵀ (x − M y): how heavy the motion s is, and what pulls along it, in one pass.
+    pub(crate) fn along(&self, s: &[f64], x: &[f64], y: &[f64]) -> [f64; 2] {
+        let terms = s.iter().zip(x).zip(y).zip(&self.diagonal);
+        terms.fold([0.0; 2], |[own, pull], (((s, x), y), m)| {
+            [own + s * m * s, pull + s * (x - m * y)]
+        })
+    }
+
     /// Components of M x that are not zero, with their columns, ascending.
     pub(crate) fn momenta(&self, x: &[f64]) -> impl Iterator<Item = (usize, f64)> {
         x.iter()
@@ -108,6 +116,13 @@ mod tests {
         assert!((0..6).all(|k| out[k] == x[k] - m[k] * y[k]), "{out:?}");
         let entries: Vec<_> = mass.entries().collect();
         assert!((0..6).all(|k| entries[k] == (k, k, m[k])));
+        assert_eq!(
+            mass.along(&x, &y, &x),
+            [
+                mass.product(&x, &x),
+                (0..6).map(|k| x[k] * (y[k] - m[k] * x[k])).sum()
+            ]
+        );
         let momenta: Vec<_> = mass.momenta(&x).collect();
         assert_eq!(
             momenta,

@@ -94,7 +94,11 @@ impl Path {
         let Some((centre, shift)) = &self.turn else {
             return self.guess_followed(s, q, d, dd);
         };
-        let turns = ((s - centre) / TAU).round();
+        let off = s - centre;
+        if off.abs() < 0.5 * TAU {
+            return self.guess_followed(s, q, d, dd);
+        }
+        let turns = (off / TAU).round();
         let source = self.guess_followed(s - turns * TAU, q, d, dd)?;
         q.iter_mut()
             .zip(shift)

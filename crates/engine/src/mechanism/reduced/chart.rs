@@ -34,6 +34,14 @@ impl<'s> Chart<'s> {
         }
     }
 
+    /// The same, to be changed.
+    pub fn curve_mut(&mut self) -> Option<&mut Curve<'s>> {
+        match self {
+            Chart::Curve(curve) => Some(curve),
+            Chart::Coordinates(_) => None,
+        }
+    }
+
     fn extrapolation(&mut self) -> &mut Extrapolation<'s> {
         match self {
             Chart::Curve(curve) => &mut curve.beyond,

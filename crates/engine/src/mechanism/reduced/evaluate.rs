@@ -102,17 +102,16 @@ impl Reduced<'_> {
 
     /// S, v and a₀ of the curve, on which q is.
     fn take_branch(&mut self, rate: f64) {
-        let Some(curve) = self.chart.curve() else {
+        let Some(curve) = self.chart.curve_mut() else {
             return;
         };
-        for (v, s) in self.v.iter_mut().zip(&curve.tangent) {
-            *v = rate * s;
+        let (square, along) = (rate * rate, curve.tangent.iter().zip(&curve.bend));
+        for ((v, a), (s, bend)) in self.v.iter_mut().zip(&mut self.a).zip(along) {
+            (*v, *a) = (rate * s, square * bend);
         }
-        for (a, bend) in self.a.iter_mut().zip(&curve.bend) {
-            *a = rate * rate * bend;
-        }
+        // The next place on the curve has a tangent of its own.
         if let Some(tangents) = self.inertia.tangents() {
-            tangents.s.copy_from_slice(&curve.tangent);
+            std::mem::swap(&mut tangents.s, &mut curve.tangent);
         }
         self.driven.evaluation.set_position(&self.q);
         self.driven.evaluation.set_velocity(&self.v);

@@ -72,6 +72,17 @@ impl Tangents {
         [a, accelerations]: [&mut [f64]; 2],
     ) -> Result<(), Failure> {
         let mass = &driven.system.mass;
+        if let [rate] = accelerations {
+            let [own, pull] = mass.along(&self.s, force, a);
+            if own.is_nan() || own <= 0.0 {
+                return Err(Failure::Singular);
+            }
+            self.mass[0] = own.sqrt();
+            *rate = pull / own;
+            let a = a.iter_mut().zip(&self.s);
+            a.for_each(|(a, s)| *a += *rate * s);
+            return Ok(());
+        }
         mass.residual(force, a, &mut self.balance);
         let (n, f) = (self.balance.len(), accelerations.len());
         for (i, rate) in accelerations.iter_mut().enumerate() {
