@@ -54,10 +54,12 @@ type Each<const K: usize> = [f64; K];
 /// Value, first and second derivative.
 type Jet<T> = [T; 3];
 
+#[inline(always)]
 fn each<const K: usize>(number: impl Fn(usize) -> f64) -> Each<K> {
     std::array::from_fn(number)
 }
 
+#[inline(always)]
 fn product<const K: usize>(a: &Jet<Each<K>>, b: Jet<Each<K>>) -> Jet<Each<K>> {
     [
         each(|j| a[0][j] * b[0][j]),
@@ -67,6 +69,7 @@ fn product<const K: usize>(a: &Jet<Each<K>>, b: Jet<Each<K>>) -> Jet<Each<K>> {
 }
 
 /// Of each node Π (s − s_i) over all others, from `distance(j, i)`.
+#[inline(always)]
 fn others<const K: usize>(distance: impl Fn(usize, usize) -> f64) -> Jet<Each<K>> {
     const { assert!(K > 2) };
     let next = |step: usize| each(|j| distance(j, (j + step) % K));
@@ -99,8 +102,10 @@ fn weights<const K: usize>(at: &Each<K>, s: f64) -> [Jet<Each<K>>; 3] {
     let c1: Each<K> = each(|j| -3.0 * slope[j]);
     let c2: Each<K> = each(|j| 6.0 * slope[j] * slope[j] - 1.5 * bend[j] * inverse[j]);
     let t: Each<K> = each(|j| s - at[j]);
-    let [p, d, dd] =
-        others::<K>(|_, i| t[i]).map(|part| -> Each<K> { each(|j| part[j] * inverse[j]) });
+    let [p, d, dd] = others::<K>(|_, i| t[i]);
+    let p: Each<K> = each(|j| p[j] * inverse[j]);
+    let d: Each<K> = each(|j| d[j] * inverse[j]);
+    let dd: Each<K> = each(|j| dd[j] * inverse[j]);
     let squares: Each<K> = each(|j| 3.0 * p[j] * p[j]);
     let all = [
         each(|j| p[j] * p[j] * p[j]),
@@ -120,7 +125,11 @@ fn weights<const K: usize>(at: &Each<K>, s: f64) -> [Jet<Each<K>>; 3] {
         each(|j| 2.0 * c1[j]),
     ];
     let of_dd = [each(|j| 0.5 * t[j] * t[j]), t, one];
-    [of_q, of_d, of_dd].map(|own| product(&all, own))
+    [
+        product(&all, of_q),
+        product(&all, of_d),
+        product(&all, of_dd),
+    ]
 }
 
 /// Components that are summed side by side, and from how many on it pays to spread the weights for that first.
