@@ -24,6 +24,7 @@ pub use path::{Branch, HALF_TURN, Path, Source, Window};
 use super::driven::{Driven, Failure};
 use crate::system::{Inputs, System};
 use linkdyn_linear::hermite::Node;
+use std::sync::atomic::AtomicUsize;
 use walk::{Mark, Walker};
 
 /// What the path's parameter is.
@@ -169,6 +170,7 @@ pub fn follow(
         parameter,
         nodes,
         errors: Vec::new(),
+        last: AtomicUsize::new(1),
         tolerance: 0.0,
         windows: Vec::new(),
         singular: Vec::new(),

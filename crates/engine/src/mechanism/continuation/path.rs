@@ -4,6 +4,8 @@ use super::{End, Parameter, SingularPosition};
 use crate::system::System;
 use linkdyn_linear::hermite::{Node, Osculating, osculate, quintic};
 use std::f64::consts::TAU;
+use std::sync::atomic::AtomicUsize;
+use std::sync::atomic::Ordering::Relaxed;
 
 /// Half a turn and a little more: how far a path must be followed to both sides to know whether it comes round.
 pub const HALF_TURN: f64 = 1.05 * std::f64::consts::PI;
@@ -34,6 +36,8 @@ pub struct Path {
     /// Error of q″ of the polynomial through the four nodes around the gap after each node [rad or sizes, by the square of the
     /// parameter's unit]; empty where it was not looked for.
     pub(super) errors: Vec<f64>,
+    /// The gap that was asked for last.
+    pub(super) last: AtomicUsize,
     /// Where it is no more than this, q, q′ and q″ count as known.
     pub(crate) tolerance: f64,
     pub(super) windows: Vec<Window>,
@@ -250,10 +254,7 @@ impl Path {
         if s < low || s > high {
             return None;
         }
-        let k = self
-            .nodes
-            .partition_point(|node| node.s <= s)
-            .clamp(1, self.nodes.len() - 1);
+        let k = self.gap(s);
         if self
             .errors
             .get(k - 1)
@@ -265,6 +266,20 @@ impl Path {
         }
         quintic(&self.nodes[k - 1], &self.nodes[k], s, q, None);
         Some(Source::Regular)
+    }
+
+    /// The node that ends the gap that holds `s`. An integrator's points mostly lie in the gap of the one before.
+    fn gap(&self, s: f64) -> usize {
+        let last = self.last.load(Relaxed);
+        if let Some([from, to]) = self.nodes.get(last.wrapping_sub(1)..=last)
+            && (from.s..to.s).contains(&s)
+        {
+            return last;
+        }
+        let after = self.nodes.partition_point(|node| node.s <= s);
+        let gap = after.clamp(1, self.nodes.len() - 1);
+        self.last.store(gap, Relaxed);
+        gap
     }
 
     /// The stretch that was followed.
