@@ -249,6 +249,18 @@ pub struct System {
 }
 
 impl System {
+    /// Whether anything but constraints and weights looks at places or velocities while a motion goes on.
+    pub(crate) fn looks_at_places(&self) -> bool {
+        let nobody = self.forces.is_empty()
+            && self.contacts.is_empty()
+            && self.dependent_forces.is_empty()
+            && self.states.is_empty()
+            && self.timed.is_empty()
+            && self.formulas.is_empty()
+            && self.kinks.is_empty();
+        !nobody
+    }
+
     /// Adds the equations of a joint or driver behind those that are there.
     pub(crate) fn push_block(&mut self, constraint: Arc<dyn Constraint>, origin: Origin) {
         let (row, entry) = (self.measures.len(), self.entries.len());

@@ -56,6 +56,7 @@ impl Steps {
 
     fn start(&mut self, flow: &mut Flow, time: f64, y: &[f64], end: f64) -> Result<(), Fault> {
         let started = self.stepper.start(flow, time, y, end);
+        flow.equations.tell();
         started.map_err(|failure| flow.stopped(failure))
     }
 
@@ -134,6 +135,7 @@ impl Steps {
     pub fn step(&mut self, flow: &mut Flow) -> Result<(), Fault> {
         let ahead = self.ahead(flow);
         let taken = self.stepper.step(flow, ahead);
+        flow.equations.tell();
         taken.map_err(|failure| flow.stopped(failure))?;
         self.paces.note((self.time() - self.previous()).abs());
         Ok(())
@@ -316,6 +318,7 @@ impl<'a, 's> LastStep<'a, 's> {
             .map_err(Fault::of_part)?;
         // Where it is rejected now, a shorter one takes its place.
         let taken = self.steps.stepper.step(self.flow, to);
+        self.flow.equations.tell();
         taken.map_err(|failure| self.flow.stopped(failure).of_part())
     }
 

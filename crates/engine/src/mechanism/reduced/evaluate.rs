@@ -24,6 +24,18 @@ impl Reduced<'_> {
     /// # Errors
     /// Where the position can't be solved on its branch, or the mass matrix is singular.
     pub fn evaluate(&mut self, time: f64, y: &[f64]) -> Result<(), Failure> {
+        let evaluated = self.evaluate_within(time, y);
+        self.tell();
+        evaluated
+    }
+
+    /// The same within a step: what follows looks at the accelerations alone, and elements are told of the point where they make
+    /// them.
+    ///
+    /// # Errors
+    /// As [`Reduced::evaluate`].
+    pub fn evaluate_within(&mut self, time: f64, y: &[f64]) -> Result<(), Failure> {
+        self.is_told = true;
         if !self.with_factors && self.evaluate_straight(time, y) {
             return Ok(());
         }
@@ -113,8 +125,19 @@ impl Reduced<'_> {
         if let Some(tangents) = self.inertia.tangents() {
             std::mem::swap(&mut tangents.s, &mut curve.tangent);
         }
-        self.driven.evaluation.set_position(&self.q);
-        self.driven.evaluation.set_velocity(&self.v);
+        self.is_told = false;
+        if self.driven.system.looks_at_places() {
+            self.tell();
+        }
+    }
+
+    /// Tells the elements of the point at hand.
+    pub fn tell(&mut self) {
+        if !self.is_told {
+            self.driven.evaluation.set_position(&self.q);
+            self.driven.evaluation.set_velocity(&self.v);
+            self.is_told = true;
+        }
     }
 
     /// ü and a, with the forces that depend on multipliers.

@@ -17,6 +17,7 @@ impl Reduced<'_> {
                 .enumerate()
                 .all(|(k, coordinate)| coordinate.jet[0] == y[k] && coordinate.jet[1] == y[f + k]);
         if there || self.evaluate(time, y).is_ok() {
+            self.tell();
             self.keep(time);
         }
     }

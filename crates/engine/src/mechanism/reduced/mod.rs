@@ -92,6 +92,8 @@ pub struct Reduced<'s> {
     /// Evaluations make the equations' factors, even where the curve is known: multipliers depend on each other or on contacts, or
     /// are asked for.
     with_factors: bool,
+    /// Elements know the point at hand: where none looks at places, they are not told of those within steps.
+    is_told: bool,
 }
 
 impl<'s> Reduced<'s> {
@@ -153,6 +155,7 @@ impl<'s> Reduced<'s> {
             chart,
             placed: Placed::Guess,
             with_factors: wants_factors(system),
+            is_told: false,
         };
         reduced.choose(time)?;
         Ok(reduced)

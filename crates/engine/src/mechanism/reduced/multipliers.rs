@@ -24,6 +24,7 @@ impl Reduced<'_> {
     /// Where a part's smooth branch stands for its joints, theirs mean nothing; see [`Reduced::reactions`]. Near a change
     /// point of the whole, where they can't be computed, they are NaN.
     pub fn multipliers(&mut self, lambda: &mut [f64]) {
+        self.tell();
         if matches!(
             self.placed,
             Placed::Known | Placed::Smooth | Placed::Straight

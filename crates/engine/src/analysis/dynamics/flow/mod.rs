@@ -167,7 +167,8 @@ impl<'s> Flow<'s> {
 
     fn take_bristles(&mut self, y: &[f64]) {
         let inputs = &mut self.equations.inputs;
-        inputs.states.copy_from_slice(&y[self.layout.states()]);
+        let states = inputs.states.iter_mut().zip(self.layout.states());
+        states.for_each(|(state, component)| *state = y[component]);
         for (contact, memory) in inputs.contacts.iter_mut().enumerate() {
             if let Some(component) = self.layout.bristle(contact) {
                 memory.bristle = y[component];
@@ -276,6 +277,11 @@ impl<'s> Flow<'s> {
 /// (u̇, ü) of the last evaluation.
 fn rates(equations: &Reduced, y: &[f64], dy: &mut [f64]) {
     let f = equations.freedom();
+    // One number each is sooner copied by itself.
+    if let (1, [acceleration]) = (f, equations.accelerations()) {
+        (dy[0], dy[1]) = (y[1], *acceleration);
+        return;
+    }
     dy[..f].copy_from_slice(&y[f..2 * f]);
     dy[f..2 * f].copy_from_slice(equations.accelerations());
 }
@@ -336,7 +342,13 @@ impl Ode for Flow<'_> {
     }
 
     fn eval(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Refused> {
-        let evaluated = self.evaluate(t, y);
+        self.take_bristles(y);
+        let evaluated = self
+            .equations
+            .evaluate_within(t, &y[self.layout.mechanical()]);
+        if evaluated.is_ok() {
+            self.eval_normal_forces();
+        }
         self.refusal = evaluated.err();
         evaluated.map_err(|_| Refused)?;
         self.eval_rates(t, y, dy);
