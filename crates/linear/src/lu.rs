@@ -104,14 +104,13 @@ pub struct SparseLu {
     fallbacks: usize,
     /// Column being eliminated; zero between uses.
     column: Vec<f64>,
-    /// Vector being solved for, and its right-hand side when refining; none until then.
+    /// Vector being solved for, or the largest entry of each row of A while pivots are chosen; its right-hand side when
+    /// refining, none until then.
     vector: Vec<f64>,
     residual: Vec<f64>,
-    /// Vectors being solved for together, interleaved; none until asked for.
+    /// Vectors being solved for together, interleaved; none until several are asked for.
     vectors: Vec<f64>,
     search: Search,
-    /// Largest entry of each row of A, by original rows.
-    original_row_scale: Vec<f64>,
 }
 
 impl SparseLu {
@@ -142,7 +141,6 @@ impl SparseLu {
             residual: Vec::new(),
             vectors: Vec::new(),
             search: Search::new(n),
-            original_row_scale: vec![0.0; n],
         }
     }
 

@@ -128,11 +128,12 @@ impl ColumnOrder {
             node_of_row[row as usize] = node_of_column[column];
         }
         let graph = compress(pattern, &node_of_row, &node_of_column, members.len());
-        let columns = minimum_degree(&graph)
+        let mut columns: Vec<u32> = minimum_degree(&graph)
             .into_iter()
             .flat_map(|node| members[node as usize])
             .filter(|&column| column != NONE)
             .collect();
+        columns.shrink_to_fit();
         Ok(ColumnOrder { columns, preferred })
     }
 

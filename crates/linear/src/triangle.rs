@@ -7,8 +7,9 @@
 /// Marks a row without pivot, or a column without partner.
 pub(super) const NONE: u32 = u32::MAX;
 
-/// An entry of a triangular factor.
+/// An entry of a triangular factor: 12 bytes, where alignment would make them 16.
 #[derive(Debug, Clone, Copy)]
+#[repr(Rust, packed(4))]
 pub(super) struct Entry {
     pub(super) row: u32,
     pub(super) value: f64,
@@ -40,9 +41,11 @@ impl Triangle {
         self.entries.shrink_to(count + count / 8);
     }
 
-    pub(super) fn clear(&mut self) {
+    /// Empties it, for so many columns.
+    pub(super) fn restart(&mut self, columns: usize) {
         self.entries.clear();
         self.start.truncate(1);
+        self.start.reserve_exact(columns);
     }
 
     pub(super) fn close_column(&mut self) {

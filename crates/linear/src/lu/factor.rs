@@ -41,7 +41,7 @@ impl SparseLu {
 
     /// Largest entry of each row; refuses what is not finite.
     fn scan(&mut self, values: &[f64]) -> Result<(), Singular> {
-        let scale = &mut self.original_row_scale;
+        let scale = &mut self.vector;
         scale.fill(0.0);
         for column in 0..self.pattern.columns() {
             for (&row, value) in self
@@ -68,8 +68,8 @@ impl SparseLu {
         self.position.fill(NONE);
         self.search.restart();
         self.growth = 0.0;
-        self.lower.clear();
-        self.upper.clear();
+        self.lower.restart(self.order.len());
+        self.upper.restart(self.order.len());
     }
 
     /// Solves L x = A(:, q_j) along the reach; U(:, j) is what pivot rows hold, the rest stays in the work column.
@@ -129,7 +129,7 @@ impl SparseLu {
         if partner > 0.0 && partner >= PIVOT_THRESHOLD * largest {
             (best, largest) = (preferred, partner);
         }
-        let scale = self.column_scale[step].min(self.original_row_scale[best as usize]);
+        let scale = self.column_scale[step].min(self.vector[best as usize]);
         let ratio = if largest == 0.0 { 0.0 } else { largest / scale };
         if ratio.is_nan()
             || ratio <= SINGULAR_RATIO
@@ -151,7 +151,7 @@ impl SparseLu {
         let inverse = 1.0 / std::mem::take(&mut self.column[pivot_row as usize]);
         self.position[pivot_row as usize] = step as u32;
         self.frozen.inverse_pivot[step] = inverse;
-        self.row_scale[step] = self.original_row_scale[pivot_row as usize];
+        self.row_scale[step] = self.vector[pivot_row as usize];
         for &row in self.search.reach() {
             if self.position[row as usize] == NONE {
                 let value = std::mem::take(&mut self.column[row as usize]) * inverse;

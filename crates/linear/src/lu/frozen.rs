@@ -177,6 +177,7 @@ impl Frozen {
         let products = products.map(|[below, beside]| u64::from(*below) * u64::from(*beside));
         self.is_listed = products.sum::<u64>() <= self.most;
         self.begin.clear();
+        self.begin.reserve_exact(n + 1);
         let mut ends = [0; 3];
         for &[below, beside] in &self.lengths {
             self.begin.push(ends);
@@ -366,6 +367,11 @@ impl Frozen {
 
 fn refill<T: Copy>(list: &mut Vec<T>, count: usize, value: T) {
     list.clear();
+    // What is frozen does not grow, and pivots are seldom others: room for many more is given back.
+    if list.capacity() > count + count / 2 {
+        *list = Vec::new();
+    }
+    list.reserve_exact(count);
     list.resize(count, value);
 }
 

@@ -11,10 +11,15 @@ impl SparseLu {
     pub fn solve_together<const K: usize>(&mut self, b: &mut [[f64; K]]) {
         self.assert_ready(b.len());
         let n = self.order.len();
-        if self.vectors.len() < K * n {
-            self.vectors.resize(K * n, 0.0);
+        // One of them has room already.
+        let room = match K {
+            1 => &mut self.vector,
+            _ => &mut self.vectors,
+        };
+        if room.len() < K * n {
+            room.resize(K * n, 0.0);
         }
-        let y = self.vectors[..K * n].as_chunks_mut::<K>().0;
+        let y = room[..K * n].as_chunks_mut::<K>().0;
         for (&at, value) in self.position.iter().zip(&*b) {
             y[at as usize] = *value;
         }
