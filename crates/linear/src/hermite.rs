@@ -219,6 +219,51 @@ impl<const K: usize> Sums<'_, K> {
     }
 }
 
+/// Coordinates that nodes are added up for in turn: their sums stay near the processor.
+const ABREAST: usize = 256;
+
+/// As [`osculate`], to the last bit, for many coordinates: node by node.
+pub fn osculate_abreast<const K: usize>(nodes: [&Node; K], s: f64, [q, d, dd]: [&mut [f64]; 3]) {
+    let at = nodes.map(|node| node.s);
+    let nearest = (0..K).min_by(|&i, &j| (at[i] - s).abs().total_cmp(&(at[j] - s).abs()));
+    let base = &nodes[nearest.unwrap_or(0)].q[..];
+    let weights = weights(&at, s);
+    // By node: what its q, q′ and q″ are multiplied by.
+    let weights: [[Jet<f64>; 3]; K] =
+        std::array::from_fn(|j| std::array::from_fn(|kind| weights[kind].map(|of| of[j])));
+    let to = q.chunks_mut(ABREAST).zip(d.chunks_mut(ABREAST));
+    let to = to.zip(dd.chunks_mut(ABREAST)).zip(base.chunks(ABREAST));
+    for (part, (((q, d), dd), base)) in to.enumerate() {
+        let first = part * ABREAST;
+        q.fill(0.0);
+        d.fill(0.0);
+        dd.fill(0.0);
+        for (node, weights) in nodes.iter().zip(&weights) {
+            let own = [&node.q[first..], &node.d[first..], &node.dd[first..]];
+            add([q, d, dd], base, own, weights);
+        }
+        q.iter_mut().zip(base).for_each(|(q, base)| *q += base);
+    }
+}
+
+/// Adds what a node weighs. By itself, so that it is known that what it writes is nothing that it reads.
+#[inline(never)]
+fn add(
+    [q, d, dd]: [&mut [f64]; 3],
+    base: &[f64],
+    [own, slope, bend]: [&[f64]; 3],
+    [values, slopes, bends]: &[Jet<f64>; 3],
+) {
+    let to = q.iter_mut().zip(d).zip(dd).zip(base);
+    let from = own.iter().zip(slope).zip(bend);
+    for ((((q, d), dd), base), ((own, slope), bend)) in to.zip(from) {
+        let off = own - base;
+        *q = *q + off * values[0] + slope * slopes[0] + bend * bends[0];
+        *d = *d + off * values[1] + slope * slopes[1] + bend * bends[1];
+        *dd = *dd + off * values[2] + slope * slopes[2] + bend * bends[2];
+    }
+}
+
 /// Polynomial of degree 3N − 1 through N nodes.
 #[derive(Debug, Clone)]
 pub struct Osculating {

@@ -58,6 +58,8 @@ fn curves_are_known_as_well_as_is_wanted() {
         benchmarks::pendulum(),
         benchmarks::four_bars(1),
         benchmarks::four_bars(20),
+        // Of so many bodies nodes are few.
+        benchmarks::four_bars(200),
         benchmarks::squeezer(),
         serde_json::from_str(bundled::find("engine").expect("bundled").text).expect("valid JSON"),
     ] {

@@ -119,6 +119,23 @@ fn components_are_alike_however_many_there_are() {
 }
 
 #[test]
+fn coordinates_abreast_are_those_one_by_one() {
+    let nodes = [0.1, 0.4, 0.6, 1.1, 1.3, 1.6].map(|s: f64| {
+        let place = |k: usize| s + 0.3 * k as f64;
+        let many = |of: fn(f64) -> f64| (0..11).map(|k| of(place(k))).collect();
+        let (q, d, dd) = (many(f64::sin), many(f64::cos), many(|x| -x.sin()));
+        Node { s, q, d, dd }
+    });
+    let nodes: [&Node; 6] = std::array::from_fn(|k| &nodes[k]);
+    let made = |of: fn([&Node; 6], f64, [&mut [f64]; 3])| {
+        let [mut q, mut d, mut dd] = [[0.0; 11]; 3];
+        of(nodes, 0.9, [&mut q, &mut d, &mut dd]);
+        [q, d, dd].map(|values| values.map(f64::to_bits))
+    };
+    assert_eq!(made(osculate_abreast), made(osculate));
+}
+
+#[test]
 fn neville_repeats_a_polynomial() {
     let f = |x: f64| 1.0 - 2.0 * x + x.powi(3);
     let x = [-1.0, 0.5, 1.0, 2.0];

@@ -120,6 +120,12 @@ impl Path {
         walker.node(s, q).ok().map(|(node, _)| node)
     }
 
+    /// Factors at the position at `s`.
+    fn factor_at(&self, walker: &mut Walker, s: f64) -> Option<()> {
+        let mut q = self.regular_at(s)?;
+        walker.corrected(s, &mut q).ok().map(|_| ())
+    }
+
     /// An uncorrected position.
     fn regular_at(&self, s: f64) -> Option<Vec<f64>> {
         let [mut q, mut d, mut dd] = std::array::from_fn(|_| self.nodes[0].q.clone());
@@ -128,7 +134,7 @@ impl Path {
     }
 
     fn null_vectors(&self, walker: &mut Walker, s: f64) -> Option<NullVectors> {
-        self.solve_at(walker, s)?;
+        self.factor_at(walker, s)?;
         let condition = walker.condition(None);
         Some(NullVectors {
             right: condition.right,
@@ -137,7 +143,7 @@ impl Path {
     }
 
     fn test_at(&self, walker: &mut Walker, s: f64, vectors: &NullVectors) -> Option<f64> {
-        self.solve_at(walker, s)?;
+        self.factor_at(walker, s)?;
         let value = walker.driven.test_function(&vectors.right, &vectors.left);
         value.is_finite().then_some(value)
     }
@@ -185,7 +191,7 @@ impl Path {
                     s: centre,
                     radius: WINDOW_NODES[0] * width,
                     width,
-                    branch,
+                    branch: Some(branch),
                 };
                 // What is left when a smaller width does not help any more is round-off.
                 let better = best.as_ref().is_none_or(|(least, _)| error < 0.5 * least);
@@ -214,7 +220,7 @@ impl Window {
         let n = system.n();
         let (mut q, mut d, mut dd) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
         let s = self.s + BESIDE * self.width;
-        self.branch.eval(s, &mut q, &mut d, &mut dd);
+        self.branch.as_ref()?.eval(s, &mut q, &mut d, &mut dd);
         walker.set(s);
         walker.driven.evaluation.set_position(&q);
         walker.driven.factor(&walker.inputs).ok()?;

@@ -22,9 +22,10 @@ impl Path {
     pub(super) fn find_errors(&mut self, system: &System, unit: f64) {
         for node in &mut self.nodes {
             let windows = &mut self.windows.iter();
-            if let Some(window) = windows.find(|w| (node.s - w.s).abs() <= w.radius) {
+            let within = windows.find(|w| (node.s - w.s).abs() <= w.radius);
+            if let Some(branch) = within.and_then(|window| window.branch.as_ref()) {
                 let Node { s, q, d, dd } = node;
-                window.branch.eval(*s, q, d, dd);
+                branch.eval(*s, q, d, dd);
             }
         }
         let mut left_out = LeftOut::new(system);

@@ -15,6 +15,7 @@
 
 mod bridge;
 mod dead_centre;
+mod few;
 mod known;
 mod path;
 mod walk;
@@ -172,6 +173,7 @@ pub fn follow(
         errors: Vec::new(),
         last: AtomicUsize::new(1),
         tolerance: 0.0,
+        is_wide: false,
         windows: Vec::new(),
         singular: Vec::new(),
         turn: None,

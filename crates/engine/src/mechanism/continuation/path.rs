@@ -1,9 +1,11 @@
 //! What was followed: nodes, windows around change points, and the turn that repeats itself.
 
+use super::few::{WIDE, first_around};
 use super::{End, Parameter, SingularPosition};
 use crate::system::System;
-use linkdyn_linear::hermite::{Node, Osculating, osculate, quintic};
+use linkdyn_linear::hermite::{Node, Osculating, osculate, osculate_abreast, quintic};
 use std::f64::consts::TAU;
+use std::ops::Range;
 use std::sync::atomic::AtomicUsize;
 use std::sync::atomic::Ordering::Relaxed;
 
@@ -25,7 +27,8 @@ pub struct Window {
     pub(crate) radius: f64,
     /// Half width of the data.
     pub(crate) width: f64,
-    pub(super) branch: Osculating,
+    /// Its polynomial; none where the path's nodes tell it.
+    pub(super) branch: Option<Osculating>,
 }
 
 /// The path: nodes in ascending s.
@@ -40,6 +43,8 @@ pub struct Path {
     pub(super) last: AtomicUsize,
     /// Where it is no more than this, q, q′ and q″ count as known.
     pub(crate) tolerance: f64,
+    /// Nodes are few, and six of them tell what is between them.
+    pub(super) is_wide: bool,
     pub(super) windows: Vec<Window>,
     /// Singular positions on the stretch that was followed, by s.
     pub(super) singular: Vec<SingularPosition>,
@@ -147,17 +152,19 @@ impl Path {
 
     /// Leaves out the nodes that no point of a turn around `centre` needs.
     fn keep_turn(&mut self, centre: f64) {
+        let kept = self.of_turn(centre, AROUND);
+        self.nodes.truncate(kept.end);
+        self.nodes.drain(..kept.start);
+        self.errors.truncate(kept.end - 1);
+        self.errors.drain(..kept.start);
+    }
+
+    /// The nodes of a turn around `centre`, with so many beyond each end.
+    pub(super) fn of_turn(&self, centre: f64, around: usize) -> Range<usize> {
         let nodes = &self.nodes;
         let first = nodes.partition_point(|node| node.s < centre - 0.5 * TAU);
         let last = nodes.partition_point(|node| node.s <= centre + 0.5 * TAU);
-        let (first, count) = (
-            first.saturating_sub(AROUND),
-            (last + AROUND).min(nodes.len()),
-        );
-        self.nodes.truncate(count);
-        self.nodes.drain(..first);
-        self.errors.truncate(count - 1);
-        self.errors.drain(..first);
+        first.saturating_sub(around)..(last + around).min(nodes.len())
     }
 
     /// Singular positions in [low, high], by s; of a path that repeats itself, those of every turn.
@@ -236,7 +243,10 @@ impl Path {
         for (index, window) in self.windows.iter().enumerate() {
             let distance = s - window.s;
             if distance.abs() <= window.radius {
-                window.branch.eval(s, q, d, dd);
+                match &window.branch {
+                    Some(branch) => branch.eval(s, q, d, dd),
+                    None => self.regular(s, [q, d, dd]).map(|_| ())?,
+                }
                 return Some(Source::Bridged { index, distance });
             }
         }
@@ -255,6 +265,17 @@ impl Path {
             return None;
         }
         let k = self.gap(s);
+        if self.is_wide {
+            let first = first_around(k, self.nodes.len());
+            let around: [&Node; WIDE] = std::array::from_fn(|j| &self.nodes[first + j]);
+            osculate_abreast(around, s, [q, d, dd]);
+            let is_known = self.errors[k - 1] <= self.tolerance;
+            return Some(if is_known {
+                Source::Known
+            } else {
+                Source::Regular
+            });
+        }
         if self
             .errors
             .get(k - 1)
@@ -315,9 +336,14 @@ impl Path {
     /// The smooth branch across the change point of a window.
     pub(crate) fn branch(&self, window: usize) -> Branch {
         let Window { s, branch, .. } = &self.windows[window];
+        let osculating = branch.clone().unwrap_or_else(|| {
+            let after = self.nodes.partition_point(|node| node.s <= *s);
+            let first = first_around(after, self.nodes.len());
+            Osculating::new(&self.nodes[first..first + WIDE], *s)
+        });
         Branch {
             s: *s,
-            osculating: branch.clone(),
+            osculating,
             shift: self.turn.as_ref().map(|(_, shift)| shift.clone()),
         }
     }

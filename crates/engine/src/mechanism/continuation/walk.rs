@@ -71,12 +71,7 @@ impl Walker<'_, '_> {
 
     /// Corrects a guess at `s` and differentiates there.
     pub(super) fn node(&mut self, s: f64, mut q: Vec<f64>) -> Result<(Node, Correction), Failure> {
-        self.set(s);
-        self.driven.chord = self.parameter.chord();
-        let correction = self.driven.correct(&mut q, &self.inputs);
-        self.driven.chord = 0.0;
-        let correction = correction?;
-        self.driven.factor(&self.inputs)?;
+        let correction = self.corrected(s, &mut q)?;
         let n = q.len();
         let (mut d, mut dd) = (vec![0.0; n], vec![0.0; n]);
         self.driven.velocity(&self.inputs, &mut d);
@@ -85,6 +80,17 @@ impl Walker<'_, '_> {
             return Err(Failure::Singular);
         }
         Ok((Node { s, q, d, dd }, correction))
+    }
+
+    /// Corrects a guess at `s`, where the factors are then.
+    pub(super) fn corrected(&mut self, s: f64, q: &mut [f64]) -> Result<Correction, Failure> {
+        self.set(s);
+        self.driven.chord = self.parameter.chord();
+        let correction = self.driven.correct(q, &self.inputs);
+        self.driven.chord = 0.0;
+        let correction = correction?;
+        self.driven.factor(&self.inputs)?;
+        Ok(correction)
     }
 
     /// Condition at the last factors; the one of a node before is a good start where the rows are the same.

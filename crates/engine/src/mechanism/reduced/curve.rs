@@ -107,6 +107,9 @@ impl<'s> Curve<'s> {
         {
             path.close_turn(system, centre);
         }
+        if let Some(path) = &mut self.path {
+            path.leave_out(system, unit);
+        }
         self.path.is_some()
     }
 }
