@@ -243,8 +243,8 @@ fn relative(
 ) -> Option<Reading> {
     let data = &system.joints[joint];
     let turn = Measured::Turn {
-        first: data.bodies[0],
-        second: data.bodies[1],
+        first: data.bodies()[0],
+        second: data.bodies()[1],
     };
     let slide = || {
         Some(Measured::Along {

@@ -17,7 +17,8 @@ const DIGITS: usize = 4;
 /// What is said of the belts of a run, by its rows.
 pub(super) fn notes(system: &System, rows: &Trajectory) -> Vec<String> {
     let belts = system.joints.iter();
-    let belts = belts.filter_map(|joint| Some((joint.name.as_str(), joint.belt.as_deref()?)));
+    let belts =
+        belts.filter_map(|joint| Some((joint.name.as_str(), joint.extras().belt.as_deref()?)));
     let belts: Vec<(&str, &Belt)> = belts.collect();
     if belts.is_empty() {
         return Vec::new();

@@ -49,7 +49,7 @@ impl Watch {
     /// Looks at a row, with its multipliers where there are forces.
     pub fn note(&mut self, system: &System, at: &Kinematics, lambda: Option<&[f64]>) {
         let cams = system.joints.iter().enumerate();
-        let cams = cams.filter_map(|(joint, data)| Some((joint, data.cam.as_ref()?)));
+        let cams = cams.filter_map(|(joint, data)| Some((joint, data.extras().cam.as_ref()?)));
         for (k, (joint, cam)) in cams.enumerate() {
             if self.cams.len() <= k {
                 self.cams.push(Seen::default());
@@ -78,7 +78,7 @@ impl Watch {
         let display = &system.display;
         let text = |angle: f64| display.angle_to(angle, DIGITS);
         let cams = system.joints.iter();
-        let cams = cams.filter_map(|data| Some((&data.name, data.cam.as_ref()?)));
+        let cams = cams.filter_map(|data| Some((&data.name, data.extras().cam.as_ref()?)));
         let mut said = Vec::new();
         for ((name, cam), seen) in cams.zip(&self.cams) {
             let (limit, kind) = match cam.way {

@@ -314,18 +314,19 @@ impl Contents {
         let forces = FORCES.into_iter().filter(move |_| self.reactions);
         let torque = (self.reactions && joint.torque).then_some(JointQuantity::Torque);
         // At rest there is no friction.
-        let has_friction = self.reactions && self.velocities && joint.friction.is_some();
+        let has_friction = self.reactions && self.velocities && joint.extras().friction.is_some();
         let friction = has_friction.then_some(JointQuantity::Friction);
-        let has_bearing = joint.bearing.is_some();
+        let has_bearing = joint.extras().bearing.is_some();
         let contact_wanted = (has_bearing || joint.is_contact()) && self.reactions;
         let stop = (self.reactions && joint.has_stops()).then_some(JointQuantity::Stop);
-        let closed = (self.reactions && joint.clasp.is_some()).then_some(JointQuantity::State);
-        let cam = joint.cam.as_deref();
+        let closed =
+            (self.reactions && joint.extras().clasp.is_some()).then_some(JointQuantity::State);
+        let cam = joint.extras().cam.as_deref();
         let pushes = (self.reactions && cam.is_some()).then_some(JointQuantity::NormalForce);
         let way = cam.is_some_and(|cam| cam.way.is_some());
         let way = way.then_some(JointQuantity::PressureAngle);
         let touch = TOUCH.into_iter().filter(move |_| cam.is_some()).chain(way);
-        let has_strands = self.reactions && joint.belt.is_some();
+        let has_strands = self.reactions && joint.extras().belt.is_some();
         forces
             .chain(torque)
             .chain(friction)
@@ -365,7 +366,7 @@ fn joint_unit(quantity: JointQuantity, joint: &JointData) -> &'static str {
         | JointQuantity::Tight
         | JointQuantity::Slack => "N",
         JointQuantity::Torque => "N*m",
-        JointQuantity::Friction => match joint.friction.map(|friction| friction.measure) {
+        JointQuantity::Friction => match joint.extras().friction.map(|friction| friction.measure) {
             Some(Measure::Angle) => "N*m",
             Some(Measure::Length) | None => "N",
         },

@@ -64,7 +64,7 @@ impl ClearanceLinks {
             .joints
             .iter()
             .enumerate()
-            .filter_map(|(k, joint)| joint.clearance.map(|link| (k, link.radius)))
+            .filter_map(|(k, joint)| joint.clearance().map(|link| (k, link.radius)))
             .collect();
         (!joints.is_empty()).then(|| ClearanceLinks {
             psi: vec![0.0; joints.len()],

@@ -44,7 +44,7 @@ pub fn turns(system: &System, at: &Kinematics) -> Vec<f64> {
     for ends in system
         .joints
         .iter()
-        .filter_map(|joint| joint.stops.as_deref())
+        .filter_map(|joint| joint.extras().stops.as_deref())
     {
         let [Some(lower), Some(upper), ..] = *ends else {
             continue;
@@ -106,7 +106,7 @@ fn check(system: &System, at: &Kinematics) -> Result<(), Failed> {
         }
     }
     for joint in system.joints.iter().filter(|joint| joint.is_contact()) {
-        let pieces = || system.contacts[joint.edges.clone()].iter();
+        let pieces = || system.contacts[joint.extras().edges.clone()].iter();
         let near: Vec<[f64; 2]> = pieces().filter_map(|pair| pair.edge()?.near(at)).collect();
         let least = near
             .iter()
@@ -119,7 +119,11 @@ fn check(system: &System, at: &Kinematics) -> Result<(), Failed> {
         let height: f64 = nearest.map(|[_, height]| height).sum();
         let allowed = pieces().map(deepest).fold(0.0, f64::max);
         if height < -allowed {
-            return Err(Failed::Input(vec![deep(system, joint.edges.start, least)]));
+            return Err(Failed::Input(vec![deep(
+                system,
+                joint.extras().edges.start,
+                least,
+            )]));
         }
     }
     for (contact, pair) in system.contacts.iter().enumerate() {
@@ -200,7 +204,7 @@ impl Pin {
     fn all(system: &System) -> Vec<Pin> {
         let joints = system.joints.iter().enumerate();
         let pins = joints.filter_map(|(joint, data)| {
-            let (Some(drawn), JointRole::Slot { axis }) = (&data.drawn, &data.role) else {
+            let (Some(drawn), JointRole::Slot { axis }) = (&data.extras().drawn, &data.role) else {
                 return None;
             };
             let [first, second] = data.points;

@@ -124,45 +124,56 @@ impl JointReading {
         let lambda = &sample.lambda[block.row..block.row + block.rows];
         let (mut force, mut torque) = block.constraint.reaction(at, lambda);
         let mut tensions = [0.0; 2];
-        if let Some(belt) = &data.belt {
+        if let Some(belt) = &data.extras().belt {
             tensions = belt.tensions(at, lambda.first().copied());
             (force, torque) = belt.wrench(at, tensions);
         }
-        if let Some(bushing) = &data.bushing {
+        if let Some(bushing) = &data.extras().bushing {
             (force, torque) = bushing.wrench(at);
         }
         let touching = data.is_contact().then(|| touching(sample, data));
-        let contact = data.contact.map(|id| sample.contacts[id.0]).or(touching);
+        let contact = data
+            .extras()
+            .contact
+            .map(|id| sample.contacts[id.0])
+            .or(touching);
         if let Some(contact) = contact {
             force += contact.reading.force;
         }
         let mut friction = 0.0;
-        if let Some(at_joint) = data.friction {
+        if let Some(at_joint) = data.extras().friction {
             friction = sample.dependent_forces[at_joint.force];
             let dependent = &system.dependent_forces[at_joint.force].force;
             force += dependent.reaction(at, friction).0;
         }
-        let stops = data.stops.iter().flat_map(|ends| ends.iter().flatten());
+        let stops = data
+            .extras()
+            .stops
+            .iter()
+            .flat_map(|ends| ends.iter().flatten());
         let stop = stops.filter_map(|id| {
             let stop = system.contacts[id.0].stop()?;
             Some(stop.pushed(sample.contacts[id.0].reading.normal))
         });
         let stop = stop.sum();
         if let (true, Some(axis)) = (stop != 0.0, data.role.axis()) {
-            force += at.poses[data.bodies[0].0].turn(axis) * stop;
+            force += at.poses[data.bodies()[0].0].turn(axis) * stop;
         }
         // A journal that does not move freely is where its model holds it.
         let held = || {
-            let bearing = data.bearing.as_ref()?;
-            let offset = data.clearance.map(|link| &inputs.offset[link.offset]);
+            let bearing = data.extras().bearing.as_ref()?;
+            let offset = data
+                .extras()
+                .clearance
+                .map(|link| &inputs.offset[link.offset]);
             Some(ContactSample {
                 reading: bearing.held(at, &data.points, offset, force),
                 state: 1.0,
             })
         };
-        let meeting = data.cam.as_ref().map(|cam| cam.meeting(at));
+        let meeting = data.extras().cam.as_ref().map(|cam| cam.meeting(at));
         let mut journal = contact.or_else(held).unwrap_or_default();
-        if data.clasp.is_some() {
+        if data.extras().clasp.is_some() {
             journal.state = if block.rows > 0 { 1.0 } else { 0.0 };
         }
         if meeting.is_some() {
@@ -237,7 +248,7 @@ pub fn stroke(system: &System, force: usize, sample: &Sample) -> f64 {
 fn touching(sample: &Sample, joint: &JointData) -> ContactSample {
     let mut all = ContactSample::default();
     let mut most = 0.0;
-    for contact in &sample.contacts[joint.edges.clone()] {
+    for contact in &sample.contacts[joint.extras().edges.clone()] {
         if contact.state == 0.0 {
             continue;
         }

@@ -26,7 +26,7 @@ impl Recorder {
             channels,
             trajectory,
             cams: (system.joints.iter())
-                .any(|joint| joint.cam.is_some())
+                .any(|joint| joint.extras().cam.is_some())
                 .then(Watch::default),
             reactions: contents.reactions,
         }

@@ -289,7 +289,8 @@ fn one_freedom(system: &System) -> Result<(), Complaint> {
     );
     let complaint = Complaint::new(format!("outputs.{}", output.name), message);
     let mut joints = system.joints.iter();
-    let is_open = joints.any(|joint| joint.bearing.is_some() && joint.contact.is_some());
+    let is_open =
+        joints.any(|joint| joint.extras().bearing.is_some() && joint.extras().contact.is_some());
     Err(complaint.hint(match is_open {
         false => "hold what shall not move by joints",
         true => {

@@ -228,7 +228,7 @@ fn stroke_shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
 fn joint_shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
     let mut shares = Vec::new();
     for (k, joint) in system.joints.iter().enumerate() {
-        let Some(sign) = side(joint.bodies) else {
+        let Some(sign) = side(joint.bodies()) else {
             continue;
         };
         let find = |quantity| columns.find(Channel::Joint(k, quantity));
@@ -274,13 +274,13 @@ fn driver_shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
             }
             DriverRole::Translation { joint } => {
                 let joint = &system.joints[joint.0];
-                let (Some(sign), Some(axis)) = (side(joint.bodies), joint.role.axis()) else {
+                let (Some(sign), Some(axis)) = (side(joint.bodies()), joint.role.axis()) else {
                     continue;
                 };
                 shares.push(Share::Along {
                     sign,
                     at: Place::of(system, columns, &joint.points[1])?,
-                    guide: Frame::of(columns, joint.bodies[0])?,
+                    guide: Frame::of(columns, joint.bodies()[0])?,
                     axis,
                     effort: effort?,
                 });

@@ -115,10 +115,10 @@ pub fn sample(held: &mut Held) -> Sample {
 pub fn refuse(system: &System) -> Result<(), Stop> {
     let complaint = |joint: &JointData| {
         let path = format!("joints.{}.clearance.model", joint.name);
-        if joint.clearance.is_some() {
+        if joint.clearance().is_some() {
             let message = "a massless clearance link takes its direction from a force, so that its position at rest is not that of a mechanism: statics and modes have no place for it";
             Some(Complaint::new(path, message).hint("use \"ideal\""))
-        } else if joint.contact.is_some() {
+        } else if joint.extras().contact.is_some() {
             let message = "a journal in its bearing has its place at rest from the contact alone, which statics and modes do not solve for";
             Some(
                 Complaint::new(path, message)

@@ -129,8 +129,8 @@ fn drawn(system: &System, output: Output) -> Vec<Drawn> {
             | JointRole::Bushing => false,
         };
         let own = BodyId(output.body + 1);
-        let side = data.bodies.iter().position(|&body| body == own)?;
-        (carries && data.bodies[1 - side] != BodyId::GROUND).then_some(Drawn {
+        let side = data.bodies().iter().position(|&body| body == own)?;
+        (carries && data.bodies()[1 - side] != BodyId::GROUND).then_some(Drawn {
             joint,
             side,
             still: 0,
@@ -312,7 +312,7 @@ fn angles(
     {
         let data = &system.joints[*joint];
         // The second body's point is where the force acts; the output's velocity there.
-        let output = data.bodies[*side].0;
+        let output = data.bodies()[*side].0;
         let place = data.points[1].place(at);
         let velocity =
             at.twists[output].v + perp(place - at.poses[output].r) * at.twists[output].omega;
@@ -350,10 +350,10 @@ impl Output {
     fn of(system: &System, body: usize) -> Self {
         let own = BodyId(body + 1);
         let slide = system.joints.iter().find_map(|joint| match joint.role {
-            JointRole::Prismatic { axis, .. } if joint.bodies == [BodyId::GROUND, own] => {
+            JointRole::Prismatic { axis, .. } if joint.bodies() == [BodyId::GROUND, own] => {
                 Some(axis)
             }
-            JointRole::Prismatic { axis, angle } if joint.bodies == [own, BodyId::GROUND] => {
+            JointRole::Prismatic { axis, angle } if joint.bodies() == [own, BodyId::GROUND] => {
                 // The axis is fixed in the moving body, whose angle is −`angle`; it slides back as its axis goes on.
                 let (sin, cos) = (-angle).sin_cos();
                 Some(-Vec2::new(

@@ -37,7 +37,7 @@ pub fn unsure_friction(system: &System, not_unique: &[String]) -> Option<String>
     let with_friction = system
         .joints
         .iter()
-        .filter(|joint| joint.friction.is_some() && not_unique.contains(&joint.name));
+        .filter(|joint| joint.extras().friction.is_some() && not_unique.contains(&joint.name));
     let names: Vec<&str> = with_friction.map(|joint| joint.name.as_str()).collect();
     (!names.is_empty()).then(|| {
         format!(
@@ -52,7 +52,7 @@ pub fn friction_left_out(system: &System) -> Option<String> {
     let with_friction = system
         .joints
         .iter()
-        .filter(|joint| joint.friction.is_some());
+        .filter(|joint| joint.extras().friction.is_some());
     let names: Vec<&str> = with_friction.map(|joint| joint.name.as_str()).collect();
     (!names.is_empty()).then(|| {
         format!(

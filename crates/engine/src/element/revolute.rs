@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 /// Where a joint's prescribed offset stands in [`Kinematics::offset`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct OffsetId(pub usize);
+pub struct OffsetId(pub u32);
 
 /// Two points that coincide.
 #[derive(Debug, Clone)]
@@ -32,7 +32,7 @@ pub struct Revolute {
 impl Revolute {
     fn offset(&self, at: &Kinematics, derivative: usize) -> Vec2 {
         self.offset
-            .map_or(Vec2::zeros(), |id| at.offset[id.0][derivative])
+            .map_or(Vec2::zeros(), |id| at.offset[id.0 as usize][derivative])
     }
 }
 

@@ -97,7 +97,7 @@ impl Equations {
             .map(|(row, r)| -r / system.row_scale(row))
             .collect();
         for (entry, value) in system.entries.iter().zip(&evaluation.jacobian) {
-            if let Some(column) = entry.column {
+            if let Some(column) = entry.column() {
                 let (row, column) = (entry.row as usize, column as usize);
                 let scaled = value * system.column_scale(column) / system.row_scale(row);
                 rows[row].push((column, scaled));

@@ -15,13 +15,13 @@ pub(crate) const LOCK: usize = 3;
 impl JointData {
     /// Whether its way has an end.
     pub(crate) fn has_stops(&self) -> bool {
-        self.stops.is_some()
+        self.extras().stops.is_some()
     }
 
     /// Whether anything of it begins and ends to hold.
     pub(crate) fn touches(&self) -> bool {
-        let comes_and_goes = self.has_stops() || self.clasp.is_some();
-        self.bearing.is_some() || comes_and_goes || self.is_contact()
+        let comes_and_goes = self.has_stops() || self.extras().clasp.is_some();
+        self.extras().bearing.is_some() || comes_and_goes || self.is_contact()
     }
 
     /// Whether it holds only where it touches.

@@ -253,7 +253,7 @@ impl Evaluation {
     pub(crate) fn transposed_product(&self, system: &System, x: &[f64], out: &mut [f64]) {
         out.fill(0.0);
         for (entry, value) in system.entries.iter().zip(&self.jacobian) {
-            if let Some(column) = entry.column {
+            if let Some(column) = entry.column() {
                 out[column as usize] += value * x[entry.row as usize];
             }
         }
@@ -263,7 +263,7 @@ impl Evaluation {
     pub fn product(&self, system: &System, x: &[f64], out: &mut [f64]) {
         out.fill(0.0);
         for (entry, value) in system.entries.iter().zip(&self.jacobian) {
-            if let Some(column) = entry.column {
+            if let Some(column) = entry.column() {
                 out[entry.row as usize] += value * x[column as usize];
             }
         }

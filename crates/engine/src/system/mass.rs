@@ -26,6 +26,11 @@ impl Mass {
             .extend_from_slice(&other.diagonal[columns.range()]);
     }
 
+    /// Gives back the room into which it has grown.
+    pub(super) fn shrink(&mut self) {
+        self.diagonal.shrink_to_fit();
+    }
+
     /// Mass of a body \[kg\].
     pub(crate) fn of_body(&self, columns: BodyColumns) -> f64 {
         self.diagonal[columns.x()]

@@ -96,7 +96,7 @@ impl System {
     ) -> impl Iterator<Item = (usize, usize, f64)> + 'a {
         let entries = self.entries.iter().zip(&evaluation.jacobian);
         entries.filter_map(|(entry, &value)| {
-            let column = entry.column? as usize;
+            let column = entry.column()? as usize;
             Some((entry.row as usize, column, value))
         })
     }

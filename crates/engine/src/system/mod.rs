@@ -12,6 +12,7 @@
 pub mod compile;
 mod contacts;
 mod eval;
+mod joint;
 mod mass;
 mod matrices;
 mod roles;
@@ -24,6 +25,7 @@ mod timed;
 
 pub(crate) use contacts::{Ends, LOCK, ONE_WAY};
 pub use eval::{Evaluation, Inputs};
+pub use joint::JointData;
 pub use mass::Mass;
 pub use matrices::{Terms, write_matrix_market};
 pub use roles::{
@@ -36,19 +38,13 @@ pub(crate) use standing::Standing;
 pub(crate) use states::StateData;
 pub(crate) use timed::{TimedData, Trigger};
 
-use crate::element::belt::Belt;
-use crate::element::bushing::Bushing;
 use crate::element::cam::Cam;
 use crate::element::formula::Formula;
-use crate::element::journal::Bearing;
 use crate::element::pair::{ContactId, Pair};
-use crate::element::{
-    Axis, BodyId, Constraint, ConstraintDependentForce, Force, Layout, Marker, Measure,
-};
+use crate::element::{Axis, Constraint, ConstraintDependentForce, Force, Layout, Marker, Measure};
 use crate::motion::Law;
 use linkdyn_linear::math::Vec2;
 use linkdyn_model::display::DisplayUnits;
-use std::ops::Range;
 use std::sync::Arc;
 
 /// Index of a joint in the model's order.
@@ -69,7 +65,7 @@ pub enum Origin {
     /// A stop of a joint, or a piece of its outline.
     Stop(ContactId),
     /// An `initial` value, `crank.angle`.
-    Initial(String),
+    Initial(Box<String>),
 }
 
 /// Equations of one joint, driver or initial value, with their place in φ and in the entry list.
@@ -105,47 +101,8 @@ pub struct BodyData {
     pub name: String,
     /// The frame's origin from the centre of mass, body frame \[m\].
     pub(crate) origin: Vec2,
-    /// Mass \[kg\] and inertia [kg·m²]; none where the file has none.
-    pub(crate) mass: Option<f64>,
-    /// About the centre of mass [kg·m²].
-    pub(crate) inertia: Option<f64>,
-}
-
-/// A joint's numbers beyond its constraint.
-#[derive(Debug, Clone)]
-pub struct JointData {
-    /// As the file names it.
-    pub name: String,
-    /// What kind of joint it is, for results and pictures.
-    pub(crate) role: JointRole,
-    /// What it joins.
-    pub bodies: [BodyId; 2],
-    /// Where it joins them.
-    pub(crate) points: [Marker; 2],
-    /// Carries a torque in the results.
-    pub(crate) torque: bool,
-    /// Its clearance link, where that is its model.
-    pub clearance: Option<ClearanceLink>,
-    /// Journal and bearing that touch by a contact force.
-    pub(crate) contact: Option<ContactId>,
-    /// Its profile and what touches it, of a cam.
-    pub(crate) cam: Option<Arc<Cam>>,
-    /// Where its way ends.
-    pub(crate) stops: Option<Box<Ends>>,
-    /// From where to where points of a moving body draw its slot \[m\], along its axis from its own point; nothing ends there.
-    pub(crate) drawn: Option<Box<[f64; 2]>>,
-    /// It, where it closes and opens.
-    pub(crate) clasp: Option<ContactId>,
-    /// Pieces of its outline.
-    pub(crate) edges: Range<usize>,
-    /// Of a joint with a `clearance` in the file, whatever its model.
-    pub(crate) bearing: Option<Bearing>,
-    /// Of an ideal joint with friction.
-    pub(crate) friction: Option<JointFriction>,
-    /// Pulleys with a belt.
-    pub(crate) belt: Option<Box<Belt>>,
-    /// A pin in rubber.
-    pub(crate) bushing: Option<Box<Bushing>>,
+    /// Whether the file says that its mass or its inertia is zero.
+    pub(crate) is_light: bool,
 }
 
 /// A driver's numbers beyond its constraint.
@@ -175,8 +132,18 @@ pub struct OutputPoint {
 pub struct JacobianEntry {
     /// Row.
     pub row: u32,
-    /// None for ground.
-    pub(crate) column: Option<u32>,
+    /// [`GROUND`] for ground.
+    column: u32,
+}
+
+/// The column of what has none.
+const GROUND: u32 = u32::MAX;
+
+impl JacobianEntry {
+    /// Its column; none for ground.
+    pub(crate) fn column(&self) -> Option<u32> {
+        (self.column != GROUND).then_some(self.column)
+    }
 }
 
 /// A compiled model. Immutable, shared by analyses and threads.
@@ -269,7 +236,7 @@ impl System {
             let column = self.layout.column(body, axis);
             self.entries.push(JacobianEntry {
                 row: (row + block_row) as u32,
-                column: column.map(|column| column as u32),
+                column: column.map_or(GROUND, |column| column as u32),
             });
         }
         let (rows, entries) = (self.measures.len() - row, self.entries.len() - entry);
@@ -283,6 +250,17 @@ impl System {
         });
     }
 
+    /// Gives back the room into which its lists have grown.
+    fn shrink(&mut self) {
+        self.bodies.shrink_to_fit();
+        self.blocks.shrink_to_fit();
+        self.entries.shrink_to_fit();
+        self.measures.shrink_to_fit();
+        self.guess.shrink_to_fit();
+        self.extents.shrink_to_fit();
+        self.mass.shrink();
+    }
+
     /// The first time after `t` at which a law of time has a break.
     pub(crate) fn next_break(&self, t: f64) -> Option<f64> {
         let breaks = self.broken.iter().filter_map(|law| law.next_break(t));
@@ -291,7 +269,9 @@ impl System {
 
     /// Cams and their followers.
     pub(crate) fn cams(&self) -> impl Iterator<Item = &Cam> {
-        self.joints.iter().filter_map(|joint| joint.cam.as_deref())
+        self.joints
+            .iter()
+            .filter_map(|joint| joint.extras().cam.as_deref())
     }
 
     /// Number of coordinates n.
@@ -338,6 +318,14 @@ impl System {
         self.axis_scale(axis)
     }
 
+    /// What a coordinate is measured in.
+    pub(crate) fn column_measure(&self, column: usize) -> Measure {
+        match self.layout.is_angle(column) {
+            true => Measure::Angle,
+            false => Measure::Length,
+        }
+    }
+
     /// The same for any body's coordinate.
     pub(crate) fn axis_scale(&self, axis: Axis) -> f64 {
         match axis {
@@ -377,7 +365,7 @@ impl System {
         let n = self.n();
         let mut dense = vec![0.0; self.m() * n];
         for (entry, value) in self.entries.iter().zip(values) {
-            if let Some(column) = entry.column {
+            if let Some(column) = entry.column() {
                 let (row, column) = (entry.row as usize, column as usize);
                 dense[row * n + column] = self.scaled_entry(*value, row, column);
             }

@@ -140,10 +140,12 @@ impl System {
         system.contact_rows.clear();
         system.timed.clear();
         for joint in &mut system.joints {
-            joint.contact = None;
-            joint.clasp = None;
-            joint.stops = None;
-            joint.edges = 0..0;
+            joint.change_extras(|extras| {
+                extras.contact = None;
+                extras.clasp = None;
+                extras.stops = None;
+                extras.edges = 0..0;
+            });
         }
         system
     }
@@ -205,8 +207,7 @@ impl System {
         };
         for (index, &joint) in joints.iter().enumerate() {
             let mut data = self.joints[joint].clone();
-            data.bodies = data.bodies.map(id);
-            data.edges = 0..0;
+            data.change_extras(|extras| extras.edges = 0..0);
             for point in &mut data.points {
                 point.body = id(point.body);
             }

@@ -113,7 +113,7 @@ impl Standing {
             entries
                 .zip(&scaled[own.clone()])
                 .filter_map(|(entry, value)| {
-                    let column = entry.column? as usize;
+                    let column = entry.column()? as usize;
                     let is_here = entry.row as usize == row && !self.columns[column];
                     is_here.then_some((column, value.abs()))
                 })

@@ -276,7 +276,7 @@ impl Dimensions {
                     }
                 }
                 Dimension::Ratio { joint, carrier, .. } => {
-                    let [first, _] = here.system.joints[*joint].bodies;
+                    let [first, _] = here.system.joints[*joint].bodies();
                     rows[here.system.blocks[*joint].row] +=
                         step * (turned(first) + turned(*carrier));
                 }
@@ -323,7 +323,7 @@ fn ratio_rate(here: Here<'_>, dimension: &Dimension) -> f64 {
             drawn,
         } => {
             debug_assert!(here.system.joints[*joint].role == JointRole::Gear);
-            let [first, _] = here.system.joints[*joint].bodies;
+            let [first, _] = here.system.joints[*joint].bodies();
             let theta = |body: BodyId| here.at.poses[body.0].theta;
             theta(first) - theta(*carrier) - drawn
         }

@@ -364,7 +364,7 @@ impl<'m> Mechanism<'m> {
         let own = output.pulls(&here.at, here.shifts);
         output.gradient(&here.at, &own, &system.layout, &mut out);
         for (entry, value) in system.entries.iter().zip(&here.evaluation.jacobian) {
-            if let Some(column) = entry.column {
+            if let Some(column) = entry.column() {
                 out[column as usize] -= value * load.lambda[entry.row as usize];
             }
         }

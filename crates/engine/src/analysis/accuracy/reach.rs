@@ -385,7 +385,7 @@ fn scatter(
 ) {
     values.fill(0.0);
     for (entry, value) in system.entries.iter().zip(jacobian) {
-        if let Some(column) = entry.column {
+        if let Some(column) = entry.column() {
             let (row, column) = (entry.row as usize, column as usize);
             values[place(row, column)] += system.scaled_entry(*value, row, column);
         }

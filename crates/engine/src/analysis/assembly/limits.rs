@@ -53,6 +53,7 @@ pub fn too_short(system: &System) -> Option<Complaint> {
     }
     let joint = system.joints.iter().find(|joint| {
         joint
+            .extras()
             .contact
             .is_some_and(|id| system.contacts[id.0].size() < SHORTEST)
     })?;
@@ -105,7 +106,7 @@ fn too_steep(system: &System, inputs: &Inputs) -> Option<Complaint> {
         let entries = block.entry..block.entry + block.entries;
         entries.into_iter().any(|index| {
             let (entry, value) = (&system.entries[index], evaluation.jacobian[index]);
-            entry.column.is_some_and(|column| {
+            entry.column().is_some_and(|column| {
                 let scaled = system.scaled_entry(value, entry.row as usize, column as usize);
                 scaled.is_nan() || scaled.abs() > LONGEST
             })

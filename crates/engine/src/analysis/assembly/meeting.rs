@@ -29,7 +29,7 @@ pub(super) fn doubts(system: &System, q: &[f64], inputs: &Inputs) -> Result<Vec<
 
 /// Pulleys between which their belt has no strands.
 fn overlap(system: &System, joint: &JointData, at: &Kinematics) -> Option<Complaint> {
-    let belt = joint.belt.as_deref()?;
+    let belt = joint.extras().belt.as_deref()?;
     let (span, least) = (belt.span(at), belt.lean().abs());
     if span > least {
         return None;

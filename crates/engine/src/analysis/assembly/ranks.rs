@@ -53,7 +53,7 @@ fn rows_of(system: &System, values: &[f64], rows: usize) -> Result<SparseRows, B
         .iter()
         .zip(values)
         .filter_map(|(entry, value)| {
-            let (row, column) = (entry.row as usize, entry.column? as usize);
+            let (row, column) = (entry.row as usize, entry.column()? as usize);
             (row < rows).then(|| (row, column, system.scaled_entry(*value, row, column)))
         })
         .collect();

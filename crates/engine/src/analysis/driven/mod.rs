@@ -143,6 +143,7 @@ pub(super) fn refuse(system: &System, reactions: bool, at_events: bool) -> Resul
     };
     let bristles = |joint: &&JointData| {
         joint
+            .extras()
             .friction
             .is_some_and(|friction| remembers(friction.force))
     };

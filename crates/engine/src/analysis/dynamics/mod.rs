@@ -165,7 +165,11 @@ fn solver(system: &System, parts: &[Part], settings: &Settings) -> Option<Solver
 
 /// What forward dynamics can't do.
 fn refuse(system: &System) -> Result<(), Stop> {
-    if let Some(joint) = system.joints.iter().find(|joint| joint.clearance.is_some()) {
+    if let Some(joint) = system
+        .joints
+        .iter()
+        .find(|joint| joint.clearance().is_some())
+    {
         return Err(Stop::Input(vec![
             Complaint::new(
                 format!("joints.{}.clearance.model", joint.name),
@@ -191,7 +195,7 @@ fn equations<'s>(
         let massless: Vec<&str> = system
             .bodies
             .iter()
-            .filter(|body| body.mass == Some(0.0) || body.inertia == Some(0.0))
+            .filter(|body| body.is_light)
             .map(|body| body.name.as_str())
             .collect();
         match failure {

@@ -22,7 +22,7 @@ pub fn parts(system: &System, assembled: &Assembled) -> Vec<Part> {
     let edges: Vec<(usize, usize, usize)> = ideal
         .iter()
         .map(|&joint| {
-            let [first, second] = system.joints[joint].bodies;
+            let [first, second] = system.joints[joint].bodies();
             (first.0, second.0, system.blocks[joint].rows)
         })
         .collect();
@@ -57,14 +57,14 @@ pub fn parts(system: &System, assembled: &Assembled) -> Vec<Part> {
 /// Whether the joint is a constraint of geometry alone.
 fn is_ideal(system: &System, joint: usize) -> bool {
     let constraint = &system.blocks[joint].constraint;
-    system.joints[joint].friction.is_none() && constraint.between(&|body| body).is_some()
+    system.joints[joint].extras().friction.is_none() && constraint.between(&|body| body).is_some()
 }
 
 fn part(system: &System, q: &[f64], joints: &[usize]) -> Option<Part> {
     let held = |body: usize| {
         joints
             .iter()
-            .any(|&joint| system.joints[joint].bodies.contains(&BodyId(body)))
+            .any(|&joint| system.joints[joint].bodies().contains(&BodyId(body)))
     };
     let first = (0..=system.bodies.len()).find(|&body| held(body))?;
     let from = BodyId(first);

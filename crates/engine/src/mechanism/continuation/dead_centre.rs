@@ -143,7 +143,7 @@ impl<'a, 'b, 's> Arc<'a, 'b, 's> {
         let mut entries = Vec::new();
         for (k, entry) in system.entries.iter().enumerate() {
             if let (Some(column), Ok(row)) =
-                (entry.column, active.binary_search(&(entry.row as usize)))
+                (entry.column(), active.binary_search(&(entry.row as usize)))
             {
                 places.push((row, column as usize));
                 entries.push(k);
@@ -182,7 +182,7 @@ impl<'a, 'b, 's> Arc<'a, 'b, 's> {
             evaluation.eval_rate(system, inputs, &mut rate);
             let entry_values = self.entries.iter().map(|&k| {
                 let entry = system.entries[k];
-                let column = entry.column.unwrap_or(0) as usize;
+                let column = entry.column().unwrap_or(0) as usize;
                 evaluation.jacobian[k] * system.column_scale(column)
                     / system.row_scale(entry.row as usize)
             });

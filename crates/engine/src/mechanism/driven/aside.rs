@@ -1,6 +1,6 @@
 //! A solver without its mechanism, for another one of the same structure.
 
-use super::{Driven, Independent, Selection, Work};
+use super::{Driven, Independent, Scales, Selection, Work};
 use crate::mechanism::dependent_forces::DependentForces;
 use crate::system::{Evaluation, System};
 use linkdyn_linear::lu::SparseLu;
@@ -11,9 +11,9 @@ pub struct Aside {
     evaluation: Evaluation,
     independent: Vec<Independent>,
     selection: Selection,
-    row_scales: Vec<f64>,
+    row_scales: Scales,
     slots: Vec<u32>,
-    scales: Vec<f64>,
+    scales: Scales,
     values: Vec<f64>,
     nnz: usize,
     lu: SparseLu,

@@ -5,10 +5,10 @@ use crate::system::Inputs;
 
 impl Driven<'_> {
     pub(super) fn scatter(&mut self) {
-        for ((&slot, &scale), &value) in self
+        for ((&slot, scale), &value) in self
             .slots
             .iter()
-            .zip(&self.scales)
+            .zip(self.scales.iter())
             .zip(&self.evaluation.jacobian)
         {
             self.values[slot as usize] = value * scale;
@@ -33,18 +33,22 @@ impl Driven<'_> {
     /// [`Failure::Singular`].
     pub fn refresh(&mut self, inputs: &Inputs) -> Result<(), Failure> {
         self.evaluation.eval_jacobian(self.system, inputs);
-        let entries = self.slots.iter().zip(&self.scales);
-        let mut entries = entries.zip(&self.evaluation.jacobian);
-        let is_current = entries.all(|((&slot, scale), value)| {
-            let slot = slot as usize;
-            slot == self.nnz || self.values[slot] == value * scale
-        });
-        if is_current && self.lu.is_factored() {
+        if self.lu.is_factored() && self.is_current() {
             return Ok(());
         }
         self.scatter();
         self.done.factorisations += 1;
         Ok(self.lu.refactor(&self.values[..self.nnz])?)
+    }
+
+    /// Whether J is what was scattered last.
+    fn is_current(&self) -> bool {
+        let entries = self.slots.iter().zip(self.scales.iter());
+        let mut entries = entries.zip(&self.evaluation.jacobian);
+        entries.all(|((&slot, scale), value)| {
+            let slot = slot as usize;
+            slot == self.nnz || self.values[slot] == value * scale
+        })
     }
 
     /// x = S_q J̃_A⁻¹ S_φ⁻¹ rhs, where `rhs` is in `self.rows`; the result goes to `x`.
@@ -59,7 +63,7 @@ impl Driven<'_> {
         for ((w, &row), scale) in x
             .iter_mut()
             .zip(&self.selection.active)
-            .zip(&self.row_scales)
+            .zip(self.row_scales.iter())
         {
             *w = self.rows[row] / scale;
         }

@@ -27,6 +27,7 @@ mod factors;
 mod motions;
 mod reactions;
 mod rows;
+mod scales;
 
 use super::dependent_forces::DependentForces;
 pub use super::failure::Failure;
@@ -35,6 +36,7 @@ pub(crate) use aside::Aside;
 use linkdyn_linear::lu::SparseLu;
 use linkdyn_linear::order::ColumnOrder;
 pub use motions::TOGETHER;
+use scales::Scales;
 
 /// Work done.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -98,11 +100,11 @@ pub struct Driven<'s> {
     /// How often rows or independent coordinates have changed.
     revision: u64,
     /// Scale of each active row (n).
-    row_scales: Vec<f64>,
+    row_scales: Scales,
     /// Slot of each system entry in `values`; the last cell takes what belongs to ground or to a redundant row.
     slots: Vec<u32>,
     /// Scale of each system entry.
-    scales: Vec<f64>,
+    scales: Scales,
     values: Vec<f64>,
     nnz: usize,
     lu: SparseLu,
@@ -110,7 +112,7 @@ pub struct Driven<'s> {
     /// A row as a column, or a guess that is still needed; only with redundancy (n).
     spare: Vec<f64>,
     rows: Vec<f64>,
-    /// Right-hand sides that are solved for together; none until there are some.
+    /// Right-hand sides that are solved for together; none until there are several.
     together: Vec<f64>,
     /// Whether positions are corrected until their residual is known; else a last step is enough where no row is redundant.
     pub measures_residual: bool,
@@ -158,20 +160,21 @@ impl<'s> Driven<'s> {
         let (pattern, slots, values) = Driven::layout(system, &independent, &selection);
         let nnz = pattern.entries();
         let rows = m + independent.len();
+        let is_redundant = !selection.redundant.is_empty();
         let mut driven = Driven {
             system,
             evaluation,
             independent,
             selection,
             revision: 0,
-            row_scales: Vec::with_capacity(n),
+            row_scales: Scales::default(),
             slots,
-            scales: Vec::with_capacity(system.entries.len()),
+            scales: Scales::default(),
             values,
             nnz,
             lu: SparseLu::new(pattern.clone(), ColumnOrder::natural(n)),
             work: vec![0.0; n],
-            spare: vec![0.0; n],
+            spare: vec![0.0; if is_redundant { n } else { 0 }],
             rows: vec![0.0; rows],
             together: Vec::new(),
             measures_residual: true,
@@ -198,8 +201,8 @@ impl<'s> Driven<'s> {
     }
 
     /// Scale of each entry of J: that of its column by that of its row.
-    pub(super) fn scales(&self) -> &[f64] {
-        &self.scales
+    pub(super) fn scales(&self) -> impl Iterator<Item = f64> {
+        self.scales.iter()
     }
 
     /// The independent rows.
@@ -294,9 +297,11 @@ impl<'s> Driven<'s> {
 
     fn active_residual(&self, q: &[f64]) -> f64 {
         let m = self.system.m();
-        self.selection.active.iter().zip(&self.row_scales).fold(
-            0.0,
-            |largest: f64, (&row, scale)| {
+        self.selection
+            .active
+            .iter()
+            .zip(self.row_scales.iter())
+            .fold(0.0, |largest: f64, (&row, scale)| {
                 let phi = match row.checked_sub(m) {
                     Some(k) => self.independent[k].jet[0] - q[self.independent[k].column],
                     None => self.evaluation.phi[row],
@@ -307,8 +312,7 @@ impl<'s> Driven<'s> {
                 } else {
                     largest
                 }
-            },
-        )
+            })
     }
 
     /// Velocities at the position last taken; [`Driven::factor`] must have been called there.

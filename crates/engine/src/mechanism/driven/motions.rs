@@ -56,7 +56,7 @@ impl Driven<'_> {
             coordinates,
             drivers: None,
         };
-        self.some::<TOGETHER>(motions, tangents, &mut []);
+        self.count(coordinates, motions, tangents, &mut []);
     }
 
     /// The motion that all independent coordinates make together (n), each by its scale to one side or the other, by the factors
@@ -103,7 +103,7 @@ impl Driven<'_> {
         motions: &mut [[f64; K]],
     ) {
         let m = self.system.m();
-        let rows = self.selection.active.iter().zip(&self.row_scales);
+        let rows = self.selection.active.iter().zip(self.row_scales.iter());
         for (sides, (&row, scale)) in motions.iter_mut().zip(rows) {
             *sides = match row.checked_sub(m) {
                 Some(k) => rates(k).map(|rate| -rate / scale),
@@ -137,13 +137,18 @@ impl Driven<'_> {
                 drivers: drivers.filter(|_| first + count > f),
             };
             let tangents = &mut tangents[first * n..];
-            match count {
-                1 => self.some::<1>(motions, tangents, drift),
-                2 => self.some::<2>(motions, tangents, drift),
-                3 => self.some::<3>(motions, tangents, drift),
-                _ => self.some::<TOGETHER>(motions, tangents, drift),
-            }
+            self.count(count, motions, tangents, drift);
             first += count;
+        }
+    }
+
+    /// So many motions, at most [`TOGETHER`].
+    fn count(&mut self, count: usize, motions: Motions, tangents: &mut [f64], drift: &mut [f64]) {
+        match count {
+            1 => self.some::<1>(motions, tangents, drift),
+            2 => self.some::<2>(motions, tangents, drift),
+            3 => self.some::<3>(motions, tangents, drift),
+            _ => self.some::<TOGETHER>(motions, tangents, drift),
         }
     }
 
@@ -159,11 +164,16 @@ impl Driven<'_> {
             self.evaluation
                 .eval_rate(self.system, inputs, &mut self.rows[..m]);
         }
-        if self.together.len() < K * n {
-            self.together.resize(K * n, 0.0);
+        // One of them has room elsewhere.
+        let room = match K {
+            1 => &mut self.work,
+            _ => &mut self.together,
+        };
+        if room.len() < K * n {
+            room.resize(K * n, 0.0);
         }
-        let together = self.together[..K * n].as_chunks_mut::<K>().0;
-        let rows = self.selection.active.iter().zip(&self.row_scales);
+        let together = room[..K * n].as_chunks_mut::<K>().0;
+        let rows = self.selection.active.iter().zip(self.row_scales.iter());
         for (sides, (&row, scale)) in together.iter_mut().zip(rows) {
             *sides = [0.0; K];
             match row.checked_sub(m) {

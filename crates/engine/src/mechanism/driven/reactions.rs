@@ -60,7 +60,7 @@ impl Driven<'_> {
         self.system.scale_columns(g);
         self.lu.solve_transposed(g);
         g.iter_mut()
-            .zip(&self.row_scales)
+            .zip(self.row_scales.iter())
             .for_each(|(g, scale)| *g /= scale);
     }
 

@@ -55,7 +55,7 @@ impl Driven<'_> {
         let mut owners = Vec::new();
         for (k, entry) in system.entries.iter().enumerate() {
             if let (Some(column), Ok(row)) = (
-                entry.column,
+                entry.column(),
                 selection.active.binary_search(&(entry.row as usize)),
             ) {
                 entries.push((row, column as usize));
@@ -174,7 +174,7 @@ impl Driven<'_> {
         for (k, &row) in self.selection.redundant.iter().enumerate() {
             pull.fill(0.0);
             for (entry, value) in system.entries.iter().zip(&self.evaluation.jacobian) {
-                if let (true, Some(column)) = (entry.row as usize == row, entry.column) {
+                if let (true, Some(column)) = (entry.row as usize == row, entry.column()) {
                     pull[column as usize] += value / system.row_scale(row);
                 }
             }
@@ -219,24 +219,17 @@ impl Driven<'_> {
 
     /// Notes the scale of each entry.
     pub(super) fn scale_entries(&mut self) {
-        let system = self.system;
-        self.scales.clear();
-        self.scales.extend(system.entries.iter().map(|e| {
-            e.column.map_or(0.0, |c| {
-                system.column_scale(c as usize) / system.row_scale(e.row as usize)
-            })
-        }));
+        self.scales.set_entries(self.system);
     }
 
     /// Notes the scales of the active rows, those of independent coordinates included.
     pub(super) fn scale_rows(&mut self) {
         let (system, independent) = (self.system, &self.independent);
-        let scale = |&row: &usize| match row.checked_sub(system.m()) {
-            Some(k) => system.column_scale(independent[k].column),
-            None => system.row_scale(row),
+        let measure = |&row: &usize| match row.checked_sub(system.m()) {
+            Some(k) => system.column_measure(independent[k].column),
+            None => system.measures[row],
         };
-        self.row_scales.clear();
-        self.row_scales
-            .extend(self.selection.active.iter().map(scale));
+        let rows = self.selection.active.iter().map(measure);
+        self.row_scales.set_rows(system, rows);
     }
 }

@@ -39,7 +39,7 @@ impl Nearest {
         let scales: Vec<f64> = scales.collect();
         let (mut places, mut entries) = (Vec::new(), Vec::new());
         for (owner, entry) in system.entries.iter().enumerate() {
-            if let (Some(column), Ok(row)) = (entry.column, rows.binary_search(&entry.row)) {
+            if let (Some(column), Ok(row)) = (entry.column(), rows.binary_search(&entry.row)) {
                 places.push([row as u32, column]);
                 entries.push((owner as u32, scales[row] * roots[column as usize]));
             }

@@ -80,7 +80,7 @@ impl Sparse {
         let mut entries: Vec<_> = masses.iter().map(|(i, j, _)| (*i, *j)).collect();
         let mut owners = Vec::new();
         for (owner, entry) in system.entries.iter().enumerate() {
-            if let (Some(column), Ok(row)) = (entry.column, rows.binary_search(&entry.row)) {
+            if let (Some(column), Ok(row)) = (entry.column(), rows.binary_search(&entry.row)) {
                 let (row, column) = (n + row, column as usize);
                 entries.extend([(row, column), (column, row)]);
                 owners.push(owner);

@@ -98,7 +98,7 @@ impl Straight {
         let (mut beside, mut rest) = (Vec::new(), Vec::new());
         let values = driven.evaluation.jacobian.iter().zip(driven.scales());
         for (entry, (value, scale)) in system.entries.iter().zip(values) {
-            let column = entry.column.and_then(|column| place(column as usize));
+            let column = entry.column().and_then(|column| place(column as usize));
             let (Some(column), Ok(row)) = (column, rows.binary_search(&entry.row)) else {
                 continue;
             };

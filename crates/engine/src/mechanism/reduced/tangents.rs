@@ -18,7 +18,7 @@ pub(super) struct Tangents {
     balance: Vec<f64>,
     /// Sᵀ of a force, and what it changes (f).
     rates: Vec<f64>,
-    /// M S of one tangent, where it is not zero: column and value.
+    /// M S of one tangent, where it is not zero: column and value; empty where there is but one tangent.
     momenta: Vec<(usize, f64)>,
     /// Drivers are at rest, so that all motion is that of the independent coordinates.
     still: bool,
@@ -34,7 +34,7 @@ impl Tangents {
             mass: vec![0.0; f * f],
             balance: vec![0.0; n],
             rates: vec![0.0; f],
-            momenta: Vec::with_capacity(n),
+            momenta: Vec::with_capacity(if f > 1 { n } else { 0 }),
             still: drivers.all(|driver| driver.law.is_constant()),
         }
     }
@@ -88,6 +88,13 @@ impl Tangents {
         for (i, rate) in accelerations.iter_mut().enumerate() {
             let si = &self.s[i * n..(i + 1) * n];
             *rate = dot(si, &self.balance);
+            if f == 1 {
+                let momenta = mass.momenta(si);
+                self.mass[0] = momenta
+                    .map(|(column, momentum)| momentum * si[column])
+                    .sum();
+                break;
+            }
             // Motions of few bodies have few components.
             self.momenta.clear();
             self.momenta.extend(mass.momenta(si));

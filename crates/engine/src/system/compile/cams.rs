@@ -147,7 +147,12 @@ impl Compiler<'_> {
             kink: None,
         };
         let before = self.system.joints.iter();
-        let before = before.filter(|data| data.cam.as_ref().is_some_and(|cam| cam.kink.is_some()));
+        let before = before.filter(|data| {
+            data.extras()
+                .cam
+                .as_ref()
+                .is_some_and(|cam| cam.kink.is_some())
+        });
         made.kink = made.has_breaks().then(|| before.count());
         made
     }

@@ -114,7 +114,7 @@ impl Compiler<'_> {
                         rows: 1,
                         entries: constraint.entries().len(),
                         constraint: Arc::new(constraint),
-                        origin: Origin::Initial(format!("{name}.{key}")),
+                        origin: Origin::Initial(Box::new(format!("{name}.{key}"))),
                         row: 0,
                         entry: 0,
                     });

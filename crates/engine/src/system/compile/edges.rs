@@ -74,7 +74,8 @@ impl Compiler<'_> {
                         self.add_edge(k, piece, (tip, *radius), &surface);
                     }
                 }
-                self.system.joints[k].edges = first..self.system.contacts.len();
+                let edges = first..self.system.contacts.len();
+                self.system.joints[k].change_extras(|extras| extras.edges = edges);
             }
         }
     }

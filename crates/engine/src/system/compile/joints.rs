@@ -60,24 +60,19 @@ impl Compiler<'_> {
                 kind => self.joint(k, name, kind, points),
             };
             let friction = self.friction(k, name, &joint.kind, points);
-            self.system.joints.push(JointData {
-                name: name.clone(),
-                role: roles::joint_role(&joint.kind),
-                bodies: points.map(|point| point.body),
-                points,
-                torque: made.torque,
-                clearance: made.link,
-                contact: made.contact,
-                cam: made.cam,
-                bearing: clearance(&joint.kind).map(bearing),
-                stops: None,
-                drawn: self.drawn_slot(joint),
-                clasp: None,
-                edges: 0..0,
-                friction,
-                belt: made.belt,
-                bushing: made.bushing,
+            let role = roles::joint_role(&joint.kind);
+            let mut data = JointData::plain(name, role, points, made.torque);
+            data.change_extras(|extras| {
+                extras.clearance = made.link;
+                extras.contact = made.contact;
+                extras.cam = made.cam;
+                extras.bearing = clearance(&joint.kind).map(bearing);
+                extras.drawn = self.drawn_slot(joint);
+                extras.friction = friction;
+                extras.belt = made.belt;
+                extras.bushing = made.bushing;
             });
+            self.system.joints.push(data);
             let mut constraint = made.constraint;
             if let Some(active) = &joint.stops.active {
                 self.closed.insert(k, constraint.clone());
@@ -186,7 +181,7 @@ impl Compiler<'_> {
                 let offset = self.system.links;
                 self.system.links += 1;
                 Made {
-                    constraint: Arc::new(pin(Some(OffsetId(offset)))),
+                    constraint: Arc::new(pin(Some(OffsetId(offset as u32)))),
                     link: Some(ClearanceLink {
                         offset,
                         radius: clearance.radius.unwrap_or(0.0),

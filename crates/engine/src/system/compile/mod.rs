@@ -161,6 +161,7 @@ impl<'a> Compiler<'a> {
                 marker,
             });
         }
+        self.system.shrink();
         self.system
     }
 
@@ -195,8 +196,7 @@ impl<'a> Compiler<'a> {
             self.system.bodies.push(BodyData {
                 name: name.clone(),
                 origin: -com,
-                mass: body.mass,
-                inertia: body.inertia,
+                is_light: body.mass == Some(0.0) || body.inertia == Some(0.0),
             });
         }
     }

@@ -29,7 +29,7 @@ pub fn profiles(model: &Checked) -> Vec<Profile> {
     };
     let joints = system.joints.iter().enumerate();
     let profile = |(joint, data): (usize, &crate::system::JointData)| {
-        let cam = data.cam.as_ref()?;
+        let cam = data.extras().cam.as_ref()?;
         let mut reach: f64 = 0.0;
         let row = |k: usize| {
             let u = TAU * k as f64 / CORNERS as f64;

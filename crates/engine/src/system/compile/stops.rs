@@ -102,7 +102,7 @@ impl Compiler<'_> {
         let rows = ContactRows::of(&pair, id, Owner::Joint(JointId(k)), k);
         self.system.contact_rows.push(rows);
         self.system.contacts.push(pair);
-        self.system.joints[k].clasp = Some(id);
+        self.system.joints[k].change_extras(|extras| extras.clasp = Some(id));
         id
     }
 
@@ -137,8 +137,9 @@ impl Compiler<'_> {
         self.system.contact_rows.push(rows);
         self.system.contacts.push(pair);
         if let Owner::Joint(joint) = end.owner {
-            let ends = &mut self.system.joints[joint.0].stops;
-            ends.get_or_insert_default()[index] = Some(id);
+            self.system.joints[joint.0].change_extras(|extras| {
+                extras.stops.get_or_insert_default()[index] = Some(id);
+            });
         }
         id
     }

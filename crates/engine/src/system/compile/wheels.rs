@@ -150,14 +150,14 @@ impl Compiler<'_> {
             .system
             .joints
             .iter()
-            .filter_map(|joint| joint.belt.as_deref());
+            .filter_map(|joint| joint.extras().belt.as_deref());
         let acts = |belt: &&Belt| belt.pretension != 0.0 || belt.elastic.is_some();
         let strands: Vec<Strands> = belts.filter(acts).cloned().map(Strands).collect();
         for strands in strands {
             self.system.forces.push(Arc::new(strands));
         }
         let joints = self.system.joints.iter();
-        for bushing in joints.filter_map(|joint| joint.bushing.as_deref()) {
+        for bushing in joints.filter_map(|joint| joint.extras().bushing.as_deref()) {
             self.system.forces.push(Arc::new(*bushing));
         }
     }

@@ -104,7 +104,7 @@ impl Mechanism<'_> {
         }
         let mut sizes = vec![0.0; n * n];
         for (entry, value) in system.entries.iter().zip(&self.driven.evaluation.jacobian) {
-            if let Some(column) = entry.column {
+            if let Some(column) = entry.column() {
                 let (row, column) = (entry.row as usize, column as usize);
                 let residual = residual[column * n..][..n].iter_mut();
                 let sizes = sizes[column * n..][..n].iter_mut();
@@ -152,7 +152,7 @@ impl Mechanism<'_> {
         let mut lean = 0.0;
         let entries = system.entries.iter().zip(&self.driven.evaluation.jacobian);
         for ((entry, value), by) in entries.zip(changes) {
-            if let Some(column) = entry.column {
+            if let Some(column) = entry.column() {
                 let lambda = load.lambda[entry.row as usize];
                 carried[column as usize] += lambda * value;
                 lean += lambda.abs() * by.mean * x[column as usize];
@@ -179,7 +179,7 @@ impl Mechanism<'_> {
         let image = |x: &[f64], loose: &Loose, by: fn(&Change) -> f64| {
             let mut rows = loose.gaps.clone();
             for (entry, change) in self.driven.system.entries.iter().zip(&loose.changes) {
-                if let Some(column) = entry.column {
+                if let Some(column) = entry.column() {
                     rows[entry.row as usize] += by(change) * x[column as usize];
                 }
             }

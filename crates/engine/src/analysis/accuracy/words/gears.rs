@@ -106,7 +106,7 @@ pub(super) fn mesh(model: &Model, system: &System, index: usize, carrier: BodyId
     };
     let borne = moving_name(model, carrier).map_or(0.0, angle);
     let [first, second] = [0, 1].map(|end: usize| angle(&joint.between[end].body) - borne);
-    let nominal = drawn(system, system.joints[index].bodies[0]) - drawn(system, carrier);
+    let nominal = drawn(system, system.joints[index].bodies()[0]) - drawn(system, carrier);
     second - ratio * (first - nominal)
 }
 

@@ -204,7 +204,7 @@ fn add_joints(found: &mut Dimensions, model: &Model, system: &System) {
                 let Some(carrier) = carrier(system, index) else {
                     continue;
                 };
-                let bodies = system.joints[index].bodies;
+                let bodies = system.joints[index].bodies();
                 let as_drawn = drawn(system, bodies[0]) - drawn(system, carrier);
                 let dimension = found.add(Dimension::Ratio {
                     joint: index,

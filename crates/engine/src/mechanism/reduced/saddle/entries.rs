@@ -26,7 +26,7 @@ impl Entries {
         for entry in &system.entries {
             let row = rows.binary_search(&entry.row).ok();
             let row = row.map(|row| moving + row);
-            entries.push(row, at(entry.column.map(|column| column as usize)), true);
+            entries.push(row, at(entry.column().map(|column| column as usize)), true);
         }
         for [row, column] in &layout.forces {
             entries.push(at(*row), at(*column), false);

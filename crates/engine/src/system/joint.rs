@@ -1,0 +1,126 @@
+//! Joints beyond their constraints.
+
+use super::roles::{ClearanceLink, JointFriction, JointRole};
+use crate::element::belt::Belt;
+use crate::element::bushing::Bushing;
+use crate::element::cam::Cam;
+use crate::element::journal::Bearing;
+use crate::element::pair::ContactId;
+use crate::element::{BodyId, Marker};
+use crate::system::Ends;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// A joint's numbers beyond its constraint.
+#[derive(Debug, Clone)]
+pub struct JointData {
+    /// As the file names it.
+    pub name: String,
+    /// What kind of joint it is, for results and pictures.
+    pub(crate) role: JointRole,
+    /// Where it joins its bodies.
+    pub(crate) points: [Marker; 2],
+    /// Carries a torque in the results.
+    pub(crate) torque: bool,
+    /// What few joints have: most of a large mechanism are plain pins.
+    extras: Option<Box<JointExtras>>,
+}
+
+/// What few joints have.
+#[derive(Debug, Clone)]
+pub(crate) struct JointExtras {
+    /// Its clearance link, where that is its model.
+    pub clearance: Option<ClearanceLink>,
+    /// Journal and bearing that touch by a contact force.
+    pub contact: Option<ContactId>,
+    /// Its profile and what touches it, of a cam.
+    pub cam: Option<Arc<Cam>>,
+    /// Where its way ends.
+    pub stops: Option<Box<Ends>>,
+    /// From where to where points of a moving body draw its slot \[m\], along its axis from its own point; nothing ends there.
+    pub drawn: Option<Box<[f64; 2]>>,
+    /// It, where it closes and opens.
+    pub clasp: Option<ContactId>,
+    /// Pieces of its outline.
+    pub edges: Range<usize>,
+    /// Of a joint with a `clearance` in the file, whatever its model.
+    pub bearing: Option<Bearing>,
+    /// Of an ideal joint with friction.
+    pub friction: Option<JointFriction>,
+    /// Pulleys with a belt.
+    pub belt: Option<Box<Belt>>,
+    /// A pin in rubber.
+    pub bushing: Option<Box<Bushing>>,
+}
+
+/// Those of a joint that has nothing of them.
+static PLAIN: JointExtras = JointExtras {
+    clearance: None,
+    contact: None,
+    cam: None,
+    stops: None,
+    drawn: None,
+    clasp: None,
+    edges: 0..0,
+    bearing: None,
+    friction: None,
+    belt: None,
+    bushing: None,
+};
+
+impl JointData {
+    /// A plain joint of two points.
+    pub(super) fn plain(name: &str, role: JointRole, points: [Marker; 2], torque: bool) -> Self {
+        JointData {
+            name: name.to_owned(),
+            role,
+            points,
+            torque,
+            extras: None,
+        }
+    }
+
+    /// What it joins.
+    pub fn bodies(&self) -> [BodyId; 2] {
+        self.points.map(|point| point.body)
+    }
+
+    /// What few joints have.
+    pub(crate) fn extras(&self) -> &JointExtras {
+        self.extras.as_deref().unwrap_or(&PLAIN)
+    }
+
+    /// The same, to be changed.
+    pub(super) fn change_extras(&mut self, change: impl FnOnce(&mut JointExtras)) {
+        let mut extras = self.extras().clone();
+        change(&mut extras);
+        self.extras = (!extras.is_plain()).then(|| Box::new(extras));
+    }
+
+    /// Its clearance link, where that is its model.
+    pub fn clearance(&self) -> Option<ClearanceLink> {
+        self.extras().clearance
+    }
+}
+
+impl JointExtras {
+    /// Whether there is nothing of them.
+    fn is_plain(&self) -> bool {
+        let JointExtras {
+            clearance,
+            contact,
+            cam,
+            stops,
+            drawn,
+            clasp,
+            edges,
+            bearing,
+            friction,
+            belt,
+            bushing,
+        } = self;
+        let holds = clearance.is_none() && contact.is_none() && clasp.is_none() && stops.is_none();
+        let shapes = cam.is_none() && drawn.is_none() && edges.is_empty() && bearing.is_none();
+        holds && shapes && friction.is_none() && belt.is_none() && bushing.is_none()
+    }
+}
