@@ -363,9 +363,9 @@ fn a_large_mechanism_fits_into_little_memory() {
         most / bodies
     );
     assert!(
-        (of_system + of_solver) / bodies < 2000,
+        (of_system + of_solver) / bodies < 1850,
         "{of_system} {of_solver}"
     );
-    assert!(all / bodies < 3000, "{all}");
+    assert!(all / bodies < 2950, "{all}");
     assert!(most / bodies < 7200, "{most}");
 }
