@@ -24,6 +24,7 @@ use std::time::Instant;
 
 use linkdyn_engine::analysis::accuracy::{Levels, Scope};
 use linkdyn_engine::analysis::{Control, run};
+use linkdyn_model::{GROUND, Model};
 use samples::{Case, DEGREE, Sampler, case, read};
 use serde_json::{Value, json};
 use told::{Random, Told, bare, parametric, spoil, tolerate};
@@ -103,10 +104,11 @@ fn median(times: &mut [f64]) -> f64 {
     times[times.len() / 2]
 }
 
-/// Asks for the angle of a body, under as many names as outputs are wanted.
-fn ask(json: &Value, column: &str, outputs: usize) -> Told {
+/// Asks for columns, each under a name of its own.
+fn ask<'c>(json: &Value, columns: impl Iterator<Item = &'c str>) -> Told {
     let mut json = json.clone();
-    let names = (0..outputs).map(|k| (format!("o{k}"), json!({ "column": column })));
+    let columns = columns.enumerate();
+    let names = columns.map(|(k, column)| (format!("o{k}"), json!({ "column": column })));
     let outputs: serde_json::Map<String, Value> = names.collect();
     json["accuracy"] = json!({ "outputs": outputs });
     Told::read(&json).expect("legal")
@@ -123,7 +125,17 @@ const LEVELS: [(&str, Levels); 3] = [
     ("certified", Levels::Certified),
 ];
 
-/// Times of a kinematic run, and by level of accuracy for one output and for some more, over the same instants. The times of a
+/// Columns beside the first: of bodies all over the mechanism, angles and places.
+fn others(model: &Model, first: &str) -> Vec<String> {
+    let bodies = model.bodies.keys().filter(|name| *name != GROUND);
+    let columns = bodies.flat_map(|body| ["angle", "x", "y"].map(|own| format!("{body}.{own}")));
+    let columns: Vec<String> = columns.filter(|column| column != first).collect();
+    // Not the first ones, which are of a body that is driven.
+    let place = |k: usize| (k + 1) * (columns.len() - 1) / FURTHER;
+    (0..FURTHER).map(|k| columns[place(k)].clone()).collect()
+}
+
+/// Times of a kinematic run, and by level of accuracy for one output, the same again, and others, over the same instants. The times of a
 /// round are taken beside each other, so that what else the machine does falls on all of them.
 fn cost(name: &str, column: &str) {
     let model = read(name);
@@ -131,7 +143,13 @@ fn cost(name: &str, column: &str) {
     let mut json = parametric(&model, INSTANTS);
     spoil(&mut json, 1e-5);
     tolerate(&mut json, 1e-6);
-    let (one, more) = (ask(&json, column, 1), ask(&json, column, 1 + FURTHER));
+    let others = others(&model, column);
+    let one = ask(&json, [column].into_iter());
+    let same = ask(&json, [column; 1 + FURTHER].into_iter());
+    let mixed = [column]
+        .into_iter()
+        .chain(others.iter().map(String::as_str));
+    let mixed = ask(&json, mixed);
     let answer = one.answer();
     let poses = &answer.outputs[0].poses;
     let certified = poses.iter().filter(|pose| pose.certified.is_some()).count();
@@ -148,17 +166,19 @@ fn cost(name: &str, column: &str) {
         black_box(told.ask_for(&told.loaded.model, scope).expect("answers"));
     };
     let mut runs = Vec::new();
-    let mut parts: [[Vec<f64>; 2]; 3] = Default::default();
+    let mut parts: [[Vec<f64>; 4]; 3] = Default::default();
     for _ in 0..PAIRS {
         let run = time(&|| {
             black_box(run(&plain.loaded.model, &Control::default()).expect("runs"));
         });
         runs.push(run);
-        for ((_, levels), [first, further]) in LEVELS.iter().zip(&mut parts) {
-            let of_one = time(&|| asked(&one, *levels));
-            let of_more = time(&|| asked(&more, *levels));
+        for ((_, levels), [first, further, other, mean]) in LEVELS.iter().zip(&mut parts) {
+            let [of_one, of_same, of_mixed] =
+                [&one, &same, &mixed].map(|told| time(&|| asked(told, *levels)));
             first.push(of_one / run);
-            further.push((of_more - of_one) / FURTHER as f64 / run);
+            further.push((of_same - of_one) / FURTHER as f64 / run);
+            other.push((of_mixed - of_one) / FURTHER as f64 / run);
+            mean.push(of_mixed / (1 + FURTHER) as f64 / run);
         }
     }
     println!(
@@ -168,15 +188,22 @@ fn cost(name: &str, column: &str) {
         poses.len(),
         median(&mut runs) * 1e3,
     );
-    for ((level, _), [first, further]) in LEVELS.iter().zip(&mut parts) {
-        let [first, further] = [median(first), median(further)];
-        let said = |cost: f64| if cost <= ALLOWED { "holds" } else { "exceeds" };
+    let said = |costs: &mut [f64]| {
+        let cost = median(costs);
+        let verdict = if cost <= ALLOWED { "holds" } else { "exceeds" };
+        format!("{cost:6.2} ({verdict} {ALLOWED})")
+    };
+    for ((level, _), [first, further, other, mean]) in LEVELS.iter().zip(&mut parts) {
         println!(
-            "    {level:11} first output {first:6.2} ({} {ALLOWED}), each further one {further:6.2} ({} {ALLOWED})",
+            "    {level:11} first output {}, the same again {}, another one {}, mean of {} {}",
             said(first),
-            said(further)
+            said(further),
+            said(other),
+            1 + FURTHER,
+            said(mean)
         );
     }
+    println!("    the others: {}", others.join(", "));
 }
 
 /// Tries a case; whether nothing left its bounds.
