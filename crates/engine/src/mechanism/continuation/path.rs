@@ -203,11 +203,15 @@ impl Path {
         low: f64,
         high: f64,
     ) -> impl Iterator<Item = (usize, f64)> {
+        let centre = self.turn.as_ref().map(|(centre, _)| *centre);
         let windows = self.windows.iter().enumerate();
-        windows.flat_map(move |(index, window)| {
-            let turns = match &self.turn {
+        // Of a turn that stands for all each is there once.
+        let own = windows.filter(move |(_, window)| {
+            centre.is_none_or(|centre| (window.s - centre).abs() <= 0.5 * TAU)
+        });
+        own.flat_map(move |(index, window)| {
+            let turns = match centre {
                 None => 0..=0,
-                Some((centre, _)) if (window.s - centre).abs() > 0.5 * TAU => 1..=0,
                 Some(_) => {
                     let turns = [(low - window.s) / TAU, (high - window.s) / TAU];
                     turns[0].ceil() as i64..=turns[1].floor() as i64
