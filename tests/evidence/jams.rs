@@ -162,7 +162,8 @@ fn what_leaves_slowly_may_leave_where_nothing_would_keep_it() {
 /// Where no forces and no impulses answer the motion, the joint is named.
 #[test]
 fn jammed_journals_are_named() {
-    let outcome = rigid("watt-i-lock", &["a", "b", "c"], "100 um", 0.5, 1.0, &[]);
+    let all = ["a", "b", "c", "d", "e", "f", "g"];
+    let outcome = rigid("watt-i-lock", &all, "100 um", 0.5, 0.5, &[]);
     assert_eq!(outcome.report.status, Status::Singular);
     let said = outcome.report.message.expect("why");
     assert!(

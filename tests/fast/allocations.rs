@@ -366,6 +366,7 @@ fn a_large_mechanism_fits_into_little_memory() {
         (of_system + of_solver) / bodies < 1850,
         "{of_system} {of_solver}"
     );
-    assert!(all / bodies < 2950, "{all}");
+    // A node more or less, by round-off, is 72 B.
+    assert!(all / bodies < 3000, "{all}");
     assert!(most / bodies < 7200, "{most}");
 }

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! w = q + M z ≥ 0,   z ≥ 0,   z_k w_k = 0                              M (k, k), q (k)
-//! w = q + M z + z₀ ≥ 0   is solved for z₀ large, and z₀ goes to zero: one pivot after the other, where what has left w makes room for its z
+//! w = q + M z + d z₀ ≥ 0   (d > 0) is solved for z₀ large, and z₀ goes to zero: one pivot after the other, where what has left w makes room for its z
 //! ```
 //!
 //! Where M is copositive, zᵀ M z ≥ 0 for z ≥ 0, and qᵀz ≥ 0 for all z ≥ 0 with M z ≥ 0 and zᵀ M z = 0, it finds a solution. Among these problems is
@@ -17,6 +17,8 @@ use nalgebra::DMatrix;
 const EVEN: f64 = 1e-12;
 /// Pivots, per unknown, after which it goes on for ever by round-off.
 const MOST: usize = 20;
+/// What d grows by from one unknown to the next, in turn.
+const COVERS: [f64; 3] = [0.0, 0.3, -0.1];
 
 /// z; none where the algorithm ends on a ray, as where there is no solution.
 pub fn lemke(matrix: &DMatrix<f64>, free: &[f64]) -> Option<Vec<f64>> {
@@ -24,7 +26,17 @@ pub fn lemke(matrix: &DMatrix<f64>, free: &[f64]) -> Option<Vec<f64>> {
     if free.iter().all(|q| *q >= 0.0) {
         return Some(vec![0.0; size]);
     }
-    let mut tableau = Tableau::new(matrix, free);
+    // Another d leads another way, where round-off has made a ray of one.
+    COVERS.iter().find_map(|more| {
+        let cover = (0..size).map(|k| 1.0 + more * (k % size.min(7)) as f64);
+        covered(matrix, free, &cover.collect::<Vec<f64>>())
+    })
+}
+
+/// The same with one d.
+fn covered(matrix: &DMatrix<f64>, free: &[f64], cover: &[f64]) -> Option<Vec<f64>> {
+    let size = free.len();
+    let mut tableau = Tableau::new(matrix, free, cover);
     // z₀ comes in for the w that is most negative, and all others are positive then.
     let (mut row, mut entering) = (tableau.lowest(), 2 * size);
     for _ in 0..MOST * size {
@@ -50,12 +62,12 @@ struct Tableau {
 }
 
 impl Tableau {
-    fn new(matrix: &DMatrix<f64>, free: &[f64]) -> Self {
+    fn new(matrix: &DMatrix<f64>, free: &[f64], cover: &[f64]) -> Self {
         let size = free.len();
         let cells = DMatrix::from_fn(size, 2 * size + 2, |i, j| match j {
             _ if j < size => f64::from(u8::from(i == j)),
             _ if j < 2 * size => -matrix[(i, j - size)],
-            _ if j == 2 * size => -1.0,
+            _ if j == 2 * size => -cover[i],
             _ => free[i],
         });
         Tableau {
@@ -68,12 +80,12 @@ impl Tableau {
         self.basis.len()
     }
 
-    /// The row with the least right side.
+    /// The row whose right side z₀ lifts last.
     fn lowest(&self) -> usize {
-        let right = 2 * self.size() + 1;
-        let least =
-            |&a: &usize, &b: &usize| self.cells[(a, right)].total_cmp(&self.cells[(b, right)]);
-        (0..self.size()).min_by(least).unwrap_or(0)
+        let size = self.size();
+        let lifted = |row: usize| self.cells[(row, 2 * size + 1)] / -self.cells[(row, 2 * size)];
+        let least = |&a: &usize, &b: &usize| lifted(a).total_cmp(&lifted(b));
+        (0..size).min_by(least).unwrap_or(0)
     }
 
     /// Brings an unknown into the basis; what it takes the place of.

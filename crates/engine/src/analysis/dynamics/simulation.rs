@@ -69,8 +69,7 @@ impl<'s> Simulation<'s> {
             }
             let now = self.reached();
             if let Err(fault) = self.advance() {
-                let ahead = self.margins.lock_ahead();
-                let jammed = &self.jams.contacts;
+                let (ahead, jammed) = (self.margins.lock_ahead(), &self.jams.contacts);
                 return Err(Ended::at_step(&mut self.flow, fault, now, ahead, jammed));
             }
         }

@@ -111,8 +111,8 @@ fn mode(found: &[f64], friction: f64) -> Mode {
         Mode::Leaves
     } else if friction == 0.0 {
         Mode::Slips(0.0)
-    } else if found[3] <= 0.0 {
-        // λ = 0, be its friction at the end of the cone.
+    } else if found[3] <= 0.0 || (found[1] > 0.0 && found[2] > 0.0) {
+        // λ = 0, be its friction at the end of the cone; where there are both β, λ is 0 but for round-off.
         Mode::Sticks
     } else {
         Mode::Slips(friction * tangential.signum())
