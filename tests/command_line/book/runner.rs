@@ -12,13 +12,14 @@ use serde_json::Value;
 use super::blocks::{Block, blocks, is_as_shown, words};
 
 /// Commands of a page that tests do not run: they build this repository, test it, or measure it.
-const NOT_RUN: [&str; 8] = [
+const NOT_RUN: [&str; 9] = [
     "cargo test --release",
     "cargo install --path . --locked --profile dist",
     "cargo bench --bench six_bar",
     "cargo bench --bench dynamics",
     "cargo bench --bench contact",
     "cargo bench --bench stiff",
+    "cargo bench --bench jams",
     "cargo bench --bench linear",
     "cargo bench --bench accuracy",
 ];
