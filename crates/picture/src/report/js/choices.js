@@ -25,7 +25,8 @@
     for (const value of column.values) if (Number.isFinite(value)) { low = Math.min(low, value); high = Math.max(high, value); }
     return [low, high];
   };
-  const varies = (column) => { const [low, high] = ends(column); return high - low > 1e-9 * size(column) && high > low; };
+  // Round-off about zero is large beside itself, so that it is held against all of its unit, too.
+  const varies = (column) => { const [low, high] = ends(column); return high - low > 1e-9 * size(column) && !nothing(high - low, column.unit) && high > low; };
   // Whether two curves of one unit need an axis each: on a common one the travel of one would be a line to the eye. That holds for
   // places and angles, whose zero is arbitrary; sizes of forces and speeds are compared on one axis.
   const LEAST_SHARE = 1 / 8, PLACES = ["m", "rad"];
