@@ -320,12 +320,18 @@ impl Path {
             .map(|node| &node.q[..])
     }
 
-    /// The window that `s` is in.
-    pub(crate) fn window_at(&self, s: f64) -> Option<usize> {
-        let s = match &self.turn {
+    /// `s` on the turn that stands for all, where the path repeats itself.
+    pub(crate) fn within_turn(&self, s: f64) -> f64 {
+        match &self.turn {
+            Some((centre, _)) if (s - centre).abs() < 0.5 * TAU => s,
             Some((centre, _)) => s - ((s - centre) / TAU).round() * TAU,
             None => s,
-        };
+        }
+    }
+
+    /// The window that `s` is in.
+    pub(crate) fn window_at(&self, s: f64) -> Option<usize> {
+        let s = self.within_turn(s);
         self.windows
             .iter()
             .position(|window| (s - window.s).abs() <= window.radius)

@@ -3,9 +3,11 @@
 use super::accepted::Accepted;
 use super::extrapolation::Extrapolation;
 use super::place::{Given, Place, Placed};
+use super::profile::{Profile, SAMPLES, Terms, Told};
 use crate::mechanism::continuation::{End, HALF_TURN, Parameter, Path, Source, follow};
 use crate::mechanism::driven::{Driven, Failure};
-use crate::system::Inputs;
+use crate::system::{Inputs, System};
+use linkdyn_linear::math::dot;
 
 /// Farthest point that is looked for from the last accepted one: a stage that lies farther is one of a step that is far too long.
 /// In sizes of the mechanism, or radians.
@@ -24,16 +26,56 @@ pub(super) struct Curve<'s> {
     /// S and S' at the point at hand (n), where they are known or that is on the smooth branch.
     pub tangent: Vec<f64>,
     pub bend: Vec<f64>,
+    /// What the equation of motion is along it, where weights alone act.
+    profile: Option<Box<Profile>>,
 }
 
 impl<'s> Curve<'s> {
-    /// Not followed yet; of n coordinates.
-    pub fn new(n: usize, beyond: Extrapolation<'s>) -> Self {
+    /// Not followed yet.
+    pub fn new(system: &System, beyond: Extrapolation<'s>) -> Self {
+        let n = system.n();
         Curve {
             path: None,
             beyond,
             tangent: vec![0.0; n],
             bend: vec![0.0; n],
+            profile: (!system.looks_at_places()).then(|| Box::new(Profile::new())),
+        }
+    }
+
+    /// ü at (u, u̇) from what is known along the curve to this tolerance, where that is at hand; `q` and `force` (n) are room.
+    pub fn acceleration(
+        &mut self,
+        [u, rate]: [f64; 2],
+        tolerance: f64,
+        driven: &Driven,
+        [q, force]: [&mut [f64]; 2],
+    ) -> Option<f64> {
+        let (path, profile) = (self.path.as_mut()?, self.profile.as_mut()?);
+        let u = path.within_turn(u);
+        let told = profile.at(u, rate);
+        if let Told::Acceleration(acceleration) = told {
+            return Some(acceleration);
+        }
+        if !matches!(told, Told::Wanted) {
+            return None;
+        }
+        path.tolerance = tolerance.max(KNOWN);
+        let system = driven.system;
+        system
+            .mass
+            .weigh(&system.layout, system.gravity.into(), force);
+        let mut samples = [[0.0; 4]; SAMPLES];
+        let mut each = samples.iter_mut().zip(profile.places(u));
+        let all_known = each.all(|(sample, u)| {
+            let source = path.guess(u, q, &mut self.tangent, &mut self.bend);
+            *sample = terms(system, force, &self.tangent, &self.bend);
+            matches!(source, Some(Source::Known | Source::Bridged { .. }))
+        });
+        profile.take(u, all_known.then_some(&samples), path.tolerance);
+        match profile.at(u, rate) {
+            Told::Acceleration(acceleration) => Some(acceleration),
+            Told::Wanted | Told::Nothing => None,
         }
     }
 
@@ -110,8 +152,22 @@ impl<'s> Curve<'s> {
         if let Some(path) = &mut self.path {
             path.leave_out(system, unit);
         }
+        if let (Some(path), Some(profile)) = (&self.path, &mut self.profile) {
+            profile.restart(unit, path.covered());
+        }
         self.path.is_some()
     }
+}
+
+/// The terms of the equation of motion where the tangent and its derivative are these.
+fn terms(system: &System, force: &[f64], tangent: &[f64], bend: &[f64]) -> Terms {
+    let sizes = tangent.iter().zip(force).map(|(s, q)| (s * q).abs());
+    [
+        system.mass.product(tangent, tangent),
+        system.mass.product(tangent, bend),
+        dot(tangent, force),
+        sizes.sum(),
+    ]
 }
 
 impl<'s> Place<'s> for Curve<'s> {

@@ -24,17 +24,39 @@ impl Reduced<'_> {
     /// # Errors
     /// Where the position can't be solved on its branch, or the mass matrix is singular.
     pub fn evaluate(&mut self, time: f64, y: &[f64]) -> Result<(), Failure> {
-        let evaluated = self.evaluate_within(time, y);
+        let evaluated = self.evaluate_places(time, y);
         self.tell();
         evaluated
     }
 
-    /// The same within a step: what follows looks at the accelerations alone, and elements are told of the point where they make
-    /// them.
+    /// The same within a step: what follows looks at ü alone. Where it hangs on places alone that were often come by, no place is
+    /// worked out; elsewhere elements are told of the point where they make accelerations.
     ///
     /// # Errors
     /// As [`Reduced::evaluate`].
     pub fn evaluate_within(&mut self, time: f64, y: &[f64]) -> Result<(), Failure> {
+        if !self.with_factors && self.evaluate_by_profile(y) {
+            return Ok(());
+        }
+        self.evaluate_places(time, y)
+    }
+
+    /// ü alone, where it is known along the curve.
+    fn evaluate_by_profile(&mut self, y: &[f64]) -> bool {
+        let (Some(curve), &[u, rate]) = (self.chart.curve_mut(), y) else {
+            return false;
+        };
+        let room = [&mut self.balance[..], &mut self.force];
+        let Some(acceleration) = curve.acceleration([u, rate], self.lag, &self.driven, room) else {
+            return false;
+        };
+        self.accelerations[0] = acceleration;
+        self.at = None;
+        true
+    }
+
+    /// q, v, a, of which elements are told where one of them looks.
+    fn evaluate_places(&mut self, time: f64, y: &[f64]) -> Result<(), Failure> {
         self.is_told = true;
         if !self.with_factors && self.evaluate_straight(time, y) {
             return Ok(());

@@ -16,7 +16,8 @@
 //! With one degree of freedom and drivers at rest the positions are a curve q(u), which the continuation follows once:
 //! then predictions come from it, and near a change point, where round-off of the equations grows as 1/δ³, so do S and
 //! S′ = ∂²q/∂u² (a₀ = S′ u̇²), from its smooth branch. Closed curves (a coordinate that turns round and round) are followed
-//! once around.
+//! once around. Where weights alone act, accelerations within steps come from polynomials along the curve (`profile`), which cost
+//! the same for any number of bodies.
 //!
 //! Multipliers are worked out only where they are wanted: for results, and where forces depend on them
 //! (`dependent_forces`), which then become part of Q. Bodies may lack mass as long as SᵀMS is regular. The choice of u
@@ -34,6 +35,7 @@ mod keep;
 mod multipliers;
 mod nearest;
 mod place;
+mod profile;
 mod saddle;
 mod sparse;
 mod stages;
@@ -126,7 +128,7 @@ impl<'s> Reduced<'s> {
         let (n, f) = (system.n(), columns.len());
         let zero = vec![0.0; n];
         let chart = if is_curve {
-            Chart::Curve(Box::new(Curve::new(n, Extrapolation::default())))
+            Chart::Curve(Box::new(Curve::new(system, Extrapolation::default())))
         } else {
             Chart::Coordinates(Extrapolation::default())
         };

@@ -31,6 +31,8 @@ pub struct Flow<'s> {
     /// Factors are kept where the position is this far from theirs, without sustained contacts [rad or sizes].
     lag: f64,
     moving_drivers: bool,
+    /// y has coordinates and rates alone, and nothing watches while it goes on.
+    is_bare: bool,
     /// Why the last evaluation for a stepper was refused, where it was.
     refusal: Option<Failure>,
     /// Multipliers (m).
@@ -44,8 +46,13 @@ impl<'s> Flow<'s> {
     /// At the point of these equations, with all contacts in flight.
     pub fn new(phases: &'s Phases<'s>, equations: Reduced<'s>) -> Self {
         let system = equations.system();
+        let layout = Layout::new(system, equations.freedom());
+        let is_bare = layout.dimension() == layout.mechanical().len()
+            && system.contacts.is_empty()
+            && system.kinks.is_empty();
         Flow {
-            layout: Layout::new(system, equations.freedom()),
+            layout,
+            is_bare,
             equations,
             lag: 0.0,
             phases,
@@ -342,6 +349,13 @@ impl Ode for Flow<'_> {
     }
 
     fn eval(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Refused> {
+        if self.is_bare {
+            let evaluated = self.equations.evaluate_within(t, y);
+            self.refusal = evaluated.err();
+            evaluated.map_err(|_| Refused)?;
+            rates(&self.equations, y, dy);
+            return Ok(());
+        }
         self.take_bristles(y);
         let evaluated = self
             .equations
