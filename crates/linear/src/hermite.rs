@@ -28,21 +28,24 @@ pub struct Node {
 pub fn quintic(a: &Node, b: &Node, s: f64, q: &mut [f64], d: Option<&mut [f64]>) {
     let h = b.s - a.s;
     let u = (s - a.s) / h;
+    let n = q.len();
+    let [a, b] = [a, b].map(|node| [&node.q[..n], &node.d[..n], &node.dd[..n]]);
     let coefficients = |k: usize| {
-        let (v0, c0) = (h * a.d[k], 0.5 * h * h * a.dd[k]);
-        let gap = b.q[k] - (a.q[k] + v0 + c0);
-        let slope = h * b.d[k] - (v0 + 2.0 * c0);
-        let bend = h * h * b.dd[k] - 2.0 * c0;
+        let (v0, c0) = (h * a[1][k], 0.5 * h * h * a[2][k]);
+        let gap = b[0][k] - (a[0][k] + v0 + c0);
+        let slope = h * b[1][k] - (v0 + 2.0 * c0);
+        let bend = h * h * b[2][k] - 2.0 * c0;
         let c3 = 10.0 * gap - 4.0 * slope + 0.5 * bend;
         let c4 = -15.0 * gap + 7.0 * slope - bend;
         let c5 = 6.0 * gap - 3.0 * slope + 0.5 * bend;
-        [a.q[k], v0, c0, c3, c4, c5]
+        [a[0][k], v0, c0, c3, c4, c5]
     };
     for (k, q) in q.iter_mut().enumerate() {
-        *q = coefficients(k).iter().rev().fold(0.0, |sum, c| sum * u + c);
+        let [c0, c1, c2, c3, c4, c5] = coefficients(k);
+        *q = ((((c5 * u + c4) * u + c3) * u + c2) * u + c1) * u + c0;
     }
     if let Some(d) = d {
-        for (k, d) in d.iter_mut().enumerate() {
+        for (k, d) in d[..n].iter_mut().enumerate() {
             let c = coefficients(k);
             *d = (1..6).rev().fold(0.0, |sum, j| sum * u + j as f64 * c[j]) / h;
         }
