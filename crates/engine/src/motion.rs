@@ -85,6 +85,14 @@ impl Law {
         }
     }
 
+    /// f alone, the same number.
+    pub fn value(&self, t: f64) -> f64 {
+        match self {
+            Law::Polynomial(c) => c.iter().rev().fold(0.0, |f, ck| f * t + ck),
+            Law::Harmonic { .. } | Law::Spline(_) | Law::Pieces(_) => self.jet(t)[0],
+        }
+    }
+
     /// Rate at which the law moves, values measured in `unit` [1/s]; 0 of a constant.
     pub fn rate(&self, unit: f64) -> f64 {
         match self {

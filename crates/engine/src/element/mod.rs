@@ -236,16 +236,22 @@ impl<'a> Applied<'a> {
 
     /// Adds a force at a marker.
     pub fn add_force(&mut self, at: &Kinematics, marker: &Marker, force: Vec2) {
-        let rho = marker.rho(at);
-        self.add(marker.body, force, rho.x * force.y - rho.y * force.x);
+        self.add_beside(marker.body, marker.rho(at), force);
+    }
+
+    /// Adds a force at a point that stands this far from the centre of mass, in the ground frame.
+    #[inline]
+    pub(crate) fn add_beside(&mut self, body: BodyId, rho: Vec2, force: Vec2) {
+        self.add(body, force, rho.x * force.y - rho.y * force.x);
     }
 
     /// Adds a force at the centre of mass and a torque.
+    #[inline]
     pub fn add(&mut self, body: BodyId, force: Vec2, torque: f64) {
         if let Some(columns) = self.layout.columns(body) {
-            self.q[columns.x()] += force.x;
-            self.q[columns.y()] += force.y;
-            self.q[columns.theta()] += torque;
+            let own = self.q[columns.range()].iter_mut();
+            own.zip([force.x, force.y, torque])
+                .for_each(|(own, more)| *own += more);
         }
     }
 }

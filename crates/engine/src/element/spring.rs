@@ -28,16 +28,20 @@ pub struct Spring {
 
 impl Force for Spring {
     fn apply(&self, at: &Kinematics, to: &mut Applied) {
-        let d = self.second.place(at) - self.first.place(at);
+        let [first, second] = [self.first.body, self.second.body];
+        let (one, other) = (&at.poses[first.0], &at.poses[second.0]);
+        let (rho, other_rho) = (one.turn(self.first.s), other.turn(self.second.s));
         // Points that coincide have no line: the pull has no direction there and is left out.
-        let Some((u, length)) = direction(d) else {
+        let Some((u, length)) = direction((other.r + other_rho) - (one.r + rho)) else {
             return;
         };
-        let rate = u.dot(&(self.second.velocity(at) - self.first.velocity(at)));
-        let pull =
-            self.stiffness * (length - self.free_length.jet(at.time)[0]) + self.damping * rate;
-        to.add_force(at, &self.first, u * pull);
-        to.add_force(at, &self.second, u * -pull);
+        let mut pull = self.stiffness * (length - self.free_length.value(at.time));
+        // Most springs have no damper.
+        if self.damping != 0.0 {
+            pull += self.damping * u.dot(&(self.second.velocity(at) - self.first.velocity(at)));
+        }
+        to.add_beside(first, rho, u * pull);
+        to.add_beside(second, other_rho, u * -pull);
     }
 
     fn slopes(&self) -> Vec<Slope> {
@@ -52,7 +56,7 @@ impl Force for Spring {
             return;
         };
         let d_rate = self.second.velocity(at) - self.first.velocity(at);
-        let stretch = length - self.free_length.jet(at.time)[0];
+        let stretch = length - self.free_length.value(at.time);
         let pull = self.stiffness * stretch + self.damping * u.dot(&d_rate);
         let span = Span::at(at, &self.first, &self.second);
         for column in 0..BOTH {
@@ -69,7 +73,7 @@ impl Force for Spring {
 
     fn potential(&self, at: &Kinematics) -> f64 {
         let length = (self.second.place(at) - self.first.place(at)).norm();
-        let stretch = length - self.free_length.jet(at.time)[0];
+        let stretch = length - self.free_length.value(at.time);
         0.5 * self.stiffness * stretch * stretch
     }
 

@@ -33,7 +33,7 @@ impl TorsionSpring {
     fn twist(&self, at: &Kinematics) -> f64 {
         at.poses[self.second.0].theta
             - at.poses[self.first.0].theta
-            - self.free_angle.jet(at.time)[0]
+            - self.free_angle.value(at.time)
     }
 }
 
