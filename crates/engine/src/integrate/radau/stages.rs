@@ -1,6 +1,6 @@
 //! The stages of a step: factors, Newton's iteration, error, and the polynomial through them.
 
-use super::{Converged, ITERATIONS, Radau, implicit};
+use super::{Converged, ITERATIONS, MOST, Radau, implicit};
 use crate::integrate::control::{Rejection, finite, fourth_root, rms, weigh};
 use crate::integrate::radau_tableau::TABLEAUS;
 use crate::integrate::{Ode, Refused};
@@ -78,13 +78,15 @@ impl Radau {
         self.order_taken = self.order;
         // Values from the end backwards, less that at the end, which is zero itself.
         let last = (stages - 1) * n;
+        let end = &self.z[last..][..n];
         for k in 1..=stages {
-            for i in 0..n {
-                let z = match stages - k {
-                    0 => 0.0,
-                    left => self.z[(left - 1) * n + i],
-                };
-                self.dense[(k - 1) * n + i] = z - self.z[last + i];
+            let dense = self.dense[(k - 1) * n..][..n].iter_mut().zip(end);
+            match stages - k {
+                0 => dense.for_each(|(d, end)| *d = 0.0 - end),
+                left => {
+                    let z = &self.z[(left - 1) * n..][..n];
+                    dense.zip(z).for_each(|((d, end), z)| *d = z - end);
+                }
             }
         }
         for width in 1..=stages {
@@ -93,10 +95,11 @@ impl Radau {
                 let (before, here) = self.dense.split_at_mut((k - 1) * n);
                 let here = &mut here[..n];
                 if k > 1 {
-                    let lower = &before[(k - 2) * n..];
-                    here.iter_mut().zip(lower).for_each(|(d, low)| *d -= low);
+                    let lower = here.iter_mut().zip(&before[(k - 2) * n..]);
+                    lower.for_each(|(d, low)| *d = (*d - low) * over);
+                } else {
+                    here.iter_mut().for_each(|d| *d *= over);
                 }
-                here.iter_mut().for_each(|d| *d *= over);
             }
         }
     }
@@ -215,14 +218,25 @@ impl Radau {
 
 /// Combines vectors of n components, as many as there are rows, by the rows of `matrix`.
 fn transform(matrix: &[f64], rows: usize, from: &[f64], into: &mut [f64]) {
-    let n = from.len() / super::MOST;
-    for (row, into) in matrix
-        .chunks_exact(rows)
-        .zip(into.chunks_exact_mut(n.max(1)))
-    {
-        into.fill(0.0);
-        for (by, from) in row.iter().zip(from.chunks_exact(n.max(1))) {
-            into.iter_mut().zip(from).for_each(|(to, f)| *to += by * f);
+    match rows {
+        3 => combine::<3>(matrix, from, into),
+        5 => combine::<5>(matrix, from, into),
+        _ => combine::<MOST>(matrix, from, into),
+    }
+}
+
+/// The same for S of them: a component is summed up before the next one, so that sums need not be stored in between.
+fn combine<const S: usize>(matrix: &[f64], from: &[f64], into: &mut [f64]) {
+    let n = from.len() / MOST;
+    let from: [&[f64]; S] = std::array::from_fn(|stage| &from[stage * n..][..n]);
+    let rows = matrix.as_chunks::<S>().0.iter();
+    for (row, into) in rows.zip(into.chunks_exact_mut(n.max(1))) {
+        for (i, into) in into.iter_mut().enumerate().take(n) {
+            let mut sum = 0.0;
+            for (by, from) in row.iter().zip(&from) {
+                sum += by * from[i];
+            }
+            *into = sum;
         }
     }
 }
