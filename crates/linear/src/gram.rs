@@ -139,8 +139,8 @@ impl Gram {
             *own = self.work[begin];
             begin += 1 + *length as usize;
         }
-        let (mut x, mut targets) = (self.work.as_mut_slice(), self.targets.iter());
-        let mut lower = self.lower.iter_mut();
+        let (mut x, mut targets) = (self.work.as_mut_slice(), self.targets.as_slice());
+        let mut lower = self.lower.as_mut_slice();
         let mut is_weak = false;
         let pivots = self.inverse.iter_mut().zip(&self.right);
         for (&length, (inverse, whole)) in self.lengths.iter().zip(pivots) {
@@ -149,11 +149,19 @@ impl Gram {
             let [pivot, below @ ..] = own else { break };
             is_weak |= !(*pivot > WEAK * whole && *pivot < f64::INFINITY);
             *inverse = 1.0 / *pivot;
-            for (index, l) in (0..length as usize).zip(&mut lower) {
-                *l = below[index] * *inverse;
-                for (other, &target) in below[index..].iter().zip(&mut targets) {
-                    x[target as usize] -= other * *l;
+            let mut rest = &*below;
+            let kept;
+            (kept, lower) = std::mem::take(&mut lower).split_at_mut(length as usize);
+            for kept in kept {
+                let [own, ..] = rest else { break };
+                let l = own * *inverse;
+                *kept = l;
+                let places;
+                (places, targets) = targets.split_at(rest.len());
+                for (other, &target) in rest.iter().zip(places) {
+                    x[target as usize] -= other * l;
                 }
+                rest = &rest[1..];
             }
         }
         if is_weak { Err(Weak) } else { Ok(()) }
@@ -177,7 +185,12 @@ impl Gram {
             self.right[row as usize] += value * z[column as usize];
         }
         let right = self.right.iter();
-        right.fold(0.0, |most, right| f64::max(most, right.abs()))
+        right.map(|right| right.abs()).fold(
+            0.0,
+            |most, right| {
+                if right > most { right } else { most }
+            },
+        )
     }
 
     /// z −= Bᵀ λ, with λ of the right-hand side.

@@ -28,28 +28,39 @@ pub struct Node {
 pub fn quintic(a: &Node, b: &Node, s: f64, q: &mut [f64], d: Option<&mut [f64]>) {
     let h = b.s - a.s;
     let u = (s - a.s) / h;
-    let n = q.len();
-    let [a, b] = [a, b].map(|node| [&node.q[..n], &node.d[..n], &node.dd[..n]]);
-    let coefficients = |k: usize| {
-        let (v0, c0) = (h * a[1][k], 0.5 * h * h * a[2][k]);
-        let gap = b[0][k] - (a[0][k] + v0 + c0);
-        let slope = h * b[1][k] - (v0 + 2.0 * c0);
-        let bend = h * h * b[2][k] - 2.0 * c0;
-        let c3 = 10.0 * gap - 4.0 * slope + 0.5 * bend;
-        let c4 = -15.0 * gap + 7.0 * slope - bend;
-        let c5 = 6.0 * gap - 3.0 * slope + 0.5 * bend;
-        [a[0][k], v0, c0, c3, c4, c5]
-    };
-    for (k, q) in q.iter_mut().enumerate() {
-        let [c0, c1, c2, c3, c4, c5] = coefficients(k);
-        *q = ((((c5 * u + c4) * u + c3) * u + c2) * u + c1) * u + c0;
+    for (q, jets) in q.iter_mut().zip(jets(a, b)) {
+        let c = coefficients(h, jets);
+        *q = c.iter().rev().fold(0.0, |sum, c| sum * u + c);
     }
     if let Some(d) = d {
-        for (k, d) in d[..n].iter_mut().enumerate() {
-            let c = coefficients(k);
+        for (d, jets) in d.iter_mut().zip(jets(a, b)) {
+            let c = coefficients(h, jets);
             *d = (1..6).rev().fold(0.0, |sum, j| sum * u + j as f64 * c[j]) / h;
         }
     }
+}
+
+/// q, q′ and q″ of each component at both.
+#[inline(always)]
+fn jets(a: &Node, b: &Node) -> impl Iterator<Item = [Jet<f64>; 2]> {
+    let a = a.q.iter().zip(&a.d).zip(&a.dd);
+    let b = b.q.iter().zip(&b.d).zip(&b.dd);
+    a.zip(b)
+        .map(|(((a, b), c), ((d, e), f))| [[*a, *b, *c], [*d, *e, *f]])
+}
+
+/// Of one component's quintic between nodes h apart, ascending in (s − a)/h. Within the loop over components, where several go
+/// together.
+#[inline(always)]
+fn coefficients(h: f64, [a, b]: [Jet<f64>; 2]) -> [f64; 6] {
+    let (v0, c0) = (h * a[1], 0.5 * h * h * a[2]);
+    let gap = b[0] - (a[0] + v0 + c0);
+    let slope = h * b[1] - (v0 + 2.0 * c0);
+    let bend = h * h * b[2] - 2.0 * c0;
+    let c3 = 10.0 * gap - 4.0 * slope + 0.5 * bend;
+    let c4 = -15.0 * gap + 7.0 * slope - bend;
+    let c5 = 6.0 * gap - 3.0 * slope + 0.5 * bend;
+    [a[0], v0, c0, c3, c4, c5]
 }
 
 /// A number of each of K nodes.

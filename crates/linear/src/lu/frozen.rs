@@ -300,6 +300,10 @@ impl Frozen {
 
     /// L z = y and U x = z for K right-hand sides together, in pivot order.
     pub fn solve<const K: usize>(&self, y: &mut [[f64; K]]) {
+        if self.lower.is_empty() && self.upper.is_empty() {
+            let pivots = y.iter_mut().zip(&self.inverse_pivot);
+            return pivots.for_each(|(y, inverse)| *y = y.map(|y| y * inverse));
+        }
         for (&l, &[row, column]) in self.lower.iter().zip(&self.lower_places) {
             let factors = y[column as usize];
             subtract(&mut y[row as usize], l, &factors);
