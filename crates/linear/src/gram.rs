@@ -149,19 +149,18 @@ impl Gram {
             let [pivot, below @ ..] = own else { break };
             is_weak |= !(*pivot > WEAK * whole && *pivot < f64::INFINITY);
             *inverse = 1.0 / *pivot;
-            let mut rest = &*below;
-            let kept;
-            (kept, lower) = std::mem::take(&mut lower).split_at_mut(length as usize);
-            for kept in kept {
-                let [own, ..] = rest else { break };
-                let l = own * *inverse;
-                *kept = l;
-                let places;
-                (places, targets) = targets.split_at(rest.len());
-                for (other, &target) in rest.iter().zip(places) {
-                    x[target as usize] -= other * l;
-                }
-                rest = &rest[1..];
+            let (kept, places);
+            (kept, lower) = std::mem::take(&mut lower).split_at_mut(below.len());
+            (places, targets) = targets.split_at(below.len() * (below.len() + 1) / 2);
+            let to = (kept, places, &mut *x);
+            // Chains and loops have few below, and the compiler writes out loops whose length it knows.
+            match below.len() {
+                0 => {}
+                1 => eliminate::<1>(below, *inverse, to),
+                2 => eliminate::<2>(below, *inverse, to),
+                3 => eliminate::<3>(below, *inverse, to),
+                4 => eliminate::<4>(below, *inverse, to),
+                _ => eliminate_many(below, *inverse, to),
             }
         }
         if is_weak { Err(Weak) } else { Ok(()) }
@@ -209,6 +208,29 @@ impl Gram {
             z[column as usize] -= value * self.right[row as usize];
         }
     }
+}
+
+/// A column of L, where its products go, and what is behind the column.
+type Column<'a> = (&'a mut [f64], &'a [u32], &'a mut [f64]);
+
+/// Makes a column of L from what is below its pivot, and takes its products from what is behind.
+#[inline(always)]
+fn eliminate_many(below: &[f64], inverse: f64, (kept, places, x): Column) {
+    let mut begin = 0;
+    for (index, kept) in kept.iter_mut().enumerate().take(below.len()) {
+        let (own, l) = (&below[index..], below[index] * inverse);
+        *kept = l;
+        for (other, &target) in own.iter().zip(&places[begin..][..own.len()]) {
+            x[target as usize] -= other * l;
+        }
+        begin += own.len();
+    }
+}
+
+/// The same of N.
+fn eliminate<const N: usize>(below: &[f64], inverse: f64, (kept, places, x): Column) {
+    let places = &places[..N * (N + 1) / 2];
+    eliminate_many(&below[..N], inverse, (&mut kept[..N], places, x));
 }
 
 /// Pairs of entries in the same column, each with itself too.
