@@ -33,6 +33,7 @@ pub use roles::{
 };
 pub use rows::{ContactRows, Extent, Owner};
 pub use scale::Scale;
+pub(crate) use scale::larger;
 pub(crate) use slopes::Slopes;
 pub(crate) use standing::Standing;
 pub(crate) use states::StateData;

@@ -98,7 +98,7 @@ impl System {
 }
 
 /// The larger of `most` and |x|; NaN where either is.
-fn larger(most: f64, x: f64) -> f64 {
+pub(crate) fn larger(most: f64, x: f64) -> f64 {
     let x = x.abs();
     if x > most || x.is_nan() { x } else { most }
 }

@@ -297,22 +297,14 @@ impl<'s> Driven<'s> {
 
     fn active_residual(&self, q: &[f64]) -> f64 {
         let m = self.system.m();
-        self.selection
-            .active
-            .iter()
-            .zip(self.row_scales.iter())
-            .fold(0.0, |largest: f64, (&row, scale)| {
-                let phi = match row.checked_sub(m) {
-                    Some(k) => self.independent[k].jet[0] - q[self.independent[k].column],
-                    None => self.evaluation.phi[row],
-                };
-                let r = phi.abs() / scale;
-                if r > largest || r.is_nan() {
-                    r
-                } else {
-                    largest
-                }
-            })
+        let residuals = self.selection.active.iter().map(|&row| {
+            let own = |k: usize| self.independent[k].jet[0] - q[self.independent[k].column];
+            match row.checked_sub(m) {
+                Some(k) => own(k),
+                None => self.evaluation.phi[row],
+            }
+        });
+        self.row_scales.largest(residuals)
     }
 
     /// Velocities at the position last taken; [`Driven::factor`] must have been called there.

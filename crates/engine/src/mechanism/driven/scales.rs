@@ -1,7 +1,7 @@
 //! Scales of rows and of entries of J, of which there are four at most: a byte stands for each.
 
 use crate::element::Measure;
-use crate::system::System;
+use crate::system::{System, larger};
 
 /// A list of scales.
 #[derive(Debug, Clone, Default)]
@@ -50,6 +50,17 @@ impl Scales {
             Measure::Length => LENGTH,
             Measure::Angle => ONE,
         }));
+    }
+
+    /// The largest |x| by its scale; NaN where one is. Of each scale the largest is enough.
+    pub fn largest(&self, x: impl Iterator<Item = f64>) -> f64 {
+        let mut most = [0.0; 4];
+        for (kind, x) in self.kinds.iter().zip(x) {
+            let most = &mut most[usize::from(kind & 3)];
+            *most = larger(*most, x);
+        }
+        let of = most.iter().zip(&self.of).filter(|(most, _)| **most != 0.0);
+        of.fold(0.0, |largest, (most, scale)| larger(largest, most / scale))
     }
 
     /// They, in order.
