@@ -10,11 +10,12 @@ const MASSLESS: f64 = 1e-13;
 
 /// S and what is made of it.
 pub(super) struct Tangents {
+    n: usize,
     /// S, one tangent after the other (f × n).
     pub s: Vec<f64>,
     /// SᵀMS (f × f) and its factor.
     mass: Vec<f64>,
-    /// Q − M a₀ (n).
+    /// Q − M a₀ (n); empty where there is but one tangent.
     balance: Vec<f64>,
     /// Sᵀ of a force, and what it changes (f).
     rates: Vec<f64>,
@@ -30,9 +31,10 @@ impl Tangents {
         let (n, f) = (driven.system.n(), driven.independent.len());
         let mut drivers = driven.system.drivers.iter();
         Tangents {
+            n,
             s: vec![0.0; f * n],
             mass: vec![0.0; f * f],
-            balance: vec![0.0; n],
+            balance: vec![0.0; if f == 1 { 0 } else { n }],
             rates: vec![0.0; f],
             momenta: Vec::with_capacity(if f > 1 { n } else { 0 }),
             still: drivers.all(|driver| driver.law.is_constant()),
@@ -40,7 +42,7 @@ impl Tangents {
     }
 
     fn each(&self) -> impl Iterator<Item = &[f64]> {
-        self.s.chunks_exact(self.balance.len().max(1))
+        self.s.chunks_exact(self.n.max(1))
     }
 
     /// S, and v = S u̇ + v_t.
@@ -84,17 +86,10 @@ impl Tangents {
             return Ok(());
         }
         mass.residual(force, a, &mut self.balance);
-        let (n, f) = (self.balance.len(), accelerations.len());
+        let (n, f) = (self.n, accelerations.len());
         for (i, rate) in accelerations.iter_mut().enumerate() {
             let si = &self.s[i * n..(i + 1) * n];
             *rate = dot(si, &self.balance);
-            if f == 1 {
-                let momenta = mass.momenta(si);
-                self.mass[0] = momenta
-                    .map(|(column, momentum)| momentum * si[column])
-                    .sum();
-                break;
-            }
             // Motions of few bodies have few components.
             self.momenta.clear();
             self.momenta.extend(mass.momenta(si));
