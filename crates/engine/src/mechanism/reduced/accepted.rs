@@ -51,9 +51,12 @@ impl Accepted {
         }
     }
 
-    /// Takes a point for the later one from now on; at the same time it takes the place of that.
-    pub fn keep(&mut self, time: f64, [q, v, a]: [&[f64]; 3], tangents: &[f64]) {
-        if self.here.s != time {
+    /// Takes a point for the later one from now on; at the same time it takes the place of that. The earlier one is kept where
+    /// positions are predicted from both.
+    pub fn keep(&mut self, time: f64, [q, v, a]: [&[f64]; 3], tangents: &[f64], predicts: bool) {
+        if !predicts {
+            self.before = None;
+        } else if self.here.s != time {
             let before = self.before.get_or_insert_with(|| self.here.clone());
             std::mem::swap(before, &mut self.here);
         }

@@ -84,6 +84,11 @@ impl<'s> Curve<'s> {
         self.path.as_ref()
     }
 
+    /// Whether it was followed, and is closed.
+    pub fn comes_round(&self) -> bool {
+        self.path.as_ref().is_some_and(|path| path.turn.is_some())
+    }
+
     /// Position (and on bridged stretches S, S') at u from the curve, which is followed farther where u needs it.
     fn guess(
         &mut self,

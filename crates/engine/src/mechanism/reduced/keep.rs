@@ -1,6 +1,7 @@
 //! What is kept of the ends of accepted steps.
 
 use super::Reduced;
+use super::curve::Curve;
 use super::inertia::Inertia;
 use super::place::Placed;
 
@@ -31,8 +32,10 @@ impl Reduced<'_> {
     /// Keeps the point at hand.
     pub(super) fn keep(&mut self, time: f64) {
         let point = [&self.q[..], &self.v, &self.a];
-        self.accepted
-            .keep(time, point, self.inertia.known_tangents());
+        // A curve that comes round has no ends beyond which positions would be predicted.
+        let predicts = !self.chart.curve().is_some_and(Curve::comes_round);
+        let tangents = self.inertia.known_tangents();
+        self.accepted.keep(time, point, tangents, predicts);
         // On straight constraints motions are those of any point.
         if self.placed != Placed::Straight {
             self.keep_factors();
