@@ -40,14 +40,20 @@ fn double_pendulum() -> Value {
     pendulum
 }
 
-/// The bundled four-bar without its driver, its crank turning fast enough for whole turns.
-fn free_four_bar() -> Value {
-    let mut four_bar: Value =
-        serde_json::from_str(bundled::find("four-bar").expect("bundled").text).expect("valid JSON");
-    let words = four_bar.as_object_mut().expect("a map");
+/// A bundled mechanism without its driver and forces.
+fn free(name: &str) -> Value {
+    let text = bundled::find(name).expect("bundled").text;
+    let mut json: Value = serde_json::from_str(text).expect("valid JSON");
+    let words = json.as_object_mut().expect("a map");
     for key in ["drivers", "forces"] {
         words.remove(key);
     }
+    json
+}
+
+/// The bundled four-bar without its driver, its crank turning fast enough for whole turns.
+fn free_four_bar() -> Value {
+    let mut four_bar = free("four-bar");
     four_bar["initial"] = json!({ "crank": { "angle": "60 deg", "angular_velocity": "25 rad/s" } });
     four_bar
 }

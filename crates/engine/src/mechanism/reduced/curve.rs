@@ -57,7 +57,8 @@ impl<'s> Curve<'s> {
         if let Told::Acceleration(acceleration) = told {
             return Some(acceleration);
         }
-        if !matches!(told, Told::Wanted) {
+        // Stages of steps that are far too long lie where the curve has not been.
+        if !matches!(told, Told::Wanted) || !path.holds(u) {
             return None;
         }
         path.tolerance = tolerance.max(KNOWN);

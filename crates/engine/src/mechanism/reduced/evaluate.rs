@@ -29,8 +29,8 @@ impl Reduced<'_> {
         evaluated
     }
 
-    /// The same within a step: what follows looks at ü alone. Where it hangs on places alone that were often come by, no place is
-    /// worked out; elsewhere elements are told of the point where they make accelerations.
+    /// The same within a step: what follows looks at ü alone. Where weights alone act, no place is worked out for it; elsewhere
+    /// elements are told of the point where they make accelerations.
     ///
     /// # Errors
     /// As [`Reduced::evaluate`].

@@ -136,7 +136,8 @@ fn extremum(j: usize) -> f64 {
 
 /// Coefficients of the powers through samples at the extrema; none where those of the last Chebyshev polynomials are not small.
 ///
-/// m is measured by itself, g by m over the unit, and w by what would pull were all weights to help each other.
+/// m is measured by the mean of its least and its largest, as the error of SᵀMS grows where S becomes small; g by that over the
+/// unit; and w by what would pull were all weights to help each other.
 fn powers(samples: &[Terms; SAMPLES], unit: f64, error: f64) -> Option<[Terms; SAMPLES]> {
     let degree = SAMPLES - 1;
     let cosines: [f64; 2 * (SAMPLES - 1)] =
@@ -157,7 +158,11 @@ fn powers(samples: &[Terms; SAMPLES], unit: f64, error: f64) -> Option<[Terms; S
             .iter()
             .fold(0.0, |most, terms| f64::max(most, terms[lane]))
     };
-    let sizes = [largest(0), largest(0) / unit, largest(3)];
+    let least = samples
+        .iter()
+        .fold(f64::INFINITY, |least, terms| f64::min(least, terms[0]));
+    let mass = (least.max(0.0) * largest(0)).sqrt();
+    let sizes = [mass, mass / unit, largest(3)];
     for (lane, size) in sizes.iter().enumerate() {
         let rest = chebyshev[SAMPLES - 2..].iter().map(|c| c[lane].abs());
         let rest: f64 = rest.sum();
