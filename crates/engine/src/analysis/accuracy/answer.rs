@@ -6,6 +6,7 @@ use super::statistics::Capability;
 use super::worst::Farthest;
 use crate::element::{BodyColumns, Measure, Pose};
 use crate::system::{BodyData, DriverData, System};
+use linkdyn_linear::math::Vec2;
 use std::sync::Arc;
 
 /// What tolerances and clearances do to the outputs.
@@ -75,6 +76,9 @@ fn frames(system: &System, q: &[f64]) -> Vec<[f64; 3]> {
     let bodies = system.bodies.iter().zip(system.layout.bodies());
     let frame = |(body, columns): (&BodyData, BodyColumns)| {
         let [x, y, theta] = columns.read(q);
+        if body.origin == Vec2::zeros() {
+            return [x, y, theta];
+        }
         let pose = Pose::new(x, y, theta);
         let origin = pose.r + pose.turn(body.origin);
         [origin.x, origin.y, theta]

@@ -3,8 +3,8 @@
 use super::dimensions::{Dimension, Dimensions, Here, Off, PointId};
 use super::enclosure::Extents;
 use super::output::{Load, Output};
+use super::search::Chosen;
 use super::source::{Influence, Play};
-use super::turn::Turn;
 use crate::mechanism::driven::Driven;
 use crate::system::Inputs;
 use linkdyn_linear::math::Vec2;
@@ -48,22 +48,16 @@ pub(super) struct Mechanism<'m> {
     /// ∂y/∂(dimension), and ∂y/∂P of the points, as last asked for.
     of_dimensions: Vec<f64>,
     of_points: Vec<Vec2>,
-    /// The e that were taken last.
-    pub extremes: Vec<Influence>,
+    /// The deviations that are tried.
+    pub chosen: Chosen,
     /// What corners gave, by the bits of the deviations of parameters that bend.
     known: HashMap<Vec<u64>, Option<Vec<f64>>>,
-    /// The deviations whose steps are in `steps`.
-    stepped: Vec<f64>,
     /// Gaps of the rows (m).
     pub rows: Vec<f64>,
-    /// Steps of the dimensions.
-    pub steps: Vec<f64>,
     /// Points that are off.
     offs: Vec<Off>,
     /// Shifts of the points in the frames of their bodies \[m\].
     pub shifts: Vec<Vec2>,
-    /// Sources that give way to their influence (plays).
-    pub turns: Vec<Turn>,
     /// Space for corrections.
     pub space: Space,
 }
@@ -143,12 +137,9 @@ impl<'m> Mechanism<'m> {
             offs: Vec::new(),
             of_dimensions: vec![0.0; dimensions.all.len()],
             of_points: vec![Vec2::zeros(); dimensions.points.len()],
-            extremes: vec![[0.0; 2]; plays.len()],
-            stepped: Vec::new(),
+            chosen: Chosen::new(plays.len(), dimensions.all.len()),
             rows: vec![0.0; m],
-            turns: vec![Turn::default(); plays.len()],
             space,
-            steps: vec![0.0; dimensions.all.len()],
             shifts: vec![Vec2::zeros(); dimensions.points.len()],
             driven,
             dimensions,
@@ -218,12 +209,23 @@ impl<'m> Mechanism<'m> {
         self.of_points = of_points;
     }
 
-    /// Sets gaps, steps and shifts for the deviations that carry the output farthest to a side. Whether the model can be had
-    /// with them.
-    pub fn deviate(&mut self, stand: &Stand, influences: &[Influence], side: f64) -> bool {
-        let extremes = self.extremes.iter_mut().zip(self.plays).zip(influences);
-        for ((extreme, play), g) in extremes {
-            *extreme = play.extreme(*g, side);
+    /// Sets gaps, steps and shifts for the deviations that carry the output farthest up; those that gain no more than this part of
+    /// what all reach stay as they are. Whether the model can be had with them.
+    pub fn deviate(&mut self, stand: &Stand, influences: &[Influence], still: f64) -> bool {
+        let each = self.plays.iter().zip(influences);
+        let reaches = each.map(|(play, g)| play.reach(*g));
+        let still = still * reaches.map(|[down, up]| up - down).sum::<f64>();
+        let extremes = self
+            .chosen
+            .extremes
+            .iter_mut()
+            .zip(self.plays)
+            .zip(influences);
+        for ((e, play), g) in extremes {
+            let end = play.extreme(*g, 1.0);
+            if g[0] * (end[0] - e[0]) + g[1] * (end[1] - e[1]) > still {
+                *e = end;
+            }
         }
         self.step_parameters() && {
             self.place(stand);
@@ -243,7 +245,7 @@ impl<'m> Mechanism<'m> {
         let poses = self.driven.evaluation.kinematics(&stand.inputs).poses;
         let pose = |PointId(point): PointId| &poses[self.dimensions.points[point].body.0];
         for &(point, k) in &self.stepped_points {
-            let shift = Vec2::new(self.steps[k], self.steps[k + 1]);
+            let shift = Vec2::new(self.chosen.steps[k], self.chosen.steps[k + 1]);
             shifts[point.0] = shift;
             if shift.x != 0.0 || shift.y != 0.0 {
                 offs.push(Off {
@@ -254,7 +256,7 @@ impl<'m> Mechanism<'m> {
             }
         }
         for &(index, point) in &self.zones {
-            let e = self.extremes[index];
+            let e = self.chosen.extremes[index];
             let by = Vec2::new(e[0], e[1]);
             offs.push(Off {
                 point,
@@ -281,12 +283,13 @@ impl<'m> Mechanism<'m> {
             hold.push(&here.evaluation.jacobian, off.by, &mut rows);
         }
         for &k in &self.stepped_others {
-            if self.steps[k] != 0.0 {
-                self.dimensions.push_one(here, k, self.steps[k], &mut rows);
+            if self.chosen.steps[k] != 0.0 {
+                self.dimensions
+                    .push_one(here, k, self.chosen.steps[k], &mut rows);
             }
         }
         for &index in &self.gapped {
-            let e = &self.extremes[index];
+            let e = &self.chosen.extremes[index];
             match &self.plays[index] {
                 Play::Pin { row, .. } | Play::Guided { row, .. } => {
                     rows[*row] += e[0];
@@ -302,16 +305,19 @@ impl<'m> Mechanism<'m> {
     /// Sets the steps of the dimensions for the parameters' deviations: what those that bend do together, and of the others the
     /// sum of what each does. Whether the model can be had with them.
     pub fn step_parameters(&mut self) -> bool {
-        let each = self.parameters.iter().map(|&index| self.extremes[index][0]);
-        if each.eq(self.stepped.iter().copied()) {
+        let each = self
+            .parameters
+            .iter()
+            .map(|&index| self.chosen.extremes[index][0]);
+        if each.eq(self.chosen.stepped.iter().copied()) {
             return true;
         }
-        self.stepped.clear();
+        self.chosen.stepped.clear();
         if !self.step_bent() {
             return false;
         }
         for &index in &self.parameters {
-            let e = self.extremes[index][0];
+            let e = self.chosen.extremes[index][0];
             if let Play::Parameter {
                 steps,
                 bends: false,
@@ -319,10 +325,10 @@ impl<'m> Mechanism<'m> {
             } = &self.plays[index]
             {
                 for &(k, by) in steps {
-                    self.steps[k] += by * e;
+                    self.chosen.steps[k] += by * e;
                 }
             }
-            self.stepped.push(e);
+            self.chosen.stepped.push(e);
         }
         true
     }
@@ -330,12 +336,12 @@ impl<'m> Mechanism<'m> {
     /// Sets the steps of the dimensions for the parameters that bend, the others at their values: the model is read with them.
     fn step_bent(&mut self) -> bool {
         let bent = |&index: &usize| match self.plays[index] {
-            Play::Parameter { bends: true, .. } => self.extremes[index][0],
+            Play::Parameter { bends: true, .. } => self.chosen.extremes[index][0],
             _ => 0.0,
         };
         let mut asked = self.parameters.iter().map(bent);
         if asked.all(|by| by == 0.0) {
-            self.steps.fill(0.0);
+            self.chosen.steps.fill(0.0);
             return true;
         }
         let asked: Vec<f64> = self.parameters.iter().map(bent).collect();
@@ -345,7 +351,7 @@ impl<'m> Mechanism<'m> {
         let Some(steps) = steps else {
             return false;
         };
-        self.steps.copy_from_slice(steps);
+        self.chosen.steps.copy_from_slice(steps);
         true
     }
 

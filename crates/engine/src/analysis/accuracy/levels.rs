@@ -3,9 +3,10 @@
 use super::displaced::{Mechanism, Stand};
 use super::enclosure::Region;
 use super::output::Load;
-use super::source::{Influence, Play};
+use super::search::Search;
+use super::source::{Influence, Play, length};
 use super::statistics::{capability, moments};
-use super::worst::{Farthest, Start};
+use super::worst::Farthest;
 use super::{Contribution, Pins, PoseAccuracy, Question};
 use crate::analysis::clearance_link::forces;
 use crate::analysis::sample::Sample;
@@ -31,6 +32,8 @@ pub(super) struct Asked<'a> {
     sample: Sample,
     /// Of the sources by output, as last asked for.
     influences: Vec<Vec<Influence>>,
+    /// For the farthest, by output and side.
+    searches: Vec<[Search; 2]>,
 }
 
 impl<'a> Asked<'a> {
@@ -41,6 +44,10 @@ impl<'a> Asked<'a> {
     ) -> Asked<'a> {
         Asked {
             influences: vec![vec![[0.0; 2]; mechanism.plays.len()]; question.outputs.len()],
+            searches: vec![
+                [-1.0, 1.0].map(|side| Search::new(&mechanism, side));
+                question.outputs.len()
+            ],
             sample: Sample::new(system),
             system,
             question,
@@ -66,10 +73,10 @@ impl<'a> Asked<'a> {
             loads.push(load);
         }
         let has_loads = loads.iter().any(Option::is_some);
-        let starts = if self.question.levels > Levels::First && has_loads {
+        let begun = if self.question.levels > Levels::First && has_loads {
             self.bounds(stand, outputs, &loads, &mut poses)
         } else {
-            Vec::new()
+            vec![[false; 2]; outputs.len()]
         };
         if has_loads {
             self.press(stand, outputs, &loads, &mut poses);
@@ -77,24 +84,23 @@ impl<'a> Asked<'a> {
         if self.question.levels == Levels::First {
             return poses;
         }
-        let mut starts = starts.into_iter();
-        for ((&index, pose), load) in outputs.iter().zip(&mut poses).zip(&loads) {
-            let starts = starts.next().unwrap_or_default();
-            let mut sides = [-1.0, 1.0].into_iter().zip(starts);
-            let found = [(); 2].map(|()| self.found(index, stand, load.as_ref(), sides.next()?));
+        let each = outputs.iter().zip(&mut poses).zip(&loads).zip(begun);
+        for (((&index, pose), load), begun) in each {
+            let load = load.as_ref();
+            let found = [0, 1].map(|side| self.found(index, stand, load, (side, begun[side])));
             pose.take(self.system, found);
         }
         poses
     }
 
-    /// The certified bounds, and the first corrections towards the worst where the mechanism stays about the position.
+    /// The certified bounds; and begins the searches for the worst, where the mechanism stays about the position, which it says.
     fn bounds(
         &mut self,
         stand: &Stand,
         outputs: &[usize],
         loads: &[Option<Load>],
         poses: &mut [PoseAccuracy],
-    ) -> Vec<[Option<Start>; 2]> {
+    ) -> Vec<[bool; 2]> {
         let region = self.mechanism.region(stand);
         let mut stays = Vec::with_capacity(outputs.len());
         for ((&index, pose), load) in outputs.iter().zip(&mut *poses).zip(loads) {
@@ -103,15 +109,21 @@ impl<'a> Asked<'a> {
             stays.push(region.is_some() && (bound.is_some() || !self.mechanism.is_bounded));
             pose.certified = bound.filter(|_| self.question.levels == Levels::Certified);
         }
-        let each = outputs.iter().zip(loads).zip(stays);
-        let starts = each.map(|((&index, load), stays)| {
+        let each = outputs.iter().zip(loads).zip(poses).zip(stays);
+        let begun = each.map(|(((&index, load), pose), stays)| {
             let output = &self.question.outputs[index].output;
-            let load = load.as_ref().filter(|_| stays);
-            let influences = &self.influences[index];
+            let (Some(load), Some(first), true) = (load, pose.first, stays) else {
+                return [false; 2];
+            };
+            let nominal = (load, self.influences[index].as_slice());
             let mechanism = &mut self.mechanism;
-            [-1.0, 1.0].map(|side| mechanism.start(stand, output, load?, influences, side))
+            let searches = &mut self.searches[index];
+            [0, 1].map(|side| {
+                let search = (first[side], &mut searches[side]);
+                mechanism.begin(stand, output, nominal, search)
+            })
         });
-        starts.collect()
+        begun.collect()
     }
 
     fn certified(
@@ -127,28 +139,36 @@ impl<'a> Asked<'a> {
         mechanism.bound(stand, output, load?, first?, region.as_ref()?)
     }
 
+    /// The farthest deviation to a side, lower or upper (0 or 1), from a search that was begun, or step by step.
     fn found(
         &mut self,
         index: usize,
         stand: &Stand,
         load: Option<&Load>,
-        (side, start): (f64, Option<Start>),
+        (side, is_begun): (usize, bool),
     ) -> Option<Farthest> {
         let output = &self.question.outputs[index].output;
         let mechanism = &mut self.mechanism;
-        match load {
-            Some(load) => {
-                let near =
-                    start.and_then(|start| mechanism.farthest(stand, output, load, (side, start)));
-                near.or_else(|| mechanism.reach(stand, output, load.times(side), side))
+        let search = &mut self.searches[index][side];
+        if let (Some(load), true) = (load, is_begun) {
+            let nominal = (load, self.influences[index].as_slice());
+            let near = mechanism.farthest(stand, output, nominal, search);
+            if near.is_some() {
+                return near;
             }
+        }
+        search.forget();
+        let side = search.side;
+        let load = match load {
+            Some(load) => load.times(side),
             None => {
                 // The self-stress is the load that the equations balance without any on the output.
                 let lambda = stand.self_stress.clone();
                 let lambda = lambda.filter(|stress| !stress.is_empty())?;
-                mechanism.reach(stand, output, Load { lambda, size: 0.0 }, side)
+                Load { lambda, size: 0.0 }
             }
-        }
+        };
+        mechanism.reach(stand, output, load, side)
     }
 
     /// Influences, shares and spread.
@@ -167,7 +187,7 @@ impl<'a> Asked<'a> {
             mean += middle;
             variance += square;
             let sensitivity = match named.play {
-                Play::Pin { .. } | Play::Zone { .. } => g[0].hypot(g[1]),
+                Play::Pin { .. } | Play::Zone { .. } => length(*g),
                 Play::Sides { .. }
                 | Play::Guided { .. }
                 | Play::Driver { .. }

@@ -31,6 +31,7 @@ mod output;
 mod poses;
 mod reach;
 mod rooms;
+mod search;
 mod source;
 mod statistics;
 mod turn;

@@ -1,7 +1,7 @@
 //! The clearance that a deviation needs, and how far the output reaches where its first order means nothing.
 //!
-//! Prescribe the drivers *and* the output: one equation too many. What closes the mechanism is a share c of all deviations,
-//! each where the self-stress λ of the equations presses it:
+//! Prescribe the drivers *and* the output: one equation too many. What closes the mechanism is a share c of all deviations, each
+//! where the self-stress λ of the equations presses it:
 //!
 //! ```text
 //! φ(q) + c e(λ) = 0,  y(q) = y*,  Jᵀ λ + ∂yᵀ μ = 0            unknowns q, c
@@ -12,6 +12,7 @@
 
 use super::displaced::{Mechanism, Stand};
 use super::output::{Load, Output};
+use super::search::SILENT;
 use super::worst::Farthest;
 use crate::system::System;
 use linkdyn_linear::small::SmallLu;
@@ -20,7 +21,7 @@ use linkdyn_linear::small::SmallLu;
 const FIRST: [f64; 4] = [1e-6, 1e-5, 1e-4, 1e-3];
 /// Largest step of the deviation, in radians or sizes.
 const LARGEST: f64 = 0.05;
-/// A deviation beyond this, in radians or sizes, has no end.
+/// A deviation beyond this has no end.
 const FARTHEST: f64 = 7.0;
 /// Shortest.
 const SHORTEST: f64 = 1e-12;
@@ -83,6 +84,8 @@ pub(super) struct Bordered<'a, 'm> {
     gap: f64,
     /// What the output's deviation is measured by.
     unit: f64,
+    /// What gains no more than this part of all stays.
+    still: f64,
 }
 
 impl Mechanism<'_> {
@@ -110,6 +113,7 @@ impl Mechanism<'_> {
             lu: SmallLu::new(n + 1),
             gap: 1.0,
             unit,
+            still: SILENT,
         };
         bordered.run(load)
     }
@@ -123,15 +127,18 @@ impl Bordered<'_, '_> {
             y: 0.0,
             load,
         };
-        FIRST
-            .iter()
-            .find_map(|first| self.march(start.clone(), first * self.unit))
+        // What has no influence is best left in the middle, but beside a change point it may get one.
+        [SILENT, 0.0].into_iter().find_map(|still| {
+            self.still = still;
+            self.mechanism.chosen.extremes.fill([0.0; 2]);
+            let begin = |first: &f64| self.march(start.clone(), first * self.unit);
+            FIRST.iter().find_map(begin)
+        })
     }
 
     /// On from the nominal position until c = 1: all that lies before is reached with less.
     fn march(&mut self, start: Displaced, first: f64) -> Option<Farthest> {
-        let (mut now, mut trail) = (start, Vec::new());
-        let mut step = first;
+        let (mut now, mut trail, mut step) = (start, Vec::new(), first);
         for _ in 0..MOST_STEPS {
             let target = Held::Output(now.y + self.side * step);
             match self.solve(&now, trail.last(), target) {
@@ -261,7 +268,7 @@ impl Bordered<'_, '_> {
             } else {
                 self.mechanism
                     .influences(self.stand, self.output, &at.load, &mut g);
-                if !self.mechanism.deviate(self.stand, &g, 1.0) {
+                if !self.mechanism.deviate(self.stand, &g, self.still) {
                     return None;
                 }
             }

@@ -46,6 +46,11 @@ pub(super) enum Play {
 /// g of a source: one or two numbers.
 pub(super) type Influence = [f64; 2];
 
+/// |g| of a source with two numbers.
+pub(super) fn length(g: Influence) -> f64 {
+    (g[0] * g[0] + g[1] * g[1]).sqrt()
+}
+
 impl Play {
     /// Whether it lets anything be off.
     pub fn is_off(&self) -> bool {
@@ -80,13 +85,13 @@ impl Play {
     pub fn reach(&self, g: Influence) -> [f64; 2] {
         let both = |reach: f64| [-reach, reach];
         match self {
-            Play::Pin { clearance, .. } => both(clearance[1] * g[0].hypot(g[1])),
+            Play::Pin { clearance, .. } => both(clearance[1] * length(g)),
             Play::Sides { half, .. } => both(half[1] * g[0].abs()),
             Play::Driver { half, .. } => both(half * g[0].abs()),
             Play::Guided { half, length, .. } => {
                 both(half[1] * g[0].abs().max(2.0 * g[1].abs() / length))
             }
-            Play::Zone { radius, .. } => both(radius * g[0].hypot(g[1])),
+            Play::Zone { radius, .. } => both(radius * length(g)),
             Play::Parameter { lower, upper, .. } => {
                 let (a, b) = (lower * g[0], upper * g[0]);
                 [a.min(b), a.max(b)]
@@ -108,7 +113,7 @@ impl Play {
     pub fn extreme(&self, g: Influence, side: f64) -> Influence {
         let one = |half: f64| [half * side * g[0].signum(), 0.0];
         let disc = |radius: f64| {
-            let size = g[0].hypot(g[1]);
+            let size = length(g);
             if size > 0.0 {
                 [radius * side * g[0] / size, radius * side * g[1] / size]
             } else {

@@ -7,6 +7,9 @@
 //! e − g/k,   k = (g₂ − g₁)/(e₂ − e₁)      of the last two
 //! ```
 
+/// An influence vanishes where it is less than this part of what it is across the whole play.
+const VANISHED: f64 = 0.1;
+
 /// A source to either side on its way.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Turn {
@@ -17,6 +20,21 @@ pub(super) struct Turn {
 }
 
 impl Turn {
+    /// At the next pose, where the last one's `place` and `influence` go on to these: if it still stands between its `ends`, it
+    /// bends as before.
+    pub fn ahead(&self, [place, influence]: [f64; 2], [low, high]: [f64; 2]) -> Turn {
+        let inside = low < place && place < high;
+        let bend = self
+            .bend
+            .filter(|bend| inside && influence.abs() <= VANISHED * bend.abs() * (high - low));
+        Turn { before: None, bend }
+    }
+
+    /// Whether the source stands where its influence vanishes, or may.
+    pub fn is_bent(&self) -> bool {
+        self.bend.is_some()
+    }
+
     /// The e to try after one with its influence (`now`): `end` is what the influence asks for; `ends` are those that it may
     /// stand between, where it may. What gains no more than `worth` is left as it is.
     pub fn next(&mut self, now: [f64; 2], end: f64, ends: Option<[f64; 2]>, worth: f64) -> f64 {
@@ -39,6 +57,13 @@ impl Turn {
             (None, _) => end,
             (Some(_), None) => e,
             (Some(bend), Some([low, high])) => (e - g / bend).clamp(low, high),
+        };
+        // It does not bend that way, if the way on is not where the influence asks.
+        let next = if (next - e) * (end - e) < 0.0 {
+            self.bend = None;
+            end
+        } else {
+            next
         };
         if next.is_nan() || (g * (next - e)).abs() <= worth {
             return e;

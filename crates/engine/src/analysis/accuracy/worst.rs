@@ -16,8 +16,8 @@
 
 use super::displaced::{Mechanism, Space, Stand};
 use super::output::{Load, Output};
+use super::search::{Chosen, Search};
 use super::source::{Influence, Play};
-use super::turn::Turn;
 
 /// Most corrections.
 const MOST_PASSES: usize = 60;
@@ -31,6 +31,8 @@ const WORTH: f64 = 1e-12;
 const CURVED: f64 = 10.0;
 /// What the output still lacks may be this part of its deviation …
 const STILL: f64 = 1e-14;
+/// … where poses before led to it, this one, …
+const LED: f64 = 1e-12;
 /// … or this part of the mechanism's size (or of a radian): round-off.
 const ROUND_OFF: f64 = 2e-16;
 
@@ -45,18 +47,13 @@ pub(super) struct Farthest {
     pub needed: Vec<[f64; 2]>,
 }
 
-/// The first correction towards it.
-pub(super) struct Start {
-    /// Coordinates after it (n).
-    q: Vec<f64>,
-    /// The e of the sources.
-    extremes: Vec<Influence>,
-    /// The output before [rad or m].
-    nominal: f64,
-    /// Its deviation to first order.
-    deviation: f64,
-    /// Size of the correction [–].
-    size: f64,
+/// What changed deviations gain [rad or m].
+#[derive(Debug, Clone, Copy, Default)]
+struct Gain {
+    /// Of those whose direction turned: what they gain is the square of what they turned by.
+    smooth: f64,
+    /// Of those that left an end.
+    ended: f64,
 }
 
 impl Mechanism<'_> {
@@ -73,36 +70,8 @@ impl Mechanism<'_> {
             .then_some(Load { lambda, size: 1.0 })
     }
 
-    /// The first correction towards the farthest deviation to a side (±1), from the influences at a pose that was taken; none
-    /// where the model can't be had with it.
-    pub fn start(
-        &mut self,
-        stand: &Stand,
-        output: &Output,
-        load: &Load,
-        influences: &[Influence],
-        side: f64,
-    ) -> Option<Start> {
-        if !self.deviate(stand, influences, side) {
-            return None;
-        }
-        let lacking = self.lack(load);
-        let nominal = self.value(stand, output, 0.0);
-        let mut step = std::mem::take(&mut self.space.step);
-        self.driven.answer(&self.space.right, &mut step);
-        let start = Start {
-            q: stand.q.iter().zip(&step).map(|(q, d)| q + d).collect(),
-            extremes: self.extremes.clone(),
-            nominal,
-            deviation: self.value(stand, output, 1.0) - nominal + lacking,
-            size: self.driven.system.scaled_norm(&step),
-        };
-        self.space.step = step;
-        Some(start)
-    }
-
     /// Sets `space.right` to what the equations lack, −(φ + e), and says what that is worth to the output.
-    fn lack(&mut self, load: &Load) -> f64 {
+    pub fn lack(&mut self, load: &Load) -> f64 {
         let rows = self.driven.evaluation.phi.iter().zip(&self.rows);
         let mut lacking = 0.0;
         for ((right, (phi, gap)), l) in self.space.right.iter_mut().zip(rows).zip(&load.lambda) {
@@ -112,62 +81,69 @@ impl Mechanism<'_> {
         lacking
     }
 
-    /// The farthest deviation of the output to a side (±1) that the corrections from the nominal position find; none where
-    /// they do not settle. The factors are those of the pose.
+    /// The farthest deviation of the output to a side that the corrections find in a search that was begun; none where they do
+    /// not settle. The factors are those of the pose, with the load and the influences there.
     pub fn farthest(
         &mut self,
         stand: &Stand,
         output: &Output,
-        load: &Load,
-        (side, start): (f64, Start),
+        nominal: (&Load, &[Influence]),
+        search: &mut Search,
+    ) -> Option<Farthest> {
+        std::mem::swap(&mut self.chosen, &mut search.chosen);
+        let found = self.settle(stand, output, nominal, search);
+        std::mem::swap(&mut self.chosen, &mut search.chosen);
+        found
+    }
+
+    fn settle(
+        &mut self,
+        stand: &Stand,
+        output: &Output,
+        nominal: (&Load, &[Influence]),
+        search: &mut Search,
     ) -> Option<Farthest> {
         let system = self.driven.system;
         let unit = if output.is_angle() { 1.0 } else { system.size };
-        let round_off = ROUND_OFF * unit;
-        let Start {
-            mut q,
-            extremes,
-            nominal,
-            deviation,
-            mut size,
-        } = start;
-        self.extremes = extremes;
-        if !self.step_parameters() {
-            return None;
-        }
-        let mut load = load.clone();
-        let (mut slow, mut is_kept, mut gained) = (0, false, 0.0);
-        self.turns.fill(Turn::default());
+        let Search { is_led, far, .. } = *search;
+        let (still, round_off) = (if is_led { LED } else { STILL }, ROUND_OFF * unit);
+        let worth = [WORTH, STILL].map(|part| part * search.deviation.abs());
+        let began = search.q.clone();
+        let (mut slow, mut is_kept, mut gained) = (0, false, f64::INFINITY);
+        let (mut size, mut is_moved) = (if is_led { f64::INFINITY } else { far }, false);
         for pass in 1..MOST_PASSES {
-            self.take(&q, stand);
-            self.rebalance(stand, output, &mut load);
-            // What has hardly an influence may flicker from side to side; then all keep theirs.
-            let mut gain = 0.0;
-            if !is_kept {
-                gain = self.press(stand, output, &load, (side, WORTH * deviation.abs()))?;
-            }
+            self.take(&search.q, stand);
             self.place(stand);
+            let leant = self.rebalance(stand, output, &mut search.load);
+            // What has hardly an influence may flicker from side to side; then all keep theirs.
+            let mut gain = Gain::default();
+            if !is_kept {
+                gain = self.press(stand, output, &search.load, (search.side, worth))?;
+            }
+            is_moved |= gain.ended > 0.0;
             self.gap(stand);
-            let lacking = self.lack(&load);
-            let now = self.value(stand, output, 1.0) - nominal + lacking;
+            let lacking = self.lack(&search.load);
+            let now = self.value(stand, output, 1.0) - search.nominal + lacking;
             if !now.is_finite() {
                 return None;
             }
             // What is read lacks the square of the step that is left, and what other deviations would gain next.
             let shrunk = self.step();
-            let gains = gain * (gain / gained).min(1.0);
-            let left = gains.max(CURVED * shrunk * shrunk * unit);
-            let is_done = pass > 1 && left <= STILL * now.abs() + round_off;
+            let turned = CURVED * gain.smooth * far * far;
+            let ended = gain.ended * (gain.ended / gained).min(1.0);
+            let lacks = CURVED * unit * shrunk * (shrunk + leant * far);
+            let is_done = turned.max(ended).max(lacks) <= still * now.abs() + round_off;
             if is_done || (shrunk <= STALLED && shrunk > 0.3 * size) {
+                let q = search.q.clone();
+                self.keep(stand, nominal, (&began, is_moved), search);
                 return Some(Farthest {
                     deviation: now,
                     q,
                     needed: Vec::new(),
                 });
             }
-            q.iter_mut()
-                .zip(&self.space.step)
-                .for_each(|(q, d)| *q += d);
+            let step = search.q.iter_mut().zip(&self.space.step);
+            step.for_each(|(q, d)| *q += d);
             slow = if shrunk > SLOW * size { slow + 1 } else { 0 };
             if slow > 2 && is_kept {
                 return None;
@@ -175,21 +151,29 @@ impl Mechanism<'_> {
             if slow > 2 || (pass == MOST_PASSES / 3 && !is_kept) {
                 (is_kept, slow) = (true, 0);
             }
-            (gained, size) = (gain, shrunk);
+            (gained, size) = (gain.ended, shrunk);
         }
         None
     }
 
-    /// Corrects λ at the position taken, with the points where the deviations before put them.
-    fn rebalance(&mut self, stand: &Stand, output: &Output, load: &mut Load) {
-        self.place(stand);
+    /// Corrects λ at the position taken, with the points where the deviations before put them. The largest correction in parts of
+    /// the largest, both as moments or forces on the mechanism's size.
+    fn rebalance(&mut self, stand: &Stand, output: &Output, load: &mut Load) -> f64 {
         self.unbalance(stand, output, load);
         let Space {
             pull, correction, ..
         } = &mut self.space;
         self.driven.multipliers(pull, correction);
-        let lambda = load.lambda.iter_mut();
-        lambda.zip(correction).for_each(|(l, more)| *l += *more);
+        let system = self.driven.system;
+        let (mut most, mut largest) = (0.0_f64, 0.0_f64);
+        let lambda = load.lambda.iter_mut().zip(correction).enumerate();
+        for (row, (l, more)) in lambda {
+            *l += *more;
+            let scale = system.row_scale(row);
+            most = most.max((*l * scale).abs());
+            largest = largest.max((*more * scale).abs());
+        }
+        if most > 0.0 { largest / most } else { 0.0 }
     }
 
     /// The next correction, in `space.step`, and its size.
@@ -200,32 +184,52 @@ impl Mechanism<'_> {
     }
 
     /// Sets the e that carry the output farthest to a side, from the influences at the position taken, but for changes that are
-    /// not worth it. What they gain; none where the model can't be had with them.
+    /// not worth it, and places the points. What they gain; none where the model can't be had with them.
     fn press(
         &mut self,
         stand: &Stand,
         output: &Output,
         load: &Load,
-        (side, worth): (f64, f64),
-    ) -> Option<f64> {
+        (side, [worth, still]): (f64, [f64; 2]),
+    ) -> Option<Gain> {
         let mut influences = std::mem::take(&mut self.space.influences);
         self.influences(stand, output, load, &mut influences);
-        let mut gain = 0.0;
-        let each = self.extremes.iter_mut().zip(&mut self.turns);
-        for (((e, turn), play), g) in each.zip(self.plays).zip(&influences) {
+        let (mut gain, mut steps, mut is_off) = (Gain::default(), false, false);
+        let Chosen {
+            extremes, turns, ..
+        } = &mut self.chosen;
+        let each = extremes.iter_mut().zip(turns).zip(self.plays);
+        for (((e, turn), play), g) in each.zip(&influences) {
             let end = play.extreme(*g, side);
-            let next = match play.ends() {
+            let gained =
+                |next: Influence| (g[0] * (next[0] - e[0]) + g[1] * (next[1] - e[1])).abs();
+            match play.ends() {
                 Some(ends) => {
+                    let is_parameter = matches!(play, Play::Parameter { .. });
                     let bends = matches!(play, Play::Parameter { bends: true, .. });
                     let ends = (!bends).then_some(ends);
-                    [turn.next([e[0], g[0]], end[0], ends, worth), 0.0]
+                    let worth = if turn.is_bent() { still } else { worth };
+                    let next = [turn.next([e[0], g[0]], end[0], ends, worth), 0.0];
+                    steps |= is_parameter && next != *e;
+                    gain.ended += gained(next);
+                    *e = next;
                 }
-                None => end,
-            };
-            gain += g[0] * (next[0] - e[0]) + g[1] * (next[1] - e[1]);
-            *e = next;
+                // What has no influence has no direction, either.
+                None if gained(end) <= still => {}
+                None => {
+                    is_off |= matches!(play, Play::Zone { .. });
+                    gain.smooth += gained(end);
+                    *e = end;
+                }
+            }
         }
         self.space.influences = influences;
-        self.step_parameters().then_some(gain.abs())
+        if steps && !self.step_parameters() {
+            return None;
+        }
+        if steps || is_off {
+            self.place(stand);
+        }
+        Some(gain)
     }
 }
