@@ -4,6 +4,7 @@
 mod breaks;
 mod curves;
 mod driven;
+mod sequence;
 mod sparse;
 mod stiff;
 

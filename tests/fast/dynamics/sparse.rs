@@ -16,7 +16,7 @@ const SAME: f64 = 1e-6;
 /// The same where contacts multiply what differs.
 const SAME_WITH_CONTACTS: f64 = 1e-4;
 
-fn solved(json: &Value, accelerations: &str, solver: &Value) -> Outcome {
+pub(super) fn solved(json: &Value, accelerations: &str, solver: &Value) -> Outcome {
     let mut json = json.clone();
     json["analysis"]["solver"] = solver.clone();
     json["analysis"]["solver"]["accelerations"] = json!(accelerations);
@@ -28,7 +28,7 @@ fn solved(json: &Value, accelerations: &str, solver: &Value) -> Outcome {
 }
 
 /// Largest difference of any column, by the largest value of its unit, and whether all bits are the same.
-fn difference(one: &Outcome, other: &Outcome) -> (f64, bool) {
+pub(super) fn difference(one: &Outcome, other: &Outcome) -> (f64, bool) {
     let columns = &one.trajectory.columns;
     let mut largest: HashMap<&str, f64> = HashMap::new();
     for row in one.trajectory.rows() {

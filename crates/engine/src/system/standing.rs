@@ -125,6 +125,19 @@ impl Standing {
         others.then_some(column)
     }
 
+    /// Where a block bends with two columns that move.
+    pub fn bends(&self, system: &System, block: &Block) -> Vec<[usize; 2]> {
+        let moving = |(body, axis)| {
+            let column = system.layout.column(body, axis)?;
+            (!self.columns[column]).then_some(column)
+        };
+        let bends = block.constraint.bends();
+        let pairs = bends
+            .iter()
+            .filter_map(|[a, b]| Some([moving(*a)?, moving(*b)?]));
+        pairs.collect()
+    }
+
     /// The columns that move, ascending.
     pub fn moving(&self) -> Vec<u32> {
         let columns = self.columns.iter().zip(0..);

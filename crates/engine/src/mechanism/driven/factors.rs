@@ -1,7 +1,7 @@
 //! J, its factors, and what they tell.
 
 use super::{Driven, Failure};
-use crate::system::Inputs;
+use crate::system::{Inputs, Standing};
 
 impl Driven<'_> {
     pub(super) fn scatter(&mut self) {
@@ -13,6 +13,18 @@ impl Driven<'_> {
         {
             self.values[slot as usize] = value * scale;
         }
+    }
+
+    /// J, by the scales of its columns and rows.
+    pub(in crate::mechanism) fn scaled_entries(&self) -> impl Iterator<Item = f64> {
+        let entries = self.evaluation.jacobian.iter().zip(self.scales());
+        entries.map(|(value, scale)| value * scale)
+    }
+
+    /// What the active rows hold, by J at a position that satisfies them.
+    pub(in crate::mechanism) fn standing(&self) -> Standing {
+        let scaled: Vec<f64> = self.scaled_entries().collect();
+        Standing::of(self.system, self.active_rows(), &scaled)
     }
 
     /// J and its factors at the position last taken.

@@ -285,6 +285,14 @@ impl<'s> Driven<'s> {
         })
     }
 
+    /// Prescribes values and velocities of the independent coordinates.
+    pub(super) fn give(&mut self, values: &[f64], rates: &[f64]) {
+        let given = values.iter().zip(rates);
+        for (coordinate, (value, rate)) in self.independent.iter_mut().zip(given) {
+            coordinate.jet = [*value, *rate, 0.0];
+        }
+    }
+
     /// Right-hand sides of the independent coordinates' rows.
     fn independent_rows(&mut self, mut value: impl FnMut(&Independent) -> f64) {
         for (row, coordinate) in self.rows[self.system.m()..]

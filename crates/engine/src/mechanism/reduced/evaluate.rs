@@ -66,6 +66,19 @@ impl Reduced<'_> {
         self.at = None;
         self.inputs.set_time(system, time);
         let (u, rates) = y[..2 * f].split_at(f);
+        if !self.solve_in_sequence(u, rates)? {
+            self.solve_on_chart(time, u, rates)?;
+        }
+        self.driven
+            .evaluation
+            .eval_force(system, &self.inputs, &mut self.force);
+        self.accelerate()?;
+        self.at = Some(time);
+        Ok(())
+    }
+
+    /// q and v from where positions come from, with the factors there.
+    fn solve_on_chart(&mut self, time: f64, u: &[f64], rates: &[f64]) -> Result<(), Failure> {
         let given = Given {
             time,
             u,
@@ -79,20 +92,14 @@ impl Reduced<'_> {
         if let Some(q) = stages.and_then(|stages| stages.position_at(time)) {
             self.q.copy_from_slice(q);
         }
-        let given = u.iter().zip(rates);
-        for (coordinate, (u, rate)) in self.driven.independent.iter_mut().zip(given) {
-            coordinate.jet = [*u, *rate, 0.0];
-        }
+        self.driven.give(u, rates);
         self.placed = placed;
         match placed {
-            Placed::Guess | Placed::Close | Placed::Straight => self.solve_constraints(rates)?,
+            Placed::Guess | Placed::Close | Placed::Straight | Placed::InSequence => {
+                self.solve_constraints(rates)?;
+            }
             Placed::Known | Placed::Smooth => self.take_branch(rates[0]),
         }
-        self.driven
-            .evaluation
-            .eval_force(system, &self.inputs, &mut self.force);
-        self.accelerate()?;
-        self.at = Some(time);
         Ok(())
     }
 

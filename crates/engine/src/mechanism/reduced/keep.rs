@@ -23,8 +23,11 @@ impl Reduced<'_> {
         }
     }
 
-    fn keep_factors(&mut self) {
-        if let Inertia::Sparse(sparse) = &mut self.inertia {
+    /// What says how coordinates follow beside the point at hand.
+    fn keep_motions(&mut self) {
+        if let Some(sequence) = self.sequence.as_mut().filter(|own| own.is_of(&self.driven)) {
+            sequence.keep(&self.driven);
+        } else if let Inertia::Sparse(sparse) = &mut self.inertia {
             sparse.keep(&self.driven);
         }
     }
@@ -32,18 +35,19 @@ impl Reduced<'_> {
     /// Keeps the point at hand.
     pub(super) fn keep(&mut self, time: f64) {
         let point = [&self.q[..], &self.v, &self.a];
-        // A curve that comes round has no ends beyond which positions would be predicted.
-        let predicts = !self.chart.curve().is_some_and(Curve::comes_round);
+        // A curve that comes round has no ends beyond which positions would be predicted, and what is said needs no prediction.
+        let is_said = self.sequence.is_some();
+        let predicts = !is_said && !self.chart.curve().is_some_and(Curve::comes_round);
         let tangents = self.inertia.known_tangents();
         self.accepted.keep(time, point, tangents, predicts);
         // On straight constraints motions are those of any point.
         if self.placed != Placed::Straight {
-            self.keep_factors();
+            self.keep_motions();
         }
         if matches!(self.placed, Placed::Guess | Placed::Close) && self.driven.is_redundant() {
             // Where that fails, the next evaluation chooses rows anew.
             let _ = self.driven.exchange_rows();
-            self.keep_factors();
+            self.keep_motions();
         }
         self.keep_stages();
     }

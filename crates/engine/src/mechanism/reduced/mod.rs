@@ -37,6 +37,7 @@ mod nearest;
 mod place;
 mod profile;
 mod saddle;
+mod sequence;
 mod sparse;
 mod stages;
 mod straight;
@@ -60,6 +61,7 @@ use extrapolation::Extrapolation;
 use inertia::Inertia;
 pub use inertia::Solver;
 use place::{Place, Placed};
+use sequence::Sequence;
 use stages::Stages;
 
 /// A mechanism with freedom left.
@@ -89,6 +91,8 @@ pub struct Reduced<'s> {
     at: Option<f64>,
     /// Where positions come from.
     chart: Chart<'s>,
+    /// The dependent coordinates one after the other, where they follow so.
+    sequence: Option<Box<Sequence>>,
     /// What is known of the point at hand.
     placed: Placed,
     /// Evaluations make the equations' factors, even where the curve is known: multipliers depend on each other or on contacts, or
@@ -155,6 +159,7 @@ impl<'s> Reduced<'s> {
             accepted: Accepted::new(time, q, v),
             at: None,
             chart,
+            sequence: None,
             placed: Placed::Guess,
             with_factors: wants_factors(system),
             is_told: false,
@@ -318,6 +323,7 @@ impl<'s> Reduced<'s> {
             columns[k] = column;
             self.driven.choose(&columns, &self.inputs)?;
         }
+        self.find_sequence();
         let mut state = vec![0.0; 2 * self.freedom()];
         self.state(&mut state);
         self.evaluate(time, &state)?;
@@ -347,7 +353,7 @@ impl<'s> Reduced<'s> {
         let Inertia::Sparse(sparse) = &mut self.inertia else {
             return Ok(better_coordinate(&self.driven, &self.accepted.tangents).is_some());
         };
-        if !sparse.may_be_better(&mut self.driven) {
+        if !sparse.may_be_better(&mut self.driven, self.sequence.as_deref()) {
             return Ok(false);
         }
         self.at = None;

@@ -27,7 +27,7 @@ impl Reduced<'_> {
         self.tell();
         if matches!(
             self.placed,
-            Placed::Known | Placed::Smooth | Placed::Straight
+            Placed::Known | Placed::Smooth | Placed::Straight | Placed::InSequence
         ) {
             let ready = self.driven.prepare(&self.q, &self.inputs).is_ok()
                 && self.driven.factor(&self.inputs).is_ok();
@@ -35,7 +35,7 @@ impl Reduced<'_> {
                 lambda.fill(f64::NAN);
                 return;
             }
-            if matches!(self.placed, Placed::Known | Placed::Straight) {
+            if self.placed != Placed::Smooth {
                 self.placed = Placed::Close;
             }
         }

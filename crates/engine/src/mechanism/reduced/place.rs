@@ -32,6 +32,8 @@ pub(super) enum Placed {
     Smooth,
     /// On constraints that are linear in what moves; the constraints have no factors there.
     Straight,
+    /// On constraints that say the dependent coordinates one after the other; the same.
+    InSequence,
 }
 
 /// Where positions come from.

@@ -22,6 +22,7 @@
 
 mod entries;
 
+use super::sequence::Sequence;
 use super::straight::Straight;
 use crate::mechanism::driven::Driven;
 use crate::system::{Inputs, Slopes, Standing};
@@ -87,9 +88,11 @@ pub(super) struct Saddle {
     motions: Vec<f64>,
 }
 
-/// What says how columns follow the independent coordinates: factors of J_A at the accepted point, or rows that do not bend.
+/// What says how columns follow the independent coordinates: factors of J_A at the accepted point, rows that say them one after the
+/// other there, or rows that do not bend.
 pub(super) enum By<'a> {
     Factors(&'a mut SparseLu),
+    Sequence(&'a Sequence),
     Straight(&'a mut Straight),
 }
 
@@ -102,13 +105,12 @@ impl By<'_> {
         motions: &mut [[f64; K]],
     ) {
         match self {
-            By::Straight(straight) => straight.follow(rates, motions),
-            By::Factors(factors) => {
-                driven.follow(factors, rates, motions);
-                for (place, column) in moving.iter().enumerate() {
-                    motions[place] = motions[*column as usize];
-                }
-            }
+            By::Straight(straight) => return straight.follow(rates, motions),
+            By::Factors(factors) => driven.follow(factors, rates, motions),
+            By::Sequence(sequence) => sequence.follow(driven, rates, motions),
+        }
+        for (place, column) in moving.iter().enumerate() {
+            motions[place] = motions[*column as usize];
         }
     }
 }

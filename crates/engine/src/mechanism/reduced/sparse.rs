@@ -10,6 +10,7 @@
 //! Where all that moves has mass, M is eliminated first (`nearest`).
 
 use super::nearest::Nearest;
+use super::sequence::Sequence;
 use crate::mechanism::driven::{Driven, Failure};
 use crate::mechanism::independent::EXCHANGE;
 use crate::system::Inputs;
@@ -256,7 +257,7 @@ impl Sparse {
     }
 
     /// Whether a coordinate may move more than twice as much as an independent one that determines it, at the accepted point.
-    pub fn may_be_better(&mut self, driven: &mut Driven) -> bool {
+    pub fn may_be_better(&mut self, driven: &mut Driven, sequence: Option<&Sequence>) -> bool {
         let Probe {
             motion,
             signs,
@@ -268,14 +269,17 @@ impl Sparse {
             .kept
             .as_mut()
             .filter(|kept| is_current && kept.is_factored());
-        let Some(kept) = kept else { return true };
         let toss = || {
             *signs = signs
                 .wrapping_mul(6_364_136_223_846_793_005)
                 .wrapping_add(1_442_695_040_888_963_407);
             *signs >> 63 == 0
         };
-        driven.spread(kept, toss, motion);
+        match (sequence.filter(|own| own.is_of(driven)), kept) {
+            (Some(sequence), _) => sequence.spread(driven, toss, motion),
+            (None, Some(kept)) => driven.spread(kept, toss, motion),
+            (None, None) => return true,
+        }
         *most = driven.system.scaled_norm(motion);
         *most > f64::max(PROBED * EXCHANGE, 2.0 * *calm)
     }

@@ -11,10 +11,10 @@ use super::Reduced;
 use super::inertia::Inertia;
 use super::place::Placed;
 use super::saddle::{By, Saddle};
+use super::sequence::Sequence;
 use super::sparse::Sparse;
 use super::straight::Straight;
 use crate::mechanism::driven::{Driven, Failure};
-use crate::system::Standing;
 
 /// Most stages of a method.
 const STAGES: usize = 7;
@@ -46,9 +46,7 @@ struct Matrices {
 impl Matrices {
     /// Of a mechanism with J at a position that satisfies its constraints.
     fn of(driven: &Driven) -> Self {
-        let scaled = driven.evaluation.jacobian.iter().zip(driven.scales());
-        let scaled: Vec<f64> = scaled.map(|(value, scale)| value * scale).collect();
-        let standing = Standing::of(driven.system, driven.active_rows(), &scaled);
+        let standing = driven.standing();
         Matrices {
             revision: driven.revision(),
             saddle: Saddle::of(driven, &standing),
@@ -60,12 +58,14 @@ impl Matrices {
     fn parts<'a>(
         &'a mut self,
         driven: &Driven,
-        inertia: &'a mut Inertia,
+        (inertia, sequence): (&'a mut Inertia, Option<&'a Sequence>),
     ) -> Option<(&'a mut Saddle, By<'a>)> {
-        let by = match (&mut self.straight, inertia) {
-            (Some(straight), _) => By::Straight(straight),
-            (None, Inertia::Sparse(sparse)) => By::Factors(sparse.kept(driven)?),
-            (None, Inertia::Tangents(_)) => return None,
+        let sequence = sequence.filter(|own| own.is_of(driven));
+        let by = match (&mut self.straight, sequence, inertia) {
+            (Some(straight), ..) => By::Straight(straight),
+            (None, Some(sequence), _) => By::Sequence(sequence),
+            (None, None, Inertia::Sparse(sparse)) => By::Factors(sparse.kept(driven)?),
+            (None, None, Inertia::Tangents(_)) => return None,
         };
         Some((&mut self.saddle, by))
     }
@@ -172,7 +172,7 @@ impl Reduced<'_> {
 
     /// Overwrites b (2 f) with the x of (s − J) x = b, of the real s; NaN where that is not known.
     pub fn solve_shifted(&mut self, b: &mut [f64]) {
-        let (driven, inertia) = (&self.driven, &mut self.inertia);
+        let (driven, inertia) = (&self.driven, (&mut self.inertia, self.sequence.as_deref()));
         let matrices = matrices(&mut self.stages);
         match matrices.and_then(|matrices| matrices.parts(driven, inertia)) {
             Some((saddle, by)) => saddle.solve(driven, by, b),
@@ -182,7 +182,7 @@ impl Reduced<'_> {
 
     /// The same of a complex s.
     pub fn solve_shifted_complex(&mut self, number: usize, [re, im]: [&mut [f64]; 2]) {
-        let (driven, inertia) = (&self.driven, &mut self.inertia);
+        let (driven, inertia) = (&self.driven, (&mut self.inertia, self.sequence.as_deref()));
         let matrices = matrices(&mut self.stages);
         match matrices.and_then(|matrices| matrices.parts(driven, inertia)) {
             Some((saddle, by)) => saddle.solve_complex(driven, by, number, [re, im]),
