@@ -6,10 +6,10 @@
 //! ```
 //!
 //! A matrix of rows has as many rows as constraints, which are fewer than the coordinates and the constraints together, it is
-//! symmetric, and no pivot has to be chosen: minimum degree says in which order to eliminate, and both the products of B's entries and
-//! those of the elimination are lists that are gone through once, as in `lu`. What is lost is accuracy, since B Bᵀ has the square of
-//! B's condition. So one correction is made where c is not met (Björck, Stability analysis of the method of seminormal equations,
-//! 1987), and rows of which almost nothing is left after the others are said to be weak.
+//! symmetric, and no pivot has to be chosen: minimum degree says in which order to eliminate, and both the products of B's entries,
+//! column by column, and those of the elimination are lists that are gone through once, as in `lu`. What is lost is accuracy, since
+//! B Bᵀ has the square of B's condition. So one correction is made where c is not met (Björck, Stability analysis of the method of
+//! seminormal equations, 1987), and rows of which almost nothing is left after the others are said to be weak.
 //!
 //! Checked against the sparse LU of the whole in `gram/tests.rs`.
 
@@ -31,12 +31,12 @@ pub struct Weak;
 /// Factors of B Bᵀ.
 #[derive(Debug, Clone)]
 pub struct Gram {
-    /// Row, in the order of elimination, and column of each entry of B.
+    /// Row, in the order of elimination, and column of each entry of B; its values, and how many each column has.
     places: Vec<[u32; 2]>,
-    /// Its values.
     values: Vec<f64>,
-    /// Pairs of entries of a column of B, and where their product goes.
-    products: Vec<[u32; 3]>,
+    columns: Vec<u32>,
+    /// Where products of two entries of a column go: for each entry, that with itself and those with the entries behind it.
+    products: Vec<u32>,
     /// Position of each row in the order of elimination.
     position: Vec<u32>,
     /// Entries below the diagonal of each column of L.
@@ -55,13 +55,24 @@ pub struct Gram {
 }
 
 impl Gram {
-    /// Of B (rows, columns) with entries at these places, each once.
-    pub fn new(rows: usize, places: &[[u32; 2]]) -> Self {
-        let pairs = pairs(places);
-        let row = |entry: u32| places[entry as usize][0] as usize;
-        let entries: Vec<_> = pairs
-            .iter()
-            .flat_map(|&[a, b]| [(row(a), row(b)), (row(b), row(a))])
+    /// Of B (rows, columns) with entries at these places, each once, by columns.
+    ///
+    /// # Panics
+    /// When entries do not stand by columns.
+    pub fn new([rows, columns]: [usize; 2], places: &[[u32; 2]]) -> Self {
+        assert!(
+            places.is_sorted_by_key(|place| place[1]),
+            "entries stand by columns"
+        );
+        let pairs = || {
+            let columns = places.chunk_by(|a, b| a[1] == b[1]);
+            columns.flat_map(|own| {
+                let first = own.iter().enumerate();
+                first.flat_map(|(k, a)| own[k..].iter().map(|b| [a[0] as usize, b[0] as usize]))
+            })
+        };
+        let entries: Vec<_> = pairs()
+            .flat_map(|[a, b]| [(a, b), (b, a)])
             .chain((0..rows).map(|row| (row, row)))
             .collect();
         let (pattern, _) = square(rows, &entries);
@@ -70,8 +81,8 @@ impl Gram {
         for (step, &row) in order.columns().iter().enumerate() {
             position[row as usize] = step as u32;
         }
-        let columns = order.columns().iter();
-        let below = columns.enumerate().map(|(step, &column)| {
+        let steps = order.columns().iter().enumerate();
+        let below = steps.map(|(step, &column)| {
             let rows = pattern.column(column as usize).iter();
             let rows = rows.map(|&row| position[row as usize]);
             rows.filter(|row| *row as usize > step).collect()
@@ -88,10 +99,8 @@ impl Gram {
             let above = below[column as usize].partition_point(|own| *own < row) as u32;
             begin[column as usize] + if row == column { 0 } else { 1 + above }
         };
-        let products = pairs.iter().map(|&[a, b]| {
-            let [one, other] = [a, b].map(|entry| position[row(entry)]);
-            [a, b, place(one, other)]
-        });
+        let products = pairs().map(|[a, b]| place(position[a], position[b]));
+        let products = products.collect();
         let mut targets = Vec::new();
         let mut lower_places = Vec::new();
         for (column, own) in below.iter().enumerate() {
@@ -102,12 +111,17 @@ impl Gram {
                 lower_places.push([other, column as u32]);
             }
         }
+        let mut lengths = vec![0; columns];
+        for [_, column] in places {
+            lengths[*column as usize] += 1;
+        }
         let own = places.iter();
         let own = own.map(|&[row, column]| [position[row as usize], column]);
         Gram {
             places: own.collect(),
             values: vec![0.0; places.len()],
-            products: products.collect(),
+            columns: lengths,
+            products,
             position,
             lengths: below.iter().map(|column| column.len() as u32).collect(),
             work: vec![0.0; end as usize],
@@ -119,7 +133,7 @@ impl Gram {
         }
     }
 
-    /// The entries of B, to be written before [`Gram::factor`].
+    /// The entries of B in the order of their places, to be written before [`Gram::factor`].
     pub fn values_mut(&mut self) -> &mut [f64] {
         &mut self.values
     }
@@ -129,10 +143,7 @@ impl Gram {
     /// # Errors
     /// [`Weak`], also where an entry is not finite; there are no factors then.
     pub fn factor(&mut self) -> Result<(), Weak> {
-        self.work.fill(0.0);
-        for &[a, b, target] in &self.products {
-            self.work[target as usize] += self.values[a as usize] * self.values[b as usize];
-        }
+        self.multiply();
         // What rows are by themselves, before others are taken from them.
         let mut begin = 0;
         for (own, length) in self.right.iter_mut().zip(&self.lengths) {
@@ -166,6 +177,25 @@ impl Gram {
         if is_weak { Err(Weak) } else { Ok(()) }
     }
 
+    /// B Bᵀ, to be eliminated.
+    fn multiply(&mut self) {
+        self.work.fill(0.0);
+        let (mut values, mut targets) = (self.values.as_slice(), self.products.as_slice());
+        let x = self.work.as_mut_slice();
+        for &length in &self.columns {
+            let (own, places);
+            (own, values) = values.split_at(length as usize);
+            (places, targets) = targets.split_at(own.len() * (own.len() + 1) / 2);
+            // As of L: pins have two entries in a place, and four in an angle.
+            match own.len() {
+                1 => multiply::<1>(own, places, x),
+                2 => multiply::<2>(own, places, x),
+                4 => multiply::<4>(own, places, x),
+                _ => multiply_many(own, places, x),
+            }
+        }
+    }
+
     /// Takes z₀ (columns) to the z nearest to it with B z = c (rows).
     pub fn project(&mut self, z: &mut [f64], c: &[f64]) {
         let off = self.residual(z, c);
@@ -180,8 +210,9 @@ impl Gram {
         for (c, &at) in c.iter().zip(&self.position) {
             self.right[at as usize] = -c;
         }
+        let right = self.right.as_mut_slice();
         for (&[row, column], value) in self.places.iter().zip(&self.values) {
-            self.right[row as usize] += value * z[column as usize];
+            right[row as usize] += value * z[column as usize];
         }
         let right = self.right.iter();
         right.map(|right| right.abs()).fold(
@@ -194,7 +225,7 @@ impl Gram {
 
     /// z −= Bᵀ λ, with λ of the right-hand side.
     fn shift(&mut self, z: &mut [f64]) {
-        let y = &mut self.right;
+        let y = self.right.as_mut_slice();
         for (l, &[row, column]) in self.lower.iter().zip(&self.lower_places) {
             y[row as usize] -= l * y[column as usize];
         }
@@ -205,9 +236,27 @@ impl Gram {
             y[column as usize] -= l * y[row as usize];
         }
         for (&[row, column], value) in self.places.iter().zip(&self.values) {
-            z[column as usize] -= value * self.right[row as usize];
+            z[column as usize] -= value * y[row as usize];
         }
     }
+}
+
+/// Adds the products of a column of B with itself.
+#[inline(always)]
+fn multiply_many(own: &[f64], places: &[u32], x: &mut [f64]) {
+    let mut begin = 0;
+    for (index, value) in own.iter().enumerate() {
+        let behind = &own[index..];
+        for (other, &target) in behind.iter().zip(&places[begin..][..behind.len()]) {
+            x[target as usize] += value * other;
+        }
+        begin += behind.len();
+    }
+}
+
+/// The same of N entries.
+fn multiply<const N: usize>(own: &[f64], places: &[u32], x: &mut [f64]) {
+    multiply_many(&own[..N], &places[..N * (N + 1) / 2], x);
 }
 
 /// A column of L, where its products go, and what is behind the column.
@@ -231,20 +280,6 @@ fn eliminate_many(below: &[f64], inverse: f64, (kept, places, x): Column) {
 fn eliminate<const N: usize>(below: &[f64], inverse: f64, (kept, places, x): Column) {
     let places = &places[..N * (N + 1) / 2];
     eliminate_many(&below[..N], inverse, (&mut kept[..N], places, x));
-}
-
-/// Pairs of entries in the same column, each with itself too.
-fn pairs(places: &[[u32; 2]]) -> Vec<[u32; 2]> {
-    let mut by_column: Vec<u32> = (0..places.len() as u32).collect();
-    by_column.sort_by_key(|entry| places[*entry as usize][1]);
-    let same = |a: &u32, b: &u32| places[*a as usize][1] == places[*b as usize][1];
-    let mut pairs = Vec::new();
-    for column in by_column.chunk_by(same) {
-        for (index, &a) in column.iter().enumerate() {
-            pairs.extend(column[index..].iter().map(|&b| [a, b]));
-        }
-    }
-    pairs
 }
 
 /// Rows of the columns of L from those of the matrix, both in the order of elimination and ascending: a column hands what it has below

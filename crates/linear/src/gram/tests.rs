@@ -2,16 +2,15 @@ use super::*;
 use crate::linkage::{self, Matrix, Random};
 use nalgebra::{DMatrix, DVector};
 
-fn places(matrix: &Matrix) -> Vec<[u32; 2]> {
-    let entries = matrix.entries.iter();
-    entries
-        .map(|&(row, column, _)| [row as u32, column as u32])
-        .collect()
-}
-
 fn gram(matrix: &Matrix) -> Gram {
-    let mut gram = Gram::new(matrix.rows, &places(matrix));
-    let values = gram.values_mut().iter_mut().zip(&matrix.entries);
+    let mut entries = matrix.entries.clone();
+    entries.sort_by_key(|(_, column, _)| *column);
+    let places = entries.iter();
+    let places: Vec<_> = places
+        .map(|&(row, column, _)| [row as u32, column as u32])
+        .collect();
+    let mut gram = Gram::new([matrix.rows, matrix.columns], &places);
+    let values = gram.values_mut().iter_mut().zip(&entries);
     values.for_each(|(to, entry)| *to = entry.2);
     gram
 }
@@ -85,7 +84,7 @@ fn what_is_not_finite_is_weak_and_nothing_is_projected_to_itself() {
         entries,
     };
     assert!(gram(&matrix).factor().is_err());
-    let mut none = Gram::new(0, &[]);
+    let mut none = Gram::new([0, 2], &[]);
     none.factor().expect("no rows");
     let mut z = [1.0, 2.0];
     none.project(&mut z, &[]);

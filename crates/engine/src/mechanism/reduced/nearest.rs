@@ -37,15 +37,17 @@ impl Nearest {
         let roots: Vec<f64> = masses.iter().map(|m| 1.0 / m.sqrt()).collect();
         let scales = rows.iter().map(|row| 1.0 / system.row_scale(*row as usize));
         let scales: Vec<f64> = scales.collect();
-        let (mut places, mut entries) = (Vec::new(), Vec::new());
+        let mut own = Vec::new();
         for (owner, entry) in system.entries.iter().enumerate() {
             if let (Some(column), Ok(row)) = (entry.column(), rows.binary_search(&entry.row)) {
-                places.push([row as u32, column]);
-                entries.push((owner as u32, scales[row] * roots[column as usize]));
+                let weight = scales[row] * roots[column as usize];
+                own.push(([row as u32, column], (owner as u32, weight)));
             }
         }
+        own.sort_by_key(|([_, column], _)| *column);
+        let (places, entries): (Vec<_>, Vec<_>) = own.into_iter().unzip();
         Some(Nearest {
-            gram: Gram::new(rows.len(), &places),
+            gram: Gram::new([rows.len(), roots.len()], &places),
             entries,
             z: vec![0.0; roots.len()],
             c: vec![0.0; rows.len()],
