@@ -209,6 +209,9 @@ impl<'s> Reduced<'s> {
     /// Takes the change points of these parts by their smooth branches.
     pub fn cross(&mut self, parts: &'s [Part], phases: &'s Phases<'s>) {
         let parts = (!parts.is_empty()).then(|| Parts::new(parts, phases));
+        if parts.is_some() {
+            self.sequence = None;
+        }
         self.chart.exchange_bridge(parts);
     }
 

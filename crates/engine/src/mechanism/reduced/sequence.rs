@@ -310,11 +310,12 @@ impl Order {
 }
 
 impl Reduced<'_> {
-    /// Looks for an order of the choice at hand, at the position of the last Jacobian; of few coordinates tangents are at hand.
+    /// Looks for an order of the choice at hand, at the position of the last Jacobian. Of few coordinates tangents are at hand, and
+    /// where there is a bridge rows change on the way.
     pub(super) fn find_sequence(&mut self) {
         let order = match self.inertia {
-            Inertia::Sparse(_) => Sequence::of(&self.driven),
-            Inertia::Tangents(_) => None,
+            Inertia::Sparse(_) if self.chart.bridge().is_none() => Sequence::of(&self.driven),
+            Inertia::Sparse(_) | Inertia::Tangents(_) => None,
         };
         self.sequence = order.map(Box::new);
     }
