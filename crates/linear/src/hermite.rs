@@ -237,11 +237,25 @@ impl<const K: usize> Sums<'_, K> {
 const ABREAST: usize = 256;
 
 /// As [`osculate`], to the last bit, for many coordinates: node by node.
-pub fn osculate_abreast<const K: usize>(nodes: [&Node; K], s: f64, [q, d, dd]: [&mut [f64]; 3]) {
-    let at = nodes.map(|node| node.s);
+///
+/// On a curve that repeats itself nodes may stand for those of other turns: node j counts at `at[j]`, so many `turns` on from its own
+/// place. What is given back is by what q, q′ and q″ grow where a turn adds 1 to a coordinate; nothing of that is in them yet.
+pub fn osculate_abreast<const K: usize>(
+    nodes: [&Node; K],
+    (at, turns): ([f64; K], [f64; K]),
+    s: f64,
+    [q, d, dd]: [&mut [f64]; 3],
+) -> [f64; 3] {
     let nearest = (0..K).min_by(|&i, &j| (at[i] - s).abs().total_cmp(&(at[j] - s).abs()));
-    let base = &nodes[nearest.unwrap_or(0)].q[..];
+    let nearest = nearest.unwrap_or(0);
+    let base = &nodes[nearest].q[..];
     let weights = weights(&at, s);
+    let mut grown = weights[0].map(|of| {
+        let own = turns.iter().zip(&of);
+        own.map(|(turns_on, weight)| (turns_on - turns[nearest]) * weight)
+            .sum::<f64>()
+    });
+    grown[0] += turns[nearest];
     // By node: what its q, q′ and q″ are multiplied by.
     let weights: [[Jet<f64>; 3]; K] =
         std::array::from_fn(|j| std::array::from_fn(|kind| weights[kind].map(|of| of[j])));
@@ -258,6 +272,7 @@ pub fn osculate_abreast<const K: usize>(nodes: [&Node; K], s: f64, [q, d, dd]: [
         }
         q.iter_mut().zip(base).for_each(|(q, base)| *q += base);
     }
+    grown
 }
 
 /// Adds what a node weighs. By itself, so that it is known that what it writes is nothing that it reads.

@@ -127,12 +127,53 @@ fn coordinates_abreast_are_those_one_by_one() {
         Node { s, q, d, dd }
     });
     let nodes: [&Node; 6] = std::array::from_fn(|k| &nodes[k]);
-    let made = |of: fn([&Node; 6], f64, [&mut [f64]; 3])| {
+    let made = |of: &dyn Fn([&mut [f64]; 3])| {
         let [mut q, mut d, mut dd] = [[0.0; 11]; 3];
-        of(nodes, 0.9, [&mut q, &mut d, &mut dd]);
+        of([&mut q, &mut d, &mut dd]);
         [q, d, dd].map(|values| values.map(f64::to_bits))
     };
-    assert_eq!(made(osculate_abreast), made(osculate));
+    let own = (nodes.map(|node| node.s), [0.0; 6]);
+    let abreast = made(&|to| assert_eq!(osculate_abreast(nodes, own, 0.9, to), [0.0; 3]));
+    assert_eq!(abreast, made(&|to| osculate(nodes, 0.9, to)));
+}
+
+/// A wheel that turns three times while the parameter turns once, and what goes to and fro.
+#[test]
+fn nodes_stand_for_those_of_other_turns() {
+    let turn = std::f64::consts::TAU;
+    let nodes: [Node; 6] = std::array::from_fn(|k| {
+        let s = turn / 6.0 * k as f64;
+        Node {
+            s,
+            q: vec![3.0 * s + s.sin(), s.cos()],
+            d: vec![3.0 + s.cos(), -s.sin()],
+            dd: vec![-s.sin(), -s.cos()],
+        }
+    });
+    for (first, s) in [(0, 2.6), (2, 5.0), (3, 6.1), (-3, -0.2), (-9, -6.4)] {
+        let around: [i32; 6] = std::array::from_fn(|j| first + j as i32);
+        let turns = around.map(|k| f64::from(k.div_euclid(6)));
+        let around = around.map(|k| &nodes[k.rem_euclid(6) as usize]);
+        let at = std::array::from_fn(|j| around[j].s + turn * turns[j]);
+        let [mut q, mut d, mut dd] = [[0.0; 2]; 3];
+        let grown = osculate_abreast(around, (at, turns), s, [&mut q, &mut d, &mut dd]);
+        let shift = 3.0 * turn;
+        let got = [
+            q[0] + shift * grown[0],
+            d[0] + shift * grown[1],
+            dd[0] + shift * grown[2],
+        ];
+        let want = [3.0 * s + s.sin(), 3.0 + s.cos(), -s.sin()];
+        for (got, want) in got.iter().zip(want) {
+            assert!((got - want).abs() < 1e-12, "{s}: {got} {want}");
+        }
+        for (got, want) in [q[1], d[1], dd[1]]
+            .iter()
+            .zip([s.cos(), -s.sin(), -s.cos()])
+        {
+            assert!((got - want).abs() < 1e-12, "{s}: {got} {want}");
+        }
+    }
 }
 
 #[test]

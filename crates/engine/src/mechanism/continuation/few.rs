@@ -4,18 +4,22 @@
 //! of degree 17 through six nodes spans gaps of a radian where that of degree 11 through four spans a third of one, and nodes that
 //! are farther apart amplify each other's round-off less, beside change points above all. Which may be left out they tell themselves:
 //! each must be missed by the polynomial through those that stay by no more than the round-off of the nodes. The smooth branches
-//! across change points are points of that polynomial, too, and need none of their own.
+//! across change points are points of that polynomial, too, and need none of their own. On a path that repeats itself those of one turn
+//! stand for all: at its ends the nodes around a gap are those of the other end, a turn on.
 
 use super::path::Path;
+use super::turn::Turn;
 use crate::system::System;
 use linkdyn_linear::hermite::{Node, Osculating, osculate_abreast};
+use std::f64::consts::TAU;
+use std::ops::Range;
 
 /// Coordinates from which on nodes are left out: those of a turn take a megabyte, more than stays near a processor.
 const LARGE: usize = 1000;
 /// Nodes around a gap that tell what is in it.
 pub(super) const WIDE: usize = 6;
 /// Width of gaps that is tried first, by the parameter's unit.
-const GAP: f64 = 1.0;
+const GAP: f64 = 1.05;
 /// Rounds in which gaps are halved, before all nodes of a gap are taken back.
 const HALVED: usize = 3;
 /// What is left out may be missed by this [rad or sizes].
@@ -35,21 +39,27 @@ impl Path {
             return;
         }
         // Of a turn nothing is wanted beyond its ends.
-        let all = match self.turn {
-            Some((centre, _)) => self.of_turn(centre, 1),
+        let all = match &self.turn {
+            Some(turn) => self.of_turn_once(turn.centre),
             None => 0..self.nodes.len(),
         };
         if all.len() <= 2 * WIDE {
             return;
         }
-        let errors = &self.errors[all.start..all.end - 1];
+        let mut errors = self.errors[all.start..all.end - 1].to_vec();
+        if self.turn.is_some() {
+            // Of the gap between its ends, which is narrower than those that the march made there.
+            let beside = [errors[0], errors[errors.len() - 1]];
+            errors.push(beside[0].max(beside[1]));
+        }
         let [q, d, dd] = std::array::from_fn(|_| vec![0.0; system.n()]);
         let mut few = Few {
             system,
             unit,
+            turn: self.turn.as_ref(),
             all: &self.nodes[all.clone()],
-            errors,
-            missed: KNOWN.max(ROUND_OFF * median(errors)),
+            missed: KNOWN.max(ROUND_OFF * median(&errors)),
+            errors: &errors,
             known: Vec::new(),
             room: [q, d, dd],
         };
@@ -83,6 +93,20 @@ impl Path {
     }
 }
 
+impl Path {
+    /// The nodes of a turn around `centre`, none of which stands where another one does a turn on.
+    fn of_turn_once(&self, centre: f64) -> Range<usize> {
+        let mut all = self.of_turn(centre, 0);
+        let nodes = &self.nodes[all.clone()];
+        if let [first, .., last] = nodes
+            && first.s + TAU - last.s < 0.5 * TAU / nodes.len() as f64
+        {
+            all.end -= 1;
+        }
+        all
+    }
+}
+
 /// The median of what is finite, of a list that has such; else zero.
 fn median(values: &[f64]) -> f64 {
     let finite = values.iter().copied().filter(|value| value.is_finite());
@@ -91,22 +115,60 @@ fn median(values: &[f64]) -> f64 {
     finite.get(finite.len() / 2).copied().unwrap_or(0.0)
 }
 
-/// The first of the six nodes around the gap before node `k` of `count`; at the ends they are those of the end.
-pub(super) fn first_around(k: usize, count: usize) -> usize {
-    k.saturating_sub(WIDE / 2).min(count - WIDE)
+/// A node by its place in a list, and how many turns on from its own place it counts.
+pub(super) type Moved = (usize, i32);
+
+/// The six nodes around the gap before node `k` of `count`. At the ends they are those of the end; where the list comes round, those of
+/// the other end.
+pub(super) fn around(k: usize, count: usize, comes_round: bool) -> [Moved; WIDE] {
+    if comes_round {
+        let (first, count) = (k as i32 - WIDE as i32 / 2, count as i32);
+        let place = |j| first + j as i32;
+        return std::array::from_fn(|j| {
+            let (index, turns) = (place(j).rem_euclid(count), place(j).div_euclid(count));
+            (index as usize, turns)
+        });
+    }
+    let first = k.saturating_sub(WIDE / 2).min(count - WIDE);
+    std::array::from_fn(|j| (first + j, 0))
 }
+
+/// The polynomial through six nodes, of a path that repeats itself where there is a turn.
+pub(super) fn osculate_six(
+    nodes: &[Node],
+    six: [Moved; WIDE],
+    turn: Option<&Turn>,
+    s: f64,
+    [q, d, dd]: [&mut [f64]; 3],
+) {
+    let turns = six.map(|(_, turns)| f64::from(turns));
+    let own = six.map(|(index, _)| &nodes[index]);
+    let at = std::array::from_fn(|j| own[j].s + turns[j] * TAU);
+    let grown = osculate_abreast(own, (at, turns), s, [&mut *q, &mut *d, &mut *dd]);
+    if let Some(turn) = turn
+        && turns != [0.0; WIDE]
+    {
+        let each = [q, d, dd].into_iter().zip(grown);
+        each.for_each(|(to, grown)| turn.add(grown, to));
+    }
+}
+
+/// A gap: its first node, and the nodes around it.
+type Gap = (usize, [Moved; WIDE]);
 
 /// Which nodes stay, while that is tried.
 struct Few<'a> {
     system: &'a System,
     unit: f64,
+    /// Where the path repeats itself, and all are those of a turn.
+    turn: Option<&'a Turn>,
     /// All of them, and what the gaps behind them were told to be off by.
     all: &'a [Node],
     errors: &'a [f64],
     /// By how much nodes that are left out may be missed [rad or sizes].
     missed: f64,
-    /// By how much nodes in gaps are missed: the gap's first node, the nodes around it, the largest miss.
-    known: Vec<(usize, [usize; WIDE], f64)>,
+    /// By how much nodes in gaps are missed, at most.
+    known: Vec<(Gap, f64)>,
     room: [Vec<f64>; 3],
 }
 
@@ -125,22 +187,30 @@ impl Few<'_> {
         kept
     }
 
-    /// Nodes that are about as far apart as the gaps that are tried first, both ends, and six at least.
+    /// Nodes that are about as far apart as the gaps that are tried first, both ends where there are such, and six at least.
     fn spaced(&self) -> Vec<usize> {
         let last = self.all.len() - 1;
-        let [from, to] = [self.all[0].s, self.all[last].s];
-        let gaps = ((to - from) / (GAP * self.unit))
-            .ceil()
-            .max(WIDE as f64 - 1.0);
+        let from = self.all[0].s;
+        let length = match self.turn {
+            Some(_) => TAU,
+            None => self.all[last].s - from,
+        };
+        let least = match self.turn {
+            Some(_) => WIDE,
+            None => WIDE - 1,
+        };
+        let gaps = (length / (GAP * self.unit)).ceil().max(least as f64);
         let mut kept = vec![0];
         for gap in 1..gaps as usize {
-            let s = from + (to - from) * gap as f64 / gaps;
+            let s = from + length * gap as f64 / gaps;
             let after = self.all.partition_point(|node| node.s < s).min(last);
             let before = after.saturating_sub(1);
             let is_nearer = s - self.all[before].s < self.all[after].s - s;
             kept.push(if is_nearer { before } else { after });
         }
-        kept.push(last);
+        if self.turn.is_none() {
+            kept.push(last);
+        }
         kept.sort_unstable();
         kept.dedup();
         // Of nodes that stand unevenly some were the nearest of two places.
@@ -156,16 +226,24 @@ impl Few<'_> {
     }
 
     /// The nodes that those in the gap before `kept[k]` are told by.
-    fn around(kept: &[usize], k: usize) -> [usize; WIDE] {
-        let first = first_around(k, kept.len());
-        std::array::from_fn(|j| kept[first + j])
+    fn around(&self, kept: &[usize], k: usize) -> [Moved; WIDE] {
+        let six = around(k, kept.len(), self.turn.is_some());
+        six.map(|(place, turns)| (kept[place], turns))
+    }
+
+    /// The gaps between nodes that stay: numbers of the nodes that end them, and where they begin and end. One that comes round ends
+    /// behind the last node.
+    fn gaps(&self, kept: &[usize]) -> impl Iterator<Item = (usize, Range<usize>)> + use<> {
+        let round = self.turn.map(|_| kept[0] + self.all.len());
+        let ends = kept[1..].iter().copied().chain(round);
+        let gaps: Vec<_> = kept.iter().zip(ends).map(|(a, b)| *a..b).collect();
+        (1..).zip(gaps)
     }
 
     /// By how much the polynomial through some nodes misses a point, in q and by the parameter's unit in q′ and q″ [rad or sizes].
-    fn miss(&mut self, around: [usize; WIDE], s: f64, wanted: [&[f64]; 3]) -> f64 {
+    fn miss(&mut self, six: [Moved; WIDE], s: f64, wanted: [&[f64]; 3]) -> f64 {
         let [q, d, dd] = &mut self.room;
-        let nodes = around.map(|index| &self.all[index]);
-        osculate_abreast(nodes, s, [q, d, dd]);
+        osculate_six(self.all, six, self.turn, s, [q, d, dd]);
         let powers = [1.0, self.unit, self.unit * self.unit];
         let mut largest = 0.0_f64;
         for ((found, wanted), power) in self.room.iter_mut().zip(wanted).zip(powers) {
@@ -178,18 +256,19 @@ impl Few<'_> {
 
     /// Nodes that are missed by too much: the middle one of each gap that has such, or all of it in a late round.
     fn wanted_back(&mut self, kept: &[usize], round: usize) -> Vec<usize> {
-        let mut back = Vec::new();
-        for k in 1..kept.len() {
-            let (around, gap) = (Few::around(kept, k), kept[k - 1]..kept[k]);
-            let is_new =
-                |known: &(usize, [usize; WIDE], f64)| (known.0, known.1) != (gap.start, around);
-            if !self.known.iter().all(is_new) || gap.len() < 2 {
+        let (mut back, count) = (Vec::new(), self.all.len());
+        for (k, gap) in self.gaps(kept) {
+            let own = (gap.start, self.around(kept, k));
+            if self.known.iter().any(|(known, _)| *known == own) || gap.len() < 2 {
                 continue;
             }
+            // What comes round stands at the list's beginning.
+            let round_on = self.around(kept, k - k / kept.len() * kept.len());
             let (mut largest, mut is_told) = (0.0_f64, true);
             for index in gap.start + 1..gap.end {
-                let node = &self.all[index];
-                let miss = self.miss(around, node.s, [&node.q, &node.d, &node.dd]);
+                let node = &self.all[index % count];
+                let six = if index < count { own.1 } else { round_on };
+                let miss = self.miss(six, node.s, [&node.q, &node.d, &node.dd]);
                 largest = largest.max(miss);
                 is_told &= miss <= self.missed;
                 if !is_told {
@@ -197,9 +276,9 @@ impl Few<'_> {
                 }
             }
             match (is_told, round < HALVED) {
-                (true, _) => self.known.push((gap.start, around, largest)),
-                (false, true) => back.push(gap.start + gap.len() / 2),
-                (false, false) => back.extend(gap.start + 1..gap.end),
+                (true, _) => self.known.push((own, largest)),
+                (false, true) => back.push((gap.start + gap.len() / 2) % count),
+                (false, false) => back.extend((gap.start + 1..gap.end).map(|k| k % count)),
             }
         }
         back
@@ -207,16 +286,15 @@ impl Few<'_> {
 
     /// What the gaps between nodes that stay are off by: where nothing was left out, what was not known before.
     fn errors_of(&self, kept: &[usize]) -> Vec<f64> {
-        let error = |k: usize| {
-            let (around, start) = (Few::around(kept, k), kept[k - 1]);
-            let own = |known: &&(usize, [usize; WIDE], f64)| (known.0, known.1) == (start, around);
-            let known = self.known.iter().find(own);
+        let error = |(k, gap): (usize, Range<usize>)| {
+            let own = (gap.start, self.around(kept, k));
+            let known = self.known.iter().find(|(known, _)| *known == own);
             // Round-off is told as it was.
-            known.map_or(self.errors[start], |(.., miss)| {
+            known.map_or(self.errors[gap.start], |(_, miss)| {
                 (BETWEEN * miss).min(KNOWN).max(miss / ROUND_OFF)
             })
         };
-        (1..kept.len()).map(error).collect()
+        self.gaps(kept).map(error).collect()
     }
 
     /// Whether the nodes that stay tell the branch of a window about `s`.
@@ -225,10 +303,14 @@ impl Few<'_> {
         let [mut q, mut d, mut dd] = std::array::from_fn(|_| vec![0.0; n]);
         PLACES.iter().all(|place| {
             let s = s + place * radius;
-            let k = kept.partition_point(|index| self.all[*index].s <= s);
-            let around = Few::around(kept, k.clamp(1, kept.len() - 1));
+            let after = kept.partition_point(|index| self.all[*index].s <= s);
+            let k = match self.turn {
+                Some(_) => after,
+                None => after.clamp(1, kept.len() - 1),
+            };
+            let six = self.around(kept, k);
             branch.eval(s, &mut q, &mut d, &mut dd);
-            self.miss(around, s, [&q, &d, &dd]) <= self.missed
+            self.miss(six, s, [&q, &d, &dd]) <= self.missed
         })
     }
 }

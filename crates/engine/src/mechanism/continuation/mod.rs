@@ -18,9 +18,11 @@ mod dead_centre;
 mod few;
 mod known;
 mod path;
+mod turn;
 mod walk;
 
-pub use path::{Branch, HALF_TURN, Path, Source, Window};
+pub use path::{Branch, Path, Source, Window};
+pub use turn::HALF_TURN;
 
 use super::driven::{Driven, Failure};
 use crate::system::{Inputs, System};

@@ -1,20 +1,13 @@
 //! What was followed: nodes, windows around change points, and the turn that repeats itself.
 
-use super::few::{WIDE, first_around};
+use super::few::{WIDE, around, osculate_six};
+use super::turn::Turn;
 use super::{End, Parameter, SingularPosition};
-use crate::system::System;
-use linkdyn_linear::hermite::{Node, Osculating, osculate, osculate_abreast, quintic};
+use linkdyn_linear::hermite::{Node, Osculating, osculate, quintic};
 use std::f64::consts::TAU;
-use std::ops::Range;
 use std::sync::atomic::AtomicUsize;
 use std::sync::atomic::Ordering::Relaxed;
 
-/// Half a turn and a little more: how far a path must be followed to both sides to know whether it comes round.
-pub const HALF_TURN: f64 = 1.05 * std::f64::consts::PI;
-/// A turn that misses the position by less than this (rad, sizes) closes the path: round-off of its prediction.
-const CLOSES: f64 = 1e-7;
-/// Nodes on each side of a gap that tell what is in it.
-const AROUND: usize = 2;
 /// More turns than anybody reads the events of.
 const MOST_TURNS: i64 = 1000;
 
@@ -43,13 +36,14 @@ pub struct Path {
     pub(super) last: AtomicUsize,
     /// Where it is no more than this, q, q′ and q″ count as known.
     pub(crate) tolerance: f64,
-    /// Nodes are few, and six of them tell what is between them.
+    /// Nodes are few, and six of them tell what is between them. Where the path repeats itself, the first ones follow on the last, and
+    /// there is an error of the gap between them.
     pub(super) is_wide: bool,
     pub(super) windows: Vec<Window>,
     /// Singular positions on the stretch that was followed, by s.
     pub(super) singular: Vec<SingularPosition>,
-    /// Where the path repeats itself: centre of the stretch that stands for all, and what a turn adds to q (n).
-    pub(crate) turn: Option<(f64, Vec<f64>)>,
+    /// Where the path repeats itself.
+    pub(crate) turn: Option<Turn>,
     /// How it ended below.
     pub(crate) low: End,
     /// How it ended above.
@@ -100,71 +94,17 @@ pub enum Source {
 impl Path {
     /// q, and q′, q″ where they are known or on a bridged stretch, at `s`; none outside what the path covers.
     pub fn guess(&self, s: f64, q: &mut [f64], d: &mut [f64], dd: &mut [f64]) -> Option<Source> {
-        let Some((centre, shift)) = &self.turn else {
+        let Some(turn) = &self.turn else {
             return self.guess_followed(s, q, d, dd);
         };
-        let off = s - centre;
+        let off = s - turn.centre;
         if off.abs() < 0.5 * TAU {
             return self.guess_followed(s, q, d, dd);
         }
         let turns = (off / TAU).round();
         let source = self.guess_followed(s - turns * TAU, q, d, dd)?;
-        q.iter_mut()
-            .zip(shift)
-            .for_each(|(q, shift)| *q += turns * shift);
+        turn.add(turns, q);
         Some(source)
-    }
-
-    /// Takes the stretch of a turn around `centre` for all turns, if the parameter is an angle that comes round: after a
-    /// whole turn every body is back in its place. Whether it is so.
-    pub(crate) fn close_turn(&mut self, system: &System, centre: f64) -> bool {
-        let n = system.n();
-        let (mut from, mut to) = (vec![0.0; n], vec![0.0; n]);
-        let (mut d, mut dd) = (vec![0.0; n], vec![0.0; n]);
-        let ends = [
-            (centre - 0.5 * TAU, &mut from),
-            (centre + 0.5 * TAU, &mut to),
-        ];
-        if ends
-            .into_iter()
-            .any(|(s, q)| self.guess_followed(s, q, &mut d, &mut dd).is_none())
-        {
-            return false;
-        }
-        let mut shift = Vec::with_capacity(n);
-        for (column, (to, from)) in to.iter().zip(&from).enumerate() {
-            let whole = if system.layout.is_angle(column) {
-                ((to - from) / TAU).round() * TAU
-            } else {
-                0.0
-            };
-            if ((to - from - whole) / system.column_scale(column)).abs() > CLOSES {
-                return false;
-            }
-            shift.push(whole);
-        }
-        self.turn = Some((centre, shift));
-        if self.parameter == Parameter::Coordinate {
-            self.keep_turn(centre);
-        }
-        true
-    }
-
-    /// Leaves out the nodes that no point of a turn around `centre` needs.
-    fn keep_turn(&mut self, centre: f64) {
-        let kept = self.of_turn(centre, AROUND);
-        self.nodes.truncate(kept.end);
-        self.nodes.drain(..kept.start);
-        self.errors.truncate(kept.end - 1);
-        self.errors.drain(..kept.start);
-    }
-
-    /// The nodes of a turn around `centre`, with so many beyond each end.
-    pub(super) fn of_turn(&self, centre: f64, around: usize) -> Range<usize> {
-        let nodes = &self.nodes;
-        let first = nodes.partition_point(|node| node.s < centre - 0.5 * TAU);
-        let last = nodes.partition_point(|node| node.s <= centre + 0.5 * TAU);
-        first.saturating_sub(around)..(last + around).min(nodes.len())
     }
 
     /// Singular positions in [low, high], by s; of a path that repeats itself, those of every turn.
@@ -173,7 +113,7 @@ impl Path {
         for position in &self.singular {
             let turns = match &self.turn {
                 None => 0..=0,
-                Some((centre, _)) if (position.s - centre).abs() > 0.5 * TAU => continue,
+                Some(turn) if (position.s - turn.centre).abs() > 0.5 * TAU => continue,
                 Some(_) => {
                     let (first, last) = (
                         ((low - position.s) / TAU).ceil(),
@@ -203,7 +143,7 @@ impl Path {
         low: f64,
         high: f64,
     ) -> impl Iterator<Item = (usize, f64)> {
-        let centre = self.turn.as_ref().map(|(centre, _)| *centre);
+        let centre = self.turn.as_ref().map(|turn| turn.centre);
         let windows = self.windows.iter().enumerate();
         // Of a turn that stands for all each is there once.
         let own = windows.filter(move |(_, window)| {
@@ -270,10 +210,10 @@ impl Path {
         }
         let k = self.gap(s);
         if self.is_wide {
-            let first = first_around(k, self.nodes.len());
-            let around: [&Node; WIDE] = std::array::from_fn(|j| &self.nodes[first + j]);
-            osculate_abreast(around, s, [q, d, dd]);
-            let is_known = self.errors[k - 1] <= self.tolerance;
+            let (count, turn) = (self.nodes.len(), self.turn.as_ref());
+            let six = around(k, count, turn.is_some());
+            osculate_six(&self.nodes, six, turn, s, [q, d, dd]);
+            let is_known = self.errors[(k + count - 1) % count] <= self.tolerance;
             return Some(if is_known {
                 Source::Known
             } else {
@@ -293,7 +233,13 @@ impl Path {
         Some(Source::Regular)
     }
 
-    /// The node that ends the gap that holds `s`. An integrator's points mostly lie in the gap of the one before.
+    /// The nodes tell all of a turn, as they stand for those of others.
+    fn comes_round(&self) -> Option<&Turn> {
+        self.turn.as_ref().filter(|_| self.is_wide)
+    }
+
+    /// The node that ends the gap that holds `s`; one for the end of the list where the path comes round. An integrator's points
+    /// mostly lie in the gap of the one before.
     fn gap(&self, s: f64) -> usize {
         let last = self.last.load(Relaxed);
         if let Some([from, to]) = self.nodes.get(last.wrapping_sub(1)..=last)
@@ -302,14 +248,20 @@ impl Path {
             return last;
         }
         let after = self.nodes.partition_point(|node| node.s <= s);
-        let gap = after.clamp(1, self.nodes.len() - 1);
+        let gap = match self.comes_round() {
+            Some(_) => after,
+            None => after.clamp(1, self.nodes.len() - 1),
+        };
         self.last.store(gap, Relaxed);
         gap
     }
 
     /// The stretch that was followed.
     pub(crate) fn covered(&self) -> (f64, f64) {
-        (self.nodes[0].s, self.nodes[self.nodes.len() - 1].s)
+        match self.comes_round() {
+            Some(turn) => (turn.centre - 0.5 * TAU, turn.centre + 0.5 * TAU),
+            None => (self.nodes[0].s, self.nodes[self.nodes.len() - 1].s),
+        }
     }
 
     /// The positions at both of its ends.
@@ -318,15 +270,6 @@ impl Path {
             .into_iter()
             .flatten()
             .map(|node| &node.q[..])
-    }
-
-    /// `s` on the turn that stands for all, where the path repeats itself.
-    pub(crate) fn within_turn(&self, s: f64) -> f64 {
-        match &self.turn {
-            Some((centre, _)) if (s - centre).abs() < 0.5 * TAU => s,
-            Some((centre, _)) => s - ((s - centre) / TAU).round() * TAU,
-            None => s,
-        }
     }
 
     /// The window that `s` is in.
@@ -346,15 +289,29 @@ impl Path {
     /// The smooth branch across the change point of a window.
     pub(crate) fn branch(&self, window: usize) -> Branch {
         let Window { s, branch, .. } = &self.windows[window];
+        let turn = self.turn.as_ref();
         let osculating = branch.clone().unwrap_or_else(|| {
             let after = self.nodes.partition_point(|node| node.s <= *s);
-            let first = first_around(after, self.nodes.len());
-            Osculating::new(&self.nodes[first..first + WIDE], *s)
+            let six = around(after, self.nodes.len(), turn.is_some());
+            let nodes: [Node; WIDE] = six.map(|(index, turns)| {
+                let mut node = self.nodes[index].clone();
+                node.s += f64::from(turns) * TAU;
+                if let Some(turn) = turn {
+                    turn.add(f64::from(turns), &mut node.q);
+                }
+                node
+            });
+            Osculating::new(&nodes, *s)
+        });
+        let shift = turn.map(|turn| {
+            let mut shift = vec![0.0; self.nodes[0].q.len()];
+            turn.add(1.0, &mut shift);
+            shift
         });
         Branch {
             s: *s,
             osculating,
-            shift: self.turn.as_ref().map(|(_, shift)| shift.clone()),
+            shift,
         }
     }
 
