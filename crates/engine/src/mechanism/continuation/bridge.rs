@@ -2,7 +2,7 @@
 
 use super::path::{Path, Window};
 use super::walk::Walker;
-use super::{SingularKind, SingularPosition};
+use super::{Parameter, SingularKind, SingularPosition};
 use linkdyn_linear::hermite::{Node, Osculating, interpolate};
 
 /// Half width of the window around a change point, in steps of the path there.
@@ -62,14 +62,16 @@ impl Path {
         self.singular.push(SingularPosition {
             kind: SingularKind::ChangePoint,
             s: centre,
-            self_stress: vec![1.0; walker.driven.system.m()],
+            self_stress: Vec::new(),
         });
-        if let Some(window) = self.window(walker, centre, width) {
-            if let Some(self_stress) = window.self_stress(walker) {
-                self.singular[here].self_stress = self_stress;
-            }
-            self.windows.push(window);
+        let window = self.window(walker, centre, width);
+        // Nobody asks for that of an independent coordinate's path.
+        if self.parameter != Parameter::Coordinate {
+            let own = window.as_ref().and_then(|own| own.self_stress(walker));
+            let any = || vec![1.0; walker.driven.system.m()];
+            self.singular[here].self_stress = own.unwrap_or_else(any);
         }
+        self.windows.extend(window);
     }
 
     /// The root of the test function in the gap from `a` to `b`, and the function's size at the window's edge; none where its

@@ -103,7 +103,7 @@ pub struct SingularPosition {
     pub kind: SingularKind,
     /// Its parameter.
     pub s: f64,
-    /// Left null vector over all rows (m): the self-stress whose multipliers have no bound there. Empty at the dead centre of
+    /// Left null vector over all rows (m): the self-stress whose multipliers have no bound there. Empty on the path of
     /// an independent coordinate, or where it is not known.
     pub self_stress: Vec<f64>,
 }
