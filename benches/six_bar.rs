@@ -211,7 +211,7 @@ fn error_of_instants(table: &Table, system: &System, driven: &mut Driven, path: 
             .iter()
             .position(|joint| owner == format!("joint.{}", joint.name))
         {
-            let row = system.blocks[joint].row;
+            let row = system.blocks[joint].row();
             return match quantity {
                 "fx" => Some(sample.lambda[row]),
                 "fy" => Some(sample.lambda[row + 1]),

@@ -363,10 +363,10 @@ fn a_large_mechanism_fits_into_little_memory() {
         most / bodies
     );
     assert!(
-        (of_system + of_solver) / bodies < 1850,
+        (of_system + of_solver) / bodies < 1700,
         "{of_system} {of_solver}"
     );
     // A node more or less, by round-off, is 72 B.
-    assert!(all / bodies < 2600, "{all}");
+    assert!(all / bodies < 2400, "{all}");
     assert!(most / bodies < 7100, "{most}");
 }

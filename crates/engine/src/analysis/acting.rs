@@ -56,7 +56,7 @@ pub(super) fn is_unasked(system: &System, column: &Column) -> bool {
 }
 
 fn of_joint(joint: &JointData, contents: Contents) -> impl Iterator<Item = RelativeQuantity> {
-    let (turns, slides) = match joint.role {
+    let (turns, slides) = match joint.role() {
         JointRole::Revolute | JointRole::Bushing => (true, false),
         JointRole::Prismatic { .. } => (false, true),
         JointRole::Slot { .. } => (true, true),
@@ -247,10 +247,11 @@ fn relative(
         second: data.bodies()[1],
     };
     let slide = || {
+        let [first, second] = data.points();
         Some(Measured::Along {
-            first: data.points[0],
-            second: data.points[1],
-            axis: data.role.axis()?,
+            first,
+            second,
+            axis: data.role().axis()?,
         })
     };
     let force = |quantity| columns.find(Channel::Joint(joint, quantity));

@@ -100,7 +100,7 @@ pub(super) fn beside(
     (q, direction): (&[f64], &[f64]),
     inputs: &Inputs,
 ) -> Option<Vec<f64>> {
-    let blocks: Vec<&Block> = system.blocks.iter().filter(|b| b.row < rows).collect();
+    let blocks: Vec<&Block> = system.blocks.iter().filter(|b| b.row() < rows).collect();
     let largest = linkdyn_linear::math::max_abs(direction);
     MOVES.into_iter().find_map(|size| {
         let mut guess = q.to_vec();

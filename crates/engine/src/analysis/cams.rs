@@ -61,7 +61,7 @@ impl Watch {
                 seen.pressure = [pressure, here, at.time];
             }
             let Some(lambda) = lambda else { continue };
-            let force = lambda[system.blocks[joint].row];
+            let force = lambda[system.blocks[joint].row()];
             if !force.is_finite() {
                 continue;
             }

@@ -312,7 +312,7 @@ impl Contents {
 
     fn of_joint(self, joint: &JointData) -> impl Iterator<Item = JointQuantity> {
         let forces = FORCES.into_iter().filter(move |_| self.reactions);
-        let torque = (self.reactions && joint.torque).then_some(JointQuantity::Torque);
+        let torque = (self.reactions && joint.torque()).then_some(JointQuantity::Torque);
         // At rest there is no friction.
         let has_friction = self.reactions && self.velocities && joint.extras().friction.is_some();
         let friction = has_friction.then_some(JointQuantity::Friction);
@@ -378,7 +378,7 @@ fn joint_unit(quantity: JointQuantity, joint: &JointData) -> &'static str {
         | JointQuantity::ContactY => "m",
         JointQuantity::Curvature => "1/m",
         JointQuantity::PressureAngle => "rad",
-        JointQuantity::Stop => match joint.role.axis() {
+        JointQuantity::Stop => match joint.role().axis() {
             Some(_) => "N",
             None => "N*m",
         },

@@ -76,7 +76,7 @@ impl ClearanceLinks {
     /// Directions from the multipliers; a force that is zero or does not exist leaves its link as it is.
     fn aim(&mut self, system: &System, lambda: &[f64]) {
         for (psi, &(joint, _)) in self.psi.iter_mut().zip(&self.joints) {
-            let row = system.blocks[joint].row;
+            let row = system.blocks[joint].row();
             let (fx, fy) = (lambda[row], lambda[row + 1]);
             if fx.hypot(fy) > 0.0 {
                 *psi = (-fy).atan2(-fx);

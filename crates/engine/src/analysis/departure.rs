@@ -292,7 +292,7 @@ fn away(
     inputs: &Inputs,
 ) -> Option<Vec<f64>> {
     let mut here = beside(system, rows, (q, direction), inputs)?;
-    let blocks: Vec<&Block> = system.blocks.iter().filter(|b| b.row < rows).collect();
+    let blocks: Vec<&Block> = system.blocks.iter().filter(|b| b.row() < rows).collect();
     let apart = |a: &[f64], b: &[f64]| {
         let between: Vec<f64> = a.iter().zip(b).map(|(a, b)| a - b).collect();
         system.scaled_norm(&between)

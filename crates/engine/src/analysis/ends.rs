@@ -204,16 +204,17 @@ impl Pin {
     fn all(system: &System) -> Vec<Pin> {
         let joints = system.joints.iter().enumerate();
         let pins = joints.filter_map(|(joint, data)| {
-            let (Some(drawn), JointRole::Slot { axis }) = (&data.extras().drawn, &data.role) else {
+            let (Some(drawn), JointRole::Slot { axis }) = (&data.extras().drawn, data.role())
+            else {
                 return None;
             };
-            let [first, second] = data.points;
+            let [first, second] = data.points();
             Some(Pin {
                 joint,
                 slide: Measured::Along {
                     first,
                     second,
-                    axis: *axis,
+                    axis,
                 },
                 drawn: **drawn,
                 within: false,

@@ -47,7 +47,7 @@ type Rod = (usize, [usize; 2]);
 /// What lies in a line, from the rows of a self-stress: `"coupler" and "rocker" are in line`; none where that is not it.
 pub fn in_line(system: &System, rows: &[usize]) -> Option<String> {
     let is_stressed = |block: &&Block| {
-        let mut own = block.row..block.row + block.rows;
+        let mut own = block.rows();
         own.any(|row| rows.contains(&row))
     };
     let stressed: Vec<&Block> = system.blocks.iter().filter(is_stressed).collect();
@@ -56,7 +56,7 @@ pub fn in_line(system: &System, rows: &[usize]) -> Option<String> {
     for body in 1..=system.bodies.len() {
         if let [first, second] = holding(&stressed, body)[..] {
             match (holds(system, first), holds(system, second)) {
-                (Holds::Pin, Holds::Pin) => rods.push((body, [first.row, second.row])),
+                (Holds::Pin, Holds::Pin) => rods.push((body, [first.row(), second.row()])),
                 (Holds::Pin, Holds::Guide) => sliders.push([first, second]),
                 (Holds::Guide, Holds::Pin) => sliders.push([second, first]),
                 (Holds::Guide, Holds::Guide) => {
@@ -86,7 +86,7 @@ fn holding<'s>(stressed: &[&'s Block], body: usize) -> Vec<&'s Block> {
 /// How a block holds its bodies.
 fn holds(system: &System, block: &Block) -> Holds {
     match block.origin {
-        Origin::Joint(id) => match (block.rows, system.joints[id.0].torque) {
+        Origin::Joint(id) => match (block.rows().len(), system.joints[id.0].torque()) {
             (2, false) => Holds::Pin,
             (1, false) | (2, true) => Holds::Guide,
             _ => Holds::Otherwise,
@@ -123,7 +123,7 @@ fn lines(system: &System, rods: &[Rod], sliders: &[[&Block; 2]]) -> Vec<String> 
                 lines.push(format!("{} and {last} are in line", others.join(", ")));
             }
             told.extend(bodies);
-        } else if let Some([_, guide]) = sliders.iter().find(|[pin, _]| pins.contains(&pin.row)) {
+        } else if let Some([_, guide]) = sliders.iter().find(|[pin, _]| pins.contains(&pin.row())) {
             let rod = &system.bodies[first - 1].name;
             lines.push(format!(
                 "\"{rod}\" stands square to the guide \"{}\"",

@@ -137,7 +137,7 @@ impl Leaning<'_> {
             let pair = &self.whole.contacts[id.0];
             if let Some(yielding) = Yielding::of(pair) {
                 let [first, second] = match (pair.stop(), self.whole.owner_of(*id)) {
-                    (None, Owner::Joint(joint)) => self.whole.joints[joint.0].points,
+                    (None, Owner::Joint(joint)) => self.whole.joints[joint.0].points(),
                     (Some(stop), _) => [stop.first, stop.second],
                     // What forces have are stops.
                     (None, Owner::Force(_)) => continue,
@@ -184,7 +184,7 @@ impl Leaning<'_> {
                     }
                     Surface::Rigid(_) => {
                         let block = self.whole.contact_rows[contact].block;
-                        sample.lambda[held.driven.system.blocks[block].row]
+                        sample.lambda[held.driven.system.blocks[block].row()]
                     }
                 };
             }

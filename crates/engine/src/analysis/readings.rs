@@ -121,7 +121,7 @@ impl JointReading {
     ) -> Self {
         // Blocks of joints stand first, in their order.
         let (data, block) = (&system.joints[joint], &system.blocks[joint]);
-        let lambda = &sample.lambda[block.row..block.row + block.rows];
+        let lambda = &sample.lambda[block.rows()];
         let (mut force, mut torque) = block.constraint.reaction(at, lambda);
         let mut tensions = [0.0; 2];
         if let Some(belt) = &data.extras().belt {
@@ -156,7 +156,7 @@ impl JointReading {
             Some(stop.pushed(sample.contacts[id.0].reading.normal))
         });
         let stop = stop.sum();
-        if let (true, Some(axis)) = (stop != 0.0, data.role.axis()) {
+        if let (true, Some(axis)) = (stop != 0.0, data.role().axis()) {
             force += at.poses[data.bodies()[0].0].turn(axis) * stop;
         }
         // A journal that does not move freely is where its model holds it.
@@ -167,17 +167,17 @@ impl JointReading {
                 .clearance
                 .map(|link| &inputs.offset[link.offset]);
             Some(ContactSample {
-                reading: bearing.held(at, &data.points, offset, force),
+                reading: bearing.held(at, &data.points(), offset, force),
                 state: 1.0,
             })
         };
         let meeting = data.extras().cam.as_ref().map(|cam| cam.meeting(at));
         let mut journal = contact.or_else(held).unwrap_or_default();
         if data.extras().clasp.is_some() {
-            journal.state = if block.rows > 0 { 1.0 } else { 0.0 };
+            journal.state = if block.rows().is_empty() { 0.0 } else { 1.0 };
         }
         if meeting.is_some() {
-            journal.reading.normal = sample.lambda[block.row];
+            journal.reading.normal = sample.lambda[block.row()];
         }
         JointReading {
             stop,

@@ -234,10 +234,10 @@ fn joint_shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
         let find = |quantity| columns.find(Channel::Joint(k, quantity));
         shares.push(Share::Joint {
             sign,
-            at: Place::of(system, columns, &joint.points[1])?,
+            at: Place::of(system, columns, &joint.points()[1])?,
             force: [find(JointQuantity::Fx)?, find(JointQuantity::Fy)?],
             // A pin carries no torque but that of its stops; the force of a slide's is among its own.
-            torque: match joint.role.axis() {
+            torque: match joint.role().axis() {
                 None => find(JointQuantity::Torque).or_else(|| find(JointQuantity::Stop)),
                 Some(_) => find(JointQuantity::Torque),
             },
@@ -274,12 +274,12 @@ fn driver_shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
             }
             DriverRole::Translation { joint } => {
                 let joint = &system.joints[joint.0];
-                let (Some(sign), Some(axis)) = (side(joint.bodies()), joint.role.axis()) else {
+                let (Some(sign), Some(axis)) = (side(joint.bodies()), joint.role().axis()) else {
                     continue;
                 };
                 shares.push(Share::Along {
                     sign,
-                    at: Place::of(system, columns, &joint.points[1])?,
+                    at: Place::of(system, columns, &joint.points()[1])?,
                     guide: Frame::of(columns, joint.bodies()[0])?,
                     axis,
                     effort: effort?,

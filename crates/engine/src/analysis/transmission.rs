@@ -117,7 +117,7 @@ fn undetermined() -> String {
 /// Joints of the output body that carry a force at a point, not on ground.
 fn drawn(system: &System, output: Output) -> Vec<Drawn> {
     let of = |(joint, data): (usize, &crate::system::JointData)| {
-        let carries = match data.role {
+        let carries = match data.role() {
             JointRole::Revolute | JointRole::Slot { .. } => true,
             JointRole::Prismatic { .. }
             | JointRole::Gear
@@ -294,10 +294,7 @@ fn angles(
 ) {
     let force = |joint: usize| {
         let block = &system.blocks[joint];
-        block
-            .constraint
-            .reaction(at, &lambda[block.row..block.row + block.rows])
-            .0
+        block.constraint.reaction(at, &lambda[block.rows()]).0
     };
     let largest = (0..system.joints.len())
         .map(|joint| force(joint).norm())
@@ -313,7 +310,7 @@ fn angles(
         let data = &system.joints[*joint];
         // The second body's point is where the force acts; the output's velocity there.
         let output = data.bodies()[*side].0;
-        let place = data.points[1].place(at);
+        let place = data.points()[1].place(at);
         let velocity =
             at.twists[output].v + perp(place - at.poses[output].r) * at.twists[output].omega;
         let force = force(*joint);
@@ -336,7 +333,7 @@ fn fastest(system: &System, at: &Kinematics) -> f64 {
     let joints = system
         .joints
         .iter()
-        .flat_map(|joint| &joint.points)
+        .flat_map(|joint| joint.points())
         .map(|point| point.velocity(at).norm());
     let turning = at
         .twists
@@ -349,7 +346,7 @@ impl Output {
     /// The slide on ground of a body that a prismatic joint holds there, the angle of any other.
     fn of(system: &System, body: usize) -> Self {
         let own = BodyId(body + 1);
-        let slide = system.joints.iter().find_map(|joint| match joint.role {
+        let slide = system.joints.iter().find_map(|joint| match joint.role() {
             JointRole::Prismatic { axis, .. } if joint.bodies() == [BodyId::GROUND, own] => {
                 Some(axis)
             }

@@ -208,7 +208,7 @@ impl<'a> Search<'a> {
     fn gaps(&self) -> Vec<f64> {
         let rows = &self.rows;
         let of_block = |((&start, block), weight): ((&usize, &&Block), &f64)| {
-            let phi = &self.phi[start..start + block.rows];
+            let phi = &self.phi[start..start + block.rows().len()];
             phi.iter().map(|p| p * p).sum::<f64>().sqrt() / weight
         };
         let blocks = rows.starts.iter().zip(rows.blocks).zip(&rows.weights);
@@ -222,7 +222,7 @@ fn layout<'a>(system: &System, blocks: &'a [&'a Block], weight: f64) -> (Rows<'a
     let mut m = 0;
     for block in blocks {
         starts.push(m);
-        m += block.rows;
+        m += block.rows().len();
     }
     let mut entries: Vec<(usize, usize)> = (0..n + m).map(|k| (k, k)).collect();
     let mut owners = Vec::new();
@@ -275,7 +275,7 @@ fn residual(
     evaluation.set_position(q);
     let at = evaluation.kinematics(inputs);
     for ((block, &start), weight) in rows.blocks.iter().zip(&rows.starts).zip(&rows.weights) {
-        let phi = &mut phi[start..start + block.rows];
+        let phi = &mut phi[start..start + block.rows().len()];
         block.constraint.position(&at, phi);
         for (p, measure) in phi.iter_mut().zip(block.constraint.rows()) {
             *p *= weight / system.measure_scale(*measure);

@@ -26,7 +26,7 @@ impl JointData {
 
     /// Whether it holds only where it touches.
     pub(crate) fn is_contact(&self) -> bool {
-        self.role == JointRole::Contact
+        self.role() == JointRole::Contact
     }
 }
 

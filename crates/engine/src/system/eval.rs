@@ -127,9 +127,7 @@ impl Evaluation {
         let mut phi = std::mem::take(&mut self.phi);
         let at = self.kinematics(inputs);
         for block in &system.blocks {
-            block
-                .constraint
-                .position(&at, &mut phi[block.row..block.row + block.rows]);
+            block.constraint.position(&at, &mut phi[block.rows()]);
         }
         phi.iter_mut()
             .zip(&inputs.gaps)
@@ -142,9 +140,7 @@ impl Evaluation {
         let mut values = std::mem::take(&mut self.jacobian);
         let at = self.kinematics(inputs);
         for block in &system.blocks {
-            block
-                .constraint
-                .jacobian(&at, &mut values[block.entry..block.entry + block.entries]);
+            block.constraint.jacobian(&at, &mut values[block.entries()]);
         }
         self.jacobian = values;
     }
@@ -153,9 +149,7 @@ impl Evaluation {
     pub(crate) fn eval_rate(&self, system: &System, inputs: &Inputs, phi_t: &mut [f64]) {
         let at = self.kinematics(inputs);
         for block in &system.blocks {
-            block
-                .constraint
-                .rate(&at, &mut phi_t[block.row..block.row + block.rows]);
+            block.constraint.rate(&at, &mut phi_t[block.rows()]);
         }
     }
 
@@ -163,9 +157,7 @@ impl Evaluation {
     pub(crate) fn eval_gamma(&self, system: &System, inputs: &Inputs, gamma: &mut [f64]) {
         let at = self.kinematics(inputs);
         for block in &system.blocks {
-            block
-                .constraint
-                .gamma(&at, &mut gamma[block.row..block.row + block.rows]);
+            block.constraint.gamma(&at, &mut gamma[block.rows()]);
         }
     }
 

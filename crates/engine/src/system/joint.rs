@@ -6,6 +6,7 @@ use crate::element::bushing::Bushing;
 use crate::element::cam::Cam;
 use crate::element::journal::Bearing;
 use crate::element::pair::ContactId;
+use crate::element::revolute::Revolute;
 use crate::element::{BodyId, Marker};
 use crate::system::Ends;
 use std::ops::Range;
@@ -16,12 +17,8 @@ use std::sync::Arc;
 pub struct JointData {
     /// As the file names it.
     pub name: String,
-    /// What kind of joint it is, for results and pictures.
-    pub(crate) role: JointRole,
-    /// Where it joins its bodies.
-    pub(crate) points: [Marker; 2],
-    /// Carries a torque in the results.
-    pub(crate) torque: bool,
+    /// Where it joins its bodies: the pin that is its constraint, of an ideal one.
+    pin: Option<Arc<Revolute>>,
     /// What few joints have: most of a large mechanism are plain pins.
     extras: Option<Box<JointExtras>>,
 }
@@ -29,6 +26,12 @@ pub struct JointData {
 /// What few joints have.
 #[derive(Debug, Clone)]
 pub(crate) struct JointExtras {
+    /// What kind of joint it is, for results and pictures.
+    role: JointRole,
+    /// Carries a torque in the results.
+    torque: bool,
+    /// Where it joins its bodies, where no pin tells it.
+    points: Option<[Marker; 2]>,
     /// Its clearance link, where that is its model.
     pub clearance: Option<ClearanceLink>,
     /// Journal and bearing that touch by a contact force.
@@ -55,6 +58,9 @@ pub(crate) struct JointExtras {
 
 /// Those of a joint that has nothing of them.
 static PLAIN: JointExtras = JointExtras {
+    role: JointRole::Revolute,
+    torque: false,
+    points: None,
     clearance: None,
     contact: None,
     cam: None,
@@ -69,20 +75,58 @@ static PLAIN: JointExtras = JointExtras {
 };
 
 impl JointData {
-    /// A plain joint of two points.
-    pub(super) fn plain(name: &str, role: JointRole, points: [Marker; 2], torque: bool) -> Self {
+    /// An ideal pin.
+    pub(super) fn pin(name: &str, pin: Arc<Revolute>) -> Self {
         JointData {
             name: name.to_owned(),
-            role,
-            points,
-            torque,
+            pin: Some(pin),
             extras: None,
+        }
+    }
+
+    /// Another joint of two points.
+    pub(super) fn of(name: &str, role: JointRole, points: [Marker; 2], torque: bool) -> Self {
+        JointData {
+            name: name.to_owned(),
+            pin: None,
+            extras: Some(Box::new(JointExtras {
+                role,
+                torque,
+                points: Some(points),
+                ..PLAIN.clone()
+            })),
+        }
+    }
+
+    /// The same joint of other points.
+    pub(super) fn moved(mut self, points: [Marker; 2]) -> Self {
+        self.pin = None;
+        self.change_extras(|extras| extras.points = Some(points));
+        self
+    }
+
+    /// What kind of joint it is, for results and pictures.
+    pub(crate) fn role(&self) -> JointRole {
+        self.extras().role
+    }
+
+    /// Carries a torque in the results.
+    pub(crate) fn torque(&self) -> bool {
+        self.extras().torque
+    }
+
+    /// Where it joins its bodies.
+    pub(crate) fn points(&self) -> [Marker; 2] {
+        match (&self.pin, self.extras().points) {
+            (_, Some(points)) => points,
+            (Some(pin), None) => [pin.first, pin.second],
+            (None, None) => unreachable!("a joint without a pin has points"),
         }
     }
 
     /// What it joins.
     pub fn bodies(&self) -> [BodyId; 2] {
-        self.points.map(|point| point.body)
+        self.points().map(|point| point.body)
     }
 
     /// What few joints have.
@@ -107,6 +151,9 @@ impl JointExtras {
     /// Whether there is nothing of them.
     fn is_plain(&self) -> bool {
         let JointExtras {
+            role,
+            torque,
+            points,
             clearance,
             contact,
             cam,
@@ -119,8 +166,9 @@ impl JointExtras {
             belt,
             bushing,
         } = self;
+        let is_pin = *role == JointRole::Revolute && !torque && points.is_none();
         let holds = clearance.is_none() && contact.is_none() && clasp.is_none() && stops.is_none();
         let shapes = cam.is_none() && drawn.is_none() && edges.is_empty() && bearing.is_none();
-        holds && shapes && friction.is_none() && belt.is_none() && bushing.is_none()
+        is_pin && holds && shapes && friction.is_none() && belt.is_none() && bushing.is_none()
     }
 }

@@ -9,6 +9,7 @@
 //! J is kept as a list of entries in element order: each element writes its own stretch, whoever needs a matrix scatters
 //! that list by slots worked out once ([`Selection`](crate::mechanism::driven)).
 
+mod block;
 pub mod compile;
 mod contacts;
 mod eval;
@@ -23,6 +24,7 @@ mod standing;
 mod states;
 mod timed;
 
+pub use block::Block;
 pub(crate) use contacts::{Ends, LOCK, ONE_WAY};
 pub use eval::{Evaluation, Inputs};
 pub use joint::JointData;
@@ -42,7 +44,7 @@ pub(crate) use timed::{TimedData, Trigger};
 use crate::element::cam::Cam;
 use crate::element::formula::Formula;
 use crate::element::pair::{ContactId, Pair};
-use crate::element::{Axis, Constraint, ConstraintDependentForce, Force, Layout, Marker, Measure};
+use crate::element::{Axis, ConstraintDependentForce, Force, Layout, Marker, Measure};
 use crate::motion::Law;
 use linkdyn_linear::math::Vec2;
 use linkdyn_model::display::DisplayUnits;
@@ -67,23 +69,6 @@ pub enum Origin {
     Stop(ContactId),
     /// An `initial` value, `crank.angle`.
     Initial(Box<String>),
-}
-
-/// Equations of one joint, driver or initial value, with their place in φ and in the entry list.
-#[derive(Clone)]
-pub struct Block {
-    /// The equations.
-    pub(crate) constraint: Arc<dyn Constraint>,
-    /// What they came from.
-    pub(crate) origin: Origin,
-    /// First row.
-    pub row: usize,
-    /// Number of rows.
-    pub(crate) rows: usize,
-    /// First entry.
-    pub(crate) entry: usize,
-    /// Number of entries.
-    pub(crate) entries: usize,
 }
 
 /// A force that depends on the multipliers of a block.
@@ -229,28 +214,6 @@ impl System {
         !nobody
     }
 
-    /// Adds the equations of a joint or driver behind those that are there.
-    pub(crate) fn push_block(&mut self, constraint: Arc<dyn Constraint>, origin: Origin) {
-        let (row, entry) = (self.measures.len(), self.entries.len());
-        self.measures.extend_from_slice(constraint.rows());
-        for (block_row, body, axis) in constraint.entries() {
-            let column = self.layout.column(body, axis);
-            self.entries.push(JacobianEntry {
-                row: (row + block_row) as u32,
-                column: column.map_or(GROUND, |column| column as u32),
-            });
-        }
-        let (rows, entries) = (self.measures.len() - row, self.entries.len() - entry);
-        self.blocks.push(Block {
-            constraint,
-            origin,
-            row,
-            rows,
-            entry,
-            entries,
-        });
-    }
-
     /// Gives back the room into which its lists have grown.
     fn shrink(&mut self) {
         self.bodies.shrink_to_fit();
@@ -290,7 +253,7 @@ impl System {
         self.blocks
             .iter()
             .filter(|b| matches!(b.origin, Origin::Joint(_)))
-            .map(|b| b.rows)
+            .map(|b| b.rows().len())
             .sum()
     }
 
@@ -309,7 +272,7 @@ impl System {
 
     /// The block that makes `row`.
     pub(crate) fn block_of_row(&self, row: usize) -> &Block {
-        let k = self.blocks.partition_point(|b| b.row <= row);
+        let k = self.blocks.partition_point(|b| b.row() <= row);
         &self.blocks[k - 1]
     }
 

@@ -45,14 +45,14 @@ pub struct ContactRows {
 }
 
 /// How far a body reaches in its own frame, and where that is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Extent {
     /// Largest distance of two of its points \[m\].
     pub(crate) spread: f64,
     /// Largest coordinate of a point \[m\].
     pub(crate) reach: f64,
-    /// Where the frame is drawn \[m\]; none of a ground that the model does not name.
-    pub(crate) origin: Option<Vec2>,
+    /// Where the frame is drawn \[m\], of what has no spread; none of a ground that the model does not name.
+    pub(crate) origin: Option<Box<Vec2>>,
 }
 
 /// Largest distance across points \[m\].
@@ -74,7 +74,8 @@ pub(super) fn spread(points: &[Vec2]) -> f64 {
 /// (all points at their origins), the spread of the drawing, and 1 m at last.
 pub(super) fn size(extents: &[Extent]) -> f64 {
     let largest = extents.iter().map(|extent| extent.spread);
-    let origins: Vec<Vec2> = extents.iter().filter_map(|extent| extent.origin).collect();
+    let origins = extents.iter().filter_map(|extent| extent.origin.as_deref());
+    let origins: Vec<Vec2> = origins.copied().collect();
     [largest.fold(0.0, f64::max), spread(&origins), 1.0]
         .into_iter()
         .find(|&length| length > 0.0)
@@ -157,7 +158,7 @@ impl System {
             let index = bodies.iter().position(|own| *own == body);
             index.map_or(BodyId::GROUND, BodyId::moving)
         };
-        let own = |body: &BodyId| self.extents[body.0];
+        let own = |body: &BodyId| self.extents[body.0].clone();
         let extents: Vec<Extent> = [own(&from)]
             .into_iter()
             .chain(bodies.iter().map(own))
@@ -206,11 +207,10 @@ impl System {
             display: self.display.clone(),
         };
         for (index, &joint) in joints.iter().enumerate() {
-            let mut data = self.joints[joint].clone();
+            let data = self.joints[joint].clone();
+            let points = data.points().map(|point| point.of(&id));
+            let mut data = data.moved(points);
             data.change_extras(|extras| extras.edges = 0..0);
-            for point in &mut data.points {
-                point.body = id(point.body);
-            }
             let constraint = self.blocks[joint].constraint.between(&id)?;
             part.joints.push(data);
             part.push_block(constraint, Origin::Joint(JointId(index)));

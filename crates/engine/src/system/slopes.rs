@@ -76,7 +76,7 @@ impl Slopes {
         for (block, count) in system.blocks.iter().zip(&self.bend_counts) {
             let own;
             (own, values) = values.split_at_mut(*count);
-            let lambda = &lambda[block.row..block.row + block.rows];
+            let lambda = &lambda[block.rows()];
             block.constraint.bend(&at, lambda, own);
         }
     }

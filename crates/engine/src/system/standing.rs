@@ -86,8 +86,11 @@ impl Standing {
             Origin::Stop(_) | Origin::Initial(_) => false,
         };
         let mut is_new = false;
-        for (own, is_active) in is_active[block.row..][..block.rows].iter().enumerate() {
-            let row = block.row + own;
+        for (own, is_active) in is_active[block.row()..][..block.rows().len()]
+            .iter()
+            .enumerate()
+        {
+            let row = block.row() + own;
             let is_linear = !is_bent || block.constraint.is_linear(own);
             if self.rows[row] == Row::Holds || !is_linear {
                 continue;
@@ -107,7 +110,7 @@ impl Standing {
 
     /// The only column that moves in a row.
     fn only(&self, system: &System, block: &Block, row: usize, scaled: &[f64]) -> Option<usize> {
-        let own = block.entry..block.entry + block.entries;
+        let own = block.entries();
         let entries = || {
             let entries = system.entries[own.clone()].iter();
             entries

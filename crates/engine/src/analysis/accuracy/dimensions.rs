@@ -156,18 +156,18 @@ impl Dimensions {
             Dimension::Point(..) => 0.0,
             Dimension::Direction { joint, driver } => {
                 let (slide, across) = guide(here, *joint);
-                let own = lambda[here.system.blocks[*joint].row] * slide;
+                let own = lambda[here.system.blocks[*joint].row()] * slide;
                 let driven = driver.map_or(0.0, |id| {
-                    lambda[driver_block(here.system, id).row] * -across
+                    lambda[driver_block(here.system, id).row()] * -across
                 });
                 -(own + driven)
             }
             Dimension::Angle { row } | Dimension::Mesh { row } => -lambda[*row],
             Dimension::Ratio { joint, .. } => {
-                -lambda[here.system.blocks[*joint].row] * ratio_rate(here, dimension)
+                -lambda[here.system.blocks[*joint].row()] * ratio_rate(here, dimension)
             }
             Dimension::Motion { driver, number } if here.held != Some(*driver) => {
-                -lambda[driver_block(here.system, *driver).row] * number.rate(here.time)
+                -lambda[driver_block(here.system, *driver).row()] * number.rate(here.time)
             }
             Dimension::Motion { .. } => 0.0,
         }
@@ -221,18 +221,18 @@ impl Dimensions {
                 // u and n turn by the step: φ = −n·d, and −u·d of a driver.
                 let (slide, across) = guide(here, *joint);
                 let (sin, versed) = (step.sin(), 2.0 * (0.5 * step).sin().powi(2));
-                rows[here.system.blocks[*joint].row] += sin * slide + versed * across;
+                rows[here.system.blocks[*joint].row()] += sin * slide + versed * across;
                 if let Some(id) = driver {
-                    rows[driver_block(here.system, *id).row] += versed * slide - sin * across;
+                    rows[driver_block(here.system, *id).row()] += versed * slide - sin * across;
                 }
             }
             Dimension::Angle { row } | Dimension::Mesh { row } => rows[*row] += step,
             Dimension::Ratio { joint, .. } => {
-                rows[here.system.blocks[*joint].row] += step * ratio_rate(here, dimension);
+                rows[here.system.blocks[*joint].row()] += step * ratio_rate(here, dimension);
             }
             Dimension::Motion { driver, number } => {
                 if here.held != Some(*driver) {
-                    rows[driver_block(here.system, *driver).row] += step * number.rate(here.time);
+                    rows[driver_block(here.system, *driver).row()] += step * number.rate(here.time);
                 }
             }
         }
@@ -263,21 +263,21 @@ impl Dimensions {
                 Dimension::Direction { joint, driver } => {
                     let joint_data = &here.system.joints[*joint];
                     let moved: f64 = joint_data
-                        .points
+                        .points()
                         .iter()
                         .map(|marker| spread(here, marker, x))
                         .sum();
                     let (slide, across) = guide(here, *joint);
-                    let turn = turned(joint_data.points[0].body);
+                    let turn = turned(joint_data.points()[0].body);
                     let gap = moved + (slide.abs() + across.abs()) * (turn + step);
-                    rows[here.system.blocks[*joint].row] += step * gap;
+                    rows[here.system.blocks[*joint].row()] += step * gap;
                     if let Some(id) = driver {
-                        rows[driver_block(here.system, *id).row] += step * gap;
+                        rows[driver_block(here.system, *id).row()] += step * gap;
                     }
                 }
                 Dimension::Ratio { joint, carrier, .. } => {
                     let [first, _] = here.system.joints[*joint].bodies();
-                    rows[here.system.blocks[*joint].row] +=
+                    rows[here.system.blocks[*joint].row()] +=
                         step * (turned(first) + turned(*carrier));
                 }
                 Dimension::Angle { .. } | Dimension::Mesh { .. } | Dimension::Motion { .. } => {}
@@ -305,10 +305,10 @@ pub(super) fn unit(axis: usize) -> Vec2 {
 /// u·d and n·d of the guide of a joint \[m\].
 fn guide(here: Here<'_>, joint: usize) -> (f64, f64) {
     let data = &here.system.joints[joint];
-    let Some(axis) = data.role.axis() else {
+    let Some(axis) = data.role().axis() else {
         return (0.0, 0.0);
     };
-    let [first, second] = &data.points;
+    let [first, second] = &data.points();
     let u = here.at.poses[first.body.0].turn(axis);
     let d = second.place(&here.at) - first.place(&here.at);
     (u.dot(&d), perp(u).dot(&d))
@@ -322,7 +322,7 @@ fn ratio_rate(here: Here<'_>, dimension: &Dimension) -> f64 {
             carrier,
             drawn,
         } => {
-            debug_assert!(here.system.joints[*joint].role == JointRole::Gear);
+            debug_assert!(here.system.joints[*joint].role() == JointRole::Gear);
             let [first, _] = here.system.joints[*joint].bodies();
             let theta = |body: BodyId| here.at.poses[body.0].theta;
             theta(first) - theta(*carrier) - drawn

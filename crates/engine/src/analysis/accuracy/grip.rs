@@ -30,7 +30,7 @@ impl Grip {
         };
         let entries = block.constraint.entries();
         for (index, (row, own, axis)) in entries.into_iter().enumerate() {
-            let entry = (block.row + row, block.entry + index);
+            let entry = (block.row() + row, block.entries().start + index);
             match axis {
                 Axis::X if own == body => grip.x.push(entry),
                 Axis::Y if own == body => grip.y.push(entry),

@@ -83,7 +83,7 @@ fn too_far(system: &System, inputs: &Inputs) -> Option<Complaint> {
     evaluation.set_position(&system.guess);
     let at = evaluation.kinematics(inputs);
     let is_far = |block: &&Block| {
-        let mut phi = vec![0.0; block.rows];
+        let mut phi = vec![0.0; block.rows().len()];
         block.constraint.position(&at, &mut phi);
         phi.iter().any(|x| x.is_nan() || x.abs() > LONGEST)
     };
@@ -103,7 +103,7 @@ fn too_steep(system: &System, inputs: &Inputs) -> Option<Complaint> {
     evaluation.set_position(&system.guess);
     evaluation.eval_jacobian(system, inputs);
     let is_steep = |block: &&Block| {
-        let entries = block.entry..block.entry + block.entries;
+        let entries = block.entries();
         entries.into_iter().any(|index| {
             let (entry, value) = (&system.entries[index], evaluation.jacobian[index]);
             entry.column().is_some_and(|column| {

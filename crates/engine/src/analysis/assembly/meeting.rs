@@ -48,10 +48,10 @@ fn overlap(system: &System, joint: &JointData, at: &Kinematics) -> Option<Compla
 /// What is said of racks whose pitch line, as the radius has it, does not go through their point.
 fn apart(system: &System, at: &Kinematics) -> Vec<String> {
     let text = |joint: &JointData| {
-        let JointRole::Rack { axis, radius } = joint.role else {
+        let JointRole::Rack { axis, radius } = joint.role() else {
             return None;
         };
-        let [first, second] = joint.points;
+        let [first, second] = joint.points();
         let rack = Rack {
             first,
             second,

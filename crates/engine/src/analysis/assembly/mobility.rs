@@ -51,7 +51,7 @@ pub fn topology(system: &System) -> Topology {
         .joints
         .iter()
         .zip(&system.blocks)
-        .map(|(joint, block)| (joint.bodies()[0].0, joint.bodies()[1].0, block.rows))
+        .map(|(joint, block)| (joint.bodies()[0].0, joint.bodies()[1].0, block.rows().len()))
         .collect();
     Topology::new(system.bodies.len() + 1, &joints)
 }

@@ -114,7 +114,7 @@ impl Bridge {
         driven.evaluation.set_velocity(&sample.v);
         self.leave_out(system, path.self_stress(near.index), &mut limit);
         for (size, dependent) in sizes.iter_mut().zip(&system.dependent_forces) {
-            if limit[system.blocks[dependent.block].row].is_nan() {
+            if limit[system.blocks[dependent.block].row()].is_nan() {
                 *size = f64::NAN;
             }
         }
@@ -177,7 +177,7 @@ impl Bridge {
     fn leave_out(&mut self, system: &System, stress: &[f64], limit: &mut [f64]) {
         let largest = linkdyn_linear::math::max_abs(stress);
         for block in &system.blocks {
-            let rows = block.row..block.row + block.rows;
+            let rows = block.rows();
             let stressed = stress
                 .get(rows.clone())
                 .is_some_and(|part| linkdyn_linear::math::max_abs(part) > UNBOUNDED * largest);

@@ -349,7 +349,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
         for z in driven.self_stress() {
             let largest = linkdyn_linear::math::max_abs(&z);
             for (joint, block) in self.system.joints.iter().zip(&self.system.blocks) {
-                let part = linkdyn_linear::math::max_abs(&z[block.row..block.row + block.rows]);
+                let part = linkdyn_linear::math::max_abs(&z[block.rows()]);
                 let listed = &mut self.report.mobility.reactions_not_unique;
                 if part > STRESSED * largest && !listed.contains(&joint.name) {
                     listed.push(joint.name.clone());

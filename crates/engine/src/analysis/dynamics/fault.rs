@@ -90,7 +90,7 @@ impl Fault {
         let rows = match self {
             Fault::Unsolved(Failure::Locked { force }) => {
                 let block = &system.blocks[system.dependent_forces[force].block];
-                (block.row..block.row + block.rows).collect()
+                (block.rows()).collect()
             }
             Fault::Unsolved(
                 Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. },

@@ -23,7 +23,7 @@ pub fn parts(system: &System, assembled: &Assembled) -> Vec<Part> {
         .iter()
         .map(|&joint| {
             let [first, second] = system.joints[joint].bodies();
-            (first.0, second.0, system.blocks[joint].rows)
+            (first.0, second.0, system.blocks[joint].rows().len())
         })
         .collect();
     let topology = Topology::new(system.bodies.len() + 1, &edges);
@@ -73,7 +73,7 @@ fn part(system: &System, q: &[f64], joints: &[usize]) -> Option<Part> {
         .collect();
     let blocks: Vec<(usize, usize)> = joints
         .iter()
-        .map(|&joint| (joint, system.blocks[joint].rows))
+        .map(|&joint| (joint, system.blocks[joint].rows().len()))
         .collect();
     let own: Vec<BodyColumns> = bodies
         .iter()

@@ -23,7 +23,7 @@ pub(super) struct Here<'a> {
 impl Laws for Here<'_> {
     fn rows(&self, force: usize) -> Range<usize> {
         let block = &self.system.blocks[self.system.dependent_forces[force].block];
-        block.row..block.row + block.rows
+        block.rows()
     }
 
     fn size(&self, force: usize, lambda: &[f64], slope: &mut [f64]) -> f64 {

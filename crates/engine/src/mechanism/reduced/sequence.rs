@@ -220,7 +220,7 @@ impl Order {
         };
         for block in &system.blocks {
             let bends = standing.bends(system, block);
-            let own = block.entry..block.entry + block.entries;
+            let own = block.entries();
             for number in own {
                 let entry = system.entries[number];
                 let Some(column) = entry.column() else {
@@ -232,7 +232,7 @@ impl Order {
                     number: number as u32,
                     column,
                     value: driven.evaluation.jacobian[number],
-                    is_constant: block.constraint.is_linear(row - block.row) || !bends(),
+                    is_constant: block.constraint.is_linear(row - block.row()) || !bends(),
                 });
             }
         }

@@ -110,14 +110,9 @@ impl Compiler<'_> {
                         axis,
                         value,
                     };
-                    self.system.initial.push(Block {
-                        rows: 1,
-                        entries: constraint.entries().len(),
-                        constraint: Arc::new(constraint),
-                        origin: Origin::Initial(Box::new(format!("{name}.{key}"))),
-                        row: 0,
-                        entry: 0,
-                    });
+                    let origin = Origin::Initial(Box::new(format!("{name}.{key}")));
+                    let block = Block::alone(Arc::new(constraint), origin);
+                    self.system.initial.push(block);
                 }
                 if let Some(rate) = rate {
                     let row = Coordinate {

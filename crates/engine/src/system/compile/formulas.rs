@@ -162,9 +162,9 @@ impl Compiler<'_> {
             } => Measured::Distance { first, second },
             DriverRole::Translation { joint } => {
                 let joint = &self.system.joints[joint.0];
-                let [first, second] = joint.points;
+                let [first, second] = joint.points();
                 // only what has an axis slides
-                let axis = joint.role.axis().unwrap_or_else(Vec2::x);
+                let axis = joint.role().axis().unwrap_or_else(Vec2::x);
                 Measured::Along {
                     first,
                     second,

@@ -26,6 +26,8 @@ const ON_LINE: f64 = 1e-4;
 /// What a joint becomes.
 pub(super) struct Made {
     constraint: Arc<dyn Constraint>,
+    /// The same, of an ideal pin.
+    pin: Option<Arc<Revolute>>,
     /// Whether it carries a torque.
     torque: bool,
     link: Option<ClearanceLink>,
@@ -39,6 +41,7 @@ impl Made {
     pub(super) fn of(constraint: Arc<dyn Constraint>, torque: bool) -> Made {
         Made {
             constraint,
+            pin: None,
             torque,
             link: None,
             contact: None,
@@ -61,7 +64,10 @@ impl Compiler<'_> {
             };
             let friction = self.friction(k, name, &joint.kind, points);
             let role = roles::joint_role(&joint.kind);
-            let mut data = JointData::plain(name, role, points, made.torque);
+            let mut data = match made.pin {
+                Some(pin) => JointData::pin(name, pin),
+                None => JointData::of(name, role, points, made.torque),
+            };
             data.change_extras(|extras| {
                 extras.clearance = made.link;
                 extras.contact = made.contact;
@@ -171,7 +177,11 @@ impl Compiler<'_> {
             second,
             offset,
         };
-        let ideal = Made::of(Arc::new(pin(None)), false);
+        let own = Arc::new(pin(None));
+        let ideal = Made {
+            pin: Some(own.clone()),
+            ..Made::of(own, false)
+        };
         let Some(clearance) = clearance else {
             return ideal;
         };
@@ -182,6 +192,7 @@ impl Compiler<'_> {
                 self.system.links += 1;
                 Made {
                     constraint: Arc::new(pin(Some(OffsetId(offset as u32)))),
+                    pin: None,
                     link: Some(ClearanceLink {
                         offset,
                         radius: clearance.radius.unwrap_or(0.0),
@@ -194,6 +205,7 @@ impl Compiler<'_> {
                 self.add_contact((k, contact), name, bearing(clearance), points);
                 Made {
                     constraint: Arc::new(Free),
+                    pin: None,
                     contact: Some(contact),
                     ..ideal
                 }

@@ -208,10 +208,12 @@ impl<'a> Compiler<'a> {
             points.extend(body.com.map(Vec2::from));
             let places = points.iter().flat_map(|point| point.iter());
             let profile = self.profiles(name);
+            let spread = spread(&points).max(2.0 * profile);
+            let origin = Vec2::from(body.pose.position);
             Extent {
-                spread: spread(&points).max(2.0 * profile),
+                spread,
                 reach: places.fold(profile, |most: f64, x| most.max(x.abs())),
-                origin: Some(Vec2::from(body.pose.position)),
+                origin: (spread <= 0.0).then(|| Box::new(origin)),
             }
         };
         let ground = self.model.bodies.get_key_value(GROUND);

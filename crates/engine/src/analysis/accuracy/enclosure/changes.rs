@@ -54,21 +54,21 @@ impl Radii<'_> {
 pub(super) fn changes(system: &System, at: &Kinematics, radii: &Radii) -> Vec<Change> {
     let mut all = vec![Change::default(); system.entries.len()];
     for block in &system.blocks {
-        let own = &mut all[block.entry..block.entry + block.entries];
+        let own = &mut all[block.entries()];
         match &block.origin {
             Origin::Joint(id) => {
                 let joint = &system.joints[id.0];
-                match joint.role {
+                match joint.role() {
                     JointRole::Revolute | JointRole::Fixed => {
-                        pin_changes(at, radii, &joint.points, own)
+                        pin_changes(at, radii, &joint.points(), own)
                     }
                     JointRole::Prismatic { axis, .. } | JointRole::Slot { axis } => {
-                        let u = at.poses[joint.points[0].body.0].turn(axis);
-                        guide_changes(at, radii, &joint.points, u, perp(u), own);
+                        let u = at.poses[joint.points()[0].body.0].turn(axis);
+                        guide_changes(at, radii, &joint.points(), u, perp(u), own);
                     }
                     // It has no rows.
                     JointRole::Contact => {}
-                    JointRole::Gear => gear_changes(at, radii, block, &joint.points, own),
+                    JointRole::Gear => gear_changes(at, radii, block, &joint.points(), own),
                     // the question is refused where there is one
                     JointRole::Cam => own.fill(Change {
                         mean: f64::INFINITY,
@@ -81,10 +81,10 @@ pub(super) fn changes(system: &System, at: &Kinematics, radii: &Radii) -> Vec<Ch
             Origin::Driver(id) => {
                 if let DriverRole::Translation { joint } = system.drivers[id.0].role {
                     let joint = &system.joints[joint.0];
-                    if let Some(axis) = joint.role.axis() {
-                        let u = at.poses[joint.points[0].body.0].turn(axis);
+                    if let Some(axis) = joint.role().axis() {
+                        let u = at.poses[joint.points()[0].body.0].turn(axis);
                         // φ = f − u·d has −u where a guide has n, and n where it has u.
-                        guide_changes(at, radii, &joint.points, perp(u), u, own);
+                        guide_changes(at, radii, &joint.points(), perp(u), u, own);
                     }
                 }
             }

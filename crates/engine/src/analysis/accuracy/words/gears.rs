@@ -88,7 +88,7 @@ pub(in crate::analysis::accuracy) fn gear_curvature(system: &System, joint: usiz
         contacts: &[],
         time: 0.0,
     };
-    let mut values = vec![0.0; block.entries];
+    let mut values = vec![0.0; block.entries().len()];
     block.constraint.jacobian(&at, &mut values);
     // k t stands in the entries of the second centre.
     values[3].hypot(values[4])
@@ -112,7 +112,7 @@ pub(super) fn mesh(model: &Model, system: &System, index: usize, carrier: BodyId
 
 /// The body that bears both wheels of a gear.
 pub(super) fn carrier(system: &System, joint: usize) -> Option<BodyId> {
-    debug_assert!(system.joints[joint].role == JointRole::Gear);
+    debug_assert!(system.joints[joint].role() == JointRole::Gear);
     let entries = system.blocks[joint].constraint.entries();
     entries.last().map(|(_, body, _)| *body)
 }

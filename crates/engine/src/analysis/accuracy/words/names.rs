@@ -154,7 +154,7 @@ fn add_points(found: &mut Dimensions, model: &Model, names: &Names, system: &Sys
                 continue;
             };
             let data = &system.joints[index];
-            let guide = data.role.axis().map(|_| data.points[0].body);
+            let guide = data.role().axis().map(|_| data.points()[0].body);
             let grips = blocks.iter();
             let grips = grips.map(|block| Grip::of(block, marker.body).along(guide));
             found.points[id.0].grips.extend(grips);
@@ -171,7 +171,7 @@ fn driver_of(system: &System, joint: usize) -> Option<usize> {
 
 fn add_joints(found: &mut Dimensions, model: &Model, system: &System) {
     for (index, (name, joint)) in model.joints.iter().enumerate() {
-        let row = system.blocks[index].row;
+        let row = system.blocks[index].row();
         let angle = |found: &mut Dimensions, row: usize| {
             let dimension = found.add(Dimension::Angle { row });
             found.tell(format!("joints.{name}.angle"), dimension, 1.0);

@@ -20,7 +20,7 @@ pub(super) fn sources(
 ) -> Result<Vec<Named>, Complaints> {
     let mut sources = Vec::new();
     for (index, (name, joint)) in model.joints.iter().enumerate() {
-        let row = system.blocks[index].row;
+        let row = system.blocks[index].row();
         let play = joint_play(&joint.kind, row, system, index);
         sources.extend(
             play.filter(|_| {

@@ -112,7 +112,7 @@ impl Flow<'_> {
             // Where the contact goes on, the force of the last evaluation stands until the next.
             let before = self.sustained[contact].map_or(0.0, |before| before.normal_force);
             self.sustained[contact] = Some(Sustained {
-                row: system.blocks[rows.block].row,
+                row: system.blocks[rows.block].row(),
                 normal_force: before,
                 grip,
             });
