@@ -367,6 +367,6 @@ fn a_large_mechanism_fits_into_little_memory() {
         "{of_system} {of_solver}"
     );
     // A node more or less, by round-off, is 72 B.
-    assert!(all / bodies < 2400, "{all}");
+    assert!(all / bodies < 2230, "{all}");
     assert!(most / bodies < 7100, "{most}");
 }

@@ -62,6 +62,12 @@ impl Mass {
         })
     }
 
+    /// sᵀ (x − M y): what pulls along the motion s.
+    pub(crate) fn pull(&self, s: &[f64], x: &[f64], y: &[f64]) -> f64 {
+        let terms = s.iter().zip(x).zip(y).zip(&self.diagonal);
+        terms.map(|(((s, x), y), m)| (x - m * y) * s).sum()
+    }
+
     /// Components of M x that are not zero, with their columns, ascending.
     pub(crate) fn momenta(&self, x: &[f64]) -> impl Iterator<Item = (usize, f64)> {
         x.iter()
@@ -128,6 +134,7 @@ mod tests {
                 (0..6).map(|k| x[k] * (y[k] - m[k] * x[k])).sum()
             ]
         );
+        assert_eq!(mass.pull(&x, &y, &x), mass.along(&x, &y, &x)[1]);
         let momenta: Vec<_> = mass.momenta(&x).collect();
         assert_eq!(
             momenta,

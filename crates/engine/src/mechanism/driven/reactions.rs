@@ -8,8 +8,14 @@ impl Driven<'_> {
     /// Multipliers λ (m) with Jᵀ λ = `b` (n), of least norm where not unique; those of independent coordinates are left out (they vanish in
     /// free motion).
     pub fn multipliers(&mut self, b: &[f64], lambda: &mut [f64]) {
+        self.multipliers_of(|room| room.copy_from_slice(b), lambda);
+    }
+
+    /// The same of a right-hand side (n) that is put where it is solved for.
+    pub(crate) fn multipliers_of(&mut self, put: impl FnOnce(&mut [f64]), lambda: &mut [f64]) {
         let mut g = std::mem::take(&mut self.work);
-        self.solve_transposed(b, &mut g);
+        put(&mut g);
+        self.solve_transposed(&mut g);
         lambda.fill(0.0);
         for (g, &row) in g.iter().zip(&self.selection.active) {
             if let Some(l) = lambda.get_mut(row) {
@@ -54,9 +60,8 @@ impl Driven<'_> {
         solved
     }
 
-    /// g (n) with J_Aᵀ g = b, unscaled.
-    fn solve_transposed(&mut self, b: &[f64], g: &mut [f64]) {
-        g.copy_from_slice(b);
+    /// Overwrites b (n) with the g of J_Aᵀ g = b, unscaled.
+    fn solve_transposed(&mut self, g: &mut [f64]) {
         self.system.scale_columns(g);
         self.lu.solve_transposed(g);
         g.iter_mut()
@@ -72,11 +77,9 @@ impl Driven<'_> {
             let row = self.selection.redundant[k];
             let mut z = vec![0.0; m];
             z[row] = 1.0;
-            let mut pull = vec![0.0; n];
-            self.evaluation
-                .transposed_product(self.system, &z, &mut pull);
             let mut g = vec![0.0; n];
-            self.solve_transposed(&pull, &mut g);
+            self.evaluation.transposed_product(self.system, &z, &mut g);
+            self.solve_transposed(&mut g);
             for (g, &active) in g.iter().zip(&self.selection.active) {
                 if let Some(z) = z.get_mut(active) {
                     *z = -g;

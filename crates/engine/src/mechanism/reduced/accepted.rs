@@ -2,13 +2,28 @@
 
 use linkdyn_linear::hermite::{Node, quintic};
 
-/// The last two accepted points, and S at the later one where it is at hand.
+/// The last two accepted points, and S at the later one where it is at hand. On a curve that comes round nothing is predicted from
+/// them: of the later one there is no more than what it is found again by.
 pub(super) struct Accepted {
-    /// The later one: time, position, velocity and acceleration (n).
+    /// The later one: time, position, velocity and acceleration (n), or nothing.
     pub here: Node,
     before: Option<Node>,
     /// S there, one tangent after the other (f × n), or nothing.
-    pub tangents: Vec<f64>,
+    tangents: Vec<f64>,
+    /// (u, u̇) there.
+    pub state: Vec<f64>,
+    /// Whether another coordinate moves more than an independent one, where tangents told it.
+    pub has_better: bool,
+}
+
+/// A point that is to be kept.
+pub(super) struct Point<'a> {
+    /// When it is \[s\].
+    pub time: f64,
+    /// q, v, a (n).
+    pub jets: [&'a [f64]; 3],
+    /// S, where it is at hand.
+    pub tangents: &'a [f64],
 }
 
 impl Accepted {
@@ -24,7 +39,14 @@ impl Accepted {
             },
             before: None,
             tangents: Vec::new(),
+            state: Vec::new(),
+            has_better: false,
         }
+    }
+
+    /// Whether the later point is there with all that it is.
+    pub fn is_whole(&self) -> bool {
+        !self.here.q.is_empty()
     }
 
     /// The position at `time` by extrapolation, with these independent coordinates where S is at hand.
@@ -51,21 +73,34 @@ impl Accepted {
         }
     }
 
-    /// Takes a point for the later one from now on; at the same time it takes the place of that. The earlier one is kept where
-    /// positions are predicted from both.
-    pub fn keep(&mut self, time: f64, [q, v, a]: [&[f64]; 3], tangents: &[f64], predicts: bool) {
-        if !predicts {
-            self.before = None;
-        } else if self.here.s != time {
+    /// Takes a point for the later one from now on; at the same time it takes the place of that.
+    pub fn keep(&mut self, point: Point) {
+        if self.is_whole() && self.here.s != point.time {
             let before = self.before.get_or_insert_with(|| self.here.clone());
             std::mem::swap(before, &mut self.here);
         }
-        self.here.s = time;
-        self.here.q.copy_from_slice(q);
-        self.here.d.copy_from_slice(v);
-        self.here.dd.copy_from_slice(a);
+        self.put(&point);
         self.tangents.clear();
-        self.tangents.extend_from_slice(tangents);
+        self.tangents.extend_from_slice(point.tangents);
+    }
+
+    /// Puts a point in the place of the later one.
+    pub fn put(&mut self, point: &Point) {
+        self.here.s = point.time;
+        let Node { q, d, dd, .. } = &mut self.here;
+        for (own, jet) in [q, d, dd].into_iter().zip(point.jets) {
+            own.clear();
+            own.extend_from_slice(jet);
+        }
+    }
+
+    /// Takes a point of a curve that comes round.
+    pub fn pass(&mut self, time: f64) {
+        self.here.s = time;
+        let Node { q, d, dd, .. } = &mut self.here;
+        let all = [q, d, dd, &mut self.tangents].into_iter();
+        all.for_each(|own| *own = Vec::new());
+        self.before = None;
     }
 
     /// Sets the earlier point aside, for what evaluates the later one anew.

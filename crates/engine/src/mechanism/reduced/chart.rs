@@ -73,11 +73,11 @@ impl<'s> Place<'s> for Chart<'s> {
         &mut self,
         given: Given,
         driven: &mut Driven<'s>,
-        q: &mut [f64],
+        to: [&mut [f64]; 3],
     ) -> Result<Placed, Failure> {
         match self {
-            Chart::Coordinates(extrapolation) => extrapolation.place(given, driven, q),
-            Chart::Curve(curve) => curve.place(given, driven, q),
+            Chart::Coordinates(extrapolation) => extrapolation.place(given, driven, to),
+            Chart::Curve(curve) => curve.place(given, driven, to),
         }
     }
 

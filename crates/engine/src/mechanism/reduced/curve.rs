@@ -23,9 +23,6 @@ pub(super) struct Curve<'s> {
     path: Option<Path>,
     /// Where positions come from beyond the curve's ends.
     pub beyond: Extrapolation<'s>,
-    /// S and S' at the point at hand (n), where they are known or that is on the smooth branch.
-    pub tangent: Vec<f64>,
-    pub bend: Vec<f64>,
     /// What the equation of motion is along it, where weights alone act.
     profile: Option<Box<Profile>>,
 }
@@ -33,23 +30,21 @@ pub(super) struct Curve<'s> {
 impl<'s> Curve<'s> {
     /// Not followed yet.
     pub fn new(system: &System, beyond: Extrapolation<'s>) -> Self {
-        let n = system.n();
         Curve {
             path: None,
             beyond,
-            tangent: vec![0.0; n],
-            bend: vec![0.0; n],
             profile: (!system.looks_at_places()).then(|| Box::new(Profile::new())),
         }
     }
 
-    /// ü at (u, u̇) from what is known along the curve to this tolerance, where that is at hand; `q` and `force` (n) are room.
+    /// ü at (u, u̇) from what is known along the curve to this tolerance, where that is at hand; all else (n) is room.
     pub fn acceleration(
         &mut self,
         [u, rate]: [f64; 2],
         tolerance: f64,
         driven: &Driven,
         [q, force]: [&mut [f64]; 2],
+        [tangent, bend]: [&mut [f64]; 2],
     ) -> Option<f64> {
         let (path, profile) = (self.path.as_mut()?, self.profile.as_mut()?);
         let u = path.within_turn(u);
@@ -69,8 +64,8 @@ impl<'s> Curve<'s> {
         let mut samples = [[0.0; 4]; SAMPLES];
         let mut each = samples.iter_mut().zip(profile.places(u));
         let all_known = each.all(|(sample, u)| {
-            let source = path.guess(u, q, &mut self.tangent, &mut self.bend);
-            *sample = terms(system, force, &self.tangent, &self.bend);
+            let source = path.guess(u, q, tangent, bend);
+            *sample = terms(system, force, tangent, bend);
             matches!(source, Some(Source::Known | Source::Bridged { .. }))
         });
         profile.take(u, all_known.then_some(&samples), path.tolerance);
@@ -96,13 +91,13 @@ impl<'s> Curve<'s> {
         given: Given,
         tolerance: f64,
         driven: &mut Driven,
-        q: &mut [f64],
+        [q, tangent, bend]: &mut [&mut [f64]; 3],
     ) -> Option<Source> {
         let u = given.u[0];
         for attempt in 0..2 {
             if let Some(path) = &mut self.path {
                 path.tolerance = tolerance;
-                if let Some(source) = path.guess(u, q, &mut self.tangent, &mut self.bend) {
+                if let Some(source) = path.guess(u, q, tangent, bend) {
                     return Some(source);
                 }
                 // Beyond a dead centre of the coordinate there is no curve to follow.
@@ -181,15 +176,15 @@ impl<'s> Place<'s> for Curve<'s> {
         &mut self,
         given: Given,
         driven: &mut Driven<'s>,
-        q: &mut [f64],
+        mut to: [&mut [f64]; 3],
     ) -> Result<Placed, Failure> {
         let tolerance = given.known_to.map_or(CLOSE, |known_to| known_to.max(KNOWN));
-        match self.guess(given, tolerance, driven, q) {
+        match self.guess(given, tolerance, driven, &mut to) {
             Some(Source::Regular) => Ok(Placed::Guess),
             Some(Source::Known) if given.known_to.is_none() => Ok(Placed::Close),
             Some(Source::Known) => Ok(Placed::Known),
             Some(Source::Bridged { .. }) => Ok(Placed::Smooth),
-            None => self.beyond.place(given, driven, q),
+            None => self.beyond.place(given, driven, to),
         }
     }
 

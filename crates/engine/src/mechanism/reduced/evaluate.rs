@@ -46,12 +46,19 @@ impl Reduced<'_> {
         let (Some(curve), &[u, rate]) = (self.chart.curve_mut(), y) else {
             return false;
         };
-        let room = [&mut self.balance[..], &mut self.force];
-        let Some(acceleration) = curve.acceleration([u, rate], self.lag, &self.driven, room) else {
+        let Some(tangents) = self.inertia.tangents() else {
+            return false;
+        };
+        // Of the point at hand nothing is wanted any more.
+        self.at = None;
+        let room = [&mut self.v[..], &mut self.force];
+        let along = [&mut tangents.s[..], &mut self.a];
+        let (driven, tolerance) = (&self.driven, self.lag);
+        let Some(acceleration) = curve.acceleration([u, rate], tolerance, driven, room, along)
+        else {
             return false;
         };
         self.accelerations[0] = acceleration;
-        self.at = None;
         true
     }
 
@@ -86,7 +93,10 @@ impl Reduced<'_> {
             accepted: &self.accepted,
             known_to: (!self.with_factors).then_some(self.lag),
         };
-        let placed = self.chart.place(given, &mut self.driven, &mut self.q)?;
+        let tangent = self.inertia.tangents();
+        let tangent = tangent.map_or(&mut [][..], |tangents| &mut tangents.s);
+        let to = [&mut self.q[..], tangent, &mut self.a];
+        let placed = self.chart.place(given, &mut self.driven, to)?;
         // The last stage of an implicit step is at its end.
         let stages = self.stages.as_ref();
         if let Some(q) = stages.and_then(|stages| stages.position_at(time)) {
@@ -141,18 +151,12 @@ impl Reduced<'_> {
         Ok(())
     }
 
-    /// S, v and a₀ of the curve, on which q is.
+    /// v and a₀ of the curve, on which q is, from S and S'.
     fn take_branch(&mut self, rate: f64) {
-        let Some(curve) = self.chart.curve_mut() else {
-            return;
-        };
-        let (square, along) = (rate * rate, curve.tangent.iter().zip(&curve.bend));
-        for ((v, a), (s, bend)) in self.v.iter_mut().zip(&mut self.a).zip(along) {
-            (*v, *a) = (rate * s, square * bend);
-        }
-        // The next place on the curve has a tangent of its own.
-        if let Some(tangents) = self.inertia.tangents() {
-            std::mem::swap(&mut tangents.s, &mut curve.tangent);
+        let square = rate * rate;
+        let along = self.inertia.known_tangents();
+        for ((v, a), s) in self.v.iter_mut().zip(&mut self.a).zip(along) {
+            (*v, *a) = (rate * s, square * *a);
         }
         self.is_told = false;
         if self.driven.system.looks_at_places() {
@@ -204,8 +208,8 @@ impl Reduced<'_> {
         dependent.eval_units(system, &self.driven.evaluation, &self.inputs);
         for ((unit, response), change) in dependent.units_responses_and_changes() {
             self.inertia.respond(&self.driven, unit, change);
-            system.mass.residual(unit, change, &mut self.balance);
-            self.driven.multipliers(&self.balance, response);
+            self.driven
+                .multipliers_of(|room| system.mass.residual(unit, change, room), response);
         }
         let solved = dependent.solve(system, &self.driven.evaluation, &self.inputs, &lambda);
         if solved.is_ok() {

@@ -15,7 +15,7 @@ impl<'s> Place<'s> for Extrapolation<'s> {
         &mut self,
         given: Given,
         driven: &mut Driven<'s>,
-        q: &mut [f64],
+        [q, ..]: [&mut [f64]; 3],
     ) -> Result<Placed, Failure> {
         let columns = driven
             .independent

@@ -1,9 +1,12 @@
 //! What is kept of the ends of accepted steps.
 
 use super::Reduced;
+use super::accepted::Point;
 use super::curve::Curve;
 use super::inertia::Inertia;
 use super::place::Placed;
+use crate::mechanism::driven::Failure;
+use crate::mechanism::independent::better_coordinate;
 
 impl Reduced<'_> {
     /// (t, (u, u̇)) is the end of an accepted step: it serves for predictions from now on.
@@ -23,6 +26,30 @@ impl Reduced<'_> {
         }
     }
 
+    /// Finds the last accepted point again where it was not kept.
+    ///
+    /// # Errors
+    /// As [`Reduced::evaluate`].
+    pub(super) fn recall(&mut self) -> Result<(), Failure> {
+        if !self.accepted.is_whole() {
+            let (time, state) = (
+                self.accepted.here.s,
+                std::mem::take(&mut self.accepted.state),
+            );
+            let evaluated = self.evaluate(time, &state);
+            self.accepted.state = state;
+            evaluated?;
+            let jets = [&self.q[..], &self.v, &self.a];
+            let tangents = &[];
+            self.accepted.put(&Point {
+                time,
+                jets,
+                tangents,
+            });
+        }
+        Ok(())
+    }
+
     /// What says how coordinates follow beside the point at hand.
     fn keep_motions(&mut self) {
         if let Some(sequence) = self.sequence.as_mut().filter(|own| own.is_of(&self.driven)) {
@@ -34,12 +61,34 @@ impl Reduced<'_> {
 
     /// Keeps the point at hand.
     pub(super) fn keep(&mut self, time: f64) {
-        let point = [&self.q[..], &self.v, &self.a];
-        // A curve that comes round has no ends beyond which positions would be predicted, and what is said needs no prediction.
-        let is_said = self.sequence.is_some();
-        let predicts = !is_said && !self.chart.curve().is_some_and(Curve::comes_round);
+        let given = |order: usize| {
+            self.driven
+                .independent
+                .iter()
+                .map(move |own| own.jet[order])
+        };
+        let state = &mut self.accepted.state;
+        state.clear();
+        state.extend(given(0).chain(given(1)));
         let tangents = self.inertia.known_tangents();
-        self.accepted.keep(time, point, tangents, predicts);
+        self.accepted.has_better = better_coordinate(&self.driven, tangents).is_some();
+        // A curve that comes round has no ends beyond which positions would be predicted, and what is said needs no prediction.
+        if self.chart.curve().is_some_and(Curve::comes_round) {
+            self.accepted.pass(time);
+        } else if self.sequence.is_some() {
+            self.accepted.set_aside();
+            self.accepted.put(&Point {
+                time,
+                jets: [&self.q, &self.v, &self.a],
+                tangents,
+            });
+        } else {
+            self.accepted.keep(Point {
+                time,
+                jets: [&self.q, &self.v, &self.a],
+                tangents,
+            });
+        }
         // On straight constraints motions are those of any point.
         if self.placed != Placed::Straight {
             self.keep_motions();

@@ -46,7 +46,7 @@ mod tangents;
 
 use super::dependent_forces::DependentForces;
 use super::driven::{Driven, Failure, Work};
-use super::independent::{better_coordinate, better_of_all};
+use super::independent::better_of_all;
 use super::parts::{Part, Parts};
 use super::phases::Phases;
 use crate::element::Kinematics;
@@ -74,9 +74,8 @@ pub struct Reduced<'s> {
     q: Vec<f64>,
     v: Vec<f64>,
     a: Vec<f64>,
-    /// Q and Q − M a (n).
+    /// Q (n).
     force: Vec<f64>,
-    balance: Vec<f64>,
     /// Factors whose position is this far from the solution are taken for those of the solution [rad or sizes].
     lag: f64,
     /// Who was wanted to solve for ü, who does, and ü (f).
@@ -150,8 +149,7 @@ impl<'s> Reduced<'s> {
             q: q.to_vec(),
             v: v.to_vec(),
             a: zero.clone(),
-            force: zero.clone(),
-            balance: zero,
+            force: zero,
             lag: 0.0,
             wanted: solver,
             accelerations: vec![0.0; f],
@@ -343,6 +341,7 @@ impl<'s> Reduced<'s> {
         if !self.has_better()? {
             return Ok(false);
         }
+        self.recall()?;
         self.q.copy_from_slice(&self.accepted.here.q);
         self.v.copy_from_slice(&self.accepted.here.d);
         let before = self.accepted.set_aside();
@@ -354,7 +353,7 @@ impl<'s> Reduced<'s> {
     /// Whether another coordinate moves more than an independent one at the last accepted point.
     fn has_better(&mut self) -> Result<bool, Failure> {
         let Inertia::Sparse(sparse) = &mut self.inertia else {
-            return Ok(better_coordinate(&self.driven, &self.accepted.tangents).is_some());
+            return Ok(self.accepted.has_better);
         };
         if !sparse.may_be_better(&mut self.driven, self.sequence.as_deref()) {
             return Ok(false);

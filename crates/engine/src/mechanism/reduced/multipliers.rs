@@ -15,11 +15,11 @@ impl Reduced<'_> {
     /// Impulses of the constraints (m) that go with an impulse P and the change of the velocities that it brings about.
     pub fn impulsive_multipliers(&mut self, impulse: &[f64], change: &[f64], lambda: &mut [f64]) {
         let mass = &self.driven.system.mass;
-        mass.residual(impulse, change, &mut self.balance);
-        self.driven.multipliers(&self.balance, lambda);
+        self.driven
+            .multipliers_of(|room| mass.residual(impulse, change, room), lambda);
     }
 
-    /// Multipliers λ (m) of the last evaluation; Q − M a is left in `balance`.
+    /// Multipliers λ (m) of the last evaluation.
     ///
     /// Where a part's smooth branch stands for its joints, theirs mean nothing; see [`Reduced::reactions`]. Near a change
     /// point of the whole, where they can't be computed, they are NaN.
@@ -39,13 +39,13 @@ impl Reduced<'_> {
                 self.placed = Placed::Close;
             }
         }
-        self.eval_balance();
-        self.driven.multipliers(&self.balance, lambda);
+        let (mass, force, a) = (&self.driven.system.mass, &self.force, &self.a);
+        self.driven
+            .multipliers_of(|room| mass.residual(force, a, room), lambda);
     }
 
     /// The same for all joints; near a change point of a part, where they can't be computed, they are NaN.
     pub fn reactions(&mut self, lambda: &mut [f64]) {
-        self.eval_balance();
         let Some(own) = self.chart.own() else {
             return self.multipliers(lambda);
         };
@@ -54,18 +54,13 @@ impl Reduced<'_> {
             lambda.fill(f64::NAN);
             return;
         }
-        own.multipliers(&self.balance, lambda);
+        let (mass, force, a) = (&self.driven.system.mass, &self.force, &self.a);
+        own.multipliers_of(|room| mass.residual(force, a, room), lambda);
     }
 
     /// Power that moving drivers bring in \[W\]: that of all constraints, −λᵀ J v = (M a − Q)ᵀ v, for which no λ is needed.
-    pub fn constraint_power(&mut self) -> f64 {
-        self.eval_balance();
-        -linkdyn_linear::math::dot(&self.balance, &self.v)
-    }
-
-    /// Q − M a.
-    pub(super) fn eval_balance(&mut self) {
+    pub fn constraint_power(&self) -> f64 {
         let mass = &self.driven.system.mass;
-        mass.residual(&self.force, &self.a, &mut self.balance);
+        -mass.pull(&self.v, &self.force, &self.a)
     }
 }

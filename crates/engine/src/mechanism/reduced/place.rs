@@ -38,7 +38,8 @@ pub(super) enum Placed {
 
 /// Where positions come from.
 pub(super) trait Place<'s> {
-    /// Puts `q` at the given coordinates, or near; `driven` becomes the solver to correct it with.
+    /// Puts q (n) at the given coordinates, or near, and where they are known S and S' beside it (n); `driven` becomes the solver to
+    /// correct it with.
     ///
     /// # Errors
     /// Where such a solver can't be made.
@@ -46,7 +47,7 @@ pub(super) trait Place<'s> {
         &mut self,
         given: Given,
         driven: &mut Driven<'s>,
-        q: &mut [f64],
+        to: [&mut [f64]; 3],
     ) -> Result<Placed, Failure>;
 
     /// Forgets what belongs to other independent coordinates.

@@ -120,6 +120,7 @@ impl Reduced<'_> {
             // At the accepted point once more, for what was not kept.
             let (time, mut y) = (self.accepted.here.s, vec![0.0; 2 * self.freedom()]);
             let before = self.accepted.set_aside();
+            self.recall()?;
             self.q.copy_from_slice(&self.accepted.here.q);
             self.v.copy_from_slice(&self.accepted.here.d);
             self.state(&mut y);

@@ -21,6 +21,9 @@ impl Reduced<'_> {
 
     fn rows_near_self_stress(&mut self) -> Vec<usize> {
         let system = self.driven.system;
+        if self.recall().is_err() {
+            return Vec::new();
+        }
         self.driven.evaluation.set_position(&self.accepted.here.q);
         if self.driven.factor(&self.inputs).is_err() {
             return Vec::new();
