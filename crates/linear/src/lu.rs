@@ -94,19 +94,16 @@ pub struct SparseLu {
     /// They while pivots are chosen.
     lower: Triangle,
     upper: Triangle,
-    /// Largest entry of the column and of the row of A at the last full factorisation, by pivot position.
-    column_scale: Vec<f64>,
+    /// Largest entry of the row of A at the last full factorisation, by pivot position.
     row_scale: Vec<f64>,
     /// Sign of the determinant of P times that of Q.
     permutation_sign: f64,
     factored: bool,
     growth: f64,
     fallbacks: usize,
-    /// Column being eliminated; zero between uses.
-    column: Vec<f64>,
-    /// Vector being solved for, or the largest entry of each row of A while pivots are chosen; its right-hand side when
-    /// refining, none until then.
+    /// Vector being solved for; while pivots are chosen, of each row of A its largest entry, then the inverse of its pivot.
     vector: Vec<f64>,
+    /// Its right-hand side when refining, none until then.
     residual: Vec<f64>,
     /// Vectors being solved for together, interleaved; none until several are asked for.
     vectors: Vec<f64>,
@@ -129,14 +126,12 @@ impl SparseLu {
             position: vec![NONE; n],
             lower: Triangle::new(),
             upper: Triangle::new(),
-            frozen: Frozen::new(n),
-            column_scale: vec![0.0; n],
+            frozen: Frozen::new(),
             row_scale: vec![0.0; n],
             permutation_sign: 1.0,
             factored: false,
             growth: 0.0,
             fallbacks: 0,
-            column: vec![0.0; n],
             vector: vec![0.0; n],
             residual: Vec::new(),
             vectors: Vec::new(),
@@ -173,7 +168,7 @@ impl SparseLu {
             columns: self.order.columns(),
             position: &self.position,
         };
-        let repeated = self.frozen.repeat(&matrix, &mut self.column);
+        let repeated = self.frozen.repeat(&matrix);
         self.growth = repeated.growth;
         self.factored = repeated.is_sound && self.growth <= GROWTH_LIMIT;
         self.factored

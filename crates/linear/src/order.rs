@@ -280,7 +280,7 @@ mod tests {
             "n {}: fill {}, pivot ratio {:e}, growth {}",
             pattern.columns(),
             lu.fill(),
-            lu.smallest_pivot_ratio(),
+            lu.smallest_pivot_ratio(values),
             lu.growth()
         );
         lu.fill()

@@ -66,7 +66,7 @@ pub(super) struct Search {
     /// Step in which a row was last seen.
     mark: Vec<u32>,
     /// Path from the root: row, and next entry of its column of L.
-    path: Vec<(u32, u32)>,
+    path: Vec<[u32; 2]>,
     /// Rows found, in post-order: a row stands after all it leads to.
     reach: Vec<u32>,
 }
@@ -83,6 +83,16 @@ impl Search {
     /// Forgets the steps seen.
     pub(super) fn restart(&mut self) {
         self.mark.fill(NONE);
+        self.path.clear();
+    }
+
+    /// Four words per row, free between factorisations.
+    pub(super) fn room(&mut self) -> [&mut [u32]; 4] {
+        let n = self.mark.len();
+        self.path.resize(n, [0; 2]);
+        self.reach.resize(n, 0);
+        let (one, two) = self.path.as_flattened_mut().split_at_mut(n);
+        [&mut self.mark, &mut self.reach, one, two]
     }
 
     /// Rows found last, in post-order; the elimination walks them backwards.
@@ -108,19 +118,19 @@ impl Search {
                 continue;
             }
             self.mark[root as usize] = step;
-            self.path.push((root, first_child(root)));
+            self.path.push([root, first_child(root)]);
             while let Some(top) = self.path.last_mut() {
-                let k = position[top.0 as usize];
-                if k == NONE || top.1 >= lower.start[k as usize + 1] {
-                    self.reach.push(top.0);
+                let k = position[top[0] as usize];
+                if k == NONE || top[1] >= lower.start[k as usize + 1] {
+                    self.reach.push(top[0]);
                     self.path.pop();
                     continue;
                 }
-                let child = lower.entries[top.1 as usize].row;
-                top.1 += 1;
+                let child = lower.entries[top[1] as usize].row;
+                top[1] += 1;
                 if self.mark[child as usize] != step {
                     self.mark[child as usize] = step;
-                    self.path.push((child, first_child(child)));
+                    self.path.push([child, first_child(child)]);
                 }
             }
         }

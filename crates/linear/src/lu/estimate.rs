@@ -56,30 +56,32 @@ impl SparseLu {
             self.factored,
             "determinant wants a successful factorisation before it"
         );
-        let pivots = self.frozen.inverse_pivot.iter();
+        let pivots = self.frozen.inverse_pivots().iter();
         let ln_abs: f64 = pivots.map(|inverse| -inverse.abs().ln()).sum();
         (self.determinant_sign(), ln_abs)
     }
 
     /// Sign of det A of the last factors.
     pub fn determinant_sign(&self) -> f64 {
-        let pivots = self.frozen.inverse_pivot.iter();
+        let pivots = self.frozen.inverse_pivots().iter();
         pivots.fold(self.permutation_sign, |sign, inverse| {
             sign * inverse.signum()
         })
     }
 
-    /// Smallest pivot over the largest entry of its column and row, whichever is smaller [-].
+    /// Smallest pivot over the largest entry of its column and row, whichever is smaller [-], of the values that were factored.
     ///
-    /// The figure that [`super::SINGULAR_RATIO`] is held against, with the scales of the last full factorisation; infinite for an
+    /// The figure that [`super::SINGULAR_RATIO`] is held against, with the rows' scales of the last full factorisation; infinite for an
     /// empty matrix.
-    pub fn smallest_pivot_ratio(&self) -> f64 {
-        let scales = self.column_scale.iter().zip(&self.row_scale);
-        self.frozen
-            .inverse_pivot
-            .iter()
-            .zip(scales)
-            .map(|(inverse, (&column, &row))| 1.0 / (inverse.abs() * column.min(row)))
+    pub fn smallest_pivot_ratio(&self, values: &[f64]) -> f64 {
+        let columns = self.order.columns().iter().map(|&column| {
+            let own = values[self.pattern.span(column as usize)].iter();
+            own.fold(0.0, |largest, value| f64::max(largest, value.abs()))
+        });
+        let pivots = self.frozen.inverse_pivots().iter();
+        pivots
+            .zip(columns.zip(&self.row_scale))
+            .map(|(inverse, (column, &row))| 1.0 / (inverse.abs() * column.min(row)))
             .fold(f64::INFINITY, f64::min)
     }
 
@@ -89,7 +91,7 @@ impl SparseLu {
     pub fn pivot_spread(&self) -> f64 {
         let (smallest, largest) = self
             .frozen
-            .inverse_pivot
+            .inverse_pivots()
             .iter()
             .map(|inverse| inverse.abs())
             .fold((f64::INFINITY, 0.0), |(low, high), size| {

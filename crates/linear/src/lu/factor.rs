@@ -19,6 +19,21 @@ impl SparseLu {
         self.factored = false;
         self.scan(values)?;
         self.start();
+        // Where the factors were there is room.
+        let (mut x, n) = (std::mem::take(&mut self.frozen.numbers), self.order.len());
+        x.resize(x.len().max(n), 0.0);
+        let eliminated = self.eliminate_all(values, &mut x[..n]);
+        self.frozen.numbers = x;
+        eliminated?;
+        self.freeze(values);
+        self.check_finite()?;
+        self.factored = true;
+        Ok(())
+    }
+
+    /// All columns; `x` (n) is one to work in.
+    fn eliminate_all(&mut self, values: &[f64], x: &mut [f64]) -> Result<(), Singular> {
+        x.fill(0.0);
         for step in 0..self.order.len() {
             let column = self.order.columns()[step] as usize;
             self.search.find(
@@ -27,15 +42,10 @@ impl SparseLu {
                 &self.position,
                 &self.lower,
             );
-            self.eliminate(step, values);
-            let pivot_row = self
-                .choose_pivot(step)
-                .inspect_err(|_| self.column.fill(0.0))?;
-            self.store(step, pivot_row);
+            let scale = self.eliminate(step, values, x);
+            let pivot_row = self.choose_pivot(step, scale, x)?;
+            self.store(step, pivot_row, x);
         }
-        self.freeze(values);
-        self.check_finite()?;
-        self.factored = true;
         Ok(())
     }
 
@@ -72,9 +82,9 @@ impl SparseLu {
         self.upper.restart(self.order.len());
     }
 
-    /// Solves L x = A(:, q_j) along the reach; U(:, j) is what pivot rows hold, the rest stays in the work column.
-    fn eliminate(&mut self, step: usize, values: &[f64]) {
-        let x = &mut self.column;
+    /// Solves L x = A(:, q_j) along the reach; U(:, j) is what pivot rows hold, the rest stays in x. Gives the largest entry of the column
+    /// of A.
+    fn eliminate(&mut self, step: usize, values: &[f64], x: &mut [f64]) -> f64 {
         let column = self.order.columns()[step] as usize;
         let mut scale = 0.0f64;
         for (&row, &value) in self
@@ -86,7 +96,6 @@ impl SparseLu {
             x[row as usize] = value;
             scale = scale.max(value.abs());
         }
-        self.column_scale[step] = scale;
         for &row in self.search.reach().iter().rev() {
             let k = self.position[row as usize];
             if k == NONE {
@@ -99,10 +108,11 @@ impl SparseLu {
             }
         }
         self.upper.close_column();
+        scale
     }
 
     /// The preferred row when it is large enough, else the row with the largest entry.
-    fn choose_pivot(&mut self, step: usize) -> Result<u32, Singular> {
+    fn choose_pivot(&self, step: usize, scale: f64, x: &[f64]) -> Result<u32, Singular> {
         let column = self.order.columns()[step];
         let preferred = self.order.preferred()[column as usize];
         let (mut best, mut largest, mut partner) = (NONE, 0.0, 0.0);
@@ -110,7 +120,7 @@ impl SparseLu {
             if self.position[row as usize] != NONE {
                 continue;
             }
-            let size = self.column[row as usize].abs();
+            let size = x[row as usize].abs();
             // NaN is taken, and refused below.
             if best == NONE || size > largest || size.is_nan() {
                 (best, largest) = (row, size);
@@ -129,7 +139,7 @@ impl SparseLu {
         if partner > 0.0 && partner >= PIVOT_THRESHOLD * largest {
             (best, largest) = (preferred, partner);
         }
-        let scale = self.column_scale[step].min(self.vector[best as usize]);
+        let scale = scale.min(self.vector[best as usize]);
         let ratio = if largest == 0.0 { 0.0 } else { largest / scale };
         if ratio.is_nan()
             || ratio <= SINGULAR_RATIO
@@ -146,15 +156,14 @@ impl SparseLu {
         Ok(best)
     }
 
-    /// Takes the pivot and L(:, j) out of the work column, which is zero again after.
-    fn store(&mut self, step: usize, pivot_row: u32) {
-        let inverse = 1.0 / std::mem::take(&mut self.column[pivot_row as usize]);
+    /// Takes the pivot and L(:, j) out of x, which is zero again after. The pivot's inverse takes the place of the row's scale.
+    fn store(&mut self, step: usize, pivot_row: u32, x: &mut [f64]) {
+        let inverse = 1.0 / std::mem::take(&mut x[pivot_row as usize]);
         self.position[pivot_row as usize] = step as u32;
-        self.frozen.inverse_pivot[step] = inverse;
-        self.row_scale[step] = self.vector[pivot_row as usize];
+        self.row_scale[step] = std::mem::replace(&mut self.vector[pivot_row as usize], inverse);
         for &row in self.search.reach() {
             if self.position[row as usize] == NONE {
-                let value = std::mem::take(&mut self.column[row as usize]) * inverse;
+                let value = std::mem::take(&mut x[row as usize]) * inverse;
                 self.growth = self.growth.max(value.abs());
                 self.lower.entries.push(Entry { row, value });
             }
@@ -178,7 +187,9 @@ impl SparseLu {
             columns: self.order.columns(),
             position: &self.position,
         };
-        self.frozen.take(&self.lower, &self.upper, &matrix);
+        let factors = [&self.lower, &self.upper];
+        let room = self.search.room();
+        self.frozen.take(factors, &self.vector, &matrix, room);
         self.permutation_sign = parity(&self.position, self.search.marks())
             * parity(self.order.columns(), self.search.marks());
     }

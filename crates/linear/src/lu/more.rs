@@ -37,14 +37,11 @@ impl SparseLu {
         }
         self.position.clone_from(&other.position);
         self.frozen.take_over(&other.frozen);
-        self.column_scale.clone_from(&other.column_scale);
         self.row_scale.clone_from(&other.row_scale);
         self.permutation_sign = other.permutation_sign;
         self.factored = other.factored;
         self.growth = other.growth;
         let n = self.order.len();
-        for room in [&mut self.column, &mut self.vector] {
-            room.resize(n, 0.0);
-        }
+        self.vector.resize(n, 0.0);
     }
 }
