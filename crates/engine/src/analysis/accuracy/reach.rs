@@ -21,7 +21,7 @@ use linkdyn_linear::small::SmallLu;
 const FIRST: [f64; 4] = [1e-6, 1e-5, 1e-4, 1e-3];
 /// Largest step of the deviation, in radians or sizes.
 const LARGEST: f64 = 0.05;
-/// A deviation beyond this has no end.
+/// A deviation beyond this, in radians or sizes, has no end.
 const FARTHEST: f64 = 7.0;
 /// Shortest.
 const SHORTEST: f64 = 1e-12;
