@@ -10,8 +10,8 @@
 //!
 //! All but the direction of a guide stand in φ linearly, so that what is off by a finite step is off by ∂φ times the step.
 
-use super::grip::{Grip, Hold, driver_block};
-use super::output::{Load, Pulls};
+use super::grip::{Grip, driver_block};
+use super::output::Load;
 use crate::element::{BodyId, Kinematics, Marker};
 use crate::system::{Evaluation, JointRole, System};
 use linkdyn_linear::math::{Vec2, perp};
@@ -26,8 +26,6 @@ pub(super) struct PointId(pub usize);
 pub(super) struct Point {
     pub body: BodyId,
     pub grips: Vec<Grip>,
-    /// The grips put together.
-    pub hold: Hold,
     /// Whether the line of centres of a gear goes along with it, which φ does not follow in a straight line.
     pub bears_wheel: bool,
 }
@@ -124,15 +122,6 @@ pub(super) struct Dimensions {
     pub by_path: HashMap<String, Vec<(usize, f64)>>,
 }
 
-/// How far a point is off, in global axes \[m\].
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Off {
-    pub point: PointId,
-    pub by: Vec2,
-    /// Whether it turns with its body, or keeps its direction.
-    pub turns: bool,
-}
-
 /// A position at which the equations were evaluated, φ and J.
 #[derive(Clone, Copy)]
 pub(super) struct Here<'a> {
@@ -148,7 +137,7 @@ pub(super) struct Here<'a> {
 }
 
 impl Dimensions {
-    /// ∂y/∂(dimension) under a load on the output; of points see [`Dimensions::of_point`].
+    /// ∂y/∂(dimension) under a load on the output; of points see `held`.
     pub fn influence(&self, here: Here<'_>, load: &Load, k: usize) -> f64 {
         let lambda = &load.lambda;
         let dimension = &self.all[k];
@@ -170,38 +159,6 @@ impl Dimensions {
                 -lambda[driver_block(here.system, *driver).row()] * number.rate(here.time)
             }
             Dimension::Motion { .. } => 0.0,
-        }
-    }
-
-    /// ∂y/∂P of a point under a load on the output, in global axes: what the output pulls itself (`own`), and by what holds on
-    /// to the point.
-    pub fn of_point(&self, here: Here<'_>, own: &Pulls, load: &Load, id: PointId) -> Vec2 {
-        let jacobian = &here.evaluation.jacobian;
-        let mut pull = -self.points[id.0].hold.pull(jacobian, &load.lambda);
-        for (place, own) in own.iter().flatten() {
-            if place.point == Some(id) {
-                pull += own * load.size;
-            }
-        }
-        pull
-    }
-
-    /// Adds to `turned` (n) what the Lagrangian y − λᵀφ gains as bodies turn while points are off: λ follows the displaced
-    /// points.
-    pub fn turn(&self, here: Here<'_>, own: &Pulls, load: &Load, offs: &[Off], turned: &mut [f64]) {
-        let theta = |body: BodyId| here.system.layout.columns(body).map(|c| c.theta());
-        for off in offs {
-            let point = &self.points[off.point.0];
-            if let (true, Some(column)) = (off.turns, theta(point.body)) {
-                let pull = self.of_point(here, own, load, off.point);
-                turned[column] += pull.dot(&perp(off.by));
-            }
-            for grip in &point.grips {
-                if let Some(column) = grip.guide.and_then(theta) {
-                    let pull = grip.pull(&here.evaluation.jacobian, &load.lambda);
-                    turned[column] -= perp(pull).dot(&off.by);
-                }
-            }
         }
     }
 

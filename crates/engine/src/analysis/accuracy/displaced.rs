@@ -1,9 +1,11 @@
 //! A mechanism with its sources off by given amounts: the gaps of its rows, and where its output is then.
 
-use super::dimensions::{Dimension, Dimensions, Here, Off, PointId};
+use super::chosen::Chosen;
+use super::dimensions::{Dimension, Dimensions, Here, PointId};
 use super::enclosure::Extents;
+use super::held::{Held, Off};
 use super::output::{Load, Output};
-use super::search::Chosen;
+use super::sorted::Sorted;
 use super::source::{Influence, Play};
 use crate::mechanism::driven::Driven;
 use crate::system::Inputs;
@@ -37,25 +39,22 @@ pub(super) struct Mechanism<'m> {
     pub extents: Extents,
     /// Whether nothing is off farther than that.
     pub is_bounded: bool,
-    /// Points that parameters step, each with the number of its first dimension.
-    stepped_points: Vec<(PointId, usize)>,
-    /// Other dimensions that parameters step.
-    stepped_others: Vec<usize>,
-    /// Plays by what they are: parameters, zones with their points, and those that make gaps.
-    parameters: Vec<usize>,
-    zones: Vec<(usize, PointId)>,
-    gapped: Vec<usize>,
-    /// ∂y/∂(dimension), and ∂y/∂P of the points, as last asked for.
+    /// The plays by what they do.
+    pub sorted: Sorted,
+    /// Points that are moved, what pulls on each, and how far it is off.
+    held: Held,
+    pulls: Vec<Vec2>,
+    offs: Vec<Off>,
+    /// Dimensions that parameters step, but for those of points.
+    stepped: Vec<usize>,
+    /// ∂y/∂(dimension), as last asked for.
     of_dimensions: Vec<f64>,
-    of_points: Vec<Vec2>,
     /// The deviations that are tried.
     pub chosen: Chosen,
     /// What corners gave, by the bits of the deviations of parameters that bend.
     known: HashMap<Vec<u64>, Option<Vec<f64>>>,
     /// Gaps of the rows (m).
     pub rows: Vec<f64>,
-    /// Points that are off.
-    offs: Vec<Off>,
     /// Shifts of the points in the frames of their bodies \[m\].
     pub shifts: Vec<Vec2>,
     /// Space for corrections.
@@ -80,42 +79,10 @@ impl<'m> Mechanism<'m> {
         corners: &'m Corners<'m>,
         slack: Option<&[f64]>,
     ) -> Self {
-        let steps = plays.iter().flat_map(|play| match play {
-            Play::Parameter { steps, .. } => steps.as_slice(),
-            Play::Pin { .. }
-            | Play::Sides { .. }
-            | Play::Guided { .. }
-            | Play::Driver { .. }
-            | Play::Zone { .. } => &[],
-        });
-        let mut used: Vec<usize> = steps.map(|&(k, _)| k).collect();
-        used.sort_unstable();
-        used.dedup();
-        let mut stepped_points = Vec::new();
-        let mut stepped_others = Vec::new();
-        for &k in &used {
-            match dimensions.all[k] {
-                Dimension::Point(point, axis) => stepped_points.push((point, k - axis)),
-                Dimension::Direction { .. }
-                | Dimension::Angle { .. }
-                | Dimension::Mesh { .. }
-                | Dimension::Ratio { .. }
-                | Dimension::Motion { .. } => stepped_others.push(k),
-            }
-        }
-        // The dimensions of a point stand beside each other.
-        stepped_points.dedup();
-        let (mut parameters, mut zones, mut gapped) = (Vec::new(), Vec::new(), Vec::new());
-        for (index, play) in plays.iter().enumerate() {
-            match play {
-                Play::Parameter { .. } => parameters.push(index),
-                Play::Zone { point, .. } => zones.push((index, *point)),
-                Play::Pin { .. }
-                | Play::Sides { .. }
-                | Play::Guided { .. }
-                | Play::Driver { .. } => gapped.push(index),
-            }
-        }
+        let sorted = Sorted::new(plays);
+        let mut stepped = sorted.stepped();
+        let held = Held::new(driven.system, dimensions, &stepped, &sorted.zones);
+        stepped.retain(|&k| !matches!(dimensions.all[k], Dimension::Point(..)));
         let (n, m) = (driven.system.n(), driven.system.m());
         let space = Space {
             step: vec![0.0; n],
@@ -129,14 +96,12 @@ impl<'m> Mechanism<'m> {
         Mechanism {
             is_bounded: slack.is_some(),
             extents,
-            stepped_points,
-            stepped_others,
-            parameters,
-            zones,
-            gapped,
-            offs: Vec::new(),
+            pulls: vec![Vec2::zeros(); held.count()],
+            offs: vec![Off::default(); held.count()],
+            held,
+            sorted,
+            stepped,
             of_dimensions: vec![0.0; dimensions.all.len()],
-            of_points: vec![Vec2::zeros(); dimensions.points.len()],
             chosen: Chosen::new(plays.len(), dimensions.all.len()),
             rows: vec![0.0; m],
             space,
@@ -187,26 +152,20 @@ impl<'m> Mechanism<'m> {
         influences: &mut [Influence],
     ) {
         let mut of_dimensions = std::mem::take(&mut self.of_dimensions);
-        let mut of_points = std::mem::take(&mut self.of_points);
+        let mut pulls = std::mem::take(&mut self.pulls);
         let here = self.here(stand);
         let own = output.pulls(&here.at, here.shifts);
-        for &(point, k) in &self.stepped_points {
-            let pull = self.dimensions.of_point(here, &own, load, point);
-            let pose = &here.at.poses[self.dimensions.points[point.0].body.0];
-            of_dimensions[k] = pose.cos * pull.x + pose.sin * pull.y;
-            of_dimensions[k + 1] = pose.cos * pull.y - pose.sin * pull.x;
-        }
-        for &(_, point) in &self.zones {
-            of_points[point.0] = self.dimensions.of_point(here, &own, load, point);
-        }
-        for &k in &self.stepped_others {
+        self.held.pulls(here, &own, load, &mut pulls);
+        let poses = here.at.poses;
+        self.held
+            .influences(poses, &pulls, &mut of_dimensions, influences);
+        for &k in &self.stepped {
             of_dimensions[k] = self.dimensions.influence(here, load, k);
         }
-        for (g, play) in influences.iter_mut().zip(self.plays) {
-            *g = play.influence(&load.lambda, &of_dimensions, &of_points);
-        }
+        self.sorted
+            .influences(&load.lambda, &of_dimensions, influences);
         self.of_dimensions = of_dimensions;
-        self.of_points = of_points;
+        self.pulls = pulls;
     }
 
     /// Sets gaps, steps and shifts for the deviations that carry the output farthest up; those that gain no more than this part of
@@ -236,41 +195,13 @@ impl<'m> Mechanism<'m> {
 
     /// Puts the points where steps and zones put them, at the position last taken.
     pub fn place(&mut self, stand: &Stand) {
-        let mut shifts = std::mem::take(&mut self.shifts);
-        let mut offs = std::mem::take(&mut self.offs);
-        offs.clear();
-        for &(_, point) in &self.zones {
-            shifts[point.0] = Vec2::zeros();
-        }
         let poses = self.driven.evaluation.kinematics(&stand.inputs).poses;
-        let pose = |PointId(point): PointId| &poses[self.dimensions.points[point].body.0];
-        for &(point, k) in &self.stepped_points {
-            let shift = Vec2::new(self.chosen.steps[k], self.chosen.steps[k + 1]);
-            shifts[point.0] = shift;
-            if shift.x != 0.0 || shift.y != 0.0 {
-                offs.push(Off {
-                    point,
-                    by: pose(point).turn(shift),
-                    turns: true,
-                });
-            }
-        }
-        for &(index, point) in &self.zones {
-            let e = self.chosen.extremes[index];
-            let by = Vec2::new(e[0], e[1]);
-            offs.push(Off {
-                point,
-                by,
-                turns: false,
-            });
-            let pose = pose(point);
-            shifts[point.0] += Vec2::new(
-                pose.cos * by.x + pose.sin * by.y,
-                pose.cos * by.y - pose.sin * by.x,
-            );
-        }
-        self.shifts = shifts;
-        self.offs = offs;
+        let off = (
+            self.chosen.steps.as_slice(),
+            self.chosen.extremes.as_slice(),
+        );
+        self.held
+            .place(poses, off, &mut self.offs, &mut self.shifts);
     }
 
     /// Sets the gaps of the rows, at the position last taken, for points where they were put, steps and e.
@@ -278,73 +209,50 @@ impl<'m> Mechanism<'m> {
         let mut rows = std::mem::take(&mut self.rows);
         rows.fill(0.0);
         let here = self.here(stand);
-        for off in &self.offs {
-            let hold = &self.dimensions.points[off.point.0].hold;
-            hold.push(&here.evaluation.jacobian, off.by, &mut rows);
-        }
-        for &k in &self.stepped_others {
+        self.held
+            .push(&here.evaluation.jacobian, &self.offs, &mut rows);
+        for &k in &self.stepped {
             if self.chosen.steps[k] != 0.0 {
                 self.dimensions
                     .push_one(here, k, self.chosen.steps[k], &mut rows);
             }
         }
-        for &index in &self.gapped {
-            let e = &self.chosen.extremes[index];
-            match &self.plays[index] {
-                Play::Pin { row, .. } | Play::Guided { row, .. } => {
-                    rows[*row] += e[0];
-                    rows[row + 1] += e[1];
-                }
-                Play::Sides { row, .. } | Play::Driver { row, .. } => rows[*row] += e[0],
-                Play::Zone { .. } | Play::Parameter { .. } => {}
-            }
-        }
+        self.sorted.gap(&self.chosen.extremes, &mut rows);
         self.rows = rows;
     }
 
     /// Sets the steps of the dimensions for the parameters' deviations: what those that bend do together, and of the others the
     /// sum of what each does. Whether the model can be had with them.
     pub fn step_parameters(&mut self) -> bool {
-        let each = self
-            .parameters
-            .iter()
-            .map(|&index| self.chosen.extremes[index][0]);
-        if each.eq(self.chosen.stepped.iter().copied()) {
+        let Chosen {
+            extremes, stepped, ..
+        } = &mut self.chosen;
+        if self.sorted.parameters(extremes).eq(stepped.iter().copied()) {
             return true;
         }
-        self.chosen.stepped.clear();
+        stepped.clear();
         if !self.step_bent() {
             return false;
         }
-        for &index in &self.parameters {
-            let e = self.chosen.extremes[index][0];
-            if let Play::Parameter {
-                steps,
-                bends: false,
-                ..
-            } = &self.plays[index]
-            {
-                for &(k, by) in steps {
-                    self.chosen.steps[k] += by * e;
-                }
-            }
-            self.chosen.stepped.push(e);
-        }
+        let Chosen {
+            extremes,
+            steps,
+            stepped,
+            ..
+        } = &mut self.chosen;
+        self.sorted.step(extremes, steps);
+        stepped.extend(self.sorted.parameters(extremes));
         true
     }
 
     /// Sets the steps of the dimensions for the parameters that bend, the others at their values: the model is read with them.
     fn step_bent(&mut self) -> bool {
-        let bent = |&index: &usize| match self.plays[index] {
-            Play::Parameter { bends: true, .. } => self.chosen.extremes[index][0],
-            _ => 0.0,
-        };
-        let mut asked = self.parameters.iter().map(bent);
+        let mut asked = self.sorted.bent(&self.chosen.extremes);
         if asked.all(|by| by == 0.0) {
             self.chosen.steps.fill(0.0);
             return true;
         }
-        let asked: Vec<f64> = self.parameters.iter().map(bent).collect();
+        let asked: Vec<f64> = self.sorted.bent(&self.chosen.extremes).collect();
         let key = asked.iter().map(|by| by.to_bits()).collect();
         let corners = self.corners;
         let steps = self.known.entry(key).or_insert_with(|| corners(&asked));
@@ -365,6 +273,7 @@ impl<'m> Mechanism<'m> {
     /// them.
     pub fn unbalance(&mut self, stand: &Stand, output: &Output, load: &Load) {
         let mut out = std::mem::take(&mut self.space.pull);
+        let mut pulls = std::mem::take(&mut self.pulls);
         let here = self.here(stand);
         let system = self.driven.system;
         let own = output.pulls(&here.at, here.shifts);
@@ -374,7 +283,10 @@ impl<'m> Mechanism<'m> {
                 out[column as usize] -= value * load.lambda[entry.row as usize];
             }
         }
-        self.dimensions.turn(here, &own, load, &self.offs, &mut out);
+        self.held.pulls(here, &own, load, &mut pulls);
+        let off = (pulls.as_slice(), self.offs.as_slice());
+        self.held.turn(here, &load.lambda, off, &mut out);
+        self.pulls = pulls;
         self.space.pull = out;
     }
 

@@ -54,6 +54,15 @@ impl Grip {
         }
     }
 
+    pub fn sign(&self) -> f64 {
+        self.sign
+    }
+
+    /// Rows with the entries of J, along x (0) or y (1).
+    pub fn entries(&self, axis: usize) -> &[(usize, usize)] {
+        [&self.x, &self.y][axis]
+    }
+
     /// λᵀ ∂φ/∂P, in global axes.
     pub fn pull(&self, jacobian: &[f64], lambda: &[f64]) -> Vec2 {
         let sum = |entries: &[(usize, usize)]| -> f64 {
@@ -78,49 +87,6 @@ impl Grip {
     pub fn push_size(&self, length: f64, rows: &mut [f64]) {
         for &(row, _) in self.x.iter().chain(&self.y) {
             rows[row] += self.most * length;
-        }
-    }
-}
-
-/// All entries of J by which equations hold on to a point, for places that are asked often.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Hold {
-    /// (row, index among the entries of J, sign), along x and y.
-    entries: [Vec<(u32, u32, f64)>; 2],
-}
-
-impl Hold {
-    /// Of all that holds on to a point.
-    pub fn of(grips: &[Grip]) -> Hold {
-        let mut hold = Hold::default();
-        for grip in grips {
-            for (entries, own) in hold.entries.iter_mut().zip([&grip.x, &grip.y]) {
-                let own = own.iter();
-                entries.extend(own.map(|&(row, entry)| (row as u32, entry as u32, grip.sign)));
-            }
-        }
-        hold
-    }
-
-    /// λᵀ ∂φ/∂P, in global axes.
-    pub fn pull(&self, jacobian: &[f64], lambda: &[f64]) -> Vec2 {
-        let [x, y] = &self.entries;
-        let sum = |entries: &[(u32, u32, f64)]| {
-            let mut sum = 0.0;
-            for &(row, entry, sign) in entries {
-                sum += sign * lambda[row as usize] * jacobian[entry as usize];
-            }
-            sum
-        };
-        Vec2::new(sum(x), sum(y))
-    }
-
-    /// Adds ∂φ/∂P·d to the rows.
-    pub fn push(&self, jacobian: &[f64], d: Vec2, rows: &mut [f64]) {
-        for (entries, d) in self.entries.iter().zip([d.x, d.y]) {
-            for &(row, entry, sign) in entries {
-                rows[row as usize] += sign * jacobian[entry as usize] * d;
-            }
         }
     }
 }

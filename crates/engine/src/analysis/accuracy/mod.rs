@@ -20,11 +20,13 @@
 
 mod allocate;
 mod answer;
+mod chosen;
 mod dimensions;
 mod displaced;
 mod enclosure;
 mod forces;
 mod grip;
+mod held;
 mod levels;
 mod needed;
 mod output;
@@ -32,6 +34,7 @@ mod poses;
 mod reach;
 mod rooms;
 mod search;
+mod sorted;
 mod source;
 mod statistics;
 mod turn;

@@ -4,39 +4,15 @@
 //! Along a stroke what comes to that goes on smoothly, on a parabola through the last three poses: of q, λ and g what is beyond
 //! the first order, and the places of sources between their ends.
 
+use super::chosen::Chosen;
 use super::displaced::{Mechanism, Space, Stand};
 use super::output::{Load, Output};
 use super::source::Influence;
-use super::turn::Turn;
 
 /// Poses that are kept: those of a parabola.
 const KEPT: usize = 3;
 /// What reaches no farther than this part of all has no influence.
 pub(super) const SILENT: f64 = 1e-14;
-
-/// Deviations of all sources.
-#[derive(Debug, Clone)]
-pub(super) struct Chosen {
-    /// e of the plays.
-    pub extremes: Vec<Influence>,
-    /// Sources that give way to their influence (plays).
-    pub turns: Vec<Turn>,
-    /// Steps of the dimensions …
-    pub steps: Vec<f64>,
-    /// … for these deviations of the parameters.
-    pub stepped: Vec<f64>,
-}
-
-impl Chosen {
-    pub fn new(plays: usize, dimensions: usize) -> Self {
-        Chosen {
-            extremes: vec![[0.0; 2]; plays],
-            turns: vec![Turn::default(); plays],
-            steps: vec![0.0; dimensions],
-            stepped: Vec::new(),
-        }
-    }
-}
 
 /// The search for the farthest deviation of one output to one side, pose after pose.
 #[derive(Debug, Clone)]
@@ -49,6 +25,8 @@ pub(super) struct Search {
     pub load: Load,
     /// The deviations, and before the search those of the last pose.
     pub chosen: Chosen,
+    /// Coordinates where it began (n).
+    pub began: Vec<f64>,
     /// The output at the nominal position [rad or m].
     pub nominal: f64,
     /// Its deviation to first order.
@@ -59,7 +37,8 @@ pub(super) struct Search {
     pub is_led: bool,
     /// The last poses, the newest first.
     past: Vec<Past>,
-    /// What they say of this one.
+    /// What they weigh in what they say of this one, and what they say.
+    weights: [f64; KEPT],
     ahead: Beyond,
 }
 
@@ -69,15 +48,17 @@ struct Past {
     /// \[s\]
     time: f64,
     beyond: Beyond,
+    /// e of the plays.
+    places: Vec<Influence>,
 }
 
 /// What a farthest deviation was beyond its first order, in one row so that parabolas are quick: coordinates (n), multipliers (m),
-/// influences (two a play), and the places of the plays, whole.
+/// and the influences that these do not tell.
 #[derive(Debug, Clone)]
 struct Beyond {
     numbers: Vec<f64>,
-    /// Where multipliers, influences and places begin.
-    begins: [usize; 3],
+    /// Where multipliers and influences begin.
+    begins: [usize; 2],
 }
 
 impl Beyond {
@@ -89,12 +70,8 @@ impl Beyond {
         &self.numbers[self.begins[0]..self.begins[1]]
     }
 
-    fn influences(&self) -> &[Influence] {
-        self.numbers[self.begins[1]..self.begins[2]].as_chunks().0
-    }
-
-    fn places(&self) -> &[f64] {
-        &self.numbers[self.begins[2]..]
+    fn influences(&self) -> &[f64] {
+        &self.numbers[self.begins[1]..]
     }
 }
 
@@ -105,6 +82,7 @@ impl Search {
         Search {
             side,
             q: vec![0.0; n],
+            began: vec![0.0; n],
             load: Load {
                 lambda: vec![0.0; m],
                 size: 1.0,
@@ -115,9 +93,10 @@ impl Search {
             far: 0.0,
             is_led: false,
             past: Vec::with_capacity(KEPT),
+            weights: [0.0; KEPT],
             ahead: Beyond {
-                numbers: vec![0.0; n + m + 3 * plays],
-                begins: [n, n + m, n + m + 2 * plays],
+                numbers: vec![0.0; n + m + mechanism.sorted.untold()],
+                begins: [n, n + m],
             },
         }
     }
@@ -137,17 +116,13 @@ impl Search {
                 .map(|(_, other)| (time - other) / (own - other))
                 .product();
         }
+        self.weights = weights;
         let ahead = &mut self.ahead.numbers;
         match self.past.as_slice() {
             [] => return false,
             [a, b, c] => {
-                let each = a
-                    .beyond
-                    .numbers
-                    .iter()
-                    .zip(&b.beyond.numbers)
-                    .zip(&c.beyond.numbers);
-                for (ahead, ((a, b), c)) in ahead.iter_mut().zip(each) {
+                let [a, b, c] = [a, b, c].map(|past| past.beyond.numbers.iter());
+                for (ahead, ((a, b), c)) in ahead.iter_mut().zip(a.zip(b).zip(c)) {
                     *ahead = weights[0] * a + weights[1] * b + weights[2] * c;
                 }
             }
@@ -163,39 +138,30 @@ impl Search {
     }
 
     /// Chooses the deviations that the influences at the nominal position ask for, and those beyond it.
-    fn choose(&mut self, mechanism: &Mechanism, influences: &[Influence], first: f64) {
-        let Chosen {
-            extremes, turns, ..
-        } = &mut self.chosen;
-        let own = extremes
-            .iter_mut()
-            .zip(turns)
-            .zip(mechanism.plays)
-            .zip(influences);
+    fn choose(
+        &mut self,
+        mechanism: &Mechanism,
+        (influences, g): (&[Influence], &mut [Influence]),
+        first: f64,
+    ) {
+        let sources = (&mechanism.sorted, mechanism.plays);
         if !self.is_led {
-            for (((e, turn), play), g) in own {
-                (*e, *turn) = (play.extreme(*g, self.side), Turn::default());
-            }
-            return;
+            let asked = (influences, self.side);
+            return self.chosen.begin(sources, asked, -1.0, |_| None);
         }
+        let beyond = (self.ahead.lambda(), self.ahead.influences());
+        mechanism.sorted.differ(beyond, influences, g);
+        let each = self.past.iter().zip(self.weights);
+        let place = |play: usize| {
+            let places = each.clone();
+            Some(
+                places
+                    .map(|(past, weight)| weight * past.places[play][0])
+                    .sum(),
+            )
+        };
         let still = SILENT * first.abs();
-        let ahead = self.ahead.influences().iter().zip(self.ahead.places());
-        for ((((e, turn), play), g), (more, place)) in own.zip(ahead) {
-            let g = [g[0] + more[0], g[1] + more[1]];
-            *turn = match play.ends() {
-                Some(ends) if turn.is_bent() => turn.ahead([*place, g[0]], ends),
-                Some(_) | None => Turn::default(),
-            };
-            if turn.is_bent() {
-                *e = [*place, 0.0];
-                continue;
-            }
-            // What has no influence stays where it was.
-            let [down, up] = play.reach(g);
-            if up - down > still {
-                *e = play.extreme(g, self.side);
-            }
-        }
+        self.chosen.begin(sources, (g, self.side), still, place);
     }
 
     /// Keeps what was found, the mechanism displaced to first order (n) for the same deviations.
@@ -212,23 +178,27 @@ impl Search {
             Past {
                 time,
                 beyond: self.ahead.clone(),
+                places: self.chosen.extremes.clone(),
             }
         };
         past.time = time;
+        past.places.copy_from_slice(&self.chosen.extremes);
         let (load, influences) = nominal;
-        let now = &mechanism.space.influences;
         let less = |(a, b): (&f64, &f64)| a - b;
         let q = self.q.iter().zip(first).map(less);
         let lambda = self.load.lambda.iter().zip(&load.lambda).map(less);
-        let g = now
-            .as_flattened()
-            .iter()
-            .zip(influences.as_flattened())
-            .map(less);
-        let places = self.chosen.extremes.iter().map(|e| e[0]);
-        let numbers = q.chain(lambda).chain(g).chain(places);
-        past.beyond.numbers.clear();
-        past.beyond.numbers.extend(numbers);
+        let [begin, middle] = past.beyond.begins;
+        let (own, others) = past.beyond.numbers.split_at_mut(begin);
+        own.iter_mut().zip(q).for_each(|(own, new)| *own = new);
+        let (own, others) = others.split_at_mut(middle - begin);
+        own.iter_mut().zip(lambda).for_each(|(own, new)| *own = new);
+        let untold = mechanism
+            .sorted
+            .differences(&mechanism.space.influences, influences);
+        others
+            .iter_mut()
+            .zip(untold)
+            .for_each(|(own, new)| *own = new);
         self.past.insert(0, past);
     }
 }
@@ -244,7 +214,9 @@ impl Mechanism<'_> {
         (first, search): (f64, &mut Search),
     ) -> bool {
         search.is_led = search.look(stand.inputs.time);
-        search.choose(self, influences, first);
+        let mut g = std::mem::take(&mut self.space.influences);
+        search.choose(self, (influences, &mut g), first);
+        self.space.influences = g;
         std::mem::swap(&mut self.chosen, &mut search.chosen);
         let is_had = self.first_step(stand, load);
         if let Some(lacking) = is_had {
@@ -293,7 +265,7 @@ impl Mechanism<'_> {
         &mut self,
         stand: &Stand,
         nominal: (&Load, &[Influence]),
-        (began, is_moved): (&[f64], bool),
+        is_moved: bool,
         search: &mut Search,
     ) {
         search
@@ -315,7 +287,7 @@ impl Mechanism<'_> {
                 .zip(step)
                 .for_each(|(first, (q, d))| *first = q + d);
         } else {
-            let ahead = began.iter().zip(search.ahead.q());
+            let ahead = search.began.iter().zip(search.ahead.q());
             first
                 .iter_mut()
                 .zip(ahead)

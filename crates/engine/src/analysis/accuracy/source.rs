@@ -14,7 +14,6 @@
 
 use super::dimensions::PointId;
 use super::statistics::Scatter;
-use linkdyn_linear::math::Vec2;
 
 /// What makes a deviation.
 #[derive(Debug, Clone, PartialEq)]
@@ -62,22 +61,6 @@ impl Play {
             | Play::Guided { half: most, .. } => most[1] > 0.0,
             Play::Driver { half: most, .. } | Play::Zone { radius: most, .. } => *most > 0.0,
             Play::Parameter { lower, upper, .. } => *lower != 0.0 || *upper != 0.0,
-        }
-    }
-
-    /// g, from the multipliers of a load on the output and what it says of the dimensions and of the points.
-    pub fn influence(&self, lambda: &[f64], of_dimensions: &[f64], pulls: &[Vec2]) -> Influence {
-        match self {
-            Play::Pin { row, .. } | Play::Guided { row, .. } => [-lambda[*row], -lambda[row + 1]],
-            Play::Sides { row, .. } | Play::Driver { row, .. } => [-lambda[*row], 0.0],
-            Play::Zone { point, .. } => {
-                let g = pulls[point.0];
-                [g.x, g.y]
-            }
-            Play::Parameter { steps, .. } => {
-                let sum = steps.iter().map(|&(k, by)| by * of_dimensions[k]);
-                [sum.sum(), 0.0]
-            }
         }
     }
 

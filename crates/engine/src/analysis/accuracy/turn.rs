@@ -30,6 +30,11 @@ impl Turn {
         Turn { before: None, bend }
     }
 
+    /// Whether nothing is known of it.
+    pub fn is_at_rest(&self) -> bool {
+        self.before.is_none() && self.bend.is_none()
+    }
+
     /// Whether the source stands where its influence vanishes, or may.
     pub fn is_bent(&self) -> bool {
         self.bend.is_some()

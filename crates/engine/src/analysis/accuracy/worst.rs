@@ -14,10 +14,11 @@
 //! which is off by the square of what q and λ lack, so that two corrections suffice for most. A stationary output is no
 //! proof; see `enclosure` for one.
 
+use super::chosen::{Gain, Worth};
 use super::displaced::{Mechanism, Space, Stand};
 use super::output::{Load, Output};
-use super::search::{Chosen, Search};
-use super::source::{Influence, Play};
+use super::search::Search;
+use super::source::Influence;
 
 /// Most corrections.
 const MOST_PASSES: usize = 60;
@@ -45,15 +46,6 @@ pub(super) struct Farthest {
     pub q: Vec<f64>,
     /// On the way there: deviations with the share of the sources that each needs; empty where they were not followed.
     pub needed: Vec<[f64; 2]>,
-}
-
-/// What changed deviations gain [rad or m].
-#[derive(Debug, Clone, Copy, Default)]
-struct Gain {
-    /// Of those whose direction turned: what they gain is the square of what they turned by.
-    smooth: f64,
-    /// Of those that left an end.
-    ended: f64,
 }
 
 impl Mechanism<'_> {
@@ -107,8 +99,12 @@ impl Mechanism<'_> {
         let unit = if output.is_angle() { 1.0 } else { system.size };
         let Search { is_led, far, .. } = *search;
         let (still, round_off) = (if is_led { LED } else { STILL }, ROUND_OFF * unit);
-        let worth = [WORTH, STILL].map(|part| part * search.deviation.abs());
-        let began = search.q.clone();
+        let [ended, still_worth] = [WORTH, STILL].map(|part| part * search.deviation.abs());
+        let worth = Worth {
+            ended,
+            still: still_worth,
+        };
+        search.began.copy_from_slice(&search.q);
         let (mut slow, mut is_kept, mut gained) = (0, false, f64::INFINITY);
         let (mut size, mut is_moved) = (if is_led { f64::INFINITY } else { far }, false);
         for pass in 1..MOST_PASSES {
@@ -135,7 +131,7 @@ impl Mechanism<'_> {
             let is_done = turned.max(ended).max(lacks) <= still * now.abs() + round_off;
             if is_done || (shrunk <= STALLED && shrunk > 0.3 * size) {
                 let q = search.q.clone();
-                self.keep(stand, nominal, (&began, is_moved), search);
+                self.keep(stand, nominal, is_moved, search);
                 return Some(Farthest {
                     deviation: now,
                     q,
@@ -190,44 +186,17 @@ impl Mechanism<'_> {
         stand: &Stand,
         output: &Output,
         load: &Load,
-        (side, [worth, still]): (f64, [f64; 2]),
+        (side, worth): (f64, Worth),
     ) -> Option<Gain> {
         let mut influences = std::mem::take(&mut self.space.influences);
         self.influences(stand, output, load, &mut influences);
-        let (mut gain, mut steps, mut is_off) = (Gain::default(), false, false);
-        let Chosen {
-            extremes, turns, ..
-        } = &mut self.chosen;
-        let each = extremes.iter_mut().zip(turns).zip(self.plays);
-        for (((e, turn), play), g) in each.zip(&influences) {
-            let end = play.extreme(*g, side);
-            let gained =
-                |next: Influence| (g[0] * (next[0] - e[0]) + g[1] * (next[1] - e[1])).abs();
-            match play.ends() {
-                Some(ends) => {
-                    let is_parameter = matches!(play, Play::Parameter { .. });
-                    let bends = matches!(play, Play::Parameter { bends: true, .. });
-                    let ends = (!bends).then_some(ends);
-                    let worth = if turn.is_bent() { still } else { worth };
-                    let next = [turn.next([e[0], g[0]], end[0], ends, worth), 0.0];
-                    steps |= is_parameter && next != *e;
-                    gain.ended += gained(next);
-                    *e = next;
-                }
-                // What has no influence has no direction, either.
-                None if gained(end) <= still => {}
-                None => {
-                    is_off |= matches!(play, Play::Zone { .. });
-                    gain.smooth += gained(end);
-                    *e = end;
-                }
-            }
-        }
+        let asked = (influences.as_slice(), side);
+        let gain = self.chosen.press((&self.sorted, self.plays), asked, worth);
         self.space.influences = influences;
-        if steps && !self.step_parameters() {
+        if gain.steps && !self.step_parameters() {
             return None;
         }
-        if steps || is_off {
+        if gain.steps || gain.moves {
             self.place(stand);
         }
         Some(gain)

@@ -1,7 +1,7 @@
 //! Points, columns and dimensions of a model by name.
 
 use super::super::dimensions::{Dimension, Dimensions, Point, PointId};
-use super::super::grip::{Grip, Hold, driver_block};
+use super::super::grip::{Grip, driver_block};
 use super::super::output::{Output, Place};
 use super::gears::{add_mesh, add_wheels, carrier, drawn, mesh};
 use super::motions::{add_motions, motion_values};
@@ -104,9 +104,6 @@ pub(in crate::analysis::accuracy) fn dimensions(
     add_points(&mut found, model, names, system);
     add_joints(&mut found, model, system);
     add_motions(&mut found, model);
-    for point in &mut found.points {
-        point.hold = Hold::of(&point.grips);
-    }
     found
 }
 
@@ -128,7 +125,6 @@ fn add_points(found: &mut Dimensions, model: &Model, names: &Names, system: &Sys
             found.points.push(Point {
                 body: names.bodies[body.as_str()],
                 grips: Vec::new(),
-                hold: Hold::default(),
                 bears_wheel: false,
             });
             for axis in 0..2 {
