@@ -206,6 +206,15 @@ fn reach(driven: &mut Driven, inputs: &Inputs, ideal: &[f64], q: &mut Vec<f64>) 
 /// Velocities, accelerations and multipliers at the position of `sample`.
 pub fn forces(driven: &mut Driven, inputs: &Inputs, sample: &mut Sample) -> Result<(), Failure> {
     driven.factor(inputs)?;
+    forces_at_factors(driven, inputs, sample)
+}
+
+/// The same at a position whose factors are at hand.
+pub fn forces_at_factors(
+    driven: &mut Driven,
+    inputs: &Inputs,
+    sample: &mut Sample,
+) -> Result<(), Failure> {
     driven.velocity(inputs, &mut sample.v);
     driven.acceleration(inputs, &mut sample.a);
     balance(driven.system, &driven.evaluation, inputs, sample);

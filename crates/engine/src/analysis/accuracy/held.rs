@@ -25,13 +25,13 @@ struct Point {
     stepped: Option<usize>,
     /// The play that is its zone.
     zone: Option<usize>,
-    /// Where its entries along x and along y begin, and where they end.
-    begins: [usize; 3],
 }
 
 /// An entry of J by which an equation holds on to a point: ∂φ/∂P for ∂φ/∂r.
 #[derive(Debug, Clone, Copy)]
 struct Entry {
+    /// Number among the points that are held.
+    point: u32,
     row: u32,
     entry: u32,
     sign: f64,
@@ -59,7 +59,8 @@ pub(super) struct Off {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Held {
     points: Vec<Point>,
-    entries: Vec<Entry>,
+    /// Along x and along y.
+    entries: [Vec<Entry>; 2],
     guides: Vec<Guide>,
     /// By the number of a point among all: that among those held.
     numbers: Vec<Option<usize>>,
@@ -101,22 +102,22 @@ impl Held {
     fn take_in(&mut self, system: &System, dimensions: &Dimensions, id: PointId) {
         let point = &dimensions.points[id.0];
         let theta = |body| system.layout.columns(body).map(|columns| columns.theta());
-        let mut begins = [self.entries.len(); 3];
-        for axis in 0..2 {
+        let number = self.points.len();
+        for (axis, entries) in self.entries.iter_mut().enumerate() {
             for grip in &point.grips {
                 let own = grip.entries(axis).iter();
-                self.entries.extend(own.map(|&(row, entry)| Entry {
+                entries.extend(own.map(|&(row, entry)| Entry {
+                    point: number as u32,
                     row: row as u32,
                     entry: entry as u32,
                     sign: grip.sign(),
                 }));
             }
-            begins[axis + 1] = self.entries.len();
         }
         for grip in &point.grips {
             self.guides
                 .extend(grip.guide.and_then(theta).map(|theta| Guide {
-                    point: self.points.len(),
+                    point: number,
                     grip: grip.clone(),
                     theta,
                 }));
@@ -127,7 +128,6 @@ impl Held {
             theta: theta(point.body),
             stepped: None,
             zone: None,
-            begins,
         });
     }
 
@@ -138,16 +138,14 @@ impl Held {
     /// p of all points under a load on the output, which itself pulls with `own`.
     pub fn pulls(&self, here: Here<'_>, own: &Pulls, load: &Load, pulls: &mut [Vec2]) {
         let jacobian = &here.evaluation.jacobian;
-        let sum = |entries: &[Entry]| {
-            let mut sum = 0.0;
-            for of in entries {
-                sum += of.sign * load.lambda[of.row as usize] * jacobian[of.entry as usize];
-            }
-            sum
-        };
-        for (pull, point) in pulls.iter_mut().zip(&self.points) {
-            let [x, y, end] = point.begins;
-            *pull = -Vec2::new(sum(&self.entries[x..y]), sum(&self.entries[y..end]));
+        let [x, y] = &self.entries;
+        let of = |of: &Entry| of.sign * load.lambda[of.row as usize] * jacobian[of.entry as usize];
+        pulls.fill(Vec2::zeros());
+        for entry in x {
+            pulls[entry.point as usize].x -= of(entry);
+        }
+        for entry in y {
+            pulls[entry.point as usize].y -= of(entry);
         }
         for (place, own) in own.iter().flatten() {
             if let Some(number) = place.point.and_then(|PointId(id)| self.numbers[id]) {
@@ -222,13 +220,14 @@ impl Held {
 
     /// Adds to the rows what φ gains where points are off.
     pub fn push(&self, jacobian: &[f64], offs: &[Off], rows: &mut [f64]) {
-        for (off, point) in offs.iter().zip(&self.points) {
-            let [x, y, end] = point.begins;
-            for (entries, by) in [(x..y, off.by.x), (y..end, off.by.y)] {
-                for of in &self.entries[entries] {
-                    rows[of.row as usize] += of.sign * jacobian[of.entry as usize] * by;
-                }
-            }
+        let [x, y] = &self.entries;
+        for of in x {
+            let by = offs[of.point as usize].by.x;
+            rows[of.row as usize] += of.sign * jacobian[of.entry as usize] * by;
+        }
+        for of in y {
+            let by = offs[of.point as usize].by.y;
+            rows[of.row as usize] += of.sign * jacobian[of.entry as usize] * by;
         }
     }
 }

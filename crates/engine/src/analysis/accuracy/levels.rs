@@ -8,7 +8,7 @@ use super::source::{Influence, Play, length};
 use super::statistics::{capability, moments};
 use super::worst::Farthest;
 use super::{Contribution, Pins, PoseAccuracy, Question};
-use crate::analysis::clearance_link::forces;
+use crate::analysis::clearance_link::forces_at_factors;
 use crate::analysis::sample::Sample;
 use crate::system::System;
 
@@ -111,7 +111,6 @@ impl<'a> Asked<'a> {
         }
         let each = outputs.iter().zip(loads).zip(poses).zip(stays);
         let begun = each.map(|(((&index, load), pose), stays)| {
-            let output = &self.question.outputs[index].output;
             let (Some(load), Some(first), true) = (load, pose.first, stays) else {
                 return [false; 2];
             };
@@ -119,8 +118,8 @@ impl<'a> Asked<'a> {
             let mechanism = &mut self.mechanism;
             let searches = &mut self.searches[index];
             [0, 1].map(|side| {
-                let search = (first[side], &mut searches[side]);
-                mechanism.begin(stand, output, nominal, search)
+                let values = [pose.nominal, first[side]];
+                mechanism.begin(stand, nominal, values, &mut searches[side])
             })
         });
         begun.collect()
@@ -236,7 +235,8 @@ impl<'a> Asked<'a> {
             return self.system.masses_known;
         }
         self.sample.q.copy_from_slice(&stand.q);
-        forces(&mut self.mechanism.driven, &stand.inputs, &mut self.sample).is_ok()
+        let driven = &mut self.mechanism.driven;
+        forces_at_factors(driven, &stand.inputs, &mut self.sample).is_ok()
     }
 
     /// Deviation with the journals where the loads of the motion press them.

@@ -6,7 +6,7 @@
 
 use super::chosen::Chosen;
 use super::displaced::{Mechanism, Space, Stand};
-use super::output::{Load, Output};
+use super::output::Load;
 use super::source::Influence;
 
 /// Poses that are kept: those of a parabola.
@@ -204,14 +204,14 @@ impl Search {
 }
 
 impl Mechanism<'_> {
-    /// Begins a search at a pose that was taken, with the load and the influences there, and the deviation to first order. Whether
-    /// the model can be had with it.
+    /// Begins a search at a pose that was taken, with the load and the influences there, the output and its deviation to first
+    /// order. Whether the model can be had with it.
     pub fn begin(
         &mut self,
         stand: &Stand,
-        output: &Output,
         (load, influences): (&Load, &[Influence]),
-        (first, search): (f64, &mut Search),
+        [nominal, first]: [f64; 2],
+        search: &mut Search,
     ) -> bool {
         search.is_led = search.look(stand.inputs.time);
         let mut g = std::mem::take(&mut self.space.influences);
@@ -219,10 +219,9 @@ impl Mechanism<'_> {
         self.space.influences = g;
         std::mem::swap(&mut self.chosen, &mut search.chosen);
         let is_had = self.first_step(stand, load);
-        if let Some(lacking) = is_had {
-            let nominal = self.value(stand, output, 0.0);
+        if is_had {
             search.nominal = nominal;
-            search.deviation = self.value(stand, output, 1.0) - nominal + lacking;
+            search.deviation = first;
             search.far = self.driven.system.scaled_norm(&self.space.step);
             let step = stand.q.iter().zip(&self.space.step);
             search
@@ -243,21 +242,21 @@ impl Mechanism<'_> {
             }
         }
         std::mem::swap(&mut self.chosen, &mut search.chosen);
-        is_had.is_some()
+        is_had
     }
 
-    /// Sets `space.step` to the first correction for the deviations chosen, at the nominal position of a pose that was taken. What
-    /// the equations lack is worth; none where the model can't be had with them.
-    fn first_step(&mut self, stand: &Stand, load: &Load) -> Option<f64> {
-        if !self.step_parameters() {
-            return None;
+    /// Sets `space.step` to the first correction for the deviations chosen, at the nominal position of a pose that was taken.
+    /// Whether the model can be had with them.
+    fn first_step(&mut self, stand: &Stand, load: &Load) -> bool {
+        let is_had = self.step_parameters();
+        if is_had {
+            self.place(stand);
+            self.gap(stand);
+            self.lack(load);
+            let Space { right, step, .. } = &mut self.space;
+            self.driven.answer(right, step);
         }
-        self.place(stand);
-        self.gap(stand);
-        let lacking = self.lack(load);
-        let Space { right, step, .. } = &mut self.space;
-        self.driven.answer(right, step);
-        Some(lacking)
+        is_had
     }
 
     /// Keeps what a search found for the next pose; `is_moved` where sources left the ends that it began with.
@@ -276,7 +275,7 @@ impl Mechanism<'_> {
         let mut first = std::mem::take(&mut self.space.pull);
         if is_moved || !search.is_led {
             self.take(&stand.q, stand);
-            if self.first_step(stand, nominal.0).is_none() {
+            if !self.first_step(stand, nominal.0) {
                 search.forget();
                 self.space.pull = first;
                 return;

@@ -51,6 +51,10 @@ pub(super) struct Sorted {
     pub guided: Vec<usize>,
     pub zones: Vec<(usize, PointId)>,
     parameters: Vec<Parameter>,
+    /// Those that step one dimension: play, dimension, and how far for a unit.
+    ones: Vec<(usize, usize, f64)>,
+    /// The other parameters, by number.
+    others: Vec<usize>,
     /// Dimensions that parameters step, and how far for a unit.
     steps: Vec<(usize, f64)>,
 }
@@ -79,6 +83,7 @@ impl Line {
     #[inline]
     pub fn extreme(&self, g: f64, side: f64) -> f64 {
         let [low, high] = self.ends;
+        // A parameter without influence stays at its upper limit on both sides.
         let is_high = match self.is_parameter {
             true => side * g >= 0.0,
             false => side * g.signum() >= 0.0,
@@ -119,6 +124,11 @@ impl Sorted {
                     end: self.steps.len(),
                     bends: *bends,
                 });
+                if let [(k, by)] = steps[..] {
+                    self.ones.push((play, k, by));
+                } else {
+                    self.others.push(self.parameters.len() - 1);
+                }
             }
         }
         match own {
@@ -181,7 +191,10 @@ impl Sorted {
         for &InRows { play, row } in &self.single {
             g[play] = [-lambda[row], 0.0];
         }
-        for own in &self.parameters {
+        for &(play, k, by) in &self.ones {
+            g[play] = [by * of_dimensions[k], 0.0];
+        }
+        for own in self.others.iter().map(|&number| &self.parameters[number]) {
             let mut sum = 0.0;
             for &(k, by) in &self.steps[own.begin..own.end] {
                 sum += by * of_dimensions[k];
