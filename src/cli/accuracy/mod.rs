@@ -83,6 +83,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let scope = Scope {
         outputs: &options.outputs,
         levels: options.levels.map(Into::into),
+        ..Scope::default()
     };
     let found = answer(&opened, scope, &control);
     drop(line);
@@ -144,6 +145,10 @@ pub fn answer(opened: &Opened, scope: Scope, control: &Control) -> Result<Accura
         derivatives: &loaded.source.derivatives(),
         enclosed: &|| loaded.source.derivatives_within(&limits),
         with: &with,
+    };
+    let scope = Scope {
+        threads: std::thread::available_parallelism().ok(),
+        ..scope
     };
     accuracy(&loaded.model, &parameters, scope, control)
 }

@@ -78,6 +78,7 @@ impl Options {
         Scope {
             outputs: &self.outputs,
             levels: Some(levels),
+            ..Scope::default()
         }
     }
 }

@@ -5,19 +5,19 @@ use linkdyn_engine::analysis::accuracy::{Accuracy, Parameters, Refusal, Scope, a
 use linkdyn_model::error::Complaints;
 use linkdyn_model::{Checked, Loaded, Model};
 use serde_json::{Map, Value, json};
-use std::cell::Cell;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A model that was read, with its parameters.
 pub struct Told {
     pub loaded: Loaded,
     /// How often the model was read with other values.
-    pub readings: Cell<usize>,
+    pub readings: AtomicUsize,
 }
 
 impl Told {
     pub fn read(json: &Value) -> Result<Told, Complaints> {
         let loaded = linkdyn_model::load(json.to_string().as_bytes(), &[])?;
-        let readings = Cell::new(0);
+        let readings = AtomicUsize::new(0);
         Ok(Told { loaded, readings })
     }
 
@@ -41,7 +41,7 @@ impl Told {
             derivatives: &self.loaded.source.derivatives(),
             enclosed: &|| self.loaded.source.derivatives_within(&limits),
             with: &|by| {
-                self.readings.set(self.readings.get() + 1);
+                self.readings.fetch_add(1, Ordering::Relaxed);
                 let named = by.iter().map(|&(k, by)| (known[k].name.as_str(), by));
                 let named: Vec<(&str, f64)> = named.collect();
                 self.loaded.source.with_deviations(&named).ok()

@@ -1,6 +1,8 @@
 //! A mechanism with its sources off by given amounts: the gaps of its rows, and where its output is then.
 
+use super::Question;
 use super::chosen::Chosen;
+use super::corners::Corners;
 use super::dimensions::{Dimension, Dimensions, Here, PointId};
 use super::enclosure::Extents;
 use super::held::{Held, Off};
@@ -10,7 +12,6 @@ use super::source::{Influence, Play};
 use crate::mechanism::driven::Driven;
 use crate::system::Inputs;
 use linkdyn_linear::math::Vec2;
-use std::collections::HashMap;
 
 /// A pose that is asked about.
 #[derive(Debug, Clone)]
@@ -24,10 +25,6 @@ pub(super) struct Stand {
     /// The self-stress of the equations (m) where J has no inverse that means something.
     pub self_stress: Option<Vec<f64>>,
 }
-
-/// Steps of all dimensions for deviations of the parameters, in the order of their plays; none where the model can't be had
-/// with them.
-pub(super) type Corners<'c> = dyn Fn(&[f64]) -> Option<Vec<f64>> + 'c;
 
 /// A driven mechanism with all that may be off.
 pub(super) struct Mechanism<'m> {
@@ -51,8 +48,6 @@ pub(super) struct Mechanism<'m> {
     of_dimensions: Vec<f64>,
     /// The deviations that are tried.
     pub chosen: Chosen,
-    /// What corners gave, by the bits of the deviations of parameters that bend.
-    known: HashMap<Vec<u64>, Option<Vec<f64>>>,
     /// Gaps of the rows (m).
     pub rows: Vec<f64>,
     /// Shifts of the points in the frames of their bodies \[m\].
@@ -72,13 +67,10 @@ pub(super) struct Space {
 }
 
 impl<'m> Mechanism<'m> {
-    pub fn new(
-        driven: Driven<'m>,
-        dimensions: &'m Dimensions,
-        plays: &'m [Play],
-        corners: &'m Corners<'m>,
-        slack: Option<&[f64]>,
-    ) -> Self {
+    /// Of plays that make the sources of a question.
+    pub fn new(driven: Driven<'m>, question: &'m Question<'m>, plays: &'m [Play]) -> Self {
+        let (dimensions, corners) = (question.dimensions, question.corners);
+        let slack = question.slack.as_deref();
         let sorted = Sorted::new(plays);
         let mut stepped = sorted.stepped();
         let held = Held::new(driven.system, dimensions, &stepped, &sorted.zones);
@@ -110,7 +102,6 @@ impl<'m> Mechanism<'m> {
             dimensions,
             plays,
             corners,
-            known: HashMap::new(),
         }
     }
 
@@ -253,13 +244,11 @@ impl<'m> Mechanism<'m> {
             return true;
         }
         let asked: Vec<f64> = self.sorted.bent(&self.chosen.extremes).collect();
-        let key = asked.iter().map(|by| by.to_bits()).collect();
-        let corners = self.corners;
-        let steps = self.known.entry(key).or_insert_with(|| corners(&asked));
+        let steps = self.corners.steps(&asked);
         let Some(steps) = steps else {
             return false;
         };
-        self.chosen.steps.copy_from_slice(steps);
+        self.chosen.steps.copy_from_slice(&steps);
         true
     }
 

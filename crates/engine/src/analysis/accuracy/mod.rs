@@ -21,6 +21,7 @@
 mod allocate;
 mod answer;
 mod chosen;
+mod corners;
 mod dimensions;
 mod displaced;
 mod enclosure;
@@ -37,6 +38,7 @@ mod search;
 mod sorted;
 mod source;
 mod statistics;
+mod stroke;
 mod turn;
 mod words;
 mod worst;
@@ -51,12 +53,15 @@ pub use words::{Deviating, Parameters, Refusal, Scope, accuracy};
 use super::control::Control;
 use super::instants::OutputInstant;
 use crate::system::System;
+use corners::Corners;
 use dimensions::Dimensions;
-use displaced::{Corners, Mechanism, Stand};
+use displaced::{Mechanism, Stand};
 use levels::Asked;
 use output::Output;
 use poses::{Halt, Unmet, Way};
 use source::Play;
+use std::num::NonZeroUsize;
+use stroke::Stroke;
 
 /// What is asked of a system.
 struct Question<'q> {
@@ -94,21 +99,20 @@ struct Named {
 ///
 /// # Errors
 /// Faults of the input; no assembly; a start that is singular; poses that the motion does not have.
-fn run(system: &System, question: &Question, control: &Control) -> Result<Accuracy, Halt> {
-    let mut way = Way::new(system, &question.instants, control)?;
+fn run(
+    system: &System,
+    question: &Question,
+    (threads, control): (NonZeroUsize, &Control),
+) -> Result<Accuracy, Halt> {
+    let way = Way::new(system, &question.instants, control)?;
+    let mut places = way.poses();
     let named = question.sources.iter();
     let plays: Vec<Play> = named.map(|named| named.play.clone()).collect();
-    let mechanism = Mechanism::new(
-        way.another()?,
-        question.dimensions,
-        &plays,
-        question.corners,
-        question.slack.as_deref(),
-    );
+    let mechanism = Mechanism::new(way.another()?, question, &plays);
     let mut unreached = Vec::new();
     let mut stand_of = |name: &str, at: Option<(usize, f64)>| {
         let (driver, value) = at?;
-        let stand = way.stand_at(driver, value);
+        let stand = places.stand_at(driver, value);
         stand
             .map_err(|by| {
                 unreached.push(Unmet {
@@ -137,16 +141,19 @@ fn run(system: &System, question: &Question, control: &Control) -> Result<Accura
         }
     }
     if !along.is_empty() {
-        for instant in &question.instants {
-            if let Some(stand) = way.stand(instant, None) {
-                let poses = asked.poses(&along, &stand);
-                for (&index, pose) in along.iter().zip(poses) {
-                    outputs[index].poses.push(pose);
-                }
+        let stroke = Stroke {
+            way: &way,
+            question,
+            plays: &plays,
+            outputs: &along,
+        };
+        for poses in stroke.poses(threads)? {
+            for (&index, pose) in along.iter().zip(poses) {
+                outputs[index].poses.push(pose);
             }
         }
     }
-    let poses = forces::poses(&question.forces, held, &question.instants, &mut way);
+    let poses = forces::poses(&question.forces, held, &question.instants, &mut places);
     for (place, answer) in forces::answer(system, question, &poses) {
         outputs.insert(place, answer);
     }

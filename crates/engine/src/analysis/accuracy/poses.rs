@@ -55,12 +55,20 @@ impl From<Stop> for Halt {
 
 /// The way of a driven mechanism.
 pub(super) struct Way<'s> {
-    pub driven: Driven<'s>,
+    pub system: &'s System,
+    /// As the end of the path left it.
+    driven: Driven<'s>,
     path: Path,
     /// Coordinates at t = 0 (n).
     start: Vec<f64>,
     /// The last instant \[s\].
     end: f64,
+}
+
+/// Poses on a way, one after the other.
+pub(super) struct Poses<'w> {
+    way: &'w Way<'w>,
+    driven: Driven<'w>,
 }
 
 impl<'s> Way<'s> {
@@ -93,6 +101,7 @@ impl<'s> Way<'s> {
         let range = range(system, instants);
         let path = path(&mut driven, (first, &q), range, control).map_err(singular)?;
         Ok(Way {
+            system,
             driven,
             path,
             start: q,
@@ -105,7 +114,7 @@ impl<'s> Way<'s> {
     /// # Errors
     /// Joints that hold the same freedom: their influences are not unique.
     pub fn another(&self) -> Result<Driven<'s>, Stop> {
-        let system = self.driven.system;
+        let system = self.system;
         let start = Inputs::at_time(system, 0.0);
         let mut driven = Driven::new(system, &self.start, &start).map_err(|_| {
             Stop::failed(Status::Singular, "the start is a singular position".into())
@@ -140,25 +149,17 @@ impl<'s> Way<'s> {
         ]))
     }
 
-    /// The pose where a driver has a value, first of all.
-    ///
-    /// # Errors
-    /// How far the driver goes, where it has the value nowhere.
-    pub fn stand_at(&mut self, driver: usize, value: f64) -> Result<Stand, Unreached> {
-        let law = &self.driven.system.drivers[driver].law;
-        let time = passages(law, value, self.end).first().copied();
-        let instant = time.map(|time| OutputInstant {
-            time,
-            exact: Some((driver, value)),
-        });
-        instant
-            .and_then(|instant| self.stand(&instant, Some(driver)))
-            .ok_or_else(|| self.unreached(driver))
+    /// Poses on the way, wherever others are asked for.
+    pub fn poses(&self) -> Poses<'_> {
+        Poses {
+            way: self,
+            driven: self.driven.clone(),
+        }
     }
 
     /// How far a driver goes.
     fn unreached(&self, driver: usize) -> Unreached {
-        let law = &self.driven.system.drivers[driver].law;
+        let law = &self.system.drivers[driver].law;
         let values = |end: f64| {
             let ends = law.stretches(end);
             let values = ends.flat_map(|(left, right)| [law.jet(left)[0], law.jet(right)[0]]);
@@ -182,22 +183,40 @@ impl<'s> Way<'s> {
             is_stopped,
         }
     }
+}
+
+impl Poses<'_> {
+    /// The pose where a driver has a value, first of all.
+    ///
+    /// # Errors
+    /// How far the driver goes, where it has the value nowhere.
+    pub fn stand_at(&mut self, driver: usize, value: f64) -> Result<Stand, Unreached> {
+        let law = &self.way.system.drivers[driver].law;
+        let time = passages(law, value, self.way.end).first().copied();
+        let instant = time.map(|time| OutputInstant {
+            time,
+            exact: Some((driver, value)),
+        });
+        instant
+            .and_then(|instant| self.stand(&instant, Some(driver)))
+            .ok_or_else(|| self.way.unreached(driver))
+    }
 
     /// The pose at an instant; `held` where the value of a driver says which is meant. None where the mechanism has none.
     pub fn stand(&mut self, instant: &OutputInstant, held: Option<usize>) -> Option<Stand> {
-        let system = self.driven.system;
+        let system = self.way.system;
         let n = system.n();
         let mut inputs = Inputs::at_time(system, instant.time);
         instant.drive(system, &mut inputs.drive);
-        let s = match self.path.parameter {
+        let s = match self.way.path.parameter {
             Parameter::DriverValue => inputs.drive[0][0],
             Parameter::Time | Parameter::Coordinate => instant.time,
         };
-        if !self.path.holds(s) {
+        if !self.way.path.holds(s) {
             return None;
         }
         let (mut q, mut d, mut dd) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
-        let source = self.path.guess(s, &mut q, &mut d, &mut dd)?;
+        let source = self.way.path.guess(s, &mut q, &mut d, &mut dd)?;
         let smooth = q.clone();
         let corrected = self.driven.prepare(&q, &inputs).is_ok()
             && self.driven.correct(&mut q, &inputs).is_ok();
@@ -205,13 +224,13 @@ impl<'s> Way<'s> {
             Source::Regular | Source::Known if corrected => None,
             Source::Regular | Source::Known => return None,
             Source::Bridged { index, distance } => {
-                let far = distance.abs() > AT_ONE * self.path.windows()[index].width;
+                let far = distance.abs() > AT_ONE * self.way.path.windows()[index].width;
                 let moved: Vec<f64> = q.iter().zip(&smooth).map(|(a, b)| a - b).collect();
                 let near = far && corrected && system.scaled_norm(&moved) <= NEAR;
                 if !near {
                     q = smooth;
                 }
-                (!near).then(|| self.path.self_stress(index).to_vec())
+                (!near).then(|| self.way.path.self_stress(index).to_vec())
             }
         };
         Some(Stand {

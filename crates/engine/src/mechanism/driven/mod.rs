@@ -89,6 +89,7 @@ struct Selection {
 }
 
 /// Solver for one driven mechanism.
+#[derive(Clone)]
 pub struct Driven<'s> {
     /// The mechanism.
     pub system: &'s System,

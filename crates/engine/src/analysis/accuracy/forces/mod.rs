@@ -27,7 +27,7 @@ pub(super) use loaded::{Force, Owner};
 
 use super::answer::{Contribution, OutputAccuracy, PoseAccuracy};
 use super::displaced::Stand;
-use super::poses::Way;
+use super::poses::Poses;
 use super::source::{Influence, Play};
 use super::statistics::{Pins, capability, moments};
 use super::{Levels, Wanted};
@@ -40,7 +40,7 @@ use slopes::{Slope, slopes};
 
 /// Makes the system with parameters (in the order of their sources) and zones (in theirs) off; none where that is no legal
 /// model.
-pub(super) type Making<'c> = dyn Fn(&[f64], &[[f64; 2]]) -> Option<System> + 'c;
+pub(super) type Making<'c> = dyn Fn(&[f64], &[[f64; 2]]) -> Option<System> + Sync + 'c;
 
 /// Errors of derivatives above this part of what all sources do leave no first order.
 const UNSURE: f64 = 1e-6;
@@ -73,7 +73,7 @@ pub(super) fn poses(
     question: &Question,
     held: Vec<Option<Stand>>,
     instants: &[OutputInstant],
-    way: &mut Way,
+    way: &mut Poses,
 ) -> Vec<Posed> {
     let (mut poses, mut over) = (Vec::new(), Vec::new());
     for (output, ((_, wanted), stand)) in question.outputs.iter().zip(held).enumerate() {

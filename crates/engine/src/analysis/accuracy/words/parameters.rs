@@ -9,7 +9,7 @@ use std::collections::HashMap;
 const ROUND_OFF: f64 = 1e-13;
 
 /// The model with parameters that deviate (index, SI); none where that is no legal model.
-pub type Deviating<'p> = dyn Fn(&[(usize, f64)]) -> Option<Checked> + 'p;
+pub type Deviating<'p> = dyn Fn(&[(usize, f64)]) -> Option<Checked> + Sync + 'p;
 
 /// The parameters of a model: what follows from them, and the model with other values of theirs.
 pub struct Parameters<'p> {
@@ -18,7 +18,7 @@ pub struct Parameters<'p> {
     /// What every quantity of the file takes from them.
     pub derivatives: &'p Derivatives,
     /// Works out the same, enclosed for all parameters within their tolerances; asked only for worst cases.
-    pub enclosed: &'p dyn Fn() -> Derivatives<Interval>,
+    pub enclosed: &'p (dyn Fn() -> Derivatives<Interval> + Sync),
     /// The model with deviations of theirs.
     pub with: &'p Deviating<'p>,
 }

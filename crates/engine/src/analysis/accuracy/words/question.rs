@@ -1,5 +1,6 @@
 //! A model and its parameters as a question in numbers: what may be off, and what is asked about.
 
+use super::super::corners::Corners;
 use super::super::poses::{Halt, Unmet};
 use super::super::source::Play;
 use super::super::{Accuracy, Levels, Question, forces, run};
@@ -13,6 +14,7 @@ use crate::analysis::question::instants;
 use crate::system::compile::compile_geometry;
 use linkdyn_model::error::{Complaint, Complaints};
 use linkdyn_model::{AnalysisKind, Checked, DriverKind, Joint, JointKind, Model};
+use std::num::NonZeroUsize;
 
 /// Why there is no answer.
 #[derive(Debug)]
@@ -51,6 +53,8 @@ pub struct Scope<'a> {
     pub outputs: &'a [String],
     /// None: those that the model says.
     pub levels: Option<Levels>,
+    /// Threads that share the poses of a stroke; none: one. The answer does not hang on it.
+    pub threads: Option<NonZeroUsize>,
 }
 
 /// What tolerances and clearances do to the outputs of a model.
@@ -127,9 +131,10 @@ pub fn accuracy(
         pins: pins(model),
         levels,
         instants,
-        corners: &corners,
+        corners: &Corners::new(&corners),
     };
-    run(&system, &question, control).map_err(|halt| match halt {
+    let threads = scope.threads.unwrap_or(NonZeroUsize::MIN);
+    run(&system, &question, (threads, control)).map_err(|halt| match halt {
         Halt::Stop(stop) => stop.into(),
         Halt::Unreached(all) => {
             let faults = all.iter().map(|unmet| outside(&ideal, unmet));
