@@ -4,7 +4,9 @@
 //! `--only` takes the mechanisms whose name has this in it; `--details` prints every output.
 //!
 //! Costs are those of library calls in one process, by level and in kinematic runs of the same mechanism, medians of ratios of
-//! times that were taken beside each other; all joints have clearances and all numbers of the geometry tolerances. Then each case is solved `--samples` times with random deviations, and as many times again with
+//! times that were taken beside each other; all joints have clearances and all numbers of the geometry tolerances. They are times of
+//! the clock, with the poses of the stroke on one thread, and on all that the machine has, which the command takes; a run has one.
+//! Then each case is solved `--samples` times with random deviations, and as many times again with
 //! deviations that climb from the farthest ones on. Exit status 1 where one left a certified bound.
 
 // The tests use the rest.
@@ -19,6 +21,7 @@ mod samples;
 mod told;
 
 use std::hint::black_box;
+use std::num::NonZeroUsize;
 use std::process::ExitCode;
 use std::time::Instant;
 
@@ -135,50 +138,82 @@ fn others(model: &Model, first: &str) -> Vec<String> {
     (0..FURTHER).map(|k| columns[place(k)].clone()).collect()
 }
 
+/// A mechanism, and what is asked of it.
+struct Priced {
+    plain: Told,
+    /// One output, the same again, and others.
+    asked: [Told; 3],
+}
+
+impl Priced {
+    fn new(model: &Model, column: &str, others: &[String]) -> Priced {
+        let mut json = parametric(model, INSTANTS);
+        spoil(&mut json, 1e-5);
+        tolerate(&mut json, 1e-6);
+        let mixed = [column]
+            .into_iter()
+            .chain(others.iter().map(String::as_str));
+        Priced {
+            plain: Told::read(&bare(model, INSTANTS)).expect("legal"),
+            asked: [
+                ask(&json, [column].into_iter()),
+                ask(&json, [column; 1 + FURTHER].into_iter()),
+                ask(&json, mixed),
+            ],
+        }
+    }
+
+    /// Seconds of a kinematic run.
+    fn run(&self) -> f64 {
+        let start = Instant::now();
+        black_box(run(&self.plain.loaded.model, &Control::default()).expect("runs"));
+        start.elapsed().as_secs_f64()
+    }
+
+    /// Seconds of the questions.
+    fn ask(&self, levels: Levels, threads: NonZeroUsize) -> [f64; 3] {
+        let scope = Scope {
+            levels: Some(levels),
+            threads: Some(threads),
+            ..Scope::default()
+        };
+        [0, 1, 2].map(|k| {
+            let told = &self.asked[k];
+            let start = Instant::now();
+            black_box(told.ask_for(&told.loaded.model, scope).expect("answers"));
+            start.elapsed().as_secs_f64()
+        })
+    }
+}
+
+/// Costs in kinematic runs: of the first output, of the same again, of another one, and the mean of all.
+type Costs = [Vec<f64>; 4];
+
 /// Times of a kinematic run, and by level of accuracy for one output, the same again, and others, over the same instants. The times of a
 /// round are taken beside each other, so that what else the machine does falls on all of them.
 fn cost(name: &str, column: &str) {
     let model = read(name);
-    let plain = Told::read(&bare(&model, INSTANTS)).expect("legal");
-    let mut json = parametric(&model, INSTANTS);
-    spoil(&mut json, 1e-5);
-    tolerate(&mut json, 1e-6);
     let others = others(&model, column);
-    let one = ask(&json, [column].into_iter());
-    let same = ask(&json, [column; 1 + FURTHER].into_iter());
-    let mixed = [column]
-        .into_iter()
-        .chain(others.iter().map(String::as_str));
-    let mixed = ask(&json, mixed);
-    let answer = one.answer();
+    let priced = Priced::new(&model, column, &others);
+    let answer = priced.asked[0].answer();
     let poses = &answer.outputs[0].poses;
     let certified = poses.iter().filter(|pose| pose.certified.is_some()).count();
-    let time = |work: &dyn Fn()| {
-        let start = Instant::now();
-        work();
-        start.elapsed().as_secs_f64()
-    };
-    let asked = |told: &Told, levels: Levels| {
-        let scope = Scope {
-            levels: Some(levels),
-            ..Scope::default()
-        };
-        black_box(told.ask_for(&told.loaded.model, scope).expect("answers"));
-    };
+    let all = std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
+    let mut threads = vec![NonZeroUsize::MIN, all];
+    threads.dedup();
     let mut runs = Vec::new();
-    let mut parts: [[Vec<f64>; 4]; 3] = Default::default();
+    let mut parts: Vec<[Costs; 3]> = vec![Default::default(); threads.len()];
     for _ in 0..PAIRS {
-        let run = time(&|| {
-            black_box(run(&plain.loaded.model, &Control::default()).expect("runs"));
-        });
-        runs.push(run);
-        for ((_, levels), [first, further, other, mean]) in LEVELS.iter().zip(&mut parts) {
-            let [of_one, of_same, of_mixed] =
-                [&one, &same, &mixed].map(|told| time(&|| asked(told, *levels)));
-            first.push(of_one / run);
-            further.push((of_same - of_one) / FURTHER as f64 / run);
-            other.push((of_mixed - of_one) / FURTHER as f64 / run);
-            mean.push(of_mixed / (1 + FURTHER) as f64 / run);
+        for (threads, parts) in threads.iter().zip(&mut parts) {
+            let run = priced.run();
+            runs.push(run);
+            for ((_, levels), [first, further, other, mean]) in LEVELS.iter().zip(parts) {
+                let [of_one, of_same, of_mixed] = priced.ask(*levels, *threads);
+                first.push(of_one / run);
+                further.push((of_same - of_one) / FURTHER as f64 / run);
+                other.push((of_mixed - of_one) / FURTHER as f64 / run);
+                mean.push(of_mixed / (1 + FURTHER) as f64 / run);
+            }
         }
     }
     println!(
@@ -188,22 +223,26 @@ fn cost(name: &str, column: &str) {
         poses.len(),
         median(&mut runs) * 1e3,
     );
-    let said = |costs: &mut [f64]| {
+    for (threads, parts) in threads.iter().zip(&mut parts) {
+        println!("    threads: {threads}");
+        parts
+            .iter_mut()
+            .zip(LEVELS)
+            .for_each(|(part, (level, _))| tell(level, part));
+    }
+    println!("    the others: {}", others.join(", "));
+}
+
+fn tell(level: &str, costs: &mut Costs) {
+    let [first, further, other, mean] = costs.each_mut().map(|costs| {
         let cost = median(costs);
         let verdict = if cost <= ALLOWED { "holds" } else { "exceeds" };
         format!("{cost:6.2} ({verdict} {ALLOWED})")
-    };
-    for ((level, _), [first, further, other, mean]) in LEVELS.iter().zip(&mut parts) {
-        println!(
-            "    {level:11} first output {}, the same again {}, another one {}, mean of {} {}",
-            said(first),
-            said(further),
-            said(other),
-            1 + FURTHER,
-            said(mean)
-        );
-    }
-    println!("    the others: {}", others.join(", "));
+    });
+    println!(
+        "    {level:11} first output {first}, the same again {further}, another one {other}, mean of {} {mean}",
+        1 + FURTHER
+    );
 }
 
 /// Tries a case; whether nothing left its bounds.
