@@ -54,9 +54,6 @@ pub const PIVOT_THRESHOLD: f64 = 0.1;
 /// mechanism meets such configurations a few times per turn.
 pub const GROWTH_LIMIT: f64 = 1e6;
 
-/// Right-hand sides that go through the factors together for an inverse.
-const TOGETHER: usize = 4;
-
 /// The matrix cannot be factored.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error("singular at column {column}: pivot ratio {ratio:e}")]
@@ -202,35 +199,6 @@ impl SparseLu {
             .solve_transposed(self.vector.as_chunks_mut::<1>().0);
         for (&at, value) in self.position.iter().zip(b) {
             *value = self.vector[at as usize];
-        }
-    }
-
-    /// A⁻¹ (n, n) by columns: column r stands at r·n.
-    ///
-    /// # Panics
-    /// Without factors, or when `columns` has not n² numbers.
-    pub fn inverse(&self, columns: &mut [f64]) {
-        let n = self.order.len();
-        assert!(
-            self.factored && columns.len() == n * n,
-            "an inverse wants a successful factorisation before it, and n² numbers"
-        );
-        // Aᵀ Y = I, some columns of Y at a time: row r of Y is column r of A⁻¹. Rows stand in pivot order until they are copied.
-        let mut y = vec![[0.0; TOGETHER]; n];
-        for first in (0..n).step_by(TOGETHER) {
-            let wanted = first..n.min(first + TOGETHER);
-            y.fill([0.0; TOGETHER]);
-            for (y, &column) in y.iter_mut().zip(self.order.columns()) {
-                if wanted.contains(&(column as usize)) {
-                    y[column as usize - first] = 1.0;
-                }
-            }
-            self.frozen.solve_transposed(&mut y);
-            let rows = columns.chunks_exact_mut(n.max(1));
-            for (&at, row) in self.position.iter().zip(rows) {
-                let own = &mut row[wanted.clone()];
-                own.copy_from_slice(&y[at as usize][..own.len()]);
-            }
         }
     }
 

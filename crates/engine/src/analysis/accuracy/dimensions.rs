@@ -12,7 +12,7 @@
 
 use super::grip::{Grip, driver_block};
 use super::output::Load;
-use crate::element::{BodyId, Kinematics, Marker};
+use crate::element::{BodyId, Kinematics};
 use crate::system::{Evaluation, JointRole, System};
 use linkdyn_linear::math::{Vec2, perp};
 use std::collections::HashMap;
@@ -194,61 +194,6 @@ impl Dimensions {
             }
         }
     }
-
-    /// Adds to the rows by how much [`Dimensions::push_one`] can change where dimensions are off by `steps` (number, size) and the
-    /// coordinates by `x` (n), and what of a step's square it leaves out.
-    pub fn push_change(&self, here: Here<'_>, steps: &[(usize, f64)], x: &[f64], rows: &mut [f64]) {
-        let turned = |body: BodyId| {
-            let columns = here.system.layout.columns(body);
-            columns.map_or(0.0, |columns| x[columns.theta()])
-        };
-        let total: f64 = here
-            .system
-            .layout
-            .bodies()
-            .map(|c| x[c.theta()])
-            .fold(0.0, f64::max);
-        for &(k, step) in steps {
-            match &self.all[k] {
-                Dimension::Point(id, _) => {
-                    // ∂φ/∂P turns with the body of the guide, the point with its own.
-                    let turn = turned(self.points[id.0].body) + total;
-                    for grip in &self.points[id.0].grips {
-                        grip.push_size(step * turn, rows);
-                    }
-                }
-                Dimension::Direction { joint, driver } => {
-                    let joint_data = &here.system.joints[*joint];
-                    let moved: f64 = joint_data
-                        .points()
-                        .iter()
-                        .map(|marker| spread(here, marker, x))
-                        .sum();
-                    let (slide, across) = guide(here, *joint);
-                    let turn = turned(joint_data.points()[0].body);
-                    let gap = moved + (slide.abs() + across.abs()) * (turn + step);
-                    rows[here.system.blocks[*joint].row()] += step * gap;
-                    if let Some(id) = driver {
-                        rows[driver_block(here.system, *id).row()] += step * gap;
-                    }
-                }
-                Dimension::Ratio { joint, carrier, .. } => {
-                    let [first, _] = here.system.joints[*joint].bodies();
-                    rows[here.system.blocks[*joint].row()] +=
-                        step * (turned(first) + turned(*carrier));
-                }
-                Dimension::Angle { .. } | Dimension::Mesh { .. } | Dimension::Motion { .. } => {}
-            }
-        }
-    }
-}
-
-/// How far a point may be off where the coordinates are off by `x` \[m\].
-fn spread(here: Here<'_>, marker: &Marker, x: &[f64]) -> f64 {
-    let columns = here.system.layout.columns(marker.body);
-    columns.map_or(0.0, |c| {
-        x[c.x()].hypot(x[c.y()]) + marker.s.norm() * x[c.theta()]
-    })
 }
 
 /// Along an axis of a frame.

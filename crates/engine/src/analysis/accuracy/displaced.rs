@@ -4,11 +4,12 @@ use super::Question;
 use super::chosen::Chosen;
 use super::corners::Corners;
 use super::dimensions::{Dimension, Dimensions, Here, PointId};
-use super::enclosure::Extents;
+use super::enclosure::Enclosure;
 use super::held::{Held, Off};
 use super::output::{Load, Output};
 use super::sorted::Sorted;
 use super::source::{Influence, Play};
+use crate::element::BodyId;
 use crate::mechanism::driven::Driven;
 use crate::system::Inputs;
 use linkdyn_linear::math::Vec2;
@@ -32,8 +33,8 @@ pub(super) struct Mechanism<'m> {
     pub dimensions: &'m Dimensions,
     pub plays: &'m [Play],
     pub corners: &'m Corners<'m>,
-    /// How far dimensions and points can be off.
-    pub extents: Extents,
+    /// What encloses it.
+    pub enclosure: Enclosure,
     /// Whether nothing is off farther than that.
     pub is_bounded: bool,
     /// The plays by what they do.
@@ -83,11 +84,12 @@ impl<'m> Mechanism<'m> {
             correction: vec![0.0; m],
             influences: vec![[0.0; 2]; plays.len()],
         };
-        let unknown = vec![0.0; dimensions.all.len()];
-        let extents = Extents::new(plays, dimensions, slack.unwrap_or(&unknown));
+        let outputs = question.outputs.iter();
+        let ends: Vec<BodyId> = outputs.flat_map(|own| own.output.ends()).collect();
+        let enclosure = Enclosure::new(driven.system, (plays, dimensions), slack, &ends);
         Mechanism {
             is_bounded: slack.is_some(),
-            extents,
+            enclosure,
             pulls: vec![Vec2::zeros(); held.count()],
             offs: vec![Off::default(); held.count()],
             held,

@@ -63,6 +63,14 @@ impl Grip {
         [&self.x, &self.y][axis]
     }
 
+    /// The same of all that hold on to a point, each with its sign.
+    pub fn all(grips: &[Grip], axis: usize) -> impl Iterator<Item = (usize, usize, f64)> + '_ {
+        grips.iter().flat_map(move |grip| {
+            let own = grip.entries(axis).iter();
+            own.map(move |&(row, entry)| (row, entry, grip.sign))
+        })
+    }
+
     /// λᵀ ∂φ/∂P, in global axes.
     pub fn pull(&self, jacobian: &[f64], lambda: &[f64]) -> Vec2 {
         let sum = |entries: &[(usize, usize)]| -> f64 {

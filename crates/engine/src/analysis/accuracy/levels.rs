@@ -126,7 +126,7 @@ impl<'a> Asked<'a> {
     }
 
     fn certified(
-        &self,
+        &mut self,
         index: usize,
         stand: &Stand,
         load: Option<&Load>,
@@ -134,7 +134,7 @@ impl<'a> Asked<'a> {
         first: Option<[f64; 2]>,
     ) -> Option<[f64; 2]> {
         let output = &self.question.outputs[index].output;
-        let mechanism = &self.mechanism;
+        let mechanism = &mut self.mechanism;
         mechanism.bound(stand, output, load?, first?, region.as_ref()?)
     }
 

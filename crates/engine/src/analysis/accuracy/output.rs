@@ -54,6 +54,14 @@ impl Output {
         matches!(self, Output::Angle(_))
     }
 
+    /// The bodies whose distance it is.
+    pub fn ends(&self) -> Vec<BodyId> {
+        match self {
+            Output::Angle(_) | Output::Coordinate(..) => Vec::new(),
+            Output::Distance(from, to) => vec![from.marker.body, to.marker.body],
+        }
+    }
+
     /// Its value [rad or m], points off by `shift` (body frame).
     pub fn value(&self, at: &Kinematics, shift: &dyn Fn(PointId) -> Vec2) -> f64 {
         match self {

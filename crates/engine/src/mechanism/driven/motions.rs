@@ -25,17 +25,23 @@ impl Driven<'_> {
         self.solve_rows(x);
     }
 
-    /// J⁻¹ (n, n) at the last factors, by columns, of a mechanism without redundancy and independent coordinates.
-    pub(crate) fn inverse(&self) -> Vec<f64> {
-        let n = self.system.n();
-        let mut columns = vec![0.0; n * n];
-        self.lu.inverse(&mut columns);
-        let scales = self.row_scales.iter();
-        for (column, scale) in columns.chunks_exact_mut(n.max(1)).zip(scales) {
-            self.system.scale_columns(column);
-            column.iter_mut().for_each(|c| *c /= scale);
+    /// Rows of J⁻¹ at the last factors, as [`SparseLu::inverse_rows`] lays them out, of a mechanism without redundancy and
+    /// independent coordinates: those of the coordinates that are wanted.
+    pub(crate) fn inverse_rows<const K: usize>(&mut self, wanted: &[usize], rows: &mut [[f64; K]]) {
+        self.lu.inverse_rows(wanted, rows);
+        let n = self.system.n().max(1);
+        for (wanted, rows) in wanted.chunks(K).zip(rows.chunks_exact_mut(n)) {
+            let mut sizes = [0.0; K];
+            for (size, &column) in sizes.iter_mut().zip(wanted) {
+                *size = self.system.column_scale(column);
+            }
+            for (row, scale) in rows.iter_mut().zip(self.row_scales.iter()) {
+                let inverse = 1.0 / scale;
+                for (row, size) in row.iter_mut().zip(&sizes) {
+                    *row *= size * inverse;
+                }
+            }
         }
-        columns
     }
 
     /// S (f × n), one tangent ∂q/∂u_k after the other: the motion that independent coordinate k alone makes.

@@ -1,163 +1,308 @@
-//! By how much the entries of J can change as the coordinates move.
+//! By how much the entries of J can change as the coordinates move, and what that does to the rows.
 
-use crate::element::{BodyId, Kinematics, Marker};
-use crate::system::{Block, DriverRole, JointRole, Origin, System};
+use super::slots::Slots;
+use crate::element::{Axis, BodyId, Kinematics, Marker};
+use crate::system::{Block, DriverRole, JointData, JointRole, Origin, System};
 use linkdyn_linear::math::{Vec2, perp};
 
-/// Bounds of the change of an entry: along the way in the mean, and anywhere.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Change {
-    /// In the mean along the way.
-    pub mean: f64,
-    /// Anywhere on it.
-    pub most: f64,
+/// An entry of J that turns with bodies.
+struct Turning {
+    row: u32,
+    /// Its coordinate.
+    slot: u32,
+    /// The angles that it turns with.
+    by: [u32; 2],
+    /// Its first derivative at the pose.
+    slope: f64,
+    /// Its size at the pose, or what of it turns.
+    size: f64,
 }
 
-impl Change {
-    /// Of an entry with first derivative `slope` and size `value` that turns by an angle.
-    fn turned(slope: f64, value: f64, angle: f64) -> Change {
-        let (linear, square) = (slope.abs() * angle, 0.5 * value.abs() * angle * angle);
-        Change {
-            mean: 0.5 * linear + square / 3.0,
-            most: linear + square,
+/// An entry of J that changes as points move, besides.
+struct Moving {
+    row: u32,
+    /// Its coordinate.
+    slot: u32,
+    /// Its change by a metre.
+    by: f64,
+    points: [Point; 2],
+    is_guide: bool,
+}
+
+/// A point of a body.
+pub(super) struct Point {
+    place: [u32; 2],
+    pub angle: u32,
+    /// How far it is from the centre of mass \[m\].
+    arm: f64,
+}
+
+impl Point {
+    pub fn new(marker: &Marker, slots: &Slots) -> Point {
+        let slot = |axis| slots.coordinate(marker.body, axis);
+        Point {
+            place: [slot(Axis::X), slot(Axis::Y)],
+            angle: slot(Axis::Theta),
+            arm: marker.s.norm(),
         }
     }
 
-    /// And moves by a length besides.
-    fn and_moved(self, length: f64) -> Change {
-        Change {
-            mean: self.mean + 0.5 * length,
-            most: self.most + length,
+    /// How far its body is off.
+    pub fn shift(&self, x: &[f64]) -> Vec2 {
+        Vec2::new(x[self.place[0] as usize], x[self.place[1] as usize])
+    }
+
+    /// How far it moves as its body turns.
+    pub fn swing(&self, x: &[f64]) -> f64 {
+        self.arm * x[self.angle as usize]
+    }
+}
+
+impl Moving {
+    /// How far its points can move.
+    fn length(&self, x: &[f64]) -> f64 {
+        let [first, second] = &self.points;
+        match self.is_guide {
+            // The arm of the first body is no part of w.
+            true => (first.shift(x) + second.shift(x)).norm() + second.swing(x),
+            false => {
+                let [first, second] = [first, second].map(|p| p.shift(x).norm() + p.swing(x));
+                first + second
+            }
         }
     }
 }
 
-/// How far coordinates may be off, read by body.
-pub(super) struct Radii<'a> {
-    pub system: &'a System,
-    pub x: &'a [f64],
+/// Pins, guides or gears, whose slopes follow from a pose.
+enum Source {
+    /// A side of a pin: its first entry, those of a body's angle being the second and the fourth.
+    Pin { entry: usize },
+    /// A guide; along or across which rows are measured.
+    Guide {
+        points: [Marker; 2],
+        axis: Vec2,
+        is_along: bool,
+    },
+    /// A gear: its first entry.
+    Gear { entry: usize, points: [Marker; 2] },
 }
 
-impl Radii<'_> {
-    pub fn turn(&self, body: BodyId) -> f64 {
-        let columns = self.system.layout.columns(body);
-        columns.map_or(0.0, |c| self.x[c.theta()])
-    }
-
-    pub fn shift(&self, body: BodyId) -> Vec2 {
-        let columns = self.system.layout.columns(body);
-        columns.map_or(Vec2::zeros(), |c| Vec2::new(self.x[c.x()], self.x[c.y()]))
-    }
+/// All entries of J that change.
+#[derive(Default)]
+pub(super) struct Changes {
+    sources: Vec<Source>,
+    /// Entries of the sources in turn.
+    turning: Vec<Turning>,
+    moving: Vec<Moving>,
+    /// Whether nothing bounds some.
+    pub are_unbounded: bool,
 }
 
-/// Bounds of the changes of all entries of J where the coordinates are off by the radii.
-pub(super) fn changes(system: &System, at: &Kinematics, radii: &Radii) -> Vec<Change> {
-    let mut all = vec![Change::default(); system.entries.len()];
-    for block in &system.blocks {
-        let own = &mut all[block.entries()];
-        match &block.origin {
-            Origin::Joint(id) => {
-                let joint = &system.joints[id.0];
-                match joint.role() {
-                    JointRole::Revolute | JointRole::Fixed => {
-                        pin_changes(at, radii, &joint.points(), own)
+impl Changes {
+    /// Of a mechanism.
+    pub fn new(system: &System, slots: &Slots) -> Changes {
+        let mut changes = Changes::default();
+        for block in &system.blocks {
+            match &block.origin {
+                Origin::Joint(id) => changes.add_joint(&system.joints[id.0], block, slots),
+                Origin::Driver(id) => {
+                    if let DriverRole::Translation { joint } = system.drivers[id.0].role {
+                        let joint = &system.joints[joint.0];
+                        if let Some(axis) = joint.role().axis() {
+                            changes.add_guide(block, joint.points(), (axis, true), slots);
+                        }
                     }
-                    JointRole::Prismatic { axis, .. } | JointRole::Slot { axis } => {
-                        let u = at.poses[joint.points()[0].body.0].turn(axis);
-                        guide_changes(at, radii, &joint.points(), u, perp(u), own);
+                }
+                // No row stands for a stop where nothing moves by itself.
+                Origin::Stop(_) | Origin::Initial(_) => {}
+            }
+        }
+        changes
+    }
+
+    fn add_joint(&mut self, joint: &JointData, block: &Block, slots: &Slots) {
+        let points = joint.points();
+        match joint.role() {
+            JointRole::Revolute | JointRole::Fixed => {
+                for (side, marker) in points.iter().enumerate() {
+                    if marker.body != BodyId::GROUND {
+                        let entry = block.entries().start + 4 * side;
+                        self.sources.push(Source::Pin { entry });
+                        let coordinate = (marker.body, Axis::Theta);
+                        for row in [block.row(), block.row() + 1] {
+                            self.add(row, coordinate, [marker.body, BodyId::GROUND], slots);
+                        }
                     }
-                    // It has no rows.
-                    JointRole::Contact => {}
-                    JointRole::Gear => gear_changes(at, radii, block, &joint.points(), own),
-                    // the question is refused where there is one
-                    JointRole::Cam => own.fill(Change {
-                        mean: f64::INFINITY,
-                        most: f64::INFINITY,
-                    }),
-                    // No question is answered of a mechanism with one.
-                    JointRole::Rack { .. } | JointRole::Belt | JointRole::Bushing => {}
                 }
             }
-            Origin::Driver(id) => {
-                if let DriverRole::Translation { joint } = system.drivers[id.0].role {
-                    let joint = &system.joints[joint.0];
-                    if let Some(axis) = joint.role().axis() {
-                        let u = at.poses[joint.points()[0].body.0].turn(axis);
-                        // φ = f − u·d has −u where a guide has n, and n where it has u.
-                        guide_changes(at, radii, &joint.points(), perp(u), u, own);
+            JointRole::Prismatic { axis, .. } | JointRole::Slot { axis } => {
+                self.add_guide(block, points, (axis, false), slots);
+            }
+            JointRole::Gear => {
+                let entry = block.entries().start;
+                self.sources.push(Source::Gear { entry, points });
+                let entries = block.constraint.entries();
+                let carrier = entries[entries.len() - 1].1;
+                for Marker { body, .. } in points {
+                    for axis in [Axis::X, Axis::Y] {
+                        self.add(block.row(), (body, axis), [carrier, BodyId::GROUND], slots);
+                    }
+                    self.add(block.row(), (body, Axis::Theta), [carrier, body], slots);
+                }
+                let turn = (carrier, Axis::Theta);
+                self.add(block.row(), turn, [carrier, BodyId::GROUND], slots);
+                self.moving.push(Moving {
+                    row: block.row() as u32,
+                    slot: slots.coordinate(carrier, Axis::Theta),
+                    by: 0.0,
+                    points: points.map(|point| Point::new(&point, slots)),
+                    is_guide: false,
+                });
+            }
+            // The question is refused where there is one.
+            JointRole::Cam => self.are_unbounded = true,
+            // No question is answered of a mechanism with one.
+            JointRole::Rack { .. } | JointRole::Belt | JointRole::Bushing => {}
+            // It has no rows.
+            JointRole::Contact => {}
+        }
+    }
+
+    fn add_guide(
+        &mut self,
+        block: &Block,
+        points: [Marker; 2],
+        (axis, is_along): (Vec2, bool),
+        slots: &Slots,
+    ) {
+        self.sources.push(Source::Guide {
+            points,
+            axis,
+            is_along,
+        });
+        let [first, second] = points.map(|point| point.body);
+        for (body, other) in [(first, BodyId::GROUND), (second, second)] {
+            for axis in [Axis::X, Axis::Y] {
+                self.add(block.row(), (body, axis), [first, BodyId::GROUND], slots);
+            }
+            self.add(block.row(), (body, Axis::Theta), [first, other], slots);
+        }
+        self.moving.push(Moving {
+            row: block.row() as u32,
+            slot: slots.coordinate(first, Axis::Theta),
+            by: 1.0,
+            points: points.map(|point| Point::new(&point, slots)),
+            is_guide: true,
+        });
+    }
+
+    fn add(&mut self, row: usize, (body, axis): (BodyId, Axis), by: [BodyId; 2], slots: &Slots) {
+        self.turning.push(Turning {
+            row: row as u32,
+            slot: slots.coordinate(body, axis),
+            by: by.map(|body| slots.coordinate(body, Axis::Theta)),
+            slope: 0.0,
+            size: 0.0,
+        });
+    }
+
+    /// Takes the slopes and sizes of a pose.
+    pub fn take(&mut self, at: &Kinematics, jacobian: &[f64]) {
+        let mut turning = self.turning.iter_mut();
+        let mut moving = self.moving.iter_mut();
+        let mut set = |slope: f64, size: f64| {
+            if let Some(next) = turning.next() {
+                (next.slope, next.size) = (slope.abs(), size.abs());
+            }
+        };
+        for source in &self.sources {
+            match source {
+                Source::Pin { entry } => {
+                    // ∓ρ⊥
+                    let (y, x) = (jacobian[entry + 1], jacobian[entry + 3]);
+                    set(x, y);
+                    set(y, x);
+                }
+                Source::Guide {
+                    points,
+                    axis,
+                    is_along,
+                } => {
+                    moving.next();
+                    let u = at.poses[points[0].body.0].turn(*axis);
+                    // φ = f − u·d has −u where a guide has n, and n where it has u.
+                    let [u, n] = if *is_along {
+                        [perp(u), u]
+                    } else {
+                        [u, perp(u)]
+                    };
+                    guide_slopes(at, points, [u, n], &mut set);
+                }
+                Source::Gear { entry, points } => {
+                    let kt = gear_slopes(at, points, &jacobian[*entry..], &mut set);
+                    if let Some(moving) = moving.next() {
+                        moving.by = kt.norm();
                     }
                 }
             }
-            // No row stands for a stop where nothing moves by itself.
-            Origin::Stop(_) | Origin::Initial(_) => {}
         }
     }
-    all
-}
 
-/// Entries ∓ρ⊥ of two points that coincide, in the order of `revolute::point_entries`.
-fn pin_changes(at: &Kinematics, radii: &Radii, points: &[Marker; 2], own: &mut [Change]) {
-    for (side, marker) in points.iter().enumerate() {
-        let (rho, turn) = (marker.rho(at), radii.turn(marker.body));
-        own[4 * side + 1] = Change::turned(rho.x, rho.y, turn);
-        own[4 * side + 3] = Change::turned(rho.y, rho.x, turn);
+    /// Adds to the rows (m) the changes of all entries where the coordinates are off by `by`, times `x`: in the mean along the
+    /// way, and anywhere on it.
+    pub fn add_to(&self, by: &[f64], x: &[f64], rows: &mut [[f64; 2]]) {
+        for entry in &self.turning {
+            let angle = by[entry.by[0] as usize] + by[entry.by[1] as usize];
+            let linear = entry.slope * angle;
+            let square = 0.5 * entry.size * angle * angle;
+            let x = x[entry.slot as usize];
+            let [mean, most] = &mut rows[entry.row as usize];
+            *mean += (0.5 * linear + square / 3.0) * x;
+            *most += (linear + square) * x;
+        }
+        for entry in &self.moving {
+            let length = entry.by * entry.length(by);
+            let x = x[entry.slot as usize];
+            let [mean, most] = &mut rows[entry.row as usize];
+            *mean += 0.5 * length * x;
+            *most += length * x;
+        }
     }
 }
 
 /// Entries [nᵀ, u·w | −nᵀ, −u·ρ₂] of a guide, w = P₂ − r₁.
-fn guide_changes(
+fn guide_slopes(
     at: &Kinematics,
-    radii: &Radii,
-    points: &[Marker; 2],
-    u: Vec2,
-    n: Vec2,
-    own: &mut [Change],
+    [first, second]: &[Marker; 2],
+    [u, n]: [Vec2; 2],
+    set: &mut impl FnMut(f64, f64),
 ) {
-    let [first, second] = points;
-    let (turn, other) = (radii.turn(first.body), radii.turn(second.body));
     let rho = second.rho(at);
     let w = second.place(at) - at.poses[first.body.0].r;
-    let moved = (radii.shift(first.body) + radii.shift(second.body)).norm() + rho.norm() * other;
-    let x = Change::turned(u.x, n.x, turn);
-    let y = Change::turned(u.y, n.y, turn);
-    own[0] = x;
-    own[1] = y;
-    own[2] = Change::turned(n.dot(&w), u.dot(&w), turn).and_moved(moved);
-    own[3] = x;
-    own[4] = y;
-    own[5] = Change::turned(n.dot(&rho), u.dot(&rho), turn + other);
+    for arm in [w, rho] {
+        set(u.x, n.x);
+        set(u.y, n.y);
+        set(n.dot(&arm), u.dot(&arm));
+    }
 }
 
-/// Entries of a gear, see `element::gear`: k = (1 − r)/ℓ stands before t, which the Jacobian shows.
-fn gear_changes(
+/// Entries of a gear, see `element::gear`: k = (1 − r)/ℓ stands before t, which the Jacobian shows. Says k t.
+fn gear_slopes(
     at: &Kinematics,
-    radii: &Radii,
-    block: &Block,
-    points: &[Marker; 2],
-    own: &mut [Change],
-) {
-    let entries = block.constraint.entries();
-    let mut values = vec![0.0; entries.len()];
-    block.constraint.jacobian(at, &mut values);
-    let carrier = entries[entries.len() - 1].1;
+    [first, second]: &[Marker; 2],
+    jacobian: &[f64],
+    set: &mut impl FnMut(f64, f64),
+) -> Vec2 {
     // k t stands in the entries of the second centre; e = −t⊥.
-    let kt = Vec2::new(values[3], values[4]);
+    let kt = Vec2::new(jacobian[3], jacobian[4]);
     let ke = -perp(kt);
-    let turn = radii.turn(carrier);
-    let [first, second] = points;
-    let span = second.place(at) - first.place(at);
-    let shift = |marker: &Marker| {
-        radii.shift(marker.body).norm() + marker.s.norm() * radii.turn(marker.body)
-    };
-    let by_x = Change::turned(ke.x, kt.x, turn);
-    let by_y = Change::turned(ke.y, kt.y, turn);
-    for (side, marker) in points.iter().enumerate() {
+    for marker in [first, second] {
         let rho = marker.rho(at);
-        own[3 * side] = by_x;
-        own[3 * side + 1] = by_y;
-        own[3 * side + 2] =
-            Change::turned(kt.dot(&rho), ke.dot(&rho), turn + radii.turn(marker.body));
+        set(ke.x, kt.x);
+        set(ke.y, kt.y);
+        set(kt.dot(&rho), ke.dot(&rho));
     }
-    own[6] = Change::turned(kt.dot(&span), ke.dot(&span), turn)
-        .and_moved(kt.norm() * (shift(first) + shift(second)));
+    let span = second.place(at) - first.place(at);
+    set(kt.dot(&span), ke.dot(&span));
+    kt
 }

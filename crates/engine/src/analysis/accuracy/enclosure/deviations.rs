@@ -1,57 +1,93 @@
-//! What all deviations together do to the coordinates to first order, and what they do beyond it.
+//! What all deviations together do to the coordinates, to first order.
 
-use super::super::displaced::{Mechanism, Stand};
-use super::super::output::Output;
+use super::super::dimensions::{Dimension, Dimensions, Here};
+
+use super::super::grip::{Grip, driver_block};
 use super::super::source::Play;
-use super::Inverse;
-use super::changes::Radii;
-use super::extents::Extents;
-use linkdyn_linear::math::Vec2;
+use super::inverse::{Four, Inverse};
+use crate::system::System;
+use std::ops::Range;
 
 /// So small that what a dimension's step does counts to first order alone.
 const SMALL: f64 = 1e-150;
 
-impl Mechanism<'_> {
-    /// Bounds of |C e| (n) over all deviations, to first order.
-    pub(super) fn straight(&self, stand: &Stand, inverse: &Inverse) -> Vec<f64> {
-        let system = self.driven.system;
-        let here = self.here(stand);
-        let mut bound = vec![0.0; system.n()];
-        for (row, phi) in self.driven.evaluation.phi.iter().enumerate() {
-            let phi = phi.abs() + 8.0 * f64::EPSILON * system.row_scale(row);
-            add(&mut bound, inverse.column(row), |c| phi * c.abs());
-        }
-        let mut rows = vec![0.0; system.m()];
-        let mut ways = [vec![0.0; system.n()], vec![0.0; system.n()]];
-        for play in self.plays {
+/// What a deviation does in a row: a factor times a rate, times cosine or sine of a body's angle.
+#[derive(Clone, Copy)]
+struct Part {
+    row: u32,
+    /// Its number among the entries of J, or behind them.
+    rate: u32,
+    /// Its number among the turns.
+    turn: u32,
+    factor: f64,
+}
+
+/// What it does at a pose.
+#[derive(Clone, Copy, Default)]
+struct Step {
+    row: u32,
+    by: f64,
+}
+
+/// Deviations by what they do in the rows.
+#[derive(Default)]
+pub(super) struct Deviations {
+    /// Sums of those that go to either side in one row alone (m).
+    sides: Vec<f64>,
+    /// Pins by their first row, with their clearance.
+    pins: Vec<(u32, f64)>,
+    /// Guided sliders by their first row, with their play as a gap and as a turn.
+    guided: Vec<(u32, [f64; 2])>,
+    /// Parts of parameters that stand in two rows at most; then of the others; then of zones along x and y.
+    parts: Vec<Part>,
+    /// How many parts are of pairs; where those of each of the others end, and of each zone along x and y.
+    pairs: usize,
+    longer: Vec<usize>,
+    zones: Vec<[usize; 2]>,
+    /// The parts at the pose.
+    steps: Vec<Step>,
+    /// Dimensions other than points, with the row of a rate: they follow the entries of J.
+    others: Vec<(usize, u32)>,
+    /// Entries of J, and rates of the others.
+    rates: Vec<f64>,
+    /// cos θ and sin θ of each body; of ground 1 and 0.
+    turns: Vec<f64>,
+    /// Room (m).
+    rows: Vec<f64>,
+}
+
+impl Deviations {
+    /// Of a mechanism.
+    pub fn new(system: &System, plays: &[Play], dimensions: &Dimensions) -> Deviations {
+        let mut all = Deviations {
+            sides: vec![0.0; system.m()],
+            rows: vec![0.0; system.m()],
+            rates: vec![0.0; system.entries.len()],
+            turns: vec![0.0; 2 * (system.bodies.len() + 1)],
+            ..Deviations::default()
+        };
+        let (mut pairs, mut longer, mut zones) = (Vec::new(), Vec::new(), Vec::new());
+        for play in plays {
             match play {
-                Play::Pin { row, clearance } => {
-                    let pair = [inverse.column(*row), inverse.column(row + 1)];
-                    add_pair(&mut bound, pair, |a, b| clearance[1] * size(a, b));
-                }
-                Play::Sides { row, half } => {
-                    add(&mut bound, inverse.column(*row), |c| half[1] * c.abs());
-                }
-                Play::Driver { row, half } => {
-                    add(&mut bound, inverse.column(*row), |c| half * c.abs());
-                }
+                Play::Pin { row, clearance } => all.pins.push((*row as u32, clearance[1])),
+                Play::Sides { row, half } => all.sides[*row] += half[1],
+                Play::Driver { row, half } => all.sides[*row] += half,
                 Play::Guided { row, half, length } => {
-                    let pair = [inverse.column(*row), inverse.column(row + 1)];
-                    add_pair(&mut bound, pair, |a, b| {
-                        half[1] * a.abs().max(2.0 * b.abs() / length)
-                    });
+                    let half = half[1];
+                    all.guided.push((*row as u32, [half, 2.0 * half / length]));
                 }
                 Play::Zone { point, radius } => {
-                    for (axis, way) in ways.iter_mut().enumerate() {
-                        rows.fill(0.0);
-                        let along = Vec2::new((1 - axis) as f64, axis as f64);
-                        for grip in &self.dimensions.points[point.0].grips {
-                            grip.push(&self.driven.evaluation.jacobian, along, &mut rows);
-                        }
-                        inverse.carry(&rows, 1.0, way);
-                    }
-                    let [a, b] = &ways;
-                    add_pair(&mut bound, [a, b], |a, b| radius * size(a, b));
+                    // Along x and y of the ground.
+                    zones.push([0, 1].map(|axis| {
+                        let entries = Grip::all(&dimensions.points[point.0].grips, axis);
+                        let part = |(row, rate, sign)| Part {
+                            row: row as u32,
+                            rate: rate as u32,
+                            turn: 0,
+                            factor: sign * radius,
+                        };
+                        entries.map(part).collect::<Vec<_>>()
+                    }));
                 }
                 Play::Parameter {
                     lower,
@@ -59,96 +95,157 @@ impl Mechanism<'_> {
                     steps,
                     ..
                 } => {
-                    rows.fill(0.0);
-                    for &(k, by) in steps {
-                        self.dimensions.push_one(here, k, by * SMALL, &mut rows);
-                    }
-                    let [way, _] = &mut ways;
-                    inverse.carry(&rows, 1.0 / SMALL, way);
                     let half = lower.abs().max(upper.abs());
-                    add(&mut bound, way, |q| half * q.abs());
+                    let mut parts = Vec::new();
+                    for &(k, by) in steps {
+                        all.add_parts(system, dimensions, (k, half * by), &mut parts);
+                    }
+                    match parts[..] {
+                        [] => {}
+                        [a] => pairs.extend([a, Part { factor: 0.0, ..a }]),
+                        [a, b] => pairs.extend([a, b]),
+                        _ => longer.push(parts),
+                    }
                 }
             }
         }
-        bound
+        all.rates
+            .resize(system.entries.len() + all.others.len(), 0.0);
+        all.pairs = pairs.len();
+        all.parts = pairs;
+        for own in longer {
+            all.parts.extend(own);
+            all.longer.push(all.parts.len());
+        }
+        for [x, y] in zones {
+            all.parts.extend(x);
+            let end = all.parts.len();
+            all.parts.extend(y);
+            all.zones.push([end, all.parts.len()]);
+        }
+        all.steps = vec![Step::default(); all.parts.len()];
+        all
     }
 
-    /// Adds to the rows (m) bounds of what gaps change as the mechanism moves by `x`, and of what is left out of the
-    /// parameters' steps.
-    pub(super) fn loose(&self, stand: &Stand, extents: &Extents, x: &[f64], rows: &mut [f64]) {
-        let system = self.driven.system;
-        let here = self.here(stand);
-        for play in self.plays {
-            if let Play::Zone { point, radius } = play {
-                let total = system
-                    .layout
-                    .bodies()
-                    .map(|c| x[c.theta()])
-                    .fold(0.0, f64::max);
-                for grip in &self.dimensions.points[point.0].grips {
-                    grip.push_size(radius * 2.0 * total, rows);
+    /// Adds the parts of a step of a dimension.
+    fn add_parts(
+        &mut self,
+        system: &System,
+        dimensions: &Dimensions,
+        (k, by): (usize, f64),
+        parts: &mut Vec<Part>,
+    ) {
+        if let Dimension::Point(id, axis) = &dimensions.all[k] {
+            let point = &dimensions.points[id.0];
+            // Along x of the body (cos θ, sin θ), along y (−sin θ, cos θ).
+            for global in 0..2 {
+                let is_sine = global != *axis;
+                let sign = if global < *axis { -by } else { by };
+                let entries = Grip::all(&point.grips, global);
+                parts.extend(entries.map(|(row, rate, own)| Part {
+                    row: row as u32,
+                    rate: rate as u32,
+                    turn: 2 * point.body.0 as u32 + u32::from(is_sine),
+                    factor: sign * own,
+                }));
+            }
+            return;
+        }
+        for row in rows_of(system, &dimensions.all[k]).into_iter().flatten() {
+            let other = (k, row as u32);
+            let place = self.others.iter().position(|own| *own == other);
+            let place = place.unwrap_or_else(|| {
+                self.others.push(other);
+                self.others.len() - 1
+            });
+            parts.push(Part {
+                row: row as u32,
+                rate: (system.entries.len() + place) as u32,
+                turn: 0,
+                factor: by,
+            });
+        }
+    }
+
+    /// Takes the steps of a pose.
+    pub fn take(&mut self, here: Here<'_>, dimensions: &Dimensions) {
+        let jacobian = &here.evaluation.jacobian;
+        let (entries, others) = self.rates.split_at_mut(jacobian.len());
+        entries.copy_from_slice(jacobian);
+        for (rate, &(k, row)) in others.iter_mut().zip(&self.others) {
+            self.rows.fill(0.0);
+            dimensions.push_one(here, k, SMALL, &mut self.rows);
+            *rate = self.rows[row as usize] / SMALL;
+        }
+        for (turn, pose) in self.turns.as_chunks_mut().0.iter_mut().zip(here.at.poses) {
+            *turn = [pose.cos, pose.sin];
+        }
+        for (step, part) in self.steps.iter_mut().zip(&self.parts) {
+            let rate = self.rates[part.rate as usize] * self.turns[part.turn as usize];
+            *step = Step {
+                row: part.row,
+                by: part.factor * rate,
+            };
+        }
+    }
+
+    /// Bounds of |C e| over all deviations, with `off` (m) to either side in each row besides.
+    pub fn straight(&self, inverse: &Inverse, off: &[f64], straight: &mut [Four]) {
+        let pairs = self.steps[..self.pairs].as_chunks::<2>().0;
+        for (own, sum) in inverse.fours().zip(straight) {
+            let at = |row: u32| &own[row as usize];
+            let both = |row: u32| (at(row), at(row + 1));
+            *sum = [0.0; 4];
+            for ((c, off), half) in own.iter().zip(off).zip(&self.sides) {
+                let by = off + half;
+                add(sum, |k| by * c[k].abs());
+            }
+            for &(row, clearance) in &self.pins {
+                let (a, b) = both(row);
+                add(sum, |k| clearance * size(a[k], b[k]));
+            }
+            for &(row, [half, turn]) in &self.guided {
+                let (a, b) = both(row);
+                add(sum, |k| (half * a[k].abs()).max(turn * b[k].abs()));
+            }
+            for [first, second] in pairs {
+                let (a, b) = (at(first.row), at(second.row));
+                add(sum, |k| (first.by * a[k] + second.by * b[k]).abs());
+            }
+            let carried = |span: Range<usize>| {
+                let mut carried = [0.0; 4];
+                for step in &self.steps[span] {
+                    let c = at(step.row);
+                    add(&mut carried, |k| step.by * c[k]);
                 }
+                carried
+            };
+            let mut begin = self.pairs;
+            for &end in &self.longer {
+                let way = carried(begin..end);
+                add(sum, |k| way[k].abs());
+                begin = end;
             }
-        }
-        self.dimensions.push_change(here, &extents.most, x, rows);
-        // Slack itself is no first-order step of any play.
-        if !extents.slack.is_empty() {
-            let mut own = vec![0.0; system.m()];
-            for &(k, step) in &extents.slack {
-                own.fill(0.0);
-                self.dimensions.push_one(here, k, step, &mut own);
-                rows.iter_mut()
-                    .zip(&own)
-                    .for_each(|(row, own)| *row += own.abs());
+            for &[middle, end] in &self.zones {
+                let (a, b) = (carried(begin..middle), carried(middle..end));
+                add(sum, |k| size(a[k], b[k]));
+                begin = end;
             }
         }
     }
+}
 
-    /// What the output's own points add to its deviation beyond the first order.
-    pub(super) fn own_points(
-        &self,
-        stand: &Stand,
-        output: &Output,
-        extents: &Extents,
-        x: &[f64],
-    ) -> f64 {
-        let here = self.here(stand);
-        let radii = Radii {
-            system: self.driven.system,
-            x,
-        };
-        let Extents { off, beyond, .. } = extents;
-        let places: Vec<_> = output
-            .pulls(&here.at, here.shifts)
-            .into_iter()
-            .flatten()
-            .collect();
-        let total: f64 = places
-            .iter()
-            .filter_map(|(place, _)| Some(off[place.point?.0] + beyond[place.point?.0]))
-            .sum();
-        let turn: f64 = places
-            .iter()
-            .map(|(place, _)| radii.turn(place.marker.body))
-            .fold(0.0, f64::max);
-        let span = match output {
-            Output::Distance(from, to) => {
-                (to.marker.place(&here.at) - from.marker.place(&here.at)).norm()
-            }
-            Output::Angle(_) | Output::Coordinate(..) => f64::INFINITY,
-        };
-        let moved: f64 = places
-            .iter()
-            .map(|(place, _)| {
-                radii.shift(place.marker.body).norm()
-                    + place.marker.s.norm() * radii.turn(place.marker.body)
-            })
-            .sum();
-        let own_beyond: f64 = places
-            .iter()
-            .filter_map(|(place, _)| Some(beyond[place.point?.0]))
-            .sum();
-        own_beyond + total * turn + 2.0 * total * (moved + total) / span
+/// The rows in which a dimension other than a point stands.
+fn rows_of(system: &System, dimension: &Dimension) -> [Option<usize>; 2] {
+    match dimension {
+        Dimension::Point(..) => [None, None],
+        Dimension::Direction { joint, driver } => {
+            let driven = driver.map(|id| driver_block(system, id).row());
+            [Some(system.blocks[*joint].row()), driven]
+        }
+        Dimension::Angle { row } | Dimension::Mesh { row } => [Some(*row), None],
+        Dimension::Ratio { joint, .. } => [Some(system.blocks[*joint].row()), None],
+        Dimension::Motion { driver, .. } => [Some(driver_block(system, *driver).row()), None],
     }
 }
 
@@ -157,14 +254,8 @@ fn size(a: f64, b: f64) -> f64 {
     (a * a + b * b).sqrt()
 }
 
-fn add(bound: &mut [f64], column: &[f64], of: impl Fn(f64) -> f64) {
-    bound.iter_mut().zip(column).for_each(|(b, c)| *b += of(*c));
-}
-
-fn add_pair(bound: &mut [f64], [a, b]: [&[f64]; 2], of: impl Fn(f64, f64) -> f64) {
-    let pairs = a.iter().zip(b);
-    bound
-        .iter_mut()
-        .zip(pairs)
-        .for_each(|(bound, (a, b))| *bound += of(*a, *b));
+fn add(sum: &mut Four, of: impl Fn(usize) -> f64) {
+    for (k, sum) in sum.iter_mut().enumerate() {
+        *sum += of(k);
+    }
 }

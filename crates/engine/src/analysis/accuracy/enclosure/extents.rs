@@ -4,8 +4,7 @@ use super::super::dimensions::{Dimension, Dimensions, PointId};
 use super::super::source::Play;
 
 /// What all deviations of parameters and points can do at most.
-#[derive(Debug, Clone)]
-pub(in super::super) struct Extents {
+pub(super) struct Extents {
     /// Dimensions that can be off, and how far with what their steps leave out.
     pub most: Vec<(usize, f64)>,
     /// Dimensions whose steps leave something out, and how much.

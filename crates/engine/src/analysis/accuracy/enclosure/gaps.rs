@@ -1,0 +1,164 @@
+//! What gaps change as the mechanism moves, and what is left out of the steps of parameters.
+//!
+//! ```text
+//! point, off by d           ∂φ/∂P turns with the body of the guide, d with its own      |d| (|Δθ| + greatest |Δθ|)
+//! zone, off by d            d keeps its direction                                      2 |d| greatest |Δθ|
+//! direction, off by α       u·d and n·d change                                         α (|Δd| + (|u·d| + |n·d|)(|Δθ₁| + α))
+//! ratio, off by δ           ∂φ/∂r = θ₁ − θ_c − …                                       δ (|Δθ₁| + |Δθ_c|)
+//! ```
+
+use super::super::dimensions::{Dimension, Dimensions, Here};
+use super::super::grip::driver_block;
+use super::super::source::Play;
+use super::changes::Point;
+use super::extents::Extents;
+use super::slots::Slots;
+use crate::element::{Axis, Marker};
+use crate::system::System;
+use linkdyn_linear::math::{Vec2, perp};
+use std::collections::BTreeMap;
+
+/// A guide whose direction is off.
+struct Swung {
+    rows: [Option<u32>; 2],
+    markers: [Marker; 2],
+    points: [Point; 2],
+    axis: Vec2,
+    /// How far \[rad\].
+    step: f64,
+    /// |u·d| + |n·d| at the pose \[m\].
+    length: f64,
+}
+
+/// What gaps change.
+#[derive(Default)]
+pub(super) struct Gaps {
+    /// By the greatest angle: row and factor.
+    greatest: Vec<(u32, f64)>,
+    /// By an angle: row, slot and factor.
+    angles: Vec<(u32, u32, f64)>,
+    swung: Vec<Swung>,
+    /// What is left out of steps at the pose (m); none where none leave anything out.
+    slack: Vec<f64>,
+    /// Room (m).
+    rows: Vec<f64>,
+}
+
+impl Gaps {
+    /// Of a mechanism.
+    pub fn new(
+        system: &System,
+        (plays, dimensions): (&[Play], &Dimensions),
+        extents: &Extents,
+        slots: &Slots,
+    ) -> Gaps {
+        let mut greatest = vec![0.0; system.m()];
+        let mut rows = vec![0.0; system.m()];
+        for play in plays {
+            if let Play::Zone { point, radius } = play {
+                let grips = dimensions.points[point.0].grips.iter();
+                grips.for_each(|grip| grip.push_size(2.0 * radius, &mut greatest));
+            }
+        }
+        let mut angles = BTreeMap::new();
+        let mut swung = Vec::new();
+        for &(k, step) in &extents.most {
+            match &dimensions.all[k] {
+                Dimension::Point(id, _) => {
+                    let point = &dimensions.points[id.0];
+                    rows.fill(0.0);
+                    let grips = point.grips.iter();
+                    grips.for_each(|grip| grip.push_size(step, &mut rows));
+                    let slot = slots.coordinate(point.body, Axis::Theta);
+                    for (row, by) in rows.iter().enumerate().filter(|(_, by)| **by != 0.0) {
+                        greatest[row] += by;
+                        *angles.entry((row, slot)).or_insert(0.0) += by;
+                    }
+                }
+                Dimension::Direction { joint, driver } => {
+                    let data = &system.joints[*joint];
+                    let markers = data.points();
+                    let driven = driver.map(|id| driver_block(system, id).row() as u32);
+                    swung.extend(data.role().axis().map(|axis| Swung {
+                        rows: [Some(system.blocks[*joint].row() as u32), driven],
+                        points: markers.map(|marker| Point::new(&marker, slots)),
+                        markers,
+                        axis,
+                        step,
+                        length: 0.0,
+                    }));
+                }
+                Dimension::Ratio { joint, carrier, .. } => {
+                    let [first, _] = system.joints[*joint].bodies();
+                    for body in [first, *carrier] {
+                        let slot = slots.coordinate(body, Axis::Theta);
+                        let row = system.blocks[*joint].row();
+                        *angles.entry((row, slot)).or_insert(0.0) += step;
+                    }
+                }
+                Dimension::Angle { .. } | Dimension::Mesh { .. } | Dimension::Motion { .. } => {}
+            }
+        }
+        let some = |(_, by): &(usize, f64)| *by != 0.0;
+        let greatest = greatest.into_iter().enumerate().filter(some);
+        let angles = angles.into_iter();
+        Gaps {
+            greatest: greatest.map(|(row, by)| (row as u32, by)).collect(),
+            angles: angles
+                .map(|((row, slot), by)| (row as u32, slot, by))
+                .collect(),
+            swung,
+            slack: match extents.slack[..] {
+                [] => Vec::new(),
+                [..] => vec![0.0; system.m()],
+            },
+            rows,
+        }
+    }
+
+    /// Takes what is known of a pose.
+    pub fn take(&mut self, here: Here<'_>, dimensions: &Dimensions, extents: &Extents) {
+        for guide in &mut self.swung {
+            let [first, second] = &guide.markers;
+            let u = here.at.poses[first.body.0].turn(guide.axis);
+            let d = second.place(&here.at) - first.place(&here.at);
+            guide.length = u.dot(&d).abs() + perp(u).dot(&d).abs();
+        }
+        self.slack.fill(0.0);
+        for &(k, step) in &extents.slack {
+            self.rows.fill(0.0);
+            dimensions.push_one(here, k, step, &mut self.rows);
+            for (slack, own) in self.slack.iter_mut().zip(&self.rows) {
+                *slack += own.abs();
+            }
+        }
+    }
+
+    /// Sets the rows (m) to what gaps change where the coordinates are off by `x`, and to what is left out.
+    pub fn put(&self, slots: &Slots, x: &[f64], rows: &mut [[f64; 2]]) {
+        rows.fill([0.0; 2]);
+        let mut add = |row: u32, by: f64| {
+            let [mean, most] = &mut rows[row as usize];
+            (*mean, *most) = (*mean + by, *most + by);
+        };
+        let greatest = slots.greatest_angle(x);
+        self.greatest
+            .iter()
+            .for_each(|&(row, by)| add(row, by * greatest));
+        for &(row, slot, by) in &self.angles {
+            add(row, by * x[slot as usize]);
+        }
+        for guide in &self.swung {
+            let moved = guide
+                .points
+                .iter()
+                .map(|point| point.shift(x).norm() + point.swing(x));
+            let turn = x[guide.points[0].angle as usize] + guide.step;
+            let by = guide.step * (moved.sum::<f64>() + guide.length * turn);
+            guide.rows.iter().flatten().for_each(|&row| add(row, by));
+        }
+        for (row, slack) in self.slack.iter().enumerate() {
+            add(row as u32, *slack);
+        }
+    }
+}
