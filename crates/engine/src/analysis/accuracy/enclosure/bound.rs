@@ -6,18 +6,6 @@ use super::{Enclosure, Extents, Region};
 use crate::element::{Kinematics, Layout};
 use linkdyn_linear::math::Vec2;
 
-impl Enclosure {
-    /// The region that was found.
-    pub(super) fn region(&self) -> Region {
-        let x = self.slots.of.iter().map(|&slot| self.x[slot as usize]);
-        let rows = self.rows.iter().zip(&self.off);
-        Region {
-            x: x.collect(),
-            rows: rows.map(|([mean, _], off)| mean + off).collect(),
-        }
-    }
-}
-
 impl Mechanism<'_> {
     /// The bound of the output's deviations to both sides, least and greatest, within a region of the pose; none where it is
     /// not finite. The pose was taken.

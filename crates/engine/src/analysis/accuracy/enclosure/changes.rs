@@ -5,7 +5,21 @@ use crate::element::{Axis, BodyId, Kinematics, Marker};
 use crate::system::{Block, DriverRole, JointData, JointRole, Origin, System};
 use linkdyn_linear::math::{Vec2, perp};
 
-/// An entry of J that turns with bodies.
+/// The entries ∓ρ⊥ of a pin for the angle of a body.
+pub(super) struct Pin {
+    /// The first of its two rows.
+    pub row: u32,
+    /// The number of the angle.
+    pub angle: u32,
+    /// The first entry of the body; those of its angle are the second and the fourth.
+    entry: u32,
+    /// |ρ| along x and y at the pose.
+    pub arm: [f64; 2],
+    /// What gaps of its rows change as the body turns \[m/rad\].
+    pub gaps: [f64; 2],
+}
+
+/// An entry of J of a guide or a gear that turns with bodies.
 struct Turning {
     row: u32,
     /// Its coordinate.
@@ -18,7 +32,7 @@ struct Turning {
     size: f64,
 }
 
-/// An entry of J that changes as points move, besides.
+/// One that changes as points move, besides.
 struct Moving {
     row: u32,
     /// Its coordinate.
@@ -73,10 +87,8 @@ impl Moving {
     }
 }
 
-/// Pins, guides or gears, whose slopes follow from a pose.
+/// Guides or gears, whose slopes follow from a pose.
 enum Source {
-    /// A side of a pin: its first entry, those of a body's angle being the second and the fourth.
-    Pin { entry: usize },
     /// A guide; along or across which rows are measured.
     Guide {
         points: [Marker; 2],
@@ -90,8 +102,10 @@ enum Source {
 /// All entries of J that change.
 #[derive(Default)]
 pub(super) struct Changes {
+    /// Of pins, which change with one angle.
+    pub pins: Vec<Pin>,
+    /// Guides and gears, and their entries in turn.
     sources: Vec<Source>,
-    /// Entries of the sources in turn.
     turning: Vec<Turning>,
     moving: Vec<Moving>,
     /// Whether nothing bounds some.
@@ -124,16 +138,16 @@ impl Changes {
         let points = joint.points();
         match joint.role() {
             JointRole::Revolute | JointRole::Fixed => {
-                for (side, marker) in points.iter().enumerate() {
-                    if marker.body != BodyId::GROUND {
-                        let entry = block.entries().start + 4 * side;
-                        self.sources.push(Source::Pin { entry });
-                        let coordinate = (marker.body, Axis::Theta);
-                        for row in [block.row(), block.row() + 1] {
-                            self.add(row, coordinate, [marker.body, BodyId::GROUND], slots);
-                        }
-                    }
-                }
+                let sides = points.iter().zip([0, 4]);
+                self.pins.extend(sides.filter_map(|(marker, side)| {
+                    Some(Pin {
+                        row: block.row() as u32,
+                        angle: marker.body.index()? as u32,
+                        entry: (block.entries().start + side) as u32,
+                        arm: [0.0; 2],
+                        gaps: [0.0; 2],
+                    })
+                }));
             }
             JointRole::Prismatic { axis, .. } | JointRole::Slot { axis } => {
                 self.add_guide(block, points, (axis, false), slots);
@@ -206,51 +220,74 @@ impl Changes {
         });
     }
 
+    /// Takes over what gaps of a row change with an angle, where a pin has both; whether one has.
+    pub fn take_gap(&mut self, row: u32, angle: u32, by: f64) -> bool {
+        let mut pins = self.pins.iter_mut();
+        let pin = pins.find(|pin| pin.angle == angle && row.wrapping_sub(pin.row) < 2);
+        let is_taken = pin.is_some();
+        if let Some(pin) = pin {
+            pin.gaps[(row - pin.row) as usize] += by;
+        }
+        is_taken
+    }
+
     /// Takes the slopes and sizes of a pose.
     pub fn take(&mut self, at: &Kinematics, jacobian: &[f64]) {
+        for pin in &mut self.pins {
+            let entry = pin.entry as usize;
+            pin.arm = [jacobian[entry + 3].abs(), jacobian[entry + 1].abs()];
+        }
         let mut turning = self.turning.iter_mut();
-        let mut moving = self.moving.iter_mut();
         let mut set = |slope: f64, size: f64| {
             if let Some(next) = turning.next() {
                 (next.slope, next.size) = (slope.abs(), size.abs());
             }
         };
-        for source in &self.sources {
+        for (source, moving) in self.sources.iter().zip(&mut self.moving) {
             match source {
-                Source::Pin { entry } => {
-                    // ∓ρ⊥
-                    let (y, x) = (jacobian[entry + 1], jacobian[entry + 3]);
-                    set(x, y);
-                    set(y, x);
-                }
                 Source::Guide {
                     points,
                     axis,
                     is_along,
                 } => {
-                    moving.next();
                     let u = at.poses[points[0].body.0].turn(*axis);
                     // φ = f − u·d has −u where a guide has n, and n where it has u.
-                    let [u, n] = if *is_along {
+                    let pair = if *is_along {
                         [perp(u), u]
                     } else {
                         [u, perp(u)]
                     };
-                    guide_slopes(at, points, [u, n], &mut set);
+                    guide_slopes(at, points, pair, &mut set);
                 }
                 Source::Gear { entry, points } => {
-                    let kt = gear_slopes(at, points, &jacobian[*entry..], &mut set);
-                    if let Some(moving) = moving.next() {
-                        moving.by = kt.norm();
-                    }
+                    moving.by = gear_slopes(at, points, &jacobian[*entry..], &mut set).norm();
                 }
             }
         }
     }
 
-    /// Adds to the rows (m) the changes of all entries where the coordinates are off by `by`, times `x`: in the mean along the
-    /// way, and anywhere on it.
-    pub fn add_to(&self, by: &[f64], x: &[f64], rows: &mut [[f64; 2]]) {
+    /// Whether there are guides or gears.
+    pub fn has_others(&self) -> bool {
+        !self.sources.is_empty()
+    }
+
+    /// Adds to the rows (m) the changes of pins in the mean along the way where the coordinates are off by `by`, times `x`, and those
+    /// of their gaps.
+    pub fn add_pins(&self, slots: &Slots, by: &[f64], x: &[f64], rows: &mut [f64]) {
+        for pin in &self.pins {
+            let slot = slots.angle(pin.angle);
+            let angle = by[slot];
+            let (first, second) = (0.5 * angle * x[slot], angle * angle * x[slot] / 6.0);
+            let [along, across] = pin.arm;
+            let [a, b] = pin.gaps;
+            rows[pin.row as usize] += a * angle + along * first + across * second;
+            rows[pin.row as usize + 1] += b * angle + across * first + along * second;
+        }
+    }
+
+    /// Adds to the rows (m) the changes of guides and gears where the coordinates are off by `by`, times `x`: in the mean along
+    /// the way, and anywhere on it.
+    pub fn add_others(&self, by: &[f64], x: &[f64], rows: &mut [[f64; 2]]) {
         for entry in &self.turning {
             let angle = by[entry.by[0] as usize] + by[entry.by[1] as usize];
             let linear = entry.slope * angle;
@@ -261,11 +298,10 @@ impl Changes {
             *most += (linear + square) * x;
         }
         for entry in &self.moving {
-            let length = entry.by * entry.length(by);
-            let x = x[entry.slot as usize];
+            let change = entry.by * entry.length(by) * x[entry.slot as usize];
             let [mean, most] = &mut rows[entry.row as usize];
-            *mean += 0.5 * length * x;
-            *most += length * x;
+            *mean += 0.5 * change;
+            *most += change;
         }
     }
 }

@@ -10,10 +10,10 @@
 use super::super::dimensions::{Dimension, Dimensions, Here};
 use super::super::grip::driver_block;
 use super::super::source::Play;
-use super::changes::Point;
+use super::changes::{Changes, Point};
 use super::extents::Extents;
 use super::slots::Slots;
-use crate::element::{Axis, Marker};
+use crate::element::{BodyId, Marker};
 use crate::system::System;
 use linkdyn_linear::math::{Vec2, perp};
 use std::collections::BTreeMap;
@@ -34,12 +34,12 @@ struct Swung {
 #[derive(Default)]
 pub(super) struct Gaps {
     /// By the greatest angle: row and factor.
-    greatest: Vec<(u32, f64)>,
-    /// By an angle: row, slot and factor.
-    angles: Vec<(u32, u32, f64)>,
+    pub greatest: Vec<(u32, f64)>,
+    /// By an angle: row, number of the angle, and factor; but for pins.
+    pub angles: Vec<(u32, u32, f64)>,
     swung: Vec<Swung>,
     /// What is left out of steps at the pose (m); none where none leave anything out.
-    slack: Vec<f64>,
+    pub slack: Vec<f64>,
     /// Room (m).
     rows: Vec<f64>,
 }
@@ -50,7 +50,7 @@ impl Gaps {
         system: &System,
         (plays, dimensions): (&[Play], &Dimensions),
         extents: &Extents,
-        slots: &Slots,
+        (slots, changes): (&Slots, &mut Changes),
     ) -> Gaps {
         let mut greatest = vec![0.0; system.m()];
         let mut rows = vec![0.0; system.m()];
@@ -69,10 +69,12 @@ impl Gaps {
                     rows.fill(0.0);
                     let grips = point.grips.iter();
                     grips.for_each(|grip| grip.push_size(step, &mut rows));
-                    let slot = slots.coordinate(point.body, Axis::Theta);
+                    let angle = point.body.index();
                     for (row, by) in rows.iter().enumerate().filter(|(_, by)| **by != 0.0) {
                         greatest[row] += by;
-                        *angles.entry((row, slot)).or_insert(0.0) += by;
+                        if let Some(angle) = angle {
+                            *angles.entry((row, angle)).or_insert(0.0) += by;
+                        }
                     }
                 }
                 Dimension::Direction { joint, driver } => {
@@ -90,10 +92,9 @@ impl Gaps {
                 }
                 Dimension::Ratio { joint, carrier, .. } => {
                     let [first, _] = system.joints[*joint].bodies();
-                    for body in [first, *carrier] {
-                        let slot = slots.coordinate(body, Axis::Theta);
-                        let row = system.blocks[*joint].row();
-                        *angles.entry((row, slot)).or_insert(0.0) += step;
+                    let row = system.blocks[*joint].row();
+                    for angle in [first, *carrier].into_iter().filter_map(BodyId::index) {
+                        *angles.entry((row, angle)).or_insert(0.0) += step;
                     }
                 }
                 Dimension::Angle { .. } | Dimension::Mesh { .. } | Dimension::Motion { .. } => {}
@@ -102,10 +103,11 @@ impl Gaps {
         let some = |(_, by): &(usize, f64)| *by != 0.0;
         let greatest = greatest.into_iter().enumerate().filter(some);
         let angles = angles.into_iter();
+        let angles = angles.map(|((row, angle), by)| (row as u32, angle as u32, by));
         Gaps {
             greatest: greatest.map(|(row, by)| (row as u32, by)).collect(),
             angles: angles
-                .map(|((row, slot), by)| (row as u32, slot, by))
+                .filter(|&(row, angle, by)| !changes.take_gap(row, angle, by))
                 .collect(),
             swung,
             slack: match extents.slack[..] {
@@ -134,31 +136,35 @@ impl Gaps {
         }
     }
 
-    /// Sets the rows (m) to what gaps change where the coordinates are off by `x`, and to what is left out.
-    pub fn put(&self, slots: &Slots, x: &[f64], rows: &mut [[f64; 2]]) {
-        rows.fill([0.0; 2]);
-        let mut add = |row: u32, by: f64| {
-            let [mean, most] = &mut rows[row as usize];
-            (*mean, *most) = (*mean + by, *most + by);
-        };
+    /// Whether directions are off.
+    pub fn has_others(&self) -> bool {
+        !self.swung.is_empty()
+    }
+
+    /// Adds to the rows (m) what gaps change with the angles in `x`, and what is left out.
+    pub fn add_turned(&self, slots: &Slots, x: &[f64], rows: &mut [f64]) {
         let greatest = slots.greatest_angle(x);
-        self.greatest
-            .iter()
-            .for_each(|&(row, by)| add(row, by * greatest));
-        for &(row, slot, by) in &self.angles {
-            add(row, by * x[slot as usize]);
+        for &(row, by) in &self.greatest {
+            rows[row as usize] += by * greatest;
         }
+        for &(row, angle, by) in &self.angles {
+            rows[row as usize] += by * x[slots.angle(angle)];
+        }
+        for (row, slack) in rows.iter_mut().zip(&self.slack) {
+            *row += slack;
+        }
+    }
+
+    /// Adds to the rows (m) what directions do where the coordinates are off by `x`.
+    pub fn add_swung(&self, x: &[f64], rows: &mut [[f64; 2]]) {
         for guide in &self.swung {
-            let moved = guide
-                .points
-                .iter()
-                .map(|point| point.shift(x).norm() + point.swing(x));
+            let points = guide.points.iter();
+            let moved = points.map(|point| point.shift(x).norm() + point.swing(x));
             let turn = x[guide.points[0].angle as usize] + guide.step;
             let by = guide.step * (moved.sum::<f64>() + guide.length * turn);
-            guide.rows.iter().flatten().for_each(|&row| add(row, by));
-        }
-        for (row, slack) in self.slack.iter().enumerate() {
-            add(row as u32, *slack);
+            for row in guide.rows.iter().flatten() {
+                rows[*row as usize].iter_mut().for_each(|row| *row += by);
+            }
         }
     }
 }

@@ -6,6 +6,9 @@ use crate::system::System;
 /// Of four coordinates, that go through sums together.
 pub(super) type Four = [f64; 4];
 
+/// What widens sums by more than their rounding.
+pub(super) const WIDENED: f64 = 1.0 + 1e-12;
+
 /// Parts of a product of J₀ are off by this much of it, before there are many.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
@@ -78,15 +81,10 @@ impl Inverse {
         })
     }
 
-    /// X = straight + |C| rows of K kinds of rows at once, widened by its rounding.
-    pub fn images<const K: usize>(
-        &self,
-        straight: &[Four],
-        rows: &[[f64; 2]],
-        mut images: [&mut [f64]; K],
-    ) {
-        for (g, (own, straight)) in self.fours().zip(straight).enumerate() {
-            let mut sums = [*straight; K];
+    /// Adds |C| rows to as many images as are asked for, each of its own kind of rows.
+    pub fn add_images<const K: usize>(&self, rows: &[[f64; 2]], images: &mut [&mut [f64]; K]) {
+        for (g, own) in self.fours().enumerate() {
+            let mut sums = [[0.0; 4]; K];
             for (c, by) in own.iter().zip(rows) {
                 for (sum, by) in sums.iter_mut().zip(by) {
                     for (sum, c) in sum.iter_mut().zip(c) {
@@ -96,7 +94,7 @@ impl Inverse {
             }
             for (image, sum) in images.iter_mut().zip(sums) {
                 for (x, sum) in image[4 * g..][..4].iter_mut().zip(sum) {
-                    *x = sum * (1.0 + 1e-12);
+                    *x += sum;
                 }
             }
         }
@@ -136,7 +134,7 @@ impl Inverse {
             }
             for image in [&mut *first, &mut *second] {
                 for (x, sum) in image[4 * g..][..4].iter_mut().zip(sum) {
-                    *x += sum * (1.0 + 1e-12);
+                    *x += sum * WIDENED;
                 }
             }
         }

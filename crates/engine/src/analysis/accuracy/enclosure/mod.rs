@@ -22,6 +22,7 @@ mod deviations;
 mod extents;
 mod gaps;
 mod inverse;
+mod powers;
 mod slots;
 
 use super::dimensions::{Dimensions, Here};
@@ -33,7 +34,8 @@ use changes::Changes;
 use deviations::Deviations;
 use extents::Extents;
 use gaps::Gaps;
-use inverse::{Four, Inverse};
+use inverse::{Inverse, WIDENED};
+use powers::Powers;
 use slots::Slots;
 
 /// Widenings of X that are tried.
@@ -42,8 +44,9 @@ const WIDENINGS: [f64; 5] = [1.001, 1.02, 1.2, 1.6, 2.5];
 const PASSES: usize = 4;
 /// Refinements of a wide X that holds.
 const REFINEMENTS: usize = 3;
-/// Widened by less than this X needs no refinement: what it leaves is of second order in it.
+/// Widened by less than this X needs no refinement where this part of it at most is of second order.
 const NARROW: f64 = 1.01;
+const SECOND: f64 = 0.01;
 
 /// What encloses a mechanism at its poses, and the room for it.
 pub(super) struct Enclosure {
@@ -55,10 +58,11 @@ pub(super) struct Enclosure {
     gaps: Gaps,
     /// |φ| and its rounding at the pose (m).
     off: Vec<f64>,
-    /// |C e| to first order.
-    straight: Vec<Four>,
-    /// What rows are off and change within an X (m): in the mean along the way, and anywhere on it.
-    rows: Vec<[f64; 2]>,
+    powers: Powers,
+    /// Whether rows change by more than powers of angles, and what they change by within an X (m): in the mean along the way, and
+    /// anywhere on it.
+    has_others: bool,
+    others: Vec<[f64; 2]>,
     /// By slots: X, the one that is tried, and what follows from it in the mean and anywhere.
     x: Vec<f64>,
     wide: Vec<f64>,
@@ -90,14 +94,18 @@ impl Enclosure {
         let slots = Slots::new(system, (plays, dimensions), &extents, ends);
         let (n, m) = (system.n(), system.m());
         let room = vec![0.0; slots.room()];
+        let mut changes = Changes::new(system, &slots);
+        let own = (&slots, &mut changes);
+        let gaps = Gaps::new(system, (plays, dimensions), &extents, own);
         Enclosure {
             inverse: Inverse::new(system, &slots),
             deviations: Deviations::new(system, plays, dimensions),
-            changes: Changes::new(system, &slots),
-            gaps: Gaps::new(system, (plays, dimensions), &extents, &slots),
+            powers: Powers::new(&slots),
+            has_others: changes.has_others() || gaps.has_others(),
+            changes,
+            gaps,
             off: vec![0.0; m],
-            straight: vec![[0.0; 4]; slots.len() / 4],
-            rows: vec![[0.0; 2]; m],
+            others: vec![[0.0; 2]; m],
             x: room.clone(),
             wide: room.clone(),
             next: room.clone(),
@@ -119,13 +127,14 @@ impl Enclosure {
         self.changes.take(&here.at, &evaluation.jacobian);
         self.gaps.take(here, dimensions, &self.extents);
         self.deviations.take(here, dimensions);
-        self.deviations
-            .straight(&self.inverse, &self.off, &mut self.straight);
+        let straight = &mut self.powers.straight;
+        self.deviations.straight(&self.inverse, &self.off, straight);
+        self.powers.take(&self.inverse, &self.changes, &self.gaps);
     }
 
-    /// Whether an X is found; and what rows change within it, times it.
-    fn contract(&mut self) -> bool {
-        let straight = self.straight.as_flattened();
+    /// The region that is found, if any is.
+    fn contract(&mut self) -> Option<Region> {
+        let straight = self.powers.straight.as_flattened();
         self.x[..straight.len()].copy_from_slice(straight);
         for (attempt, widening) in WIDENINGS.into_iter().enumerate() {
             for _ in 0..if attempt == 0 { 1 } else { PASSES } {
@@ -138,46 +147,92 @@ impl Enclosure {
                 continue;
             }
             std::mem::swap(&mut self.x, &mut self.next);
-            let is_narrow = widening < NARROW;
-            if !is_narrow {
+            if widening > NARROW || self.bends() {
                 (0..REFINEMENTS).for_each(|_| self.pass());
+                self.wide.copy_from_slice(&self.x);
             }
-            self.slots.set_far(self.off.iter().sum(), &mut self.x);
-            let by = if is_narrow { &self.wide } else { &self.x };
-            self.gaps.put(&self.slots, by, &mut self.rows);
-            self.changes.add_to(by, &self.x, &mut self.rows);
-            return true;
+            return Some(self.region());
         }
-        false
+        None
     }
 
     /// Puts for X what follows from it in the mean.
     fn pass(&mut self) {
-        self.gaps.put(&self.slots, &self.x, &mut self.rows);
-        self.changes.add_to(&self.x, &self.x, &mut self.rows);
-        self.inverse
-            .images(&self.straight, &self.rows, [&mut self.x]);
+        let mut x = std::mem::take(&mut self.x);
+        self.spread(&x);
+        self.images([&mut x]);
+        self.x = x;
+    }
+
+    /// Takes what rows change where the coordinates are off by `x`.
+    fn spread(&mut self, x: &[f64]) {
+        self.powers.turn(&self.slots, x);
+        if self.has_others {
+            self.others.fill([0.0; 2]);
+            self.gaps.add_swung(x, &mut self.others);
+            self.changes.add_others(x, x, &mut self.others);
+        }
+    }
+
+    /// Sets images of it: in the mean, and anywhere where that is asked for.
+    fn images<const K: usize>(&self, mut images: [&mut [f64]; K]) {
+        self.powers.images(&mut images);
+        if self.has_others {
+            self.inverse.add_images(&self.others, &mut images);
+        }
+        for x in images.into_iter().flatten() {
+            *x *= WIDENED;
+        }
     }
 
     /// Whether no way leaves the X that is tried, nor branches within it.
     fn holds(&mut self) -> bool {
-        let wide = &mut self.wide;
-        self.gaps.put(&self.slots, wide, &mut self.rows);
-        self.changes.add_to(wide, wide, &mut self.rows);
-        let images = [&mut self.next[..], &mut self.most[..]];
-        self.inverse.images(&self.straight, &self.rows, images);
+        let [mut wide, mut next, mut most] =
+            [&mut self.wide, &mut self.next, &mut self.most].map(std::mem::take);
+        self.spread(&wide);
+        self.images([&mut next, &mut most]);
         let len = self.slots.len();
         // What C leaves is looked at where all else is well.
-        if !is_inside(&self.next[..len], &wide[..len]) {
-            return false;
+        let mut holds = is_inside(&next[..len], &wide[..len]);
+        if holds {
+            self.slots.set_far(self.off.iter().sum(), &mut wide);
+            self.inverse
+                .add_residual(&self.slots, &wide, [&mut next, &mut most]);
+            let straight = self.powers.straight.as_flattened();
+            let mut ends = most.iter().zip(straight).zip(&wide);
+            holds = is_inside(&next[..len], &wide[..len])
+                && ends.all(|((most, straight), x)| most - straight < *x || *x == 0.0);
         }
-        self.slots.set_far(self.off.iter().sum(), wide);
-        let images = [&mut self.next[..], &mut self.most[..]];
-        self.inverse.add_residual(&self.slots, wide, images);
-        let straight = self.straight.as_flattened();
-        let mut ends = self.most.iter().zip(straight).zip(&*wide);
-        is_inside(&self.next[..len], &wide[..len])
-            && ends.all(|((most, straight), x)| most - straight < *x || *x == 0.0)
+        [self.wide, self.next, self.most] = [wide, next, most];
+        holds
+    }
+
+    /// Whether more than a little of X is of second order.
+    fn bends(&self) -> bool {
+        let mut each = self.x.iter().zip(self.powers.straight.as_flattened());
+        each.any(|(x, straight)| x - straight > SECOND * x)
+    }
+
+    /// The region X: rows change by what they do within the X that was tried.
+    fn region(&mut self) -> Region {
+        let mut rows = self.off.clone();
+        self.gaps.add_turned(&self.slots, &self.wide, &mut rows);
+        self.changes
+            .add_pins(&self.slots, &self.wide, &self.x, &mut rows);
+        if self.has_others {
+            self.others.fill([0.0; 2]);
+            self.gaps.add_swung(&self.wide, &mut self.others);
+            self.changes
+                .add_others(&self.wide, &self.x, &mut self.others);
+            let others = rows.iter_mut().zip(&self.others);
+            others.for_each(|(row, [mean, _])| *row += mean);
+        }
+        self.slots.set_far(self.off.iter().sum(), &mut self.x);
+        let x = self.slots.of.iter().map(|&slot| self.x[slot as usize]);
+        Region {
+            x: x.collect(),
+            rows,
+        }
     }
 }
 
@@ -204,7 +259,7 @@ impl Mechanism<'_> {
             held: stand.held,
         };
         enclosure.take(here, self.dimensions);
-        enclosure.contract().then(|| enclosure.region())
+        enclosure.contract()
     }
 }
 

@@ -28,7 +28,7 @@ pub(super) struct Slots {
     pub of: Vec<u32>,
     /// Those of x, y and θ of each body, ground first.
     bodies: Vec<[u32; 3]>,
-    /// Angles that are enclosed, and what a radian of each moves others at most \[m\].
+    /// Angles of bodies that move, and what a radian of each moves others at most \[m\].
     spans: Vec<(u32, f64)>,
     /// Slots of x and y of bodies that are placed.
     places: Vec<[u32; 2]>,
@@ -107,6 +107,17 @@ impl Slots {
     /// The slot of a coordinate of a body.
     pub fn coordinate(&self, body: BodyId, axis: Axis) -> u32 {
         self.bodies[body.0][axis as usize]
+    }
+
+    /// Slots of the angles of all bodies that move.
+    pub fn angles(&self) -> impl ExactSizeIterator<Item = u32> {
+        self.spans.iter().map(|&(slot, _)| slot)
+    }
+
+    /// The slot of an angle by its number among them.
+    pub fn angle(&self, number: u32) -> usize {
+        let (slot, _) = self.spans[number as usize];
+        slot as usize
     }
 
     /// The greatest of all angles.
