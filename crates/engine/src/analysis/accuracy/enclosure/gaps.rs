@@ -31,7 +31,6 @@ struct Swung {
 }
 
 /// What gaps change.
-#[derive(Default)]
 pub(super) struct Gaps {
     /// By the greatest angle: row and factor.
     pub greatest: Vec<(u32, f64)>,

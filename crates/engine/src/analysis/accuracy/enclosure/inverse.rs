@@ -13,7 +13,6 @@ pub(super) const WIDENED: f64 = 1.0 + 1e-12;
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Rows of C of the coordinates that are enclosed, and J₀ by its columns.
-#[derive(Default)]
 pub(super) struct Inverse {
     /// Four rows of C by columns (m), then the next four.
     pub rows: Vec<Four>,

@@ -13,7 +13,9 @@
 //! the mean along the way by half of that. The matrix J is regular for all |Δq| ≤ X where the same bound without the mean
 //! contracts; so the way from the nominal position never branches within X. Sums are widened by their rounding.
 //!
-//! Angles are enclosed so, and the places that anything asks for; the others follow them (`slots`).
+//! Angles are enclosed so, and places that anything asks for; the others follow them (`slots`). So C has rows of these alone
+//! (`inverse`). What goes with X is worked out once per pose, but for X itself: most of it as powers of angles (`powers`).
+//!
 //! (Krawczyk 1969; Neumaier, Interval Methods for Systems of Equations, 1990, ch. 5.)
 
 mod bound;
@@ -44,8 +46,9 @@ const WIDENINGS: [f64; 5] = [1.001, 1.02, 1.2, 1.6, 2.5];
 const PASSES: usize = 4;
 /// Refinements of a wide X that holds.
 const REFINEMENTS: usize = 3;
-/// Widened by less than this X needs no refinement where this part of it at most is of second order.
+/// Widened by less than this X needs no refinement: what it leaves is of second order in it,
 const NARROW: f64 = 1.01;
+/// where that is no more than this part of it.
 const SECOND: f64 = 0.01;
 
 /// What encloses a mechanism at its poses, and the room for it.

@@ -13,7 +13,6 @@ use super::inverse::{Four, Inverse};
 use super::slots::Slots;
 
 /// |C| times what goes with the powers of angles.
-#[derive(Default)]
 pub(super) struct Powers {
     /// Number of angles.
     angles: usize,

@@ -20,7 +20,6 @@ use crate::system::{DriverRole, JointRole, Origin, System};
 const WIDENED: f64 = 1.0 + 1e-9;
 
 /// Slots of the coordinates.
-#[derive(Default)]
 pub(super) struct Slots {
     /// Columns that are enclosed one by one, in the order of their slots.
     pub wanted: Vec<usize>,
