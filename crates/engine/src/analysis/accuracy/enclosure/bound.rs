@@ -22,20 +22,34 @@ impl Mechanism<'_> {
         }
         let system = self.driven.system;
         let Enclosure {
-            inverse,
+            columns,
             extents,
             gradient,
             change,
+            near,
             ..
         } = &mut self.enclosure;
+        let x = match output {
+            Output::Angle(_) | Output::Coordinate(..) => &region.x,
+            Output::Distance(from, to) => {
+                near.copy_from_slice(&region.x);
+                for &(column, x) in &region.ends {
+                    let (body, _) = system.layout.coordinate(column);
+                    if [from, to].iter().any(|end| end.marker.body == body) {
+                        near[column] = x;
+                    }
+                }
+                near
+            }
+        };
         let at = self.driven.evaluation.kinematics(&stand.inputs);
         let own = output.pulls(&at, &self.shifts);
         output.gradient(&at, &own, &system.layout, gradient);
-        output.gradient_change(&at, &system.layout, &region.x, change);
+        output.gradient_change(&at, &system.layout, x, change);
         // (|∂y₀ − λᵀJ₀| + |∂ȳ − ∂y₀|) X
         let mut lean = 0.0;
         let slopes = gradient.iter().zip(&*change);
-        for ((column, (slope, change)), x) in inverse.columns().zip(slopes).zip(&region.x) {
+        for ((column, (slope, change)), x) in columns.each().zip(slopes).zip(&*x) {
             let mut carried = 0.0;
             for (row, value) in column {
                 carried += load.lambda[row] * value;
@@ -47,7 +61,7 @@ impl Mechanism<'_> {
         for (lambda, row) in load.lambda.iter().zip(&region.rows) {
             lean += lambda.abs() * row;
         }
-        lean += own_points((&at, &system.layout), output, extents, &region.x);
+        lean += own_points((&at, &system.layout), output, extents, x);
         let (low, high) = (reach[0] - lean, reach[1] + lean);
         let sums = (system.n() + self.plays.len()) as f64;
         let widened = 1.0 + 1e-13 + 4.0 * f64::EPSILON * sums;

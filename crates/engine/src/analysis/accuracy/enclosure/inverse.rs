@@ -1,6 +1,5 @@
 //! C, an inverse of J₀ but for rounding, and what it leaves.
 
-use super::slots::Slots;
 use crate::system::System;
 
 /// Of four coordinates, that go through sums together.
@@ -12,13 +11,9 @@ pub(super) const WIDENED: f64 = 1.0 + 1e-12;
 /// Parts of a product of J₀ are off by this much of it, before there are many.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// Rows of C of the coordinates that are enclosed, and J₀ by its columns.
-pub(super) struct Inverse {
-    /// Four rows of C by columns (m), then the next four.
-    pub rows: Vec<Four>,
-    /// Number of rows of J.
-    m: usize,
-    /// Row of each entry of J₀, and its number among all, column by column.
+/// J₀ by its columns.
+pub(super) struct Columns {
+    /// Row of each entry, and its number among all, column by column.
     entries: Vec<[u32; 2]>,
     /// Where those of each column end (n).
     ends: Vec<u32>,
@@ -30,9 +25,9 @@ pub(super) struct Inverse {
     sizes: Vec<f64>,
 }
 
-impl Inverse {
-    /// With room for these coordinates.
-    pub fn new(system: &System, slots: &Slots) -> Inverse {
+impl Columns {
+    /// Of a mechanism.
+    pub fn new(system: &System) -> Columns {
         let mut columns: Vec<Vec<[u32; 2]>> = vec![Vec::new(); system.n()];
         for (index, entry) in system.entries.iter().enumerate() {
             if let Some(column) = entry.column() {
@@ -45,9 +40,7 @@ impl Inverse {
             end += column.len() as u32;
             end
         });
-        Inverse {
-            rows: vec![[0.0; 4]; slots.len() / 4 * system.m()],
-            m: system.m(),
+        Columns {
             ends: ends.collect(),
             values: vec![0.0; columns.iter().map(Vec::len).sum()],
             entries: columns.concat(),
@@ -63,13 +56,8 @@ impl Inverse {
         }
     }
 
-    /// For each four coordinates their rows of C.
-    pub fn fours(&self) -> impl Iterator<Item = &[Four]> {
-        self.rows.chunks_exact(self.m.max(1))
-    }
-
-    /// Row and value of the entries of each column of J₀.
-    pub fn columns(&self) -> impl Iterator<Item = impl Iterator<Item = (usize, f64)>> {
+    /// Row and value of the entries of each column.
+    pub fn each(&self) -> impl Iterator<Item = impl Iterator<Item = (usize, f64)>> {
         let mut begin = 0;
         self.ends.iter().map(move |&end| {
             let span = begin..end as usize;
@@ -79,9 +67,47 @@ impl Inverse {
             rows.zip(self.values[span].iter().copied())
         })
     }
+}
+
+/// Rows of C of some coordinates.
+pub(super) struct Inverse {
+    /// The columns of the coordinates.
+    pub wanted: Vec<usize>,
+    /// The place of each column of J among them, behind them of the others (n).
+    places: Vec<u32>,
+    /// Four rows of C by columns (m), then the next four.
+    pub rows: Vec<Four>,
+    /// Number of rows of J.
+    m: usize,
+}
+
+impl Inverse {
+    /// With room for these coordinates.
+    pub fn new(system: &System, wanted: Vec<usize>) -> Inverse {
+        let fours = wanted.len().div_ceil(4);
+        let mut places = vec![4 * fours as u32; system.n()];
+        for (place, &column) in wanted.iter().enumerate() {
+            places[column] = place as u32;
+        }
+        Inverse {
+            rows: vec![[0.0; 4]; fours * system.m()],
+            m: system.m(),
+            places,
+            wanted,
+        }
+    }
+
+    /// For each four coordinates their rows of C.
+    pub fn fours(&self) -> impl ExactSizeIterator<Item = &[Four]> {
+        self.rows.chunks_exact(self.m.max(1))
+    }
 
     /// Adds |C| rows to as many images as are asked for, each of its own kind of rows.
-    pub fn add_images<const K: usize>(&self, rows: &[[f64; 2]], images: &mut [&mut [f64]; K]) {
+    pub fn add_images<const R: usize, const K: usize>(
+        &self,
+        rows: &[[f64; R]],
+        images: &mut [&mut [f64]; K],
+    ) {
         for (g, own) in self.fours().enumerate() {
             let mut sums = [[0.0; 4]; K];
             for (c, by) in own.iter().zip(rows) {
@@ -99,17 +125,21 @@ impl Inverse {
         }
     }
 
-    /// Adds |I − C J₀| x and its rounding to both of two images.
-    pub fn add_residual(&mut self, slots: &Slots, x: &[f64], images: [&mut [f64]; 2]) {
-        let mut sizes = std::mem::take(&mut self.sizes);
+    /// Adds |I − C J₀| x and its rounding to images alike; `x` by the `slots` of the coordinates.
+    pub fn add_residual(
+        &self,
+        columns: &mut Columns,
+        (slots, x): (&[u32], &[f64]),
+        images: &mut [&mut [f64]],
+    ) {
+        let mut sizes = std::mem::take(&mut columns.sizes);
         sizes.fill(0.0);
-        for (column, slot) in self.columns().zip(&slots.of) {
-            let x = self.rounding * x[*slot as usize];
+        for (column, slot) in columns.each().zip(slots) {
+            let x = columns.rounding * x[*slot as usize];
             for (row, value) in column {
                 sizes[row] += value.abs() * x;
             }
         }
-        let [first, second] = images;
         for (g, own) in self.fours().enumerate() {
             let mut sum = [0.0; 4];
             for (c, size) in own.iter().zip(&sizes) {
@@ -117,10 +147,11 @@ impl Inverse {
                     *sum += c.abs() * size;
                 }
             }
-            for (column, &slot) in self.columns().zip(&slots.of) {
+            let places = self.places.iter().zip(slots);
+            for (column, (&place, &slot)) in columns.each().zip(places) {
                 let mut left = [0.0; 4];
-                if slot as usize / 4 == g {
-                    left[slot as usize % 4] = 1.0;
+                if place as usize / 4 == g {
+                    left[place as usize % 4] = 1.0;
                 }
                 for (row, value) in column {
                     for (left, c) in left.iter_mut().zip(&own[row]) {
@@ -131,12 +162,12 @@ impl Inverse {
                     *sum += left.abs() * x[slot as usize];
                 }
             }
-            for image in [&mut *first, &mut *second] {
+            for image in &mut *images {
                 for (x, sum) in image[4 * g..][..4].iter_mut().zip(sum) {
                     *x += sum * WIDENED;
                 }
             }
         }
-        self.sizes = sizes;
+        columns.sizes = sizes;
     }
 }

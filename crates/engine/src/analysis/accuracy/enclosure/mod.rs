@@ -36,7 +36,7 @@ use changes::Changes;
 use deviations::Deviations;
 use extents::Extents;
 use gaps::Gaps;
-use inverse::{Inverse, WIDENED};
+use inverse::{Columns, Inverse, WIDENED};
 use powers::Powers;
 use slots::Slots;
 
@@ -55,7 +55,10 @@ const SECOND: f64 = 0.01;
 pub(super) struct Enclosure {
     extents: Extents,
     slots: Slots,
+    columns: Columns,
     inverse: Inverse,
+    /// Of places at the ends of distances that have no slots of their own.
+    ends: Inverse,
     deviations: Deviations,
     changes: Changes,
     gaps: Gaps,
@@ -74,12 +77,15 @@ pub(super) struct Enclosure {
     /// Room (n).
     gradient: Vec<f64>,
     change: Vec<f64>,
+    near: Vec<f64>,
 }
 
 /// Where the mechanism stays under all deviations: |Δq| ≤ X.
 pub(super) struct Region {
     /// X (n).
     x: Vec<f64>,
+    /// Bounds of places at the ends of distances, by column, where D stands in X.
+    ends: Vec<(usize, f64)>,
     /// Bounds (m) of what φ, gaps and J Δq are off at the pose, and change on the way.
     rows: Vec<f64>,
 }
@@ -94,14 +100,21 @@ impl Enclosure {
     ) -> Enclosure {
         let unknown = vec![0.0; dimensions.all.len()];
         let extents = Extents::new(plays, dimensions, slack.unwrap_or(&unknown));
-        let slots = Slots::new(system, (plays, dimensions), &extents, ends);
+        let (slots, wanted) = Slots::new(system, (plays, dimensions), &extents);
+        let ends = ends.iter().filter_map(|body| system.layout.columns(*body));
+        let ends = ends.flat_map(|columns| [columns.x(), columns.y()]);
+        let mut ends: Vec<usize> = ends.filter(|column| slots.is_far(*column)).collect();
+        ends.sort_unstable();
+        ends.dedup();
         let (n, m) = (system.n(), system.m());
         let room = vec![0.0; slots.room()];
         let mut changes = Changes::new(system, &slots);
         let own = (&slots, &mut changes);
         let gaps = Gaps::new(system, (plays, dimensions), &extents, own);
         Enclosure {
-            inverse: Inverse::new(system, &slots),
+            columns: Columns::new(system),
+            inverse: Inverse::new(system, wanted),
+            ends: Inverse::new(system, ends),
             deviations: Deviations::new(system, plays, dimensions),
             powers: Powers::new(&slots),
             has_others: changes.has_others() || gaps.has_others(),
@@ -115,6 +128,7 @@ impl Enclosure {
             most: room,
             gradient: vec![0.0; n],
             change: vec![0.0; n],
+            near: vec![0.0; n],
             extents,
             slots,
         }
@@ -126,7 +140,7 @@ impl Enclosure {
         for (row, (off, phi)) in self.off.iter_mut().zip(&evaluation.phi).enumerate() {
             *off = phi.abs() + 8.0 * f64::EPSILON * here.system.row_scale(row);
         }
-        self.inverse.take(&evaluation.jacobian);
+        self.columns.take(&evaluation.jacobian);
         self.changes.take(&here.at, &evaluation.jacobian);
         self.gaps.take(here, dimensions, &self.extents);
         self.deviations.take(here, dimensions);
@@ -199,8 +213,9 @@ impl Enclosure {
         let mut holds = is_inside(&next[..len], &wide[..len]);
         if holds {
             self.slots.set_far(self.off.iter().sum(), &mut wide);
-            self.inverse
-                .add_residual(&self.slots, &wide, [&mut next, &mut most]);
+            let images = &mut [&mut next[..], &mut most[..]];
+            let own = (&self.slots.of[..], &wide[..]);
+            self.inverse.add_residual(&mut self.columns, own, images);
             let straight = self.powers.straight.as_flattened();
             let mut ends = most.iter().zip(straight).zip(&wide);
             holds = is_inside(&next[..len], &wide[..len])
@@ -218,7 +233,7 @@ impl Enclosure {
 
     /// The region X: rows change by what they do within the X that was tried.
     fn region(&mut self) -> Region {
-        let mut rows = self.off.clone();
+        let mut rows = vec![0.0; self.off.len()];
         self.gaps.add_turned(&self.slots, &self.wide, &mut rows);
         self.changes
             .add_pins(&self.slots, &self.wide, &self.x, &mut rows);
@@ -231,11 +246,27 @@ impl Enclosure {
             others.for_each(|(row, [mean, _])| *row += mean);
         }
         self.slots.set_far(self.off.iter().sum(), &mut self.x);
+        let ends = self.ends(&rows);
+        let off = rows.iter_mut().zip(&self.off);
+        off.for_each(|(row, off)| *row += off);
         let x = self.slots.of.iter().map(|&slot| self.x[slot as usize]);
         Region {
             x: x.collect(),
+            ends,
             rows,
         }
+    }
+
+    /// Places at the ends of distances, from what rows change.
+    fn ends(&mut self, rows: &[f64]) -> Vec<(usize, f64)> {
+        let mut image = vec![[0.0; 4]; self.ends.fours().len()];
+        self.deviations.straight(&self.ends, &self.off, &mut image);
+        let mut images = [image.as_flattened_mut()];
+        self.ends.add_images(rows.as_chunks::<1>().0, &mut images);
+        let own = (&self.slots.of[..], &self.x[..]);
+        self.ends.add_residual(&mut self.columns, own, &mut images);
+        let places = self.ends.wanted.iter().zip(image.as_flattened());
+        places.map(|(column, x)| (*column, x * WIDENED)).collect()
     }
 }
 
@@ -252,7 +283,9 @@ impl Mechanism<'_> {
         if enclosure.changes.are_unbounded {
             return None;
         }
-        driven.inverse_rows(&enclosure.slots.wanted, &mut enclosure.inverse.rows);
+        for Inverse { wanted, rows, .. } in [&mut enclosure.inverse, &mut enclosure.ends] {
+            driven.inverse_rows(wanted, rows);
+        }
         let here = Here {
             system: driven.system,
             evaluation: &driven.evaluation,

@@ -1,6 +1,6 @@
 //! Which coordinates are enclosed one by one, and where their bounds stand.
 //!
-//! All angles are, and places of bodies that something other than pins asks for: guides, gears, distances. From there pins lead to
+//! All angles are, and places of bodies that something other than pins holds: guides, gears. From there pins lead to
 //! every other body, each passed once at most, so that for the places of all these
 //!
 //! ```text
@@ -21,8 +21,8 @@ const WIDENED: f64 = 1.0 + 1e-9;
 
 /// Slots of the coordinates.
 pub(super) struct Slots {
-    /// Columns that are enclosed one by one, in the order of their slots.
-    pub wanted: Vec<usize>,
+    /// Number of slots before D.
+    len: usize,
     /// The slot of each column (n).
     pub of: Vec<u32>,
     /// Those of x, y and θ of each body, ground first.
@@ -36,15 +36,14 @@ pub(super) struct Slots {
 }
 
 impl Slots {
-    /// Of a mechanism; the places of bodies at the `ends` of distances are asked for.
+    /// Of a mechanism, with the columns that are enclosed one by one, in the order of their slots.
     pub fn new(
         system: &System,
         (plays, dimensions): (&[Play], &Dimensions),
         extents: &Extents,
-        ends: &[BodyId],
-    ) -> Slots {
+    ) -> (Slots, Vec<usize>) {
         let pins = pins(system);
-        let is_placed = placed(system, &pins, ends);
+        let is_placed = placed(system, &pins);
         let layout = &system.layout;
         let is_wanted = |column: &usize| {
             let (body, axis) = layout.coordinate(*column);
@@ -80,22 +79,23 @@ impl Slots {
         }
         let angles = bodies.iter().map(|&[_, _, angle]| angle);
         let places = bodies.iter().zip(&is_placed).skip(1);
-        Slots {
+        let slots = Slots {
             places: places
                 .filter(|(_, is_placed)| **is_placed)
                 .map(|(&[x, y, _], _)| [x, y])
                 .collect(),
             spans: angles.zip(spans).skip(1).collect(),
-            wanted,
+            len: far as usize,
             of,
             bodies,
             gaps,
-        }
+        };
+        (slots, wanted)
     }
 
     /// Slots that belong to coordinates, the zeros behind them included.
     pub fn len(&self) -> usize {
-        4 * self.wanted.len().div_ceil(4)
+        self.len
     }
 
     /// Length of a list of slots.
@@ -106,6 +106,11 @@ impl Slots {
     /// The slot of a coordinate of a body.
     pub fn coordinate(&self, body: BodyId, axis: Axis) -> u32 {
         self.bodies[body.0][axis as usize]
+    }
+
+    /// Whether a column is one of those that share D.
+    pub fn is_far(&self, column: usize) -> bool {
+        self.of[column] as usize == self.len
     }
 
     /// Slots of the angles of all bodies that move.
@@ -153,10 +158,9 @@ fn pins(system: &System) -> Vec<[Marker; 2]> {
 
 /// Which bodies are placed, ground among them: those that something other than a pin holds, and of those that no pins lead to
 /// from there one each.
-fn placed(system: &System, pins: &[[Marker; 2]], ends: &[BodyId]) -> Vec<bool> {
+fn placed(system: &System, pins: &[[Marker; 2]]) -> Vec<bool> {
     let mut placed = vec![false; system.bodies.len() + 1];
     placed[BodyId::GROUND.0] = true;
-    ends.iter().for_each(|body| placed[body.0] = true);
     for joint in &system.joints {
         match joint.role() {
             JointRole::Revolute | JointRole::Fixed => {}
