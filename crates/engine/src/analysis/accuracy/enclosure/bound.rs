@@ -49,7 +49,7 @@ impl Mechanism<'_> {
         // (|∂y₀ − λᵀJ₀| + |∂ȳ − ∂y₀|) X
         let mut lean = 0.0;
         let slopes = gradient.iter().zip(&*change);
-        for ((column, (slope, change)), x) in columns.each().zip(slopes).zip(&*x) {
+        for ((column, (slope, change)), x) in columns.each().zip(slopes).zip(x) {
             let mut carried = 0.0;
             for (row, value) in column {
                 carried += load.lambda[row] * value;

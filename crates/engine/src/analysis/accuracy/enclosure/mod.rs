@@ -259,6 +259,9 @@ impl Enclosure {
 
     /// Places at the ends of distances, from what rows change.
     fn ends(&mut self, rows: &[f64]) -> Vec<(usize, f64)> {
+        if self.ends.wanted.is_empty() {
+            return Vec::new();
+        }
         let mut image = vec![[0.0; 4]; self.ends.fours().len()];
         self.deviations.straight(&self.ends, &self.off, &mut image);
         let mut images = [image.as_flattened_mut()];
@@ -284,7 +287,9 @@ impl Mechanism<'_> {
             return None;
         }
         for Inverse { wanted, rows, .. } in [&mut enclosure.inverse, &mut enclosure.ends] {
-            driven.inverse_rows(wanted, rows);
+            if !wanted.is_empty() {
+                driven.inverse_rows(wanted, rows);
+            }
         }
         let here = Here {
             system: driven.system,
