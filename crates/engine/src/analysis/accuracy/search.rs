@@ -267,11 +267,6 @@ impl Mechanism<'_> {
         is_moved: bool,
         search: &mut Search,
     ) {
-        search
-            .q
-            .iter_mut()
-            .zip(&self.space.step)
-            .for_each(|(q, d)| *q += d);
         let mut first = std::mem::take(&mut self.space.pull);
         if is_moved || !search.is_led {
             self.take(&stand.q, stand);

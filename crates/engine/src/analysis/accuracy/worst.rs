@@ -51,11 +51,11 @@ pub(super) struct Farthest {
 impl Mechanism<'_> {
     /// λ = J⁻ᵀ ∂y at a pose that was taken, and whose factors are at hand; none where they say nothing.
     pub fn load(&mut self, stand: &Stand, output: &Output) -> Option<Load> {
-        let (n, m) = (self.driven.system.n(), self.driven.system.m());
-        let mut gradient = vec![0.0; n];
+        let mut gradient = std::mem::take(&mut self.space.pull);
         self.gradient(stand, output, &mut gradient);
-        let mut lambda = vec![0.0; m];
+        let mut lambda = vec![0.0; self.driven.system.m()];
         self.driven.multipliers(&gradient, &mut lambda);
+        self.space.pull = gradient;
         lambda
             .iter()
             .all(|l| l.is_finite())
@@ -127,19 +127,27 @@ impl Mechanism<'_> {
             let shrunk = self.step();
             let turned = CURVED * gain.smooth * far * far;
             let ended = gain.ended * (gain.ended / gained).min(1.0);
-            let lacks = CURVED * unit * shrunk * (shrunk + leant * far);
-            let is_done = turned.max(ended).max(lacks) <= still * now.abs() + round_off;
-            if is_done || (shrunk <= STALLED && shrunk > 0.3 * size) {
+            let allowed = still * now.abs() + round_off;
+            let lacks = |left: f64| CURVED * unit * left * (shrunk + leant * far);
+            // Where the step leads what is left of it is what the factors, those of the nominal position, are off by.
+            let is_near = lacks((CURVED * CURVED * far).min(1.0) * shrunk) <= allowed
+                && turned.max(ended) <= allowed;
+            let is_stalled = shrunk <= STALLED && shrunk > 0.3 * size;
+            let step = search.q.iter_mut().zip(&self.space.step);
+            step.for_each(|(q, d)| *q += d);
+            if is_near || is_stalled {
+                let deviation = match is_stalled || lacks(shrunk) <= allowed {
+                    true => now,
+                    false => self.read(stand, output, search),
+                };
                 let q = search.q.clone();
                 self.keep(stand, nominal, is_moved, search);
-                return Some(Farthest {
-                    deviation: now,
+                return deviation.is_finite().then_some(Farthest {
+                    deviation,
                     q,
                     needed: Vec::new(),
                 });
             }
-            let step = search.q.iter_mut().zip(&self.space.step);
-            step.for_each(|(q, d)| *q += d);
             slow = if shrunk > SLOW * size { slow + 1 } else { 0 };
             if slow > 2 && is_kept {
                 return None;
@@ -150,6 +158,15 @@ impl Mechanism<'_> {
             (gained, size) = (gain.ended, shrunk);
         }
         None
+    }
+
+    /// Reads the output where the last correction leads, for the same deviations and λ.
+    fn read(&mut self, stand: &Stand, output: &Output, search: &Search) -> f64 {
+        self.take(&search.q, stand);
+        self.place(stand);
+        self.gap(stand);
+        let lacking = self.lack(&search.load);
+        self.value(stand, output, 1.0) - search.nominal + lacking
     }
 
     /// Corrects λ at the position taken, with the points where the deviations before put them. The largest correction in parts of
