@@ -87,6 +87,28 @@ impl SmallLu {
         self.determinant
     }
 
+    /// Solves Aᵀ x = b in place.
+    pub fn solve_transposed(&self, b: &mut [f64]) {
+        let n = self.n;
+        for k in 0..n {
+            let (known, rest) = b.split_at_mut(k + 1);
+            let row = &self.values[k * n..][..n];
+            known[k] /= row[k];
+            for (b, above) in rest.iter_mut().zip(&row[k + 1..]) {
+                *b -= known[k] * above;
+            }
+        }
+        for k in (1..n).rev() {
+            let (rest, known) = b.split_at_mut(k);
+            for (b, left) in rest.iter_mut().zip(&self.values[k * n..][..k]) {
+                *b -= known[0] * left;
+            }
+        }
+        for (k, &row) in self.exchanged.iter().enumerate().rev() {
+            b.swap(k, row);
+        }
+    }
+
     /// Solves A x = b in place.
     pub fn solve(&self, b: &mut [f64]) {
         let n = self.n;
@@ -193,6 +215,7 @@ mod tests {
         let mut none = SmallLu::new(0);
         assert!(none.factor() && none.determinant() == 1.0);
         none.solve(&mut []);
+        none.solve_transposed(&mut []);
     }
 
     #[test]
@@ -216,6 +239,13 @@ mod tests {
                 let wanted = reference.partial_piv_lu().solve(&right);
                 let mut found = x.clone();
                 lu.solve(&mut found);
+                let mut across = x.clone();
+                lu.solve_transposed(&mut across);
+                let most = across.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+                for (column, b) in x.iter().enumerate() {
+                    let sum: f64 = (0..n).map(|i| a[i * n + column] * across[i]).sum();
+                    assert!((sum - b).abs() <= 1e-13 * (1.0 + most), "{sum} {b}");
+                }
                 // Both are solutions of matrices that differ from this one by rounding: by that they may differ.
                 let size = found.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
                 for (row, b) in x.iter().enumerate() {
