@@ -2,7 +2,7 @@
 //!
 //! Beside a change point c goes with y², elsewhere with y. Shares that go with squares are dense enough for both.
 
-use super::reach::{Bordered, Displaced, Held};
+use super::reach::{Between, Bordered, Displaced, Held};
 
 /// Shares are (k/PARTS)².
 const PARTS: usize = 8;
@@ -34,27 +34,17 @@ impl Bordered<'_, '_> {
 
     /// The deviation of the output where the share is first reached.
     fn at_share(&mut self, trail: &[Displaced], share: f64) -> Option<f64> {
-        let [from, to] = trail
+        let mut ways = trail
             .windows(2)
-            .find(|pair| pair[1].c >= share)
-            .and_then(|pair| <&[Displaced; 2]>::try_from(pair).ok())?;
-        let part = (share.sqrt() - from.c.sqrt()) / (to.c.sqrt() - from.c.sqrt());
-        let between = |a: f64, b: f64| a + part * (b - a);
-        let start = Displaced {
-            q: from
-                .q
-                .iter()
-                .zip(&to.q)
-                .map(|(a, b)| between(*a, *b))
-                .collect(),
-            c: share,
-            y: between(from.y, to.y),
-            load: to.load.clone(),
-        };
-        let found = self.solve(&start, None, Held::Share(share))?;
-        // Where c falls and rises again another position may have the same share.
-        let (low, high) = (from.y.min(to.y), from.y.max(to.y));
-        (low..=high).contains(&found.y).then_some(found.y)
+            .map(|pair| Between::new(&pair[0], &pair[1]));
+        ways.find_map(|between| {
+            let guesses = [between.up(share), between.again(share)];
+            guesses.into_iter().flatten().find_map(|guess| {
+                let found = self.solve(guess, Held::Share(share))?;
+                // Where c falls and rises again another position may have the same share.
+                between.holds(found.y).then_some(found.y)
+            })
+        })
     }
 }
 

@@ -8,6 +8,8 @@ pub(in super::super) struct Between<'d> {
     to: &'d Displaced,
 }
 
+/// Positions on the way are known to less than this part of it.
+const BEYOND: f64 = 0.01;
 /// Halvings until a place on the way is known.
 const HALVINGS: usize = 40;
 
@@ -16,21 +18,29 @@ impl<'d> Between<'d> {
         Between { from, to }
     }
 
-    /// Whether a deviation lies between.
+    /// Whether a deviation lies between, or hardly beyond.
     pub fn holds(&self, y: f64) -> bool {
-        let (low, high) = (self.from.y.min(self.to.y), self.from.y.max(self.to.y));
-        (low..=high).contains(&y)
+        let part = (y - self.from.y) / (self.to.y - self.from.y);
+        (-BEYOND..=1.0 + BEYOND).contains(&part)
     }
 
     /// Values and tangents of q (n) and c.
     fn ends(&self, k: usize) -> [f64; 4] {
-        let of = |at: &Displaced| *at.q.get(k).unwrap_or(&at.c);
         let way = self.to.y - self.from.y;
+        let sign = match k < self.from.q.len() || self.from.is_turned == self.to.is_turned {
+            true => 1.0,
+            false => -1.0,
+        };
+        let of = |at: &Displaced| *at.q.get(k).unwrap_or(&at.c);
+        let (from, to) = (of(self.from), sign * of(self.to));
+        if !(self.from.is_smooth && self.to.is_smooth) {
+            return [from, to - from, to, to - from];
+        }
         [
-            of(self.from),
+            from,
             way * self.from.ahead[k],
-            of(self.to),
-            way * self.to.ahead[k],
+            to,
+            sign * way * self.to.ahead[k],
         ]
     }
 
@@ -50,7 +60,7 @@ impl<'d> Between<'d> {
         let (bend, twist) = coefficients(ends);
         let part = half(
             |part| b + part * (2.0 * bend + 3.0 * part * twist) > 0.0,
-            1.0,
+            [0.0, 1.0],
         );
         [part, self.share(part)]
     }
@@ -60,13 +70,26 @@ impl<'d> Between<'d> {
         self.top()[1]
     }
 
-    /// A guess of the position where a share is first reached; none where it is not on the way.
-    pub fn at_share(&self, share: f64) -> Option<Displaced> {
+    /// A guess of the position where c rises to a share; none where it does not on the way.
+    pub fn up(&self, share: f64) -> Option<Displaced> {
         let [top, most] = self.top();
-        if self.from.c > share || most < share {
-            return None;
-        }
-        let part = half(|part| self.share(part) < share, top);
+        let rises = self.from.c <= share && share <= most;
+        rises.then(|| {
+            let part = half(|part| self.share(part) < share, [0.0, top]);
+            self.guess(part, share)
+        })
+    }
+
+    /// A guess of the position where c rises to a share again, past where none is needed.
+    pub fn again(&self, share: f64) -> Option<Displaced> {
+        let [top, _] = self.top();
+        (-self.share(1.0) >= share).then(|| {
+            let part = half(|part| -self.share(part) < share, [top, 1.0]);
+            self.guess(part, share)
+        })
+    }
+
+    fn guess(&self, part: f64, share: f64) -> Displaced {
         let near = if part < 0.5 { self.from } else { self.to };
         let mut found = near.clone();
         for (k, q) in found.q.iter_mut().enumerate() {
@@ -74,13 +97,12 @@ impl<'d> Between<'d> {
         }
         found.c = share;
         found.y = self.from.y + part * (self.to.y - self.from.y);
-        Some(found)
+        found
     }
 }
 
-/// Where what holds at 0 holds no more, by halving the way to `end`.
-fn half(holds: impl Fn(f64) -> bool, end: f64) -> f64 {
-    let (mut low, mut high) = (0.0, end);
+/// Where what holds at the first end holds no more, by halving the way to the other.
+fn half(holds: impl Fn(f64) -> bool, [mut low, mut high]: [f64; 2]) -> f64 {
     for _ in 0..HALVINGS {
         let part = 0.5 * (low + high);
         if holds(part) {

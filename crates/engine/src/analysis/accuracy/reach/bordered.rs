@@ -10,21 +10,14 @@
 
 use super::super::displaced::{Mechanism, Stand};
 use super::super::output::{Load, Output};
-use super::super::source::{Influence, Play};
+use super::super::source::Influence;
+use super::super::turn::Turn;
 use super::Displaced;
 use crate::system::System;
 use linkdyn_linear::math::Vec2;
 use linkdyn_linear::small::SmallLu;
-pub static PASSES: std::sync::atomic::AtomicUsize = std::sync::atomic::AtomicUsize::new(0);
-pub static SOLVES: std::sync::atomic::AtomicUsize = std::sync::atomic::AtomicUsize::new(0);
-
-
 /// What has hardly an influence flickers from side to side: after so many corrections all keep theirs.
 const MOST_AIMS: usize = 12;
-/// A source changes its end so many times in one solution: then what it gains falls as it gives way.
-const MOST_TURNS: u8 = 2;
-/// Another end is tried where it gains more than this part of what all sources do.
-const WORTH: f64 = 1e-11;
 /// Most corrections of one step.
 const MOST_PASSES: usize = 40;
 /// What is left, in radians or sizes, is round-off.
@@ -41,7 +34,7 @@ const PART: f64 = 1e-5;
 const FOUND: f64 = 1e-12;
 /// A correction longer than this, in radians or sizes, is lost.
 const LONGEST: f64 = 0.3;
-/// A correction so many times the one before is lost.
+/// A correction so many times the one before has grown.
 const GROWN: f64 = 4.0;
 /// Most turns of the self-stress.
 const MOST_FLIPS: usize = 4;
@@ -57,23 +50,27 @@ pub(in super::super) enum Held {
 
 /// Equations with their border.
 pub(in super::super) struct Bordered<'a, 'm> {
-    mechanism: &'a mut Mechanism<'m>,
-    stand: &'a Stand,
-    output: &'a Output,
+    pub mechanism: &'a mut Mechanism<'m>,
+    pub stand: &'a Stand,
+    pub output: &'a Output,
     pub side: f64,
     nominal: f64,
     lu: SmallLu,
     /// The load that presses the deviations: the first, and the last.
     first: Load,
-    load: Load,
+    pub load: Load,
     /// What the output's deviation is measured by.
     pub unit: f64,
     /// What gains no more than this part of all stays.
     pub still: f64,
+    /// How many corrections of one solution may grow.
+    pub growths: usize,
     /// g of the plays.
-    influences: Vec<Influence>,
-    /// How often each source changed its end.
-    turns: Vec<u8>,
+    pub influences: Vec<Influence>,
+    /// How often each guided slider changed its corner.
+    pub turned: Vec<u8>,
+    /// How the plays give way to their influence.
+    pub turns: Vec<Turn>,
     /// ∂y/∂q (n).
     gradient: Vec<f64>,
     /// Corrections, multipliers, and the way on (n + 1).
@@ -89,16 +86,25 @@ struct Course {
     /// What may be left.
     enough: f64,
     stalls: bool,
+    /// How many may grow yet.
+    growths: usize,
 }
 
 impl Course {
     /// After a correction of a size: none where it is lost, else whether it was the last.
     fn follow(&mut self, size: f64) -> Option<bool> {
-        if size.is_nan() || size > LONGEST || (size > GROWN * self.last && size > STALLED) {
+        // One that grows may follow from deviations that went to other ends.
+        let has_grown = size > GROWN * self.last && size > STALLED;
+        if size.is_nan() || size > LONGEST || (has_grown && self.growths == 0) {
             return None;
         }
+        self.growths -= usize::from(has_grown);
         // Corrections shrink by a factor, or faster.
-        let left = size * (size / self.last).min(1.0);
+        let left = if self.last.is_finite() {
+            size * (size / self.last).min(1.0)
+        } else {
+            size
+        };
         let stalled = size <= STALLED && size > 0.3 * self.last;
         self.calm = match size {
             _ if size <= DONE || stalled => self.calm + 1,
@@ -134,8 +140,10 @@ impl<'a, 'm> Bordered<'a, 'm> {
             load,
             unit: if output.is_angle() { 1.0 } else { system.size },
             still: 0.0,
+            growths: 0,
             influences: vec![[0.0; 2]; plays],
-            turns: vec![0; plays],
+            turned: vec![0; plays],
+            turns: vec![Turn::default(); plays],
             gradient: vec![0.0; n],
             step: vec![0.0; n + 1],
             stress: vec![0.0; n + 1],
@@ -151,15 +159,19 @@ impl<'a, 'm> Bordered<'a, 'm> {
         self.load.lambda.clone_from(&self.first.lambda);
         self.load.size = self.first.size;
         self.place()?;
-        self.turns.fill(0);
+        self.turned.fill(0);
+        self.turns.fill(Turn::default());
         self.press()?;
         Some(Displaced {
             ahead: vec![0.0; q.len() + 1],
             q,
             c: 0.0,
             y: 0.0,
+            is_turned: false,
             extremes: self.mechanism.chosen.extremes.clone(),
+            turns: self.turns.clone(),
             off: 0.0,
+            is_smooth: true,
         })
     }
 
@@ -173,9 +185,7 @@ impl<'a, 'm> Bordered<'a, 'm> {
 
     /// Newton on the equations with their border, from a guess.
     pub fn solve(&mut self, mut at: Displaced, held: Held) -> Option<Displaced> {
-        let n = at.q.len();
-        self.mechanism.chosen.extremes.copy_from_slice(&at.extremes);
-        self.turns.fill(0);
+        self.choose(&at);
         let part = at.y.abs() / self.unit;
         let (enough, stalls) = match held {
             Held::Output(y) => (NEAR.max(PART * y.abs() / self.unit), false),
@@ -186,12 +196,10 @@ impl<'a, 'm> Bordered<'a, 'm> {
             calm: 0,
             enough,
             stalls,
+            growths: self.growths,
         };
-        SOLVES.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
-        let (mut flips, mut aims) = (0, 0);
-        let verbose = std::env::var("REACH").is_ok();
+        let (mut flips, mut aims, mut has_jumped) = (0, 0, false);
         for pass in 0..MOST_PASSES {
-            PASSES.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
             self.mechanism.take(&at.q, self.stand);
             self.place()?;
             self.factor()?;
@@ -199,9 +207,9 @@ impl<'a, 'm> Bordered<'a, 'm> {
             aims += 1;
             if aims <= MOST_AIMS && self.press()? {
                 course.last = f64::INFINITY;
+                has_jumped = true;
             }
             let size = self.correct(&mut at, held)?;
-            if verbose { eprintln!("        {held:?} size {size:.3e} c {:.6e} y {:.6e} last {:.1e} turns {:?}", at.c, at.y, course.last, self.turns.iter().enumerate().filter(|(_, t)| **t > 0).collect::<Vec<_>>()); }
             if pass == 0 {
                 at.off = size;
             }
@@ -210,8 +218,10 @@ impl<'a, 'm> Bordered<'a, 'm> {
                 self.load.lambda.iter_mut().for_each(|l| *l = -*l);
                 self.load.size = -self.load.size;
                 self.mechanism.take(&at.q, self.stand);
-                self.turns.fill(0);
+                self.turned.fill(0);
+                self.turns.fill(Turn::default());
                 self.press()?;
+                at.is_turned = !at.is_turned;
                 (at.c, course.last, aims) = (-at.c, f64::INFINITY, 0);
                 flips += 1;
                 if flips > MOST_FLIPS || size > LONGEST {
@@ -220,68 +230,30 @@ impl<'a, 'm> Bordered<'a, 'm> {
                 continue;
             }
             if course.follow(size)? {
-                self.mechanism.driven.evaluation.set_position(&at.q);
-                at.y = self.mechanism.value(self.stand, self.output, at.c) - self.nominal;
-                self.lead();
-                at.ahead.copy_from_slice(&self.ahead);
-                self.mechanism
-                    .driven
-                    .system
-                    .scale_columns(&mut at.ahead[..n]);
-                at.ahead.iter_mut().for_each(|by| *by /= self.unit);
-                at.extremes.copy_from_slice(&self.mechanism.chosen.extremes);
+                at.is_smooth = aims <= MOST_AIMS;
+                // Guesses know nothing of ends.
+                if has_jumped || !at.is_smooth {
+                    at.off = 0.0;
+                }
+                self.settle(&mut at);
                 return Some(at);
             }
         }
         None
     }
 
-    /// Steps of the parameters, points and gaps for the deviations chosen, at the position taken.
-    fn place(&mut self) -> Option<()> {
-        if !self.mechanism.step_parameters() {
-            return None;
-        }
-        self.mechanism.place(self.stand);
-        self.mechanism.gap(self.stand);
-        Some(())
-    }
-
-    /// Chooses the deviations that the load presses, at the position taken. Whether any went to another end; none where the
-    /// model can't be had with them.
-    fn press(&mut self) -> Option<bool> {
-        self.mechanism
-            .influences(self.stand, self.output, &self.load, &mut self.influences);
-        let plays = self.mechanism.plays;
-        let each = plays.iter().zip(&self.influences);
-        let all: f64 = each
-            .map(|(play, g)| {
-                let [down, up] = play.reach(*g);
-                up - down
-            })
-            .sum();
-        let (mut has_turned, mut is_moved) = (false, false);
-        let extremes = self.mechanism.chosen.extremes.iter_mut();
-        let each = extremes.zip(plays).zip(&self.influences);
-        for (((e, play), g), turns) in each.zip(&mut self.turns) {
-            let end = play.extreme(*g, 1.0);
-            let gain = g[0] * (end[0] - e[0]) + g[1] * (end[1] - e[1]);
-            if gain <= self.still * all {
-                continue;
-            }
-            if !matches!(play, Play::Pin { .. } | Play::Zone { .. }) && *e != [0.0; 2] {
-                if gain <= WORTH * all || *turns >= MOST_TURNS {
-                    continue;
-                }
-                *turns += 1;
-                has_turned = true;
-            }
-            is_moved = true;
-            *e = end;
-        }
-        if is_moved {
-            self.place()?;
-        }
-        Some(has_turned)
+    /// Tells a position that was found how it goes on.
+    fn settle(&mut self, at: &mut Displaced) {
+        self.mechanism.driven.evaluation.set_position(&at.q);
+        at.y = self.mechanism.value(self.stand, self.output, at.c) - self.nominal;
+        self.lead();
+        at.ahead.copy_from_slice(&self.ahead);
+        let n = at.q.len();
+        let system = self.mechanism.driven.system;
+        system.scale_columns(&mut at.ahead[..n]);
+        at.ahead.iter_mut().for_each(|by| *by /= self.unit);
+        at.extremes.copy_from_slice(&self.mechanism.chosen.extremes);
+        at.turns.copy_from_slice(&self.turns);
     }
 
     /// Factors of the equations with their border, at the position taken.
