@@ -161,31 +161,6 @@ impl<'m> Mechanism<'m> {
         self.pulls = pulls;
     }
 
-    /// Sets gaps, steps and shifts for the deviations that carry the output farthest up; those that gain no more than this part of
-    /// what all reach stay as they are. Whether the model can be had with them.
-    pub fn deviate(&mut self, stand: &Stand, influences: &[Influence], still: f64) -> bool {
-        let each = self.plays.iter().zip(influences);
-        let reaches = each.map(|(play, g)| play.reach(*g));
-        let still = still * reaches.map(|[down, up]| up - down).sum::<f64>();
-        let extremes = self
-            .chosen
-            .extremes
-            .iter_mut()
-            .zip(self.plays)
-            .zip(influences);
-        for ((e, play), g) in extremes {
-            let end = play.extreme(*g, 1.0);
-            if g[0] * (end[0] - e[0]) + g[1] * (end[1] - e[1]) > still {
-                *e = end;
-            }
-        }
-        self.step_parameters() && {
-            self.place(stand);
-            self.gap(stand);
-            true
-        }
-    }
-
     /// Puts the points where steps and zones put them, at the position last taken.
     pub fn place(&mut self, stand: &Stand) {
         let poses = self.driven.evaluation.kinematics(&stand.inputs).poses;
