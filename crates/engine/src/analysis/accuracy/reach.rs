@@ -42,6 +42,8 @@ const MOST_STEPS: usize = 100;
 const GUESSED: f64 = 0.05;
 /// Where a share was guessed that is off by more than this part of it, something may have been passed by …
 const LOST: f64 = 0.5;
+/// … or a position by more than this part of the way to it …
+const ASTRAY: f64 = 0.2;
 /// … but in steps shorter than this, in radians or sizes.
 const NARROW: f64 = 1e-6;
 /// A step is at most so many times the one before.
@@ -150,6 +152,17 @@ impl Bordered<'_, '_> {
             }
             let now = trail.last()?;
             let between = Between::new(now, &next);
+            let way = self.far(now, &next);
+            let off = if is_first || !is_led || !now.is_smooth {
+                0.0
+            } else {
+                Self::off(now, &next, guessed)
+            };
+            let is_narrow = step <= NARROW * self.unit || between.is_narrow();
+            if !is_first && !is_narrow && (off > LOST || next.off > ASTRAY * way) {
+                step *= SHORTER;
+                continue;
+            }
             if next.c >= 1.0 || (!is_first && between.most() >= 1.0) {
                 let Some(reached) = self.close(&between) else {
                     step *= SHORTER;
@@ -163,17 +176,7 @@ impl Bordered<'_, '_> {
                 });
             }
             // Beside a change point c falls again towards the other branch, which the clearance then lets in.
-            let off = Self::off(now, &next, guessed);
-            let off = if is_first || !is_led || !now.is_smooth {
-                0.0
-            } else {
-                off
-            };
-            if off > LOST && step > NARROW * self.unit {
-                step *= SHORTER;
-                continue;
-            }
-            let bent = (next.off / self.far(now, &next)).max(off);
+            let bent = (next.off / way).max(off);
             let longer = match (is_first, is_led) {
                 (true, _) => LONGER,
                 (false, true) => (GUESSED / bent).sqrt().clamp(0.5, LONGER),
@@ -199,7 +202,10 @@ impl Bordered<'_, '_> {
     fn close(&mut self, between: &Between) -> Option<Displaced> {
         let reached = self.solve(between.up(1.0)?, Held::Share(1.0))?;
         let is_first = reached.slope() * self.side > 0.0 && between.holds(reached.y);
-        (is_first || !reached.is_smooth).then_some(reached)
+        // From a guess that is far off the way may lead elsewhere.
+        let [from, to] = between.ends();
+        let is_near = reached.off <= GUESSED * self.far(from, to) || between.is_narrow();
+        ((is_first && is_near) || !reached.is_smooth).then_some(reached)
     }
 
     /// Where the way goes on to with a deviation: by its direction and, where nothing left its end, by its curvature.

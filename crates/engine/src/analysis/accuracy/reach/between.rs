@@ -8,6 +8,8 @@ pub(in super::super) struct Between<'d> {
     to: &'d Displaced,
 }
 
+/// A way shorter than this part of the deviation is narrow.
+const NARROW: f64 = 0.02;
 /// Positions on the way are known to less than this part of it.
 const BEYOND: f64 = 0.01;
 /// Halvings until a place on the way is known.
@@ -18,6 +20,16 @@ impl<'d> Between<'d> {
         Between { from, to }
     }
 
+    /// Both positions.
+    pub fn ends(&self) -> [&'d Displaced; 2] {
+        [self.from, self.to]
+    }
+
+    /// Whether the way is a small part of the deviation.
+    pub fn is_narrow(&self) -> bool {
+        (self.to.y - self.from.y).abs() < NARROW * self.to.y.abs()
+    }
+
     /// Whether a deviation lies between, or hardly beyond.
     pub fn holds(&self, y: f64) -> bool {
         let part = (y - self.from.y) / (self.to.y - self.from.y);
@@ -25,7 +37,7 @@ impl<'d> Between<'d> {
     }
 
     /// Values and tangents of q (n) and c.
-    fn ends(&self, k: usize) -> [f64; 4] {
+    fn values(&self, k: usize) -> [f64; 4] {
         let way = self.to.y - self.from.y;
         let sign = match k < self.from.q.len() || self.from.is_turned == self.to.is_turned {
             true => 1.0,
@@ -46,12 +58,12 @@ impl<'d> Between<'d> {
 
     /// c at a part of the way.
     fn share(&self, part: f64) -> f64 {
-        cubic(self.ends(self.from.q.len()), part)
+        cubic(self.values(self.from.q.len()), part)
     }
 
     /// The greatest share on the way, and at which part of it.
     fn top(&self) -> [f64; 2] {
-        let ends = self.ends(self.from.q.len());
+        let ends = self.values(self.from.q.len());
         let [a, b, c, d] = ends;
         if b <= 0.0 || d >= 0.0 {
             return if a > c { [0.0, a] } else { [1.0, c] };
@@ -93,7 +105,7 @@ impl<'d> Between<'d> {
         let near = if part < 0.5 { self.from } else { self.to };
         let mut found = near.clone();
         for (k, q) in found.q.iter_mut().enumerate() {
-            *q = cubic(self.ends(k), part);
+            *q = cubic(self.values(k), part);
         }
         found.c = share;
         found.y = self.from.y + part * (self.to.y - self.from.y);
