@@ -71,19 +71,28 @@ pub struct PoseAccuracy {
     pub contributions: Vec<Contribution>,
 }
 
-/// Frames of the moving bodies, x, y \[m\] and angle \[rad\].
-fn frames(system: &System, q: &[f64]) -> Vec<[f64; 3]> {
+/// Frames of the moving bodies at their coordinates (n), x, y \[m\] and angle \[rad\].
+pub(super) fn frames(system: &System, q: &[f64]) -> Vec<[f64; 3]> {
     let bodies = system.bodies.iter().zip(system.layout.bodies());
     let frame = |(body, columns): (&BodyData, BodyColumns)| {
         let [x, y, theta] = columns.read(q);
         if body.origin == Vec2::zeros() {
             return [x, y, theta];
         }
-        let pose = Pose::new(x, y, theta);
-        let origin = pose.r + pose.turn(body.origin);
-        [origin.x, origin.y, theta]
+        frame_of(body, &Pose::new(x, y, theta))
     };
     bodies.map(frame).collect()
+}
+
+/// The same of bodies that stand at `poses`, ground first.
+pub(super) fn frames_at(system: &System, poses: &[Pose]) -> Vec<[f64; 3]> {
+    let bodies = system.bodies.iter().zip(&poses[1..]);
+    bodies.map(|(body, pose)| frame_of(body, pose)).collect()
+}
+
+fn frame_of(body: &BodyData, pose: &Pose) -> [f64; 3] {
+    let origin = pose.r + pose.turn(body.origin);
+    [origin.x, origin.y, pose.theta]
 }
 
 impl OutputAccuracy {
@@ -120,17 +129,17 @@ impl PoseAccuracy {
     }
 
     /// Takes where the output is carried farthest.
-    pub(super) fn take(&mut self, system: &System, found: [Option<Farthest>; 2]) {
+    pub(super) fn take(&mut self, found: [Option<Farthest>; 2]) {
         for (side, found) in found.into_iter().enumerate() {
             if let Some(Farthest {
                 deviation,
-                q,
+                frames,
                 needed,
             }) = found
             {
                 self.needed[side] = needed;
                 self.found[side] = Some(deviation);
-                self.displaced[side] = Some(frames(system, &q));
+                self.displaced[side] = Some(frames);
             }
         }
     }

@@ -9,6 +9,7 @@ use super::held::{Held, Off};
 use super::output::{Load, Output};
 use super::sorted::Sorted;
 use super::source::{Influence, Play};
+use super::transposed::Transposed;
 use crate::element::BodyId;
 use crate::mechanism::driven::Driven;
 use crate::system::Inputs;
@@ -37,6 +38,7 @@ pub(super) struct Mechanism<'m> {
     pub enclosure: Enclosure,
     /// Whether nothing is off farther than that.
     pub is_bounded: bool,
+    transposed: Transposed,
     /// The plays by what they do.
     pub sorted: Sorted,
     /// Points that are moved, what pulls on each, and how far it is off.
@@ -94,6 +96,7 @@ impl<'m> Mechanism<'m> {
             offs: vec![Off::default(); held.count()],
             held,
             sorted,
+            transposed: Transposed::new(driven.system),
             stepped,
             of_dimensions: vec![0.0; dimensions.all.len()],
             chosen: Chosen::new(plays.len(), dimensions.all.len()),
@@ -244,11 +247,8 @@ impl<'m> Mechanism<'m> {
         let system = self.driven.system;
         let own = output.pulls(&here.at, here.shifts);
         output.gradient(&here.at, &own, &system.layout, &mut out);
-        for (entry, value) in system.entries.iter().zip(&here.evaluation.jacobian) {
-            if let Some(column) = entry.column() {
-                out[column as usize] -= value * load.lambda[entry.row as usize];
-            }
-        }
+        let jacobian = &here.evaluation.jacobian;
+        self.transposed.subtract(jacobian, &load.lambda, &mut out);
         self.held.pulls(here, &own, load, &mut pulls);
         let off = (pulls.as_slice(), self.offs.as_slice());
         self.held.turn(here, &load.lambda, off, &mut out);

@@ -88,7 +88,7 @@ impl<'a> Asked<'a> {
         for (((&index, pose), load), begun) in each {
             let load = load.as_ref();
             let found = [0, 1].map(|side| self.found(index, stand, load, (side, begun[side])));
-            pose.take(self.system, found);
+            pose.take(found);
         }
         poses
     }

@@ -39,6 +39,7 @@ mod sorted;
 mod source;
 mod statistics;
 mod stroke;
+mod transposed;
 mod turn;
 mod words;
 mod worst;
@@ -147,7 +148,11 @@ fn run(
             plays: &plays,
             outputs: &along,
         };
-        for poses in stroke.poses(threads)? {
+        let answers = stroke.poses(threads)?;
+        for &index in &along {
+            outputs[index].poses.reserve_exact(answers.len());
+        }
+        for poses in answers {
             for (&index, pose) in along.iter().zip(poses) {
                 outputs[index].poses.push(pose);
             }

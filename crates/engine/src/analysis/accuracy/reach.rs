@@ -15,6 +15,7 @@ mod between;
 mod bordered;
 mod pressed;
 
+use super::answer::frames;
 use super::displaced::{Mechanism, Stand};
 use super::output::{Load, Output};
 use super::search::SILENT;
@@ -172,7 +173,7 @@ impl Bordered<'_, '_> {
                 return Some(Farthest {
                     deviation: reached.y,
                     needed: self.needed(trail),
-                    q: reached.q,
+                    frames: frames(self.mechanism.driven.system, &reached.q),
                 });
             }
             // Beside a change point c falls again towards the other branch, which the clearance then lets in.

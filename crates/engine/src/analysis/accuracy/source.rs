@@ -65,6 +65,7 @@ impl Play {
     }
 
     /// Greatest g·e over all e that the source allows, and least: how far it carries the output up and down.
+    #[inline]
     pub fn reach(&self, g: Influence) -> [f64; 2] {
         let both = |reach: f64| [-reach, reach];
         match self {

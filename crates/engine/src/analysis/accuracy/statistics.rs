@@ -57,6 +57,7 @@ fn mean_square([least, most]: [f64; 2]) -> f64 {
 }
 
 /// Mean and variance of the output by one source.
+#[inline]
 pub(super) fn moments(play: &Play, g: Influence, pins: Pins) -> [f64; 2] {
     let square = g[0] * g[0] + g[1] * g[1];
     let (rim, sides) = match pins {

@@ -14,6 +14,7 @@
 //! which is off by the square of what q and λ lack, so that two corrections suffice for most. A stationary output is no
 //! proof; see `enclosure` for one.
 
+use super::answer::frames_at;
 use super::chosen::{Gain, Worth};
 use super::displaced::{Mechanism, Space, Stand};
 use super::output::{Load, Output};
@@ -42,8 +43,8 @@ const ROUND_OFF: f64 = 2e-16;
 pub(super) struct Farthest {
     /// Deviation of the output [rad or m].
     pub deviation: f64,
-    /// Coordinates there (n).
-    pub q: Vec<f64>,
+    /// Frames of the moving bodies there.
+    pub frames: Vec<[f64; 3]>,
     /// On the way there: deviations with the share of the sources that each needs; empty where they were not followed.
     pub needed: Vec<[f64; 2]>,
 }
@@ -140,11 +141,11 @@ impl Mechanism<'_> {
                     true => now,
                     false => self.read(stand, output, search),
                 };
-                let q = search.q.clone();
+                let frames = frames_at(system, self.here(stand).at.poses);
                 self.keep(stand, nominal, is_moved, search);
                 return deviation.is_finite().then_some(Farthest {
                     deviation,
-                    q,
+                    frames,
                     needed: Vec::new(),
                 });
             }
