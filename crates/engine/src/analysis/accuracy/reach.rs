@@ -160,7 +160,9 @@ impl Bordered<'_, '_> {
                 Self::off(now, &next, guessed)
             };
             let is_narrow = step <= NARROW * self.unit || between.is_narrow();
-            if !is_first && !is_narrow && (off > LOST || next.off > ASTRAY * way) {
+            // Where corrections may grow, the position may be one that was not guessed.
+            let is_astray = self.growths == 0 && next.off > ASTRAY * way;
+            if !is_first && !is_narrow && (off > LOST || is_astray) {
                 step *= SHORTER;
                 continue;
             }
