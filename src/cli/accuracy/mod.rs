@@ -5,6 +5,7 @@ mod levels;
 mod page;
 mod text;
 
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -35,6 +36,9 @@ pub struct Options {
     /// `accuracy` says, else certified]
     #[arg(long, value_enum, value_name = "LEVELS")]
     levels: Option<Asked>,
+    /// Threads that share the poses of a stroke; by default one for each processor
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZeroUsize>,
     /// Print everything as JSON
     #[arg(long)]
     json: bool,
@@ -83,7 +87,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let scope = Scope {
         outputs: &options.outputs,
         levels: options.levels.map(Into::into),
-        ..Scope::default()
+        threads: options.threads,
     };
     let found = answer(&opened, scope, &control);
     drop(line);
@@ -146,8 +150,9 @@ pub fn answer(opened: &Opened, scope: Scope, control: &Control) -> Result<Accura
         enclosed: &|| loaded.source.derivatives_within(&limits),
         with: &with,
     };
+    let all = || std::thread::available_parallelism().ok();
     let scope = Scope {
-        threads: std::thread::available_parallelism().ok(),
+        threads: scope.threads.or_else(all),
         ..scope
     };
     accuracy(&loaded.model, &parameters, scope, control)

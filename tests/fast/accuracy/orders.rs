@@ -2,7 +2,9 @@
 
 use super::told::{Told, ask_outputs, parametric, spoil, tolerate};
 use crate::models;
+use linkdyn_engine::analysis::accuracy::Scope;
 use serde_json::{Map, Value, json};
+use std::num::NonZeroUsize;
 use std::sync::atomic::Ordering;
 
 const INSTANTS: usize = 9;
@@ -50,6 +52,32 @@ fn an_output_does_not_depend_on_those_asked_with_it() {
         assert!(backwards == together, "{name}");
     }
     assert!(compared > 40, "{compared}");
+}
+
+#[test]
+fn an_answer_does_not_hang_on_the_threads_that_share_it() {
+    for (name, output) in [("slider-crank", "piston.x"), ("watt-i-lock", "link2.angle")] {
+        let model = models::load_bundled(name, &[]);
+        // Several stretches, and the last one is shorter.
+        let mut json = parametric(&model, 150);
+        spoil(&mut json, 1e-4);
+        tolerate(&mut json, 1e-5);
+        json["accuracy"] = json!({ "outputs": { "o": { "column": output } } });
+        let told = Told::read(&json).expect("legal");
+        let answers = [1, 3].map(|threads| {
+            let scope = Scope {
+                threads: NonZeroUsize::new(threads),
+                ..Scope::default()
+            };
+            told.ask_for(&told.loaded.model, scope).expect("answers")
+        });
+        let [alone, shared] = answers
+            .each_ref()
+            .map(|found| format!("{:?}", found.outputs));
+        assert_eq!(answers[0].outputs[0].poses.len(), 150, "{name}");
+        assert!(alone.contains("found: [Some"), "{name}");
+        assert!(alone == shared, "{name}");
+    }
 }
 
 #[test]

@@ -100,10 +100,9 @@ impl Mechanism<'_> {
         let unit = if output.is_angle() { 1.0 } else { system.size };
         let Search { is_led, far, .. } = *search;
         let (still, round_off) = (if is_led { LED } else { STILL }, ROUND_OFF * unit);
-        let [ended, still_worth] = [WORTH, STILL].map(|part| part * search.deviation.abs());
         let worth = Worth {
-            ended,
-            still: still_worth,
+            ended: WORTH * search.deviation.abs(),
+            still: STILL * search.deviation.abs(),
         };
         search.began.copy_from_slice(&search.q);
         let (mut slow, mut is_kept, mut gained) = (0, false, f64::INFINITY);
