@@ -77,9 +77,11 @@ impl Chosen {
                 extremes[disc.play] = disc.extreme(g, side);
             }
         }
+        let has_turned = !self.turned.is_empty();
         for line in &sorted.lines {
             let g = g[line.play][0];
-            if line.span(g) > still && !turns[line.play].is_bent() {
+            let is_bent = has_turned && turns[line.play].is_bent();
+            if line.span(g) > still && !is_bent {
                 extremes[line.play][0] = line.extreme(g, side);
             }
         }
@@ -123,12 +125,13 @@ impl Chosen {
                 *e = end;
             }
         }
+        let has_turned = !self.turned.is_empty();
         for line in &sorted.lines {
             let g = g[line.play][0];
             let e = self.extremes[line.play][0];
             let end = line.extreme(g, side);
             let asks = end != e && (g * (end - e)).abs() > worth.ended;
-            if asks || self.turns[line.play].is_bent() {
+            if asks || (has_turned && self.turns[line.play].is_bent()) {
                 self.press_line(line, (g, end), worth, &mut gain);
             }
         }

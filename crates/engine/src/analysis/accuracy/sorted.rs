@@ -57,6 +57,8 @@ pub(super) struct Sorted {
     others: Vec<usize>,
     /// Dimensions that parameters step, and how far for a unit.
     steps: Vec<(usize, f64)>,
+    /// The same of those that don't bend, each with its play.
+    straight: Vec<(usize, usize, f64)>,
 }
 
 impl Disc {
@@ -118,6 +120,8 @@ impl Sorted {
             Play::Parameter { steps, bends, .. } => {
                 let begin = self.steps.len();
                 self.steps.extend_from_slice(steps);
+                let straight = steps.iter().filter(|_| !bends);
+                self.straight.extend(straight.map(|&(k, by)| (play, k, by)));
                 self.parameters.push(Parameter {
                     play,
                     begin,
@@ -175,11 +179,8 @@ impl Sorted {
 
     /// Adds to the steps of the dimensions what parameters do that don't bend.
     pub fn step(&self, e: &[Influence], steps: &mut [f64]) {
-        for own in self.parameters.iter().filter(|own| !own.bends) {
-            let e = e[own.play][0];
-            for &(k, by) in &self.steps[own.begin..own.end] {
-                steps[k] += by * e;
-            }
+        for &(play, k, by) in &self.straight {
+            steps[k] += by * e[play][0];
         }
     }
 
