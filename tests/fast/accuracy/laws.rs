@@ -373,3 +373,26 @@ fn at_the_change_point_the_reach_goes_with_the_root_of_the_clearance() {
         assert!((exponent - 0.5).abs() <= 0.01, "{exponent}");
     }
 }
+
+/// Where an output turns back its influences vanish, and deviations are stationary there that carry it the other way.
+#[test]
+fn nothing_found_goes_less_far_than_no_deviation() {
+    let mut json = parametric(&models::load_bundled("klann-leg", &[]), 201);
+    spoil(&mut json, 1e-4);
+    tolerate(&mut json, 1e-6);
+    json["accuracy"] = json!({ "outputs": { "o": { "column": "upper_rocker.x" } } });
+    let found = answer("klann-leg", &json).expect("an answer");
+    let mut sides = [0; 2];
+    for (_, _, pose) in poses(&found) {
+        let [low, high] = pose.found;
+        assert!(low.is_none_or(|low| low <= 0.0), "{}: {low:?}", pose.time);
+        assert!(
+            high.is_none_or(|high| high >= 0.0),
+            "{}: {high:?}",
+            pose.time
+        );
+        sides[0] += usize::from(low.is_some());
+        sides[1] += usize::from(high.is_some());
+    }
+    assert!(sides.iter().all(|found| *found >= 199), "{sides:?}");
+}

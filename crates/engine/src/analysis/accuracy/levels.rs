@@ -152,6 +152,10 @@ impl<'a> Asked<'a> {
         if let (Some(load), true) = (load, is_begun) {
             let nominal = (load, self.influences[index].as_slice());
             let near = mechanism.farthest(stand, output, nominal, search);
+            // Where an output turns back, deviations may be stationary that go less far than none at all.
+            let [own, first] = [1.0, search.deviation].map(|of| of * search.side);
+            let goes = |near: &Farthest| near.deviation * own >= 0.0 || first < 0.0;
+            let near = near.filter(goes);
             if near.is_some() {
                 return near;
             }
