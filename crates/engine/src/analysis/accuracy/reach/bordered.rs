@@ -16,6 +16,7 @@ use super::Displaced;
 use crate::system::System;
 use linkdyn_linear::math::Vec2;
 use linkdyn_linear::small::SmallLu;
+
 /// What has hardly an influence flickers from side to side: after so many corrections all keep theirs.
 const MOST_AIMS: usize = 12;
 /// Most corrections of one step.
