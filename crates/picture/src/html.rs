@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
+use data_encoding::BASE64;
 use sha2::{Digest, Sha256};
 
-use super::base64::base64;
 use super::palette;
 
 pub(crate) use super::svg::escape as text;
@@ -98,7 +98,12 @@ fn fill(template: &str, parts: &[(&str, &str)]) -> String {
 
 /// Only these scripts, this style and pictures that stand in the page; no network, no forms, no frames.
 fn policy(scripts: &[&str], style: &str) -> String {
-    let hash = |text: &str| format!("'sha256-{}'", base64(&Sha256::digest(text.as_bytes())));
+    let hash = |text: &str| {
+        format!(
+            "'sha256-{}'",
+            BASE64.encode(&Sha256::digest(text.as_bytes()))
+        )
+    };
     let mut scripts: Vec<String> = scripts.iter().map(|script| hash(script)).collect();
     if scripts.is_empty() {
         scripts.push("'none'".into());

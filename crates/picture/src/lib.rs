@@ -30,7 +30,6 @@
 //! | `validate_page` | claims of validation cases → pages                          |
 //! | `html`      | one frame for all pages; data, scripts and a policy → one file  |
 //! | `scripts`   | what the pages share of their scripts                           |
-//! | `base64`    | bytes → text                                                    |
 //! | `played`    | scenes → an SVG that moves                                      |
 //! | `sheet`     | a page without scripts                                          |
 //! | `swing`     | shapes of small motions → a page                                |
@@ -58,7 +57,6 @@ pub mod swing;
 pub mod validate_page;
 pub mod words;
 
-mod base64;
 mod fault;
 mod html;
 mod layout;

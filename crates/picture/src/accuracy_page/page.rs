@@ -1,11 +1,11 @@
 //! The page.
 
+use data_encoding::BASE64;
 use serde_json::{Value, json};
 
 use super::chosen::{Chosen, chosen};
 use super::facts::of_output;
 use super::parts::{AccuracyPage, Output, Pose, Unit};
-use crate::base64::base64;
 use crate::html::{Live, Page, escaped};
 use crate::palette;
 use crate::poses::Pose as Frame;
@@ -94,7 +94,7 @@ impl AccuracyPage<'_> {
             body: BODY,
             live: Some(Live {
                 data: &escaped(&data.to_string()),
-                values: &base64(&bytes),
+                values: &BASE64.encode(&bytes),
                 script: &SCRIPT.concat(),
             }),
         }

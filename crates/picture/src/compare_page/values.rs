@@ -5,8 +5,9 @@
 
 use std::collections::HashSet;
 
+use data_encoding::BASE64;
+
 use super::ComparedRun;
-use crate::base64::base64;
 use linkdyn_output::comparison::Comparison;
 use linkdyn_output::{Column, TIME, Trajectory};
 
@@ -115,7 +116,7 @@ pub fn encoded(runs: &[ComparedRun], columns: &[Column], chosen: &Chosen) -> Str
             }
         }
     }
-    base64(&bytes)
+    BASE64.encode(&bytes)
 }
 
 #[cfg(test)]

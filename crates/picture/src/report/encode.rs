@@ -4,7 +4,8 @@
 //! k-th row as long as [`FEW_ROWS`] remain, then columns are left out from the least important on, and at last rows again. Rows
 //! in which columns have their extremes stay, in up to half of the room for rows.
 
-use crate::base64::base64;
+use data_encoding::BASE64;
+
 use linkdyn_output::{Column, ColumnId, Trajectory};
 
 /// Rows below which columns are left out rather than more rows.
@@ -189,7 +190,7 @@ pub fn values<'a>(sources: impl Iterator<Item = &'a Source<'a>>, plan: &Plan) ->
             }
         }
     }
-    base64(&bytes)
+    BASE64.encode(&bytes)
 }
 
 #[cfg(test)]
@@ -310,7 +311,7 @@ mod tests {
         // 1e300 has no binary32.
         assert_eq!(
             values(sources.iter(), &plan),
-            base64(&[f32::NAN.to_le_bytes(), f32::NAN.to_le_bytes()].concat())
+            BASE64.encode(&[f32::NAN.to_le_bytes(), f32::NAN.to_le_bytes()].concat())
         );
     }
 }

@@ -1,11 +1,11 @@
 //! The page.
 
+use data_encoding::BASE64;
 use serde_json::{Value, json};
 
 use super::parts::{Played, StudyPage, Variable};
 use super::values::Values;
 use crate::accuracy_page::Unit;
-use crate::base64::base64;
 use crate::html::{Live, Page, escaped};
 use crate::palette;
 use crate::report;
@@ -75,7 +75,7 @@ impl StudyPage<'_> {
             body: BODY,
             live: Some(Live {
                 data: &escaped(&data.to_string()),
-                values: &base64(values.bytes()),
+                values: &BASE64.encode(values.bytes()),
                 script: &SCRIPT.concat(),
             }),
         }

@@ -2,9 +2,10 @@
 
 use std::fmt::Write as _;
 
+use data_encoding::BASE64;
+
 use super::frame::page;
 use super::words::{Counts, Judged, MEANINGS};
-use crate::base64::base64;
 use crate::html::text;
 
 /// What the page is made of.
@@ -113,7 +114,7 @@ impl CasePage<'_> {
                 content,
                 "<figure><img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\"><figcaption>{}{}</figcaption></figure>",
                 text(file),
-                base64(svg.as_bytes()),
+                BASE64.encode(svg.as_bytes()),
                 text(file),
                 text(&about)
             );
