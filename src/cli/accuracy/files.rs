@@ -1,33 +1,60 @@
-//! Accuracy as files: a table of poses, a table of contributions, and everything for programs.
+//! Accuracy as files: a table of poses, a table of contributions, everything for programs, and the page.
 
+use std::io::{self, BufWriter, Write};
+use std::panic::resume_unwind;
 use std::path::PathBuf;
 
-use serde::{Serialize, Serializer};
-use serde_json::{Value, json};
-
 use super::super::open::Opened;
-use linkdyn_engine::analysis::accuracy::{Accuracy, Levels, OutputAccuracy, PoseAccuracy};
+use super::{json, page, text};
+use linkdyn_engine::analysis::accuracy::Accuracy;
 use linkdyn_output::csv::{push_field, push_number};
 use linkdyn_output::{Directory, WriteError};
 
 const TABLE: &str = "accuracy.csv";
 const CONTRIBUTIONS: &str = "contributions.csv";
 const SUMMARY: &str = "accuracy.json";
+const PAGE: &str = "report.html";
+/// Size of the pieces that are handed on \[bytes\].
+const PIECE: usize = 1 << 16;
 
-/// Writes all files.
+/// Writes all files, on two threads where more than one is allowed: it takes longer than to work them out.
 ///
 /// # Errors
 /// When a file can't be written.
 pub fn write(
     directory: &Directory,
+    opened: &Opened,
     found: &Accuracy,
-    json: &str,
+    threads: usize,
 ) -> Result<Vec<PathBuf>, WriteError> {
-    Ok(vec![
-        directory.write(TABLE, &table(found))?,
-        directory.write(CONTRIBUTIONS, &contributions(found))?,
-        directory.write(SUMMARY, json.as_bytes())?,
-    ])
+    let tables = || -> Result<[PathBuf; 2], WriteError> {
+        Ok([
+            directory.write(TABLE, &table(found))?,
+            directory.write_with(CONTRIBUTIONS, |file| contributions(found, file))?,
+        ])
+    };
+    let others = || -> Result<[PathBuf; 2], WriteError> {
+        let everything = directory.write_with(SUMMARY, |file| {
+            let mut file = BufWriter::with_capacity(PIECE, file);
+            json::write(opened, found, &mut file)?;
+            file.flush()
+        })?;
+        let page = page::html(opened, found, text::assumed(opened));
+        Ok([everything, directory.write(PAGE, page.as_bytes())?])
+    };
+    let (tables, others) = if threads > 1 {
+        std::thread::scope(|scope| {
+            let tables = scope.spawn(tables);
+            let others = others();
+            (
+                tables.join().unwrap_or_else(|panic| resume_unwind(panic)),
+                others,
+            )
+        })
+    } else {
+        (tables(), others())
+    };
+    Ok([tables?, others?].concat())
 }
 
 /// A row that is being written.
@@ -86,8 +113,8 @@ fn table(found: &Accuracy) -> Vec<u8> {
     text
 }
 
-/// A row per output, pose and source.
-fn contributions(found: &Accuracy) -> Vec<u8> {
+/// A row per output, pose and source; they are many.
+fn contributions(found: &Accuracy, out: &mut impl Write) -> io::Result<()> {
     let mut text =
         b"output,time[s],driver,source,sensitivity,carries.minus,carries.plus,worst_share,variance_share\n"
             .to_vec();
@@ -105,126 +132,11 @@ fn contributions(found: &Accuracy) -> Vec<u8> {
                     .pair(Some(share))
                     .end();
             }
+            if text.len() >= PIECE {
+                out.write_all(&text)?;
+                text.clear();
+            }
         }
     }
-    text
-}
-
-/// Everything, for programs.
-pub fn json(opened: &Opened, found: &Accuracy) -> String {
-    let outputs = found.outputs.iter();
-    let document = Document {
-        engine: env!("CARGO_PKG_VERSION"),
-        model: json!({ "name": opened.name, "sha256": opened.sha256 }),
-        levels: match found.levels {
-            Levels::First => "first",
-            Levels::Worst => "worst",
-            Levels::Certified => "certified",
-        },
-        outputs: Named(outputs.map(|output| (output.name.as_str(), of_output(found, output)))),
-        warnings: &opened.loaded.warnings,
-    };
-    let text = serde_json::to_string_pretty(&document).expect("numbers and texts");
-    text + "\n"
-}
-
-#[derive(Serialize)]
-struct Document<'a, O: Serialize> {
-    engine: &'a str,
-    model: Value,
-    levels: &'a str,
-    outputs: O,
-    warnings: &'a [String],
-}
-
-#[derive(Serialize)]
-struct Asked<'a, P: Serialize> {
-    of: &'a str,
-    unit: &'a str,
-    limits: Option<[f64; 2]>,
-    poses: P,
-}
-
-#[derive(Serialize)]
-struct Pose<'a, C: Serialize> {
-    time: f64,
-    drivers: &'a [f64],
-    nominal: f64,
-    first: Option<[f64; 2]>,
-    found: [Option<f64>; 2],
-    certified: Option<[f64; 2]>,
-    needed: &'a [Vec<[f64; 2]>; 2],
-    mean: Option<f64>,
-    sigma: Option<f64>,
-    pressed: Option<f64>,
-    missing: Option<&'a str>,
-    within: Option<f64>,
-    cp: Option<f64>,
-    cpk: Option<f64>,
-    contributions: C,
-}
-
-#[derive(Serialize)]
-struct Share {
-    sensitivity: f64,
-    carries: [f64; 2],
-    worst_share: f64,
-    variance_share: f64,
-}
-
-/// An object of pairs that are made as they are written.
-struct Named<I>(I);
-
-impl<'a, T: Serialize, I: Iterator<Item = (&'a str, T)> + Clone> Serialize for Named<I> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.clone())
-    }
-}
-
-/// An array of what is made as it is written.
-struct Listed<I>(I);
-
-impl<T: Serialize, I: Iterator<Item = T> + Clone> Serialize for Listed<I> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.0.clone())
-    }
-}
-
-fn of_output<'a>(found: &'a Accuracy, output: &'a OutputAccuracy) -> impl Serialize + 'a {
-    Asked {
-        of: &output.of,
-        unit: output.unit,
-        limits: output.limits,
-        poses: Listed(output.poses.iter().map(|pose| of_pose(found, pose))),
-    }
-}
-
-fn of_pose<'a>(found: &'a Accuracy, pose: &'a PoseAccuracy) -> impl Serialize + 'a {
-    let by = found.sources.iter().zip(&pose.contributions);
-    let contributions = by.zip(pose.shares()).map(|((source, by), share)| {
-        let share = Share {
-            sensitivity: by.sensitivity,
-            carries: by.reach,
-            worst_share: share[0],
-            variance_share: share[1],
-        };
-        (source.as_str(), share)
-    });
-    Pose {
-        time: pose.time,
-        drivers: &pose.drivers,
-        nominal: pose.nominal,
-        first: pose.first,
-        found: pose.found,
-        certified: pose.certified,
-        needed: &pose.needed,
-        mean: pose.moments.map(|moments| moments[0]),
-        sigma: pose.moments.map(|moments| moments[1]),
-        pressed: pose.pressed,
-        missing: pose.missing.as_deref(),
-        within: pose.capability.map(|capability| capability.within),
-        cp: pose.capability.map(|capability| capability.cp),
-        cpk: pose.capability.map(|capability| capability.cpk),
-        contributions: Named(contributions),
-    }
+    out.write_all(&text)
 }

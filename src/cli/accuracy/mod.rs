@@ -1,6 +1,7 @@
 //! `linkdyn accuracy`: what tolerances and clearances do to the outputs of a mechanism.
 
 mod files;
+mod json;
 mod levels;
 mod page;
 mod text;
@@ -16,13 +17,11 @@ use super::interrupt;
 use super::open::{ModelOptions, Opened};
 use super::progress::Line;
 use super::replaced;
-use super::streams::{complain, print};
+use super::streams::{complain, print, print_with};
 use linkdyn_engine::analysis::Control;
 use linkdyn_engine::analysis::accuracy::{Accuracy, Levels, Parameters, Refusal, Scope, accuracy};
 use linkdyn_model::Checked;
 use linkdyn_output::Directory;
-
-const PAGE: &str = "report.html";
 
 #[derive(Debug, Args)]
 #[command(after_help = HELP)]
@@ -98,15 +97,14 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let mut written = Vec::new();
     if let Some(directory) = directory {
         replaced::tell(directory.path(), "accuracy", "replaced");
-        written = files::write(&directory, &found, &files::json(&opened, &found))?;
-        let page = page::html(&opened, &found, text::assumed(&opened));
-        written.push(directory.write(PAGE, page.as_bytes())?);
+        let threads = threads(&scope).map_or(1, NonZeroUsize::get);
+        written = files::write(&directory, &opened, &found, threads)?;
     }
-    print(&if options.json {
-        files::json(&opened, &found)
+    if options.json {
+        print_with(|out| json::write(&opened, &found, out))?;
     } else {
-        text::page(&opened, &found, &written)
-    })?;
+        print(&text::page(&opened, &found, &written))?;
+    }
     Ok(Exit::Done)
 }
 
@@ -150,10 +148,15 @@ pub fn answer(opened: &Opened, scope: Scope, control: &Control) -> Result<Accura
         enclosed: &|| loaded.source.derivatives_within(&limits),
         with: &with,
     };
-    let all = || std::thread::available_parallelism().ok();
     let scope = Scope {
-        threads: scope.threads.or_else(all),
+        threads: threads(&scope),
         ..scope
     };
     accuracy(&loaded.model, &parameters, scope, control)
+}
+
+/// As many as are asked for, or one for each processor.
+fn threads(scope: &Scope) -> Option<NonZeroUsize> {
+    let all = || std::thread::available_parallelism().ok();
+    scope.threads.or_else(all)
 }
