@@ -67,6 +67,12 @@ impl Row<'_> {
         self
     }
 
+    /// Cells that many rows have.
+    fn cells(self, cells: &[u8]) -> Self {
+        self.0.extend_from_slice(cells);
+        self
+    }
+
     fn number(self, value: Option<f64>) -> Self {
         push_number(self.0, value);
         self.0.push(b',');
@@ -83,6 +89,13 @@ impl Row<'_> {
         self.0.pop();
         self.0.push(b'\n');
     }
+}
+
+/// Cells, to be put into rows.
+fn cells(put: impl Fn(Row) -> Row) -> Vec<u8> {
+    let mut text = Vec::new();
+    put(Row(&mut text));
+    text
 }
 
 /// A row per output and pose.
@@ -118,15 +131,20 @@ fn contributions(found: &Accuracy, out: &mut impl Write) -> io::Result<()> {
     let mut text =
         b"output,time[s],driver,source,sensitivity,carries.minus,carries.plus,worst_share,variance_share\n"
             .to_vec();
+    let sources: Vec<Vec<u8>> = found
+        .sources
+        .iter()
+        .map(|own| cells(|row| row.text(own)))
+        .collect();
     for output in &found.outputs {
         for pose in &output.poses {
-            let by = found.sources.iter().zip(&pose.contributions);
+            let (time, driver) = (pose.time, pose.drivers.first().copied());
+            let pose_cells = cells(|row| row.text(&output.name).number(Some(time)).number(driver));
+            let by = sources.iter().zip(&pose.contributions);
             for ((source, by), share) in by.zip(pose.shares()) {
                 Row(&mut text)
-                    .text(&output.name)
-                    .number(Some(pose.time))
-                    .number(pose.drivers.first().copied())
-                    .text(source)
+                    .cells(&pose_cells)
+                    .cells(source)
                     .number(Some(by.sensitivity))
                     .pair(Some(by.reach))
                     .pair(Some(share))
