@@ -13,7 +13,7 @@ use linkdyn_engine::analysis::accuracy::{Accuracy, Levels, OutputAccuracy, PoseA
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write(opened: &Opened, found: &Accuracy, out: &mut dyn Write) -> io::Result<()> {
+pub fn write<W: Write + ?Sized>(opened: &Opened, found: &Accuracy, out: &mut W) -> io::Result<()> {
     let outputs = found.outputs.iter();
     let document = Document {
         engine: env!("CARGO_PKG_VERSION"),
