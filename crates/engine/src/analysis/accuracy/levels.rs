@@ -5,7 +5,7 @@ use super::enclosure::Region;
 use super::output::Load;
 use super::search::Search;
 use super::source::{Influence, Play, length};
-use super::statistics::{capability, moments};
+use super::statistics::{Spread, capability};
 use super::worst::Farthest;
 use super::{Contribution, Pins, PoseAccuracy, Question};
 use crate::analysis::clearance_link::forces_at_factors;
@@ -30,6 +30,8 @@ pub(super) struct Asked<'a> {
     question: &'a Question<'a>,
     mechanism: Mechanism<'a>,
     sample: Sample,
+    /// How the sources scatter.
+    spreads: Vec<Spread>,
     /// Of the sources by output, as last asked for.
     influences: Vec<Vec<Influence>>,
     /// For the farthest, by output and side.
@@ -48,6 +50,11 @@ impl<'a> Asked<'a> {
                 [-1.0, 1.0].map(|side| Search::new(&mechanism, side));
                 question.outputs.len()
             ],
+            spreads: mechanism
+                .plays
+                .iter()
+                .map(|play| Spread::new(play, question.pins))
+                .collect(),
             sample: Sample::new(system),
             system,
             question,
@@ -176,32 +183,31 @@ impl<'a> Asked<'a> {
 
     /// Influences, shares and spread.
     fn first_order(&mut self, index: usize, stand: &Stand, load: &Load, pose: &mut PoseAccuracy) {
-        let pins = self.question.pins;
-        let wanted = &self.question.outputs[index];
+        let output = &self.question.outputs[index].output;
         let influences = &mut self.influences[index];
-        self.mechanism
-            .influences(stand, &wanted.output, load, influences);
+        self.mechanism.influences(stand, output, load, influences);
         let (mut first, mut mean, mut variance) = ([0.0; 2], 0.0, 0.0);
-        pose.contributions.reserve_exact(influences.len());
-        for (named, g) in self.question.sources.iter().zip(influences) {
-            let reach = named.play.reach(*g);
-            let [middle, square] = moments(&named.play, *g, pins);
+        let each = self.mechanism.plays.iter().zip(&self.spreads);
+        let by = each.zip(&*influences).map(|((play, spread), g)| {
+            let reach = play.reach(*g);
+            let [middle, square] = spread.moments(*g);
             first = [first[0] + reach[0], first[1] + reach[1]];
             mean += middle;
             variance += square;
-            let sensitivity = match named.play {
+            let sensitivity = match play {
                 Play::Pin { .. } | Play::Zone { .. } => length(*g),
                 Play::Sides { .. }
                 | Play::Guided { .. }
                 | Play::Driver { .. }
                 | Play::Parameter { .. } => g[0],
             };
-            pose.contributions.push(Contribution {
+            Contribution {
                 sensitivity,
                 reach,
                 variance: square,
-            });
-        }
+            }
+        });
+        pose.contributions = by.collect();
         pose.first = Some(first);
         pose.moments = Some([mean, variance.sqrt()]);
     }

@@ -56,33 +56,54 @@ fn mean_square([least, most]: [f64; 2]) -> f64 {
     (least * least + least * most + most * most) / 3.0
 }
 
-/// Mean and variance of the output by one source.
-#[inline]
-pub(super) fn moments(play: &Play, g: Influence, pins: Pins) -> [f64; 2] {
-    let square = g[0] * g[0] + g[1] * g[1];
-    let (rim, sides) = match pins {
-        Pins::Rim => (0.5, 1.0),
-        Pins::Disc => (0.25, 1.0 / 3.0),
-        Pins::Load | Pins::None => (0.0, 0.0),
-    };
-    match play {
-        Play::Pin { clearance, .. } => [0.0, rim * mean_square(*clearance) * square],
-        Play::Sides { half, .. } => [0.0, sides * mean_square(*half) * g[0] * g[0]],
-        Play::Guided { half, length, .. } => {
-            let most = g[0].abs().max(2.0 * g[1].abs() / length);
-            [0.0, sides * mean_square(*half) * most * most]
+/// How one source scatters: what a unit of its influence makes of the output.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Spread {
+    mean: f64,
+    variance: f64,
+    /// Of a slider with a length on its guide: what turns count, 2/L.
+    turns: Option<f64>,
+}
+
+impl Spread {
+    pub fn new(play: &Play, pins: Pins) -> Spread {
+        let (rim, sides) = match pins {
+            Pins::Rim => (0.5, 1.0),
+            Pins::Disc => (0.25, 1.0 / 3.0),
+            Pins::Load | Pins::None => (0.0, 0.0),
+        };
+        let mut spread = Spread {
+            mean: 0.0,
+            variance: match play {
+                Play::Pin { clearance, .. } => rim * mean_square(*clearance),
+                Play::Sides { half, .. } | Play::Guided { half, .. } => sides * mean_square(*half),
+                Play::Driver { half, .. } => Scatter::Normal(3.0).variance(*half),
+                Play::Zone { radius, .. } => 0.25 * radius * radius,
+                Play::Parameter {
+                    lower,
+                    upper,
+                    scatter,
+                    ..
+                } => scatter.variance(0.5 * (upper - lower)),
+            },
+            turns: None,
+        };
+        match play {
+            Play::Parameter { lower, upper, .. } => spread.mean = 0.5 * (lower + upper),
+            Play::Guided { length, .. } => spread.turns = Some(2.0 / length),
+            Play::Pin { .. } | Play::Sides { .. } | Play::Driver { .. } | Play::Zone { .. } => {}
         }
-        Play::Driver { half, .. } => [0.0, Scatter::Normal(3.0).variance(half * g[0])],
-        Play::Zone { radius, .. } => [0.0, 0.25 * radius * radius * square],
-        Play::Parameter {
-            lower,
-            upper,
-            scatter,
-            ..
-        } => [
-            g[0] * 0.5 * (lower + upper),
-            scatter.variance(0.5 * (upper - lower) * g[0]),
-        ],
+        spread
+    }
+
+    /// Mean and variance of the output.
+    #[inline]
+    pub fn moments(&self, g: Influence) -> [f64; 2] {
+        let square = match self.turns {
+            None => g[0] * g[0] + g[1] * g[1],
+            Some(turns) => g[0].abs().max(turns * g[1].abs()).powi(2),
+        };
+        [self.mean * g[0], self.variance * square]
     }
 }
 
@@ -150,12 +171,13 @@ mod tests {
     fn a_clearance_anywhere_between_two_scatters_as_their_mean_square() {
         // ∫ c² dc / (b − a) from 0.1 to 0.4: 0.07
         let pin = |clearance| Play::Pin { row: 0, clearance };
-        let [mean, variance] = moments(&pin([0.1, 0.4]), [0.6, 0.8], Pins::Rim);
+        let [mean, variance] = Spread::new(&pin([0.1, 0.4]), Pins::Rim).moments([0.6, 0.8]);
         assert_eq!(mean, 0.0);
         same(variance, 0.5 * 0.07);
-        let [_, variance] = moments(&pin([0.4, 0.4]), [0.6, 0.8], Pins::Disc);
+        let [_, variance] = Spread::new(&pin([0.4, 0.4]), Pins::Disc).moments([0.6, 0.8]);
         same(variance, 0.25 * 0.16);
-        assert_eq!(moments(&pin([0.4, 0.4]), [0.6, 0.8], Pins::None)[1], 0.0);
+        let none = Spread::new(&pin([0.4, 0.4]), Pins::None);
+        assert_eq!(none.moments([0.6, 0.8])[1], 0.0);
     }
 
     #[test]
@@ -167,13 +189,14 @@ mod tests {
             length,
         };
         // 2 g_γ/L = 1.2 is more than g_e.
-        let rim = moments(&play, g, Pins::Rim)[1];
-        let between = moments(&play, g, Pins::Disc)[1];
+        let rim = Spread::new(&play, Pins::Rim).moments(g)[1];
+        let between = Spread::new(&play, Pins::Disc).moments(g)[1];
         same(rim, (c * 1.2_f64).powi(2));
         same(between, (c * 1.2_f64).powi(2) / 3.0);
         let anywhere = c * c * (0.9_f64.powi(2) + 1.2_f64.powi(2)) / 6.0;
         assert!(between > anywhere, "{between} {anywhere}");
-        same(moments(&play, [1.5, 0.06], Pins::Rim)[1], (c * 1.5).powi(2));
+        let shifted = Spread::new(&play, Pins::Rim).moments([1.5, 0.06]);
+        same(shifted[1], (c * 1.5).powi(2));
     }
 
     #[test]
@@ -209,7 +232,7 @@ mod tests {
                 [0.5, 1.2],
             ),
         ];
-        let all = sources.map(|(play, g)| moments(&play, g, Pins::Rim));
+        let all = sources.map(|(play, g)| Spread::new(&play, Pins::Rim).moments(g));
         let mean: f64 = all.iter().map(|by| by[0]).sum();
         let variance: f64 = all.iter().map(|by| by[1]).sum();
         same(mean, 0.3);

@@ -29,7 +29,7 @@ use super::answer::{Contribution, OutputAccuracy, PoseAccuracy};
 use super::displaced::Stand;
 use super::poses::Poses;
 use super::source::{Influence, Play};
-use super::statistics::{Pins, capability, moments};
+use super::statistics::{Pins, Spread, capability};
 use super::{Levels, Wanted};
 use crate::analysis::in_line::{singular_text, stressed_rows};
 use crate::analysis::instants::OutputInstant;
@@ -310,7 +310,7 @@ fn spread(play: &Play, g: Influence, pins: Pins) -> [f64; 2] {
             0.5 * (least + most) * g[0],
             ((most - least) * g[0]).powi(2) / 12.0,
         ],
-        None => moments(play, g, pins),
+        None => Spread::new(play, pins).moments(g),
     }
 }
 
