@@ -170,7 +170,7 @@ impl Search {
         time: f64,
         first: &[f64],
         mechanism: &Mechanism,
-        nominal: (&Load, &[Influence]),
+        (load, influences): (&Load, &[Influence]),
     ) {
         let mut past = if self.past.len() == KEPT {
             self.past.remove(KEPT - 1)
@@ -183,22 +183,13 @@ impl Search {
         };
         past.time = time;
         past.places.copy_from_slice(&self.chosen.extremes);
-        let (load, influences) = nominal;
-        let less = |(a, b): (&f64, &f64)| a - b;
-        let q = self.q.iter().zip(first).map(less);
-        let lambda = self.load.lambda.iter().zip(&load.lambda).map(less);
         let [begin, middle] = past.beyond.begins;
-        let (own, others) = past.beyond.numbers.split_at_mut(begin);
-        own.iter_mut().zip(q).for_each(|(own, new)| *own = new);
-        let (own, others) = others.split_at_mut(middle - begin);
-        own.iter_mut().zip(lambda).for_each(|(own, new)| *own = new);
-        let untold = mechanism
-            .sorted
-            .differences(&mechanism.space.influences, influences);
-        others
-            .iter_mut()
-            .zip(untold)
-            .for_each(|(own, new)| *own = new);
+        let (q, others) = past.beyond.numbers.split_at_mut(begin);
+        less(&self.q, first, q);
+        let (lambda, untold) = others.split_at_mut(middle - begin);
+        less(&self.load.lambda, &load.lambda, lambda);
+        let g = &mechanism.space.influences;
+        mechanism.sorted.differences(g, influences, untold);
         self.past.insert(0, past);
     }
 }
@@ -223,20 +214,10 @@ impl Mechanism<'_> {
             search.nominal = nominal;
             search.deviation = first;
             search.far = self.driven.system.scaled_norm(&self.space.step);
-            let step = stand.q.iter().zip(&self.space.step);
-            search
-                .q
-                .iter_mut()
-                .zip(step)
-                .for_each(|(own, (q, d))| *own = q + d);
+            sum(&stand.q, &self.space.step, &mut search.q);
             search.load.size = load.size;
             search.load.lambda.copy_from_slice(&load.lambda);
             if search.is_led {
-                let add = |own: &mut [f64], more: &[f64]| {
-                    own.iter_mut()
-                        .zip(more)
-                        .for_each(|(own, more)| *own += more);
-                };
                 add(&mut search.q, search.ahead.q());
                 add(&mut search.load.lambda, search.ahead.lambda());
             }
@@ -275,21 +256,29 @@ impl Mechanism<'_> {
                 self.space.pull = first;
                 return;
             }
-            let step = stand.q.iter().zip(&self.space.step);
-            first
-                .iter_mut()
-                .zip(step)
-                .for_each(|(first, (q, d))| *first = q + d);
+            sum(&stand.q, &self.space.step, &mut first);
         } else {
-            let ahead = search.began.iter().zip(search.ahead.q());
-            first
-                .iter_mut()
-                .zip(ahead)
-                .for_each(|(first, (q, r))| *first = q - r);
+            less(&search.began, search.ahead.q(), &mut first);
         }
         std::mem::swap(&mut self.chosen, &mut search.chosen);
         search.keep(stand.inputs.time, &first, self, nominal);
         std::mem::swap(&mut self.chosen, &mut search.chosen);
         self.space.pull = first;
     }
+}
+
+fn add(own: &mut [f64], more: &[f64]) {
+    own.iter_mut()
+        .zip(more)
+        .for_each(|(own, more)| *own += more);
+}
+
+fn sum(a: &[f64], b: &[f64], sum: &mut [f64]) {
+    let each = sum.iter_mut().zip(a.iter().zip(b));
+    each.for_each(|(sum, (a, b))| *sum = a + b);
+}
+
+fn less(a: &[f64], b: &[f64], less: &mut [f64]) {
+    let each = less.iter_mut().zip(a.iter().zip(b));
+    each.for_each(|(less, (a, b))| *less = a - b);
 }

@@ -221,15 +221,14 @@ impl Sorted {
     }
 
     /// Those numbers, less what they are elsewhere.
-    pub fn differences<'a>(
-        &'a self,
-        g: &'a [Influence],
-        less: &'a [Influence],
-    ) -> impl Iterator<Item = f64> + 'a {
-        let parameters = self.parameters.iter();
-        let numbers = parameters.map(|own| g[own.play][0] - less[own.play][0]);
-        let zones = self.zones.iter();
-        numbers.chain(zones.flat_map(|&(play, _)| [0, 1].map(|k| g[play][k] - less[play][k])))
+    pub fn differences(&self, g: &[Influence], less: &[Influence], numbers: &mut [f64]) {
+        let (numbers, pairs) = numbers.split_at_mut(self.parameters.len());
+        for (own, number) in self.parameters.iter().zip(numbers) {
+            *number = g[own.play][0] - less[own.play][0];
+        }
+        for (&(play, _), pair) in self.zones.iter().zip(pairs.as_chunks_mut().0) {
+            *pair = [0, 1].map(|k| g[play][k] - less[play][k]);
+        }
     }
 
     /// g where multipliers and those numbers differ by so much from what they are elsewhere.
