@@ -201,14 +201,16 @@ class Model:
         """
         return self._ask("modes", ["--pose"] if pose else [], "modes.json", "modes.html")
 
-    def accuracy(self, outputs: Iterable[str] = (), *, levels: str | None = None) -> Answer:
+    def accuracy(self, outputs: Iterable[str] = (), *, levels: str | None = None, threads: int | None = None) -> Answer:
         """What tolerances and clearances do to outputs, as in ``accuracy.json``.
 
         :param outputs: outputs of the model's ``accuracy``, instead of all.
         :param levels: ``first``, ``worst`` or ``certified``.
+        :param threads: one for each processor where nobody says. The answer does not depend on it.
         """
         options = [word for name in outputs for word in ("--output", name)]
         options += ["--levels", levels] if levels else []
+        options += ["--threads", str(threads)] if threads else []
         return self._ask("accuracy", options, "accuracy.json", "report.html")
 
     def compare(

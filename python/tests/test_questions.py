@@ -25,7 +25,7 @@ def test_check_and_modes_are_those_of_the_command() -> None:
 
 def test_accuracy_is_that_of_the_command() -> None:
     said, _ = _linkdyn.command(["accuracy", "lock", "--levels", "first", "--json"])
-    answer = linkdyn.load("lock").accuracy(levels="first")
+    answer = linkdyn.load("lock").accuracy(levels="first", threads=2)
     told = json.loads(said.stdout)
     assert answer.keys() == told.keys() and answer["outputs"] == told["outputs"]
     assert answer.page and answer.page.startswith("<!doctype html>")

@@ -35,9 +35,9 @@ pub struct Options {
     /// `accuracy` says, else certified]
     #[arg(long, value_enum, value_name = "LEVELS")]
     levels: Option<Asked>,
-    /// Threads that share the poses of a stroke; by default one for each processor
+    /// Threads that share the poses of a stroke; by default, or where it is 0, one for each processor
     #[arg(long, value_name = "N")]
-    threads: Option<NonZeroUsize>,
+    threads: Option<usize>,
     /// Print everything as JSON
     #[arg(long)]
     json: bool,
@@ -86,7 +86,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let scope = Scope {
         outputs: &options.outputs,
         levels: options.levels.map(Into::into),
-        threads: options.threads,
+        threads: options.threads.and_then(NonZeroUsize::new),
     };
     let found = answer(&opened, scope, &control);
     drop(line);

@@ -75,3 +75,27 @@ fn efforts_are_told_in_their_unit() {
         poses[0]
     );
 }
+
+/// One thread, three, and one for each processor (0) write the same bytes; also what `--json` prints.
+#[test]
+fn files_do_not_hang_on_the_threads() {
+    let files = ["accuracy.csv", "contributions.csv", "accuracy.json"].map(String::from);
+    let written = |threads: &str| {
+        let scratch = Scratch::new("accuracy");
+        let output = Command::new(env!("CARGO_BIN_EXE_linkdyn"))
+            .arg("accuracy")
+            .args(FOUR_BAR)
+            .args(["--threads", threads, "--json", "-o"])
+            .arg(&scratch.0)
+            .output()
+            .expect("the binary runs");
+        assert!(output.status.success(), "{output:?}");
+        let files = files
+            .clone()
+            .map(|name| fs::read(scratch.0.join(name)).expect("a file"));
+        assert_eq!(files[2], output.stdout);
+        files
+    };
+    let [one, three, all] = ["1", "3", "0"].map(written);
+    assert!(one == three && one == all);
+}
