@@ -3,12 +3,15 @@
 //!
 //! `--only` takes the mechanisms whose name has this in it; `--details` prints every output.
 //!
-//! Costs are those of library calls in one process, by level and in kinematic runs of the same mechanism, medians of ratios of
-//! times that were taken beside each other; all joints have clearances and all numbers of the geometry tolerances. They are times of
-//! the clock, with the poses of the stroke on one thread, and on all that the machine has, which the command takes; a run has one.
+//! Costs are in kinematic runs of the same mechanism, medians of ratios of times of the clock that were taken beside each other; all
+//! joints have clearances and all numbers of the geometry tolerances. First of the commands `accuracy` and `run`, from start to end,
+//! without and with the files that they write. Then of library calls in one process, by level, with the poses of the stroke on one
+//! thread, and on all that the machine has, which the command takes; a run has one, and here nothing of it is read, told or written.
 //! Then each case is solved `--samples` times with random deviations, and as many times again with
 //! deviations that climb from the farthest ones on. Exit status 1 where one left a certified bound.
 
+#[path = "accuracy/commands.rs"]
+mod commands;
 // The tests use the rest.
 #[allow(dead_code)]
 #[path = "../tests/common/accuracy/newton.rs"]
@@ -25,6 +28,7 @@ use std::num::NonZeroUsize;
 use std::process::ExitCode;
 use std::time::Instant;
 
+use commands::{Place, waits};
 use linkdyn_engine::analysis::accuracy::{Levels, Scope};
 use linkdyn_engine::analysis::{Control, run};
 use linkdyn_model::{GROUND, Model};
@@ -108,13 +112,13 @@ fn median(times: &mut [f64]) -> f64 {
 }
 
 /// Asks for columns, each under a name of its own.
-fn ask<'c>(json: &Value, columns: impl Iterator<Item = &'c str>) -> Told {
+fn ask<'c>(json: &Value, columns: impl Iterator<Item = &'c str>) -> Value {
     let mut json = json.clone();
     let columns = columns.enumerate();
     let names = columns.map(|(k, column)| (format!("o{k}"), json!({ "column": column })));
     let outputs: serde_json::Map<String, Value> = names.collect();
     json["accuracy"] = json!({ "outputs": outputs });
-    Told::read(&json).expect("legal")
+    json
 }
 
 /// What a level may cost by output, in kinematic runs.
@@ -140,8 +144,14 @@ fn others(model: &Model, first: &str) -> Vec<String> {
 
 /// A mechanism, and what is asked of it.
 struct Priced {
-    plain: Told,
+    plain: Value,
     /// One output, the same again, and others.
+    asked: [Value; 3],
+}
+
+/// The same, read.
+struct Read {
+    plain: Told,
     asked: [Told; 3],
 }
 
@@ -154,7 +164,7 @@ impl Priced {
             .into_iter()
             .chain(others.iter().map(String::as_str));
         Priced {
-            plain: Told::read(&bare(model, INSTANTS)).expect("legal"),
+            plain: bare(model, INSTANTS),
             asked: [
                 ask(&json, [column].into_iter()),
                 ask(&json, [column; 1 + FURTHER].into_iter()),
@@ -163,6 +173,31 @@ impl Priced {
         }
     }
 
+    fn read(&self) -> Read {
+        let read = |json| Told::read(json).expect("legal");
+        Read {
+            plain: read(&self.plain),
+            asked: self.asked.each_ref().map(read),
+        }
+    }
+
+    /// Times of the commands.
+    fn tell_commands(&self, name: &str) {
+        let place = Place::new(name);
+        let asked = [&self.asked[0], &self.asked[2]];
+        let each = waits(&place, &self.plain, asked, 1 + FURTHER);
+        for (mut waits, what) in each.into_iter().zip(["", ", with their files"]) {
+            let [first, other, mean] = waits.costs.each_mut().map(|costs| verdict(costs));
+            println!(
+                "    commands{what}: run {:.2} ms, first output {first}, another one {other}, mean of {} {mean}",
+                waits.run * 1e3,
+                1 + FURTHER
+            );
+        }
+    }
+}
+
+impl Read {
     /// Seconds of a kinematic run.
     fn run(&self) -> f64 {
         let start = Instant::now();
@@ -189,12 +224,13 @@ impl Priced {
 /// Costs in kinematic runs: of the first output, of the same again, of another one, and the mean of all.
 type Costs = [Vec<f64>; 4];
 
-/// Times of a kinematic run, and by level of accuracy for one output, the same again, and others, over the same instants. The times of a
+/// Times of a kinematic run, of the commands, and by level of accuracy for one output, the same again, and others, over the same instants. The times of a
 /// round are taken beside each other, so that what else the machine does falls on all of them.
 fn cost(name: &str, column: &str) {
     let model = read(name);
     let others = others(&model, column);
-    let priced = Priced::new(&model, column, &others);
+    let questions = Priced::new(&model, column, &others);
+    let priced = questions.read();
     let answer = priced.asked[0].answer();
     let poses = &answer.outputs[0].poses;
     let certified = poses.iter().filter(|pose| pose.certified.is_some()).count();
@@ -223,8 +259,9 @@ fn cost(name: &str, column: &str) {
         poses.len(),
         median(&mut runs) * 1e3,
     );
+    questions.tell_commands(name);
     for (threads, parts) in threads.iter().zip(&mut parts) {
-        println!("    threads: {threads}");
+        println!("    library, threads: {threads}");
         parts
             .iter_mut()
             .zip(LEVELS)
@@ -233,12 +270,15 @@ fn cost(name: &str, column: &str) {
     println!("    the others: {}", others.join(", "));
 }
 
+/// The median, and whether it is allowed.
+fn verdict(costs: &mut [f64]) -> String {
+    let cost = median(costs);
+    let verdict = if cost <= ALLOWED { "holds" } else { "exceeds" };
+    format!("{cost:6.2} ({verdict} {ALLOWED})")
+}
+
 fn tell(level: &str, costs: &mut Costs) {
-    let [first, further, other, mean] = costs.each_mut().map(|costs| {
-        let cost = median(costs);
-        let verdict = if cost <= ALLOWED { "holds" } else { "exceeds" };
-        format!("{cost:6.2} ({verdict} {ALLOWED})")
-    });
+    let [first, further, other, mean] = costs.each_mut().map(|costs| verdict(costs));
     println!(
         "    {level:11} first output {first}, the same again {further}, another one {other}, mean of {} {mean}",
         1 + FURTHER
