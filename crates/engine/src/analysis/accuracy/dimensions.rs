@@ -138,7 +138,7 @@ pub(super) struct Here<'a> {
 
 impl Dimensions {
     /// ∂y/∂(dimension) under a load on the output; of points see `held`.
-    pub fn influence(&self, here: Here<'_>, load: &Load, k: usize) -> f64 {
+    pub fn influence(&self, here: &Here<'_>, load: &Load, k: usize) -> f64 {
         let lambda = &load.lambda;
         let dimension = &self.all[k];
         match dimension {
@@ -163,7 +163,7 @@ impl Dimensions {
     }
 
     /// Adds to the rows what φ gains where one dimension is off by a step.
-    pub fn push_one(&self, here: Here<'_>, k: usize, step: f64, rows: &mut [f64]) {
+    pub fn push_one(&self, here: &Here<'_>, k: usize, step: f64, rows: &mut [f64]) {
         let dimension = &self.all[k];
         match dimension {
             Dimension::Point(id, axis) => {
@@ -205,7 +205,7 @@ pub(super) fn unit(axis: usize) -> Vec2 {
 }
 
 /// u·d and n·d of the guide of a joint \[m\].
-fn guide(here: Here<'_>, joint: usize) -> (f64, f64) {
+fn guide(here: &Here<'_>, joint: usize) -> (f64, f64) {
     let data = &here.system.joints[joint];
     let Some(axis) = data.role().axis() else {
         return (0.0, 0.0);
@@ -217,7 +217,7 @@ fn guide(here: Here<'_>, joint: usize) -> (f64, f64) {
 }
 
 /// ∂φ/∂r of a gear.
-fn ratio_rate(here: Here<'_>, dimension: &Dimension) -> f64 {
+fn ratio_rate(here: &Here<'_>, dimension: &Dimension) -> f64 {
     match dimension {
         Dimension::Ratio {
             joint,

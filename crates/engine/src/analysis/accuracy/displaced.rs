@@ -151,12 +151,12 @@ impl<'m> Mechanism<'m> {
         let mut pulls = std::mem::take(&mut self.pulls);
         let here = self.here(stand);
         let own = output.pulls(&here.at, here.shifts);
-        self.held.pulls(here, &own, load, &mut pulls);
+        self.held.pulls(&here, &own, load, &mut pulls);
         let poses = here.at.poses;
         self.held
             .influences(poses, &pulls, &mut of_dimensions, influences);
         for &k in &self.stepped {
-            of_dimensions[k] = self.dimensions.influence(here, load, k);
+            of_dimensions[k] = self.dimensions.influence(&here, load, k);
         }
         self.sorted
             .influences(&load.lambda, &of_dimensions, influences);
@@ -185,7 +185,7 @@ impl<'m> Mechanism<'m> {
         for &k in &self.stepped {
             if self.chosen.steps[k] != 0.0 {
                 self.dimensions
-                    .push_one(here, k, self.chosen.steps[k], &mut rows);
+                    .push_one(&here, k, self.chosen.steps[k], &mut rows);
             }
         }
         self.sorted.gap(&self.chosen.extremes, &mut rows);
@@ -249,9 +249,9 @@ impl<'m> Mechanism<'m> {
         output.gradient(&here.at, &own, &system.layout, &mut out);
         let jacobian = &here.evaluation.jacobian;
         self.transposed.subtract(jacobian, &load.lambda, &mut out);
-        self.held.pulls(here, &own, load, &mut pulls);
+        self.held.pulls(&here, &own, load, &mut pulls);
         let off = (pulls.as_slice(), self.offs.as_slice());
-        self.held.turn(here, &load.lambda, off, &mut out);
+        self.held.turn(&here, &load.lambda, off, &mut out);
         self.pulls = pulls;
         self.space.pull = out;
     }

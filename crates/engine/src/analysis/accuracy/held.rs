@@ -136,7 +136,7 @@ impl Held {
     }
 
     /// p of all points under a load on the output, which itself pulls with `own`.
-    pub fn pulls(&self, here: Here<'_>, own: &Pulls, load: &Load, pulls: &mut [Vec2]) {
+    pub fn pulls(&self, here: &Here<'_>, own: &Pulls, load: &Load, pulls: &mut [Vec2]) {
         let jacobian = &here.evaluation.jacobian;
         let [x, y] = &self.entries;
         let of = |of: &Entry| of.sign * load.lambda[of.row as usize] * jacobian[of.entry as usize];
@@ -202,7 +202,7 @@ impl Held {
     /// Adds to `turned` (n) what the Lagrangian y − λᵀφ gains as bodies turn while points are off: λ follows the displaced points.
     pub fn turn(
         &self,
-        here: Here<'_>,
+        here: &Here<'_>,
         lambda: &[f64],
         (pulls, offs): (&[Vec2], &[Off]),
         turned: &mut [f64],

@@ -168,7 +168,7 @@ impl Deviations {
     }
 
     /// Takes the steps of a pose.
-    pub fn take(&mut self, here: Here<'_>, dimensions: &Dimensions) {
+    pub fn take(&mut self, here: &Here<'_>, dimensions: &Dimensions) {
         let jacobian = &here.evaluation.jacobian;
         let (entries, others) = self.rates.split_at_mut(jacobian.len());
         entries.copy_from_slice(jacobian);

@@ -118,7 +118,7 @@ impl Gaps {
     }
 
     /// Takes what is known of a pose.
-    pub fn take(&mut self, here: Here<'_>, dimensions: &Dimensions, extents: &Extents) {
+    pub fn take(&mut self, here: &Here<'_>, dimensions: &Dimensions, extents: &Extents) {
         for guide in &mut self.swung {
             let [first, second] = &guide.markers;
             let u = here.at.poses[first.body.0].turn(guide.axis);

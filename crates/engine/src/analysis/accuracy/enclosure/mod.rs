@@ -135,7 +135,7 @@ impl Enclosure {
     }
 
     /// Takes a pose whose rows of C are at hand.
-    fn take(&mut self, here: Here<'_>, dimensions: &Dimensions) {
+    fn take(&mut self, here: &Here<'_>, dimensions: &Dimensions) {
         let evaluation = here.evaluation;
         for (row, (off, phi)) in self.off.iter_mut().zip(&evaluation.phi).enumerate() {
             *off = phi.abs() + 8.0 * f64::EPSILON * here.system.row_scale(row);
@@ -299,7 +299,7 @@ impl Mechanism<'_> {
             time: stand.inputs.time,
             held: stand.held,
         };
-        enclosure.take(here, self.dimensions);
+        enclosure.take(&here, self.dimensions);
         enclosure.contract()
     }
 }
