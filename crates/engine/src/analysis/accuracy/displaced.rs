@@ -196,8 +196,14 @@ impl<'m> Mechanism<'m> {
     /// sum of what each does. Whether the model can be had with them.
     pub fn step_parameters(&mut self) -> bool {
         let Chosen {
-            extremes, stepped, ..
+            extremes,
+            stepped,
+            steps,
+            ..
         } = &mut self.chosen;
+        if self.sorted.set_steps(extremes, steps) {
+            return true;
+        }
         if self.sorted.parameters(extremes).eq(stepped.iter().copied()) {
             return true;
         }

@@ -59,6 +59,8 @@ pub(super) struct Sorted {
     steps: Vec<(usize, f64)>,
     /// The same of those that don't bend, each with its play.
     straight: Vec<(usize, usize, f64)>,
+    /// Whether these are all, and no dimension is stepped twice.
+    are_apart: bool,
 }
 
 impl Disc {
@@ -105,6 +107,8 @@ impl Sorted {
         for (play, own) in plays.iter().enumerate() {
             sorted.add(play, own);
         }
+        let (all, once) = (sorted.steps.len(), sorted.stepped().len());
+        sorted.are_apart = sorted.straight.len() == all && once == all;
         sorted
     }
 
@@ -175,6 +179,16 @@ impl Sorted {
     pub fn bent<'a>(&'a self, e: &'a [Influence]) -> impl Iterator<Item = f64> + 'a {
         let bent = |own: &Parameter| if own.bends { e[own.play][0] } else { 0.0 };
         self.parameters.iter().map(bent)
+    }
+
+    /// Sets the steps of the dimensions, where each hangs on one parameter that does not bend; whether that is so.
+    pub fn set_steps(&self, e: &[Influence], steps: &mut [f64]) -> bool {
+        if self.are_apart {
+            for &(play, k, by) in &self.straight {
+                steps[k] = by * e[play][0];
+            }
+        }
+        self.are_apart
     }
 
     /// Adds to the steps of the dimensions what parameters do that don't bend.
