@@ -27,34 +27,36 @@ pub fn write(
     found: &Accuracy,
     threads: usize,
 ) -> Result<Vec<PathBuf>, WriteError> {
-    let tables = || -> Result<[PathBuf; 2], WriteError> {
-        Ok([
-            directory.write(TABLE, &table(found))?,
-            directory.write_with(CONTRIBUTIONS, |file| contributions(found, file))?,
-        ])
-    };
-    let others = || -> Result<[PathBuf; 2], WriteError> {
-        let everything = directory.write_with(SUMMARY, |file| {
+    let everything = || {
+        directory.write_with(SUMMARY, |file| {
             let mut file = BufWriter::with_capacity(PIECE, file);
             json::write(opened, found, &mut file)?;
             file.flush()
-        })?;
-        let page = page::html(opened, found, text::assumed(opened));
-        Ok([everything, directory.write(PAGE, page.as_bytes())?])
+        })
     };
-    let (tables, others) = if threads > 1 {
+    let others = || -> Result<[PathBuf; 3], WriteError> {
+        let page = page::html(opened, found, text::assumed(opened));
+        Ok([
+            directory.write(TABLE, &table(found))?,
+            directory.write_with(CONTRIBUTIONS, |file| contributions(found, file))?,
+            directory.write(PAGE, page.as_bytes())?,
+        ])
+    };
+    let (everything, others) = if threads > 1 {
         std::thread::scope(|scope| {
-            let tables = scope.spawn(tables);
+            let everything = scope.spawn(everything);
             let others = others();
+            let everything = everything.join();
             (
-                tables.join().unwrap_or_else(|panic| resume_unwind(panic)),
+                everything.unwrap_or_else(|panic| resume_unwind(panic)),
                 others,
             )
         })
     } else {
-        (tables(), others())
+        (everything(), others())
     };
-    Ok([tables?, others?].concat())
+    let [table, contributions, page] = others?;
+    Ok(vec![table, contributions, everything?, page])
 }
 
 /// A row that is being written.
