@@ -1,7 +1,7 @@
 //! Models of one file with other parameters, and how they depend on them.
 
 use crate::error::{Complaint, Complaints};
-use crate::expression::{Derivatives, Interval, Real};
+use crate::expression::{Derivatives, Interval, Parameters, Real, Recorded};
 use crate::gate::Checked;
 use crate::load::{sorted, typed};
 use crate::source::Source;
@@ -55,27 +55,26 @@ impl Source {
     /// assert_eq!(leaf.gradient, [(0, 6.0), (1, 3.0)]);
     /// ```
     pub fn derivatives(&self) -> Derivatives {
-        self.derivatives_with(|_| 0.0)
+        self.derivatives_at(&[])
     }
 
-    /// The same where parameters deviate \[SI\], one number for each in the order of the file; others are zero.
+    /// The same where parameters deviate, as [`Dependence::at`].
     pub fn derivatives_at(&self, deviations: &[f64]) -> Derivatives {
-        self.derivatives_with(|index| deviations.get(index).copied().unwrap_or(0.0))
+        self.dependence().at(deviations)
     }
 
-    /// Enclosures of the quantities and of their derivatives while each parameter deviates within limits \[SI\], lower and
-    /// upper for each in the order of the file; others stay.
+    /// Enclosures of them, as [`Dependence::within`].
     pub fn derivatives_within(&self, limits: &[[f64; 2]]) -> Derivatives<Interval> {
-        self.derivatives_with(|index| {
-            let [least, most] = limits.get(index).copied().unwrap_or_default();
-            Interval::new(least, most)
-        })
+        self.dependence().within(limits)
     }
 
-    fn derivatives_with<T: Real>(&self, deviation: impl Fn(usize) -> T) -> Derivatives<T> {
+    /// How the quantities depend on the parameters, to be asked more than once.
+    pub fn dependence(&self) -> Dependence {
         let (parameters, recorded) = recorded(self);
-        let deviations: Vec<T> = (0..parameters.count()).map(deviation).collect();
-        parameters.derivatives(&deviations, &recorded)
+        Dependence {
+            parameters,
+            recorded,
+        }
     }
 
     /// The model that was read once more.
@@ -95,6 +94,33 @@ impl Source {
                 Err(Complaints(sorted(said, findings.more)))
             }
         }
+    }
+}
+
+/// How the quantities of a file depend on its parameters: the expressions that were met in it.
+pub struct Dependence {
+    parameters: Parameters,
+    recorded: Vec<Recorded>,
+}
+
+impl Dependence {
+    /// Derivatives where parameters deviate \[SI\], one number for each in the order of the file; others are zero.
+    pub fn at(&self, deviations: &[f64]) -> Derivatives {
+        self.with(|index| deviations.get(index).copied().unwrap_or(0.0))
+    }
+
+    /// Enclosures of the quantities and of their derivatives while each parameter deviates within limits \[SI\], lower and
+    /// upper for each in the order of the file; others stay.
+    pub fn within(&self, limits: &[[f64; 2]]) -> Derivatives<Interval> {
+        self.with(|index| {
+            let [least, most] = limits.get(index).copied().unwrap_or_default();
+            Interval::new(least, most)
+        })
+    }
+
+    fn with<T: Real>(&self, deviation: impl Fn(usize) -> T) -> Derivatives<T> {
+        let deviations: Vec<T> = (0..self.parameters.count()).map(deviation).collect();
+        self.parameters.derivatives(&deviations, &self.recorded)
     }
 }
 

@@ -72,6 +72,7 @@ pub use clearance::{
     Clearance, ClearanceModel, Elastic, Friction, FrictionLaw, Impact, ImpactSense, Material,
     Normal, NormalLaw, Surface,
 };
+pub use derive::Dependence;
 pub use dimension::{Dimension, Powers};
 pub use driver::{Driver, DriverKind};
 #[doc(hidden)]

@@ -142,10 +142,11 @@ pub fn answer(opened: &Opened, scope: Scope, control: &Control) -> Result<Accura
             .collect();
         loaded.source.with_deviations(&named).ok()
     };
+    let dependence = loaded.source.dependence();
     let parameters = Parameters {
         all: known,
-        derivatives: &loaded.source.derivatives(),
-        enclosed: &|| loaded.source.derivatives_within(&limits),
+        derivatives: &dependence.at(&[]),
+        enclosed: &|| dependence.within(&limits),
         with: &with,
     };
     let scope = Scope {

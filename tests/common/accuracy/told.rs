@@ -36,10 +36,11 @@ impl Told {
                 tolerance.map_or([0.0; 2], |own| [own.lower.min(0.0), own.upper.max(0.0)])
             })
             .collect();
+        let dependence = self.loaded.source.dependence();
         let parameters = Parameters {
             all: known,
-            derivatives: &self.loaded.source.derivatives(),
-            enclosed: &|| self.loaded.source.derivatives_within(&limits),
+            derivatives: &dependence.at(&[]),
+            enclosed: &|| dependence.within(&limits),
             with: &|by| {
                 self.readings.fetch_add(1, Ordering::Relaxed);
                 let named = by.iter().map(|&(k, by)| (known[k].name.as_str(), by));
