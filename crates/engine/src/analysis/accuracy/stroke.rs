@@ -68,14 +68,18 @@ fn shared<Item: Sync, Made: Send>(
     if threads <= 1 {
         return items.iter().map(work).collect();
     }
-    let next = AtomicUsize::new(0);
+    // The last ones first: a stroke ends where locks and toggles do, where much is searched.
+    let left = AtomicUsize::new(items.len());
     let made = Mutex::new(Vec::with_capacity(items.len()));
     let take = || {
-        while let Some((number, item)) = {
-            let number = next.fetch_add(1, Ordering::Relaxed);
-            items.get(number).map(|item| (number, item))
-        } {
-            let own = work(item);
+        let another = || {
+            left.fetch_update(Ordering::Relaxed, Ordering::Relaxed, |left| {
+                left.checked_sub(1)
+            })
+        };
+        while let Ok(left) = another() {
+            let number = left - 1;
+            let own = work(&items[number]);
             let mut made = made.lock().unwrap_or_else(PoisonError::into_inner);
             made.push((number, own));
         }
