@@ -224,8 +224,8 @@ impl Read {
 /// Costs in kinematic runs: of the first output, of the same again, of another one, and the mean of all.
 type Costs = [Vec<f64>; 4];
 
-/// Times of a kinematic run, of the commands, and by level of accuracy for one output, the same again, and others, over the same instants. The times of a
-/// round are taken beside each other, so that what else the machine does falls on all of them.
+/// Times of a kinematic run, of the commands, and by level of accuracy for one output, the same again, and others, over the same
+/// instants. The times of a round are taken beside each other, so that what else the machine does falls on all of them.
 fn cost(name: &str, column: &str) {
     let model = read(name);
     let others = others(&model, column);

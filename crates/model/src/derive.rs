@@ -55,17 +55,7 @@ impl Source {
     /// assert_eq!(leaf.gradient, [(0, 6.0), (1, 3.0)]);
     /// ```
     pub fn derivatives(&self) -> Derivatives {
-        self.derivatives_at(&[])
-    }
-
-    /// The same where parameters deviate, as [`Dependence::at`].
-    pub fn derivatives_at(&self, deviations: &[f64]) -> Derivatives {
-        self.dependence().at(deviations)
-    }
-
-    /// Enclosures of them, as [`Dependence::within`].
-    pub fn derivatives_within(&self, limits: &[[f64; 2]]) -> Derivatives<Interval> {
-        self.dependence().within(limits)
+        self.dependence().at(&[])
     }
 
     /// How the quantities depend on the parameters, to be asked more than once.

@@ -76,10 +76,11 @@ fn bound(radius: f64, control: &Control) -> Result<Bound, CaseError> {
     document["accuracy"] = json!({ "outputs": { "theta2": { "column": "link2.angle" } } });
     let loaded = linkdyn_model::load(document.to_string().as_bytes(), &[]);
     let loaded = loaded.map_err(|said| broken(format!("{said:?}")))?;
+    let dependence = loaded.source.dependence();
     let parameters = Parameters {
         all: &loaded.parameters,
-        derivatives: &loaded.source.derivatives(),
-        enclosed: &|| loaded.source.derivatives_within(&[]),
+        derivatives: &dependence.at(&[]),
+        enclosed: &|| dependence.within(&[]),
         with: &|_| None,
     };
     let found = accuracy(&loaded.model, &parameters, Scope::default(), control);

@@ -277,7 +277,7 @@ fn parameters_that_follow_have_a_deviation_of_their_own() {
     assert!((at(&[("b", 1e-3)]) - 21e-3).abs() < 1e-17);
     assert!((at(&[("a", 1e-3), ("b", 1e-3)]) - 40e-3).abs() < 1e-17);
     assert!(
-        (loaded.source.derivatives_at(&[1e-3, 1e-3]).leaves[0]
+        (loaded.source.dependence().at(&[1e-3, 1e-3]).leaves[0]
             .value
             .unwrap()
             - 40e-3)

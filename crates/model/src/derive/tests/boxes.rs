@@ -12,7 +12,7 @@ fn enclosures_hold_values_and_derivatives_of_all_points_of_the_box() {
             .map(|one| 1e-3 * one.value)
             .collect();
         let limits: Vec<[f64; 2]> = half.iter().map(|half| [-half, *half]).collect();
-        let all = loaded.source.derivatives_within(&limits).leaves.remove(0);
+        let all = loaded.source.dependence().within(&limits).leaves.remove(0);
         assert_eq!(all.fault, None, "{expression}");
         let box_value = all.value.unwrap();
         for corner in 0..200_u32 {
@@ -26,7 +26,7 @@ fn enclosures_hold_values_and_derivatives_of_all_points_of_the_box() {
                 .enumerate()
                 .map(|(index, half)| half * share(index))
                 .collect();
-            let one = loaded.source.derivatives_at(&deviations).leaves.remove(0);
+            let one = loaded.source.dependence().at(&deviations).leaves.remove(0);
             let value = one.value.unwrap();
             assert!(
                 box_value.contains(value),
@@ -74,7 +74,7 @@ fn what_may_happen_in_the_box_is_a_fault_of_the_box() {
     ] {
         let loaded = read(expression);
         let limits = [1e-3, 0.0, 1e-3, 0.0, 1e-3, 1e-2].map(|half: f64| [-half, half]);
-        let leaf = loaded.source.derivatives_within(&limits).leaves.remove(0);
+        let leaf = loaded.source.dependence().within(&limits).leaves.remove(0);
         assert_eq!(leaf.fault.as_deref(), Some(reason), "{expression}");
         assert_eq!(
             loaded.source.derivatives().leaves[0].fault,

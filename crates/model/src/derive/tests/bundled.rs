@@ -18,7 +18,7 @@ fn leaves_are_the_values_of_the_model_and_their_slopes_those_of_differences() {
         let values = |index: usize, by: f64| {
             let mut deviations = vec![0.0; parameters.len()];
             deviations[index] = by;
-            loaded.source.derivatives_at(&deviations).leaves
+            loaded.source.dependence().at(&deviations).leaves
         };
         for (index, parameter) in loaded.parameters.iter().enumerate() {
             let step = 1e-5 * parameter.value.abs().max(1e-3);

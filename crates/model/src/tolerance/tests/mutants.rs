@@ -64,7 +64,7 @@ fn what_loads_is_what_it_prints() {
                         "{place} = {odd}"
                     );
                     one.source.derivatives();
-                    one.source.derivatives_within(&[[-1e-3, 1e-3]; 7]);
+                    one.source.dependence().within(&[[-1e-3, 1e-3]; 7]);
                 }
                 Err(said) => {
                     refused += 1;
