@@ -117,9 +117,7 @@ impl Mechanism<'_> {
                 gain = self.press(stand, output, &search.load, (search.side, worth))?;
             }
             is_moved |= gain.ended > 0.0;
-            self.gap(stand);
-            let lacking = self.lack(&search.load);
-            let now = self.value(stand, output, 1.0) - search.nominal + lacking;
+            let now = self.reading(stand, output, search);
             if !now.is_finite() {
                 return None;
             }
@@ -138,7 +136,11 @@ impl Mechanism<'_> {
             if is_near || is_stalled {
                 let deviation = match is_stalled || lacks(shrunk) <= allowed {
                     true => now,
-                    false => self.read(stand, output, search),
+                    false => {
+                        self.take(&search.q, stand);
+                        self.place(stand);
+                        self.reading(stand, output, search)
+                    }
                 };
                 let frames = frames_at(system, self.here(stand).at.poses);
                 self.keep(stand, nominal, is_moved, search);
@@ -160,10 +162,8 @@ impl Mechanism<'_> {
         None
     }
 
-    /// Reads the output where the last correction leads, for the same deviations and λ.
-    fn read(&mut self, stand: &Stand, output: &Output, search: &Search) -> f64 {
-        self.take(&search.q, stand);
-        self.place(stand);
+    /// The deviation of the output as read at the position taken, with the points where they were put.
+    fn reading(&mut self, stand: &Stand, output: &Output, search: &Search) -> f64 {
         self.gap(stand);
         let lacking = self.lack(&search.load);
         self.value(stand, output, 1.0) - search.nominal + lacking
