@@ -31,6 +31,96 @@ pub enum WriteError {
         /// What the system says.
         source: io::Error,
     },
+    /// The system refuses to replace a file that stands.
+    #[error("{}: can't be written: {source} (the file is as it was)", .path.display())]
+    Replace {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+}
+
+/// Writes a file of the user's own, at once: a reader meets the old file or the new one, whole, also after a crash. Symbolic links
+/// are followed; a file that stands there keeps its permissions and, where the system lets us, its owner.
+///
+/// # Errors
+/// When the system refuses; the older file is then still whole.
+pub fn replace(path: &Path, content: &[u8]) -> Result<(), WriteError> {
+    let there = fs::metadata(path).ok();
+    let is_kept = there.as_ref().is_some_and(fs::Metadata::is_file);
+    let written = match &there {
+        // A device or a pipe takes what it is given, and a directory refuses.
+        Some(there) if !there.is_file() => fs::write(path, content),
+        there => followed(path).and_then(|path| put(&path, content, there.as_ref())),
+    };
+    let path = path.to_owned();
+    written.map_err(|source| match is_kept {
+        true => WriteError::Replace { path, source },
+        false => WriteError::Write { path, source },
+    })
+}
+
+/// Writes beside a file first, and then puts that in its place.
+fn put(path: &Path, content: &[u8], there: Option<&fs::Metadata>) -> io::Result<()> {
+    let (Some(folder), Some(name)) = (path.parent(), path.file_name()) else {
+        return Err(io::ErrorKind::IsADirectory.into());
+    };
+    if there.is_some() {
+        // One that is protected stays so.
+        File::options().write(true).open(path)?;
+    }
+    let temporary = temporary(folder, &name.to_string_lossy());
+    let written = File::create(&temporary).and_then(|mut file| {
+        file.write_all(content)?;
+        if let Some(there) = there {
+            own(&file, there);
+            file.set_permissions(there.permissions())?;
+        }
+        file.sync_all()
+    });
+    let put = written.and_then(|()| fs::rename(&temporary, path));
+    if put.is_err() {
+        let _ = fs::remove_file(&temporary);
+    } else if let Ok(folder) = File::open(folder) {
+        // The new name outlasts a crash, too, on systems that write directories when they are told.
+        let _ = folder.sync_all();
+    }
+    put
+}
+
+/// Gives a file the owner of another one, where that is allowed.
+#[cfg(unix)]
+fn own(file: &File, there: &fs::Metadata) {
+    use std::os::unix::fs::{MetadataExt, fchown};
+    let _ = fchown(file, Some(there.uid()), Some(there.gid()));
+}
+
+#[cfg(not(unix))]
+fn own(_: &File, _: &fs::Metadata) {}
+
+/// Symbolic links that lead one to the other, at most, as systems have it.
+const MOST_LINKS: usize = 40;
+
+/// Where a path leads to through symbolic links, also where nothing stands there yet.
+fn followed(path: &Path) -> io::Result<PathBuf> {
+    let mut path = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        let Ok(next) = fs::read_link(&path) else {
+            return Ok(match path.parent() {
+                Some(folder) if folder.as_os_str().is_empty() => Path::new(".").join(path),
+                Some(_) | None => path,
+            });
+        };
+        path.pop();
+        path.push(next);
+    }
+    fs::canonicalize(path)
+}
+
+/// A name nobody else uses at the same time.
+fn temporary(folder: &Path, name: &str) -> PathBuf {
+    folder.join(format!(".{name}.{}.part", std::process::id()))
 }
 
 /// A directory that takes results; made where missing.
@@ -130,10 +220,8 @@ impl Directory {
         }
     }
 
-    /// A name nobody else uses at the same time.
     fn temporary(&self, name: &str) -> PathBuf {
-        self.path
-            .join(format!(".{name}.{}.part", std::process::id()))
+        temporary(&self.path, name)
     }
 }
 
@@ -184,6 +272,44 @@ mod tests {
             .expect_err("a directory")
             .to_string();
         assert!(said.contains("stands where a result file"), "{said}");
+        fs::remove_dir_all(&path).expect("removed");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_file_of_the_user_is_replaced_behind_its_links_with_its_permissions() {
+        use std::os::unix::fs::{PermissionsExt, symlink};
+        let path = scratch("own");
+        fs::create_dir_all(path.join("kept")).expect("made");
+        let model = path.join("kept/model.json");
+        fs::write(&model, b"old").expect("written");
+        fs::set_permissions(&model, fs::Permissions::from_mode(0o640)).expect("set");
+        symlink("kept/model.json", path.join("link")).expect("linked");
+        symlink("link", path.join("again")).expect("linked");
+        replace(&path.join("again"), b"new").expect("replaced");
+        assert_eq!(fs::read(&model).expect("there"), b"new");
+        let there = fs::metadata(&model).expect("there");
+        assert_eq!(there.permissions().mode() & 0o777, 0o640);
+        assert!(
+            fs::symlink_metadata(path.join("again"))
+                .expect("there")
+                .is_symlink()
+        );
+        // A link to what is not there yet is followed, too; one to itself is refused.
+        symlink("kept/fresh.json", path.join("ahead")).expect("linked");
+        replace(&path.join("ahead"), b"first").expect("written");
+        assert_eq!(
+            fs::read(path.join("kept/fresh.json")).expect("there"),
+            b"first"
+        );
+        symlink("round", path.join("round")).expect("linked");
+        replace(&path.join("round"), b"").expect_err("no end");
+        replace(&path.join("kept"), b"").expect_err("a directory");
+        replace(Path::new("/dev/null"), b"gone").expect("a device takes it");
+        let left = fs::read_dir(path.join("kept"))
+            .expect("a directory")
+            .count();
+        assert_eq!(left, 2, "nothing else is left");
         fs::remove_dir_all(&path).expect("removed");
     }
 }

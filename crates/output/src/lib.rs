@@ -28,7 +28,7 @@ pub use column::{Column, ColumnId, ColumnView};
 pub use comparison::Comparison;
 pub use event::{Episode, Event, EventKind};
 pub use extremes::Extremes;
-pub use files::{Directory, WriteError};
+pub use files::{Directory, WriteError, replace};
 pub use read::Table;
 pub use selection::{Selection, matches};
 pub use status::Status;

@@ -42,7 +42,7 @@ use super::open::{ModelOptions, Opened};
 use super::progress::Line;
 use super::streams::{complain, print};
 use linkdyn_model::Unit;
-use linkdyn_output::Directory;
+use linkdyn_output::{Directory, replace};
 use question::{Aim, Question, Variable};
 use search::Search;
 use timing::Timing;
@@ -217,12 +217,7 @@ fn write(
     let with = options.model.open_with(&sets)?;
     let with = with.map_err(|said| opened.bad_input(said))?;
     let model = with.loaded.source.print(&with.loaded.model);
-    std::fs::write(path, format!("{model:#}\n")).map_err(|error| {
-        BadInput(vec![format!(
-            "{}: can't be written: {error}",
-            path.display()
-        )])
-    })
+    Ok(replace(path, format!("{model:#}\n").as_bytes())?)
 }
 
 /// Digits with which values are written: what is beyond them is not known of an optimum.
