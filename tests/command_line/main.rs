@@ -11,6 +11,8 @@ mod check;
 mod cli;
 mod compare;
 mod figures;
+#[cfg(target_os = "linux")]
+mod full_disk;
 mod fuzz_finds;
 mod mistakes;
 mod optimise;

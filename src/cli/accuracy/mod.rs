@@ -20,7 +20,7 @@ use super::replaced;
 use super::streams::{complain, print, print_with};
 use linkdyn_engine::analysis::Control;
 use linkdyn_engine::analysis::accuracy::{Accuracy, Levels, Parameters, Refusal, Scope, accuracy};
-use linkdyn_model::Checked;
+use linkdyn_model::{Checked, Parameter};
 use linkdyn_output::Directory;
 
 #[derive(Debug, Args)]
@@ -124,8 +124,20 @@ pub fn refuse(opened: &Opened, refusal: Refusal) -> Result<Exit, BadInput> {
 /// # Errors
 /// Why there is none.
 pub fn answer(opened: &Opened, scope: Scope, control: &Control) -> Result<Accuracy, Refusal> {
+    answer_with(opened, &opened.loaded.parameters, scope, control)
+}
+
+/// The same with other tolerances of the parameters.
+///
+/// # Errors
+/// Why there is none.
+pub fn answer_with(
+    opened: &Opened,
+    known: &[Parameter],
+    scope: Scope,
+    control: &Control,
+) -> Result<Accuracy, Refusal> {
     let loaded = &opened.loaded;
-    let known = &loaded.parameters;
     let limits: Vec<[f64; 2]> = known
         .iter()
         .map(|parameter| {

@@ -6,17 +6,18 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::accuracy::{answer, refuse};
+use super::accuracy::{answer, answer_with, refuse};
 use super::exit::{BadInput, Exit};
 use super::interrupt;
 use super::open::{ModelOptions, Opened};
 use super::streams::{complain, print};
 use linkdyn_engine::analysis::Control;
 use linkdyn_engine::analysis::accuracy::{
-    Accuracy, Levels, Limited, Scope, Sum, Unallocated, allocate,
+    Accuracy, Free, Levels, Limited, Scope, Sum, Unallocated, allocate,
 };
-use linkdyn_model::Parameter;
 use linkdyn_model::error::Complaint;
+use linkdyn_model::{Parameter, Tolerance};
+use linkdyn_output::replace;
 use text::{page, quantity, to_json};
 
 #[derive(Debug, Args)]
@@ -27,7 +28,8 @@ pub struct Options {
     /// Limits of an output of the model's `accuracy`, instead of all; may be given more than once
     #[arg(long = "output", value_name = "NAME")]
     outputs: Vec<String>,
-    /// Add tolerances up by their squares, as for parts that scatter, instead of all at their worst
+    /// Add variances up, as for parts that scatter, and keep three standard deviations (99.73 %) within the limits, instead of all
+    /// at their worst
     #[arg(long)]
     rss: bool,
     /// Print everything as JSON
@@ -109,7 +111,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
             .open_with(&sets)?
             .map_err(|said| opened.bad_input(said))?;
         let model = with.loaded.source.print(&with.loaded.model);
-        std::fs::write(path, format!("{model:#}\n"))?;
+        replace(path, format!("{model:#}\n").as_bytes())?;
         written = Some(path.display().to_string());
     }
     print(&if options.json {
@@ -125,8 +127,8 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
 struct Costly<'a> {
     parameter: &'a Parameter,
     cost: f64,
-    /// Its number among the sources of deviations.
-    source: usize,
+    /// As a source of deviations.
+    free: Free,
 }
 
 /// The parameters with a cost.
@@ -138,10 +140,14 @@ fn costly<'a>(opened: &'a Opened, first: &Accuracy) -> Result<Vec<Costly<'a>>, C
     }
     let costly = |parameter: &'a Parameter| {
         let name = format!("parameters.{}", parameter.name);
+        let tolerance = parameter.tolerance.as_ref()?;
         Some(Costly {
             parameter,
-            cost: parameter.tolerance.as_ref()?.cost?,
-            source: first.sources.iter().position(|own| *own == name)?,
+            cost: tolerance.cost?,
+            free: Free {
+                source: first.sources.iter().position(|own| *own == name)?,
+                scatter: tolerance.distribution.into(),
+            },
         })
     };
     let all: Vec<_> = opened.loaded.parameters.iter().filter_map(costly).collect();
@@ -166,8 +172,8 @@ fn choose<'a>(
     } else {
         Sum::Worst
     };
-    let sources: Vec<usize> = all.iter().map(|one| one.source).collect();
-    let rooms = first.rooms(&sources, sum, &|_| 1.0);
+    let free: Vec<Free> = all.iter().map(|one| one.free).collect();
+    let rooms = first.rooms(&free, sum, &|_| 1.0);
     let matters = |k: &usize| rooms.iter().any(|limited| limited.room.weights[*k] > 0.0);
     let (used, idle): (Vec<usize>, Vec<usize>) = (0..all.len()).partition(matters);
     let idle = idle
@@ -175,7 +181,7 @@ fn choose<'a>(
         .map(|&k| all[k].parameter.name.as_str())
         .collect();
     let used: Vec<Costly> = used.iter().map(|&k| all[k]).collect();
-    let sources: Vec<usize> = used.iter().map(|one| one.source).collect();
+    let free: Vec<Free> = used.iter().map(|one| one.free).collect();
     let costs: Vec<f64> = used.iter().map(|one| one.cost).collect();
     let mut parts = vec![1.0; first.outputs.len()];
     let mut linear: Option<Vec<f64>> = None;
@@ -184,7 +190,7 @@ fn choose<'a>(
         let limited = last
             .as_ref()
             .unwrap_or(first)
-            .rooms(&sources, sum, &|output| parts[output]);
+            .rooms(&free, sum, &|output| parts[output]);
         let rooms: Vec<_> = limited.iter().map(|limited| limited.room.clone()).collect();
         let halves = match allocate(&costs, &rooms, sum) {
             Ok(halves) => halves,
@@ -201,9 +207,9 @@ fn choose<'a>(
                 half: *half,
             })
             .collect();
-        let with = options.model.open_with(&exact(&chosen))?;
-        let with = with.map_err(|said| opened.bad_input(said))?;
-        let Ok(accuracy) = answer(&with, options.scope(Levels::Certified), control) else {
+        let parameters = with_tolerances(&opened.loaded.parameters, &chosen);
+        let scope = options.scope(Levels::Certified);
+        let Ok(accuracy) = answer_with(opened, &parameters, scope, control) else {
             return Ok(Err(
                 "the mechanism can't be had with these tolerances".into()
             ));
@@ -260,53 +266,52 @@ fn told(opened: &Opened, first: &Accuracy, limited: &[Limited], why: Unallocated
     }
 }
 
-/// `--set` of the tolerances to the last digit.
-fn exact(chosen: &[Chosen]) -> Vec<String> {
-    let set = |chosen: &Chosen| {
-        let Chosen {
-            parameter, half, ..
-        } = chosen;
-        let middle = parameter
-            .tolerance
-            .as_ref()
-            .map_or(0.0, |tolerance| tolerance.middle());
-        let text = |value: f64| format!("\"{value:e}{}\"", unit(parameter));
-        format!(
-            "parameters.{}.tolerance=[{}, {}]",
-            parameter.name,
-            text(middle - half),
-            text(middle + half)
-        )
-    };
-    chosen.iter().map(set).collect()
-}
-
-fn unit(parameter: &Parameter) -> String {
-    if parameter.unit.is_empty() {
-        String::new()
-    } else {
-        format!(" {}", parameter.unit)
+/// The parameters, with the tolerances that were chosen.
+fn with_tolerances(all: &[Parameter], chosen: &[Chosen]) -> Vec<Parameter> {
+    let mut all = all.to_vec();
+    for parameter in &mut all {
+        let own = chosen
+            .iter()
+            .find(|own| own.parameter.name == parameter.name);
+        if let (Some(own), Some(tolerance)) = (own, &mut parameter.tolerance) {
+            let middle = tolerance.middle();
+            (tolerance.lower, tolerance.upper) = (middle - own.half, middle + own.half);
+        }
     }
+    all
 }
 
-/// `--set` of the tolerances with few digits, never wider than they are.
+/// `--set` of the tolerances: with few digits, never wider than they are, or with all where the middle is off the value.
 fn sets(opened: &Opened, chosen: &[Chosen]) -> Vec<String> {
     let set = |chosen: &Chosen| {
         let Chosen {
             parameter, half, ..
         } = chosen;
-        let middle = parameter
-            .tolerance
-            .as_ref()
-            .map_or(0.0, |tolerance| tolerance.middle());
-        if middle != 0.0 {
-            return exact(std::slice::from_ref(chosen)).swap_remove(0);
-        }
-        format!(
-            "parameters.{}.tolerance=\"{}\"",
-            parameter.name,
-            quantity(opened, parameter, half * (1.0 - NARROWER), DIGITS + 1)
-        )
+        let middle = parameter.tolerance.as_ref().map_or(0.0, Tolerance::middle);
+        let words = if middle == 0.0 {
+            let half = half * (1.0 - NARROWER);
+            quoted(parameter, quantity(opened, parameter, half, DIGITS + 1))
+        } else {
+            let [low, high] = [middle - half, middle + half]
+                .map(|value| quoted(parameter, format!("{value:e}{}", unit(parameter))));
+            format!("[{low}, {high}]")
+        };
+        format!("parameters.{}.tolerance={words}", parameter.name)
     };
     chosen.iter().map(set).collect()
+}
+
+/// A quantity as JSON has it: a plain number as it is, with a unit in quotes.
+fn quoted(parameter: &Parameter, quantity: String) -> String {
+    match parameter.unit.as_str() {
+        "" => quantity,
+        _ => format!("\"{quantity}\""),
+    }
+}
+
+fn unit(parameter: &Parameter) -> String {
+    match parameter.unit.as_str() {
+        "" => String::new(),
+        unit => format!(" {unit}"),
+    }
 }

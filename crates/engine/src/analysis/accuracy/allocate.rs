@@ -3,7 +3,7 @@
 //! ```text
 //! minimise   Σ a_k / t_k                    a_k cost, t_k half width of tolerance k
 //! worst case Σ s_ik t_k ≤ r_i               s_ik = |dy_i/dp_k|, r_i the room that limit i leaves beside all that is fixed
-//! statistic  √(Σ (s_ik t_k)²) ≤ r_i
+//! statistic  √(Σ (s_ik t_k)²) ≤ r_i                     s_ik = 3 σ of output i by t_k = 1
 //! ```
 //!
 //! 1/t_k ≤ z_k is the rotated cone |(2, z_k − t_k)| ≤ z_k + t_k. With one limit the solution is known (Chase 1988):
@@ -20,7 +20,7 @@ use clarabel::solver::{
 pub enum Sum {
     /// All at their worst together.
     Worst,
-    /// By the squares of their half widths.
+    /// By their variances, three standard deviations within the limits.
     Squares,
 }
 
@@ -29,7 +29,7 @@ pub enum Sum {
 pub struct Room {
     /// What the tolerances may use of it [rad or m], above 0.
     pub room: f64,
-    /// |dy/dp| by tolerance.
+    /// By tolerance, what a unit of its half width uses of it: |dy/dp|, of variances three standard deviations.
     pub weights: Vec<f64>,
 }
 

@@ -47,7 +47,7 @@ mod worst;
 pub use allocate::{Room, Sum, Unallocated, allocate};
 pub use answer::{Accuracy, Contribution, OutputAccuracy, PoseAccuracy};
 pub use levels::Levels;
-pub use rooms::Limited;
+pub use rooms::{Free, Limited};
 pub use statistics::{Capability, Pins, Scatter};
 pub use words::{Deviating, Parameters, Refusal, Scope, accuracy};
 

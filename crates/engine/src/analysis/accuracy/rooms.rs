@@ -1,7 +1,26 @@
 //! What limits leave for tolerances that are still to be chosen.
+//!
+//! ```text
+//! worst case   Σ |g_k| t_k ≤ min(U − m, m − L) − Σ half reach of all that is fixed             m middle of all reaches
+//! statistic    3² Σ σ_k² ≤ min(U − μ, μ − L)²,  C_pk ≥ 1;  σ_k = |g_k| t_k σ(1) of a tolerance, as `statistics` has it of the rest
+//! ```
 
 use super::allocate::{Room, Sum};
-use super::{Accuracy, OutputAccuracy, PoseAccuracy};
+use super::statistics::Scatter;
+use super::{Accuracy, Contribution, OutputAccuracy, PoseAccuracy};
+
+/// Standard deviations from the mean to the nearer limit: 99.73 % of a normal deviation are within both. Of sources with limits of
+/// their own, at so many, it is more.
+const DEVIATIONS: f64 = 3.0;
+
+/// A source whose half width is to be chosen.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Free {
+    /// Its number among the sources.
+    pub source: usize,
+    /// How it scatters.
+    pub scatter: Scatter,
+}
 
 /// A limit at a pose.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,8 +35,8 @@ pub struct Limited {
 
 impl Accuracy {
     /// The limits of all outputs at all poses, for sources (`free`, by number) whose half widths are to be chosen; what the
-    /// others do is taken off, and so is a middle that is off nominal. `part` of a limit may be used.
-    pub fn rooms(&self, free: &[usize], sum: Sum, part: &dyn Fn(usize) -> f64) -> Vec<Limited> {
+    /// others do is taken off, and so is a mean that is off nominal. `part` of a limit may be used.
+    pub fn rooms(&self, free: &[Free], sum: Sum, part: &dyn Fn(usize) -> f64) -> Vec<Limited> {
         let mut all = Vec::new();
         for (number, output) in self.outputs.iter().enumerate() {
             let Some(limits) = output.limits else {
@@ -41,34 +60,38 @@ impl Accuracy {
     }
 }
 
-fn room(pose: &PoseAccuracy, [low, high]: [f64; 2], free: &[usize], sum: Sum) -> Room {
-    let (mut up, mut down, mut squares) = (high, -low, 0.0);
-    for (source, by) in pose.contributions.iter().enumerate() {
-        let middle = 0.5 * (by.reach[0] + by.reach[1]);
-        let half = 0.5 * (by.reach[1] - by.reach[0]);
-        up -= middle;
-        down += middle;
-        if !free.contains(&source) {
-            squares += half * half;
-            if sum == Sum::Worst {
-                up -= half;
-                down -= half;
-            }
+fn room(pose: &PoseAccuracy, limits: [f64; 2], free: &[Free], sum: Sum) -> Room {
+    let all = pose.contributions.iter().enumerate();
+    let fixed = all.filter(|(source, _)| free.iter().all(|own| own.source != *source));
+    let fixed = fixed.map(|(_, by)| by);
+    let (room, share): (f64, fn(Scatter) -> f64) = match sum {
+        Sum::Worst => {
+            let middle = |by: &Contribution| 0.5 * (by.reach[0] + by.reach[1]);
+            let half = |by: &Contribution| 0.5 * (by.reach[1] - by.reach[0]);
+            let middle = pose.contributions.iter().map(middle).sum();
+            let fixed: f64 = fixed.map(half).sum();
+            (beside(limits, middle) - fixed, |_| 1.0)
         }
-    }
-    let room = up.min(down);
+        Sum::Squares => {
+            let mean = pose.moments.map_or(0.0, |[mean, _]| mean);
+            let room = beside(limits, mean);
+            let fixed: f64 = fixed.map(|by| DEVIATIONS.powi(2) * by.variance).sum();
+            let left = (room * room - fixed).max(0.0).sqrt();
+            (left.min(room), |scatter| {
+                DEVIATIONS * scatter.variance(1.0).sqrt()
+            })
+        }
+    };
+    let weight = |own: &Free| pose.contributions[own.source].sensitivity.abs() * share(own.scatter);
     Room {
-        room: match sum {
-            Sum::Worst => room,
-            // √(Σ (s t)² + F²) ≤ T
-            Sum::Squares if room > 0.0 => (room * room - squares).max(0.0).sqrt(),
-            Sum::Squares => room,
-        },
-        weights: free
-            .iter()
-            .map(|&source| pose.contributions[source].sensitivity.abs())
-            .collect(),
+        room,
+        weights: free.iter().map(weight).collect(),
     }
+}
+
+/// What limits leave to either side of a middle.
+fn beside([low, high]: [f64; 2], middle: f64) -> f64 {
+    (high - middle).min(middle - low)
 }
 
 impl OutputAccuracy {

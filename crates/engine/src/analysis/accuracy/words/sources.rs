@@ -51,14 +51,7 @@ pub(super) fn sources(
         let parameter = &parameters.all[*index];
         let (lower, upper, scatter) = match &parameter.tolerance {
             None => (0.0, 0.0, Scatter::Uniform),
-            Some(tolerance) => {
-                let scatter = match tolerance.distribution {
-                    Distribution::Normal { sigma } => Scatter::Normal(sigma),
-                    Distribution::Uniform => Scatter::Uniform,
-                    Distribution::Triangular => Scatter::Triangular,
-                };
-                (tolerance.lower, tolerance.upper, scatter)
-            }
+            Some(own) => (own.lower, own.upper, own.distribution.into()),
         };
         sources.push(Named {
             name: format!("parameters.{}", parameter.name),
@@ -186,5 +179,15 @@ pub(super) fn pins(model: &Model) -> Pins {
         linkdyn_model::Pins::Disc => Pins::Disc,
         linkdyn_model::Pins::Load => Pins::Load,
         linkdyn_model::Pins::None => Pins::None,
+    }
+}
+
+impl From<Distribution> for Scatter {
+    fn from(distribution: Distribution) -> Self {
+        match distribution {
+            Distribution::Normal { sigma } => Scatter::Normal(sigma),
+            Distribution::Uniform => Scatter::Uniform,
+            Distribution::Triangular => Scatter::Triangular,
+        }
     }
 }
