@@ -1,7 +1,7 @@
 //! What a study is: enough to join its chunks without its model.
 
 use super::VERSION;
-use super::asked::{Asked as Inputs, Column};
+use super::asked::{Asked as Inputs, Column, How};
 use super::wanted::Wanted;
 use crate::cli::open::Opened;
 use linkdyn_study::chunks::{Identity, Plan};
@@ -48,7 +48,45 @@ pub struct Head {
     pub responses: Vec<Asked>,
 }
 
+/// Which variants are a random sample, so that a share of them says something of the true one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sampling {
+    /// All.
+    Each,
+    /// The first and the last of so many rows: the others take each of their values from one of these.
+    Ends(u64),
+    /// None: they are the points of a grid.
+    Grid,
+    /// The same samples at each point of a grid.
+    Repeated,
+}
+
+impl Sampling {
+    /// Whether a variant counts for shares.
+    pub fn counts(self, variant: u64) -> bool {
+        match self {
+            Sampling::Each | Sampling::Grid | Sampling::Repeated => true,
+            Sampling::Ends(rows) => matches!(variant % rows, part if part == 0 || part == rows - 1),
+        }
+    }
+}
+
 impl Head {
+    /// Which variants are a sample.
+    pub fn sampling(&self) -> Sampling {
+        let is_scattered = |own: &Column| match own.how {
+            How::Scattered { .. } => true,
+            How::Linear { .. } | How::Listed(_) => false,
+        };
+        let scattered = self.inputs.iter().filter(|own| is_scattered(own)).count();
+        match (scattered, self.rows_per_point) {
+            (0, _) => Sampling::Grid,
+            (count, _) if count < self.inputs.len() => Sampling::Repeated,
+            (_, Some(rows)) => Sampling::Ends(rows),
+            (_, None) => Sampling::Each,
+        }
+    }
+
     /// Of what the command asks.
     pub fn new(
         wanted: &Wanted,

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::asked::How;
 use super::display::Display;
-use super::head::Head;
+use super::head::{Head, Sampling};
 use super::totals::{OfResponse, Told};
 use crate::cli::page::{Page, number};
 use linkdyn_study::summary::Share;
@@ -32,10 +32,10 @@ pub fn page(head: &Head, told: &Told, display: &Display, written: &[PathBuf]) ->
         }),
     );
     if let Some(share) = &told.completed {
-        page.row("completed", shared(share));
+        page.row("completed", shared(head, share));
     }
     if let Some(share) = &told.within_limits {
-        page.row("within limits", shared(share));
+        page.row("within limits", shared(head, share));
     }
     let mut failures: Vec<String> = told
         .failures
@@ -87,15 +87,26 @@ fn how(how: &How, value: impl Fn(f64) -> String) -> String {
     }
 }
 
-fn shared(share: &Share) -> String {
+fn shared(head: &Head, share: &Share) -> String {
     let percent = |share: f64| number(100.0 * share, 5);
+    let interval = share.lower.zip(share.upper);
+    let sure = interval.map(|(lower, upper)| {
+        let [lower, upper] = [lower, upper].map(percent);
+        format!("95 % sure: {lower} to {upper} %")
+    });
+    let why = match head.sampling() {
+        Sampling::Each => None,
+        Sampling::Ends(_) => Some("counted are the independent rows, two of each sample"),
+        Sampling::Grid => Some("points of a grid, no sample"),
+        Sampling::Repeated => Some("the same samples at each point of the grid"),
+    };
+    let told: Vec<String> = sure.into_iter().chain(why.map(str::to_owned)).collect();
     format!(
-        "{} of {} = {} % (95 % sure: {} to {} %)",
+        "{} of {} = {} % ({})",
         share.within,
         share.total,
         percent(share.share),
-        percent(share.lower),
-        percent(share.upper)
+        told.join("; ")
     )
 }
 
@@ -126,15 +137,19 @@ fn of_response(
         rows.push(format!("0.135 % {low}, median {middle}, 99.865 % {high}"));
     }
     if let Some(cpk) = summary.cpk {
-        let cp = summary
-            .cp
-            .map_or(String::new(), |cp| format!("Cp {}, ", number(cp, 4)));
-        rows.push(format!(
-            "{cp}Cpk {}; {} below, {} above the limits",
-            number(cpk, 4),
-            summary.below,
-            summary.above
-        ));
+        let outside = format!(
+            "{} below, {} above the limits",
+            summary.below, summary.above
+        );
+        let cp = summary.cp.map(|cp| format!("Cp {}, ", number(cp, 4)));
+        // The points of a grid have no spread that says anything of parts.
+        rows.push(match head.sampling() {
+            Sampling::Grid => outside,
+            Sampling::Each | Sampling::Ends(_) | Sampling::Repeated => {
+                let cpk = number(cpk, 4);
+                format!("{}Cpk {cpk}; {outside}", cp.unwrap_or_default())
+            }
+        });
     }
     if let Some(indices) = &response.indices {
         for (input, (first, total)) in head

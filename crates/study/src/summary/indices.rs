@@ -10,8 +10,9 @@
 //! changes no expectation and lessens the scatter; total, Jansen, Comput. Phys. Commun. 117, 1999.
 //!
 //! Points go in turn into 1000 groups, of which only sums are kept, so that memory is flat. The interval comes from drawing groups with
-//! replacement (bootstrap by percentiles, Efron 1979); up to 1000 points that is the usual bootstrap of points. For Sobol points and Latin
-//! hypercubes the interval is wider than need be, since it takes points for independent.
+//! replacement (bootstrap by percentiles, Efron 1979); up to 1000 points that is the usual bootstrap of points. With few points it is
+//! narrow: of a sum of three even inputs it held the true indices in 91 of 100 studies of 16 points, in 93 of 64, in 94 of 256. For Sobol
+//! points and Latin hypercubes it is as a rule wider than need be, since it takes points for independent.
 //!
 //! A point counts only if all of its rows have a value; the others are counted as left out.
 
@@ -25,7 +26,7 @@ const REPLICATES: usize = 1000;
 /// Share of the replicates on each side of the interval: 95 % are within.
 const TAIL: f64 = 0.025;
 
-/// An index with its interval of 95 %.
+/// An index with its interval of about 95 %.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Index {
     /// The estimate.

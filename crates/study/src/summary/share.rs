@@ -5,8 +5,9 @@
 //! ```
 //!
 //! B is the regularised incomplete beta function. Source: Clopper and Pearson, The use of confidence or fiducial limits, Biometrika 26,
-//! 1934: the interval holds the true share in at least 1 − α of all studies. It counts variants as independent of each other; for Latin
-//! hypercubes and Sobol points it is wider than need be.
+//! 1934: the interval holds the true share in at least 1 − α of all studies of variants that are independent of each other. For Latin
+//! hypercubes and scrambled Sobol points, which spread more evenly, it is as a rule wider than need be. Shares of what is no sample,
+//! such as the points of a grid, have none.
 //!
 //! B(x; a, b) by its continued fraction (Abramowitz and Stegun 26.5.8, in the form of Lentz), with the factor before it by the deviance
 //! (Loader, Fast and accurate computation of binomial probabilities, 2000): twelve digits up to 10⁷ variants, nine at 10⁹.
@@ -23,18 +24,27 @@ pub struct Share {
     pub total: u64,
     /// Their share.
     pub share: f64,
-    /// Where the interval begins.
-    pub lower: f64,
+    /// Where the interval begins; none of what is no sample.
+    pub lower: Option<f64>,
     /// Where it ends.
-    pub upper: f64,
+    pub upper: Option<f64>,
 }
 
 impl Share {
+    /// `within` of `total` that are no sample; none of nothing.
+    pub fn of(within: u64, total: u64) -> Option<Self> {
+        (total > 0 && within <= total).then(|| Share {
+            within,
+            total,
+            share: within as f64 / total as f64,
+            lower: None,
+            upper: None,
+        })
+    }
+
     /// `within` of `total`, with the interval of a confidence such as 0.95; none of nothing.
     pub fn new(within: u64, total: u64, confidence: f64) -> Option<Self> {
-        if total == 0 || within > total {
-            return None;
-        }
+        let share = Share::of(within, total)?;
         let tail = 0.5 * (1.0 - confidence);
         let (k, n) = (within as f64, total as f64);
         let lower = match within {
@@ -46,11 +56,9 @@ impl Share {
             _ => share_where(|x| beta(x, k + 1.0, n - k)[1] > tail),
         };
         Some(Share {
-            within,
-            total,
-            share: k / n,
-            lower,
-            upper,
+            lower: Some(lower),
+            upper: Some(upper),
+            ..share
         })
     }
 }
@@ -190,6 +198,7 @@ mod tests {
         ] {
             let found = Share::new(within, total, confidence).expect("a share");
             for (found, expected) in [(found.lower, lower), (found.upper, upper)] {
+                let found = found.expect("an interval");
                 // α/2 = (1 − 0.95)/2 is known to 2e-15; at 10⁹, 1 − x keeps eight digits of x, most of which cancel.
                 let digits = if total > 10_000_000 { 1e-9 } else { 1e-12 };
                 let off = (found - expected).abs();
@@ -207,9 +216,10 @@ mod tests {
         fn the_share_is_within_its_interval(total in 1..3000_u64, part in 0.0..=1.0_f64) {
             let within = (part * total as f64) as u64;
             let found = Share::new(within, total, 0.95).expect("a share");
-            proptest::prop_assert!(found.lower <= found.share && found.share <= found.upper);
+            let [lower, upper] = [found.lower, found.upper].map(|end| end.expect("an interval"));
+            proptest::prop_assert!(lower <= found.share && found.share <= upper);
             let other = Share::new(total - within, total, 0.95).expect("a share");
-            proptest::prop_assert!((found.lower - (1.0 - other.upper)).abs() < 1e-12);
+            proptest::prop_assert!((lower - (1.0 - other.upper.expect("an interval"))).abs() < 1e-12);
         }
     }
 }

@@ -21,7 +21,7 @@
   if (inputs.length > FEW) varied.push(element("span", { className: "muted", text: `and ${inputs.length - FEW} more` }));
   tile("varied", ...varied);
   const percent = (share) => units.number(100 * share, share > 0.99 ? 5 : 4);
-  const shared = (title, share) => { if (share) tile(title, element("strong", { className: `large ${share.within === share.total ? "good" : ""}`, text: `${percent(share.share)} %` }), element("span", { className: "small", text: `${count(share.within)} of ${count(share.total)}` }), element("span", { className: "muted small", text: `95 % sure: ${percent(share.lower)} to ${percent(share.upper)} %` })); };
+  const shared = (title, share) => { if (share) tile(title, element("strong", { className: `large ${share.within === share.total ? "good" : ""}`, text: `${percent(share.share)} %` }), element("span", { className: "small", text: `${count(share.within)} of ${count(share.total)}` }), element("span", { className: "muted small", text: share.lower === null ? "no interval: the points of a grid are no sample" : `95 % sure: ${percent(share.lower)} to ${percent(share.upper)} %` })); };
   shared("completed", summary.completed);
   shared("within limits", summary.within_limits);
   const failures = Object.entries(summary.failures), MOST = 4;
@@ -29,14 +29,14 @@
 
   // Each response in a row.
   const hasLimits = responses.some(({ limits }) => limits.some((limit) => limit !== null)), hasQuantiles = given.method !== "grid", none = responses.some(({ summary }) => summary.none);
-  const heads = ["response", "mean", "σ", "min", "max", ...(hasQuantiles ? ["0.135 %", "median", "99.865 %"] : []), ...(hasLimits ? ["limits", "Cpk", "outside"] : []), ...(none ? ["no value"] : [])];
+  const heads = ["response", "mean", "σ", "min", "max", ...(hasQuantiles ? ["0.135 %", "median", "99.865 %"] : []), ...(hasLimits ? ["limits", ...(hasQuantiles ? ["Cpk"] : []), "outside"] : []), ...(none ? ["no value"] : [])];
   id("of_responses").append(element("thead", {}, element("tr", {}, ...heads.map((text, k) => element("th", { text, className: k ? "number" : "", scope: "col" })))));
   const digits = 6;
   id("of_responses").append(element("tbody", {}, ...responses.map((own) => {
     const found = own.summary, bound = ([lower, upper]) => lower === null && upper === null ? "–" : lower === null ? `≤ ${own.text(upper)}` : upper === null ? `≥ ${own.text(lower)}` : `${units.number(lower, digits)} … ${own.text(upper)}`;
     const cells = [own.si(found.mean ?? NaN, digits), own.si(found.deviation ?? NaN, 4), own.si(found.min ?? NaN, digits), own.si(found.max ?? NaN, digits),
       ...(hasQuantiles ? [0, 1, 2].map((k) => own.si(found.quantiles?.[k] ?? NaN, digits)) : []),
-      ...(hasLimits ? [bound(own.limits), units.number(found.cpk, 4), own.limits.every((limit) => limit === null) ? "–" : count(found.below + found.above)] : []),
+      ...(hasLimits ? [bound(own.limits), ...(hasQuantiles ? [units.number(found.cpk, 4)] : []), own.limits.every((limit) => limit === null) ? "–" : count(found.below + found.above)] : []),
       ...(none ? [count(found.none)] : [])];
     const row = element("tr", {}, element("th", { className: "text", scope: "row", text: own.name, title: own.facts.value }));
     row.append(...cells.map((text, k) => element("td", { text, className: `number${heads[k + 1] === "Cpk" && found.cpk !== null && found.cpk < 1 || heads[k + 1] === "outside" && found.below + found.above ? " bad" : ""}` })));
